@@ -1,0 +1,16 @@
+#pragma once
+/// Indices: sites, faces and half-edges are numbered by 32-bit integers.
+
+#include <cstdint>
+
+namespace signum {
+
+using Index = std::int32_t;
+
+/// The vertex at infinity, in every triple of vertices.
+inline constexpr Index infinite = -1;
+
+/// n sites have 2n-2 faces and so fewer than 6n half-edges, which must stay below 2^31.
+inline constexpr std::int64_t max_sites = 357'913'941;
+
+}  // namespace signum

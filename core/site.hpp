@@ -1,0 +1,34 @@
+#pragma once
+/// Points and sites: the input of every predicate and algorithm. Coordinates are IEEE doubles and
+/// are taken as exact numbers; nothing is rounded on the way in.
+
+namespace signum {
+
+/// A point of the plane.
+struct Point {
+    double x = 0.0;
+    double y = 0.0;
+    friend bool operator==(const Point&, const Point&) = default;
+};
+
+/// A disc (square, diamond) with centre (x, y) and radius r; r may be negative. In the power metric
+/// the weight of the site is r², the exact product.
+struct Site {
+    double x = 0.0;
+    double y = 0.0;
+    double r = 0.0;
+    friend bool operator==(const Site&, const Site&) = default;
+};
+
+namespace power {
+
+/// A site of the power metric that carries its weight w itself: distance |p-c|² - w.
+struct Site {
+    double x = 0.0;
+    double y = 0.0;
+    double w = 0.0;
+    friend bool operator==(const Site&, const Site&) = default;
+};
+
+}  // namespace power
+}  // namespace signum

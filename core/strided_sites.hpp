@@ -1,0 +1,70 @@
+#pragma once
+/// A view of sites that lie anywhere in memory with a constant stride: a vector of Site, a row-major
+/// matrix, three columns, a struct of one's own. Nothing is copied.
+
+#include <cstddef>
+#include <ranges>
+#include <type_traits>
+
+#include <signum/core/site.hpp>
+
+namespace signum {
+
+class StridedSites {
+ public:
+    StridedSites() = default;
+
+    /// A contiguous range of Site (third is a radius), power::Site (third is a weight) or Point
+    /// (third is 0).
+    template <std::ranges::contiguous_range Range>
+        requires std::ranges::sized_range<Range>
+    // NOLINTNEXTLINE(google-explicit-constructor): a vector of sites is a view of sites
+    StridedSites(const Range& range) noexcept : size_(std::ranges::size(range)) {
+        using Element = std::remove_cv_t<std::ranges::range_value_t<Range>>;
+        static_assert(std::is_same_v<Element, Site> || std::is_same_v<Element, power::Site> ||
+                          std::is_same_v<Element, Point>,
+                      "a range of Site, power::Site or Point; other layouts give three pointers");
+        const Element* first = std::ranges::data(range);
+        stride_ = static_cast<std::ptrdiff_t>(sizeof(Element));
+        if (first == nullptr) return;
+        x_ = &first->x;
+        y_ = &first->y;
+        if constexpr (std::is_same_v<Element, Site>) third_ = &first->r;
+        if constexpr (std::is_same_v<Element, power::Site>) {
+            third_ = &first->w;
+            third_is_weight_ = true;
+        }
+    }
+
+    /// `size` sites whose numbers stand `stride` bytes apart; third may be null, which means 0.
+    StridedSites(std::size_t size, std::ptrdiff_t stride, const double* x, const double* y,
+                 const double* third = nullptr, bool third_is_weight = false) noexcept
+        : x_(x),
+          y_(y),
+          third_(third),
+          stride_(stride),
+          size_(size),
+          third_is_weight_(third_is_weight) {}
+
+    [[nodiscard]] std::size_t size() const noexcept { return size_; }
+    [[nodiscard]] bool third_is_weight() const noexcept { return third_is_weight_; }
+    /// Precondition: i < size().
+    [[nodiscard]] Site operator[](std::size_t i) const noexcept {
+        return {at(x_, i), at(y_, i), third_ == nullptr ? 0.0 : at(third_, i)};
+    }
+
+ private:
+    [[nodiscard]] double at(const double* first, std::size_t i) const noexcept {
+        const char* bytes = reinterpret_cast<const char*>(first);
+        return *reinterpret_cast<const double*>(bytes + static_cast<std::ptrdiff_t>(i) * stride_);
+    }
+
+    const double* x_ = nullptr;
+    const double* y_ = nullptr;
+    const double* third_ = nullptr;
+    std::ptrdiff_t stride_ = 0;
+    std::size_t size_ = 0;
+    bool third_is_weight_ = false;
+};
+
+}  // namespace signum

@@ -1,0 +1,116 @@
+#pragma once
+/// The result of a triangulation: plain arrays of indices, and questions about them.
+///
+/// Laws:
+///  1. n >= 2 visible sites have 2n-2 faces; with the vertex at infinity they tile the sphere.
+///  2. A face is a counterclockwise triple of sites, -1 being infinity, rotated so that the smallest
+///     number comes first; faces are sorted. One visible site has no face.
+///  3. neighbours[f][k] is the face across the edge opposite faces[f][k].
+///  4. The arrays depend on the sites alone: not on insertion order, method, seed or threads.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include <signum/core/index.hpp>
+#include <signum/core/site.hpp>
+
+namespace signum {
+
+/// The four distances from a site; shared by types and files.
+enum class Metric : std::uint8_t { power, euclidean, manhattan, supremum };
+
+/// What the third number of a site means; anything but radius exists in the power metric alone.
+enum class WeightIs : std::uint8_t { radius, weight };
+
+[[nodiscard]] std::string_view name_of(Metric metric) noexcept;
+[[nodiscard]] std::string_view name_of(WeightIs weight_is) noexcept;
+
+/// The power metric |x-c|² - w. Passed to triangulate() to choose the metric.
+struct Power {};
+
+/// Three vertices counterclockwise, or the three faces across from them.
+using Face = std::array<Index, 3>;
+
+/// An edge of the tessellation; -1 is infinity.
+using Edge = std::array<Index, 2>;
+
+/// A site whose cell is empty, and the visible site nearest to its centre.
+struct Hidden {
+    Index site;
+    Index by;
+    friend bool operator==(const Hidden&, const Hidden&) = default;
+};
+
+/// The tessellation as arrays: what files carry and what validate() judges, whoever made it.
+struct TessellationArrays {
+    Metric metric = Metric::power;
+    WeightIs weight_is = WeightIs::radius;
+    std::int64_t sites = 0;
+    std::vector<Face> faces;
+    std::vector<Face> neighbours;
+    std::vector<Hidden> hidden;
+    friend bool operator==(const TessellationArrays&, const TessellationArrays&) = default;
+};
+
+/// What a construction did. Counters are 0 unless Options::count asked for them.
+struct Statistics {
+    bool counted = false;
+    std::uint64_t ccw = 0;             ///< calls of ccw
+    std::uint64_t in_circle = 0;       ///< calls of in_circle, at infinity too
+    std::uint64_t filtered = 0;        ///< calls decided by the floating-point filter
+    std::uint64_t refined = 0;         ///< ... by double-double arithmetic
+    std::uint64_t essa = 0;            ///< ... by expansions and the exact sign of a sum
+    std::uint64_t multiprecision = 0;  ///< ... by rationals
+    std::uint64_t ties = 0;            ///< exact zeros of in_circle, resolved by the tie rule
+    std::uint64_t flips = 0;           ///< edges swapped
+    double seconds = 0.0;              ///< construction alone
+};
+
+/// A generalized Delaunay tessellation of sites in the plane.
+class Tessellation {
+ public:
+    Tessellation() = default;
+    /// Takes over a result; the third numbers of `sites` are what arrays.weight_is says.
+    Tessellation(TessellationArrays arrays, std::vector<Site> sites, Statistics statistics);
+
+    [[nodiscard]] Metric metric() const noexcept { return arrays_.metric; }
+    [[nodiscard]] WeightIs weight_is() const noexcept { return arrays_.weight_is; }
+    [[nodiscard]] const TessellationArrays& arrays() const noexcept { return arrays_; }
+
+    /// All sites in the order given, hidden ones included; r is a radius or a weight (weight_is()).
+    [[nodiscard]] std::span<const Site> sites() const noexcept { return sites_; }
+    [[nodiscard]] std::span<const Face> faces() const noexcept { return arrays_.faces; }
+    /// Three faces for every face: neighbours()[f][k] lies across the edge opposite faces()[f][k].
+    [[nodiscard]] std::span<const Face> neighbours() const noexcept { return arrays_.neighbours; }
+    /// Sorted by site.
+    [[nodiscard]] std::span<const Hidden> hidden() const noexcept { return arrays_.hidden; }
+    [[nodiscard]] const Statistics& statistics() const noexcept { return statistics_; }
+
+    /// All 3n-3 edges, those to infinity (-1, a) included, smaller number first, sorted. Two sites
+    /// that share several edges appear as often. O(n log n).
+    [[nodiscard]] std::vector<Edge> edges() const;
+
+    /// The vertices joined to a site, counterclockwise from the smallest, -1 where infinity is among
+    /// them; empty for a hidden site. Precondition: 0 <= site < sites().size(). O(degree).
+    [[nodiscard]] std::vector<Index> neighbours(Index site) const;
+
+    /// A face whose closure contains the point: a finite one, or outside the convex hull an infinite
+    /// one whose hull edge sees the point; -1 where there is no face (fewer than two visible sites).
+    /// Exact. The point must be finite (std::invalid_argument). Expected O(sqrt n) steps.
+    [[nodiscard]] Index locate(Point point) const;
+
+    /// The site whose cell contains the point, ties going to the first in the tie rule's order; -1
+    /// without sites. Exact. The point must be finite (std::invalid_argument).
+    [[nodiscard]] Index nearest(Point point) const;
+
+ private:
+    TessellationArrays arrays_;
+    std::vector<Site> sites_;
+    std::vector<Index> face_of_site_;
+    Statistics statistics_;
+};
+
+}  // namespace signum
