@@ -16,7 +16,8 @@ struct TwoTerms {
     double low;
 };
 
-/// a + b, for finite a and b whose sum does not overflow.
+/// a + b, for |a| and |b| below the largest double (beside it b_virtual can overflow) whose sum does
+/// not overflow.
 [[nodiscard]] inline TwoTerms two_sum(double a, double b) noexcept {
     const double sum = a + b;
     const double b_virtual = sum - a;
@@ -30,7 +31,7 @@ struct TwoTerms {
     return {sum, b - (sum - a)};
 }
 
-/// a - b, for finite a and b whose difference does not overflow.
+/// a - b, for |a| and |b| below the largest double whose difference does not overflow.
 [[nodiscard]] inline TwoTerms two_difference(double a, double b) noexcept {
     return two_sum(a, -b);
 }

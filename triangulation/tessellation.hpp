@@ -98,8 +98,10 @@ class Tessellation {
     [[nodiscard]] std::vector<Index> neighbours(Index site) const;
 
     /// A face whose closure contains the point: a finite one, or outside the convex hull an infinite
-    /// one whose hull edge sees the point; -1 where there is no face (fewer than two visible sites).
-    /// Exact. The point must be finite (std::invalid_argument). Expected O(sqrt n) steps.
+    /// one whose hull edge sees the point (where all sites are collinear, one on the point's side, on
+    /// the line itself one whose edge contains the point if any does); -1 where there is no face (fewer
+    /// than two visible sites).
+    /// Exact. The point must be finite (std::invalid_argument). Expected O(n^(1/3)) on uniform sites.
     [[nodiscard]] Index locate(Point point) const;
 
     /// The site whose cell contains the point, ties going to the first in the tie rule's order; -1
@@ -107,6 +109,12 @@ class Tessellation {
     [[nodiscard]] Index nearest(Point point) const;
 
  private:
+    [[nodiscard]] Point centre(Index site) const noexcept;
+    /// The visible one of about n^(1/3) sites that is nearest to the point, roughly.
+    [[nodiscard]] Index nearest_of_samples(Point point) const noexcept;
+    [[nodiscard]] Index locate_beside_line(Point point) const noexcept;
+    [[nodiscard]] bool is_nearer(Point point, Index a, Index b) const noexcept;
+
     TessellationArrays arrays_;
     std::vector<Site> sites_;
     std::vector<Index> face_of_site_;

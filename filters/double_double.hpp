@@ -1,0 +1,52 @@
+#pragma once
+/// Double-double arithmetic: unevaluated sums of two doubles, some 100 bits, for the refine stage.
+///
+/// Laws, with u = 2^-53, in rounding to nearest, without overflow and with no product's error term
+/// under the denormals (the caller checks the window):
+///  1. results are normalized, |low| <= u |high|;
+///  2. |x + y - exact| <= 4 u² (|x| + |y|): fl(xl + yl) errs by u (|xl| + |yl|) <= u² (|x| + |y|), the
+///     next sum by u (|error of xh + yh| + |xl + yl|) <= 2u² (|x| + |y|), terms in u³ fill the rest;
+///  3. |x · y - exact| <= 9 u² |x y|: the dropped xl·yl is u², the two cross products err by u² each,
+///     their sum by 2u², the last addition by 3u², terms in u³ fill the rest.
+/// So every operation commits a relative error of at most double_double_epsilon against the
+/// magnitudes of its operands.
+
+#include <signum/core/error_free.hpp>
+
+namespace signum::filters {
+
+inline constexpr double double_double_epsilon = 0x1p-102;
+
+struct DoubleDouble {
+    double high;
+    double low;
+
+    friend inline DoubleDouble operator+(DoubleDouble x, DoubleDouble y) noexcept {
+        const TwoTerms sum = two_sum(x.high, y.high);
+        const TwoTerms result = two_sum(sum.high, sum.low + (x.low + y.low));
+        return {result.high, result.low};
+    }
+    friend inline DoubleDouble operator-(DoubleDouble x, DoubleDouble y) noexcept {
+        return x + DoubleDouble{-y.high, -y.low};
+    }
+    friend inline DoubleDouble operator*(DoubleDouble x, DoubleDouble y) noexcept {
+        const TwoTerms product = two_product(x.high, y.high);
+        const double cross = x.high * y.low + x.low * y.high;
+        const TwoTerms result = two_sum(product.high, product.low + cross);
+        return {result.high, result.low};
+    }
+};
+
+/// a - b, exactly.
+[[nodiscard]] inline DoubleDouble exact_difference(double a, double b) noexcept {
+    const TwoTerms difference = two_difference(a, b);
+    return {difference.high, difference.low};
+}
+
+/// a + b, exactly.
+[[nodiscard]] inline DoubleDouble exact_sum(double a, double b) noexcept {
+    const TwoTerms sum = two_sum(a, b);
+    return {sum.high, sum.low};
+}
+
+}  // namespace signum::filters

@@ -1,0 +1,70 @@
+#pragma once
+/// ccw: the orientation of three points, exact for all finite doubles.
+///
+/// Laws:
+///  1. ccw(a,b,c) is the sign of (a-c) x (b-c): +1 where c lies left of the line from a to b, that is
+///     where a, b, c turn counterclockwise, 0 where they are collinear, -1 otherwise.
+///  2. It is exact and never perturbed.
+
+#include <signum/core/contract.hpp>
+#include <signum/core/sign.hpp>
+#include <signum/core/site.hpp>
+#include <signum/filters/bounds.hpp>
+#include <signum/filters/rounding_count.hpp>
+#include <signum/filters/tally.hpp>
+#include <signum/filters/verdict.hpp>
+
+namespace signum {
+namespace predicates {
+
+/// The 2x2 determinant of the differences to c, for any type of number.
+template <class Number>
+[[nodiscard]] constexpr Number ccw_determinant(Number ax, Number ay, Number bx, Number by) {
+    return ax * by - ay * bx;
+}
+
+/// The error of the rounded determinant, as a multiple of the sum of its two products' magnitudes.
+/// The lemma of rounding_count.hpp gives (1+e)^4 - 1; one more e pays for the terms in e² and for the
+/// roundings of the bound itself, 4e(1 + 8e) < 5e.
+inline constexpr double ccw_error = 5 * filters::epsilon;
+static_assert(ccw_determinant(filters::rounded_difference, filters::rounded_difference,
+                              filters::rounded_difference, filters::rounded_difference)
+                  .roundings == 4);
+
+/// Decides almost every call. Where the two products have one sign, |left + right| is the sum of
+/// their magnitudes; where they have not, no cancellation happens and any bound below 1 would do.
+/// Underflow of a product costs at most 2^-1074 each, which 2^-1000 covers; underflow of a difference
+/// costs nothing as long as it is gradual. Overflow gives infinity or NaN on the right, and the
+/// comparison fails.
+[[nodiscard]] inline filters::Verdict ccw_filter(Point a, Point b, Point c) noexcept {
+    const double left = (a.x - c.x) * (b.y - c.y);
+    const double right = (a.y - c.y) * (b.x - c.x);
+    const double determinant = left - right;
+    const double bound = ccw_error * filters::magnitude(left + right) + 0x1p-1000;
+    if (filters::magnitude(determinant) > bound && filters::underflow_is_gradual()) [[likely]]
+        return filters::Verdict::certain(filters::sign_of_nonzero(determinant));
+    return filters::Verdict::uncertain();
+}
+
+/// The stages behind the filter.
+[[nodiscard]] Decision ccw_cold(Point a, Point b, Point c) noexcept;
+
+}  // namespace predicates
+
+/// The orientation of three points: +1 counterclockwise, 0 collinear, -1 clockwise. Exact.
+/// Precondition: finite coordinates.
+[[nodiscard]] inline Sign ccw(Point a, Point b, Point c) noexcept {
+    const filters::Verdict verdict = predicates::ccw_filter(a, b, c);
+    if (verdict.is_certain()) [[likely]]
+        return verdict.sign();
+    return predicates::ccw_cold(a, b, c).sign;
+}
+
+/// The same, with the stage that decided.
+[[nodiscard]] inline Decision ccw_decision(Point a, Point b, Point c) noexcept {
+    const filters::Verdict verdict = predicates::ccw_filter(a, b, c);
+    if (verdict.is_certain()) return {verdict.sign(), Stage::filter};
+    return predicates::ccw_cold(a, b, c);
+}
+
+}  // namespace signum

@@ -1,0 +1,65 @@
+#include <signum/predicates/power/infinite.hpp>
+
+#include <signum/exact/floating_environment.hpp>
+#include <signum/predicates/power/cold_rows.hpp>
+#include <signum/predicates/power/multiprecision.hpp>
+
+namespace signum::power {
+namespace {
+
+using filters::magnitude;
+
+/// The error of the rounded determinant as a multiple of its magnitude: (1+e)^8 - 1 by the lemma, one
+/// more e for second-order terms and the roundings of the bound.
+constexpr double in_segment_error = 9 * filters::epsilon;
+static_assert(in_segment_determinant(rounded_row, rounded_row, filters::rounded_difference,
+                                     filters::rounded_difference)
+                  .roundings == 8);
+
+/// Inside the window nothing under- or overflows.
+template <PowerSite S>
+[[nodiscard]] filters::Verdict filter(const Row<double>& a, const Row<double>& b, double t_a,
+                                      double t_b) noexcept {
+    const double a_square = a.x * a.x + a.y * a.y;
+    const double b_square = b.x * b.x + b.y * b.y;
+    const double determinant = (a_square - a.weight) * t_b - (b_square - b.weight) * t_a;
+    const double bound =
+        in_segment_error * ((a_square + magnitude(a.weight)) * magnitude(t_b) +
+                            (b_square + magnitude(b.weight)) * magnitude(t_a));
+    if (magnitude(determinant) > bound)
+        return filters::Verdict::certain(filters::sign_of_nonzero(determinant));
+    return filters::Verdict::uncertain();
+}
+
+template <PowerSite S>
+[[nodiscard]] Decision decide(const S& a, const S& b, const S& q) noexcept {
+    if (!cold::in_window(a, b, q))
+        return {multiprecision::in_segment(a, b, q), Stage::multiprecision};
+    const bool along_x = a.x != b.x;
+    const Sign direction = (along_x ? a.x < b.x : a.y < b.y) ? 1 : -1;
+    const Row<double> row_a = row(a, q);
+    const Row<double> row_b = row(b, q);
+    const filters::Verdict verdict =
+        filter<S>(row_a, row_b, along_x ? row_a.x : row_a.y, along_x ? row_b.x : row_b.y);
+    if (verdict.is_certain()) return {direction * verdict.sign(), Stage::filter};
+    const cold::ExpansionRow<S> exact_a(a, q);
+    const cold::ExpansionRow<S> exact_b(b, q);
+    const auto& t_a = along_x ? exact_a.x : exact_a.y;
+    const auto& t_b = along_x ? exact_b.x : exact_b.y;
+    return {direction * (exact_a.height * t_b - exact_b.height * t_a).sign(), Stage::exact};
+}
+
+}  // namespace
+
+Decision in_segment_decision(const Point& a, const Point& b, const Point& q) noexcept {
+    return exact::in_ieee_environment(decide<Point>, a, b, q);
+}
+Decision in_segment_decision(const Site& a, const Site& b, const Site& q) noexcept {
+    return exact::in_ieee_environment(decide<Site>, a, b, q);
+}
+Decision in_segment_decision(const signum::Site& a, const signum::Site& b,
+                             const signum::Site& q) noexcept {
+    return exact::in_ieee_environment(decide<signum::Site>, a, b, q);
+}
+
+}  // namespace signum::power

@@ -1,0 +1,18 @@
+#pragma once
+/// The power predicates in rationals: the last stage of the exact kernel, and the whole of the
+/// multiprecision kernel that judges the others. Right for every finite double, in any environment.
+
+#include <signum/core/sign.hpp>
+#include <signum/core/site.hpp>
+#include <signum/predicates/power/weight.hpp>
+
+namespace signum::power::multiprecision {
+
+template <PowerSite S>
+[[nodiscard]] Sign in_circle(const S& i, const S& j, const S& k, const S& q) noexcept;
+template <PowerSite S>
+[[nodiscard]] Sign in_segment(const S& a, const S& b, const S& q) noexcept;
+template <PowerSite S>
+[[nodiscard]] Sign nearer(Point p, const S& a, const S& b) noexcept;
+
+}  // namespace signum::power::multiprecision

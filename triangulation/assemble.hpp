@@ -1,0 +1,19 @@
+#pragma once
+/// From the working structure to the canonical arrays of the result.
+
+#include <span>
+#include <vector>
+
+#include <signum/core/index.hpp>
+#include <signum/triangulation/tessellation.hpp>
+#include <signum/triangulation/topology.hpp>
+
+namespace signum::triangulation {
+
+/// Faces as triples of input numbers, rotated and sorted, with their neighbours: laws 1 to 3 of
+/// tessellation.hpp. original[v] is the input number of vertex v. O(n) but for the sorting of faces that
+/// share their smallest vertex.
+void assemble(const Topology& topology, std::span<const Index> original,
+              TessellationArrays& result);
+
+}  // namespace signum::triangulation

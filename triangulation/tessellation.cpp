@@ -1,0 +1,166 @@
+#include <signum/triangulation/tessellation.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include <signum/core/contract.hpp>
+#include <signum/exact/floating_environment.hpp>
+#include <signum/predicates/power.hpp>
+
+namespace signum {
+namespace {
+
+std::size_t at(Index i) noexcept { return static_cast<std::size_t>(i); }
+
+int position(const Face& face, Index vertex) noexcept {
+    return face[0] == vertex ? 0 : face[1] == vertex ? 1 : 2;
+}
+
+/// Of two sites the one nearer to the point, ties going to the first in the tie rule's order.
+template <class S>
+bool nearer(Point point, const Site& a, Index a_index, const Site& b, Index b_index) {
+    const S sa{a.x, a.y, a.r};
+    const S sb{b.x, b.y, b.r};
+    const Sign sign = power::nearer(point, sa, sb);
+    return sign != 0 ? sign > 0 : power::precedes(sa, a_index, sb, b_index);
+}
+
+void expect_finite(Point point) {
+    if (!std::isfinite(point.x) || !std::isfinite(point.y))
+        throw std::invalid_argument("the point is not finite");
+}
+
+}  // namespace
+
+std::string_view name_of(Metric metric) noexcept {
+    constexpr std::string_view names[] = {"power", "euclidean", "manhattan", "supremum"};
+    return names[static_cast<int>(metric)];
+}
+
+std::string_view name_of(WeightIs weight_is) noexcept {
+    return weight_is == WeightIs::radius ? "radius" : "weight";
+}
+
+Tessellation::Tessellation(TessellationArrays arrays, std::vector<Site> sites,
+                           Statistics statistics)
+    : arrays_(std::move(arrays)),
+      sites_(std::move(sites)),
+      face_of_site_(sites_.size(), -1),
+      statistics_(statistics) {
+    for (std::size_t f = arrays_.faces.size(); f-- > 0;)
+        for (const Index v : arrays_.faces[f])
+            if (v != infinite) face_of_site_[at(v)] = static_cast<Index>(f);
+}
+
+std::vector<Edge> Tessellation::edges() const {
+    std::vector<Edge> result;
+    result.reserve(arrays_.faces.size() * 3 / 2);
+    for (std::size_t f = 0; f < arrays_.faces.size(); ++f)
+        for (std::size_t k = 0; k < 3; ++k) {
+            // An edge is listed by that of its two faces in which it runs from smaller to larger.
+            const Index from = arrays_.faces[f][(k + 1) % 3];
+            const Index to = arrays_.faces[f][(k + 2) % 3];
+            if (from < to) result.push_back({from, to});
+        }
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
+std::vector<Index> Tessellation::neighbours(Index site) const {
+    SIGNUM_EXPECTS(site >= 0 && at(site) < sites_.size());
+    std::vector<Index> result;
+    const Index first = face_of_site_[at(site)];
+    if (first < 0) return result;
+    Index f = first;
+    do {
+        const Face& face = arrays_.faces[at(f)];
+        const auto k = static_cast<std::size_t>(position(face, site));
+        result.push_back(face[(k + 1) % 3]);
+        f = arrays_.neighbours[at(f)][(k + 1) % 3];
+    } while (f != first);
+    std::rotate(result.begin(), std::min_element(result.begin(), result.end()), result.end());
+    return result;
+}
+
+Index Tessellation::locate(Point point) const {
+    expect_finite(point);
+    const exact::IeeeEnvironment environment;
+    if (arrays_.faces.empty()) return -1;
+    Index f = face_of_site_[at(nearest_of_samples(point))];
+    if (f < 0) f = static_cast<Index>(arrays_.faces.size()) - 1;
+    if (arrays_.faces[at(f)][0] == infinite) f = arrays_.neighbours[at(f)][0];
+    if (arrays_.faces[at(f)][0] == infinite) return locate_beside_line(point);
+    while (arrays_.faces[at(f)][0] != infinite) {
+        const Face& face = arrays_.faces[at(f)];
+        std::size_t k = 0;
+        while (k < 3 && ccw(centre(face[(k + 1) % 3]), centre(face[(k + 2) % 3]), point) >= 0) ++k;
+        if (k == 3) break;
+        f = arrays_.neighbours[at(f)][k];
+    }
+    return f;
+}
+
+Index Tessellation::nearest(Point point) const {
+    expect_finite(point);
+    const exact::IeeeEnvironment environment;
+    if (sites_.empty()) return -1;
+    if (arrays_.faces.empty()) {
+        // One visible site: the only one that no entry of the sorted list names.
+        Index visible = 0;
+        for (const Hidden& hidden : arrays_.hidden) visible += static_cast<Index>(hidden.site == visible);
+        return visible;
+    }
+    const Face& face = arrays_.faces[at(locate(point))];
+    // The distance has no local minimum on the tessellation but the global one.
+    Index nearest = face[1];
+    for (bool improved = true; improved;) {
+        improved = false;
+        for (const Index v : neighbours(nearest)) {
+            if (v == infinite || !is_nearer(point, v, nearest)) continue;
+            nearest = v;
+            improved = true;
+        }
+    }
+    return nearest;
+}
+
+Point Tessellation::centre(Index site) const noexcept {
+    return {sites_[at(site)].x, sites_[at(site)].y};
+}
+
+Index Tessellation::nearest_of_samples(Point point) const noexcept {
+    const auto samples = static_cast<std::size_t>(std::cbrt(static_cast<double>(sites_.size())));
+    Index nearest = 0;
+    double least = HUGE_VAL;
+    for (std::size_t i = 0; i < samples; ++i) {
+        const auto v = static_cast<Index>(i * (sites_.size() / samples));
+        const double distance = std::hypot(centre(v).x - point.x, centre(v).y - point.y);
+        if (face_of_site_[at(v)] < 0 || !(distance < least)) continue;
+        least = distance;
+        nearest = v;
+    }
+    return nearest;
+}
+
+Index Tessellation::locate_beside_line(Point point) const noexcept {
+    Index on_line = 0;
+    for (std::size_t f = 0; f < arrays_.faces.size(); ++f) {
+        const Point from = centre(arrays_.faces[f][2]);
+        const Point to = centre(arrays_.faces[f][1]);
+        const Sign side = ccw(from, to, point);
+        if (side < 0) return static_cast<Index>(f);
+        const auto order = [](Point p, Point q) { return p.x != q.x ? p.x < q.x : p.y <= q.y; };
+        if (side == 0 && order(from, point) && order(point, to)) on_line = static_cast<Index>(f);
+    }
+    return on_line;
+}
+
+bool Tessellation::is_nearer(Point point, Index a, Index b) const noexcept {
+    return arrays_.weight_is == WeightIs::weight
+               ? nearer<power::Site>(point, sites_[at(a)], a, sites_[at(b)], b)
+               : nearer<Site>(point, sites_[at(a)], a, sites_[at(b)], b);
+}
+
+}  // namespace signum

@@ -1,0 +1,190 @@
+#include <signum/triangulation/triangulate.hpp>
+
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include <signum/exact/floating_environment.hpp>
+#include <signum/triangulation/assemble.hpp>
+#include <signum/triangulation/collinear.hpp>
+#include <signum/triangulation/hiders.hpp>
+#include <signum/triangulation/insert.hpp>
+#include <signum/triangulation/kernel.hpp>
+#include <signum/triangulation/spatial_order.hpp>
+
+namespace signum {
+namespace triangulation {
+namespace {
+
+void check_input(const StridedSites& sites) {
+    if (sites.size() > static_cast<std::size_t>(max_sites))
+        throw std::invalid_argument("too many sites: " + std::to_string(sites.size()) +
+                                    ", the limit is " + std::to_string(max_sites));
+    for (std::size_t i = 0; i < sites.size(); ++i) {
+        const Site site = sites[i];
+        if (!std::isfinite(site.x) || !std::isfinite(site.y) || !std::isfinite(site.r))
+            throw std::invalid_argument("site " + std::to_string(i) + " is not finite");
+    }
+}
+
+/// The same weight everywhere: ordinary Delaunay, which needs no weights at all.
+bool equal_weights(const StridedSites& sites) noexcept {
+    for (std::size_t i = 1; i < sites.size(); ++i) {
+        const double first = sites[0].r;
+        const double other = sites[i].r;
+        if (sites.third_is_weight() ? first != other : std::fabs(first) != std::fabs(other))
+            return false;
+    }
+    return true;
+}
+
+template <power::PowerSite S>
+S site_of(const Site& site) noexcept {
+    if constexpr (std::is_same_v<S, Point>) {
+        return {site.x, site.y};
+    } else {
+        return {site.x, site.y, site.r};
+    }
+}
+
+/// Calls the user back every few thousand sites.
+class Watch {
+ public:
+    Watch(const Options& options, std::size_t sites) noexcept : options_(options), sites_(sites) {}
+
+    void at(std::size_t done) const {
+        if (done % period != 0) return;
+        if (options_.stop.stop_requested()) throw Stopped();
+        if (options_.progress)
+            options_.progress(static_cast<double>(done) / static_cast<double>(sites_));
+    }
+
+ private:
+    static constexpr std::size_t period = 4096;
+    const Options& options_;
+    std::size_t sites_;
+};
+
+/// Moves three sites that are not collinear to the front, counterclockwise; false where there are none.
+template <class Kernel, power::PowerSite S>
+bool lead_with_triangle(Kernel& kernel, std::vector<S>& sites, std::vector<Index>& original) {
+    const auto n = static_cast<Index>(sites.size());
+    const auto bring = [&](Index to, Index from) {
+        std::swap(sites[static_cast<std::size_t>(to)], sites[static_cast<std::size_t>(from)]);
+        std::swap(original[static_cast<std::size_t>(to)], original[static_cast<std::size_t>(from)]);
+    };
+    Index second = 1;
+    while (second < n && kernel.centre(second) == kernel.centre(0)) ++second;
+    if (second >= n) return false;
+    bring(1, second);
+    for (Index third = 2; third < n; ++third) {
+        const Sign side = kernel.ccw(0, 1, third);
+        if (side == 0) continue;
+        bring(2, third);
+        if (side < 0) bring(0, 1);
+        return true;
+    }
+    return false;
+}
+
+void fill(Statistics& statistics, const filters::Tally& tally) noexcept {
+    statistics.counted = true;
+    statistics.ccw = tally.ccw;
+    statistics.in_circle = tally.in_circle;
+    const auto decided = [&](Stage stage) { return tally.stages[static_cast<int>(stage)]; };
+    statistics.filtered = decided(Stage::filter);
+    statistics.refined = decided(Stage::refine);
+    statistics.essa = decided(Stage::exact);
+    statistics.multiprecision = decided(Stage::multiprecision);
+    statistics.ties = tally.ties;
+}
+void fill(Statistics&, const filters::NoTally&) noexcept {}
+
+template <power::PowerSite S, Arithmetic arithmetic, class Tally>
+Tessellation construct(const StridedSites& input, const Options& options) {
+    using Kernel = PowerKernel<S, arithmetic, Tally>;
+    const auto start = std::chrono::steady_clock::now();
+    const std::size_t n = input.size();
+
+    std::vector<Index> original = spatial_order(input, options.seed);
+    std::vector<S> sites(n);
+    for (std::size_t i = 0; i < n; ++i)
+        sites[i] = site_of<S>(input[static_cast<std::size_t>(original[i])]);
+
+    Kernel kernel(sites, original);
+    Topology topology(n);
+    std::vector<Index> hidden_by(n, -1);
+    if (lead_with_triangle(kernel, sites, original)) {
+        Insertion<Kernel> insertion(topology, kernel, hidden_by, 0, 1, 2);
+        const Watch watch(options, n);
+        for (std::size_t i = 3; i < n; ++i) {
+            insertion.insert(static_cast<Index>(i));
+            watch.at(i);
+        }
+    } else {
+        connect_line(topology, visible_on_line(kernel, n, hidden_by));
+    }
+    settle_hiders(topology, kernel, hidden_by);
+
+    TessellationArrays arrays;
+    arrays.metric = Metric::power;
+    arrays.weight_is = input.third_is_weight() ? WeightIs::weight : WeightIs::radius;
+    arrays.sites = static_cast<std::int64_t>(n);
+    for (std::size_t i = 0; i < n; ++i)
+        if (hidden_by[i] >= 0)
+            arrays.hidden.push_back({original[i], original[static_cast<std::size_t>(hidden_by[i])]});
+    std::sort(arrays.hidden.begin(), arrays.hidden.end(),
+              [](const Hidden& a, const Hidden& b) { return a.site < b.site; });
+    sites = {};
+    hidden_by = {};
+    assemble(topology, original, arrays);
+    topology = Topology(0);
+    original = {};
+
+    Statistics statistics;
+    fill(statistics, kernel.tally());
+    std::vector<Site> copy(n);
+    for (std::size_t i = 0; i < n; ++i) copy[i] = input[i];
+    statistics.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return {std::move(arrays), std::move(copy), statistics};
+}
+
+template <power::PowerSite S, Arithmetic arithmetic>
+Tessellation construct_counting(const StridedSites& input, const Options& options) {
+    return options.count ? construct<S, arithmetic, filters::Tally>(input, options)
+                         : construct<S, arithmetic, filters::NoTally>(input, options);
+}
+
+template <power::PowerSite S>
+Tessellation construct_with_arithmetic(const StridedSites& input, const Options& options) {
+    switch (options.arithmetic) {
+        case Arithmetic::naive: return construct_counting<S, Arithmetic::naive>(input, options);
+        case Arithmetic::multiprecision:
+            return construct_counting<S, Arithmetic::multiprecision>(input, options);
+        case Arithmetic::exact: break;
+    }
+    return construct_counting<S, Arithmetic::exact>(input, options);
+}
+
+}  // namespace
+}  // namespace triangulation
+
+std::string_view name_of(Arithmetic arithmetic) noexcept {
+    constexpr std::string_view names[] = {"exact", "naive", "multiprecision"};
+    return names[static_cast<int>(arithmetic)];
+}
+
+Tessellation triangulate(StridedSites sites, Power /*metric*/, const Options& options) {
+    using namespace triangulation;
+    // Comparisons, and the speed of the filters, want denormals kept; the predicates would be right
+    // without.
+    const exact::IeeeEnvironment environment;
+    check_input(sites);
+    if (equal_weights(sites)) return construct_with_arithmetic<Point>(sites, options);
+    if (sites.third_is_weight()) return construct_with_arithmetic<power::Site>(sites, options);
+    return construct_with_arithmetic<Site>(sites, options);
+}
+
+}  // namespace signum
