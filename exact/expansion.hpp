@@ -5,9 +5,9 @@
 ///  1. every operation is exact;
 ///  2. the terms grow in magnitude and none is 0: no terms is the number 0, and the last term has
 ///     the sign of the whole;
-///  3. the terms are strongly nonoverlapping (Shewchuk): the bits of each lie above all bits of the
-///     one before, with a bit between them unless both are powers of two, which no three in a row
-///     are without such a gap.
+///  3. the terms are nonadjacent (Shewchuk): all set bits of each lie above those of the one
+///  before,
+///     with at least one bit between.
 ///
 /// Nothing is allocated and unused capacity is never touched. A number of no term or one takes a
 /// short cut everywhere: on grids and integers, where ties abound, an operation costs little more
@@ -19,17 +19,16 @@
 /// multiples of 2^-252d: up to degree 4 of 2^-1008, and so 0 or normal, even where denormals are
 /// flushed. Numbers of degree 4 stay below 2^800 times the number of their monomials: no overflow.
 ///
-/// Source: Shewchuk, Adaptive Precision Floating-Point Arithmetic, 1997: FAST-EXPANSION-SUM keeps
-/// law 3 (theorem 13); for SCALE-EXPANSION see the note at its implementation.
+/// Source: Shewchuk, Adaptive Precision Floating-Point Arithmetic, 1997.
+
+#include <signum/core/error_free.hpp>
+#include <signum/core/sign.hpp>
 
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <span>
 #include <utility>
-
-#include <signum/core/error_free.hpp>
-#include <signum/core/sign.hpp>
 
 namespace signum::exact {
 
@@ -60,17 +59,30 @@ namespace window {
 
 namespace terms {
 
-/// h = e + f, where h has room for both; returns the number of terms of h. FAST-EXPANSION-SUM: one
-/// pass over the terms of both by increasing magnitude. Out of line, for it is long and needs no
-/// fused multiply-add.
+/// h = e + f, where h has room for both; returns the number of terms of h. One pass over the terms
+/// of both by increasing magnitude. Out of line, for it is long and needs no fused multiply-add.
+///
+/// FAST-EXPANSION-SUM (theorem 13) leaves terms that are strongly nonoverlapping: some may be
+/// adjacent, pair by pair, if both are powers of two. That is not enough for scale() below, though
+/// its usual description says so: (-2^-105, -2^-52, -1, 2)·(2^53 - 1) ends in -1, 2^53 - 2, which
+/// is adjacent and no such pair. So a pair is fused: 2^k ± 2^(k-1) is a double and adjacent to
+/// neither neighbour. A nonoverlapping term that is just twice the one before is always half of a
+/// pair.
 [[nodiscard, gnu::noinline]] inline int sum(std::span<const double> e, std::span<const double> f,
                                             double* h) noexcept {
     int size = 0;
+    double last = 0.0;
+    const auto append = [&](double term) {
+        if (term == 0.0) return;
+        const bool adjacent = std::fabs(term) == 2.0 * std::fabs(last);
+        if (!adjacent) ++size;
+        last = adjacent ? last + term : term;
+        h[size - 1] = last;
+    };
     double high = 0.0;
     const auto add = [&](double term) {
         const TwoTerms next = two_sum(high, term);
-        h[size] = next.low;
-        size += static_cast<int>(next.low != 0.0);
+        append(next.low);
         high = next.high;
     };
     std::size_t i = 0;
@@ -83,12 +95,12 @@ namespace terms {
     }
     while (i < e.size()) add(e[i++]);
     while (j < f.size()) add(f[j++]);
-    h[size] = high;
-    return size + static_cast<int>(high != 0.0);
+    append(high);
+    return size;
 }
 
 /// h = e·b, where h has room for twice the terms of e; returns the number of terms of h.
-/// SCALE-EXPANSION: law 3 for e implies law 3 for h.
+/// SCALE-EXPANSION (theorem 19): the terms of h are nonadjacent because those of e are.
 [[nodiscard, gnu::always_inline]] inline int scale(std::span<const double> e, double b,
                                                    double* h) noexcept {
     int size = 0;
@@ -123,17 +135,13 @@ class Expansion {
     // NOLINTBEGIN(google-explicit-constructor): all of these are the same number
     Expansion(double value) noexcept { append(value); }
     /// Precondition: the result of an error-free transform.
-    Expansion(TwoTerms value) noexcept
-        requires(Capacity >= 2)
-    {
+    Expansion(TwoTerms value) noexcept requires(Capacity >= 2) {
         append(value.low);
         append(value.high);
     }
     template <int Fewer>
-        requires(Fewer < Capacity)
-    Expansion(const Expansion<Fewer>& other) noexcept {
-        copy(other.terms());
-    }
+    requires(Fewer < Capacity) Expansion(const Expansion<Fewer>& other)
+    noexcept { copy(other.terms()); }
     // NOLINTEND(google-explicit-constructor)
 
     /// Copies the terms that exist, and no others.
@@ -149,10 +157,8 @@ class Expansion {
         return {terms_, static_cast<std::size_t>(size_)};
     }
     [[nodiscard]] int size() const noexcept { return size_; }
-    [[nodiscard]] Sign sign() const noexcept {
-        return size_ == 0 ? 0 : sign_of(terms_[size_ - 1]);
-    }
-    /// The number with a relative error below 2^-49.
+    [[nodiscard]] Sign sign() const noexcept { return size_ == 0 ? 0 : sign_of(terms_[size_ - 1]); }
+    /// The number with a relative error below 2^-50.
     [[nodiscard]] double approximate() const noexcept {
         double sum = 0.0;
         for (const double term : terms()) sum += term;
@@ -162,19 +168,17 @@ class Expansion {
     /// *this = e + f. Precondition: room for the terms of both; *this is neither.
     [[gnu::always_inline]] void assign_sum(std::span<const double> e,
                                            std::span<const double> f) noexcept {
-        if (e.empty() || f.empty()) {
-            copy(e.empty() ? f : e);
-        } else if (e.size() == 1 && f.size() == 1) {
+        if (e.size() == 1 && f.size() == 1) {
             assign(two_sum(e[0], f[0]));
+        } else if (e.empty() || f.empty()) {
+            copy(e.empty() ? f : e);
         } else {
             size_ = terms::sum(e, f, terms_);
         }
     }
     /// *this = e·b. Precondition: room for twice the terms of e; *this is not e.
     [[gnu::always_inline]] void assign_scaled(std::span<const double> e, double b) noexcept {
-        if (e.empty() || b == 0.0) {
-            size_ = 0;
-        } else if (e.size() == 1) {
+        if (e.size() == 1) {
             assign(two_product(e[0], b));
         } else {
             size_ = terms::scale(e, b, terms_);
@@ -220,16 +224,16 @@ template <int M>
 }
 
 template <int M, int N>
-[[nodiscard, gnu::always_inline]] inline Expansion<M + N> operator+(const Expansion<M>& e,
-                                                                    const Expansion<N>& f) noexcept {
+[[nodiscard, gnu::always_inline]] inline Expansion<M + N> operator+(
+    const Expansion<M>& e, const Expansion<N>& f) noexcept {
     Expansion<M + N> result;
     result.assign_sum(e.terms(), f.terms());
     return result;
 }
 
 template <int M, int N>
-[[nodiscard, gnu::always_inline]] inline Expansion<M + N> operator-(const Expansion<M>& e,
-                                                                    const Expansion<N>& f) noexcept {
+[[nodiscard, gnu::always_inline]] inline Expansion<M + N> operator-(
+    const Expansion<M>& e, const Expansion<N>& f) noexcept {
     return e + (-f);
 }
 
@@ -242,8 +246,8 @@ template <int M>
 }
 
 template <int M>
-[[nodiscard, gnu::always_inline]] inline Expansion<2 * M> operator*(double b,
-                                                                    const Expansion<M>& e) noexcept {
+[[nodiscard, gnu::always_inline]] inline Expansion<2 * M> operator*(
+    double b, const Expansion<M>& e) noexcept {
     return e * b;
 }
 
@@ -261,7 +265,7 @@ template <int M, int N>
     for (const double term : shorter.subspan(1)) {
         Expansion<2 * (M > N ? M : N)> partial;
         partial.assign_scaled(longer, term);
-        const Expansion<2 * M * N> before = result;
+        const Expansion<2 * M* N> before = result;
         result.assign_sum(before.terms(), partial.terms());
     }
     return result;

@@ -8,7 +8,8 @@
 ///  3. a thread that is in the default environment pays one read and one comparison.
 ///
 /// A compiler knows nothing of law 1: to it, additions have no side effects and may move across the
-/// guard. So do not write arithmetic beside a guard; call in_ieee_environment(function, operands...).
+/// guard. So do not write arithmetic beside a guard; call in_ieee_environment(function,
+/// operands...).
 
 #include <signum/core/contract.hpp>
 
@@ -50,7 +51,9 @@ class IeeeEnvironment {
         std::fegetenv(&saved_);
         std::fesetenv(FE_DFL_ENV);
     }
-    ~IeeeEnvironment() { std::fesetenv(&saved_); }
+    ~IeeeEnvironment() {
+        std::fesetenv(&saved_);
+    }
 
  private:
     std::fenv_t saved_;

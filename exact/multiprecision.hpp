@@ -5,26 +5,30 @@
 /// Laws:
 ///  1. to_rational is exact for every finite double, round_to_double is off by half a unit in the
 ///     last place at most, halves to even, denormals included and rounded once;
-///  2. both compute with integers only: no rounding mode, no flushing of denormals, no global state.
-
-#include <bit>
-#include <cstdint>
-#include <limits>
-
-#include <boost/multiprecision/gmp.hpp>
+///  2. both compute with integers only: no rounding mode, no flushing of denormals, no global
+///  state.
 
 #include <signum/core/contract.hpp>
 #include <signum/core/sign.hpp>
 
+#include <boost/multiprecision/gmp.hpp>
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <limits>
+
 namespace signum::exact {
 
-using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int,
-                                              boost::multiprecision::et_off>;
+using Integer =
+    boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
 using Rational = boost::multiprecision::number<boost::multiprecision::gmp_rational,
                                                boost::multiprecision::et_off>;
 
 /// -1, 0 or +1.
-[[nodiscard]] inline Sign sign(const Rational& value) { return value.sign(); }
+[[nodiscard]] inline Sign sign(const Rational& value) {
+    return value.sign();
+}
 
 /// The same number. (Rational's own conversion compares with 0.0 and loses denormals where they are
 /// flushed.) Precondition: value is finite.
@@ -47,23 +51,39 @@ using Rational = boost::multiprecision::number<boost::multiprecision::gmp_ration
     return result;
 }
 
-/// The nearest double, of two the even one; NaN where that would be an infinity. What rounds to 0
-/// keeps its sign.
+/// The nearest double, of two the even one; NaN where that would be an infinity. A number that
+/// rounds to 0 keeps its sign.
 [[nodiscard]] inline double round_to_double(const Rational& value) {
-    constexpr int least_place = -1074;
     constexpr std::uint64_t infinity = std::uint64_t{0x7FF} << 52;
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     if (value.is_zero()) return 0.0;
+
+    // |value| = 2^place · (quotient + remainder / denominator), where the place is the least of a
+    // double that leaves the quotient 53 bits. It is found at the first or second trial.
     Integer numerator = abs(boost::multiprecision::numerator(value));
     Integer denominator = boost::multiprecision::denominator(value);
+    const auto bits_of = [](const Integer& n) { return static_cast<std::int64_t>(msb(n)) + 1; };
+    std::int64_t place =
+        std::max<std::int64_t>(bits_of(numerator) - bits_of(denominator) - 53, -1074);
+    if (place < 0) numerator <<= -place;
+    if (place > 0) denominator <<= place;
+    Integer quotient;
+    Integer remainder;
+    divide_qr(numerator, denominator, quotient, remainder);
+    if (quotient >> 53 != 0) {
+        ++place;
+        denominator <<= 1;
+        divide_qr(numerator, denominator, quotient, remainder);
+    }
+    if (place > 971) return nan;
 
-    // |value| is below 2^exponent and at least a quarter of it.
-    const auto exponent =
-        static_cast<std::int64_t>(msb(numerator)) - static_cast<std::int64_t>(msb(denominator)) + 1;
-    if (exponent > 1025) return std::numeric_limits<double>::quiet_NaN();
-    // The last place is 2^place; |value| / 2^place = quotient + remainder / denominator < 2^53.
-    const auto in_places = [&](std::int64_t place) {};
-    (void)in_places;
-    return 0;
+    auto significand = quotient.convert_to<std::uint64_t>();
+    const int half = Integer(2 * remainder).compare(denominator);
+    if (half > 0 || (half == 0 && significand % 2 == 1)) ++significand;
+    // A significand of 2^52 or more carries into the exponent: just so a denormal has none.
+    const std::uint64_t bits = (static_cast<std::uint64_t>(place + 1074) << 52) + significand;
+    if (bits >= infinity) return nan;
+    return std::bit_cast<double>(bits | std::uint64_t{value.sign() < 0} << 63);
 }
 
 }  // namespace signum::exact

@@ -1,3 +1,6 @@
+#include <signum/core/contract.hpp>
+#include <signum/core/error_free.hpp>
+#include <signum/exact/floating_environment.hpp>
 #include <signum/exact/sign_of_sum.hpp>
 
 #include <algorithm>
@@ -7,9 +10,6 @@
 #include <cstdlib>
 #include <limits>
 #include <memory>
-
-#include <signum/core/contract.hpp>
-#include <signum/exact/floating_environment.hpp>
 
 namespace signum {
 namespace exact {
@@ -33,13 +33,12 @@ constexpr int binades = 2098;
                                                     : std::bit_ceil(bits));
 }
 
-/// Whether a >= n·2^F, where gap = E - F > 0: compares floor(a / 2^F) with n.
+/// Whether a >= n·2^F, where gap = E - F >= 0 and n > 0: compares floor(a / 2^F) with n.
 [[nodiscard]] bool outweighs(double a, int gap, std::size_t n) noexcept {
     if (gap > 53) return true;  // a / 2^F >= 2^53
     const auto bits = std::bit_cast<std::uint64_t>(a);
-    const std::uint64_t significand = bits >= hidden_bit
-                                          ? (bits & fraction) | hidden_bit
-                                          : bits << (std::countl_zero(bits) - 11);
+    const std::uint64_t significand =
+        bits >= hidden_bit ? (bits & fraction) | hidden_bit : bits << (std::countl_zero(bits) - 11);
     return significand >> (53 - gap) >= n;
 }
 
@@ -75,14 +74,13 @@ class Side {
     }
     /// A term of the binade. Precondition: it has one.
     [[nodiscard]] std::uint32_t first(int binade) const noexcept { return first_[binade]; }
-    std::uint32_t pop(int binade) noexcept {
-        const std::uint32_t term = first_[binade];
-        first_[binade] = terms_[term].next;
-        --size_;
+    /// Removes it.
+    void pop(int binade) noexcept {
+        first_[binade] = terms_[first_[binade]].next;
         const int word = binade >> 6;
         binades_[word] ^= bit(binade, first_[binade] == none);
         words_ ^= bit(word, binades_[word] == 0);
-        return term;
+        --size_;
     }
 
  private:
@@ -108,31 +106,33 @@ SumTrace essa(std::span<const double> input, Term* terms) noexcept {
         side.push(term);
     };
     std::uint32_t count = 0;
-    for (const double value : input)
+    for (const double value : input) {
+        SIGNUM_EXPECTS(std::isfinite(value));
         keep(value > 0.0 ? positive : negative, count++, std::fabs(value));
+    }
 
     for (std::size_t steps = 0;; ++steps) {
         if (negative.empty()) return {positive.empty() ? 0 : +1, steps};
         if (positive.empty()) return {-1, steps};
         const int e = positive.top();
         const int f = negative.top();
-        if (e == f) {
-            const std::uint32_t a = positive.pop(e);
-            const std::uint32_t b = negative.pop(f);
-            const double difference = terms[a].magnitude - terms[b].magnitude;
-            keep(difference > 0.0 ? positive : negative, a, std::fabs(difference));
-            continue;
-        }
-        Side& larger = e > f ? positive : negative;
-        Side& smaller = e > f ? negative : positive;
-        const std::uint32_t a = larger.first(std::max(e, f));
-        if (outweighs(terms[a].magnitude, std::abs(e - f), smaller.size()))
-            return {e > f ? +1 : -1, steps};
+        Side& larger = e >= f ? positive : negative;
+        Side& smaller = e >= f ? negative : positive;
+        const std::uint32_t i = larger.first(std::max(e, f));
+        const std::uint32_t j = smaller.first(std::min(e, f));
+        const double a = terms[i].magnitude;
+        const double b = terms[j].magnitude;
+        if (outweighs(a, std::abs(e - f), smaller.size())) return {e > f ? +1 : -1, steps};
         larger.pop(std::max(e, f));
-        const std::uint32_t b = smaller.pop(std::min(e, f));
-        const double u = power_from(terms[b].magnitude);
-        keep(larger, a, terms[a].magnitude - u);
-        keep(larger, b, u - terms[b].magnitude);
+        smaller.pop(std::min(e, f));
+        const TwoTerms difference = quick_two_sum(a, -b);
+        if (difference.low == 0.0) {
+            keep(difference.high > 0.0 ? larger : smaller, i, std::fabs(difference.high));
+        } else {
+            const double u = power_from(b);
+            keep(larger, i, a - u);
+            keep(larger, j, u - b);
+        }
     }
 }
 

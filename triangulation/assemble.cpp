@@ -1,7 +1,7 @@
 #include <signum/triangulation/assemble.hpp>
 
 #include <algorithm>
-#include <memory>
+#include <utility>
 
 namespace signum::triangulation {
 namespace {
@@ -28,53 +28,56 @@ void sort(std::span<Entry> entries) {
 
 }  // namespace
 
-void assemble(const Topology& topology, std::span<const Index> original,
-              TessellationArrays& result) {
-    const auto number = [&](Index v) { return v == infinite ? infinite : original[at(v)]; };
-    // The half-edge at which a face begins in the result: at its smallest vertex.
-    const auto begin_of = [&](Index f) {
-        const auto& v = topology.vertices(f);
-        const Face face{number(v[0]), number(v[1]), number(v[2])};
-        const unsigned k = face[0] < face[1] ? (face[0] < face[2] ? 0U : 2U)
-                                             : (face[1] < face[2] ? 1U : 2U);
-        return Topology::first_edge(f) + k;
-    };
-
+void assemble(Topology topology, std::span<const Index> original, TessellationArrays& result) {
     // Vertices lie along the Hilbert curve in the topology and anywhere in the input. So the passes go
-    // through the topology in its own order and scatter no more than they must: faces are counted by
-    // their smallest vertex, dealt into that vertex's range and sorted inside it.
-    std::vector<Index> range(original.size() + 2, 0);
-    for (Index f = 0; f < topology.faces(); ++f)
-        if (!topology.is_vacant(f)) ++range[at(number(topology.origin(begin_of(f))) + 2)];
-    for (std::size_t v = 1; v < range.size(); ++v) range[v] += range[v - 1];
-    const std::size_t count = at(range.back());
-    const auto entries = std::make_unique_for_overwrite<Entry[]>(count);
-    for (Index f = 0; f < topology.faces(); ++f) {
-        if (topology.is_vacant(f)) continue;
-        const HalfEdge h = begin_of(f);
-        const Index least = number(topology.origin(h));
-        entries[at(range[at(least + 1)]++)] = {
-            {least, number(topology.target(h)), number(topology.apex(h))}, f};
-    }
+    // through the topology in its own order, scatter no more than they must, and ask for the memory
+    // that they will scatter to a little ahead.
+    constexpr Index ahead = 16;
+    const Index slots = topology.faces();
 
+    // Input numbers, and every face turned to begin at its smallest vertex; a count of faces by it.
+    LargeArray<Index> range(original.size() + 2, 0);
+    for (Index f = 0; f < slots; ++f) {
+        if (topology.is_vacant(f)) continue;
+        topology.renumber(f, original);
+        ++range[at(topology.vertices(f)[0] + 2)];
+    }
+    for (std::size_t v = 1; v < range.size(); ++v) range[v] += range[v - 1];
+    const std::size_t count = at(range[range.size() - 1]);
+
+    // Faces dealt into the ranges of their smallest vertices and sorted inside them.
+    LargeArray<Entry> entries(count);
+    for (Index f = 0; f < slots; ++f) {
+        if (f + ahead < slots && !topology.is_vacant(f + ahead))
+            __builtin_prefetch(&entries[at(range[at(topology.vertices(f + ahead)[0] + 1)])], 1);
+        if (topology.is_vacant(f)) continue;
+        const auto& v = topology.vertices(f);
+        entries[at(range[at(v[0] + 1)]++)] = {{v[0], v[1], v[2]}, f};
+    }
     result.faces.resize(count);
-    std::vector<Index> place(at(topology.faces()));  // of each face in the result
     for (std::size_t from = 0, v = 0; from < count; from = at(range[v++])) {
         const std::size_t to = at(range[v]);
         sort({&entries[from], to - from});
         for (std::size_t i = from; i < to; ++i) {
+            if (i + ahead < count) topology.prefetch(entries[i + ahead].from);
             result.faces[i] = entries[i].face;
-            place[at(entries[i].from)] = static_cast<Index>(i);
+            topology.set_mark(entries[i].from, static_cast<Index>(i));
         }
     }
+    entries = {};
+    range = {};
+
     result.neighbours.resize(count);
-    for (Index f = 0; f < topology.faces(); ++f) {
+    for (Index f = 0; f < slots; ++f) {
+        if (f + ahead < slots && !topology.is_vacant(f + ahead))
+            __builtin_prefetch(&result.neighbours[at(topology.mark(f + ahead))], 1);
         if (topology.is_vacant(f)) continue;
-        const HalfEdge h = begin_of(f);
-        const auto across = [&](HalfEdge g) { return place[at(Topology::face(topology.twin(g)))]; };
+        const HalfEdge h = Topology::first_edge(f);
+        const auto across = [&](HalfEdge g) {
+            return topology.mark(Topology::face(topology.twin(g)));
+        };
         // The edge opposite the first vertex is the one that follows the first edge.
-        result.neighbours[at(place[at(f)])] = {across(Topology::next(h)),
-                                               across(Topology::previous(h)), across(h)};
+        result.neighbours[at(topology.mark(f))] = {across(h + 1), across(h + 2), across(h)};
     }
 }
 

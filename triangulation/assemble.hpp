@@ -2,7 +2,6 @@
 /// From the working structure to the canonical arrays of the result.
 
 #include <span>
-#include <vector>
 
 #include <signum/core/index.hpp>
 #include <signum/triangulation/tessellation.hpp>
@@ -11,9 +10,8 @@
 namespace signum::triangulation {
 
 /// Faces as triples of input numbers, rotated and sorted, with their neighbours: laws 1 to 3 of
-/// tessellation.hpp. original[v] is the input number of vertex v. O(n) but for the sorting of faces that
-/// share their smallest vertex.
-void assemble(const Topology& topology, std::span<const Index> original,
-              TessellationArrays& result);
+/// tessellation.hpp. original[v] is the input number of vertex v. Consumes the topology. O(n) but for
+/// the sorting of faces that share their smallest vertex.
+void assemble(Topology topology, std::span<const Index> original, TessellationArrays& result);
 
 }  // namespace signum::triangulation

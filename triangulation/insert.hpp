@@ -25,10 +25,7 @@ class Insertion {
     /// or not by now, and is -1 while i is visible; it has room for every site.
     Insertion(Topology& topology, Kernel& kernel, std::span<Index> hidden_by, Index a, Index b,
               Index c)
-        : topology_(topology),
-          kernel_(kernel),
-          hidden_by_(hidden_by),
-          in_conflict_(2 * hidden_by.size()) {
+        : topology_(topology), kernel_(kernel), hidden_by_(hidden_by) {
         const Index corners[3] = {a, b, c};
         const Index inner = topology_.add_face(a, b, c);
         Index outer[3];
@@ -54,6 +51,9 @@ class Insertion {
     }
 
  private:
+    /// The mark of a face that the site at hand removes.
+    static constexpr Index in_conflict = 1;
+
     /// An edge of the disc's boundary: the half-edge outside, and the vertex where it ends outside,
     /// where it begins for one who walks around the disc counterclockwise.
     struct BoundaryEdge {
@@ -81,7 +81,7 @@ class Insertion {
         removed_.clear();
         pending_.clear();
         const auto take = [this](Index f) {
-            in_conflict_[static_cast<std::size_t>(f)] = true;
+            topology_.set_mark(f, in_conflict);
             removed_.push_back(f);
         };
         take(start);
@@ -91,7 +91,7 @@ class Insertion {
             pending_.pop_back();
             const HalfEdge across = topology_.twin(h);
             const Index f = Topology::face(across);
-            if (in_conflict_[static_cast<std::size_t>(f)]) continue;
+            if (topology_.mark(f) == in_conflict) continue;
             if (conflicts(f, q)) {
                 take(f);
                 pending_.push_back(Topology::previous(across));
@@ -116,7 +116,7 @@ class Insertion {
     /// Joins q to every edge of the boundary, reusing the slots of the removed faces.
     void retriangulate(Index q) {
         const std::size_t count = boundary_.size();
-        for (const Index f : removed_) in_conflict_[static_cast<std::size_t>(f)] = false;
+        for (const Index f : removed_) topology_.set_mark(f, 0);
         while (removed_.size() < count) {
             if (vacant_.empty()) {
                 removed_.push_back(topology_.add_face(infinite, infinite, infinite));
@@ -165,7 +165,6 @@ class Insertion {
     Kernel& kernel_;
     std::span<Index> hidden_by_;
     Index recent_ = 0;
-    std::vector<bool> in_conflict_;
     std::vector<HalfEdge> pending_;
     std::vector<Index> removed_;
     std::vector<BoundaryEdge> boundary_;

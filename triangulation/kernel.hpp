@@ -9,7 +9,6 @@
 ///  3. The naive kernel rounds, and takes a zero for no conflict.
 
 #include <array>
-#include <span>
 
 #include <signum/predicates/multiprecision.hpp>
 #include <signum/predicates/power.hpp>
@@ -25,8 +24,9 @@ class PowerKernel {
     /// Whether answers can be trusted never to lead an algorithm astray.
     static constexpr bool is_exact = arithmetic != Arithmetic::naive;
 
-    PowerKernel(std::span<const S> sites, std::span<const Index> original) noexcept
-        : sites_(sites.data()), original_(original.data()) {}
+    /// Neither array is copied.
+    PowerKernel(const S* sites, const Index* original) noexcept
+        : sites_(sites), original_(original) {}
 
     /// The orientation of a, b and q.
     [[nodiscard]] Sign ccw(Index a, Index b, Index q) noexcept {

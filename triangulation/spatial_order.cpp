@@ -131,12 +131,12 @@ std::uint64_t mix(std::uint64_t bits) noexcept {
 
 }  // namespace
 
-std::vector<Index> spatial_order(const StridedSites& sites, std::uint64_t seed) {
+LargeArray<Index> spatial_order(const StridedSites& sites, std::uint64_t seed) {
     // A round holds an eighth of what remains for it and the earlier ones; the first about a hundred.
     int rounds = 0;
     for (std::size_t n = sites.size(); n > 1000; n /= 8) ++rounds;
 
-    std::vector<Item> items(sites.size());
+    LargeArray<Item> items(sites.size());
     for (std::size_t i = 0; i < items.size(); ++i) {
         const std::uint64_t random = mix(mix(seed) + i * 0x9E3779B97F4A7C15U);
         const int round = rounds - std::min(rounds, std::countr_zero(random) / 3);
@@ -144,7 +144,7 @@ std::vector<Index> spatial_order(const StridedSites& sites, std::uint64_t seed) 
     }
     order(items, sites);
 
-    std::vector<Index> result(items.size());
+    LargeArray<Index> result(items.size());
     std::transform(items.begin(), items.end(), result.begin(),
                    [](const Item& item) { return item.site; });
     return result;

@@ -7,16 +7,16 @@
 /// The result of a triangulation does not depend on it.
 
 #include <cstdint>
-#include <vector>
 
 #include <signum/core/index.hpp>
 #include <signum/core/strided_sites.hpp>
+#include <signum/triangulation/large_array.hpp>
 
 namespace signum::triangulation {
 
 /// A permutation of 0 … sites.size()-1. Clusters of any depth keep the locality of the curve: cells
 /// that hold many sites are ordered again on a scale of their own. Deterministic; O(n log n).
 /// Preconditions: finite coordinates, at most max_sites.
-[[nodiscard]] std::vector<Index> spatial_order(const StridedSites& sites, std::uint64_t seed);
+[[nodiscard]] LargeArray<Index> spatial_order(const StridedSites& sites, std::uint64_t seed);
 
 }  // namespace signum::triangulation

@@ -9,12 +9,14 @@
 ///  3. One vertex may be infinite (-1); the structure treats it as any other and knows no coordinate.
 ///  4. A face that was taken out has origin `vacant` and waits for reuse.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
+#include <span>
 
 #include <signum/core/contract.hpp>
 #include <signum/core/index.hpp>
+#include <signum/triangulation/large_array.hpp>
 
 namespace signum::triangulation {
 
@@ -28,7 +30,7 @@ class Topology {
     /// Room for the faces of `sites` sites and no more; vertices never exceed sites + 1.
     explicit Topology(std::size_t sites)
         : capacity_(sites < 2 ? 0 : 2 * sites - 2),
-          records_(std::make_unique_for_overwrite<Record[]>(capacity_)) {}
+          records_(capacity_) {}
 
     [[nodiscard]] static Index face(HalfEdge h) noexcept { return static_cast<Index>(h >> 2); }
     [[nodiscard]] static HalfEdge first_edge(Index f) noexcept {
@@ -68,6 +70,7 @@ class Topology {
         SIGNUM_EXPECTS(faces_ < capacity_);
         const auto f = static_cast<Index>(faces_++);
         set_face(f, a, b, c);
+        set_mark(f, 0);
         return f;
     }
     void set_face(Index f, Index a, Index b, Index c) noexcept {
@@ -76,14 +79,32 @@ class Topology {
         record.vertex[1] = b;
         record.vertex[2] = c;
     }
+    /// A number that an algorithm keeps with a face; 0 when the face is added.
+    [[nodiscard]] Index mark(Index f) const noexcept { return at(first_edge(f)).mark; }
+    void set_mark(Index f, Index mark) noexcept { at(first_edge(f)).mark = mark; }
     void glue(HalfEdge h, HalfEdge g) noexcept {
         at(h).twin[h & 3] = g;
         at(g).twin[g & 3] = h;
     }
 
+    /// Replaces vertex v of a face by number[v] and turns the face so that the smallest comes first. The
+    /// twins of the other faces go on naming the face, but no longer the edge: the last thing to do.
+    void renumber(Index f, std::span<const Index> number) noexcept {
+        Record& record = at(first_edge(f));
+        for (Index& v : record.vertex)
+            if (v != infinite) v = number[static_cast<std::size_t>(v)];
+        const auto least = std::min_element(record.vertex, record.vertex + 3) - record.vertex;
+        std::rotate(record.vertex, record.vertex + least, record.vertex + 3);
+        std::rotate(record.twin, record.twin + least, record.twin + 3);
+    }
+    /// Tells the memory that the face will be written soon.
+    void prefetch(Index f) const noexcept { __builtin_prefetch(&records_[static_cast<std::size_t>(f)], 1); }
+
  private:
-    struct Record {
+    /// Half a cache line, never across two.
+    struct alignas(32) Record {
         Index vertex[3];
+        Index mark;
         HalfEdge twin[3];
     };
     [[nodiscard]] Record& at(HalfEdge h) const noexcept {
@@ -93,7 +114,7 @@ class Topology {
 
     std::size_t capacity_;
     std::size_t faces_ = 0;
-    std::unique_ptr<Record[]> records_;
+    LargeArray<Record> records_;
 };
 
 }  // namespace signum::triangulation

@@ -67,8 +67,9 @@ class Watch {
 };
 
 /// Moves three sites that are not collinear to the front, counterclockwise; false where there are none.
-template <class Kernel, power::PowerSite S>
-bool lead_with_triangle(Kernel& kernel, std::vector<S>& sites, std::vector<Index>& original) {
+template <class Kernel>
+bool lead_with_triangle(Kernel& kernel, std::span<typename Kernel::SiteType> sites,
+                        std::span<Index> original) {
     const auto n = static_cast<Index>(sites.size());
     const auto bring = [&](Index to, Index from) {
         std::swap(sites[static_cast<std::size_t>(to)], sites[static_cast<std::size_t>(from)]);
@@ -107,14 +108,14 @@ Tessellation construct(const StridedSites& input, const Options& options) {
     const auto start = std::chrono::steady_clock::now();
     const std::size_t n = input.size();
 
-    std::vector<Index> original = spatial_order(input, options.seed);
-    std::vector<S> sites(n);
+    LargeArray<Index> original = spatial_order(input, options.seed);
+    LargeArray<S> sites(n);
     for (std::size_t i = 0; i < n; ++i)
         sites[i] = site_of<S>(input[static_cast<std::size_t>(original[i])]);
 
-    Kernel kernel(sites, original);
+    Kernel kernel(sites.data(), original.data());
     Topology topology(n);
-    std::vector<Index> hidden_by(n, -1);
+    LargeArray<Index> hidden_by(n, -1);
     if (lead_with_triangle(kernel, sites, original)) {
         Insertion<Kernel> insertion(topology, kernel, hidden_by, 0, 1, 2);
         const Watch watch(options, n);
@@ -138,8 +139,7 @@ Tessellation construct(const StridedSites& input, const Options& options) {
               [](const Hidden& a, const Hidden& b) { return a.site < b.site; });
     sites = {};
     hidden_by = {};
-    assemble(topology, original, arrays);
-    topology = Topology(0);
+    assemble(std::move(topology), original, arrays);
     original = {};
 
     Statistics statistics;

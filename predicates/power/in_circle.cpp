@@ -45,6 +45,10 @@ class PlainEvaluation {
     double unit_;
 };
 
+[[nodiscard]] Row<double> high(const Row<DoubleDouble>& row) noexcept {
+    return {row.x.high, row.y.high, row.weight.high};
+}
+
 [[nodiscard]] Verdict plain(const Row<DoubleDouble>& a, const Row<DoubleDouble>& b,
                             const Row<DoubleDouble>& c) noexcept {
     const double largest =
@@ -55,10 +59,31 @@ class PlainEvaluation {
         if (!evaluation.holds(row->x) || !evaluation.holds(row->y) ||
             !evaluation.holds_weight(row->weight))
             return Verdict::uncertain();
-    const auto high = [](const Row<DoubleDouble>& row) {
-        return Row<double>{row.x.high, row.y.high, row.weight.high};
-    };
     return Verdict::certain(sign_of(in_circle_determinant(high(a), high(b), high(c))));
+}
+
+/// The determinant with every operand replaced by its absolute value, every difference by a sum.
+[[nodiscard]] double determinant_magnitude(const Row<double>& a, const Row<double>& b,
+                                           const Row<double>& c) noexcept {
+    const auto absolute = [](const Row<double>& row) {
+        return Row<double>{magnitude(row.x), magnitude(row.y), magnitude(row.weight)};
+    };
+    const Row<double> i = absolute(a);
+    const Row<double> j = absolute(b);
+    const Row<double> k = absolute(c);
+    return (i.x * i.x + i.y * i.y + i.weight) * (j.x * k.y + k.x * j.y) +
+           (j.x * j.x + j.y * j.y + j.weight) * (k.x * i.y + i.x * k.y) +
+           (k.x * k.x + k.y * k.y + k.weight) * (i.x * j.y + j.x * i.y);
+}
+
+/// The filter again, with the magnitude itself for a bound. Inside the window nothing under- or
+/// overflows.
+[[nodiscard]] Verdict filter(const Row<double>& a, const Row<double>& b,
+                             const Row<double>& c) noexcept {
+    const double determinant = in_circle_determinant(a, b, c);
+    if (magnitude(determinant) > in_circle_error * determinant_magnitude(a, b, c))
+        return Verdict::certain(filters::sign_of_nonzero(determinant));
+    return Verdict::uncertain();
 }
 
 /// The error of the determinant in double-doubles as a multiple of its magnitude: the lemma of
@@ -67,20 +92,10 @@ constexpr double refined_error = 16 * filters::double_double_epsilon;
 constexpr Row<filters::RoundingCount> refined_row{{0}, {0}, {1}};
 static_assert(in_circle_determinant(refined_row, refined_row, refined_row).roundings == 8);
 
-[[nodiscard]] Verdict refine(const Row<DoubleDouble>& a,
-                             const Row<DoubleDouble>& b,
+[[nodiscard]] Verdict refine(const Row<DoubleDouble>& a, const Row<DoubleDouble>& b,
                              const Row<DoubleDouble>& c) noexcept {
-    const auto absolute = [](const Row<DoubleDouble>& row) {
-        return Row<double>{magnitude(row.x.high), magnitude(row.y.high), magnitude(row.weight.high)};
-    };
-    const Row<double> i = absolute(a);
-    const Row<double> j = absolute(b);
-    const Row<double> k = absolute(c);
-    const double bound =
-        refined_error * ((i.x * i.x + i.y * i.y + i.weight) * (j.x * k.y + k.x * j.y) +
-                         (j.x * j.x + j.y * j.y + j.weight) * (k.x * i.y + i.x * k.y) +
-                         (k.x * k.x + k.y * k.y + k.weight) * (i.x * j.y + j.x * i.y));
     const double determinant = in_circle_determinant(a, b, c).high;
+    const double bound = refined_error * determinant_magnitude(high(a), high(b), high(c));
     if (magnitude(determinant) > bound)
         return Verdict::certain(filters::sign_of_nonzero(determinant));
     return Verdict::uncertain();
@@ -100,7 +115,7 @@ template <PowerSite S>
 [[nodiscard]] Decision decide(const S& i, const S& j, const S& k, const S& q) noexcept {
     if (!cold::in_window(i, j, k, q))
         return {multiprecision::in_circle(i, j, k, q), Stage::multiprecision};
-    if (const Verdict verdict = in_circle_filter(i, j, k, q); verdict.is_certain())
+    if (const Verdict verdict = filter(row(i, q), row(j, q), row(k, q)); verdict.is_certain())
         return {verdict.sign(), Stage::filter};
     const auto a = cold::double_double_row(i, q);
     const auto b = cold::double_double_row(j, q);

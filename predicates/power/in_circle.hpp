@@ -47,10 +47,13 @@ inline constexpr Row<filters::RoundingCount> rounded_row{
     filters::rounded_difference, filters::rounded_difference, rounded_weight_difference};
 static_assert(in_circle_determinant(rounded_row, rounded_row, rounded_row).roundings == 12);
 
-/// Decides almost every call. Underflow: each product commits at most 2^-1074 more, so a minor at most
-/// 2^-1073, a lifted height (weight included) 3·2^-1074, the determinant at most 2^-1068 (s + 1), where s
-/// sums the magnitudes of the lifted heights and the products of coordinates, all below the sum of squares
-/// and weights taken here. Overflow gives infinity or NaN in the bound, and the comparison fails.
+/// Decides almost every call. With h_m = |m-q|² + |w_m - w_q| and s = h_i + h_j + h_k the magnitude of
+/// the determinant is at most h_i h_j + h_j h_k + h_k h_i <= s²/3, since |x_j y_k| + |x_k y_j| is at most
+/// (|j-q|² + |k-q|²)/2; and 13e/3 < 5e. The bound is coarse for slivers, but it costs a few operations
+/// where the magnitude itself would cost twenty; that one is asked next (in_circle.cpp).
+/// Underflow: each product commits at most 2^-1074 more, so a minor at most 2^-1073, a lifted height
+/// 3·2^-1074, and the determinant at most 2^-1071 (s + 1). Overflow gives infinity or NaN in the
+/// bound, and the comparison fails.
 template <PowerSite S>
 [[nodiscard]] inline filters::Verdict in_circle_filter(const S& i, const S& j, const S& k,
                                                        const S& q) noexcept {
@@ -58,26 +61,15 @@ template <PowerSite S>
     const Row<double> a = row(i, q);
     const Row<double> b = row(j, q);
     const Row<double> c = row(k, q);
-    const double b_c = b.x * c.y;
-    const double c_b = c.x * b.y;
-    const double c_a = c.x * a.y;
-    const double a_c = a.x * c.y;
-    const double a_b = a.x * b.y;
-    const double b_a = b.x * a.y;
     const double a_square = a.x * a.x + a.y * a.y;
     const double b_square = b.x * b.x + b.y * b.y;
     const double c_square = c.x * c.x + c.y * c.y;
-    const double determinant = (a_square - a.weight) * (b_c - c_b) +
-                               (b_square - b.weight) * (c_a - a_c) +
-                               (c_square - c.weight) * (a_b - b_a);
-    const double a_height = a_square + magnitude(a.weight);
-    const double b_height = b_square + magnitude(b.weight);
-    const double c_height = c_square + magnitude(c.weight);
-    const double bound =
-        in_circle_error * (a_height * (magnitude(b_c) + magnitude(c_b)) +
-                           b_height * (magnitude(c_a) + magnitude(a_c)) +
-                           c_height * (magnitude(a_b) + magnitude(b_a))) +
-        0x1p-1000 * (a_height + b_height + c_height + 1.0);
+    const double determinant = (a_square - a.weight) * (b.x * c.y - c.x * b.y) +
+                               (b_square - b.weight) * (c.x * a.y - a.x * c.y) +
+                               (c_square - c.weight) * (a.x * b.y - b.x * a.y);
+    const double s = (a_square + magnitude(a.weight)) + (b_square + magnitude(b.weight)) +
+                     (c_square + magnitude(c.weight));
+    const double bound = s * (5 * filters::epsilon * s + 0x1p-1000) + 0x1p-1000;
     if (magnitude(determinant) > bound && filters::underflow_is_gradual()) [[likely]]
         return filters::Verdict::certain(filters::sign_of_nonzero(determinant));
     return filters::Verdict::uncertain();

@@ -1,0 +1,19 @@
+#pragma once
+/// Brute force for the power metric: the lower hull of the lifted sites, every plane against every
+/// site, in rationals with the infinitesimals of the tie rule.
+
+#include <signum/core/site.hpp>
+
+#include "oracle/oracle.hpp"
+
+#include <span>
+
+namespace signum::oracle {
+
+/// The weight of a site is the exact square of its radius.
+Tessellation power(std::span<const signum::Site> sites);
+
+/// The sites carry their weights themselves.
+Tessellation power_weights(std::span<const signum::power::Site> sites);
+
+}  // namespace signum::oracle
