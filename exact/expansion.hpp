@@ -5,9 +5,8 @@
 ///  1. every operation is exact;
 ///  2. the terms grow in magnitude and none is 0: no terms is the number 0, and the last term has
 ///     the sign of the whole;
-///  3. the terms are nonadjacent (Shewchuk): all set bits of each lie above those of the one
-///  before,
-///     with at least one bit between.
+///  3. the terms are nonadjacent (Shewchuk): there is a bit between those of one and those of the
+///     next, and so all terms before another add up to less than half its last bit.
 ///
 /// Nothing is allocated and unused capacity is never touched. A number of no term or one takes a
 /// short cut everywhere: on grids and integers, where ties abound, an operation costs little more
@@ -21,14 +20,14 @@
 ///
 /// Source: Shewchuk, Adaptive Precision Floating-Point Arithmetic, 1997.
 
-#include <signum/core/error_free.hpp>
-#include <signum/core/sign.hpp>
-
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <span>
 #include <utility>
+
+#include <signum/core/error_free.hpp>
+#include <signum/core/sign.hpp>
 
 namespace signum::exact {
 
@@ -62,27 +61,38 @@ namespace terms {
 /// h = e + f, where h has room for both; returns the number of terms of h. One pass over the terms
 /// of both by increasing magnitude. Out of line, for it is long and needs no fused multiply-add.
 ///
-/// FAST-EXPANSION-SUM (theorem 13) leaves terms that are strongly nonoverlapping: some may be
-/// adjacent, pair by pair, if both are powers of two. That is not enough for scale() below, though
-/// its usual description says so: (-2^-105, -2^-52, -1, 2)·(2^53 - 1) ends in -1, 2^53 - 2, which
-/// is adjacent and no such pair. So a pair is fused: 2^k ± 2^(k-1) is a double and adjacent to
-/// neither neighbour. A nonoverlapping term that is just twice the one before is always half of a
-/// pair.
+/// The pass is FAST-EXPANSION-SUM, which alone does not keep law 3: from 2^-100 -
+/// 0x1.fffffffffffffp-46 and 2^-100 + 0x1.fep-91 + 0x1.0ed7a4c3d1ep-46 it makes -2^-99 and
+/// 0x1.1f01p-82, which are adjacent; and terms added up again and again could come to overlap. So
+/// what it leaves is summed once more, from below, at the same time.
+///
+/// Proof. 1. The lows and the last high do not overlap. After some additions, let all terms still
+/// to come be multiples of 2^c, c as large as possible, and x the next term of the expansion that
+/// has the bit 2^c, say e: |x| <= 2^(c+53) - 2^c. By law 3 the terms of e so far add up to less
+/// than 2^(c-1). Let y, with last bit 2^d, be the latest term of f; those before it add up to less
+/// than 2^(d-1). |y| <= |x|, and if d >= c even |y| <= 2^(c+53) - 2^d. In both cases all terms so
+/// far add up to less than 2^(c+53). So |high| <= 2^(c+53), and |low| is at most 2^(c-1), half the
+/// last bit of what is still to come, and at most half the last place of high.
+/// 2. Of terms that do not overlap, carry is at most the last bit of the next. What quick_two_sum
+/// then leaves behind is at most half the last place of carry, which is even if it is just half,
+/// and 2^-54 times the last bit of the next: adjacent to neither.
 [[nodiscard, gnu::noinline]] inline int sum(std::span<const double> e, std::span<const double> f,
                                             double* h) noexcept {
     int size = 0;
-    double last = 0.0;
-    const auto append = [&](double term) {
-        if (term == 0.0) return;
-        const bool adjacent = std::fabs(term) == 2.0 * std::fabs(last);
-        if (!adjacent) ++size;
-        last = adjacent ? last + term : term;
-        h[size - 1] = last;
-    };
     double high = 0.0;
+    double carry = 0.0;
+    const auto append = [&](double term) {
+        h[size] = term;
+        size += static_cast<int>(term != 0.0);
+    };
+    const auto compress = [&](double term) {
+        const TwoTerms next = quick_two_sum(term, carry);
+        append(next.low);
+        carry = next.high;
+    };
     const auto add = [&](double term) {
         const TwoTerms next = two_sum(high, term);
-        append(next.low);
+        compress(next.low);
         high = next.high;
     };
     std::size_t i = 0;
@@ -95,12 +105,13 @@ namespace terms {
     }
     while (i < e.size()) add(e[i++]);
     while (j < f.size()) add(f[j++]);
-    append(high);
+    compress(high);
+    append(carry);
     return size;
 }
 
 /// h = e·b, where h has room for twice the terms of e; returns the number of terms of h.
-/// SCALE-EXPANSION (theorem 19): the terms of h are nonadjacent because those of e are.
+/// SCALE-EXPANSION (Shewchuk's theorem 19): the terms of h are nonadjacent because those of e are.
 [[nodiscard, gnu::always_inline]] inline int scale(std::span<const double> e, double b,
                                                    double* h) noexcept {
     int size = 0;
@@ -123,6 +134,11 @@ namespace terms {
 
 }  // namespace terms
 
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"  // it cannot see that size_ guards terms_
+#endif
+
 /// An exact number of at most Capacity terms.
 template <int Capacity>
 class Expansion {
@@ -133,12 +149,9 @@ class Expansion {
     Expansion() noexcept {}  // NOLINT(modernize-use-equals-default)
 
     // NOLINTBEGIN(google-explicit-constructor): all of these are the same number
-    Expansion(double value) noexcept { append(value); }
+    Expansion(double value) noexcept : size_(static_cast<int>(value != 0.0)) { terms_[0] = value; }
     /// Precondition: the result of an error-free transform.
-    Expansion(TwoTerms value) noexcept requires(Capacity >= 2) {
-        append(value.low);
-        append(value.high);
-    }
+    Expansion(TwoTerms value) noexcept requires(Capacity >= 2) { assign(value); }
     template <int Fewer>
     requires(Fewer < Capacity) Expansion(const Expansion<Fewer>& other)
     noexcept { copy(other.terms()); }
@@ -189,14 +202,16 @@ class Expansion {
     }
 
  private:
-    void append(double term) noexcept {
-        terms_[size_] = term;
-        size_ += static_cast<int>(term != 0.0);
-    }
+    /// A branch, for on grids and integers low is always 0, and nothing need wait to know it.
     void assign(TwoTerms value) noexcept {
-        size_ = 0;
-        append(value.low);
-        append(value.high);
+        if (value.low == 0.0) {
+            terms_[0] = value.high;
+            size_ = static_cast<int>(value.high != 0.0);
+        } else {
+            terms_[0] = value.low;
+            terms_[1] = value.high;
+            size_ = 2;
+        }
     }
     void copy(std::span<const double> terms) noexcept {
         size_ = static_cast<int>(terms.size());
@@ -206,6 +221,10 @@ class Expansion {
     int size_ = 0;
     double terms_[Capacity];
 };
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif
 
 /// a - b.
 [[nodiscard, gnu::always_inline]] inline Expansion<2> difference(double a, double b) noexcept {

@@ -8,15 +8,15 @@
 ///  2. both compute with integers only: no rounding mode, no flushing of denormals, no global
 ///  state.
 
-#include <signum/core/contract.hpp>
-#include <signum/core/sign.hpp>
-
-#include <boost/multiprecision/gmp.hpp>
-
 #include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <limits>
+
+#include <boost/multiprecision/gmp.hpp>
+
+#include <signum/core/contract.hpp>
+#include <signum/core/sign.hpp>
 
 namespace signum::exact {
 

@@ -1,6 +1,3 @@
-#include <signum/core/contract.hpp>
-#include <signum/core/error_free.hpp>
-#include <signum/exact/floating_environment.hpp>
 #include <signum/exact/sign_of_sum.hpp>
 
 #include <algorithm>
@@ -10,6 +7,10 @@
 #include <cstdlib>
 #include <limits>
 #include <memory>
+
+#include <signum/core/contract.hpp>
+#include <signum/core/error_free.hpp>
+#include <signum/exact/floating_environment.hpp>
 
 namespace signum {
 namespace exact {
@@ -97,9 +98,9 @@ class Side {
     std::uint32_t first_[64 * words];
 };
 
-SumTrace essa(std::span<const double> input, Term* terms) noexcept {
-    Side positive(terms);
-    Side negative(terms);
+/// Both sides are empty. Out of line, for the compiler cannot know that no binade is read unset.
+[[gnu::noinline]] SumTrace essa(std::span<const double> input, Term* terms, Side& positive,
+                                Side& negative) noexcept {
     const auto keep = [terms](Side& side, std::uint32_t term, double magnitude) {
         if (magnitude == 0.0) return;
         terms[term].magnitude = magnitude;
@@ -138,11 +139,13 @@ SumTrace essa(std::span<const double> input, Term* terms) noexcept {
 
 SumTrace with_memory(std::span<const double> input) noexcept {
     constexpr std::size_t on_stack = 512;
-    if (input.size() <= on_stack) {
-        Term terms[on_stack];
-        return essa(input, terms);
-    }
-    return essa(input, std::make_unique_for_overwrite<Term[]>(input.size()).get());
+    Term few[on_stack];
+    std::unique_ptr<Term[]> many;
+    if (input.size() > on_stack) many = std::make_unique_for_overwrite<Term[]>(input.size());
+    Term* terms = many ? many.get() : few;
+    Side positive(terms);
+    Side negative(terms);
+    return essa(input, terms, positive, negative);
 }
 
 }  // namespace

@@ -16,9 +16,10 @@
 ///
 /// Every step is exact in doubles. Cancel: the rounding error of a1 - b1 is itself a double, which
 /// is computed (Fast2Sum) and must be 0; with E = F it always is (Sterbenz). Reduce: u - b1 is
-/// exact because u <= 2·b1 (Sterbenz). As the stop did not apply, 2^(E-1) <= a1 < n·2^F, so with n
-/// < 2^32 E - F <= 32, and u >= 2^(F-1) is a multiple of the last place 2^(E-53) of a1; so a1 - u
-/// is one too, and 0 <= a1 - u < 2^E. As F < E, u <= 2^1023. The stop compares integers, not n·2^F.
+/// exact because u <= 2·b1 (Sterbenz). As the stop did not apply, 2^(E-1) <= a1 < n·2^F. So E - F
+/// is at most 32 for n < 2^32, and u >= 2^(F-1) is a multiple of the last place 2^(E-53) of a1; a1
+/// - u is one too, and 0 <= a1 - u < 2^E. As F < E, u <= 2^1023. The stop compares integers, not
+/// n·2^F.
 ///
 /// The bound: N terms take at most (N-1) + (2N-1)·k steps, where 2^k is the least power of two that
 /// is at least N; whatever the range of exponents.
@@ -27,10 +28,9 @@
 /// name; the exponent of that first term is at most L + 53.
 ///   (i)   E and F never grow: no new term has a higher exponent than the old one on its side. The
 ///         exponent of a name never grows.
-///   (ii)  A term is a multiple of 2^min(L, G-1), G the highest exponent on the other side: so it
-///   is
-///         when its name begins, so it remains while G falls, and so is a1 - u (there G = F), since
-///         u is a multiple of 2^(F-1).
+///   (ii)  A term is a multiple of 2^min(L, G-1), G the highest exponent on the other side: so when
+///         its name begins, so while G falls; and so is a1 - u (there G = F), since u is a multiple
+///         of 2^(F-1).
 ///   (iii) In a reduction b1 < 2^F <= 2^(G-1) with G = E: so the minimum in (ii) is L, b1 is a
 ///         multiple of 2^L, so is u >= b1, and so is u - b1, which has changed sides: (ii) holds.
 ///         Since u - b1 < 2^(F-1), the exponent of this name has fallen.
@@ -42,6 +42,8 @@
 
 #include <cstddef>
 #include <span>
+
+#include <signum/core/sign.hpp>
 
 namespace signum {
 

@@ -1,84 +1,137 @@
 #include <signum/triangulation/assemble.hpp>
 
 #include <algorithm>
+#include <array>
 #include <utility>
+#include <vector>
 
 namespace signum::triangulation {
 namespace {
 
 std::size_t at(Index i) noexcept { return static_cast<std::size_t>(i); }
 
-/// A face of the result and the face of the topology that it comes from.
+/// A face with input numbers, turned to begin at its smallest vertex, and its first half-edge.
+struct Turned {
+    Face face;
+    HalfEdge first;
+};
+
+inline Turned turn(const Topology& topology, std::span<const Index> original, Index f) noexcept {
+    const auto& v = topology.vertices(f);
+    const auto number = [&](Index vertex) {
+        return vertex == infinite ? infinite : original[at(vertex)];
+    };
+    const Index a = number(v[0]);
+    const Index b = number(v[1]);
+    const Index c = number(v[2]);
+    // By selections, not branches: which vertex is smallest is anybody's guess.
+    const bool at_c = c < std::min(a, b);
+    const bool at_b = !at_c && b < a;
+    const auto select = [&](Index from_a, Index from_b, Index from_c) {
+        return at_c ? from_c : at_b ? from_b : from_a;
+    };
+    return {{select(a, b, c), select(b, c, a), select(c, a, b)},
+            Topology::first_edge(f) + static_cast<HalfEdge>(select(0, 1, 2))};
+}
+
+/// Vertices lie along the Hilbert curve in the topology and anywhere in the input, so that faces sorted
+/// by input numbers jump about in memory. They are dealt into blocks of consecutive smallest vertices
+/// first, few enough that each block's next place stays in the cache, small enough that a block does.
+constexpr int vertices_per_block = 8192;
+constexpr std::size_t block_of(Index least) noexcept {
+    return static_cast<std::size_t>((least + 1) / vertices_per_block);
+}
+
+/// A face of the result, its neighbours and itself as faces of the topology.
 struct Entry {
     Face face;
+    Face neighbours;
     Index from;
 };
 
-/// Insertion sort: nearly all ranges hold two or three faces.
-void sort(std::span<Entry> entries) {
-    const auto before = [](const Entry& a, const Entry& b) { return a.face < b.face; };
-    if (entries.size() > 16) {
-        std::sort(entries.begin(), entries.end(), before);
-        return;
+/// Sorts one block: by smallest vertex through counting, the few faces that share it by comparing.
+class BlockSort {
+ public:
+    [[nodiscard]] std::span<const Entry> operator()(std::span<const Face> faces,
+                                                    std::span<const Face> neighbours,
+                                                    std::span<const Index> from) {
+        starts_.fill(0);
+        for (const Face& face : faces) ++starts_[bucket(face) + 1];
+        for (std::size_t b = 1; b < starts_.size(); ++b) starts_[b] += starts_[b - 1];
+        sorted_.resize(faces.size());
+        for (std::size_t i = 0; i < faces.size(); ++i)
+            sorted_[starts_[bucket(faces[i])]++] = {faces[i], neighbours[i], from[i]};
+        for (std::size_t first = 0, b = 0; first < faces.size(); first = starts_[b++])
+            sort({&sorted_[first], starts_[b] - first});
+        return sorted_;
     }
-    for (std::size_t i = 1; i < entries.size(); ++i)
-        for (std::size_t k = i; k > 0 && before(entries[k], entries[k - 1]); --k)
-            std::swap(entries[k], entries[k - 1]);
-}
+
+ private:
+    [[nodiscard]] static std::size_t bucket(const Face& face) noexcept {
+        return static_cast<std::size_t>((face[0] + 1) % vertices_per_block);
+    }
+
+    /// Nearly all buckets hold two or three faces.
+    static void sort(std::span<Entry> bucket) {
+        const auto before = [](const Entry& a, const Entry& b) {
+            return a.face[1] != b.face[1] ? a.face[1] < b.face[1] : a.face[2] < b.face[2];
+        };
+        if (bucket.size() > 16) {
+            std::sort(bucket.begin(), bucket.end(), before);
+            return;
+        }
+        for (std::size_t i = 1; i < bucket.size(); ++i)
+            for (std::size_t k = i; k > 0 && before(bucket[k], bucket[k - 1]); --k)
+                std::swap(bucket[k], bucket[k - 1]);
+    }
+
+    std::array<std::size_t, vertices_per_block + 1> starts_;
+    std::vector<Entry> sorted_;
+};
 
 }  // namespace
 
 void assemble(Topology topology, std::span<const Index> original, TessellationArrays& result) {
-    // Vertices lie along the Hilbert curve in the topology and anywhere in the input. So the passes go
-    // through the topology in its own order, scatter no more than they must, and ask for the memory
-    // that they will scatter to a little ahead.
-    constexpr Index ahead = 16;
     const Index slots = topology.faces();
+    std::vector<std::size_t> starts(block_of(static_cast<Index>(original.size())) + 2, 0);
+    for (Index f = 0; f < slots; ++f)
+        if (!topology.is_vacant(f)) ++starts[block_of(turn(topology, original, f).face[0]) + 1];
+    for (std::size_t b = 1; b < starts.size(); ++b) starts[b] += starts[b - 1];
 
-    // Input numbers, and every face turned to begin at its smallest vertex; a count of faces by it.
-    LargeArray<Index> range(original.size() + 2, 0);
-    for (Index f = 0; f < slots; ++f) {
-        if (topology.is_vacant(f)) continue;
-        topology.renumber(f, original);
-        ++range[at(topology.vertices(f)[0] + 2)];
-    }
-    for (std::size_t v = 1; v < range.size(); ++v) range[v] += range[v - 1];
-    const std::size_t count = at(range[range.size() - 1]);
-
-    // Faces dealt into the ranges of their smallest vertices and sorted inside them.
-    LargeArray<Entry> entries(count);
-    for (Index f = 0; f < slots; ++f) {
-        if (f + ahead < slots && !topology.is_vacant(f + ahead))
-            __builtin_prefetch(&entries[at(range[at(topology.vertices(f + ahead)[0] + 1)])], 1);
-        if (topology.is_vacant(f)) continue;
-        const auto& v = topology.vertices(f);
-        entries[at(range[at(v[0] + 1)]++)] = {{v[0], v[1], v[2]}, f};
-    }
+    // The neighbours are faces of the topology until the place of every face is known.
+    const std::size_t count = starts.back();
     result.faces.resize(count);
-    for (std::size_t from = 0, v = 0; from < count; from = at(range[v++])) {
-        const std::size_t to = at(range[v]);
-        sort({&entries[from], to - from});
-        for (std::size_t i = from; i < to; ++i) {
-            if (i + ahead < count) topology.prefetch(entries[i + ahead].from);
-            result.faces[i] = entries[i].face;
-            topology.set_mark(entries[i].from, static_cast<Index>(i));
+    result.neighbours.resize(count);
+    LargeArray<Index> from(count);
+    std::vector<std::size_t> ends = starts;
+    for (Index f = 0; f < slots; ++f) {
+        if (topology.is_vacant(f)) continue;
+        const auto [face, first] = turn(topology, original, f);
+        const auto across = [&](HalfEdge h) { return Topology::face(topology.twin(h)); };
+        const std::size_t i = ends[block_of(face[0])]++;
+        result.faces[i] = face;
+        // The edge opposite the first vertex is the one that follows the first edge.
+        result.neighbours[i] = {across(Topology::next(first)), across(Topology::previous(first)),
+                                across(first)};
+        from[i] = f;
+    }
+    topology = Topology(0);
+
+    LargeArray<Index> place(at(slots));
+    BlockSort sort;
+    for (std::size_t b = 0; b + 1 < starts.size(); ++b) {
+        const std::size_t first = starts[b];
+        const std::size_t size = starts[b + 1] - first;
+        const auto sorted = sort({&result.faces[first], size}, {&result.neighbours[first], size},
+                                 {&from[first], size});
+        for (std::size_t i = 0; i < size; ++i) {
+            result.faces[first + i] = sorted[i].face;
+            result.neighbours[first + i] = sorted[i].neighbours;
+            place[at(sorted[i].from)] = static_cast<Index>(first + i);
         }
     }
-    entries = {};
-    range = {};
-
-    result.neighbours.resize(count);
-    for (Index f = 0; f < slots; ++f) {
-        if (f + ahead < slots && !topology.is_vacant(f + ahead))
-            __builtin_prefetch(&result.neighbours[at(topology.mark(f + ahead))], 1);
-        if (topology.is_vacant(f)) continue;
-        const HalfEdge h = Topology::first_edge(f);
-        const auto across = [&](HalfEdge g) {
-            return topology.mark(Topology::face(topology.twin(g)));
-        };
-        // The edge opposite the first vertex is the one that follows the first edge.
-        result.neighbours[at(topology.mark(f))] = {across(h + 1), across(h + 2), across(h)};
-    }
+    for (Face& neighbours : result.neighbours)
+        for (Index& f : neighbours) f = place[at(f)];
 }
 
 }  // namespace signum::triangulation

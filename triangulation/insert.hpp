@@ -18,6 +18,32 @@
 
 namespace signum::triangulation {
 
+/// A stack with room for all that can ever be on it: memory is claimed as it is used, and a push is a
+/// store.
+template <class T>
+class Stack {
+ public:
+    explicit Stack(std::size_t most) : items_(most), end_(items_.data()) {}
+
+    [[nodiscard]] bool empty() const noexcept { return end_ == items_.data(); }
+    [[nodiscard]] std::size_t size() const noexcept {
+        return static_cast<std::size_t>(end_ - items_.data());
+    }
+    [[nodiscard]] T& operator[](std::size_t i) const noexcept { return items_.data()[i]; }
+    [[nodiscard]] const T* begin() const noexcept { return items_.data(); }
+    [[nodiscard]] const T* end() const noexcept { return end_; }
+    void clear() noexcept { end_ = items_.data(); }
+    void push(const T& item) noexcept {
+        SIGNUM_EXPECTS(size() < items_.size());
+        *end_++ = item;
+    }
+    T pop() noexcept { return *--end_; }
+
+ private:
+    LargeArray<T> items_;
+    T* end_;
+};
+
 template <class Kernel>
 class Insertion {
  public:
@@ -25,7 +51,14 @@ class Insertion {
     /// or not by now, and is -1 while i is visible; it has room for every site.
     Insertion(Topology& topology, Kernel& kernel, std::span<Index> hidden_by, Index a, Index b,
               Index c)
-        : topology_(topology), kernel_(kernel), hidden_by_(hidden_by) {
+        : topology_(topology),
+          kernel_(kernel),
+          hidden_by_(hidden_by),
+          // Of n sites' 2n - 2 faces all may go; each but the first adds two edges to look across.
+          pending_(2 * hidden_by.size() + 4),
+          removed_(4 * hidden_by.size() + 4),
+          boundary_(4 * hidden_by.size() + 4),
+          vacant_(2 * hidden_by.size()) {
         const Index corners[3] = {a, b, c};
         const Index inner = topology_.add_face(a, b, c);
         Index outer[3];
@@ -61,16 +94,23 @@ class Insertion {
         Index from;
     };
 
+    /// An edge out of the disc as far as it is known, and whether the face outside is in conflict.
+    struct Crossing {
+        HalfEdge outside;
+        Index from;
+        bool conflict;
+    };
+
     [[nodiscard]] static HalfEdge edge(Index f, unsigned k) noexcept {
         return Topology::first_edge(f) + k;
     }
 
     [[nodiscard]] bool conflicts(Index f, Index q) {
-        if (topology_.is_infinite(f)) [[unlikely]] {
+        const auto& v = topology_.vertices(f);
+        if ((v[0] | v[1] | v[2]) < 0) [[unlikely]] {
             const HalfEdge h = topology_.finite_edge(f);
             return kernel_.conflicts_infinite(topology_.target(h), topology_.origin(h), q);
         }
-        const auto& v = topology_.vertices(f);
         return kernel_.conflicts(v[0], v[1], v[2], q);
     }
 
@@ -80,27 +120,35 @@ class Insertion {
         boundary_.clear();
         removed_.clear();
         pending_.clear();
-        const auto take = [this](Index f) {
-            topology_.set_mark(f, in_conflict);
-            removed_.push_back(f);
-        };
         take(start);
-        for (const unsigned k : {2U, 1U, 0U}) pending_.push_back(edge(start, k));
+        for (const unsigned k : {2U, 1U, 0U}) look_across(topology_.record(start), k, q);
         while (!pending_.empty()) {
-            const HalfEdge h = pending_.back();
-            pending_.pop_back();
-            const HalfEdge across = topology_.twin(h);
-            const Index f = Topology::face(across);
-            if (topology_.mark(f) == in_conflict) continue;
-            if (conflicts(f, q)) {
+            const Crossing crossing = pending_.pop();
+            const Index f = Topology::face(crossing.outside);
+            const Topology::Record& record = topology_.record(f);
+            if (record.mark == in_conflict) continue;
+            if (crossing.conflict) {
                 take(f);
-                pending_.push_back(Topology::previous(across));
-                pending_.push_back(Topology::next(across));
+                const unsigned k = crossing.outside & 3;
+                look_across(record, k == 0 ? 2 : k - 1, q);
+                look_across(record, k == 2 ? 0 : k + 1, q);
             } else {
-                boundary_.push_back({across, topology_.origin(h)});
+                boundary_.push({crossing.outside, crossing.from});
             }
         }
         if constexpr (!Kernel::is_exact) check_boundary();
+    }
+
+    void take(Index f) {
+        topology_.record(f).mark = in_conflict;
+        removed_.push(f);
+    }
+
+    /// Asks the face across an edge of the disc so far. The answer waits until its turn: by then it is
+    /// known, and a branch that was guessed wrong costs little.
+    void look_across(const Topology::Record& record, unsigned k, Index q) {
+        const HalfEdge across = record.twin[k];
+        pending_.push({across, record.vertex[k], conflicts(Topology::face(across), q)});
     }
 
     /// The boundary of a disc is one closed walk. Rounded signs can make the region an annulus or all
@@ -116,29 +164,27 @@ class Insertion {
     /// Joins q to every edge of the boundary, reusing the slots of the removed faces.
     void retriangulate(Index q) {
         const std::size_t count = boundary_.size();
-        for (const Index f : removed_) topology_.set_mark(f, 0);
-        while (removed_.size() < count) {
-            if (vacant_.empty()) {
-                removed_.push_back(topology_.add_face(infinite, infinite, infinite));
-            } else {
-                removed_.push_back(vacant_.back());
-                vacant_.pop_back();
-            }
-        }
+        while (removed_.size() < count)
+            removed_.push(vacant_.empty() ? topology_.add_face(infinite, infinite, infinite)
+                                          : vacant_.pop());
         Index before = removed_[count - 1];
+        Index f = removed_[0];
         for (std::size_t i = 0; i < count; ++i) {
-            const Index f = removed_[i];
-            const Index to = boundary_[i + 1 < count ? i + 1 : 0].from;
-            topology_.set_face(f, boundary_[i].from, to, q);
-            topology_.glue(edge(f, 0), boundary_[i].outside);
-            topology_.glue(edge(f, 2), edge(before, 1));
+            const std::size_t next = i + 1 < count ? i + 1 : 0;
+            const Index after = removed_[next];
+            const HalfEdge outside = boundary_[i].outside;
+            topology_.record(f) = {{boundary_[i].from, boundary_[next].from, q},
+                                   0,
+                                   {outside, edge(after, 2), edge(before, 1)}};
+            topology_.record(Topology::face(outside)).twin[outside & 3] = edge(f, 0);
             before = f;
-        }
-        for (std::size_t i = count; i < removed_.size(); ++i) {
-            topology_.set_face(removed_[i], Topology::vacant, Topology::vacant, Topology::vacant);
-            vacant_.push_back(removed_[i]);
+            f = after;
         }
         recent_ = before;
+        for (std::size_t i = count; i < removed_.size(); ++i) {
+            topology_.record(removed_[i]) = {{Topology::vacant, 0, 0}, 0, {0, 0, 0}};
+            vacant_.push(removed_[i]);
+        }
     }
 
     /// q is hidden in face f. Any finite corner will do: who hides it is settled at the end.
@@ -165,10 +211,10 @@ class Insertion {
     Kernel& kernel_;
     std::span<Index> hidden_by_;
     Index recent_ = 0;
-    std::vector<HalfEdge> pending_;
-    std::vector<Index> removed_;
-    std::vector<BoundaryEdge> boundary_;
-    std::vector<Index> vacant_;
+    Stack<Crossing> pending_;
+    Stack<Index> removed_;
+    Stack<BoundaryEdge> boundary_;
+    Stack<Index> vacant_;
 };
 
 }  // namespace signum::triangulation

@@ -2,6 +2,7 @@
 /// Point location by a visibility walk.
 
 #include <signum/core/index.hpp>
+#include <signum/core/sign.hpp>
 #include <signum/triangulation/topology.hpp>
 #include <signum/triangulation/triangulate.hpp>
 
@@ -20,13 +21,12 @@ template <class Kernel>
     for (Index steps = topology.faces(); Kernel::is_exact || steps >= 0; --steps) {
         const Index apex = topology.apex(h);
         if (apex == infinite) return Topology::face(h);
-        if (kernel.ccw(topology.target(h), apex, q) < 0) {
-            h = topology.twin(Topology::next(h));
-        } else if (kernel.ccw(apex, topology.origin(h), q) < 0) {
-            h = topology.twin(Topology::previous(h));
-        } else {
-            return Topology::face(h);
-        }
+        // Both sides are asked before either answer is looked at: which edge to cross is anybody's
+        // guess, and selecting is cheaper than guessing wrong.
+        const Sign after = kernel.ccw(topology.target(h), apex, q);
+        const Sign before = kernel.ccw(apex, topology.origin(h), q);
+        if ((after | before) >= 0) return Topology::face(h);
+        h = topology.twin(after < 0 ? Topology::next(h) : Topology::previous(h));
     }
     throw BrokenStructure("the walk to a site went in circles");
 }

@@ -46,13 +46,13 @@ constexpr StepTable make_steps() {
 }
 
 constexpr StepTable steps = make_steps();
-constexpr int bits_per_axis = 28;
+constexpr int bits_per_step = 4;
 
-/// The parameter on the curve of cell (x, y) of a 2^28 by 2^28 board.
-std::uint64_t hilbert(std::uint32_t x, std::uint32_t y) noexcept {
+/// The parameter on the curve of cell (x, y) of a board of 2^bits cells a side.
+std::uint64_t hilbert(std::uint32_t x, std::uint32_t y, int bits) noexcept {
     std::uint64_t curve = 0;
     unsigned orientation = 0;
-    for (int shift = bits_per_axis - 4; shift >= 0; shift -= 4) {
+    for (int shift = bits - bits_per_step; shift >= 0; shift -= bits_per_step) {
         const Step step = steps[orientation][(x >> shift & 15) << 4 | (y >> shift & 15)];
         curve = curve << 8 | step.curve;
         orientation = step.orientation;
@@ -60,63 +60,72 @@ std::uint64_t hilbert(std::uint32_t x, std::uint32_t y) noexcept {
     return curve;
 }
 
-struct Item {
-    std::uint64_t key;
-    Index site;
-    bool operator<(const Item& other) const noexcept { return key < other.key; }
-};
+/// What is sorted: round, place on the curve and site in one number, from high bits to low. The site
+/// takes as many bits as the number of sites asks, the round four, the curve the rest.
+struct Layout {
+    explicit Layout(std::size_t sites)
+        : site_bits(static_cast<int>(std::bit_width(sites))),
+          axis_bits((60 - site_bits) / 2 / bits_per_step * bits_per_step) {}
 
-struct ItemShift {
-    std::uint64_t operator()(const Item& item, unsigned offset) const noexcept {
-        return item.key >> offset;
+    [[nodiscard]] std::size_t site(std::uint64_t item) const noexcept {
+        return item & ((std::uint64_t{1} << site_bits) - 1);
     }
+    [[nodiscard]] std::uint64_t key(std::uint64_t item) const noexcept { return item >> site_bits; }
+
+    int site_bits;
+    int axis_bits;
 };
 
 /// A range of one coordinate, halved so that its extent cannot overflow.
-struct Range {
-    double least = 0x1p1023;
-    double extent = 0.0;
+class Range {
+ public:
+    void include(double value) noexcept {
+        least_ = std::min(least_, 0.5 * value);
+        greatest_ = std::max(greatest_, 0.5 * value);
+    }
+    [[nodiscard]] bool is_point() const noexcept { return !(greatest_ > least_); }
+    /// The cell of a value among 2^bits.
+    [[nodiscard]] std::uint32_t cell(double value, int bits) const noexcept {
+        if (is_point()) return 0;
+        const auto cells = static_cast<double>(std::uint32_t{1} << bits);
+        const double place = (0.5 * value - least_) / (greatest_ - least_) * cells;
+        return static_cast<std::uint32_t>(std::min(place, cells - 1.0));
+    }
+
+ private:
+    double least_ = 0x1p1023;
+    double greatest_ = -0x1p1023;
 };
 
-template <class Coordinate>
-Range range_of(std::span<const Item> items, Coordinate coordinate) {
-    double least = 0x1p1023;
-    double greatest = -0x1p1023;
-    for (const Item& item : items) {
-        const double half = 0.5 * coordinate(item.site);
-        least = std::min(least, half);
-        greatest = std::max(greatest, half);
+/// Orders items by the round that they carry and along the curve over their own bounding box; goes on
+/// inside the cells that hold many.
+void order(std::span<std::uint64_t> items, const Layout& layout, const StridedSites& sites) {
+    Range x;
+    Range y;
+    for (const std::uint64_t item : items) {
+        const Site site = sites[layout.site(item)];
+        x.include(site.x);
+        y.include(site.y);
     }
-    return {least, greatest - least};
-}
-
-std::uint32_t quantize(double value, Range range) noexcept {
-    constexpr double board = std::uint32_t{1} << bits_per_axis;
-    if (!(range.extent > 0.0)) return 0;
-    const double cell = (0.5 * value - range.least) / range.extent * board;
-    return static_cast<std::uint32_t>(std::min(cell, board - 1.0));
-}
-
-/// Orders items by the bits that their keys have already (the round) and then along the curve over their
-/// own bounding box; goes on inside the cells that hold many.
-void order(std::span<Item> items, const StridedSites& sites) {
-    const auto x_of = [&](Index i) { return sites[static_cast<std::size_t>(i)].x; };
-    const auto y_of = [&](Index i) { return sites[static_cast<std::size_t>(i)].y; };
-    const Range x = range_of(items, x_of);
-    const Range y = range_of(items, y_of);
-    if (!(x.extent > 0.0) && !(y.extent > 0.0)) return;
-    for (Item& item : items)
-        item.key |= hilbert(quantize(x_of(item.site), x), quantize(y_of(item.site), y));
-    boost::sort::spreadsort::integer_sort(items.begin(), items.end(), ItemShift());
+    if (x.is_point() && y.is_point()) return;
+    for (std::uint64_t& item : items) {
+        const Site site = sites[layout.site(item)];
+        item |= hilbert(x.cell(site.x, layout.axis_bits), y.cell(site.y, layout.axis_bits),
+                        layout.axis_bits)
+                << layout.site_bits;
+    }
+    boost::sort::spreadsort::integer_sort(items.begin(), items.end());
 
     constexpr std::size_t crowd = 64;
     for (std::size_t first = 0; first < items.size();) {
+        const std::uint64_t key = layout.key(items[first]);
         std::size_t last = first + 1;
-        while (last < items.size() && items[last].key == items[first].key) ++last;
-        if (last - first > crowd) {
-            const std::span<Item> cell = items.subspan(first, last - first);
-            for (Item& item : cell) item.key = 0;
-            if (cell.size() < items.size()) order(cell, sites);
+        while (last < items.size() && layout.key(items[last]) == key) ++last;
+        // The corners of a bounding box lie in different cells, so that a cell holds fewer.
+        if (last - first > crowd && last - first < items.size()) {
+            const std::span<std::uint64_t> cell = items.subspan(first, last - first);
+            for (std::uint64_t& item : cell) item = layout.site(item);
+            order(cell, layout, sites);
         }
         first = last;
     }
@@ -136,17 +145,18 @@ LargeArray<Index> spatial_order(const StridedSites& sites, std::uint64_t seed) {
     int rounds = 0;
     for (std::size_t n = sites.size(); n > 1000; n /= 8) ++rounds;
 
-    LargeArray<Item> items(sites.size());
+    const Layout layout(sites.size());
+    LargeArray<std::uint64_t> items(sites.size());
     for (std::size_t i = 0; i < items.size(); ++i) {
         const std::uint64_t random = mix(mix(seed) + i * 0x9E3779B97F4A7C15U);
         const int round = rounds - std::min(rounds, std::countr_zero(random) / 3);
-        items[i] = {static_cast<std::uint64_t>(round) << 2 * bits_per_axis, static_cast<Index>(i)};
+        items[i] = static_cast<std::uint64_t>(round) << 60 | i;
     }
-    order(items, sites);
+    order({items.data(), items.size()}, layout, sites);
 
     LargeArray<Index> result(items.size());
-    std::transform(items.begin(), items.end(), result.begin(),
-                   [](const Item& item) { return item.site; });
+    for (std::size_t i = 0; i < items.size(); ++i)
+        result[i] = static_cast<Index>(layout.site(items[i]));
     return result;
 }
 

@@ -9,10 +9,8 @@
 ///  3. One vertex may be infinite (-1); the structure treats it as any other and knows no coordinate.
 ///  4. A face that was taken out has origin `vacant` and waits for reuse.
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 #include <signum/core/contract.hpp>
 #include <signum/core/index.hpp>
@@ -26,6 +24,13 @@ using HalfEdge = std::uint32_t;
 class Topology {
  public:
     static constexpr Index vacant = -2;
+
+    /// What is stored of a face. Half a cache line, never across two.
+    struct alignas(32) Record {
+        Index vertex[3];
+        Index mark;  ///< a number that an algorithm keeps with a face; 0 when the face is added
+        HalfEdge twin[3];
+    };
 
     /// Room for the faces of `sites` sites and no more; vertices never exceed sites + 1.
     explicit Topology(std::size_t sites)
@@ -69,44 +74,17 @@ class Topology {
     Index add_face(Index a, Index b, Index c) noexcept {
         SIGNUM_EXPECTS(faces_ < capacity_);
         const auto f = static_cast<Index>(faces_++);
-        set_face(f, a, b, c);
-        set_mark(f, 0);
+        record(f) = {{a, b, c}, 0, {0, 0, 0}};
         return f;
     }
-    void set_face(Index f, Index a, Index b, Index c) noexcept {
-        Record& record = at(first_edge(f));
-        record.vertex[0] = a;
-        record.vertex[1] = b;
-        record.vertex[2] = c;
-    }
-    /// A number that an algorithm keeps with a face; 0 when the face is added.
-    [[nodiscard]] Index mark(Index f) const noexcept { return at(first_edge(f)).mark; }
-    void set_mark(Index f, Index mark) noexcept { at(first_edge(f)).mark = mark; }
+    /// For algorithms that rewrite whole faces at a time.
+    [[nodiscard]] Record& record(Index f) const noexcept { return at(first_edge(f)); }
     void glue(HalfEdge h, HalfEdge g) noexcept {
         at(h).twin[h & 3] = g;
         at(g).twin[g & 3] = h;
     }
 
-    /// Replaces vertex v of a face by number[v] and turns the face so that the smallest comes first. The
-    /// twins of the other faces go on naming the face, but no longer the edge: the last thing to do.
-    void renumber(Index f, std::span<const Index> number) noexcept {
-        Record& record = at(first_edge(f));
-        for (Index& v : record.vertex)
-            if (v != infinite) v = number[static_cast<std::size_t>(v)];
-        const auto least = std::min_element(record.vertex, record.vertex + 3) - record.vertex;
-        std::rotate(record.vertex, record.vertex + least, record.vertex + 3);
-        std::rotate(record.twin, record.twin + least, record.twin + 3);
-    }
-    /// Tells the memory that the face will be written soon.
-    void prefetch(Index f) const noexcept { __builtin_prefetch(&records_[static_cast<std::size_t>(f)], 1); }
-
  private:
-    /// Half a cache line, never across two.
-    struct alignas(32) Record {
-        Index vertex[3];
-        Index mark;
-        HalfEdge twin[3];
-    };
     [[nodiscard]] Record& at(HalfEdge h) const noexcept {
         SIGNUM_EXPECTS((h >> 2) < faces_ && (h & 3) < 3);
         return records_[h >> 2];

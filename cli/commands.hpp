@@ -1,0 +1,53 @@
+#pragma once
+/// The subcommands, and how they end.
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+namespace signum::cli {
+
+/// What the tool returns to the shell.
+enum ExitCode : int {
+    done = 0,
+    check_failed = 1,   ///< a check that was asked for
+    wrong_input = 2,    ///< the call or its input
+    machine_failed = 3  ///< disk full, no memory
+};
+
+/// The call is wrong. The message says what would be right; main() puts "signum: " before it.
+class CallError : public std::runtime_error {
+ public:
+    using std::runtime_error::runtime_error;
+};
+
+/// A check that was asked for failed; main() puts "signum: " before the message.
+class CheckFailure : public std::runtime_error {
+ public:
+    using std::runtime_error::runtime_error;
+};
+
+/// Each adds its subcommand to the tool. The subcommand runs at the end of parsing, writes its
+/// result to standard output and throws CallError, InputError, MachineError or CheckFailure.
+void add_triangulate(CLI::App& tool);
+void add_sign(CLI::App& tool);
+void add_generate(CLI::App& tool);
+void add_validate(CLI::App& tool);
+
+/// Accepts these words and no others.
+CLI::Validator one_of(std::vector<std::string> words);
+
+/// Accepts whole numbers that fit into 64 bits, and no sign.
+CLI::Validator whole_number();
+
+/// Adds the option --metric with its four names and its default, euclidean.
+CLI::Option* add_metric(CLI::App& command, std::string& metric);
+/// Adds the option --weight-is; empty when it is not given.
+CLI::Option* add_weight_is(CLI::App& command, std::string& weight_is);
+
+/// Throws CallError for every metric but power, the one that this version has.
+void require_power(const std::string& metric, const CLI::Option& option);
+
+}  // namespace signum::cli

@@ -1,0 +1,129 @@
+/// signum generate: sites to try things on.
+
+#include <array>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include <signum/core/index.hpp>
+#include <signum/generate/generate.hpp>
+#include <signum/io/number.hpp>
+#include <signum/io/output_file.hpp>
+#include <signum/io/write_sites.hpp>
+
+#include "commands.hpp"
+
+namespace signum::cli {
+namespace {
+
+/// The call as it was typed.
+struct Call {
+    std::string distribution;
+    std::int64_t count = 0;
+    std::string radius = "0";
+    std::string perturb = "0";
+    std::uint64_t seed = 1;
+    std::string output;
+};
+
+Distribution distribution_of(const std::string& name) {
+    if (name == "circle") return Distribution::circle;
+    if (name == "square") return Distribution::square;
+    if (name == "grid") return Distribution::grid;
+    return Distribution::random;
+}
+
+double number_of(const std::string& option, std::string_view text) {
+    const Number number = parse_number(text);
+    if (number.fault == NumberFault::none) return number.value;
+    throw CallError(fmt::format("{}: {}", option, explain(number.fault, text)));
+}
+
+SitesFormat format_of(std::string_view path) {
+    if (path.ends_with(".csv")) return SitesFormat::csv;
+    if (path.ends_with(".json")) return SitesFormat::json;
+    return SitesFormat::text;
+}
+
+void run(const Call& call) {
+    if (call.count < 1 || call.count > max_sites) {
+        throw CallError(
+            fmt::format("-n {}: give a number of sites from 1 to {}", call.count, max_sites));
+    }
+    GenerateOptions options;
+    options.count = call.count;
+    const std::size_t colon = call.radius.find(':');
+    options.radius_from = number_of("--radius", call.radius.substr(0, colon));
+    options.radius_to = colon == std::string::npos
+                            ? options.radius_from
+                            : number_of("--radius", call.radius.substr(colon + 1));
+    options.perturb = number_of("--perturb", call.perturb);
+    options.seed = call.seed;
+    if (options.radius_from > options.radius_to) {
+        throw CallError(fmt::format("--radius {}: give the smaller number first", call.radius));
+    }
+    if (options.perturb < 0.0) {
+        throw CallError(
+            fmt::format("--perturb {}: give a number that is not negative", call.perturb));
+    }
+    std::optional<OutputFile> file;
+    if (!call.output.empty() && call.output != "-") file.emplace(call.output);
+    std::vector<Site> sites;
+    try {
+        sites = generate(distribution_of(call.distribution), options);
+    } catch (const std::invalid_argument& error) {
+        throw CallError(error.what());
+    }
+    if (file) {
+        write_sites(file->stream(), sites, format_of(call.output));
+        file->publish();
+    } else {
+        DescriptorStream out(1, "standard output");
+        write_sites(out, sites, SitesFormat::text);
+        out.flush();
+    }
+}
+
+}  // namespace
+
+void add_generate(CLI::App& tool) {
+    auto call = std::make_shared<Call>();
+    CLI::App* command =
+        tool.add_subcommand("generate", "Makes sites; the same options make the same sites");
+    command
+        ->add_option("DISTRIBUTION", call->distribution,
+                     "random  in the square [0, 700] x [0, 700]\n"
+                     "circle  on the largest circle in it, radius 350\n"
+                     "square  on its boundary\n"
+                     "grid    on a grid of square cells filling it")
+        ->required()
+        ->check(one_of({"random", "circle", "square", "grid"}))
+        ->type_name("");
+    command->add_option("-n", call->count, "How many sites")
+        ->required()
+        ->check(whole_number())
+        ->type_name("N");
+    command->add_option("--radius", call->radius, "The radius of all, or uniform from A to B")
+        ->type_name("A[:B]")
+        ->capture_default_str();
+    command
+        ->add_option("--perturb", call->perturb,
+                     "Adds to each coordinate a number, uniform from\n0 to P")
+        ->type_name("P")
+        ->capture_default_str();
+    command->add_option("--seed", call->seed, "Other seeds, other sites")
+        ->check(whole_number())
+        ->type_name("N")
+        ->capture_default_str();
+    command
+        ->add_option("-o,--output", call->output,
+                     "Where the sites go: CSV or JSON by the ending,\n"
+                     "else lines x y r; without it standard output")
+        ->type_name("FILE");
+    command->footer(
+        "Example:\n  signum generate random -n 1000 --radius 1:20 --seed 7 -o sites.txt");
+    command->callback([call] { run(*call); });
+}
+
+}  // namespace signum::cli

@@ -1,0 +1,135 @@
+/// signum: the tool. Parses the call, runs a subcommand, and turns every way to fail into one line
+/// on standard error and an exit code.
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+
+#include <signum/io/errors.hpp>
+#include <signum/io/output_file.hpp>
+
+#include "commands.hpp"
+
+namespace signum::cli {
+namespace {
+
+extern "C" void die_clean(int signal) {
+    remove_unfinished_files();
+    // The handler is reset (SA_RESETHAND), so that the shell sees the signal.
+    ::raise(signal);
+}
+
+/// A signal that ends the program takes its unfinished files along; a file that grows beyond the
+/// limit of the shell is an error of writing, not a signal.
+void install_handlers() {
+    struct sigaction action = {};
+    action.sa_handler = die_clean;
+    action.sa_flags = static_cast<int>(SA_RESETHAND);
+    sigemptyset(&action.sa_mask);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE}) {
+        struct sigaction old = {};
+        if (::sigaction(signal, nullptr, &old) == 0 && old.sa_handler != SIG_IGN) {
+            ::sigaction(signal, &action, nullptr);
+        }
+    }
+    ::signal(SIGXFSZ, SIG_IGN);
+}
+
+/// A standard stream that is closed must not become the next file that is opened. The null devices
+/// are opened the wrong way round: using them fails, as it would without them.
+void occupy_standard_streams() {
+    for (int descriptor = 0; descriptor < 3; ++descriptor) {
+        if (::fcntl(descriptor, F_GETFD) < 0) {
+            // The lowest free number is this one.
+            static_cast<void>(::open("/dev/null", descriptor == 0 ? O_WRONLY : O_RDONLY));
+        }
+    }
+}
+
+int report(const char* message, ExitCode code) noexcept {
+    std::fprintf(stderr, "signum: %s\n", message);
+    return code;
+}
+
+/// Help and version are no errors; everything else about the call is one line and where to look.
+int report_parse_error(const CLI::App& tool, const CLI::ParseError& error, const char* first_word) {
+    const auto chosen = tool.get_subcommands();
+    const CLI::App& command = chosen.empty() ? tool : *chosen.front();
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
+        DescriptorStream out(1, "standard output");
+        const bool is_version = error.get_name() == "CallForVersion";
+        out << (is_version ? error.what() : tool.help().c_str());
+        out << (is_version || !tool.help().ends_with('\n') ? "\n" : "");
+        out.flush();
+        return done;
+    }
+    if (chosen.empty() && first_word == nullptr) {
+        std::fputs(tool.help().c_str(), stderr);
+        return wrong_input;
+    }
+    std::string message = error.what();
+    if (chosen.empty()) message = "'" + std::string(first_word) + "' is no subcommand";
+    for (char& c : message) {
+        if (c == '\n') c = ' ';
+    }
+    std::string hint = "signum --help";
+    if (!chosen.empty()) hint = "signum " + command.get_name() + " --help";
+    if (!chosen.empty() && command.get_name() == "sign") hint += " (numbers stand after --)";
+    return report((message + "; see " + hint).c_str(), wrong_input);
+}
+
+int run(int count, char** words) {
+    CLI::App tool("Signs that are right, and the tessellations built on them", "signum");
+    tool.set_version_flag("--version", "signum " SIGNUM_VERSION);
+    tool.require_subcommand(1);
+    tool.footer(
+        "signum SUBCOMMAND --help says more.\n\n"
+        "Example:\n"
+        "  signum generate random -n 100 --radius 1:30 -o sites.txt\n"
+        "  signum triangulate sites.txt --metric power -o out.svg");
+    add_triangulate(tool);
+    add_sign(tool);
+    add_generate(tool);
+    add_validate(tool);
+    try {
+        tool.parse(count, words);
+        return done;
+    } catch (const CLI::ParseError& error) {
+        return report_parse_error(tool, error, count > 1 ? words[1] : nullptr);
+    }
+}
+
+int run_and_report(int count, char** words) noexcept {
+    try {
+        return run(count, words);
+    } catch (const InputError& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return wrong_input;
+    } catch (const CallError& error) {
+        return report(error.what(), wrong_input);
+    } catch (const CheckFailure& error) {
+        return report(error.what(), check_failed);
+    } catch (const MachineError& error) {
+        return report(error.what(), machine_failed);
+    } catch (const std::bad_alloc&) {
+        return report("not enough memory", machine_failed);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "signum: this should not happen, please report it: %s\n",
+                     error.what());
+        return machine_failed;
+    }
+}
+
+}  // namespace
+}  // namespace signum::cli
+
+int main(int count, char** words) {
+    signum::cli::occupy_standard_streams();
+    signum::cli::install_handlers();
+    return signum::cli::run_and_report(count, words);
+}

@@ -1,0 +1,72 @@
+/// signum validate: judges a tessellation, whoever made it.
+
+#include <memory>
+
+#include <fmt/format.h>
+
+#include <signum/io/output_file.hpp>
+#include <signum/io/read_sites.hpp>
+#include <signum/io/read_tessellation.hpp>
+#include <signum/triangulation/validate.hpp>
+
+#include "commands.hpp"
+
+namespace signum::cli {
+namespace {
+
+/// The call as it was typed.
+struct Call {
+    std::string tessellation;
+    std::string sites;
+};
+
+void run(const Call& call) {
+    if (call.tessellation == "-" && call.sites == "-") {
+        throw CallError("only one of the two files can be standard input");
+    }
+    const TessellationArrays arrays = read_tessellation(call.tessellation);
+    if (arrays.metric != Metric::power) {
+        throw CallError(fmt::format("{}: its metric is {}, and this version judges power alone",
+                                    call.tessellation, name_of(arrays.metric)));
+    }
+    const SitesFile file = read_sites(call.sites);
+    const Validation result = validate(arrays, strided_view(file.sites, arrays.weight_is));
+    DescriptorStream out(1, "standard output");
+    if (!result.valid) {
+        out << fmt::format("not valid: {}\n", result.message);
+    } else if (!result.canonical) {
+        out << fmt::format("valid, not canonical: {}\n", result.message);
+    } else {
+        out << "valid, canonical\n";
+    }
+    out.flush();
+    if (!result.valid) {
+        throw CheckFailure(
+            fmt::format("{} is not a valid tessellation of {}", call.tessellation, call.sites));
+    }
+}
+
+}  // namespace
+
+void add_validate(CLI::App& tool) {
+    auto call = std::make_shared<Call>();
+    CLI::App* command =
+        tool.add_subcommand("validate", "Judges a tessellation from scratch, whoever made it");
+    command
+        ->add_option("TESSELLATION", call->tessellation,
+                     "The JSON that triangulate writes; - for standard\ninput")
+        ->required()
+        ->type_name("");
+    command
+        ->add_option("FILE", call->sites,
+                     "Its sites; the tessellation says whether the third\nnumber is a weight")
+        ->required()
+        ->type_name("");
+    command->footer(
+        "Prints \"valid, canonical\", \"valid, not canonical: WHY\" or \"not valid: WHY\";\n"
+        "exit 1 when it is not valid.\n\n"
+        "Example:\n  signum validate out.json sites.txt");
+    command->callback([call] { run(*call); });
+}
+
+}  // namespace signum::cli

@@ -1,0 +1,12 @@
+#pragma once
+/// The power metric drawn: discs, and cells bounded by straight lines.
+
+#include <signum/draw/shapes.hpp>
+
+namespace signum::power {
+
+void write_disc(SvgText& text, Point centre, double radius);
+[[nodiscard]] double drawn_radius(const signum::Site& site, WeightIs weight_is);
+[[nodiscard]] std::vector<Segment> cell_edges(const Tessellation& tessellation, const Frame& frame);
+
+}  // namespace signum::power

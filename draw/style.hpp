@@ -1,0 +1,26 @@
+#pragma once
+/// The look of a picture: how thick things are, and in which colours.
+
+#include <signum/draw/svg_text.hpp>
+
+#include <string_view>
+
+namespace signum {
+
+/// In pixels: thinner where sites crowd.
+struct Pens {
+    double cell;
+    double edge;   // and outlines
+    double wrong;  // and flipped edges
+    double dot;    // a radius
+    double hatch;  // from line to line
+
+    /// `spacing` is the typical distance of neighbours.
+    explicit Pens(double spacing);
+};
+
+/// The classes of style are site, hidden, dot, hidden-dot for elements, and for paths cell, edge,
+/// wrong, flipped, dots, hidden-dots.
+void write_style(SvgText& text, const Pens& pens);
+
+}  // namespace signum

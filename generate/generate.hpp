@@ -1,0 +1,37 @@
+#pragma once
+/// Sites for tests, benchmarks and demonstrations: the four distributions of the thesis.
+///
+/// Laws:
+///  1. The same options give the same doubles on every platform and with every standard library.
+///  2. Centres, radii and perturbations of one seed do not depend on one another: other radii leave
+///  the
+///     centres as they are.
+/// The square is [0, 700]²; everything random comes from std::mt19937_64 and is mapped to doubles
+/// here.
+
+#include <cstdint>
+#include <vector>
+
+#include <signum/core/site.hpp>
+
+namespace signum {
+
+enum class Distribution : std::uint8_t {
+    random,  ///< uniform in the square
+    circle,  ///< uniform on the circle of radius 350 in the square
+    square,  ///< uniform on the boundary of the square
+    grid     ///< square cells filling the square, whose circles and lines are exact ties
+};
+
+struct GenerateOptions {
+    std::int64_t count = 0;  ///< sites, from 0 to max_sites
+    double radius_from = 0.0;
+    double radius_to = 0.0;  ///< radii are uniform in [radius_from, radius_to]
+    double perturb = 0.0;    ///< a uniform number from [0, perturb] is added to each coordinate
+    std::uint64_t seed = 1;
+};
+
+/// Throws std::invalid_argument for options out of their range. O(count).
+[[nodiscard]] std::vector<Site> generate(Distribution distribution, const GenerateOptions& options);
+
+}  // namespace signum

@@ -1,0 +1,25 @@
+#include <fmt/format.h>
+
+#include <signum/io/errors.hpp>
+
+namespace signum {
+
+InputError::InputError(std::string_view file, Position position, std::string_view message)
+    : std::runtime_error(
+          fmt::format("{}:{}:{}: {}", file, position.line, position.column, message)) {}
+
+std::string in_quotes(std::string_view text) {
+    constexpr std::size_t longest = 40;
+    std::string result = "'";
+    for (const char c : text.substr(0, longest)) {
+        if (c >= ' ' && c <= '~') {
+            result += c;
+        } else {
+            result += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+        }
+    }
+    result += text.size() > longest ? "...'" : "'";
+    return result;
+}
+
+}  // namespace signum

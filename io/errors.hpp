@@ -1,0 +1,34 @@
+#pragma once
+/// The two ways in which a file fails us: its contents are wrong, or the machine is.
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace signum {
+
+/// A place in a text file, both numbers from 1; columns count bytes, a byte order mark not
+/// included.
+struct Position {
+    std::int64_t line = 1;
+    std::int64_t column = 1;
+};
+
+/// The input is wrong. what() is "FILE:LINE:COLUMN: what is wrong, and what would be right".
+class InputError : public std::runtime_error {
+ public:
+    InputError(std::string_view file, Position position, std::string_view message);
+};
+
+/// The machine failed: a full disk, a directory that cannot be written.
+class MachineError : public std::runtime_error {
+ public:
+    using std::runtime_error::runtime_error;
+};
+
+/// Text from a file as an error message shows it: between quotes, unprintable bytes as \xNN, and
+/// cut after 40 bytes.
+[[nodiscard]] std::string in_quotes(std::string_view text);
+
+}  // namespace signum

@@ -1,0 +1,162 @@
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <signum/io/input_file.hpp>
+
+namespace signum {
+namespace {
+
+constexpr std::size_t block_size = std::size_t{1} << 18;
+static_assert(block_size > 2 * InputFile::longest_line);
+
+/// Out of descriptors or memory: nothing that another name would cure.
+bool is_failure_of_machine(int error) noexcept {
+    return error == EMFILE || error == ENFILE || error == ENOMEM || error == EIO;
+}
+
+/// The position after the text, which starts at `position`.
+Position advance(Position position, std::string_view text) noexcept {
+    const std::size_t last_end = text.rfind('\n');
+    if (last_end == std::string_view::npos) {
+        position.column += static_cast<std::int64_t>(text.size());
+        return position;
+    }
+    position.line += std::count(text.begin(), text.end(), '\n');
+    position.column = static_cast<std::int64_t>(text.size() - last_end);
+    return position;
+}
+
+}  // namespace
+
+InputFile::InputFile(std::string path, std::string_view kind)
+    : path_(std::move(path)), kind_(kind), buffer_(block_size) {
+    if (path_ == "-") {
+        descriptor_ = STDIN_FILENO;
+    } else {
+        descriptor_ = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);
+        if (descriptor_ < 0) {
+            const int error = errno;
+            if (is_failure_of_machine(error)) {
+                throw MachineError(fmt::format("cannot open {}: {}", path_, std::strerror(error)));
+            }
+            fail({}, fmt::format("cannot open it ({}); give {}, or - for standard input",
+                                 std::strerror(error), kind_));
+        }
+    }
+    // No destructor runs for a constructor that throws.
+    try {
+        struct stat status = {};
+        if (::fstat(descriptor_, &status) == 0 && S_ISDIR(status.st_mode)) {
+            fail({}, fmt::format("this is a directory; give {}", kind_));
+        }
+        fill();
+        const std::string_view start(buffer_.data(), end_);
+        if (start.starts_with("\xEF\xBB\xBF")) begin_ = 3;
+        if (start.starts_with("\xFF\xFE") || start.starts_with("\xFE\xFF")) {
+            fail({}, "this is UTF-16 text; save the file as UTF-8 or ASCII");
+        }
+        refuse_binary(begin_);
+    } catch (...) {
+        if (descriptor_ != STDIN_FILENO) ::close(descriptor_);
+        throw;
+    }
+}
+
+InputFile::~InputFile() {
+    if (descriptor_ != STDIN_FILENO) ::close(descriptor_);
+}
+
+void InputFile::fail(Position position, std::string_view message) const {
+    throw InputError(path_, position, message);
+}
+
+char InputFile::first_character() const noexcept {
+    const std::string_view text(buffer_.data() + begin_, end_ - begin_);
+    const std::size_t found = text.find_first_not_of(" \t\r\n");
+    return found == std::string_view::npos ? '\0' : text[found];
+}
+
+/// Moves the bytes not handed out yet to the front and reads behind them until the buffer is full
+/// or the file ends.
+void InputFile::fill() {
+    std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
+    end_ -= begin_;
+    begin_ = 0;
+    while (!at_end_ && end_ < buffer_.size()) {
+        const ssize_t count = ::read(descriptor_, buffer_.data() + end_, buffer_.size() - end_);
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) {
+            const int error = errno;
+            const std::string reason = std::strerror(error);
+            if (is_failure_of_machine(error)) {
+                throw MachineError(fmt::format("cannot read {}: {}", path_, reason));
+            }
+            fail({line_number_ + 1, 1}, fmt::format("cannot read it ({}); give {}", reason, kind_));
+        }
+        at_end_ = count == 0;
+        end_ += static_cast<std::size_t>(count);
+    }
+}
+
+/// Stops at a NUL byte in buffer_[first_new_byte, end_); all before it is known to have none.
+void InputFile::refuse_binary(std::size_t first_new_byte) const {
+    const void* found = std::memchr(buffer_.data() + first_new_byte, '\0', end_ - first_new_byte);
+    if (found == nullptr) return;
+    const char* start = buffer_.data() + begin_;
+    const std::string_view before(
+        start, static_cast<std::size_t>(static_cast<const char*>(found) - start));
+    // Lines and blocks are counted by the reader that is in use; the other stays at the start.
+    Position position = block_position_;
+    if (line_number_ > 0) position = {line_number_ + 1, 1};
+    fail(advance(position, before),
+         fmt::format("a NUL byte, so this is a binary file; give {} as text", kind_));
+}
+
+bool InputFile::next_line(std::string_view& line) {
+    const char* found = nullptr;
+    for (int attempt = 0; attempt < 2 && found == nullptr; ++attempt) {
+        if (attempt == 1) {
+            if (at_end_) break;
+            const std::size_t kept = end_ - begin_;
+            fill();
+            refuse_binary(kept);
+        }
+        found = static_cast<const char*>(std::memchr(buffer_.data() + begin_, '\n', end_ - begin_));
+        // A line that is too long already needs no further block.
+        if (found == nullptr && end_ - begin_ > longest_line + 1) break;
+    }
+    std::size_t size = end_ - begin_;
+    if (size == 0) return false;
+    if (found != nullptr) size = static_cast<std::size_t>(found - (buffer_.data() + begin_));
+    line = std::string_view(buffer_.data() + begin_, size);
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    if (line.size() > longest_line) {
+        fail({line_number_ + 1, static_cast<std::int64_t>(longest_line) + 1},
+             fmt::format("a line of more than {} bytes; write one site a line: x y [r]",
+                         longest_line));
+    }
+    begin_ += size + (found != nullptr ? 1 : 0);
+    ++line_number_;
+    return true;
+}
+
+std::string_view InputFile::next_block() {
+    if (begin_ == end_) {
+        fill();
+        refuse_binary(0);
+    }
+    const std::string_view block(buffer_.data() + begin_, end_ - begin_);
+    begin_ = end_;
+    block_position_ = advance(block_position_, block);
+    return block;
+}
+
+}  // namespace signum

@@ -1,0 +1,64 @@
+#pragma once
+/// A file, or standard input, read in blocks; knows the place of every byte it hands out.
+///
+/// Laws:
+///  1. Memory is bounded by one block, whatever the file holds.
+///  2. A NUL byte anywhere stops with an InputError: the file is no text.
+///  3. A UTF-8 byte order mark is skipped; a UTF-16 one stops with an InputError.
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <signum/io/errors.hpp>
+
+namespace signum {
+
+class InputFile {
+ public:
+    /// The longest line, in bytes.
+    static constexpr std::size_t longest_line = 65'536;
+
+    /// Opens `path`, or standard input for "-". `kind` says what the file should hold ("a file of
+    /// sites") when it is a directory or cannot be opened, which is an InputError.
+    InputFile(std::string path, std::string_view kind);
+    InputFile(const InputFile&) = delete;
+    InputFile& operator=(const InputFile&) = delete;
+    ~InputFile();
+
+    [[nodiscard]] const std::string& path() const noexcept { return path_; }
+
+    /// The first byte that is no blank, tab or line end; 0 when the first block holds none. To be
+    /// asked before anything is read.
+    [[nodiscard]] char first_character() const noexcept;
+
+    /// The next line without its end (LF or CRLF), valid until the next call; false at the end.
+    /// A line longer than longest_line is an InputError.
+    [[nodiscard]] bool next_line(std::string_view& line);
+    /// The number of the line that next_line() gave last, from 1.
+    [[nodiscard]] std::int64_t line_number() const noexcept { return line_number_; }
+
+    /// The next bytes, at most one block, valid until the next call; empty at the end. Not to be
+    /// mixed with next_line().
+    [[nodiscard]] std::string_view next_block();
+
+    /// Throws an InputError of this file.
+    [[noreturn]] void fail(Position position, std::string_view message) const;
+
+ private:
+    void fill();
+    void refuse_binary(std::size_t first_new_byte) const;
+
+    std::string path_;
+    std::string kind_;
+    int descriptor_ = -1;
+    bool at_end_ = false;
+    std::vector<char> buffer_;
+    std::size_t begin_ = 0;  ///< the bytes not handed out yet: buffer_[begin_, end_)
+    std::size_t end_ = 0;
+    std::int64_t line_number_ = 0;
+    Position block_position_;  ///< of buffer_[begin_], for next_block()
+};
+
+}  // namespace signum

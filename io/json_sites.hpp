@@ -1,0 +1,12 @@
+#pragma once
+/// Sites as JSON: [[x, y, r], [x, y], ...].
+
+#include <signum/io/input_file.hpp>
+#include <signum/io/read_sites.hpp>
+
+namespace signum {
+
+/// Reads all sites of an open file. Throws InputError.
+[[nodiscard]] SitesFile read_json_sites(InputFile& file);
+
+}  // namespace signum

@@ -1,0 +1,29 @@
+#pragma once
+/// Numbers as people write them, read to the nearest double (halves to even).
+///
+/// Laws:
+///  1. [+-] decimal (1, 1.5, .5, 1e-3) or hexadecimal (0x1.8p-3) and nothing else, in any locale.
+///  2. A number too small for a double is read to the nearest one: a denormal or zero.
+///  3. A number too large, infinity and NaN are faults.
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace signum {
+
+/// Why a text is no number.
+enum class NumberFault : std::uint8_t { none, word, not_finite, out_of_range };
+
+/// A finite value, or a fault.
+struct Number {
+    double value = 0.0;
+    NumberFault fault = NumberFault::none;
+};
+
+[[nodiscard]] Number parse_number(std::string_view text) noexcept;
+
+/// What is wrong with the text, and what would be right. Precondition: fault != none.
+[[nodiscard]] std::string explain(NumberFault fault, std::string_view text);
+
+}  // namespace signum

@@ -1,0 +1,28 @@
+#include <fmt/format.h>
+
+#include <signum/core/index.hpp>
+#include <signum/io/input_file.hpp>
+#include <signum/io/json_sites.hpp>
+#include <signum/io/read_sites.hpp>
+#include <signum/io/text_sites.hpp>
+
+namespace signum {
+
+SitesFile read_sites(const std::string& path) {
+    InputFile file(path, "a file of sites");
+    const char first = file.first_character();
+    SitesFile result = first == '[' || first == '{' ? read_json_sites(file) : read_text_sites(file);
+    if (static_cast<std::int64_t>(result.sites.size()) > max_sites) {
+        file.fail({}, fmt::format("{} sites; {} is the most that 32-bit indices allow",
+                                  result.sites.size(), max_sites));
+    }
+    return result;
+}
+
+StridedSites strided_view(std::span<const Site> sites, WeightIs third) noexcept {
+    if (sites.empty()) return {};
+    const Site& first = sites.front();
+    return {sites.size(), sizeof(Site), &first.x, &first.y, &first.r, third == WeightIs::weight};
+}
+
+}  // namespace signum

@@ -1,0 +1,36 @@
+#pragma once
+/// Sites from a file, text or JSON; the format is described in README.md under "Input".
+///
+/// Laws:
+///  1. Every number is read to the nearest double.
+///  2. Whatever is not exactly a list of sites is an InputError that names file, line and column; a
+///     file is read whole or not at all.
+///  3. Memory beyond the sites themselves is bounded, whatever the file holds.
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <signum/core/site.hpp>
+#include <signum/core/strided_sites.hpp>
+#include <signum/triangulation/tessellation.hpp>
+
+namespace signum {
+
+/// At least one site, all numbers finite; r is a radius or a weight, as the user of the file says.
+struct SitesFile {
+    std::vector<Site> sites;
+    /// What a header calls the third column, where there is a header that says radius or weight.
+    std::optional<WeightIs> third;
+};
+
+/// Reads the file `path`, or standard input for "-". Throws InputError, and MachineError where it
+/// is the machine that fails. O(bytes).
+[[nodiscard]] SitesFile read_sites(const std::string& path);
+
+/// A view of sites whose third number is a radius or a weight, as triangulate() and validate() want
+/// it.
+[[nodiscard]] StridedSites strided_view(std::span<const Site> sites, WeightIs third) noexcept;
+
+}  // namespace signum

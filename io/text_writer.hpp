@@ -1,0 +1,39 @@
+#pragma once
+/// Formatted text to a stream in large pieces. Doubles come out in the fewest digits that read back
+/// as the same double, in any locale.
+
+#include <cstddef>
+#include <iterator>
+#include <ostream>
+#include <string_view>
+
+#include <fmt/compile.h>
+#include <fmt/format.h>
+
+namespace signum {
+
+class TextWriter {
+ public:
+    explicit TextWriter(std::ostream& out) : out_(out) {}
+
+    /// As fmt::format_to; `format` is a literal under FMT_COMPILE.
+    template <typename Format, typename First, typename... Rest>
+    void put(const Format& format, const First& first, const Rest&... rest) {
+        fmt::format_to(std::back_inserter(text_), format, first, rest...);
+        if (text_.size() > piece) flush();
+    }
+    void put(std::string_view text) { put(FMT_COMPILE("{}"), text); }
+
+    /// To be called at the end: nothing is written by the destructor.
+    void flush() {
+        out_.write(text_.data(), static_cast<std::streamsize>(text_.size()));
+        text_.clear();
+    }
+
+ private:
+    static constexpr std::size_t piece = std::size_t{1} << 16;
+    std::ostream& out_;
+    fmt::memory_buffer text_;
+};
+
+}  // namespace signum

@@ -1,0 +1,87 @@
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <signum/io/text_writer.hpp>
+#include <signum/io/write_json.hpp>
+#include <signum/triangulation/vertices.hpp>
+
+namespace signum {
+namespace {
+
+std::string number_or_null(double value) {
+    return std::isfinite(value) ? fmt::format(FMT_COMPILE("{}"), value) : "null";
+}
+
+/// "name": [entry, entry, ...], an entry a line.
+template <typename Entries, typename PutEntry>
+void put_array(TextWriter& text, std::string_view name, const Entries& entries,
+               const PutEntry& put_entry) {
+    text.put(FMT_COMPILE(",\n\"{}\": ["), name);
+    bool first = true;
+    for (const auto& entry : entries) {
+        text.put(first ? "\n" : ",\n");
+        put_entry(entry);
+        first = false;
+    }
+    text.put("]");
+}
+
+void put_vertices(TextWriter& text, const Tessellation& tessellation) {
+    const std::vector<DiagramVertex> all = vertices(tessellation);
+    std::size_t next = 0;
+    put_array(text, "vertices", tessellation.faces(), [&](const Face& face) {
+        const DiagramVertex& vertex = all[next++];
+        if (face[0] == infinite) {
+            text.put("null");
+        } else {
+            text.put(FMT_COMPILE("[{}, {}, {}]"), number_or_null(vertex.x),
+                     number_or_null(vertex.y), number_or_null(vertex.rho));
+        }
+    });
+}
+
+void put_statistics(TextWriter& text, const Statistics& statistics) {
+    const auto put_counter = [&](std::string_view name, std::uint64_t count) {
+        if (statistics.counted) {
+            text.put(FMT_COMPILE("\"{}\": {}, "), name, count);
+        } else {
+            text.put(FMT_COMPILE("\"{}\": null, "), name);
+        }
+    };
+    text.put(",\n\"statistics\": {");
+    put_counter("ccw", statistics.ccw);
+    put_counter("in_circle", statistics.in_circle);
+    put_counter("filtered", statistics.filtered);
+    put_counter("refined", statistics.refined);
+    put_counter("essa", statistics.essa);
+    put_counter("multiprecision", statistics.multiprecision);
+    put_counter("ties", statistics.ties);
+    put_counter("flips", statistics.flips);
+    text.put(FMT_COMPILE("\"seconds\": {}}}"), number_or_null(statistics.seconds));
+}
+
+}  // namespace
+
+void write_json(std::ostream& out, const Tessellation& tessellation, const JsonOptions& options) {
+    TextWriter text(out);
+    text.put(FMT_COMPILE("{{\"format\": \"signum.tessellation\", \"version\": 1, \"metric\": "
+                         "\"{}\", \"weight_is\": \"{}\", \"sites\": {}"),
+             name_of(tessellation.metric()), name_of(tessellation.weight_is()),
+             tessellation.arrays().sites);
+    const auto put_triple = [&](const Face& triple) {
+        text.put(FMT_COMPILE("[{}, {}, {}]"), triple[0], triple[1], triple[2]);
+    };
+    put_array(text, "faces", tessellation.faces(), put_triple);
+    put_array(text, "neighbours", tessellation.arrays().neighbours, put_triple);
+    put_array(text, "hidden", tessellation.hidden(), [&](const Hidden& hidden) {
+        text.put(FMT_COMPILE("[{}, {}]"), hidden.site, hidden.by);
+    });
+    if (options.vertices) put_vertices(text, tessellation);
+    if (options.statistics) put_statistics(text, tessellation.statistics());
+    text.put("}\n");
+    text.flush();
+}
+
+}  // namespace signum

@@ -1,0 +1,25 @@
+#pragma once
+/// A tessellation as JSON, the format that read_tessellation() reads.
+///
+/// Laws:
+///  1. Without statistics the bytes depend on the tessellation alone.
+///  2. Numbers are written so that reading them gives the same double; what is beyond a double's
+///  range
+///     and what was not counted is null.
+
+#include <ostream>
+
+#include <signum/triangulation/tessellation.hpp>
+
+namespace signum {
+
+/// What goes in besides faces, neighbours and hidden sites.
+struct JsonOptions {
+    bool vertices = false;    ///< centre and distance of every face; costs exact arithmetic
+    bool statistics = false;  ///< the counters and the time; not the same every time
+};
+
+void write_json(std::ostream& out, const Tessellation& tessellation,
+                const JsonOptions& options = {});
+
+}  // namespace signum

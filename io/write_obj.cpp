@@ -1,0 +1,21 @@
+#include <signum/io/text_writer.hpp>
+#include <signum/io/write_obj.hpp>
+
+namespace signum {
+
+void write_obj(std::ostream& out, const Tessellation& tessellation) {
+    TextWriter text(out);
+    text.put(FMT_COMPILE("# signum: {} tessellation, a vertex a site\n"),
+             name_of(tessellation.metric()));
+    for (const Site& site : tessellation.sites()) {
+        text.put(FMT_COMPILE("v {} {} 0\n"), site.x, site.y);
+    }
+    for (const auto [a, b, c] : tessellation.faces()) {
+        if (a == infinite) continue;
+        text.put(FMT_COMPILE("f {} {} {}\n"), a + std::int64_t{1}, b + std::int64_t{1},
+                 c + std::int64_t{1});
+    }
+    text.flush();
+}
+
+}  // namespace signum

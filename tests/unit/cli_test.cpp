@@ -1,0 +1,381 @@
+/// The tool from outside: what it prints, what it writes, how it ends.
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "io_scratch.hpp"
+
+namespace signum {
+namespace {
+
+using test::contents;
+using test::Scratch;
+using Words = std::vector<std::string>;
+
+struct Outcome {
+    int code = 0;  ///< exit code; minus the signal when one ended the tool
+    std::string out;
+    std::string err;
+};
+
+/// Where the tool's standard streams lead, and other circumstances of a call.
+struct Circumstances {
+    std::string in = "/dev/null";
+    std::string out = {};  ///< a file of its own when empty
+    rlim_t file_size = RLIM_INFINITY;
+    int signal_after_ms = 0;  ///< SIGINT then, when not 0
+};
+
+Outcome run(const Words& words, const Circumstances& circumstances = {}) {
+    const Scratch scratch;
+    const std::string out = circumstances.out.empty() ? scratch.path("out") : circumstances.out;
+    const std::string err = scratch.path("err");
+    const pid_t child = ::fork();
+    if (child == 0) {
+        const auto redirect = [](const std::string& path, int flags, int descriptor) {
+            const int opened = ::open(path.c_str(), flags, 0600);
+            if (opened < 0 || ::dup2(opened, descriptor) < 0) ::_exit(99);
+            ::close(opened);
+        };
+        redirect(circumstances.in, O_RDONLY, 0);
+        redirect(out, O_WRONLY | O_CREAT, 1);
+        redirect(err, O_WRONLY | O_CREAT, 2);
+        const rlimit limit = {circumstances.file_size, circumstances.file_size};
+        if (::setrlimit(RLIMIT_FSIZE, &limit) != 0) ::_exit(99);
+        std::vector<char*> arguments;
+        std::string name = SIGNUM_TOOL;
+        arguments.push_back(name.data());
+        for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+        arguments.push_back(nullptr);
+        ::execv(arguments[0], arguments.data());
+        ::_exit(98);
+    }
+    if (circumstances.signal_after_ms > 0) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(circumstances.signal_after_ms));
+        ::kill(child, SIGINT);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status),
+            circumstances.out.empty() ? contents(out) : "", contents(err)};
+}
+
+/// A file of four sites: a triangle with one hidden in it.
+class Tool : public testing::Test {
+ protected:
+    Scratch scratch;
+    std::string sites = scratch.file("sites.txt", "0 0 1\n4 0 1\n0 4 1\n1 1 -0.5\n1 1 0.5\n");
+
+    [[nodiscard]] Words triangulate(const Words& more) const {
+        Words words = {"triangulate", sites, "--metric", "power"};
+        words.insert(words.end(), more.begin(), more.end());
+        return words;
+    }
+    void expect(const Words& words, int code, const std::string& err) const {
+        const Outcome outcome = run(words);
+        EXPECT_EQ(outcome.code, code);
+        EXPECT_EQ(outcome.err, err);
+        EXPECT_EQ(outcome.out, "");
+    }
+};
+
+TEST_F(Tool, SaysItsVersionAndHelps) {
+    EXPECT_EQ(run({"--version"}).out, "signum 0.1.0\n");
+    for (const Words& words : {Words{"--help"}, Words{"triangulate", "--help"}, Words{"sign", "-h"},
+                               Words{"generate", "--help"}, Words{"validate", "--help"}}) {
+        const Outcome outcome = run(words);
+        EXPECT_EQ(outcome.code, 0);
+        EXPECT_EQ(outcome.err, "");
+        EXPECT_NE(outcome.out.find("Example"), std::string::npos);
+        EXPECT_TRUE(outcome.out.ends_with('\n'));
+    }
+    EXPECT_EQ(run({"--help"}, {.out = "/dev/full"}).code, 3);
+}
+
+TEST_F(Tool, RefusesWrongCalls) {
+    const Outcome outcome = run({});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_TRUE(outcome.err.starts_with("Signs that are right")) << outcome.err;
+    expect({"compare"}, 2, "signum: 'compare' is no subcommand; see signum --help\n");
+    expect({"triangulate"}, 2, "signum: FILE is required; see signum triangulate --help\n");
+    expect(
+        triangulate({"--foo"}), 2,
+        "signum: The following argument was not expected: --foo; see signum triangulate --help\n");
+    expect(triangulate({"--seed", "-1"}), 2,
+           "signum: --seed: '-1' is no whole number from 0 to 2^64 - 1; see signum triangulate "
+           "--help\n");
+    expect(triangulate({"--threads", "1025"}), 2, "signum: --threads 1025: give at most 1024\n");
+}
+
+TEST_F(Tool, SaysWhatThisVersionDoesNotHave) {
+    expect(
+        {"triangulate", sites}, 2,
+        "signum: --metric euclidean (the default) is not in this version, which has power alone; "
+        "add --metric power\n");
+    expect({"triangulate", sites, "--metric", "manhattan"}, 2,
+           "signum: --metric manhattan is not in this version, which has power alone; add --metric "
+           "power\n");
+    expect(
+        {"triangulate", sites, "--metric", "taxi"}, 2,
+        "signum: --metric: 'taxi' is unknown; it is one of power, euclidean, manhattan, supremum; "
+        "see signum triangulate --help\n");
+    expect(triangulate({"--method", "flips"}), 2,
+           "signum: --method flips is not in this version, which has incremental alone; leave "
+           "--method out\n");
+    for (const char* arithmetic : {"single", "interval", "sum"}) {
+        expect(triangulate({"--arithmetic", arithmetic}), 2,
+               std::string("signum: --arithmetic ") + arithmetic +
+                   " is not in this version, which has exact, naive and multiprecision; add "
+                   "--arithmetic exact\n");
+    }
+}
+
+TEST_F(Tool, WritesJsonToStandardOutput) {
+    const Outcome outcome = run(triangulate({}));
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_EQ(outcome.out,
+              "{\"format\": \"signum.tessellation\", \"version\": 1, \"metric\": \"power\", "
+              "\"weight_is\": \"radius\", \"sites\": 5,\n"
+              "\"faces\": [\n[-1, 0, 2],\n[-1, 1, 0],\n[-1, 2, 1],\n[0, 1, 3],\n[0, 3, 2],\n"
+              "[1, 2, 3]],\n"
+              "\"neighbours\": [\n[4, 2, 1],\n[3, 0, 2],\n[5, 1, 0],\n[5, 4, 1],\n[5, 0, 3],\n"
+              "[4, 3, 2]],\n"
+              "\"hidden\": [\n[4, 3]]}\n");
+    EXPECT_TRUE(
+        outcome.err.starts_with("sites    5\nvisible  4\nhidden   1\nfaces    6, 3 of them "
+                                "infinite\nseconds  "))
+        << outcome.err;
+    EXPECT_EQ(run(triangulate({"--quiet"})).err, "");
+    EXPECT_EQ(run({"triangulate", "-", "--metric", "power"}, {.in = sites}).out, outcome.out);
+}
+
+TEST_F(Tool, WritesTheSameBytesWhateverTheSeed) {
+    const std::string input = scratch.path("random.csv");
+    ASSERT_EQ(run({"generate", "random", "-n", "2000", "--radius", "0:30", "-o", input}).code, 0);
+    const Words words = {"triangulate", input, "--metric", "power", "--quiet"};
+    const auto with = [&](const Words& more) {
+        Words all = words;
+        all.insert(all.end(), more.begin(), more.end());
+        return run(all).out;
+    };
+    const std::string once = with({});
+    EXPECT_GT(once.size(), 10'000U);
+    EXPECT_EQ(with({}), once);
+    EXPECT_EQ(with({"--seed", "99"}), once);
+    EXPECT_EQ(with({"--threads", "4"}), once);
+    EXPECT_EQ(with({"--arithmetic", "multiprecision"}), once);
+}
+
+TEST_F(Tool, WritesSeveralFiles) {
+    const std::string json = scratch.path("a.json");
+    const std::string csv = scratch.path("a.csv");
+    const std::string obj = scratch.path("a.obj");
+    const std::string svg = scratch.path("a.SVG");
+    // An output takes one word: the input may stand after it.
+    const Outcome outcome =
+        run({"triangulate", "--metric", "power", "-o", json, "-o", csv, "--output", obj, "-o", svg,
+             sites, "--vertices", "--stats", "--check"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_NE(outcome.err.find("written  " + json + ", " + csv + ", " + obj + ", " + svg),
+              std::string::npos);
+    EXPECT_NE(outcome.err.find("check    valid, canonical\n"), std::string::npos);
+    EXPECT_NE(contents(json).find("\"vertices\""), std::string::npos);
+    EXPECT_NE(contents(json).find("\"refined\": "), std::string::npos);
+    EXPECT_EQ(contents(json).find("\"ccw\": null"), std::string::npos);
+    EXPECT_TRUE(contents(csv).starts_with("a,b,c\n-1,0,2\n"));
+    EXPECT_NE(contents(obj).find("f 1 2 4\n"), std::string::npos);
+    EXPECT_NE(contents(svg).find("<svg"), std::string::npos);
+    EXPECT_EQ(scratch.size(), 5U);
+}
+
+TEST_F(Tool, WeighsAsAskedForAndAsTheHeaderSays) {
+    const std::string weighted =
+        scratch.file("w.csv", "x,y,weight\n0,0,0\n9,0,0\n0,9,0\n1,1,-17\n");
+    const Words words = {"triangulate", weighted, "--metric", "power"};
+    // The circle about the triangle has rho = 40.5 and (1, 1) lies at 24.5 + 17; a radius of -17
+    // weighs 289.
+    EXPECT_NE(run(words).out.find("\"weight_is\": \"weight\""), std::string::npos);
+    EXPECT_NE(run(words).out.find("\"hidden\": [\n[3, 0]]"), std::string::npos);
+    Words radius = words;
+    radius.insert(radius.end(), {"--weight-is", "radius"});
+    EXPECT_NE(run(radius).out.find("\"weight_is\": \"radius\""), std::string::npos);
+    EXPECT_EQ(run(radius).out.find("[3, 0]]"), std::string::npos);
+}
+
+TEST_F(Tool, RefusesWrongInputAndWritesNothing) {
+    const std::string bad = scratch.file("bad.txt", "0 0 1\n4 zero 1\n");
+    const std::size_t before = scratch.size();
+    expect({"triangulate", bad, "--metric", "power", "-o", scratch.path("a.json")}, 2,
+           bad +
+               ":2:3: 'zero' is not a number; write a decimal or hexadecimal float, such as 1.5, "
+               "-2e-3 or 0x1.8p-3\n");
+    const Outcome piped = run({"triangulate", "-", "--metric", "power"}, {.in = bad});
+    EXPECT_EQ(piped.code, 2);
+    EXPECT_TRUE(piped.err.starts_with("-:2:3: ")) << piped.err;
+    EXPECT_EQ(piped.out, "");
+    const std::string missing = scratch.path("missing");
+    expect({"triangulate", missing, "--metric", "power"}, 2,
+           missing +
+               ":1:1: cannot open it (No such file or directory); give a file of sites, or - "
+               "for standard input\n");
+    EXPECT_EQ(scratch.size(), before);
+}
+
+TEST_F(Tool, RefusesOutputsThatCannotBeMeant) {
+    expect(triangulate({"-o", "a.txt"}), 2,
+           "signum: -o a.txt: the ending says what to write; give it .json, .svg, .csv or .obj\n");
+    expect(triangulate({"-o", "a.json", "-o", "a.json"}), 2,
+           "signum: -o a.json is given twice; give it once\n");
+    const std::string csv = scratch.file("sites.csv", "0,0\n");
+    expect({"triangulate", csv, "--metric", "power", "-o", csv}, 2,
+           "signum: -o " + csv + " would overwrite the input; give another name\n");
+    expect(triangulate({"--vertices", "-o", "a.csv"}), 2,
+           "signum: --vertices goes into JSON alone; add -o FILE.json\n");
+    EXPECT_EQ(contents(csv), "0,0\n");
+}
+
+TEST_F(Tool, ReportsAMachineThatFails) {
+    const std::string nowhere = scratch.path("no/a.json");
+    expect(triangulate({"-o", nowhere}), 3,
+           "signum: cannot write " + nowhere + ": No such file or directory\n");
+    EXPECT_EQ(run(triangulate({"--quiet"}), {.out = "/dev/full"}).code, 3);
+    expect({"generate", "random", "-n", "9", "-o", "/dev/full"}, 3,
+           "signum: cannot write /dev/full: No space left on device\n");
+    // Of two files neither appears when one cannot be written.
+    const std::string full = scratch.path("full.json");
+    ASSERT_EQ(::symlink("/dev/full", full.c_str()), 0);
+    const std::size_t before = scratch.size();
+    expect(triangulate({"-o", scratch.path("a.csv"), "-o", full, "--quiet"}), 3,
+           "signum: cannot write " + full + ": No space left on device\n");
+    EXPECT_EQ(scratch.size(), before);
+}
+
+TEST_F(Tool, LeavesNoHalfFileWhenTheDiskIsFull) {
+    const std::string path = scratch.file("out.txt", "old");
+    const Outcome outcome =
+        run({"generate", "random", "-n", "100000", "-o", path}, {.file_size = 100'000});
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_EQ(outcome.err, "signum: cannot write " + path + ": File too large\n");
+    EXPECT_EQ(contents(path), "old");
+    EXPECT_EQ(scratch.size(), 2U);
+}
+
+TEST_F(Tool, LeavesNoHalfFileWhenInterrupted) {
+    // A pipe without a writer holds the second output open: the first one is unfinished then.
+    const std::string pipe = scratch.path("pipe.csv");
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    const Outcome outcome = run(triangulate({"-o", scratch.path("a.json"), "-o", pipe, "--quiet"}),
+                                {.signal_after_ms = 300});
+    EXPECT_EQ(outcome.code, -SIGINT);
+    EXPECT_EQ(scratch.size(), 2U);
+}
+
+TEST_F(Tool, PrintsSigns) {
+    EXPECT_EQ(run({"sign", "ccw", "--", "0", "0", "1", "0", "0", "1"}).out, "1 filter\n");
+    EXPECT_EQ(run({"sign", "ccw", "--json", "--", "0", "0", "1", "0", "0", "-0x1p0"}).out,
+              "{\"sign\": -1, \"stage\": \"filter\"}\n");
+    EXPECT_TRUE(run({"sign", "ccw", "--", "0", "0", "1", "1", "2", "2"}).out.starts_with("0 "));
+    const auto in_circle = [](const Words& more, const char* last) {
+        Words words = {"sign", "in_circle", "--metric", "power"};
+        words.insert(words.end(), more.begin(), more.end());
+        words.insert(words.end(),
+                     {"--", "0", "0", "1", "1", "0", "1", "0", "1", "1", "1", "1", last});
+        return run(words).out;
+    };
+    EXPECT_EQ(in_circle({}, "1.5"), "1 filter\n");
+    EXPECT_EQ(in_circle({}, "0.5"), "-1 filter\n");
+    EXPECT_TRUE(in_circle({}, "-1").starts_with("0 "));
+    EXPECT_EQ(in_circle({"--weight-is", "weight"}, "-1"), "-1 filter\n");
+}
+
+TEST_F(Tool, RefusesSignsThatDoNotExist) {
+    expect({"sign", "ccw", "--", "0", "0", "1"}, 2,
+           "signum: sign ccw needs 6 numbers after --, x y of each of three points; 3 are given\n");
+    expect(
+        {"sign", "in_circle", "--metric", "power", "--", "0"}, 2,
+        "signum: sign in_circle needs 12 numbers after --, x y r of each of the sites i, j, k and "
+        "of the query; 1 is given\n");
+    expect({"sign", "ccw", "--", "0", "0", "1", "0", "0", "nan"}, 2,
+           "signum: number 6 of 6: 'nan' is not a finite number; write a finite one\n");
+    expect(
+        {"sign", "in_circle", "--", "0", "0", "0", "1", "0", "0", "0", "1", "0", "1", "1", "0"}, 2,
+        "signum: --metric euclidean (the default) is not in this version, which has power alone; "
+        "add --metric power\n");
+    const auto in_circle = [](const char* x, const char* y) {
+        return Words{"sign", "in_circle", "--metric", "power", "--", "0", "0", "0", "1",
+                     "0",    "0",         x,          y,       "0",  "1", "1", "0"};
+    };
+    expect(
+        in_circle("0", "-1"), 2,
+        "signum: sign in_circle: i, j, k must be counterclockwise and are clockwise; exchange two "
+        "of them\n");
+    expect(in_circle("2", "0"), 2,
+           "signum: sign in_circle: i, j, k must be counterclockwise and are collinear: no circle "
+           "touches them; give three centres that are not on one line\n");
+}
+
+TEST_F(Tool, Generates) {
+    const Outcome outcome = run({"generate", "grid", "-n", "4"});
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_EQ(outcome.out, "0 0 0\n700 0 0\n0 700 0\n700 700 0\n");
+    const std::string json = scratch.path("s.json");
+    EXPECT_EQ(run({"generate", "circle", "-n", "3", "--radius", "-1:2", "-o", json}).code, 0);
+    EXPECT_TRUE(contents(json).starts_with("[["));
+    EXPECT_NE(run({"generate", "random", "-n", "3"}).out,
+              run({"generate", "random", "-n", "3", "--seed", "2"}).out);
+    expect({"generate", "random", "-n", "0"}, 2,
+           "signum: -n 0: give a number of sites from 1 to 357913941\n");
+    expect({"generate", "random", "-n", "3", "--radius", "2:1"}, 2,
+           "signum: --radius 2:1: give the smaller number first\n");
+    expect({"generate", "random", "-n", "3", "--perturb", "-1"}, 2,
+           "signum: --perturb -1: give a number that is not negative\n");
+    expect(
+        {"generate", "random", "-n", "3", "--perturb", "much"}, 2,
+        "signum: --perturb: 'much' is not a number; write a decimal or hexadecimal float, such as "
+        "1.5, -2e-3 or 0x1.8p-3\n");
+}
+
+TEST_F(Tool, Validates) {
+    const std::string json = scratch.path("a.json");
+    ASSERT_EQ(run(triangulate({"-o", json, "--quiet"})).code, 0);
+    const Outcome good = run({"validate", json, sites});
+    EXPECT_EQ(good.code, 0);
+    EXPECT_EQ(good.out, "valid, canonical\n");
+    EXPECT_EQ(good.err, "");
+    EXPECT_EQ(run({"validate", "-", sites}, {.in = json}).out, "valid, canonical\n");
+
+    const std::string other = scratch.file("other.txt", "0 0\n1 0\n");
+    const Outcome wrong = run({"validate", json, other});
+    EXPECT_EQ(wrong.code, 1);
+    EXPECT_TRUE(wrong.out.starts_with("not valid: ")) << wrong.out;
+    EXPECT_EQ(wrong.err, "signum: " + json + " is not a valid tessellation of " + other + "\n");
+
+    expect({"validate", sites, sites}, 2,
+           sites +
+               ":1:1: 0 cannot stand here; a tessellation is what signum triangulate writes as "
+               "JSON\n");
+    expect({"validate", "-", "-"}, 2, "signum: only one of the two files can be standard input\n");
+    const std::string foreign = scratch.file(
+        "e.json",
+        "{\"format\": \"signum.tessellation\", \"version\": 1, \"metric\": \"euclidean\", "
+        "\"sites\": 0, \"faces\": []}");
+    expect(
+        {"validate", foreign, sites}, 2,
+        "signum: " + foreign + ": its metric is euclidean, and this version judges power alone\n");
+}
+
+}  // namespace
+}  // namespace signum

@@ -1,0 +1,105 @@
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <signum/core/index.hpp>
+#include <signum/generate/generate.hpp>
+
+namespace signum {
+namespace {
+
+constexpr Distribution all[] = {Distribution::random, Distribution::circle, Distribution::square,
+                                Distribution::grid};
+
+bool is_in_square(const Site& site) {
+    return site.x >= 0 && site.x <= 700 && site.y >= 0 && site.y <= 700;
+}
+
+TEST(Generate, GivesTheSameDoublesEverywhere) {
+    // Written down once; they may not depend on platform, library or optimization.
+    const std::vector<Site> sites =
+        generate(Distribution::random, {.count = 2, .radius_from = -1, .radius_to = 2});
+    EXPECT_EQ(sites,
+              (std::vector<Site>{{93.71365080877284, 95.48492545633806, -0.33821805050310916},
+                                 {315.85043269117665, 14.716959891708914, 1.8237936702585844}}));
+    const std::vector<Site> circle = generate(Distribution::circle, {.count = 1, .perturb = 0.5});
+    EXPECT_EQ(circle, (std::vector<Site>{{7.195829351140874, 420.83221323841036, 0}}));
+}
+
+TEST(Generate, GivesAsManyAsAskedForInTheSquare) {
+    for (const Distribution distribution : all) {
+        for (const std::int64_t count : {0, 1, 2, 5, 1000}) {
+            const std::vector<Site> sites = generate(distribution, {.count = count});
+            EXPECT_EQ(std::ssize(sites), count);
+            EXPECT_TRUE(std::all_of(sites.begin(), sites.end(), is_in_square));
+        }
+    }
+}
+
+TEST(Generate, PutsSitesWhereTheDistributionSays) {
+    for (const Site& site : generate(Distribution::circle, {.count = 1000})) {
+        EXPECT_NEAR(std::hypot(site.x - 350, site.y - 350), 350, 1e-10);
+    }
+    for (const Site& site : generate(Distribution::square, {.count = 1000})) {
+        EXPECT_TRUE(site.x == 0 || site.x == 700 || site.y == 0 || site.y == 700);
+    }
+    // A grid of squares: differences are exact.
+    const std::vector<Site> grid = generate(Distribution::grid, {.count = 12});
+    const double step = grid[1].x;
+    EXPECT_NEAR(3 * step, 700, 1e-3);
+    for (int i = 0; i < 12; ++i) {
+        EXPECT_EQ(grid[static_cast<std::size_t>(i)], (Site{i % 4 * step, i / 4 * step, 0}));
+    }
+}
+
+TEST(Generate, FillsAllSidesAndQuadrants) {
+    int quadrants[4] = {};
+    for (const Site& site : generate(Distribution::circle, {.count = 4000})) {
+        ++quadrants[(site.x > 350 ? 1 : 0) + (site.y > 350 ? 2 : 0)];
+    }
+    int sides[4] = {};
+    for (const Site& site : generate(Distribution::square, {.count = 4000})) {
+        ++sides[site.y == 0 ? 0 : site.x == 700 ? 1 : site.y == 700 ? 2 : 3];
+    }
+    for (int i = 0; i < 4; ++i) {
+        EXPECT_NEAR(quadrants[i], 1000, 150);
+        EXPECT_NEAR(sides[i], 1000, 150);
+    }
+}
+
+TEST(Generate, KeepsCentresWhenRadiiChange) {
+    const std::vector<Site> small = generate(Distribution::random, {.count = 100});
+    const std::vector<Site> large = generate(
+        Distribution::random, {.count = 100, .radius_from = 5, .radius_to = 9, .perturb = 2});
+    const std::vector<Site> other = generate(Distribution::random, {.count = 100, .seed = 2});
+    for (std::size_t i = 0; i < 100; ++i) {
+        EXPECT_GE(large[i].x, small[i].x);
+        EXPECT_LE(large[i].x, small[i].x + 2);
+        EXPECT_GE(large[i].y, small[i].y);
+        EXPECT_LE(large[i].y, small[i].y + 2);
+        EXPECT_GE(large[i].r, 5);
+        EXPECT_LE(large[i].r, 9);
+        EXPECT_EQ(small[i].r, 0);
+        EXPECT_NE(other[i].x, small[i].x);
+    }
+}
+
+TEST(Generate, RefusesOptionsOutOfRange) {
+    const double nan = std::nan("");
+    for (const GenerateOptions& options :
+         {GenerateOptions{.count = -1}, GenerateOptions{.count = max_sites + 1},
+          GenerateOptions{.count = 1, .radius_from = 1},
+          GenerateOptions{.count = 1, .radius_to = nan},
+          GenerateOptions{.count = 1, .radius_from = -1e308, .radius_to = 1e308},
+          GenerateOptions{.count = 1, .perturb = -1},
+          GenerateOptions{.count = 1, .perturb = nan}}) {
+        EXPECT_THROW(static_cast<void>(generate(Distribution::random, options)),
+                     std::invalid_argument);
+    }
+}
+
+}  // namespace
+}  // namespace signum

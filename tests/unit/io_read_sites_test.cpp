@@ -1,0 +1,274 @@
+#include <sys/stat.h>
+
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <signum/io/errors.hpp>
+#include <signum/io/read_sites.hpp>
+
+#include "io_scratch.hpp"
+
+namespace signum {
+namespace {
+
+using namespace std::string_literals;
+using Sites = std::vector<Site>;
+
+SitesFile read(std::string_view contents) {
+    const test::Scratch scratch;
+    return read_sites(scratch.file("f", contents));
+}
+
+/// The error message that the contents give, without the path.
+std::string error(std::string_view contents) {
+    const test::Scratch scratch;
+    const std::string path = scratch.file("f", contents);
+    try {
+        static_cast<void>(read_sites(path));
+    } catch (const InputError& error) {
+        const std::string message = error.what();
+        EXPECT_TRUE(message.starts_with(path + ":")) << message;
+        return message.substr(std::min(path.size() + 1, message.size()));
+    }
+    return "no error";
+}
+
+const std::string word =
+    " is not a number; write a decimal or hexadecimal float, such as 1.5, -2e-3 or 0x1.8p-3";
+const std::string json = "; sites are [[x, y, r], ...] with finite numbers";
+
+TEST(TextSites, ReadsColumns) {
+    EXPECT_EQ(read("1 2 3\n4 5 6\n").sites, (Sites{{1, 2, 3}, {4, 5, 6}}));
+    EXPECT_EQ(read("1 2").sites, (Sites{{1, 2, 0}}));
+    EXPECT_EQ(read("1 2\n3 4 5").sites, (Sites{{1, 2, 0}, {3, 4, 5}}));
+    EXPECT_EQ(read("1 2 -3").sites, (Sites{{1, 2, -3}}));
+    EXPECT_EQ(read("0x1.8p-3 +.5 -1e-3").sites, (Sites{{0.1875, 0.5, -1e-3}}));
+}
+
+TEST(TextSites, ReadsEverySeparator) {
+    EXPECT_EQ(read("1\t2\t3\n").sites, (Sites{{1, 2, 3}}));
+    EXPECT_EQ(read("  1   2 \t 3  \n").sites, (Sites{{1, 2, 3}}));
+    EXPECT_EQ(read("1,2,3\n4;5;6\n").sites, (Sites{{1, 2, 3}, {4, 5, 6}}));
+    EXPECT_EQ(read("1 , 2\t,\t3\n").sites, (Sites{{1, 2, 3}}));
+}
+
+TEST(TextSites, ReadsEveryEndOfLine) {
+    EXPECT_EQ(read("1 2 3\r\n4 5 6\r\n").sites, (Sites{{1, 2, 3}, {4, 5, 6}}));
+    EXPECT_EQ(read("1,2\r\n4,5").sites, (Sites{{1, 2, 0}, {4, 5, 0}}));
+    EXPECT_EQ(read("\n\n1 2\n \t \n\r\n3 4\n\n").sites, (Sites{{1, 2, 0}, {3, 4, 0}}));
+}
+
+TEST(TextSites, SkipsMarkCommentsAndHeader) {
+    EXPECT_EQ(read("\xEF\xBB\xBF# made by hand\n1 2 3# here\n#\n4 5 6 # there\n").sites,
+              (Sites{{1, 2, 3}, {4, 5, 6}}));
+    EXPECT_EQ(read("\xEF\xBB\xBFx y r\n1 2 3\n").sites, (Sites{{1, 2, 3}}));
+    EXPECT_EQ(read("# comment\nlongitude latitude size\n1 2 3\n").sites, (Sites{{1, 2, 3}}));
+}
+
+TEST(TextSites, PicksNamedColumns) {
+    EXPECT_EQ(read("r,y,x\n1,2,3\n").sites, (Sites{{3, 2, 1}}));
+    EXPECT_EQ(read("Y X\n1 2\n").sites, (Sites{{2, 1, 0}}));
+    EXPECT_EQ(read("id;radius;x;name;y\n7;1;2;a, b c;3\n8;4;5;;6\n").sites,
+              (Sites{{2, 3, 1}, {5, 6, 4}}));
+    EXPECT_EQ(read(",\"x\",\"y\",\"r\",\"n\"\n0,1,2,3,\"a,#b\"\n").sites, (Sites{{1, 2, 3}}));
+    EXPECT_EQ(read("x\ty\tn\tr\n1\t2\t\t3\n").sites, (Sites{{1, 2, 3}}));
+    EXPECT_EQ(read("n x y r\n7 1 2 3\n").sites, (Sites{{1, 2, 3}}));
+    EXPECT_EQ(read("x,y,r\n1,2\n").sites, (Sites{{1, 2, 0}}));
+    EXPECT_EQ(read("x y r\n1,2,3\n").sites, (Sites{{1, 2, 3}}));
+}
+
+TEST(TextSites, SaysWhatTheHeaderSays) {
+    EXPECT_EQ(read("x y weight\n1 2 3\n").third, WeightIs::weight);
+    EXPECT_EQ(read("x y Radius\n1 2 3\n").third, WeightIs::radius);
+    EXPECT_EQ(read("x y r\n1 2 3\n").third, std::nullopt);
+    EXPECT_EQ(read("1 2 3\n").third, std::nullopt);
+}
+
+TEST(TextSites, RefusesWhatIsNoNumber) {
+    EXPECT_EQ(error("1 2 3\n4 five 6\n"), "2:3: 'five'" + word);
+    EXPECT_EQ(error("1 2 3x\n"), "1:5: '3x'" + word);
+    EXPECT_EQ(error("1x 2y\n"), "1:1: '1x'" + word);
+    EXPECT_EQ(error("\xEF\xBB\xBF"
+                    "1 two\n"),
+              "1:3: 'two'" + word);
+    EXPECT_EQ(error("1 2\r3 4\r"), "1:3: '2\\x0d3'" + word);
+    EXPECT_EQ(error("1 nan\n"), "1:3: 'nan' is not a finite number; write a finite one");
+    EXPECT_EQ(error("nan nan\n"), "1:1: 'nan' is not a finite number; write a finite one");
+    EXPECT_EQ(error("1 2 -inf\n"), "1:5: '-inf' is not a finite number; write a finite one");
+    EXPECT_EQ(error("1 1e999\n"),
+              "1:3: '1e999' is beyond the range of a double; the largest is about 1.797e308");
+}
+
+TEST(TextSites, RefusesWrongColumns) {
+    EXPECT_EQ(error("1 2\n3\n"), "2:2: one column; a site has at least two: x y [r]");
+    EXPECT_EQ(error("1 2 3 4\n"),
+              "1:7: more than three columns; a site is x y [r], or name the columns x, y and r (or "
+              "radius, weight) in a first line");
+    const std::string empty = "an empty column; write a number or remove the separator";
+    EXPECT_EQ(error("1,,2\n"), "1:3: " + empty);
+    EXPECT_EQ(error("1,2,\n"), "1:5: " + empty);
+    EXPECT_EQ(error("1,2,3,\n"), "1:7: " + empty);
+    EXPECT_EQ(error(",1,2\n"), "1:1: " + empty);
+    EXPECT_EQ(
+        error("1,5;2,5\n"),
+        "1:4: commas and semicolons in one line; separate by one of them, and write fractions "
+        "with a point");
+}
+
+TEST(TextSites, RefusesHeadersThatLeaveADoubt) {
+    EXPECT_EQ(
+        error("x y z\n1 2 3\n"),
+        "1:1: the header names x and y and other columns, but no r; name one column r, radius or "
+        "weight, or leave only x and y");
+    EXPECT_EQ(error("x z\n1 2\n"),
+              "1:1: the header does not name both x and y; name the columns x, y and r (or radius, "
+              "weight)");
+    EXPECT_EQ(error("x y x\n1 2 3\n"), "1:5: a second column x; name one");
+    EXPECT_EQ(error("x y r weight\n1 2 3 4\n"),
+              "1:7: a second column of radii or weights; name one column r, radius or weight");
+    EXPECT_EQ(error("n,x,y,r\n1,2\n"), "2:4: the line ends before the columns x and y; write both");
+    EXPECT_EQ(error("n,x,y,r\n1,2,3,4,5\n"),
+              "2:9: 5 columns, but the header names 4; write as many");
+    EXPECT_EQ(error("x y r\nx y r\n1 2 3\n"), "2:1: 'x'" + word);
+}
+
+TEST(TextSites, RefusesFilesWithoutSites) {
+    EXPECT_EQ(error(""), "1:1: no site in this file; write one site a line: x y [r]");
+    EXPECT_EQ(error("# nothing\n\n"), "2:1: no site in this file; write one site a line: x y [r]");
+    EXPECT_EQ(error("x y r\n"), "1:1: a header and no site; write one site a line: x y [r]");
+}
+
+TEST(TextSites, RefusesBinaryFiles) {
+    EXPECT_EQ(error("1 2\n3 \0 4\n"s),
+              "2:3: a NUL byte, so this is a binary file; give a file of sites as text");
+    // In a later block than the first.
+    std::string far;
+    for (int i = 0; i < 100'000; ++i) far += "1 2 3\n";
+    EXPECT_EQ(error(far + "1 2\0"s),
+              "100001:4: a NUL byte, so this is a binary file; give a file of sites as text");
+    EXPECT_EQ(error("\xFF\xFE\x31\0"s),
+              "1:1: this is UTF-16 text; save the file as UTF-8 or ASCII");
+    EXPECT_EQ(error("ab\x1F\x8B q\n1 2\n"),
+              "1:3: a control character, so this is no text; write one site a line: x y [r]");
+}
+
+TEST(TextSites, RefusesLongLines) {
+    const std::string limit =
+        "1:65537: a line of more than 65536 bytes; write one site a line: x y [r]";
+    EXPECT_EQ(error(std::string(1'000'000, 'a')), limit);
+    EXPECT_EQ(error(std::string(1'000'000, ' ') + "1 2\n"), limit);
+    EXPECT_EQ(error("#" + std::string(70'000, '-') + "\n1 2\n"), limit);
+    EXPECT_EQ(read("1 2" + std::string(65'533, ' ') + "\r\n3 4\n").sites,
+              (Sites{{1, 2, 0}, {3, 4, 0}}));
+    EXPECT_EQ(error("1 2" + std::string(65'534, ' ') + "\n"), limit);
+}
+
+TEST(TextSites, ReadsAcrossBlocks) {
+    std::string text;
+    Sites expected;
+    for (int i = 0; i < 200'000; ++i) {
+        text += std::to_string(i) + " " + std::to_string(-i) + " 0.5\n";
+        expected.push_back({static_cast<double>(i), static_cast<double>(-i), 0.5});
+    }
+    EXPECT_EQ(read(text).sites, expected);
+    EXPECT_EQ(error(text + "1 2 z"), "200001:5: 'z'" + word);
+}
+
+TEST(JsonSites, Reads) {
+    EXPECT_EQ(read("[[1,2,3],[4.5,-5e0]]").sites, (Sites{{1, 2, 3}, {4.5, -5, 0}}));
+    EXPECT_EQ(read("\xEF\xBB\xBF \r\n [ [1, 2, 3] ,\n [4, 5] ]\n\n").sites,
+              (Sites{{1, 2, 3}, {4, 5, 0}}));
+    EXPECT_EQ(read("[[0.1,1e-999],[9007199254740993,123456789012345678901234567890]]").sites,
+              (Sites{{0.1, 0, 0}, {9007199254740992.0, 123456789012345678901234567890.0, 0}}));
+}
+
+TEST(JsonSites, RefusesWhatIsNoListOfSites) {
+    EXPECT_EQ(error("[]"), "1:1: no site in this file" + json);
+    EXPECT_EQ(error("[[]]"), "1:2: an empty site" + json);
+    EXPECT_EQ(error("[[1,2,3],\n [4]]"), "2:2: a site of one number" + json);
+    EXPECT_EQ(error("[[1,2,3,4]]"), "1:9: a fourth number in a site" + json);
+    EXPECT_EQ(error("[1,2]"), "1:2: a number outside of a site" + json);
+    EXPECT_EQ(error("[[1,[2]]]"), "1:5: an array within a site" + json);
+    EXPECT_EQ(error("[[1,\"two\"]]"), "1:5: a string cannot stand here" + json);
+    EXPECT_EQ(error("[[1,null]]"), "1:5: null cannot stand here" + json);
+    EXPECT_EQ(error("[[1,true]]"), "1:5: true cannot stand here" + json);
+    EXPECT_EQ(error("{\"sites\": []}"), "1:1: an object cannot stand here" + json);
+    EXPECT_EQ(error("[{\"x\": 1}]"), "1:2: an object cannot stand here" + json);
+    EXPECT_EQ(error("[[1,1e999]]"),
+              "1:5: '1e999' is beyond the range of a double; the largest is about 1.797e308");
+    EXPECT_EQ(error(std::string(1'000'000, '[')), "1:3: an array within a site" + json);
+}
+
+TEST(JsonSites, RefusesWhatIsNoJson) {
+    EXPECT_EQ(error("[[1,2]"), "1:7: the file ends too early" + json);
+    EXPECT_EQ(error("[[1,2]\n,\n[\"ab"), "3:5: the file ends too early" + json);
+    EXPECT_EQ(error("[[1,2]] x"), "1:9: 'x' cannot stand here" + json);
+    EXPECT_EQ(error("[[1,2]],[[3,4]]"), "1:8: ',' cannot stand here" + json);
+    EXPECT_EQ(error("[[1,,2]]"), "1:5: ',' cannot stand here" + json);
+    EXPECT_EQ(error("[[1 2]]"), "1:5: '2' cannot stand here" + json);
+    EXPECT_EQ(error("[[1,nan]]"), "1:5: 'nan' cannot stand here" + json);
+    EXPECT_EQ(error("[[1,2],\n [-Infinity,2]]"), "2:3: '-Infinity' cannot stand here" + json);
+    EXPECT_EQ(error("[[0x10,2]]"), "1:3: '0x10' cannot stand here" + json);
+    EXPECT_EQ(error("[[1,\"a\n\"]]"), "1:5: a string that is not valid JSON" + json);
+    EXPECT_EQ(error("[[1,2]\0]"s),
+              "1:7: a NUL byte, so this is a binary file; give a file of sites as text");
+    EXPECT_EQ(error("[[\n" + std::string(1'000'000, '1') + ",2]]"),
+              "2:1: a value of more than 65536 bytes; write shorter ones");
+}
+
+TEST(JsonSites, ReadsAcrossBlocks) {
+    std::string text = "[[0,0]";
+    for (int i = 1; i < 100'000; ++i) text += ",[" + std::to_string(i) + ",0.25]";
+    const Sites sites = read(text + "]").sites;
+    ASSERT_EQ(sites.size(), 100'000U);
+    EXPECT_EQ(sites.back(), (Site{99'999, 0.25, 0}));
+    EXPECT_EQ(error(text + "\n,x]"), "2:2: 'x' cannot stand here" + json);
+    EXPECT_EQ(error(text + "\n,\0]"s),
+              "2:2: a NUL byte, so this is a binary file; give a file of sites as text");
+}
+
+TEST(SitesFile, RefusesWhatCannotBeRead) {
+    const test::Scratch scratch;
+    const auto message = [](const std::string& path) {
+        try {
+            static_cast<void>(read_sites(path));
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string("no error");
+    };
+    const std::string directory = scratch.path("");
+    EXPECT_EQ(message(directory), directory + ":1:1: this is a directory; give a file of sites");
+    const std::string missing = scratch.path("missing");
+    EXPECT_EQ(message(missing), missing +
+                                    ":1:1: cannot open it (No such file or directory); give a "
+                                    "file of sites, or - for standard input");
+}
+
+TEST(SitesFile, ReadsAPipeThatComesInPieces) {
+    const test::Scratch scratch;
+    const std::string path = scratch.path("pipe");
+    ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+    std::jthread writer([&] {
+        std::ofstream pipe(path);
+        for (const char* piece : {"1 ", "2 3", "\n4", " 5\n"}) pipe << piece << std::flush;
+    });
+    EXPECT_EQ(read_sites(path).sites, (Sites{{1, 2, 3}, {4, 5, 0}}));
+}
+
+TEST(SitesFile, IsViewedAsRadiiOrWeights) {
+    const Sites sites = {{1, 2, 3}, {4, 5, 6}};
+    const StridedSites radii = strided_view(sites, WeightIs::radius);
+    const StridedSites weights = strided_view(sites, WeightIs::weight);
+    EXPECT_FALSE(radii.third_is_weight());
+    EXPECT_TRUE(weights.third_is_weight());
+    ASSERT_EQ(weights.size(), 2U);
+    EXPECT_EQ(weights[1], sites[1]);
+    EXPECT_EQ(strided_view({}, WeightIs::radius).size(), 0U);
+}
+
+}  // namespace
+}  // namespace signum

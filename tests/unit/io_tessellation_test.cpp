@@ -1,0 +1,213 @@
+/// Tessellations to JSON, CSV and OBJ, and back from JSON.
+
+#include <cstdint>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <signum/io/errors.hpp>
+#include <signum/io/read_sites.hpp>
+#include <signum/io/read_tessellation.hpp>
+#include <signum/io/write_csv.hpp>
+#include <signum/io/write_json.hpp>
+#include <signum/io/write_obj.hpp>
+#include <signum/io/write_sites.hpp>
+
+#include "io_scratch.hpp"
+
+namespace signum {
+namespace {
+
+/// A triangle with a hidden site in it.
+TessellationArrays triangle() {
+    TessellationArrays arrays;
+    arrays.sites = 4;
+    arrays.faces = {{-1, 0, 2}, {-1, 1, 0}, {-1, 2, 1}, {0, 1, 2}};
+    arrays.neighbours = {{3, 2, 1}, {3, 0, 2}, {3, 1, 0}, {2, 0, 1}};
+    arrays.hidden = {{3, 0}};
+    return arrays;
+}
+
+Tessellation tessellation() {
+    Statistics statistics;
+    statistics.seconds = 0.5;
+    return {triangle(), {{0, 0, 1}, {2, 0, 1}, {0, 2, 1}, {0.1, 0.5, -3}}, statistics};
+}
+
+template <typename... Options>
+std::string json(const Tessellation& tessellation, const Options&... options) {
+    std::ostringstream out;
+    write_json(out, tessellation, options...);
+    return out.str();
+}
+
+TessellationArrays read(std::string_view text) {
+    const test::Scratch scratch;
+    return read_tessellation(scratch.file("t.json", text));
+}
+
+std::string error(std::string_view text) {
+    const test::Scratch scratch;
+    const std::string path = scratch.file("t.json", text);
+    try {
+        static_cast<void>(read_tessellation(path));
+    } catch (const InputError& error) {
+        const std::string message = error.what();
+        EXPECT_TRUE(message.starts_with(path + ":")) << message;
+        return message.substr(std::min(path.size() + 1, message.size()));
+    }
+    return "no error";
+}
+
+const std::string expected = "; a tessellation is what signum triangulate writes as JSON";
+
+TEST(WriteJson, WritesTheSchema) {
+    EXPECT_EQ(json(tessellation()),
+              "{\"format\": \"signum.tessellation\", \"version\": 1, \"metric\": \"power\", "
+              "\"weight_is\": \"radius\", \"sites\": 4,\n"
+              "\"faces\": [\n[-1, 0, 2],\n[-1, 1, 0],\n[-1, 2, 1],\n[0, 1, 2]],\n"
+              "\"neighbours\": [\n[3, 2, 1],\n[3, 0, 2],\n[3, 1, 0],\n[2, 0, 1]],\n"
+              "\"hidden\": [\n[3, 0]]}\n");
+    TessellationArrays one;
+    one.sites = 1;
+    one.weight_is = WeightIs::weight;
+    EXPECT_EQ(json(Tessellation(one, {{1, 2, 3}}, {})),
+              "{\"format\": \"signum.tessellation\", \"version\": 1, \"metric\": \"power\", "
+              "\"weight_is\": \"weight\", \"sites\": 1,\n"
+              "\"faces\": [],\n\"neighbours\": [],\n\"hidden\": []}\n");
+}
+
+TEST(WriteJson, WritesStatisticsOnRequest) {
+    const JsonOptions options = {.vertices = false, .statistics = true};
+    EXPECT_NE(
+        json(tessellation(), options)
+            .find(",\n\"statistics\": {\"ccw\": null, \"in_circle\": null, \"filtered\": null, "
+                  "\"refined\": null, \"essa\": null, \"multiprecision\": null, \"ties\": null, "
+                  "\"flips\": null, \"seconds\": 0.5}}\n"),
+        std::string::npos);
+    Statistics counted;
+    counted.counted = true;
+    counted.ccw = 1;
+    counted.multiprecision = std::numeric_limits<std::uint64_t>::max();
+    counted.seconds = 1e-7;
+    EXPECT_NE(
+        json(Tessellation(triangle(), std::vector<Site>(4), counted), options)
+            .find("{\"ccw\": 1, \"in_circle\": 0, \"filtered\": 0, \"refined\": 0, \"essa\": 0, "
+                  "\"multiprecision\": 18446744073709551615, \"ties\": 0, \"flips\": 0, "
+                  "\"seconds\": 1e-07}}\n"),
+        std::string::npos);
+}
+
+TEST(WriteJson, WritesVerticesOnRequest) {
+    // The circles about the right triangle: (1, 1), and |(1, 1)|² - 1.
+    EXPECT_NE(json(tessellation(), JsonOptions{.vertices = true, .statistics = false})
+                  .find(",\n\"vertices\": [\nnull,\nnull,\nnull,\n[1, 1, 1]]}\n"),
+              std::string::npos);
+}
+
+TEST(WriteJson, WritesTheSameBytesTwice) {
+    EXPECT_EQ(json(tessellation()), json(tessellation()));
+}
+
+TEST(ReadTessellation, ReadsWhatIsWritten) {
+    EXPECT_EQ(read(json(tessellation())), triangle());
+    EXPECT_EQ(read(json(tessellation(), JsonOptions{.vertices = true, .statistics = true})),
+              triangle());
+    TessellationArrays large = triangle();
+    large.weight_is = WeightIs::weight;
+    large.sites = 300'000;
+    for (Index i = 4; i < 300'000; ++i) large.hidden.push_back({i, i % 3});
+    EXPECT_EQ(read(json(Tessellation(large, std::vector<Site>(300'000), {}))), large);
+}
+
+TEST(ReadTessellation, ReadsWhatOthersWrite) {
+    const TessellationArrays arrays = read(
+        "{\"x\": {\"faces\": [[0]], \"y\": [1, {}, \"a\", null, 1e5]}, \"sites\":3,\n"
+        "\"faces\":[[7,8,-2147483648]], \"metric\": \"supremum\", \"z\": true,"
+        "\"version\": 1, \"format\": \"signum.tessellation\"}");
+    EXPECT_EQ(arrays.sites, 3);
+    EXPECT_EQ(arrays.metric, Metric::supremum);
+    EXPECT_EQ(arrays.weight_is, WeightIs::radius);
+    EXPECT_EQ(arrays.faces, (std::vector<Face>{{7, 8, -2147483647 - 1}}));
+    EXPECT_TRUE(arrays.neighbours.empty());
+    EXPECT_TRUE(arrays.hidden.empty());
+}
+
+TEST(ReadTessellation, RefusesWrongValues) {
+    EXPECT_EQ(error("{\"format\": \"geo\"}"),
+              "1:12: the format is 'geo', not 'signum.tessellation'" + expected);
+    EXPECT_EQ(error("{\"version\": 2}"),
+              "1:13: version 2 is unknown, version 1 is read" + expected);
+    EXPECT_EQ(
+        error("{\"metric\": \"taxi\"}"),
+        "1:12: \"metric\" cannot be 'taxi'; it is one of power, euclidean, manhattan, supremum");
+    EXPECT_EQ(error("{\"weight_is\": \"mass\"}"),
+              "1:15: \"weight_is\" cannot be 'mass'; it is one of radius, weight");
+    EXPECT_EQ(error("{\"sites\": -1}"),
+              "1:11: \"sites\" cannot hold -1; it holds the number of sites");
+    EXPECT_EQ(error("{\"sites\": 1.5}"),
+              "1:11: \"sites\" cannot hold 1.5; it holds the number of sites");
+    EXPECT_EQ(error("{\"sites\": [3]}"),
+              "1:11: \"sites\" cannot hold an array; it holds the number of sites");
+    EXPECT_EQ(error("{\"metric\": 1}"), "1:12: \"metric\" cannot hold 1; it holds a string");
+    EXPECT_EQ(error("{\"faces\": 1}"), "1:11: \"faces\" cannot hold 1; it holds [[i, j, k], ...]");
+    EXPECT_EQ(error("{\"faces\": [1]}"),
+              "1:12: \"faces\" cannot hold 1; it holds [[i, j, k], ...]");
+    EXPECT_EQ(error("{\"faces\": [[1,2,\"a\"]]}"),
+              "1:17: \"faces\" cannot hold 'a'; it holds [[i, j, k], ...]");
+    EXPECT_EQ(error("{\"faces\": [[1,2,[3]]]}"),
+              "1:17: \"faces\" cannot hold an array; it holds [[i, j, k], ...]");
+    EXPECT_EQ(error("{\"hidden\": {}}"),
+              "1:12: \"hidden\" cannot hold an object; it holds [[site, by], ...]");
+    EXPECT_EQ(error("{\"faces\": [[0,1,2],\n[1,2]]}"),
+              "2:1: 2 numbers in an entry of \"faces\", not 3" + expected);
+    EXPECT_EQ(error("{\"hidden\": [[0,1,2]]}"),
+              "1:13: more than 2 numbers in one entry of \"hidden\"" + expected);
+    EXPECT_EQ(error("{\"faces\": [[0,1,2147483648]]}"),
+              "1:17: 2147483648 does not fit into 32 bits" + expected);
+    EXPECT_EQ(error("{\"sites\": 1, \"sites\": 2}"), "1:14: a second \"sites\"" + expected);
+}
+
+TEST(ReadTessellation, RefusesWhatIsNoTessellation) {
+    EXPECT_EQ(error("[[0,0,1]]"), "1:1: an array cannot stand here" + expected);
+    EXPECT_EQ(error("{}"), "1:2: \"format\" is missing" + expected);
+    EXPECT_EQ(error("{\"format\": \"signum.tessellation\", \"version\": 1, \"metric\": \"power\",\n"
+                    "\"sites\": 0}"),
+              "2:11: \"faces\" is missing" + expected);
+    EXPECT_EQ(error("0 0 1\n"), "1:1: 0 cannot stand here" + expected);
+    EXPECT_EQ(error("x y r\n"), "1:1: 'x' cannot stand here" + expected);
+    EXPECT_EQ(error(""), "1:1: the file ends too early" + expected);
+    EXPECT_EQ(error("{\"faces\": ["), "1:12: the file ends too early" + expected);
+}
+
+TEST(WriteCsv, WritesTheFaces) {
+    std::ostringstream out;
+    write_csv(out, tessellation());
+    EXPECT_EQ(out.str(), "a,b,c\n-1,0,2\n-1,1,0\n-1,2,1\n0,1,2\n");
+}
+
+TEST(WriteObj, WritesSitesAndFiniteFaces) {
+    std::ostringstream out;
+    write_obj(out, tessellation());
+    EXPECT_EQ(out.str(),
+              "# signum: power tessellation, a vertex a site\n"
+              "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0.1 0.5 0\nf 1 2 3\n");
+}
+
+TEST(WriteSites, ReadsBackToTheSameDoubles) {
+    const std::vector<Site> sites = {{0.1, -1e300, 5e-324},
+                                     {1.0 / 3.0, 1e16, 0x1.fffffffffffffp1023},
+                                     {-0.0, 123456789.125, 1e-5}};
+    for (const SitesFormat format : {SitesFormat::text, SitesFormat::csv, SitesFormat::json}) {
+        std::ostringstream out;
+        write_sites(out, sites, format);
+        const test::Scratch scratch;
+        EXPECT_EQ(read_sites(scratch.file("s", out.str())).sites, sites) << out.str();
+    }
+}
+
+}  // namespace
+}  // namespace signum

@@ -1,0 +1,325 @@
+/// Pictures: well-formed, of every site, the same bytes twice, without a number that a browser
+/// cannot draw, and bounded however many sites there are. The cells are checked against their
+/// definition.
+
+#include <signum/draw/frame.hpp>
+#include <signum/draw/power_shapes.hpp>
+#include <signum/draw/svg.hpp>
+#include <signum/draw/thinning.hpp>
+#include <signum/triangulation/triangulate.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <cstring>
+#include <random>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace {
+
+using namespace signum;
+
+std::string drawn(StridedSites sites, const SvgOptions& options = {}) {
+    std::ostringstream out;
+    write_svg(out, triangulate(sites, Power{}), options);
+    return out.str();
+}
+
+std::vector<Site> random_sites(std::size_t count, double extent, double largest_radius) {
+    std::mt19937_64 random(7);
+    const auto uniform = [&](double end) {
+        return end * static_cast<double>(random() >> 11) * 0x1p-53;
+    };
+    std::vector<Site> sites(count);
+    for (Site& site : sites) site = {uniform(extent), uniform(extent), uniform(largest_radius)};
+    return sites;
+}
+
+/// A few sites of every kind: apart, nested, touching, a dot.
+std::vector<Site> few_sites(double scale) {
+    std::vector<Site> sites = {{0, 0, 3}, {1, 0, 1}, {9, 2, 2}, {6, 8, 1}, {2, 7, 0}, {4, 2, 1.5}};
+    for (Site& site : sites) site = {site.x * scale, site.y * scale, site.r * scale};
+    return sites;
+}
+
+std::size_t count(std::string_view text, std::string_view part) {
+    std::size_t found = 0;
+    for (auto at = text.find(part); at != text.npos; at = text.find(part, at + part.size()))
+        ++found;
+    return found;
+}
+
+/// How many sites are drawn with a number of their own.
+std::size_t numbered(std::string_view svg, std::string_view kind) {
+    std::size_t found = 0;
+    const std::string start = "<circle class=\"" + std::string(kind) + "\"";
+    for (auto at = svg.find(start); at != svg.npos; at = svg.find(start, at + 1))
+        found += svg.substr(svg.find('>', at)).starts_with("><title>");
+    return found;
+}
+
+/// Lines of one kind, the sample in the legend aside.
+std::size_t lines(std::string_view svg, std::string_view kind) {
+    std::size_t found = 0;
+    const std::string start = "<path class=\"" + std::string(kind) + "\" d=\"";
+    for (auto at = svg.find(start); at != svg.npos; at = svg.find(start, at + 1)) {
+        const auto begin = at + start.size();
+        found += count(svg.substr(begin, svg.find('"', begin) - begin), "L");
+    }
+    return found;
+}
+
+/// Empty when every element is closed by its own name and every attribute quoted, else what is not.
+std::string malformed(std::string_view svg) {
+    std::vector<std::string> open;
+    while (!svg.empty()) {
+        const auto start = svg.find('<');
+        const std::string_view text = svg.substr(0, start);
+        if (text.find('>') != text.npos || text.find('&') != text.npos) return std::string(text);
+        if (start == svg.npos) break;
+        const auto end = svg.find('>', start);
+        if (end == svg.npos) return "an open tag";
+        const std::string_view tag = svg.substr(start + 1, end - start - 1);
+        svg.remove_prefix(end + 1);
+        if (count(tag, "\"") % 2 != 0 || tag.find('<') != tag.npos) return std::string(tag);
+        const bool closes = tag.starts_with('/');
+        const bool is_empty = tag.ends_with('/');
+        const std::string name(
+            tag.substr(closes ? 1 : 0, tag.find_first_of(" /", 1) - (closes ? 1 : 0)));
+        if (closes) {
+            if (open.empty() || open.back() != name) return std::string(tag);
+            open.pop_back();
+        } else if (!is_empty) {
+            open.push_back(name);
+        }
+    }
+    return open.empty() ? "" : open.back();
+}
+
+/// The largest magnitude among the numbers in attributes; infinity when one is not finite.
+double largest_number(const std::string& svg) {
+    double largest = 0;
+    bool quoted = false;
+    for (const char* at = svg.c_str(); *at != '\0'; ++at) {
+        if (*at == '"') quoted = !quoted;
+        if (quoted && (std::strncmp(at, "nan", 3) == 0 || std::strncmp(at, "inf", 3) == 0))
+            return INFINITY;
+        if (!quoted || std::isalpha(static_cast<unsigned char>(*(at + 1))) != 0) continue;
+        char* end = nullptr;
+        const double value = std::strtod(at + 1, &end);
+        if (end == at + 1) continue;
+        largest = std::max(largest, std::abs(value));
+        at = end - 1;
+    }
+    return largest;
+}
+
+void expect_drawable(const std::string& svg) {
+    EXPECT_EQ(malformed(svg), "");
+    EXPECT_LT(largest_number(svg), 5000.0);
+    EXPECT_NE(svg.find("viewBox=\"0 0 900 "), svg.npos);
+}
+
+TEST(Svg, ScansForFaultsThatItIsToFind) {
+    EXPECT_EQ(malformed("<a b=\"1\"><c/><d>text</d></a>\n"), "");
+    EXPECT_NE(malformed("<a><c></a>"), "");
+    EXPECT_NE(malformed("<a b=\"1></a>"), "");
+    EXPECT_NE(malformed("<a>"), "");
+    EXPECT_EQ(largest_number("<a b=\"M3 -12.5L4 7\">99</a>"), 12.5);
+    EXPECT_EQ(largest_number("<a b=\"3 nan\">"), INFINITY);
+}
+
+TEST(Svg, DrawsEverySiteOnceAndHiddenOnesHatched) {
+    const auto sites = random_sites(60, 100, 14);
+    const auto tessellation = triangulate(sites, Power{});
+    ASSERT_GT(tessellation.hidden().size(), 5U);
+    const std::string svg = drawn(sites);
+    expect_drawable(svg);
+    EXPECT_EQ(numbered(svg, "hidden") + numbered(svg, "hidden-dot"), tessellation.hidden().size());
+    EXPECT_EQ(numbered(svg, "site") + numbered(svg, "dot"),
+              sites.size() - tessellation.hidden().size());
+    EXPECT_EQ(count(svg, ", hidden by "), tessellation.hidden().size());
+    EXPECT_EQ(count(svg, "<pattern id=\"hatch\""), 1U);
+    EXPECT_NE(svg.find(".hidden { fill: url(#hatch)"), svg.npos);
+    EXPECT_NE(svg.find("hidden sites: "), svg.npos);
+    EXPECT_EQ(svg.find("left out"), svg.npos);
+}
+
+TEST(Svg, DrawsTheTessellation) {
+    const auto sites = random_sites(40, 100, 1);
+    const auto edges = triangulate(sites, Power{}).edges();
+    const auto finite = std::ranges::count_if(edges, [](Edge edge) { return edge[0] != infinite; });
+    EXPECT_EQ(lines(drawn(sites), "edge"), static_cast<std::size_t>(finite));
+}
+
+TEST(Svg, IsTheSameTwice) {
+    const auto sites = random_sites(200, 100, 9);
+    EXPECT_EQ(drawn(sites), drawn(sites));
+}
+
+TEST(Svg, OneSite) {
+    const std::string disc = drawn(std::vector<Site>{{3, 4, 1}});
+    expect_drawable(disc);
+    EXPECT_EQ(numbered(disc, "site"), 1U);
+    const std::string dot = drawn(std::vector<Site>{{3, 4, 0}});
+    expect_drawable(dot);
+    EXPECT_EQ(numbered(dot, "dot"), 1U);
+}
+
+TEST(Svg, TwoSitesAreSeparatedByOneLine) {
+    const std::string svg = drawn(std::vector<Site>{{0, 0, 1}, {3, 1, 2}});
+    expect_drawable(svg);
+    EXPECT_EQ(lines(svg, "edge"), 1U);
+    EXPECT_EQ(lines(svg, "cell"), 1U);
+}
+
+TEST(Svg, CollinearSitesAreSeparatedByParallels) {
+    std::vector<Site> sites;
+    for (int i = 0; i < 5; ++i) sites.push_back({1.0 * i, 2.0 * i, 0.1 * i});
+    const std::string svg = drawn(sites);
+    expect_drawable(svg);
+    EXPECT_EQ(lines(svg, "edge"), 4U);
+    EXPECT_EQ(lines(svg, "cell"), 4U);
+}
+
+TEST(Svg, EqualSites) {
+    const std::string svg = drawn(std::vector<Site>(4, {1, 1, 1}));
+    expect_drawable(svg);
+    EXPECT_EQ(numbered(svg, "hidden"), 3U);
+}
+
+TEST(Svg, ScaleDoesNotMatter) {
+    const std::string svg = drawn(few_sites(1));
+    expect_drawable(svg);
+    EXPECT_EQ(drawn(few_sites(0x1p990)), svg);
+    EXPECT_EQ(drawn(few_sites(0x1p-990)), svg);
+    expect_drawable(drawn(few_sites(1e300)));
+    expect_drawable(drawn(few_sites(1e-300)));
+    expect_drawable(drawn(few_sites(0x1p-1074)));
+}
+
+TEST(Svg, ExtremesOfADouble) {
+    constexpr double most = 1.7976931348623157e308;
+    expect_drawable(drawn(std::vector<Site>{{-most, 0, most}, {most, most, 0}, {0, -most, most}}));
+    expect_drawable(drawn(std::vector<Site>{{0, 0, 0}, {1, 5e-324, 0}, {1e-200, 0, 0}}));
+    expect_drawable(drawn(std::vector<Site>{{1e300, 0, 1}, {1e300, 1, 1e-300}, {0, 0, 2}}));
+    expect_drawable(drawn(std::vector<power::Site>{{0, 0, -most}, {1, 0, most}, {0, 1, -most}}));
+}
+
+TEST(Svg, AlmostCollinearSitesHaveTheirVerticesFarAway) {
+    std::vector<Site> sites;
+    for (int i = 0; i < 10; ++i) sites.push_back({1e300 * i, 1e285 * i * i, 0});
+    const std::string svg = drawn(sites);
+    expect_drawable(svg);
+    EXPECT_EQ(lines(svg, "cell"), 9U);  // those of the other ten edges are beyond all doubles
+}
+
+TEST(Svg, WeightsBelowZeroAreDots) {
+    const std::string svg = drawn(std::vector<power::Site>{{0, 0, -1}, {5, 0, 4}, {2, 6, 0}});
+    expect_drawable(svg);
+    EXPECT_EQ(numbered(svg, "site"), 1U);
+    EXPECT_EQ(numbered(svg, "dot"), 2U);
+}
+
+TEST(Svg, AnEnormousDiscIsCutOff) {
+    auto sites = few_sites(1);
+    sites.push_back({5, 5, 1e9});
+    const std::string svg = drawn(sites);
+    expect_drawable(svg);
+    EXPECT_NE(svg.find("covers the whole picture: 1"), svg.npos);
+}
+
+TEST(Svg, MarksEdgesOnRequest) {
+    const std::vector<Edge> wrong = {{-1, 2}, {0, 1}};
+    const std::vector<Edge> flipped = {{0, 2}, {1, 2}};
+    const std::string svg = drawn(std::vector<Site>{{0, 0, 1}, {5, 0, 1}, {2, 6, 1}},
+                                  {.wrong = wrong, .flipped = flipped});
+    expect_drawable(svg);
+    EXPECT_EQ(lines(svg, "wrong"), 1U);
+    EXPECT_EQ(lines(svg, "flipped"), 2U);
+    EXPECT_NE(svg.find(">wrong edges<"), svg.npos);
+}
+
+TEST(Svg, ThinsOutAndSaysSo) {
+    const auto sites = random_sites(3000, 1000, 10);
+    const std::string svg = drawn(sites, {.site_limit = 500, .line_limit = 1000});
+    expect_drawable(svg);
+    for (const auto kind : {"site", "dot", "hidden", "hidden-dot"})
+        EXPECT_LE(numbered(svg, kind), 500U);
+    EXPECT_GT(numbered(svg, "site"), 100U);
+    for (const auto kind : {"edge", "cell"}) {
+        EXPECT_LE(lines(svg, kind), 1000U);
+        EXPECT_GT(lines(svg, kind), 500U);
+    }
+    EXPECT_EQ(count(svg, "left out"), 2U);
+    EXPECT_NE(svg.find("dots without a number"), svg.npos);
+}
+
+TEST(Svg, AHundredThousandSitesAreBounded) {
+    const std::string svg = drawn(random_sites(100'000, 1e5, 200));
+    expect_drawable(svg);
+    EXPECT_LT(svg.size(), 10'000'000U);
+    EXPECT_LT(count(svg, "<"), 50'000U);
+    EXPECT_NE(svg.find("tessellation: "), svg.npos);
+}
+
+TEST(SmallestDrawn, KeepsTheLimitAndTreatsEqualSizesAlike) {
+    const std::vector<double> sizes = {5, 1, 3, 3, 2};
+    EXPECT_EQ(smallest_drawn(sizes, 5, 1), 0);
+    EXPECT_EQ(smallest_drawn(sizes, 4, 1), 2);
+    EXPECT_EQ(smallest_drawn(sizes, 2, 1), 4);
+    EXPECT_EQ(smallest_drawn(sizes, 0, 1), 6);
+}
+
+/// The definition: along an edge between two cells two sites are equally near and none is nearer.
+TEST(PowerCells, LieBetweenTheTwoNearestSites) {
+    for (const double radius : {0.0, 3.0, 25.0}) {
+        const auto sites = random_sites(80, 100, radius);
+        const auto tessellation = triangulate(sites, Power{});
+        const Frame frame(sites, 900);
+        const auto edges = power::cell_edges(tessellation, frame);
+        EXPECT_GT(edges.size(), 60U);
+        for (const auto& [from, to] : edges) {
+            const Point middle = {(from.x + to.x) / 2, (from.y + to.y) / 2};
+            std::vector<double> distances;
+            for (const Site& site : sites) {
+                const Point at = frame.at({site.x, site.y});
+                const double dx = at.x - middle.x;
+                const double dy = at.y - middle.y;
+                const double r = frame.length(site.r);
+                distances.push_back(dx * dx + dy * dy - r * r);
+            }
+            std::ranges::sort(distances);
+            EXPECT_NEAR(distances[0], distances[1], 1e-5);
+            for (const Point end : {from, to}) {
+                EXPECT_TRUE(-1e-6 <= end.x && end.x <= frame.width() + 1e-6);
+                EXPECT_TRUE(-1e-6 <= end.y && end.y <= frame.height() + 1e-6);
+            }
+        }
+    }
+}
+
+TEST(Frame, ClipsLinesToThePicture) {
+    const Frame frame(std::vector<Site>{{0, 0, 0}, {1, 1, 0}}, 900);
+    ASSERT_EQ(frame.height(), 900);
+    const auto whole = frame.clip({100, 450}, {1, 0}, -INFINITY, INFINITY);
+    ASSERT_TRUE(whole);
+    EXPECT_EQ(whole->from, (Point{0, 450}));
+    EXPECT_EQ(whole->to, (Point{900, 450}));
+    const auto ray = frame.clip({-100, 450}, {0.5, 0}, 0, INFINITY);
+    ASSERT_TRUE(ray);
+    EXPECT_EQ(ray->from, (Point{0, 450}));
+    EXPECT_FALSE(frame.clip({-100, 450}, {-1, 0}, 0, INFINITY));
+    EXPECT_FALSE(frame.clip({0, 1000}, {1, 0}, -INFINITY, INFINITY));
+    EXPECT_FALSE(frame.clip({NAN, 450}, {1, 0}, 0, INFINITY));
+    EXPECT_FALSE(frame.clip({450, 450}, {NAN, NAN}, -INFINITY, INFINITY));
+}
+
+}  // namespace
