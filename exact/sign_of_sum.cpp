@@ -22,9 +22,11 @@ constexpr std::uint64_t fraction = hidden_bit - 1;
 /// Binades are numbered from that of the least denormal: 2^(binade-1074) <= x < 2^(binade-1073).
 constexpr int binades = 2098;
 
+/// What is not finite, against the contract, gets a number as well and no memory is harmed.
 [[nodiscard]] int binade_of(double x) noexcept {
     const auto bits = std::bit_cast<std::uint64_t>(x);
-    return bits >= hidden_bit ? static_cast<int>(bits >> 52) + 51 : 63 - std::countl_zero(bits);
+    const int biased = static_cast<int>(bits >> 52 & 0x7FF);
+    return biased != 0 ? biased + 51 : 63 - std::countl_zero(bits);
 }
 
 /// The least power of two that is at least x. Precondition: it is a double.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -52,41 +53,58 @@ struct Entry {
 /// Sorts one block: by smallest vertex through counting, the few faces that share it by comparing.
 class BlockSort {
  public:
-    [[nodiscard]] std::span<const Entry> operator()(std::span<const Face> faces,
-                                                    std::span<const Face> neighbours,
-                                                    std::span<const Index> from) {
+    /// Deals the block into buckets, one a smallest vertex.
+    void deal(std::span<const Face> faces, std::span<const Face> neighbours,
+              std::span<const Index> from) {
         starts_.fill(0);
         for (const Face& face : faces) ++starts_[bucket(face) + 1];
         for (std::size_t b = 1; b < starts_.size(); ++b) starts_[b] += starts_[b - 1];
-        sorted_.resize(faces.size());
+        entries_.resize(faces.size());
         for (std::size_t i = 0; i < faces.size(); ++i)
-            sorted_[starts_[bucket(faces[i])]++] = {faces[i], neighbours[i], from[i]};
-        for (std::size_t first = 0, b = 0; first < faces.size(); first = starts_[b++])
-            sort({&sorted_[first], starts_[b] - first});
-        return sorted_;
+            entries_[starts_[bucket(faces[i])]++] = {faces[i], neighbours[i], from[i]};
+    }
+
+    /// Calls emit(place, entry) for every entry with its place in the sorted block.
+    template <class Emit>
+    void emit(Emit emit) {
+        for (std::size_t first = 0, b = 0; first < entries_.size(); first = starts_[b++]) {
+            const std::size_t last = starts_[b];
+            if (last - first > few) {
+                std::sort(&entries_[first], &entries_[last - 1] + 1, before);
+                for (std::size_t i = first; i < last; ++i) emit(i, entries_[i]);
+                continue;
+            }
+            // Nearly all buckets hold two or three faces. Counting those that come before each takes
+            // more comparisons than sorting and no branch that would be guessed.
+            for (std::size_t i = first; i < last; ++i) {
+                std::size_t place = first;
+                for (std::size_t k = first; k < last; ++k)
+                    place += static_cast<std::size_t>(key(entries_[k]) < key(entries_[i]));
+                // Equal triples, in metrics that have them, stay in the order of the topology.
+                for (std::size_t k = first; k < i; ++k)
+                    place += static_cast<std::size_t>(key(entries_[k]) == key(entries_[i]));
+                emit(place, entries_[i]);
+            }
+        }
     }
 
  private:
+    static constexpr std::size_t few = 12;
+
     [[nodiscard]] static std::size_t bucket(const Face& face) noexcept {
         return static_cast<std::size_t>((face[0] + 1) % vertices_per_block);
     }
-
-    /// Nearly all buckets hold two or three faces.
-    static void sort(std::span<Entry> bucket) {
-        const auto before = [](const Entry& a, const Entry& b) {
-            return a.face[1] != b.face[1] ? a.face[1] < b.face[1] : a.face[2] < b.face[2];
-        };
-        if (bucket.size() > 16) {
-            std::sort(bucket.begin(), bucket.end(), before);
-            return;
-        }
-        for (std::size_t i = 1; i < bucket.size(); ++i)
-            for (std::size_t k = i; k > 0 && before(bucket[k], bucket[k - 1]); --k)
-                std::swap(bucket[k], bucket[k - 1]);
+    /// The second and third vertex, neither of which is negative.
+    [[nodiscard]] static std::uint64_t key(const Entry& entry) noexcept {
+        return static_cast<std::uint64_t>(entry.face[1]) << 32 |
+               static_cast<std::uint64_t>(entry.face[2]);
+    }
+    [[nodiscard]] static bool before(const Entry& a, const Entry& b) noexcept {
+        return key(a) < key(b);
     }
 
     std::array<std::size_t, vertices_per_block + 1> starts_;
-    std::vector<Entry> sorted_;
+    LargeArray<Entry> entries_;
 };
 
 }  // namespace
@@ -122,13 +140,14 @@ void assemble(Topology topology, std::span<const Index> original, TessellationAr
     for (std::size_t b = 0; b + 1 < starts.size(); ++b) {
         const std::size_t first = starts[b];
         const std::size_t size = starts[b + 1] - first;
-        const auto sorted = sort({&result.faces[first], size}, {&result.neighbours[first], size},
-                                 {&from[first], size});
-        for (std::size_t i = 0; i < size; ++i) {
-            result.faces[first + i] = sorted[i].face;
-            result.neighbours[first + i] = sorted[i].neighbours;
-            place[at(sorted[i].from)] = static_cast<Index>(first + i);
-        }
+        if (size == 0) continue;
+        sort.deal({&result.faces[first], size}, {&result.neighbours[first], size},
+                  {&from[first], size});
+        sort.emit([&](std::size_t i, const Entry& entry) {
+            result.faces[first + i] = entry.face;
+            result.neighbours[first + i] = entry.neighbours;
+            place[at(entry.from)] = static_cast<Index>(first + i);
+        });
     }
     for (Face& neighbours : result.neighbours)
         for (Index& f : neighbours) f = place[at(f)];

@@ -29,7 +29,7 @@ class Stack {
     [[nodiscard]] std::size_t size() const noexcept {
         return static_cast<std::size_t>(end_ - items_.data());
     }
-    [[nodiscard]] T& operator[](std::size_t i) const noexcept { return items_.data()[i]; }
+    [[nodiscard]] const T& operator[](std::size_t i) const noexcept { return items_.data()[i]; }
     [[nodiscard]] const T* begin() const noexcept { return items_.data(); }
     [[nodiscard]] const T* end() const noexcept { return end_; }
     void clear() noexcept { end_ = items_.data(); }
@@ -182,7 +182,7 @@ class Insertion {
         }
         recent_ = before;
         for (std::size_t i = count; i < removed_.size(); ++i) {
-            topology_.record(removed_[i]) = {{Topology::vacant, 0, 0}, 0, {0, 0, 0}};
+            topology_.record(removed_[i]) = {{Topology::vacant, Topology::vacant, Topology::vacant}, 0, {0, 0, 0}};
             vacant_.push(removed_[i]);
         }
     }

@@ -1,60 +1,53 @@
 #pragma once
-/// A flat array for millions of elements: uninitialized, of fixed size, on huge pages where it is large.
+/// The working arrays of a construction: std::vector with pages that fit and without needless zeros.
 ///
-/// The passes over a tessellation touch memory all over; with pages of 4 KiB much of their time would
-/// go into page tables. Linux gives pages of 2 MiB to those who ask; elsewhere this is a plain array.
+/// An insertion touches memory all over; with pages of 4 KiB a tenth of its time goes into page tables.
+/// Linux gives pages of 2 MiB to those who ask. And an array that is filled at once need not be zeroed
+/// before: elements of trivial type made without a value have none. Results are plain vectors.
 
 #include <cstddef>
-#include <cstdlib>
-#include <memory>
 #include <new>
-#include <span>
 #include <type_traits>
-
-#if defined(__linux__)
-#include <sys/mman.h>
-#endif
+#include <utility>
+#include <vector>
 
 namespace signum::triangulation {
 
+/// Memory for an array, on huge pages where it is large and the system has them. Throws std::bad_alloc.
+[[nodiscard]] void* allocate_pages(std::size_t bytes);
+void free_pages(void* memory) noexcept;
+
 template <class T>
-class LargeArray {
-    static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
-
+class LargeAllocator {
  public:
-    LargeArray() = default;
-    explicit LargeArray(std::size_t size) : data_(allocate(size)), size_(size) {}
-    LargeArray(std::size_t size, const T& value) : LargeArray(size) {
-        std::uninitialized_fill_n(data_.get(), size, value);
+    using value_type = T;
+    LargeAllocator() = default;
+    template <class U>
+    // NOLINTNEXTLINE(google-explicit-constructor): what the standard asks of an allocator
+    LargeAllocator(const LargeAllocator<U>&) noexcept {}
+
+    [[nodiscard]] T* allocate(std::size_t count) {
+        if (count > static_cast<std::size_t>(-1) / 2 / sizeof(T)) throw std::bad_array_new_length();
+        return static_cast<T*>(allocate_pages(count * sizeof(T)));
+    }
+    void deallocate(T* memory, std::size_t) noexcept { free_pages(memory); }
+
+    template <class U>
+    void construct(U* place) noexcept(std::is_nothrow_default_constructible_v<U>) {
+        ::new (static_cast<void*>(place)) U;
+    }
+    template <class U, class... Arguments>
+    void construct(U* place, Arguments&&... arguments) {
+        ::new (static_cast<void*>(place)) U(std::forward<Arguments>(arguments)...);
     }
 
-    [[nodiscard]] std::size_t size() const noexcept { return size_; }
-    [[nodiscard]] T* data() const noexcept { return data_.get(); }
-    [[nodiscard]] T& operator[](std::size_t i) const noexcept { return data_.get()[i]; }
-    [[nodiscard]] T* begin() const noexcept { return data(); }
-    [[nodiscard]] T* end() const noexcept { return data() + size_; }
-
- private:
-    struct Free {
-        void operator()(T* data) const noexcept { std::free(data); }
-    };
-
-    [[nodiscard]] static T* allocate(std::size_t size) {
-        constexpr std::size_t huge_page = std::size_t{1} << 21;
-        const std::size_t bytes = size * sizeof(T);
-        const std::size_t alignment = bytes >= 2 * huge_page ? huge_page : std::size_t{64};
-        // Whole multiples of the alignment, as the standard asks.
-        const std::size_t rounded = (bytes + alignment) / alignment * alignment;
-        void* data = std::aligned_alloc(alignment, rounded);
-        if (data == nullptr) throw std::bad_alloc();
-#if defined(__linux__)
-        if (alignment == huge_page) madvise(data, rounded, MADV_HUGEPAGE);  // a wish; may be refused
-#endif
-        return static_cast<T*>(data);
+    template <class U>
+    friend bool operator==(const LargeAllocator&, const LargeAllocator<U>&) noexcept {
+        return true;
     }
-
-    std::unique_ptr<T, Free> data_;
-    std::size_t size_ = 0;
 };
+
+template <class T>
+using LargeArray = std::vector<T, LargeAllocator<T>>;
 
 }  // namespace signum::triangulation

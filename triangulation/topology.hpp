@@ -7,10 +7,11 @@
 ///  2. twin(h) is the same edge seen from the other face. Twins, not vertices, say what is adjacent:
 ///     two vertices may share several edges, two faces several edges, a vertex may have degree 2.
 ///  3. One vertex may be infinite (-1); the structure treats it as any other and knows no coordinate.
-///  4. A face that was taken out has origin `vacant` and waits for reuse.
+///  4. A face that was taken out has `vacant` for vertices and waits for reuse.
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 #include <signum/core/contract.hpp>
 #include <signum/core/index.hpp>
@@ -78,16 +79,20 @@ class Topology {
         return f;
     }
     /// For algorithms that rewrite whole faces at a time.
-    [[nodiscard]] Record& record(Index f) const noexcept { return at(first_edge(f)); }
+    [[nodiscard]] Record& record(Index f) noexcept { return at(first_edge(f)); }
+    [[nodiscard]] const Record& record(Index f) const noexcept { return at(first_edge(f)); }
     void glue(HalfEdge h, HalfEdge g) noexcept {
         at(h).twin[h & 3] = g;
         at(g).twin[g & 3] = h;
     }
 
  private:
-    [[nodiscard]] Record& at(HalfEdge h) const noexcept {
+    [[nodiscard]] const Record& at(HalfEdge h) const noexcept {
         SIGNUM_EXPECTS((h >> 2) < faces_ && (h & 3) < 3);
         return records_[h >> 2];
+    }
+    [[nodiscard]] Record& at(HalfEdge h) noexcept {
+        return const_cast<Record&>(std::as_const(*this).at(h));
     }
 
     std::size_t capacity_;

@@ -18,20 +18,26 @@
 
 namespace signum::reference {
 
-/// value · 2^scale. Throws where that is not an integer.
-inline mpz_class scaled(double value, int scale) {
+/// result = value · 2^scale, in the memory that result has. Throws where that is not an integer.
+inline void set_scaled(mpz_class& result, double value, int scale) {
     int exponent = 0;
     const double fraction = std::frexp(value, &exponent);
-    mpz_class result = static_cast<long>(std::ldexp(fraction, 53));
+    result = static_cast<long>(std::ldexp(fraction, 53));
     const int shift = exponent - 53 + scale;
+    const mpz_ptr number = result.get_mpz_t();
     if (shift >= 0) {
-        mpz_mul_2exp(result.get_mpz_t(), result.get_mpz_t(), static_cast<unsigned long>(shift));
-        return result;
+        mpz_mul_2exp(number, number, static_cast<mp_bitcnt_t>(shift));
+        return;
     }
-    const auto places = static_cast<unsigned long>(-shift);
-    if (result != 0 && mpz_scan1(result.get_mpz_t(), 0) < places)
+    const auto places = static_cast<mp_bitcnt_t>(-shift);
+    if (result != 0 && mpz_scan1(number, 0) < places)
         throw std::domain_error("a set bit below the scale");
-    mpz_tdiv_q_2exp(result.get_mpz_t(), result.get_mpz_t(), places);
+    mpz_tdiv_q_2exp(number, number, places);
+}
+
+inline mpz_class scaled(double value, int scale) {
+    mpz_class result;
+    set_scaled(result, value, scale);
     return result;
 }
 

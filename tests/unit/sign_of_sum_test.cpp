@@ -71,18 +71,7 @@ class Reference {
 
  private:
     void add(double value) {
-        int exponent = 0;
-        const double fraction = std::frexp(value, &exponent);
-        // A denormal has fewer bits than its place would allow: its integer is even enough.
-        leading_ = static_cast<long>(std::ldexp(fraction, 53));
-        const int shift = exponent - 53 + finest;
-        if (shift >= 0) {
-            mpz_mul_2exp(leading_.get_mpz_t(), leading_.get_mpz_t(),
-                         static_cast<mp_bitcnt_t>(shift));
-        } else {
-            mpz_tdiv_q_2exp(leading_.get_mpz_t(), leading_.get_mpz_t(),
-                            static_cast<mp_bitcnt_t>(-shift));
-        }
+        signum::reference::set_scaled(leading_, value, finest);
         sum_ += leading_;
     }
 
