@@ -320,6 +320,10 @@ class Check {
         }
     }
 
+    [[nodiscard]] static bool before(Point p, Point q) noexcept {
+        return p.x != q.x ? p.x < q.x : p.y < q.y;
+    }
+
     /// The sites along a line, each visible one between its neighbours.
     void check_line() {
         Index ends = 0;
@@ -334,16 +338,19 @@ class Check {
                 ++ends;
                 continue;
             }
-            const auto before = [&](Index i, Index k) {
-                const Point p = kernel_.centre(i);
-                const Point q = kernel_.centre(k);
-                return p.x != q.x ? p.x < q.x : p.y < q.y;
-            };
-            if (kernel_.ccw(a, b, c) != 0 || before(a, b) != before(b, c))
+            if (kernel_.ccw(a, b, c) != 0 || before(kernel_.centre(a), kernel_.centre(b)) !=
+                                                 before(kernel_.centre(b), kernel_.centre(c)))
                 throw Invalid{face_name(f) + " is infinite, but its sites do not follow one line"};
             judge_on_line(a, b, c);
         }
         if (ends != 2) throw Invalid{"the sites on a line are not one chain"};
+        for (Index f = 0; f < faces(); ++f)
+            for (const Index v : face(f))
+                if (v != infinite) line_.push_back(v);
+        std::sort(line_.begin(), line_.end(), [&](Index i, Index k) {
+            return before(kernel_.centre(i), kernel_.centre(k));
+        });
+        line_.erase(std::unique(line_.begin(), line_.end()), line_.end());
     }
 
     void judge(Index f, Index q) {
@@ -412,19 +419,19 @@ class Check {
         if (kernel_.precedes(q, by)) note("by the tie rule " + name(q) + " hides " + name(by));
     }
 
+    /// The line edge whose two ends enclose q, by bisection.
     void check_hidden_on_line(Index q) {
-        const Point p = kernel_.centre(q);
-        const auto precedes = [](Point a, Point b) { return a.x != b.x ? a.x < b.x : a.y <= b.y; };
-        for (Index f = 0; f < faces(); ++f) {
-            const HalfEdge h = topology_.finite_edge(f);
-            const Index a = topology_.origin(h);
-            const Index b = topology_.target(h);
-            if (!precedes(kernel_.centre(a), p) || !precedes(p, kernel_.centre(b))) continue;
-            if (kernel_.ccw(a, b, q) != 0) break;
-            judge_on_line(a, b, q);
-            return;
-        }
-        throw Invalid{name(q) + " is said to be hidden, but lies outside the hull"};
+        const auto first_after =
+            std::partition_point(line_.begin(), line_.end(),
+                                 [&](Index v) { return before(kernel_.centre(v), kernel_.centre(q)); });
+        const bool at_site = first_after != line_.end() && kernel_.centre(*first_after) == kernel_.centre(q);
+        if (first_after == line_.end() || (first_after == line_.begin() && !at_site))
+            throw Invalid{name(q) + " is said to be hidden, but lies outside the hull"};
+        const Index b = first_after == line_.begin() ? line_[1] : *first_after;
+        const Index a = first_after == line_.begin() ? line_[0] : *(first_after - 1);
+        if (kernel_.ccw(a, b, q) != 0)
+            throw Invalid{name(q) + " is said to be hidden, but lies outside the hull"};
+        judge_on_line(a, b, q);
     }
 
     /// The arrays as the library itself would write them.
@@ -446,6 +453,7 @@ class Check {
     Kernel kernel_{sites_.data(), numbers_.data()};
     Topology topology_{0};
     Index visible_ = 0;
+    std::vector<Index> line_;  // the visible sites of a line in their order along it
     bool is_line_ = false;  // infinite faces only: all sites are collinear
     std::string not_canonical_;
 };

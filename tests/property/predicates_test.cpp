@@ -393,24 +393,24 @@ int trials(int count, const Family& family) {
     return static_cast<int>(count * family.share * effort) + 1;
 }
 
-std::string text(double value) {
-    char buffer[40];
-    std::snprintf(buffer, sizeof buffer, "%a", value);
+std::string text(double x, double y, const char* third, double z) {
+    char buffer[120];
+    std::snprintf(buffer, sizeof buffer, "{%a, %a, %s %a} ", x, y, third, z);
     return buffer;
 }
 std::string text(const Point& s) {
-    return "{" + text(s.x) + ", " + text(s.y) + "}";
+    return text(s.x, s.y, "", 0.0);
 }
 std::string text(const Site& s) {
-    return "{" + text(s.x) + ", " + text(s.y) + ", r " + text(s.r) + "}";
+    return text(s.x, s.y, "r", s.r);
 }
 std::string text(const power::Site& s) {
-    return "{" + text(s.x) + ", " + text(s.y) + ", w " + text(s.w) + "}";
+    return text(s.x, s.y, "w", s.w);
 }
 template <class S, std::size_t n>
 std::string text(const std::array<S, n>& sites) {
     std::string result;
-    for (const S& s : sites) result += (result.empty() ? "" : ", ") + text(s);
+    for (const S& s : sites) result += text(s);
     return result;
 }
 

@@ -1,0 +1,21 @@
+#pragma once
+/// CGAL's triangulations as its manual says to build them: the usual kernel, a whole range of
+/// points, which CGAL sorts along a curve. Copying the sites into CGAL's points is not part of a
+/// construction.
+
+#include <string>
+#include <vector>
+
+#include <signum/core/site.hpp>
+
+#include "construction.hpp"
+
+namespace signum::benchmarks::cgal {
+
+[[nodiscard]] std::string version();
+/// Delaunay_triangulation_2 of the centres.
+[[nodiscard]] Construction delaunay(const std::vector<Site>& sites);
+/// Regular_triangulation_2, weights r² rounded.
+[[nodiscard]] Construction regular(const std::vector<Site>& sites);
+
+}  // namespace signum::benchmarks::cgal

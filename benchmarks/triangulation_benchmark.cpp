@@ -1,0 +1,219 @@
+/// Whole constructions of one thread: signum, signum with naive arithmetic (what exactness costs)
+/// and CGAL, interleaved, on every distribution.
+///
+/// usage: triangulation_benchmark [--sites=1000000] [Google Benchmark's options]
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
+
+#include <fmt/format.h>
+
+#include <signum/generate/generate.hpp>
+#include <signum/triangulation/triangulate.hpp>
+
+#include "construction.hpp"
+#include "interleaved.hpp"
+#if defined(SIGNUM_WITH_CGAL)
+#include "cgal_constructions.hpp"
+#endif
+
+namespace signum::benchmarks {
+namespace {
+
+struct NamedDistribution {
+    const char* name;
+    Distribution distribution;
+};
+constexpr NamedDistribution distributions[] = {{"random", Distribution::random},
+                                               {"grid", Distribution::grid},
+                                               {"circle", Distribution::circle},
+                                               {"square", Distribution::square}};
+
+/// Delaunay: equal radii. Regular: random ones.
+enum class Kind { delaunay, regular };
+constexpr Kind kinds[] = {Kind::delaunay, Kind::regular};
+
+enum class Contestant { exact, naive, cgal };
+
+/// How far a site is from the next one, roughly.
+double spacing(Distribution distribution, std::int64_t n) {
+    constexpr double side = 700.0;
+    const auto count = static_cast<double>(n);
+    switch (distribution) {
+        case Distribution::random:
+        case Distribution::grid:
+            return side / std::sqrt(count);
+        case Distribution::circle:
+            return 3.14159 * side / count;
+        case Distribution::square:
+            return 4.0 * side / count;
+    }
+    return 0.0;
+}
+
+std::string name_of(Kind kind, const char* distribution, Contestant contestant) {
+    constexpr const char* kind_names[] = {"Delaunay", "regular"};
+    constexpr const char* contestant_names[] = {"exact", "naive", "CGAL"};
+    return fmt::format("{} {} {}", kind_names[static_cast<int>(kind)], distribution,
+                       contestant_names[static_cast<int>(contestant)]);
+}
+
+Construction construction(std::shared_ptr<const std::vector<Site>> sites, Arithmetic arithmetic) {
+    return [sites = std::move(sites), arithmetic] {
+        const auto result = std::make_shared<Tessellation>(
+            triangulate(*sites, Power(), {.arithmetic = arithmetic}));
+        return Built{static_cast<std::int64_t>(sites->size() - result->hidden().size()), result};
+    };
+}
+
+/// Every construction begins as in a new process: no memory is left over from the one before. (What
+/// it takes from the system it pays for, by page faults.)
+void give_memory_back() {
+#if defined(__GLIBC__)
+    malloc_trim(0);
+#endif
+}
+void keep_no_memory() {
+#if defined(__GLIBC__)
+    mallopt(M_MMAP_THRESHOLD, 128 * 1024);  // once set, it no longer grows with what is freed
+#endif
+}
+
+/// Numbers of visible sites, by name of the benchmark.
+using Visible = std::map<std::string, std::int64_t>;
+
+void add(const std::string& name, Construction construct, Visible& visible) {
+    benchmark::RegisterBenchmark(
+        name.c_str(),
+        [name, construct = std::move(construct), &visible](benchmark::State& state) {
+            give_memory_back();
+            Built built;
+            try {
+                for (auto _ : state) built = construct();
+                visible[name] = built.visible;
+            } catch (const BrokenStructure&) {
+                state.SkipWithError("breaks");
+            }
+        })
+        ->Iterations(1)
+        ->Unit(benchmark::kMillisecond);
+}
+
+void add_all(std::int64_t n, Visible& visible) {
+    for (const Kind kind : kinds)
+        for (const auto& [name, distribution] : distributions) {
+            const double radius = kind == Kind::regular ? spacing(distribution, n) : 0.0;
+            const auto sites = std::make_shared<const std::vector<Site>>(
+                generate(distribution, {.count = n, .radius_to = radius, .seed = 1}));
+            add(name_of(kind, name, Contestant::exact), construction(sites, Arithmetic::exact),
+                visible);
+            add(name_of(kind, name, Contestant::naive), construction(sites, Arithmetic::naive),
+                visible);
+#if defined(SIGNUM_WITH_CGAL)
+            add(name_of(kind, name, Contestant::cgal),
+                kind == Kind::delaunay ? cgal::delaunay(*sites) : cgal::regular(*sites), visible);
+#endif
+        }
+}
+
+std::string cgal_name(Kind kind) {
+#if defined(SIGNUM_WITH_CGAL)
+    return fmt::format(
+        "CGAL {} `{}`", cgal::version(),
+        kind == Kind::delaunay ? "Delaunay_triangulation_2" : "Regular_triangulation_2");
+#else
+    static_cast<void>(kind);
+    return {};
+#endif
+}
+
+/// Whether CGAL found as many visible sites; true without CGAL.
+bool agrees(Kind kind, const char* distribution, const Visible& visible) {
+    const auto exact = visible.find(name_of(kind, distribution, Contestant::exact));
+    const auto other = visible.find(name_of(kind, distribution, Contestant::cgal));
+    return exact == visible.end() || other == visible.end() || exact->second == other->second;
+}
+
+bool print_table(Kind kind, std::int64_t n, const Measurements& measured, const Visible& visible) {
+    constexpr double second = 1.0;
+    const bool with_cgal = !cgal_name(kind).empty();
+    fmt::print("{} triangulation of {} sites, seconds ({}, one thread):\n\n",
+               kind == Kind::delaunay ? "Delaunay" : "Regular", n, SIGNUM_FLAGS);
+    std::vector<std::string> header = {"sites", "signum"};
+    if (kind == Kind::regular) header.insert(header.begin() + 1, "hidden");
+    if (with_cgal) header.insert(header.end(), {cgal_name(kind), "CGAL / signum"});
+    header.insert(header.end(), {"signum, naive arithmetic", "exact / naive"});
+    print_header(header);
+
+    bool all_agree = true;
+    for (const auto& [name, distribution] : distributions) {
+        const std::string exact = name_of(kind, name, Contestant::exact);
+        const std::string naive = name_of(kind, name, Contestant::naive);
+        const std::string cgal = name_of(kind, name, Contestant::cgal);
+        std::vector<std::string> row = {name, measured.cell(exact, second)};
+        if (kind == Kind::regular) {
+            const auto found = visible.find(exact);
+            const double share = found == visible.end() ? 0.0
+                                                        : 1.0 - static_cast<double>(found->second) /
+                                                                    static_cast<double>(n);
+            row.insert(row.begin() + 1, fmt::format("{:.1f} %", 100.0 * share));
+        }
+        if (with_cgal)
+            row.insert(row.end(), {measured.cell(cgal, second), measured.ratio(cgal, exact)});
+        row.insert(row.end(), {measured.cell(naive, second), measured.ratio(exact, naive)});
+        print_row(row);
+        if (!agrees(kind, name, visible)) {
+            fmt::print(stderr, "{} {}: CGAL finds another number of visible sites\n",
+                       kind == Kind::delaunay ? "Delaunay" : "regular", name);
+            all_agree = false;
+        }
+    }
+    fmt::print("\n");
+    return all_agree;
+}
+
+/// Takes --sites=N out of the arguments; 0 where N is no number of sites.
+std::int64_t take_sites(int& argc, char** argv) {
+    constexpr std::string_view option = "--sites=";
+    std::int64_t sites = 1'000'000;
+    const auto is_ours = [&](const char* argument) {
+        if (!std::string_view(argument).starts_with(option)) return false;
+        sites = std::strtoll(argument + option.size(), nullptr, 10);
+        return true;
+    };
+    argc = static_cast<int>(std::remove_if(argv + 1, argv + argc, is_ours) - argv);
+    return sites > 0 && sites <= max_sites ? sites : 0;
+}
+
+}  // namespace
+}  // namespace signum::benchmarks
+
+int main(int argc, char** argv) {
+    using namespace signum::benchmarks;
+    const std::int64_t n = take_sites(argc, argv);
+    if (n == 0) {
+        fmt::print(stderr, "--sites needs a positive number\n");
+        return 2;
+    }
+    keep_no_memory();
+    Visible visible;
+    add_all(n, visible);
+    const Measurements measured = run_interleaved(argc, argv, 7);
+    bool all_agree = true;
+    for (const Kind kind : kinds) all_agree &= print_table(kind, n, measured, visible);
+    fmt::print("{} Regular: radii uniform from 0 to the mean distance of neighbours.\n",
+               measured.footnote());
+    return all_agree ? 0 : 1;
+}
