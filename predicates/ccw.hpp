@@ -36,7 +36,8 @@ static_assert(ccw_determinant(filters::rounded_difference, filters::rounded_diff
 /// Underflow of a product costs at most 2^-1074 each, which 2^-1000 covers; underflow of a difference
 /// costs nothing as long as it is gradual. Overflow gives infinity or NaN on the right, and the
 /// comparison fails.
-[[nodiscard]] inline filters::Verdict ccw_filter(Point a, Point b, Point c) noexcept {
+[[nodiscard]] inline filters::Verdict ccw_filter(const Point& a, const Point& b,
+                                                const Point& c) noexcept {
     const double left = (a.x - c.x) * (b.y - c.y);
     const double right = (a.y - c.y) * (b.x - c.x);
     const double determinant = left - right;
@@ -46,14 +47,15 @@ static_assert(ccw_determinant(filters::rounded_difference, filters::rounded_diff
     return filters::Verdict::uncertain();
 }
 
-/// The stages behind the filter.
-[[nodiscard]] Decision ccw_cold(Point a, Point b, Point c) noexcept;
+/// The stages behind the filter. By reference: a call by value would have the filter keep copies.
+[[nodiscard, gnu::cold]] Decision ccw_cold(const Point& a, const Point& b,
+                                           const Point& c) noexcept;
 
 }  // namespace predicates
 
 /// The orientation of three points: +1 counterclockwise, 0 collinear, -1 clockwise. Exact.
 /// Precondition: finite coordinates.
-[[nodiscard]] inline Sign ccw(Point a, Point b, Point c) noexcept {
+[[nodiscard]] inline Sign ccw(const Point& a, const Point& b, const Point& c) noexcept {
     const filters::Verdict verdict = predicates::ccw_filter(a, b, c);
     if (verdict.is_certain()) [[likely]]
         return verdict.sign();
@@ -61,7 +63,8 @@ static_assert(ccw_determinant(filters::rounded_difference, filters::rounded_diff
 }
 
 /// The same, with the stage that decided.
-[[nodiscard]] inline Decision ccw_decision(Point a, Point b, Point c) noexcept {
+[[nodiscard]] inline Decision ccw_decision(const Point& a, const Point& b,
+                                           const Point& c) noexcept {
     const filters::Verdict verdict = predicates::ccw_filter(a, b, c);
     if (verdict.is_certain()) return {verdict.sign(), Stage::filter};
     return predicates::ccw_cold(a, b, c);

@@ -27,7 +27,8 @@ if [ -z "${CXX:-}" ]; then
   CXX=g++
   command -v g++ >/dev/null || CXX=clang++
 fi
-options=(-G Ninja -DCMAKE_BUILD_TYPE=Release "-DCMAKE_CXX_COMPILER=$CXX" "$@")
+export CXX
+options=(-G Ninja -DCMAKE_BUILD_TYPE=Release "$@")
 
 mkdir -p "$build"
 # Two callers at once would build over each other.
@@ -36,19 +37,27 @@ if command -v flock >/dev/null; then
   flock 9
 fi
 
-# A directory that was configured for other options, or lies elsewhere now, is configured anew.
+# The value of a name in the directory's cache.
+cached() { sed -n "s/^$1:[A-Z]*=//p" "$build/CMakeCache.txt" 2>/dev/null || true; }
+
+# Configured anew when the wish has changed; from nothing when CMake could not follow: the sources
+# lie elsewhere now, the compiler or the generator is another.
 asked=$build/.configured
-wish=$(printf '%s\n' "$root" "${options[@]}")
+wish=$(printf '%s\n' "CXX=$CXX" "$root" "${options[@]}")
 log=$build/build.log
 if [ ! -f "$build/build.ninja" ] || [ "$(cat "$asked" 2>/dev/null)" != "$wish" ]; then
-  rm -rf "$asked" "$build/CMakeCache.txt" "$build/CMakeFiles"
+  if [ "$(cached CMAKE_HOME_DIRECTORY)" != "$root" ] || [ "$(cached CMAKE_GENERATOR)" != Ninja ] ||
+    { [ -f "$asked" ] && [ "$(head -n 1 "$asked")" != "CXX=$CXX" ]; }; then
+    rm -rf "$build/CMakeCache.txt" "$build/CMakeFiles"
+  fi
+  rm -f "$asked"
   if ! cmake -S "$root" -B "$build" "${options[@]}" >"$log" 2>&1; then
     cat "$log" >&2
     say "the build could not be configured"
     exit 3
   fi
   printf '%s\n' "$wish" >"$asked"
-  say "building in $build (the first time takes a few minutes)"
+  say "building in $build (the first time this takes minutes)"
 fi
 
 if [ -t 2 ]; then

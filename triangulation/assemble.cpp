@@ -35,13 +35,16 @@ inline Turned turn(const Topology& topology, std::span<const Index> original, In
             Topology::first_edge(f) + static_cast<HalfEdge>(select(0, 1, 2))};
 }
 
-/// Vertices lie along the Hilbert curve in the topology and anywhere in the input, so that faces sorted
-/// by input numbers jump about in memory. They are dealt into blocks of consecutive smallest vertices
-/// first, few enough that each block's next place stays in the cache, small enough that a block does.
-constexpr int vertices_per_block = 8192;
-constexpr std::size_t block_of(Index least) noexcept {
-    return static_cast<std::size_t>((least + 1) / vertices_per_block);
+/// The number that leads a face in the sorted order: infinite faces come first and are led by their
+/// second vertex, of which each has one of its own; finite ones by their smallest.
+std::size_t lead(const Face& face, std::size_t sites) noexcept {
+    return face[0] == infinite ? at(face[1]) : sites + at(face[0]);
 }
+
+/// Vertices lie along the Hilbert curve in the topology and anywhere in the input, so that faces sorted
+/// by input numbers jump about in memory. They are dealt into blocks of consecutive leads first, few
+/// enough that each block's next place stays in the cache, small enough that a block does.
+constexpr std::size_t leads_per_block = 8192;
 
 /// A face of the result, its neighbours and itself as faces of the topology.
 struct Entry {
@@ -50,10 +53,12 @@ struct Entry {
     Index from;
 };
 
-/// Sorts one block: by smallest vertex through counting, the few faces that share it by comparing.
+/// Sorts one block: by lead through counting, the few faces that share it by comparing.
 class BlockSort {
  public:
-    /// Deals the block into buckets, one a smallest vertex.
+    explicit BlockSort(std::size_t sites) : sites_(sites) {}
+
+    /// Deals the block into buckets, one a lead.
     void deal(std::span<const Face> faces, std::span<const Face> neighbours,
               std::span<const Index> from) {
         starts_.fill(0);
@@ -91,8 +96,8 @@ class BlockSort {
  private:
     static constexpr std::size_t few = 12;
 
-    [[nodiscard]] static std::size_t bucket(const Face& face) noexcept {
-        return static_cast<std::size_t>((face[0] + 1) % vertices_per_block);
+    [[nodiscard]] std::size_t bucket(const Face& face) const noexcept {
+        return lead(face, sites_) % leads_per_block;
     }
     /// The second and third vertex, neither of which is negative.
     [[nodiscard]] static std::uint64_t key(const Entry& entry) noexcept {
@@ -103,7 +108,8 @@ class BlockSort {
         return key(a) < key(b);
     }
 
-    std::array<std::size_t, vertices_per_block + 1> starts_;
+    std::size_t sites_;
+    std::array<std::size_t, leads_per_block + 1> starts_;
     LargeArray<Entry> entries_;
 };
 
@@ -111,9 +117,12 @@ class BlockSort {
 
 void assemble(Topology topology, std::span<const Index> original, TessellationArrays& result) {
     const Index slots = topology.faces();
-    std::vector<std::size_t> starts(block_of(static_cast<Index>(original.size())) + 2, 0);
+    const auto block_of = [&](const Face& face) {
+        return lead(face, original.size()) / leads_per_block;
+    };
+    std::vector<std::size_t> starts(2 * original.size() / leads_per_block + 2, 0);
     for (Index f = 0; f < slots; ++f)
-        if (!topology.is_vacant(f)) ++starts[block_of(turn(topology, original, f).face[0]) + 1];
+        if (!topology.is_vacant(f)) ++starts[block_of(turn(topology, original, f).face) + 1];
     for (std::size_t b = 1; b < starts.size(); ++b) starts[b] += starts[b - 1];
 
     // The neighbours are faces of the topology until the place of every face is known.
@@ -126,7 +135,7 @@ void assemble(Topology topology, std::span<const Index> original, TessellationAr
         if (topology.is_vacant(f)) continue;
         const auto [face, first] = turn(topology, original, f);
         const auto across = [&](HalfEdge h) { return Topology::face(topology.twin(h)); };
-        const std::size_t i = ends[block_of(face[0])]++;
+        const std::size_t i = ends[block_of(face)]++;
         result.faces[i] = face;
         // The edge opposite the first vertex is the one that follows the first edge.
         result.neighbours[i] = {across(Topology::next(first)), across(Topology::previous(first)),
@@ -136,7 +145,7 @@ void assemble(Topology topology, std::span<const Index> original, TessellationAr
     topology = Topology(0);
 
     LargeArray<Index> place(at(slots));
-    BlockSort sort;
+    BlockSort sort(original.size());
     for (std::size_t b = 0; b + 1 < starts.size(); ++b) {
         const std::size_t first = starts[b];
         const std::size_t size = starts[b + 1] - first;

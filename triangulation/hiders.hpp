@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <signum/core/index.hpp>
+#include <signum/core/site.hpp>
 #include <signum/triangulation/topology.hpp>
 
 namespace signum::triangulation {

@@ -134,8 +134,7 @@ class PowerKernel {
     [[nodiscard]] std::array<Index, n> places(const Index (&sites)[n]) const noexcept {
         std::array<Index, n> result{};
         for (std::size_t a = 0; a < n; ++a)
-            for (std::size_t b = 0; b < n; ++b)
-                if (a != b && precedes(sites[b], sites[a])) ++result[a];
+            for (std::size_t b = 0; b < a; ++b) ++result[precedes(sites[a], sites[b]) ? b : a];
         return result;
     }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <boost/multiprecision/cpp_int.hpp>
 #include <cstdint>
 
 #include <signum/exact/floating_environment.hpp>
@@ -15,51 +16,109 @@ using filters::DoubleDouble;
 using filters::magnitude;
 using filters::Verdict;
 
-/// Certifies that a plain evaluation commits no rounding at all, as on integers and grids, where exact
-/// ties abound. With all rows integer multiples of a unit g below 2^12 g (weights: of g², below
-/// 2^24 g²), heights are below 2^26 g², minors below 2^25 g², the determinant below 2^53 g^4.
-class PlainEvaluation {
+/// The determinant in integers, where the differences to q are exact and, as multiples of one power of
+/// two g, below 2^60: on integers and on grids, where exact ties abound, and for most sites that lie close
+/// together. Squares are then below 2^120, weights below 2^122, heights below 2^123, minors below 2^121
+/// and the sum of their three products below 2^246.
+class IntegerRows {
  public:
-    explicit PlainEvaluation(double largest) noexcept
-        // The power of two 11 binades below the largest operand, so that this is below 2^12 units.
-        : unit_(std::bit_cast<double>((std::bit_cast<std::uint64_t>(largest) & exponent_bits) -
-                                      (std::uint64_t{11} << 52))) {}
-
-    [[nodiscard]] bool holds(const DoubleDouble& x) const noexcept {
-        return x.low == 0.0 && is_multiple(x.high, unit_);
+    template <PowerSite S>
+    IntegerRows(const S& i, const S& j, const S& k, const S& q) noexcept {
+        const S* sites[3] = {&i, &j, &k};
+        double largest = largest_radius(i, j, k, q);
+        TwoTerms x[3];
+        TwoTerms y[3];
+        for (int m = 0; m < 3; ++m) {
+            x[m] = two_difference(sites[m]->x, q.x);
+            y[m] = two_difference(sites[m]->y, q.y);
+            exact_ &= x[m].low == 0.0 && y[m].low == 0.0;
+            largest = std::max({largest, magnitude(x[m].high), magnitude(y[m].high)});
+        }
+        if (!exact_) return;
+        // 1/g, which brings the largest below 2^60. Inside the window it is below 2^320.
+        constexpr std::uint64_t exponent_bits = 0x7FF0'0000'0000'0000;
+        constexpr std::uint64_t sum_of_exponents = std::uint64_t{2 * 1023 + 59} << 52;
+        const double scale = std::bit_cast<double>(
+            sum_of_exponents - (std::bit_cast<std::uint64_t>(largest) & exponent_bits));
+        for (int m = 0; m < 3; ++m)
+            rows_[m] = {integer(x[m].high * scale), integer(y[m].high * scale),
+                        weight(*sites[m], q, scale)};
     }
-    [[nodiscard]] bool holds_weight(const DoubleDouble& w) const noexcept {
-        const double square = unit_ * unit_;
-        return w.low == 0.0 && magnitude(w.high) < 0x1p24 * square && is_multiple(w.high, square);
+
+    /// The exact sign, or uncertain where the sites are not such integers.
+    [[nodiscard]] Verdict sign() const noexcept {
+        if (!exact_) return Verdict::uncertain();
+        const auto& [a, b, c] = rows_;
+        const Wide determinant = product(a, b, c) + product(b, c, a) + product(c, a, b);
+        return Verdict::certain(determinant.sign());
     }
 
  private:
-    static constexpr std::uint64_t exponent_bits = 0x7FF0'0000'0000'0000;
+    using Wide = boost::multiprecision::int256_t;
+    using Double = __int128;
+    struct IntegerRow {
+        std::int64_t x;
+        std::int64_t y;
+        Double weight;
+    };
 
-    /// For |value| < 2^51 unit: adding 1.5·2^52 units rounds away what is below one unit.
-    [[nodiscard]] static bool is_multiple(double value, double unit) noexcept {
-        const double shift = 0x1.8p52 * unit;
-        return (value + shift) - shift == value;
+    /// The height of row a times the minor of rows b and c.
+    [[nodiscard]] static Wide product(const IntegerRow& a, const IntegerRow& b,
+                                      const IntegerRow& c) noexcept {
+        const Double height = Double{a.x} * a.x + Double{a.y} * a.y - a.weight;
+        const Double minor = Double{b.x} * c.y - Double{c.x} * b.y;
+        return Wide(height) * Wide(minor);
     }
 
-    double unit_;
+    [[nodiscard]] std::int64_t integer(double value) noexcept {
+        if (!(magnitude(value) < 0x1p60)) {
+            exact_ = false;
+            return 0;
+        }
+        const auto result = static_cast<std::int64_t>(value);
+        exact_ &= static_cast<double>(result) == value;
+        return result;
+    }
+
+    [[nodiscard]] static double largest_radius(const Point&, const Point&, const Point&,
+                                               const Point&) noexcept {
+        return 0.0;
+    }
+    [[nodiscard]] static double largest_radius(const Site&, const Site&, const Site&,
+                                               const Site&) noexcept {
+        return 0.0;
+    }
+    [[nodiscard]] static double largest_radius(const signum::Site& i, const signum::Site& j,
+                                               const signum::Site& k,
+                                               const signum::Site& q) noexcept {
+        return std::max({magnitude(i.r), magnitude(j.r), magnitude(k.r), magnitude(q.r)});
+    }
+
+    [[nodiscard]] Double weight(const Point&, const Point&, double) noexcept { return 0; }
+    [[nodiscard]] Double weight(const Site& m, const Site& q, double scale) noexcept {
+        const TwoTerms difference = two_difference(m.w, q.w);
+        const double value = difference.high * scale * scale;
+        if (difference.low != 0.0 || !(magnitude(value) < 0x1p122)) {
+            exact_ = false;
+            return 0;
+        }
+        const auto result = static_cast<Double>(value);
+        exact_ &= static_cast<double>(result) == value;
+        return result;
+    }
+    [[nodiscard]] Double weight(const signum::Site& m, const signum::Site& q,
+                                double scale) noexcept {
+        const Double m_radius = integer(m.r * scale);
+        const Double q_radius = integer(q.r * scale);
+        return (m_radius - q_radius) * (m_radius + q_radius);
+    }
+
+    bool exact_ = true;
+    IntegerRow rows_[3];
 };
 
 [[nodiscard]] Row<double> high(const Row<DoubleDouble>& row) noexcept {
     return {row.x.high, row.y.high, row.weight.high};
-}
-
-[[nodiscard]] Verdict plain(const Row<DoubleDouble>& a, const Row<DoubleDouble>& b,
-                            const Row<DoubleDouble>& c) noexcept {
-    const double largest =
-        std::max({magnitude(a.x.high), magnitude(a.y.high), magnitude(b.x.high),
-                  magnitude(b.y.high), magnitude(c.x.high), magnitude(c.y.high)});
-    const PlainEvaluation evaluation(largest);
-    for (const auto* row : {&a, &b, &c})
-        if (!evaluation.holds(row->x) || !evaluation.holds(row->y) ||
-            !evaluation.holds_weight(row->weight))
-            return Verdict::uncertain();
-    return Verdict::certain(sign_of(in_circle_determinant(high(a), high(b), high(c))));
 }
 
 /// The determinant with every operand replaced by its absolute value, every difference by a sum.
@@ -117,11 +176,11 @@ template <PowerSite S>
         return {multiprecision::in_circle(i, j, k, q), Stage::multiprecision};
     if (const Verdict verdict = filter(row(i, q), row(j, q), row(k, q)); verdict.is_certain())
         return {verdict.sign(), Stage::filter};
+    if (const Verdict verdict = IntegerRows(i, j, k, q).sign(); verdict.is_certain())
+        return {verdict.sign(), Stage::exact};
     const auto a = cold::double_double_row(i, q);
     const auto b = cold::double_double_row(j, q);
     const auto c = cold::double_double_row(k, q);
-    if (const Verdict verdict = plain(a, b, c); verdict.is_certain())
-        return {verdict.sign(), Stage::refine};
     if (const Verdict verdict = refine(a, b, c); verdict.is_certain())
         return {verdict.sign(), Stage::refine};
     return {expand(i, j, k, q), Stage::exact};

@@ -76,11 +76,11 @@ template <PowerSite S>
 }
 
 /// The stages behind the filter, for the three kinds of sites.
-[[nodiscard]] Decision in_circle_cold(const Point& i, const Point& j, const Point& k,
+[[nodiscard, gnu::cold]] Decision in_circle_cold(const Point& i, const Point& j, const Point& k,
                                       const Point& q) noexcept;
-[[nodiscard]] Decision in_circle_cold(const Site& i, const Site& j, const Site& k,
+[[nodiscard, gnu::cold]] Decision in_circle_cold(const Site& i, const Site& j, const Site& k,
                                       const Site& q) noexcept;
-[[nodiscard]] Decision in_circle_cold(const signum::Site& i, const signum::Site& j,
+[[nodiscard, gnu::cold]] Decision in_circle_cold(const signum::Site& i, const signum::Site& j,
                                       const signum::Site& k, const signum::Site& q) noexcept;
 
 /// The sign of in_circle with the stage that decided.

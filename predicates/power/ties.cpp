@@ -1,6 +1,7 @@
 #include <signum/predicates/power/ties.hpp>
 
 #include <algorithm>
+#include <limits>
 
 #include <signum/core/contract.hpp>
 #include <signum/exact/floating_environment.hpp>
@@ -9,29 +10,26 @@
 namespace signum::power {
 namespace {
 
-/// The coefficient of one site's infinitesimal: what lifting that site does to in_circle.
-struct Term {
-    Index rank;
-    Sign coefficient;
-};
-
-template <std::size_t n>
-Sign last_nonzero(std::array<Term, n> terms) noexcept {
-    std::sort(terms.begin(), terms.end(),
-              [](const Term& a, const Term& b) { return a.rank > b.rank; });
-    const auto decisive =
-        std::find_if(terms.begin(), terms.end(), [](const Term& t) { return t.coefficient != 0; });
-    SIGNUM_EXPECTS(decisive != terms.end());
-    return decisive->coefficient;
+/// The first coefficient that is not 0, from the last site in the order to the first. `coefficient(m)`
+/// is asked only where it is needed: q, whose coefficient is -1, is the last one often.
+template <std::size_t n, class Coefficient>
+Sign last_nonzero(std::array<Index, n> ranks, Coefficient coefficient) noexcept {
+    for (std::size_t round = 0; round < n; ++round) {
+        const auto last = std::max_element(ranks.begin(), ranks.end());
+        const Sign sign = coefficient(last - ranks.begin());
+        if (sign != 0) return sign;
+        *last = std::numeric_limits<Index>::min();
+    }
+    SIGNUM_EXPECTS(!"the coefficient of q is not 0");
+    return -1;
 }
 
 }  // namespace
 
 Sign in_circle_tie(Point i, Point j, Point k, Point q, const std::array<Index, 4>& ranks) noexcept {
-    return last_nonzero<4>({{{ranks[0], ccw(j, k, q)},
-                             {ranks[1], ccw(k, i, q)},
-                             {ranks[2], ccw(i, j, q)},
-                             {ranks[3], -1}}});
+    return last_nonzero(ranks, [&](std::ptrdiff_t m) {
+        return m == 0 ? ccw(j, k, q) : m == 1 ? ccw(k, i, q) : m == 2 ? ccw(i, j, q) : -1;
+    });
 }
 
 namespace {
@@ -44,8 +42,9 @@ Sign decide_in_segment(const Point& a, const Point& b, const Point& q,
         return along_x ? (from.x < to.x) - (from.x > to.x) : (from.y < to.y) - (from.y > to.y);
     };
     const Sign direction = order(a, b);
-    return last_nonzero<3>(
-        {{{ranks[0], order(q, b) * direction}, {ranks[1], order(a, q) * direction}, {ranks[2], -1}}});
+    return last_nonzero(ranks, [&](std::ptrdiff_t m) {
+        return m == 0 ? order(q, b) * direction : m == 1 ? order(a, q) * direction : -1;
+    });
 }
 
 }  // namespace

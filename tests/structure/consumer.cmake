@@ -29,9 +29,9 @@ must("${CMAKE_COMMAND}" --build "${scratch}/build")
 must("${scratch}/build/consumer")
 set(expected "ccw 1
 in_circle 1
+face -1 0 2
 face -1 1 0
 face -1 2 1
-face -1 0 2
 face 0 1 2
 hidden 3 by 0
 ")
