@@ -41,7 +41,7 @@ struct NaiveCcw {
 struct ExactCcw {
     template <class S>
     Sign operator()(const std::array<S, 3>& t) const {
-        return ccw(power::centre(t[0]), power::centre(t[1]), power::centre(t[2]));
+        return ccw(t[0], t[1], t[2]);
     }
 };
 struct NaiveInCircle {

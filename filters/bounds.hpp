@@ -27,13 +27,14 @@ inline constexpr double epsilon = 0x1p-52;
 }
 
 /// Whether denormals are neither flushed nor read as zero, so that sums and differences keep their
-/// relative error however small they are. One addition: the barrier keeps the compiler from folding it.
+/// relative error however small they are. One addition; the barrier keeps the compiler from folding it and
+/// from moving it across a change of the control register.
 [[nodiscard]] inline bool underflow_is_gradual() noexcept {
     double denormal = 0x1p-1060;
 #if defined(__x86_64__)
-    __asm__("" : "+x"(denormal));
+    __asm__ volatile("" : "+x"(denormal));
 #else
-    __asm__("" : "+w"(denormal));
+    __asm__ volatile("" : "+w"(denormal));
 #endif
     return std::bit_cast<std::uint64_t>(denormal + denormal) != 0;
 }

@@ -26,7 +26,7 @@ namespace {
 
 }  // namespace
 
-Decision ccw_cold(const Point& a, const Point& b, const Point& c) noexcept {
+Decision ccw_cold(Point a, Point b, Point c) noexcept {
     return exact::in_ieee_environment(decide, a, b, c);
 }
 

@@ -6,6 +6,8 @@
 ///     where a, b, c turn counterclockwise, 0 where they are collinear, -1 otherwise.
 ///  2. It is exact and never perturbed.
 
+#include <concepts>
+
 #include <signum/core/contract.hpp>
 #include <signum/core/sign.hpp>
 #include <signum/core/site.hpp>
@@ -15,6 +17,11 @@
 #include <signum/filters/verdict.hpp>
 
 namespace signum {
+/// A point, or a site of any kind: what has a centre.
+template <class S>
+concept HasCentre =
+    std::same_as<decltype(S::x), double> && std::same_as<decltype(S::y), double>;
+
 namespace predicates {
 
 /// The 2x2 determinant of the differences to c, for any type of number.
@@ -36,38 +43,49 @@ static_assert(ccw_determinant(filters::rounded_difference, filters::rounded_diff
 /// Underflow of a product costs at most 2^-1074 each, which 2^-1000 covers; underflow of a difference
 /// costs nothing as long as it is gradual. Overflow gives infinity or NaN on the right, and the
 /// comparison fails.
-[[nodiscard]] inline filters::Verdict ccw_filter(const Point& a, const Point& b,
-                                                const Point& c) noexcept {
+template <HasCentre S>
+[[nodiscard]] inline filters::Verdict ccw_filter(const S& a, const S& b, const S& c) noexcept {
     const double left = (a.x - c.x) * (b.y - c.y);
     const double right = (a.y - c.y) * (b.x - c.x);
     const double determinant = left - right;
     const double bound = ccw_error * filters::magnitude(left + right) + 0x1p-1000;
-    if (filters::magnitude(determinant) > bound && filters::underflow_is_gradual()) [[likely]]
-        return filters::Verdict::certain(filters::sign_of_nonzero(determinant));
-    return filters::Verdict::uncertain();
+    if (!filters::underflow_is_gradual()) [[unlikely]]
+        return filters::Verdict::uncertain();
+    if (!(filters::magnitude(determinant) > bound)) [[unlikely]]
+        return filters::Verdict::uncertain();
+    return filters::Verdict::certain(filters::sign_of_nonzero(determinant));
 }
 
-/// The stages behind the filter. By reference: a call by value would have the filter keep copies.
-[[nodiscard, gnu::cold]] Decision ccw_cold(const Point& a, const Point& b,
-                                           const Point& c) noexcept;
+/// The stages behind the filter.
+[[nodiscard]] Decision ccw_cold(Point a, Point b, Point c) noexcept;
+
+/// Out of line and by reference: the filter need not keep copies of its operands for this call.
+template <HasCentre S>
+[[nodiscard, gnu::cold, gnu::noinline]] Decision ccw_uncertain(const S& a, const S& b,
+                                                               const S& c) noexcept {
+    return ccw_cold({a.x, a.y}, {b.x, b.y}, {c.x, c.y});
+}
 
 }  // namespace predicates
 
-/// The orientation of three points: +1 counterclockwise, 0 collinear, -1 clockwise. Exact.
+/// The orientation of three points, or of the centres of three sites, with the stage that decided.
 /// Precondition: finite coordinates.
-[[nodiscard]] inline Sign ccw(const Point& a, const Point& b, const Point& c) noexcept {
+template <HasCentre S>
+[[nodiscard]] inline Decision ccw_decision(const S& a, const S& b, const S& c) noexcept {
     const filters::Verdict verdict = predicates::ccw_filter(a, b, c);
     if (verdict.is_certain()) [[likely]]
-        return verdict.sign();
-    return predicates::ccw_cold(a, b, c).sign;
+        return {verdict.sign(), Stage::filter};
+    return predicates::ccw_uncertain(a, b, c);
 }
 
-/// The same, with the stage that decided.
-[[nodiscard]] inline Decision ccw_decision(const Point& a, const Point& b,
-                                           const Point& c) noexcept {
-    const filters::Verdict verdict = predicates::ccw_filter(a, b, c);
-    if (verdict.is_certain()) return {verdict.sign(), Stage::filter};
-    return predicates::ccw_cold(a, b, c);
+/// The orientation: +1 counterclockwise, 0 collinear, -1 clockwise. Exact.
+/// Precondition: finite coordinates.
+template <HasCentre S>
+[[nodiscard]] inline Sign ccw(const S& a, const S& b, const S& c) noexcept {
+    return ccw_decision(a, b, c).sign;
+}
+[[nodiscard]] inline Sign ccw(const Point& a, const Point& b, const Point& c) noexcept {
+    return ccw<Point>(a, b, c);
 }
 
 }  // namespace signum

@@ -18,7 +18,7 @@ namespace signum::power {
 /// Whether a circle touches i, j, k counterclockwise: ccw of their centres is +1.
 template <PowerSite S>
 [[nodiscard]] inline bool exists(const S& i, const S& j, const S& k) noexcept {
-    return ccw(centre(i), centre(j), centre(k)) > 0;
+    return ccw(i, j, k) > 0;
 }
 
 /// +1 where q conflicts with the vertex of i, j, k (is nearer than they are), 0 where it touches, -1
@@ -33,7 +33,7 @@ template <PowerSite S>
 /// Preconditions: centres of a and b differ, finite numbers.
 template <PowerSite S>
 [[nodiscard]] inline Sign in_circle_infinite(const S& a, const S& b, const S& q) noexcept {
-    const Sign side = ccw(centre(a), centre(b), centre(q));
+    const Sign side = ccw(a, b, q);
     return side != 0 ? -side : in_segment_decision(a, b, q).sign;
 }
 

@@ -76,16 +76,13 @@ class PowerKernel {
  private:
     [[nodiscard]] Sign orientation(const S& a, const S& b, const S& q) noexcept {
         tally_.count_ccw();
-        const Point pa = power::centre(a);
-        const Point pb = power::centre(b);
-        const Point pq = power::centre(q);
         if constexpr (arithmetic == Arithmetic::exact) {
-            return count(ccw_decision(pa, pb, pq));
+            return count(ccw_decision(a, b, q));
         } else if constexpr (arithmetic == Arithmetic::multiprecision) {
-            return count({multiprecision::ccw(pa, pb, pq), Stage::multiprecision});
+            return count({multiprecision::ccw(power::centre(a), power::centre(b), power::centre(q)),
+                          Stage::multiprecision});
         } else {
-            return sign_of(
-                predicates::ccw_determinant(pa.x - pq.x, pa.y - pq.y, pb.x - pq.x, pb.y - pq.y));
+            return sign_of(predicates::ccw_determinant(a.x - q.x, a.y - q.y, b.x - q.x, b.y - q.y));
         }
     }
 

@@ -49,7 +49,25 @@ class IntegerRows {
     [[nodiscard]] Verdict sign() const noexcept {
         if (!exact_) return Verdict::uncertain();
         const auto& [a, b, c] = rows_;
-        const Wide determinant = product(a, b, c) + product(b, c, a) + product(c, a, b);
+        // Small numbers, those of most grids, have many factors of two in common: without them heights
+        // stay below 2^63, minors below 2^61, and the sum below 2^126.
+        constexpr int narrow = 30;
+        std::int64_t bits = 0;
+        Double weight_bits = 0;
+        for (const IntegerRow& row : rows_) {
+            bits |= row.x | row.y;
+            weight_bits |= row.weight;
+        }
+        constexpr std::int64_t low = (std::int64_t{1} << narrow) - 1;
+        constexpr Double weight_low = (Double{1} << 2 * narrow) - 1;
+        if ((bits & low) == 0 && (weight_bits & weight_low) == 0) {
+            const Double determinant = product<Double>(a, b, c, narrow) +
+                                       product<Double>(b, c, a, narrow) +
+                                       product<Double>(c, a, b, narrow);
+            return Verdict::certain((determinant > 0) - (determinant < 0));
+        }
+        const Wide determinant =
+            product<Wide>(a, b, c, 0) + product<Wide>(b, c, a, 0) + product<Wide>(c, a, b, 0);
         return Verdict::certain(determinant.sign());
     }
 
@@ -62,12 +80,13 @@ class IntegerRows {
         Double weight;
     };
 
-    /// The height of row a times the minor of rows b and c.
-    [[nodiscard]] static Wide product(const IntegerRow& a, const IntegerRow& b,
-                                      const IntegerRow& c) noexcept {
-        const Double height = Double{a.x} * a.x + Double{a.y} * a.y - a.weight;
-        const Double minor = Double{b.x} * c.y - Double{c.x} * b.y;
-        return Wide(height) * Wide(minor);
+    /// The height of row a times the minor of rows b and c, all in multiples of 2^shift.
+    template <class Product>
+    [[nodiscard]] static Product product(const IntegerRow& a, const IntegerRow& b,
+                                         const IntegerRow& c, int shift) noexcept {
+        const Double height = (Double{a.x} * a.x + Double{a.y} * a.y - a.weight) >> 2 * shift;
+        const Double minor = (Double{b.x} * c.y - Double{c.x} * b.y) >> 2 * shift;
+        return Product(height) * Product(minor);
     }
 
     [[nodiscard]] std::int64_t integer(double value) noexcept {

@@ -88,7 +88,7 @@ template <PowerSite S>
 template <PowerSite S>
 [[nodiscard]] inline Decision in_circle_decision(const S& i, const S& j, const S& k,
                                                  const S& q) noexcept {
-    SIGNUM_EXPECTS(ccw(centre(i), centre(j), centre(k)) > 0);
+    SIGNUM_EXPECTS(ccw(i, j, k) > 0);
     const filters::Verdict verdict = in_circle_filter(i, j, k, q);
     if (verdict.is_certain()) [[likely]]
         return {verdict.sign(), Stage::filter};

@@ -36,10 +36,10 @@ void PrintTo(const Kind& kind, std::ostream* out) {
 }
 
 const Kind kinds[] = {
-    {"random", Distribution::random, 0},       {"circle", Distribution::circle, 0},
-    {"square", Distribution::square, 0},       {"grid", Distribution::grid, 0},
-    {"random_radii", Distribution::random, 5}, {"circle_radii", Distribution::circle, 5},
-    {"square_radii", Distribution::square, 5}, {"grid_radii", Distribution::grid, 5},
+    {"random", Distribution::random, 0},          {"circle", Distribution::circle, 0},
+    {"square", Distribution::square, 0},          {"grid", Distribution::grid, 0},
+    {"random_radii", Distribution::random, 0.5},  {"circle_radii", Distribution::circle, 0.02},
+    {"square_radii", Distribution::square, 0.02}, {"grid_radii", Distribution::grid, 0.5},
 };
 
 std::vector<Site> sites_of(const Kind& kind, std::int64_t count) {

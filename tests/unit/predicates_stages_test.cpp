@@ -114,16 +114,15 @@ TYPED_TEST(InCircleStages, Filter) {
     EXPECT_EQ(this->decide({1, 0}, {0, 1}, {-1, 0}, {0, -1 + 256 * ulp}), filter(+1));
 }
 
-TYPED_TEST(InCircleStages, RefineDecidesTiesOfIntegersWithoutExpansions) {
-    EXPECT_EQ(this->decide({0, 0}, {1, 0}, {1, 1}, {0, 1}), refine(0));
-    EXPECT_EQ(this->decide({5, 0}, {3, 4}, {-4, 3}, {-3, -4}), refine(0));
-    EXPECT_EQ(this->decide({1, 0}, {0, 1}, {-1, 0}, {1, 0}), refine(0));  // q is i
-    EXPECT_EQ(this->decide({0x1p100, 0}, {0, 0x1p100}, {-0x1p100, 0}, {0, -0x1p100}), refine(0));
-    EXPECT_EQ(this->decide({0x1p-150, 0}, {0, 0x1p-150}, {-0x1p-150, 0}, {0, -0x1p-150}),
-              refine(0));
+TYPED_TEST(InCircleStages, ExactDecidesTiesOfIntegers) {
+    EXPECT_EQ(this->decide({0, 0}, {1, 0}, {1, 1}, {0, 1}), exact(0));
+    EXPECT_EQ(this->decide({5, 0}, {3, 4}, {-4, 3}, {-3, -4}), exact(0));
+    EXPECT_EQ(this->decide({1, 0}, {0, 1}, {-1, 0}, {1, 0}), exact(0));  // q is i
+    EXPECT_EQ(this->decide({0x1p100, 0}, {0, 0x1p100}, {-0x1p100, 0}, {0, -0x1p100}), exact(0));
+    EXPECT_EQ(this->decide({0x1p-150, 0}, {0, 0x1p-150}, {-0x1p-150, 0}, {0, -0x1p-150}), exact(0));
     // Far from the origin, but all differences are small integers.
     const double x = 0x1p52;
-    EXPECT_EQ(this->decide({x, x}, {x + 1, x}, {x + 1, x + 1}, {x, x + 1}), refine(0));
+    EXPECT_EQ(this->decide({x, x}, {x + 1, x}, {x + 1, x + 1}, {x, x + 1}), exact(0));
 }
 
 TYPED_TEST(InCircleStages, RefineDecidesNearTies) {
@@ -185,17 +184,19 @@ TEST(InCircleWeightStages, Weights) {
     };
     EXPECT_EQ(decide(0, 0, 0, 0), filter(+1));
     EXPECT_EQ(decide(0, 0, 0, -2), filter(-1));
-    EXPECT_EQ(decide(0, 0, 0, -1), refine(0));
-    EXPECT_EQ(decide(1, 1, 1, 0), refine(0));
-    EXPECT_EQ(decide(1, 1, 1, ulp), refine(+1));
-    EXPECT_EQ(decide(1, 1, 1, -ulp), refine(-1));
+    EXPECT_EQ(decide(0, 0, 0, -1), exact(0));
+    EXPECT_EQ(decide(1, 1, 1, 0), exact(0));
+    EXPECT_EQ(decide(1, 1, 1, ulp), exact(+1));
+    EXPECT_EQ(decide(1, 1, 1, -ulp), exact(-1));
+    EXPECT_EQ(decide(1, 1, 1, 0x1p-60), refine(+1));
+    EXPECT_EQ(decide(1, 1, 1, -0x1p-60), refine(-1));
     // 1 - 2^-300 is no double: the weights' difference has two terms far apart.
     EXPECT_EQ(decide(1, 1, 1, 0x1p-300), exact(+1));
     EXPECT_EQ(decide(1, 1, 1, -0x1p-300), exact(-1));
     EXPECT_EQ(decide(1, 1, 1, 0x1p-400), exact(+1));
     EXPECT_EQ(decide(1, 1, 1, 0x1p-401), multiprecision(+1));
     EXPECT_EQ(decide(1, 1, 1, -denormal), multiprecision(-1));
-    EXPECT_EQ(decide(1, 1, 1 + denormal, 0), refine(0));
+    EXPECT_EQ(decide(1, 1, 1 + denormal, 0), exact(0));
     EXPECT_EQ(decide(0x1p400, 0x1p400, 0x1p400, 0x1p400), filter(+1));
     EXPECT_EQ(decide(1e308, 1e308, 1e308, -1e308), multiprecision(-1));
 }
@@ -206,10 +207,11 @@ TEST(InCircleRadiusStages, RadiiFarApart) {
         return power::in_circle_decision(Site{1, 0, r}, Site{0, 1, r}, Site{-1, 0, r},
                                          Site{0, 0, q});
     };
-    EXPECT_EQ(decide(1, 0), refine(0));
-    EXPECT_EQ(decide(-1, 0), refine(0));
+    EXPECT_EQ(decide(1, 0), exact(0));
+    EXPECT_EQ(decide(-1, 0), exact(0));
     EXPECT_EQ(decide(1, 0x1p-20), filter(+1));
-    EXPECT_EQ(decide(1, 0x1p-26), refine(+1));
+    EXPECT_EQ(decide(1, 0x1p-26), exact(+1));
+    EXPECT_EQ(decide(1, 0x1.0000001p-45), refine(+1));
     EXPECT_EQ(decide(1, 0x1p-54), exact(+1));
     EXPECT_EQ(decide(1, 0x1p-60), exact(+1));
     EXPECT_EQ(decide(-1, 0x1p-60), exact(+1));
