@@ -152,6 +152,14 @@ double tie_number(Tie tie, std::mt19937_64& random) {
     return tie == Tie::tiny ? number * 0x1p-600 : number;
 }
 
+template <class S>
+Stage stage(const std::array<S, 4>& t) {
+    return power::in_circle_decision(t[0], t[1], t[2], t[3]).stage;
+}
+Stage stage(const std::array<Point, 3>& t) {
+    return ccw_decision(t[0], t[1], t[2]).stage;
+}
+
 /// The corners of rectangles, all of one radius: on a circle exactly, or up to a rounding.
 template <class S>
 Operands<S, 4> tied_circles(Tie tie) {
@@ -163,8 +171,11 @@ Operands<S, 4> tied_circles(Tie tie) {
         if (!(left < right && low < high)) continue;
         const double r = tie_number(tie, random);
         const double off = tie == Tie::ulp ? std::nextafter(left, right) : left;
-        result.push_back({make_site<S>(left, low, r), make_site<S>(right, low, r),
-                          make_site<S>(right, high, r), make_site<S>(off, high, r)});
+        const std::array<S, 4> corners = {make_site<S>(left, low, r), make_site<S>(right, low, r),
+                                          make_site<S>(right, high, r), make_site<S>(off, high, r)};
+        // Where all differences are exact, integers decide.
+        if (tie == Tie::ulp && stage(corners) != Stage::refine) continue;
+        result.push_back(corners);
     }
     return result;
 }
@@ -188,14 +199,6 @@ Operands<Point, 3> tied_lines(Tie tie) {
         result.push_back(triple);
     }
     return result;
-}
-
-template <class S>
-Stage stage(const std::array<S, 4>& t) {
-    return power::in_circle_decision(t[0], t[1], t[2], t[3]).stage;
-}
-Stage stage(const std::array<Point, 3>& t) {
-    return ccw_decision(t[0], t[1], t[2]).stage;
 }
 
 /// The one stage that decides all operands; two stages in one row would be a wrong row.
