@@ -6,6 +6,10 @@
 
 #include <signum/core/contract.hpp>
 
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
 namespace signum::filters {
 
 /// Largest relative error of one operation in any rounding mode; rounding to nearest has half of it.
@@ -26,17 +30,26 @@ inline constexpr double epsilon = 0x1p-52;
     return a_bits == b_bits || ((a_bits | b_bits) << 1) == 0;
 }
 
-/// Whether denormals are neither flushed nor read as zero, so that sums and differences keep their
-/// relative error however small they are. One addition; the barrier keeps the compiler from folding it and
-/// from moving it across a change of the control register.
-[[nodiscard]] inline bool underflow_is_gradual() noexcept {
-    double denormal = 0x1p-1060;
-#if defined(__x86_64__)
-    __asm__ volatile("" : "+x"(denormal));
+/// Whether the thread computes as IEEE 754 prescribes by default: to nearest, denormals neither flushed
+/// nor read as zero. Elsewhere overflow may stop at the largest double and a difference lose all its
+/// bits, so that a filter declines and lets the colder stages change the environment. One addition of four
+/// floats tells: 1 and -1 plus more than half a unit round away from 0 only to nearest, and the sum of two
+/// denormals is not 0. The barrier keeps the compiler from folding it and from moving it across a change
+/// of the control register.
+[[nodiscard]] inline bool environment_is_default() noexcept {
+#if defined(__SSE2__)
+    __m128 terms = _mm_setr_ps(0x1.8p-24F, -0x1.8p-24F, 0x1p-140F, 0.0F);
+    __asm__ volatile("" : "+x"(terms));
+    const __m128 sums = _mm_add_ps(terms, _mm_setr_ps(1.0F, -1.0F, 0x1p-140F, 0.0F));
+    const __m128 expected = _mm_setr_ps(1.0F + 0x1p-23F, -1.0F - 0x1p-23F, 0x1p-139F, 0.0F);
+    return _mm_movemask_epi8(_mm_cmpeq_epi32(_mm_castps_si128(sums), _mm_castps_si128(expected))) ==
+           0xFFFF;
 #else
-    __asm__ volatile("" : "+w"(denormal));
+    volatile double up = 0x1.8p-53;
+    volatile double down = -0x1.8p-53;
+    volatile double denormal = 0x1p-1060;
+    return up + 1.0 > 1.0 && down - 1.0 < -1.0 && denormal + denormal == 0x1p-1059;
 #endif
-    return std::bit_cast<std::uint64_t>(denormal + denormal) != 0;
 }
 
 }  // namespace signum::filters

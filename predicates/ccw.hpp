@@ -41,15 +41,15 @@ static_assert(ccw_determinant(filters::rounded_difference, filters::rounded_diff
 /// Decides almost every call. Where the two products have one sign, |left + right| is the sum of
 /// their magnitudes; where they have not, no cancellation happens and any bound below 1 would do.
 /// Underflow of a product costs at most 2^-1074 each, which 2^-1000 covers; underflow of a difference
-/// costs nothing as long as it is gradual. Overflow gives infinity or NaN on the right, and the
-/// comparison fails.
+/// costs nothing where it is gradual. Overflow of a product or a difference gives infinity or NaN on the
+/// right, and the comparison fails, or two infinities of opposite sign, whose difference is certain.
 template <HasCentre S>
 [[nodiscard]] inline filters::Verdict ccw_filter(const S& a, const S& b, const S& c) noexcept {
     const double left = (a.x - c.x) * (b.y - c.y);
     const double right = (a.y - c.y) * (b.x - c.x);
     const double determinant = left - right;
     const double bound = ccw_error * filters::magnitude(left + right) + 0x1p-1000;
-    if (!filters::underflow_is_gradual()) [[unlikely]]
+    if (!filters::environment_is_default()) [[unlikely]]
         return filters::Verdict::uncertain();
     if (!(filters::magnitude(determinant) > bound)) [[unlikely]]
         return filters::Verdict::uncertain();

@@ -8,7 +8,6 @@
 #include <signum/exact/floating_environment.hpp>
 #include <signum/triangulation/hiders.hpp>
 #include <signum/triangulation/kernel.hpp>
-#include <signum/triangulation/locate.hpp>
 #include <signum/triangulation/topology.hpp>
 
 namespace signum {
@@ -384,12 +383,33 @@ class Check {
             } else if (is_line_) {
                 check_hidden_on_line(q);
             } else {
-                const Index f = locate(topology_, kernel_, face_of[at(hidden.by)], q);
-                if (topology_.is_infinite(f))
-                    throw Invalid{name(q) + " is said to be hidden, but lies outside the hull"};
-                judge(f, q);
+                judge(containing_face(q, face_of[at(hidden.by)]), q);
             }
         }
+    }
+
+    /// A face that contains the centre of q. The walk may go in circles, for a triangulation that is valid
+    /// by a choice of ties need not be regular for any weights; then all faces are searched.
+    [[nodiscard]] Index containing_face(Index q, Index start) {
+        Index f = topology_.is_infinite(start)
+                      ? Topology::face(topology_.twin(topology_.finite_edge(start)))
+                      : start;
+        for (Index steps = 0; steps < faces() && !topology_.is_infinite(f); ++steps) {
+            const unsigned k = separating_edge(face(f), q);
+            if (k == 3) return f;
+            f = Topology::face(topology_.twin(Topology::first_edge(f) + k));
+        }
+        if (!topology_.is_infinite(f))
+            for (Index g = 0; g < faces(); ++g)
+                if (!topology_.is_infinite(g) && separating_edge(face(g), q) == 3) return g;
+        throw Invalid{name(q) + " is said to be hidden, but lies outside the hull"};
+    }
+
+    /// The first edge of a finite face with q strictly on its right, 3 where there is none.
+    [[nodiscard]] unsigned separating_edge(const Face& v, Index q) {
+        unsigned k = 0;
+        while (k < 3 && kernel_.ccw(v[k], v[(k + 1) % 3], q) >= 0) ++k;
+        return k;
     }
 
     void check_nearest(Index q, Index by, const std::vector<Index>& face_of) {

@@ -52,8 +52,8 @@ static_assert(in_circle_determinant(rounded_row, rounded_row, rounded_row).round
 /// (|j-q|² + |k-q|²)/2; and 13e/3 < 5e. The bound is coarse for slivers, but it costs a few operations
 /// where the magnitude itself would cost twenty; that one is asked next (in_circle.cpp).
 /// Underflow: each product commits at most 2^-1074 more, so a minor at most 2^-1073, a lifted height
-/// 3·2^-1074, and the determinant at most 2^-1071 (s + 1). Overflow gives infinity or NaN in the
-/// bound, and the comparison fails.
+/// 3·2^-1074, and the determinant at most 2^-1071 (s + 1). Overflow: no term and no partial sum of the
+/// determinant exceeds s²/2, so that where one overflows s² has, and the comparison fails.
 template <PowerSite S>
 [[nodiscard]] inline filters::Verdict in_circle_filter(const S& i, const S& j, const S& k,
                                                        const S& q) noexcept {
@@ -69,10 +69,12 @@ template <PowerSite S>
                                (c_square - c.weight) * (a.x * b.y - b.x * a.y);
     const double s = (a_square + magnitude(a.weight)) + (b_square + magnitude(b.weight)) +
                      (c_square + magnitude(c.weight));
-    const double bound = s * (5 * filters::epsilon * s + 0x1p-1000) + 0x1p-1000;
-    if (magnitude(determinant) > bound && filters::underflow_is_gradual()) [[likely]]
-        return filters::Verdict::certain(filters::sign_of_nonzero(determinant));
-    return filters::Verdict::uncertain();
+    const double bound = 5 * filters::epsilon * (s * s) + (0x1p-1000 * s + 0x1p-1000);
+    if (!filters::environment_is_default()) [[unlikely]]
+        return filters::Verdict::uncertain();
+    if (!(magnitude(determinant) > bound)) [[unlikely]]
+        return filters::Verdict::uncertain();
+    return filters::Verdict::certain(filters::sign_of_nonzero(determinant));
 }
 
 /// The stages behind the filter, for the three kinds of sites.
