@@ -59,7 +59,9 @@ class Check {
                     return v[0] == infinite || v[1] == infinite || v[2] == infinite;
                 });
                 connect();
-                check_neighbours();
+            }
+            check_neighbours();
+            if (visible_ >= 2) {
                 if (is_line_) {
                     check_line();
                 } else {
@@ -197,7 +199,7 @@ class Check {
 
     /// The neighbours that the arrays give, where they give any, are those across the edges.
     void check_neighbours() {
-        if (arrays_.neighbours.empty()) {
+        if (arrays_.neighbours.empty() && faces() > 0) {
             note("the neighbours are missing");
             return;
         }
