@@ -84,6 +84,12 @@ template <HasCentre S>
 [[nodiscard]] inline Sign ccw(const S& a, const S& b, const S& c) noexcept {
     return ccw_decision(a, b, c).sign;
 }
+
+/// The same for points in braces.
+[[nodiscard]] inline Decision ccw_decision(const Point& a, const Point& b,
+                                           const Point& c) noexcept {
+    return ccw_decision<Point>(a, b, c);
+}
 [[nodiscard]] inline Sign ccw(const Point& a, const Point& b, const Point& c) noexcept {
     return ccw<Point>(a, b, c);
 }

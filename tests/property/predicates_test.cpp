@@ -618,8 +618,8 @@ TEST(PredicateIdentities, TranslationsThatAreExactChangeNothing) {
         for (Site& site : s)
             site = {std::ldexp(random.between(-1 << 20, 1 << 20), -random.below(20)),
                     std::ldexp(random.between(-4, 4), 0), std::ldexp(random.below(5), -2)};
-        const double dx = std::ldexp(random.between(-1 << 30, 1 << 30), -random.below(20));
-        const double dy = std::ldexp(random.between(-1 << 30, 1 << 30), -random.below(20));
+        const double dx = std::ldexp(random.between(-1 << 29, 1 << 29), -random.below(20));
+        const double dy = std::ldexp(random.between(-1 << 29, 1 << 29), -random.below(20));
         auto t = s;
         for (Site& site : t) site = {site.x + dx, site.y + dy, site.r};
         const Sign side = ccw(power::centre(s[0]), power::centre(s[1]), power::centre(s[2]));

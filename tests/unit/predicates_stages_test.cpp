@@ -80,7 +80,7 @@ TEST(CcwStages, Multiprecision) {
     EXPECT_EQ(ccw_decision({-largest, -largest}, {largest, largest}, {0, 0}), multiprecision(0));
     EXPECT_EQ(ccw_decision({-largest, -largest}, {largest, largest}, {0, denormal}),
               multiprecision(+1));
-    EXPECT_EQ(ccw_decision({1e308, 0}, {-1e308, 0}, {0, 1e-308}), multiprecision(-1));
+    EXPECT_EQ(ccw_decision({1e308, 0}, {-1e308, 0}, {-1e308, 1e-308}), multiprecision(-1));
     EXPECT_EQ(ccw_decision({0, 0}, {0x1p201, 0x1p201}, {1, 1}), multiprecision(0));
     EXPECT_EQ(ccw_decision({0, 0}, {0x1p-201, 0x1p-201}, {1, 1}), multiprecision(0));
 }
