@@ -7,7 +7,7 @@ set(package_directory "${CMAKE_INSTALL_LIBDIR}/cmake/signum")
 install(DIRECTORY core exact filters predicates triangulation
         DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/signum"
         FILES_MATCHING PATTERN "*.hpp"
-        PATTERN "multiprecision.hpp" EXCLUDE
+        REGEX "exact/multiprecision\\.hpp$" EXCLUDE
         PATTERN "cold_*.hpp" EXCLUDE)
 
 install(TARGETS signum EXPORT signum-targets)

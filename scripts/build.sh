@@ -3,7 +3,7 @@
 #
 #   scripts/build.sh DIRECTORY TARGET [CMAKE_OPTION...]
 #
-# The build is a Release build unless an option says otherwise. Exit code 3 when it fails.
+# An option may be a preset, such as --preset=sanitize. Exit code 3 when the build fails.
 # CXX chooses the compiler, JOBS how many of them run at a time.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -28,7 +28,7 @@ if [ -z "${CXX:-}" ]; then
   command -v g++ >/dev/null || CXX=clang++
 fi
 export CXX
-options=(-G Ninja -DCMAKE_BUILD_TYPE=Release "$@")
+options=(-G Ninja "-DCMAKE_CXX_COMPILER=$CXX" "$@")
 
 mkdir -p "$build"
 # Two callers at once would build over each other.

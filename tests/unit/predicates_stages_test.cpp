@@ -42,47 +42,51 @@ constexpr double ulp = 0x1p-52;  // of 1
 
 // ---- ccw ---------------------------------------------------------------------------------------
 
+Decision decide_ccw(Point a, Point b, Point c) {
+    return ccw_decision(a, b, c);
+}
+
 TEST(CcwStages, Filter) {
-    EXPECT_EQ(ccw_decision({0, 0}, {1, 0}, {0, 1}), filter(+1));
-    EXPECT_EQ(ccw_decision({0, 0}, {0, 1}, {1, 0}), filter(-1));
-    EXPECT_EQ(ccw_decision({1e150, 0}, {0, 1e150}, {-1e150, -1e150}), filter(+1));
-    EXPECT_EQ(ccw_decision({1, 1}, {2, 2}, {3, 3 + 64 * ulp}), filter(+1));
+    EXPECT_EQ(decide_ccw({0, 0}, {1, 0}, {0, 1}), filter(+1));
+    EXPECT_EQ(decide_ccw({0, 0}, {0, 1}, {1, 0}), filter(-1));
+    EXPECT_EQ(decide_ccw({1e150, 0}, {0, 1e150}, {-1e150, -1e150}), filter(+1));
+    EXPECT_EQ(decide_ccw({1, 1}, {2, 2}, {3, 3 + 64 * ulp}), filter(+1));
 }
 
 TEST(CcwStages, ExactTies) {
-    EXPECT_EQ(ccw_decision({0, 0}, {1, 1}, {2, 2}), exact(0));
-    EXPECT_EQ(ccw_decision({1, 1}, {1, 1}, {2, 3}), exact(0));
-    EXPECT_EQ(ccw_decision({2, 3}, {1, 1}, {2, 3}), exact(0));
-    EXPECT_EQ(ccw_decision({0.1, 0.1}, {0.7, 0.7}, {123.4, 123.4}), exact(0));
-    EXPECT_EQ(ccw_decision({0x1p-200, 0x1p-200}, {0x1p200, 0x1p200}, {1, 1}), exact(0));
+    EXPECT_EQ(decide_ccw({0, 0}, {1, 1}, {2, 2}), exact(0));
+    EXPECT_EQ(decide_ccw({1, 1}, {1, 1}, {2, 3}), exact(0));
+    EXPECT_EQ(decide_ccw({2, 3}, {1, 1}, {2, 3}), exact(0));
+    EXPECT_EQ(decide_ccw({0.1, 0.1}, {0.7, 0.7}, {123.4, 123.4}), exact(0));
+    EXPECT_EQ(decide_ccw({0x1p-200, 0x1p-200}, {0x1p200, 0x1p200}, {1, 1}), exact(0));
 }
 
 TEST(CcwStages, ExactNearTies) {
     // Kettner et al.: points near (1/2, 1/2) against a line through (12, 12) and (24, 24).
-    EXPECT_EQ(ccw_decision({0.5, 0.5}, {12, 12}, {24, 24}), exact(0));
-    EXPECT_EQ(ccw_decision({0.5 + ulp / 2, 0.5}, {12, 12}, {24, 24}), exact(-1));
-    EXPECT_EQ(ccw_decision({0.5, 0.5 + ulp / 2}, {12, 12}, {24, 24}), exact(+1));
+    EXPECT_EQ(decide_ccw({0.5, 0.5}, {12, 12}, {24, 24}), exact(0));
+    EXPECT_EQ(decide_ccw({0.5 + ulp / 2, 0.5}, {12, 12}, {24, 24}), exact(-1));
+    EXPECT_EQ(decide_ccw({0.5, 0.5 + ulp / 2}, {12, 12}, {24, 24}), exact(+1));
     // (1+u)(1-u) - 1·1 = -u²: the difference of the products is far below their last places.
-    EXPECT_EQ(ccw_decision({1 + ulp, 1}, {1, 1 - ulp}, {0, 0}), exact(-1));
+    EXPECT_EQ(decide_ccw({1 + ulp, 1}, {1, 1 - ulp}, {0, 0}), exact(-1));
     // The differences themselves are not doubles: 1 + 2^-60 and 1 against 1 and 1.
-    EXPECT_EQ(ccw_decision({1, 1}, {1, 1}, {-0x1p-60, 0}), exact(0));
-    EXPECT_EQ(ccw_decision({1, 1}, {2, 2}, {-0x1p-60, 0}), exact(+1));
-    EXPECT_EQ(ccw_decision({2, 2}, {1, 1}, {-0x1p-60, 0}), exact(-1));
+    EXPECT_EQ(decide_ccw({1, 1}, {1, 1}, {-0x1p-60, 0}), exact(0));
+    EXPECT_EQ(decide_ccw({1, 1}, {2, 2}, {-0x1p-60, 0}), exact(+1));
+    EXPECT_EQ(decide_ccw({2, 2}, {1, 1}, {-0x1p-60, 0}), exact(-1));
 }
 
 TEST(CcwStages, Multiprecision) {
-    EXPECT_EQ(ccw_decision({0, 0}, {denormal, 0}, {0, denormal}), multiprecision(+1));
-    EXPECT_EQ(ccw_decision({0, 0}, {denormal, denormal}, {3 * denormal, 3 * denormal}),
+    EXPECT_EQ(decide_ccw({0, 0}, {denormal, 0}, {0, denormal}), multiprecision(+1));
+    EXPECT_EQ(decide_ccw({0, 0}, {denormal, denormal}, {3 * denormal, 3 * denormal}),
               multiprecision(0));
-    EXPECT_EQ(ccw_decision({0, 0}, {1e-308, 0}, {0, -1e-308}), multiprecision(-1));
-    EXPECT_EQ(ccw_decision({-largest, -largest}, {largest, -largest}, {0, largest}),
+    EXPECT_EQ(decide_ccw({0, 0}, {1e-308, 0}, {0, -1e-308}), multiprecision(-1));
+    EXPECT_EQ(decide_ccw({-largest, -largest}, {largest, -largest}, {0, largest}),
               multiprecision(+1));
-    EXPECT_EQ(ccw_decision({-largest, -largest}, {largest, largest}, {0, 0}), multiprecision(0));
-    EXPECT_EQ(ccw_decision({-largest, -largest}, {largest, largest}, {0, denormal}),
+    EXPECT_EQ(decide_ccw({-largest, -largest}, {largest, largest}, {0, 0}), multiprecision(0));
+    EXPECT_EQ(decide_ccw({-largest, -largest}, {largest, largest}, {0, denormal}),
               multiprecision(+1));
-    EXPECT_EQ(ccw_decision({1e308, 0}, {-1e308, 0}, {-1e308, 1e-308}), multiprecision(-1));
-    EXPECT_EQ(ccw_decision({0, 0}, {0x1p201, 0x1p201}, {1, 1}), multiprecision(0));
-    EXPECT_EQ(ccw_decision({0, 0}, {0x1p-201, 0x1p-201}, {1, 1}), multiprecision(0));
+    EXPECT_EQ(decide_ccw({1e308, 0}, {-1e308, 0}, {-1e308, 1e-308}), multiprecision(-1));
+    EXPECT_EQ(decide_ccw({0, 0}, {0x1p201, 0x1p201}, {1, 1}), multiprecision(0));
+    EXPECT_EQ(decide_ccw({0, 0}, {0x1p-201, 0x1p-201}, {1, 1}), multiprecision(0));
 }
 
 // ---- in_circle ---------------------------------------------------------------------------------
