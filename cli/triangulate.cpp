@@ -27,8 +27,6 @@
 namespace signum::cli {
 namespace {
 
-constexpr unsigned most_threads = 1024;
-
 /// The call as it was typed.
 struct Call {
     std::string input;
@@ -42,7 +40,6 @@ struct Call {
     bool check = false;
     bool quiet = false;
     std::uint64_t seed = 1;
-    unsigned threads = 1;
 };
 
 Arithmetic arithmetic_of(const std::string& name) {
@@ -121,7 +118,6 @@ Tessellation construct(const Call& call, StridedSites sites) {
     std::optional<Progress> progress;
     Options options;
     options.arithmetic = arithmetic_of(call.arithmetic);
-    options.threads = call.threads;
     options.seed = call.seed;
     options.count = call.statistics;
     if (!call.quiet) {
@@ -186,9 +182,6 @@ void run(const Call& call) {
     require_incremental(call.method);
     static_cast<void>(arithmetic_of(call.arithmetic));
     check_outputs(call);
-    if (call.threads > most_threads) {
-        throw CallError(fmt::format("--threads {}: give at most {}", call.threads, most_threads));
-    }
 
     const SitesFile file = read_sites(call.input);
     WeightIs third = file.third.value_or(WeightIs::radius);
@@ -266,12 +259,6 @@ void add_triangulate(CLI::App& tool) {
     command
         ->add_option("--seed", call->seed,
                      "Of the order of insertion; the result does not\ndepend on it")
-        ->check(whole_number())
-        ->type_name("N")
-        ->capture_default_str();
-    command
-        ->add_option("--threads", call->threads,
-                     "0 is one for every core; the result does not\ndepend on it")
         ->check(whole_number())
         ->type_name("N")
         ->capture_default_str();

@@ -16,8 +16,8 @@ struct TwoTerms {
     double low;
 };
 
-/// a + b, for |a| and |b| below the largest double (beside it b_virtual can overflow) whose sum does
-/// not overflow.
+/// a + b, for |a| and |b| below the largest double (beside it b_virtual can overflow) whose sum
+/// does not overflow.
 [[nodiscard]] inline TwoTerms two_sum(double a, double b) noexcept {
     const double sum = a + b;
     const double b_virtual = sum - a;

@@ -1,6 +1,6 @@
 #pragma once
-/// A view of sites that lie anywhere in memory with a constant stride: a vector of Site, a row-major
-/// matrix, three columns, a struct of one's own. Nothing is copied.
+/// A view of sites that lie anywhere in memory with a constant stride: a vector of Site, a
+/// row-major matrix, three columns, a struct of one's own. Nothing is copied.
 
 #include <cstddef>
 #include <ranges>
@@ -17,9 +17,10 @@ class StridedSites {
     /// A contiguous range of Site (third is a radius), power::Site (third is a weight) or Point
     /// (third is 0).
     template <std::ranges::contiguous_range Range>
-        requires std::ranges::sized_range<Range>
+    requires std::ranges::sized_range<Range>
     // NOLINTNEXTLINE(google-explicit-constructor): a vector of sites is a view of sites
-    StridedSites(const Range& range) noexcept : size_(std::ranges::size(range)) {
+    StridedSites(const Range& range)
+    noexcept : size_(std::ranges::size(range)) {
         using Element = std::remove_cv_t<std::ranges::range_value_t<Range>>;
         static_assert(std::is_same_v<Element, Site> || std::is_same_v<Element, power::Site> ||
                           std::is_same_v<Element, Point>,

@@ -2,7 +2,8 @@
 /// ccw: the orientation of three points, exact for all finite doubles.
 ///
 /// Laws:
-///  1. ccw(a,b,c) is the sign of (a-c) x (b-c): +1 where c lies left of the line from a to b, that is
+///  1. ccw(a,b,c) is the sign of (a-c) x (b-c): +1 where c lies left of the line from a to b, that
+///  is
 ///     where a, b, c turn counterclockwise, 0 where they are collinear, -1 otherwise.
 ///  2. It is exact and never perturbed.
 
@@ -19,8 +20,7 @@
 namespace signum {
 /// A point, or a site of any kind: what has a centre.
 template <class S>
-concept HasCentre =
-    std::same_as<decltype(S::x), double> && std::same_as<decltype(S::y), double>;
+concept HasCentre = std::same_as<decltype(S::x), double> && std::same_as<decltype(S::y), double>;
 
 namespace predicates {
 
@@ -31,8 +31,8 @@ template <class Number>
 }
 
 /// The error of the rounded determinant, as a multiple of the sum of its two products' magnitudes.
-/// The lemma of rounding_count.hpp gives (1+e)^4 - 1; one more e pays for the terms in e² and for the
-/// roundings of the bound itself, 4e(1 + 8e) < 5e.
+/// The lemma of rounding_count.hpp gives (1+e)^4 - 1; one more e pays for the terms in e² and for
+/// the roundings of the bound itself, 4e(1 + 8e) < 5e.
 inline constexpr double ccw_error = 5 * filters::epsilon;
 static_assert(ccw_determinant(filters::rounded_difference, filters::rounded_difference,
                               filters::rounded_difference, filters::rounded_difference)
@@ -40,9 +40,10 @@ static_assert(ccw_determinant(filters::rounded_difference, filters::rounded_diff
 
 /// Decides almost every call. Where the two products have one sign, |left + right| is the sum of
 /// their magnitudes; where they have not, no cancellation happens and any bound below 1 would do.
-/// Underflow of a product costs at most 2^-1074 each, which 2^-1000 covers; underflow of a difference
-/// costs nothing where it is gradual. Overflow of a product or a difference gives infinity or NaN on the
-/// right, and the comparison fails, or two infinities of opposite sign, whose difference is certain.
+/// Underflow of a product costs at most 2^-1074 each, which 2^-1000 covers; underflow of a
+/// difference costs nothing where it is gradual. Overflow of a product or a difference gives
+/// infinity or NaN on the right, and the comparison fails, or two infinities of opposite sign,
+/// whose difference is certain.
 template <HasCentre S>
 [[nodiscard]] inline filters::Verdict ccw_filter(const S& a, const S& b, const S& c) noexcept {
     const double left = (a.x - c.x) * (b.y - c.y);
@@ -57,12 +58,12 @@ template <HasCentre S>
 }
 
 /// The stages behind the filter.
-[[nodiscard]] Decision ccw_cold(Point a, Point b, Point c) noexcept;
+[[nodiscard, gnu::pure]] Decision ccw_cold(Point a, Point b, Point c) noexcept;
 
 /// Out of line and by reference: the filter need not keep copies of its operands for this call.
 template <HasCentre S>
-[[nodiscard, gnu::cold, gnu::noinline]] Decision ccw_uncertain(const S& a, const S& b,
-                                                               const S& c) noexcept {
+[[nodiscard, gnu::cold, gnu::pure, gnu::noinline]] Decision ccw_uncertain(const S& a, const S& b,
+                                                                          const S& c) noexcept {
     return ccw_cold({a.x, a.y}, {b.x, b.y}, {c.x, c.y});
 }
 

@@ -21,16 +21,16 @@ template <PowerSite S>
     return ccw(i, j, k) > 0;
 }
 
-/// +1 where q conflicts with the vertex of i, j, k (is nearer than they are), 0 where it touches, -1
-/// otherwise. Preconditions: exists(i,j,k), finite numbers. Thesis: Theorem 4.4.1.
+/// +1 where q conflicts with the vertex of i, j, k (is nearer than they are), 0 where it touches,
+/// -1 otherwise. Preconditions: exists(i,j,k), finite numbers. Thesis: Theorem 4.4.1.
 template <PowerSite S>
 [[nodiscard]] inline Sign in_circle(const S& i, const S& j, const S& k, const S& q) noexcept {
     return in_circle_decision(i, j, k, q).sign;
 }
 
-/// The same at the hull edge a -> b, all other sites on its left or on its line: +1 where q conflicts
-/// with the vertex at infinity, 0 where it touches, -1 otherwise.
-/// Preconditions: centres of a and b differ, finite numbers.
+/// The same at the hull edge a -> b, all other sites on its left or on its line: +1 where q
+/// conflicts with the vertex at infinity, 0 where it touches, -1 otherwise. Preconditions: centres
+/// of a and b differ, finite numbers.
 template <PowerSite S>
 [[nodiscard]] inline Sign in_circle_infinite(const S& a, const S& b, const S& q) noexcept {
     const Sign side = ccw(a, b, q);
@@ -50,8 +50,8 @@ template <PowerSite S>
            nearer(centre(q), q, i) <= 0;
 }
 
-/// in_circle under the tie rule, never 0. `ranks` are the places of i, j, k and q in the rule's order
-/// (falling weight, rising x, y, index); only their order counts.
+/// in_circle under the tie rule, never 0. `ranks` are the places of i, j, k and q in the rule's
+/// order (falling weight, rising x, y, index); only their order counts.
 template <PowerSite S>
 [[nodiscard]] inline Sign in_circle_perturbed(const S& i, const S& j, const S& k, const S& q,
                                               const std::array<Index, 4>& ranks) noexcept {

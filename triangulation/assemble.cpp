@@ -9,11 +9,16 @@
 namespace signum::triangulation {
 namespace {
 
-std::size_t at(Index i) noexcept { return static_cast<std::size_t>(i); }
+std::size_t at(Index i) noexcept {
+    return static_cast<std::size_t>(i);
+}
 
 /// A face with input numbers, turned to begin at its smallest vertex, and its first half-edge.
+/// Three numbers, not an array: these stay in registers.
 struct Turned {
-    Face face;
+    Index a;
+    Index b;
+    Index c;
     HalfEdge first;
 };
 
@@ -31,19 +36,20 @@ inline Turned turn(const Topology& topology, std::span<const Index> original, In
     const auto select = [&](Index from_a, Index from_b, Index from_c) {
         return at_c ? from_c : at_b ? from_b : from_a;
     };
-    return {{select(a, b, c), select(b, c, a), select(c, a, b)},
+    return {select(a, b, c), select(b, c, a), select(c, a, b),
             Topology::first_edge(f) + static_cast<HalfEdge>(select(0, 1, 2))};
 }
 
 /// The number that leads a face in the sorted order: infinite faces come first and are led by their
 /// second vertex, of which each has one of its own; finite ones by their smallest.
-std::size_t lead(const Face& face, std::size_t sites) noexcept {
-    return face[0] == infinite ? at(face[1]) : sites + at(face[0]);
+std::size_t lead(Index first, Index second, std::size_t sites) noexcept {
+    return first == infinite ? at(second) : sites + at(first);
 }
 
-/// Vertices lie along the Hilbert curve in the topology and anywhere in the input, so that faces sorted
-/// by input numbers jump about in memory. They are dealt into blocks of consecutive leads first, few
-/// enough that each block's next place stays in the cache, small enough that a block does.
+/// Vertices lie along the Hilbert curve in the topology and anywhere in the input, so that faces
+/// sorted by input numbers jump about in memory. They are dealt into blocks of consecutive leads
+/// first, few enough that each block's next place stays in the cache, small enough that a block
+/// does.
 constexpr std::size_t leads_per_block = 8192;
 
 /// A face of the result, its neighbours and itself as faces of the topology.
@@ -79,8 +85,8 @@ class BlockSort {
                 for (std::size_t i = first; i < last; ++i) emit(i, entries_[i]);
                 continue;
             }
-            // Nearly all buckets hold two or three faces. Counting those that come before each takes
-            // more comparisons than sorting and no branch that would be guessed.
+            // Nearly all buckets hold two or three faces. Counting those that come before each
+            // takes more comparisons than sorting and no branch that would be guessed.
             for (std::size_t i = first; i < last; ++i) {
                 std::size_t place = first;
                 for (std::size_t k = first; k < last; ++k)
@@ -97,7 +103,7 @@ class BlockSort {
     static constexpr std::size_t few = 12;
 
     [[nodiscard]] std::size_t bucket(const Face& face) const noexcept {
-        return lead(face, sites_) % leads_per_block;
+        return lead(face[0], face[1], sites_) % leads_per_block;
     }
     /// The second and third vertex, neither of which is negative.
     [[nodiscard]] static std::uint64_t key(const Entry& entry) noexcept {
@@ -117,29 +123,29 @@ class BlockSort {
 
 void assemble(Topology topology, std::span<const Index> original, TessellationArrays& result) {
     const Index slots = topology.faces();
-    const auto block_of = [&](const Face& face) {
-        return lead(face, original.size()) / leads_per_block;
+    const auto block_of = [&](const Turned& face) {
+        return lead(face.a, face.b, original.size()) / leads_per_block;
     };
     std::vector<std::size_t> starts(2 * original.size() / leads_per_block + 2, 0);
     for (Index f = 0; f < slots; ++f)
-        if (!topology.is_vacant(f)) ++starts[block_of(turn(topology, original, f).face) + 1];
+        if (!topology.is_vacant(f)) ++starts[block_of(turn(topology, original, f)) + 1];
     for (std::size_t b = 1; b < starts.size(); ++b) starts[b] += starts[b - 1];
 
     // The neighbours are faces of the topology until the place of every face is known.
     const std::size_t count = starts.back();
-    result.faces.resize(count);
-    result.neighbours.resize(count);
+    result.faces = large_vector<Face>(count);
+    result.neighbours = large_vector<Face>(count);
     LargeArray<Index> from(count);
     std::vector<std::size_t> ends = starts;
     for (Index f = 0; f < slots; ++f) {
         if (topology.is_vacant(f)) continue;
-        const auto [face, first] = turn(topology, original, f);
+        const Turned turned = turn(topology, original, f);
         const auto across = [&](HalfEdge h) { return Topology::face(topology.twin(h)); };
-        const std::size_t i = ends[block_of(face)]++;
-        result.faces[i] = face;
+        const std::size_t i = ends[block_of(turned)]++;
+        result.faces[i] = {turned.a, turned.b, turned.c};
         // The edge opposite the first vertex is the one that follows the first edge.
-        result.neighbours[i] = {across(Topology::next(first)), across(Topology::previous(first)),
-                                across(first)};
+        result.neighbours[i] = {across(Topology::next(turned.first)),
+                                across(Topology::previous(turned.first)), across(turned.first)};
         from[i] = f;
     }
     topology = Topology(0);

@@ -11,8 +11,8 @@
 
 namespace signum::triangulation {
 
-/// The visible sites in their order along the line; hidden_by of the others becomes a site that hides
-/// them. Sites with equal centres count as collinear. O(n log n).
+/// The visible sites in their order along the line; hidden_by of the others becomes a site that
+/// hides them. Sites with equal centres count as collinear. O(n log n).
 template <class Kernel>
 [[nodiscard]] std::vector<Index> visible_on_line(Kernel& kernel, std::size_t sites,
                                                  std::span<Index> hidden_by) {
@@ -40,8 +40,8 @@ template <class Kernel>
     return chain;
 }
 
-/// The tessellation of visible sites along a line: between neighbours a and b the two faces (a, b, ∞) and
-/// (b, a, ∞); all of them meet at infinity.
+/// The tessellation of visible sites along a line: between neighbours a and b the two faces (a, b,
+/// ∞) and (b, a, ∞); all of them meet at infinity.
 inline void connect_line(Topology& topology, std::span<const Index> chain) {
     const auto pairs = static_cast<Index>(chain.size()) - 1;
     for (Index i = 0; i < pairs; ++i) {

@@ -21,9 +21,9 @@ namespace signum::triangulation {
     return result;
 }
 
-/// The visible vertex nearest to a point, from any visible vertex: the distance has no local minimum
-/// on the tessellation but the global one, so going to a nearer neighbour as long as there is one
-/// suffices.
+/// The visible vertex nearest to a point, from any visible vertex: the distance has no local
+/// minimum on the tessellation but the global one, so going to a nearer neighbour as long as there
+/// is one suffices.
 template <class Kernel>
 [[nodiscard]] Index nearest_vertex(const Topology& topology, const Kernel& kernel,
                                    std::span<const Index> face_of, Point point, Index start) {
@@ -61,8 +61,8 @@ void settle_hiders(const Topology& topology, const Kernel& kernel, std::span<Ind
         Index start = hidden_by[i];
         while (hidden_by[static_cast<std::size_t>(start)] >= 0)
             start = hidden_by[static_cast<std::size_t>(start)];
-        hidden_by[i] = nearest_vertex(topology, kernel, face_of,
-                                      kernel.centre(static_cast<Index>(i)), start);
+        hidden_by[i] =
+            nearest_vertex(topology, kernel, face_of, kernel.centre(static_cast<Index>(i)), start);
     }
 }
 

@@ -1,9 +1,9 @@
 #pragma once
 /// Incremental insertion: one site at a time into a tessellation of the sphere.
 ///
-/// The faces in conflict with the new site form a disc around it. Their boundary, joined to the site,
-/// replaces them; sites that the disc encloses become hidden, and stay hidden whatever comes later.
-/// A site that conflicts not even with the face that contains its centre is hidden itself.
+/// The faces in conflict with the new site form a disc around it. Their boundary, joined to the
+/// site, replaces them; sites that the disc encloses become hidden, and stay hidden whatever comes
+/// later. A site that conflicts not even with the face that contains its centre is hidden itself.
 /// Source: Gavrilova 1998, 4.2; Edelsbrunner and Shah 1996.
 
 #include <algorithm>
@@ -18,8 +18,8 @@
 
 namespace signum::triangulation {
 
-/// A stack with room for all that can ever be on it: memory is claimed as it is used, and a push is a
-/// store.
+/// A stack with room for all that can ever be on it: memory is claimed as it is used, and a push is
+/// a store.
 template <class T>
 class Stack {
  public:
@@ -47,8 +47,8 @@ class Stack {
 template <class Kernel>
 class Insertion {
  public:
-    /// Starts from three sites with ccw(a, b, c) > 0. hidden_by[i] becomes the site that hid i, visible
-    /// or not by now, and is -1 while i is visible; it has room for every site.
+    /// Starts from three sites with ccw(a, b, c) > 0. hidden_by[i] becomes the site that hid i,
+    /// visible or not by now, and is -1 while i is visible; it has room for every site.
     Insertion(Topology& topology, Kernel& kernel, std::span<Index> hidden_by, Index a, Index b,
               Index c)
         : topology_(topology),
@@ -144,15 +144,15 @@ class Insertion {
         removed_.push(f);
     }
 
-    /// Asks the face across an edge of the disc so far. The answer waits until its turn: by then it is
-    /// known, and a branch that was guessed wrong costs little.
+    /// Asks the face across an edge of the disc so far. The answer waits until its turn: by then it
+    /// is known, and a branch that was guessed wrong costs little.
     void look_across(const Topology::Record& record, unsigned k, Index q) {
         const HalfEdge across = record.twin[k];
         pending_.push({across, record.vertex[k], conflicts(Topology::face(across), q)});
     }
 
-    /// The boundary of a disc is one closed walk. Rounded signs can make the region an annulus or all
-    /// of the sphere.
+    /// The boundary of a disc is one closed walk. Rounded signs can make the region an annulus or
+    /// all of the sphere.
     void check_boundary() const {
         bool closed = boundary_.size() >= 2;
         for (std::size_t i = 0; closed && i < boundary_.size(); ++i)
@@ -182,7 +182,8 @@ class Insertion {
         }
         recent_ = before;
         for (std::size_t i = count; i < removed_.size(); ++i) {
-            topology_.record(removed_[i]) = {{Topology::vacant, Topology::vacant, Topology::vacant}, 0, {0, 0, 0}};
+            topology_.record(removed_[i]) = {
+                {Topology::vacant, Topology::vacant, Topology::vacant}, 0, {0, 0, 0}};
             vacant_.push(removed_[i]);
         }
     }

@@ -4,7 +4,8 @@
 /// Laws:
 ///  1. Sites are named by their place in the insertion order; `original` gives their numbers in the
 ///     input, which the tie rule needs last.
-///  2. The exact and the multiprecision kernel agree on every question. Their conflicts are perturbed
+///  2. The exact and the multiprecision kernel agree on every question. Their conflicts are
+///  perturbed
 ///     and so never undecided; ccw is exact and never perturbed.
 ///  3. The naive kernel rounds, and takes a zero for no conflict.
 
@@ -92,8 +93,8 @@ class PowerKernel {
         } else if constexpr (arithmetic == Arithmetic::multiprecision) {
             return count({power::multiprecision::in_circle(i, j, k, q), Stage::multiprecision});
         } else {
-            return sign_of(power::in_circle_determinant(power::row(i, q), power::row(j, q),
-                                                        power::row(k, q)));
+            return sign_of(
+                power::in_circle_determinant(power::row(i, q), power::row(j, q), power::row(k, q)));
         }
     }
 

@@ -1,9 +1,11 @@
 #pragma once
-/// The working arrays of a construction: std::vector with pages that fit and without needless zeros.
+/// The working arrays of a construction: std::vector with pages that fit and without needless
+/// zeros.
 ///
-/// An insertion touches memory all over; with pages of 4 KiB a tenth of its time goes into page tables.
-/// Linux gives pages of 2 MiB to those who ask. And an array that is filled at once need not be zeroed
-/// before: elements of trivial type made without a value have none. Results are plain vectors.
+/// An insertion touches memory all over; with pages of 4 KiB a tenth of its time goes into page
+/// tables. Linux gives pages of 2 MiB to those who ask. And an array that is filled at once need
+/// not be zeroed before: elements of trivial type made without a value have none. Results are plain
+/// vectors, which may wish for such pages too.
 
 #include <cstddef>
 #include <new>
@@ -13,9 +15,23 @@
 
 namespace signum::triangulation {
 
-/// Memory for an array, on huge pages where it is large and the system has them. Throws std::bad_alloc.
+/// Memory for an array, on huge pages where it is large and the system has them. Throws
+/// std::bad_alloc.
 [[nodiscard]] void* allocate_pages(std::size_t bytes);
 void free_pages(void* memory) noexcept;
+
+/// Asks the system for huge pages within memory that nobody has touched yet.
+void prefer_huge_pages(void* memory, std::size_t bytes) noexcept;
+
+/// A vector of `count` elements on huge pages, if the system has them.
+template <class T>
+[[nodiscard]] std::vector<T> large_vector(std::size_t count) {
+    std::vector<T> result;
+    result.reserve(count);
+    prefer_huge_pages(result.data(), count * sizeof(T));
+    result.resize(count);
+    return result;
+}
 
 template <class T>
 class LargeAllocator {

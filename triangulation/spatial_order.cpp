@@ -9,8 +9,8 @@
 namespace signum::triangulation {
 namespace {
 
-/// The Hilbert curve as an automaton: four orientations of the curve in a cell, four bits of x and y a
-/// step. An entry holds eight bits of the curve's parameter and the orientation that follows.
+/// The Hilbert curve as an automaton: four orientations of the curve in a cell, four bits of x and
+/// y a step. An entry holds eight bits of the curve's parameter and the orientation that follows.
 struct Step {
     std::uint8_t curve;
     std::uint8_t orientation;
@@ -18,7 +18,8 @@ struct Step {
 using StepTable = std::array<std::array<Step, 256>, 4>;
 
 constexpr StepTable make_steps() {
-    // One bit a step: orientation o visits quadrant (x,y) as number `visit`, and turns into `turned`.
+    // One bit a step: orientation o visits quadrant (x,y) as number `visit`, and turns into
+    // `turned`.
     struct Bit {
         std::uint8_t visit;
         std::uint8_t turned;
@@ -60,8 +61,8 @@ std::uint64_t hilbert(std::uint32_t x, std::uint32_t y, int bits) noexcept {
     return curve;
 }
 
-/// What is sorted: round, place on the curve and site in one number, from high bits to low. The site
-/// takes as many bits as the number of sites asks, the round four, the curve the rest.
+/// What is sorted: round, place on the curve and site in one number, from high bits to low. The
+/// site takes as many bits as the number of sites asks, the round four, the curve the rest.
 struct Layout {
     explicit Layout(std::size_t sites)
         : site_bits(static_cast<int>(std::bit_width(sites))),
@@ -97,8 +98,8 @@ class Range {
     double greatest_ = -0x1p1023;
 };
 
-/// Orders items by the round that they carry and along the curve over their own bounding box; goes on
-/// inside the cells that hold many.
+/// Orders items by the round that they carry and along the curve over their own bounding box; goes
+/// on inside the cells that hold many.
 void order(std::span<std::uint64_t> items, const Layout& layout, const StridedSites& sites) {
     Range x;
     Range y;
@@ -141,7 +142,8 @@ std::uint64_t mix(std::uint64_t bits) noexcept {
 }  // namespace
 
 LargeArray<Index> spatial_order(const StridedSites& sites, std::uint64_t seed) {
-    // A round holds an eighth of what remains for it and the earlier ones; the first about a hundred.
+    // A round holds an eighth of what remains for it and the earlier ones; the first about a
+    // hundred.
     int rounds = 0;
     for (std::size_t n = sites.size(); n > 1000; n /= 8) ++rounds;
 

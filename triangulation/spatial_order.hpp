@@ -1,10 +1,10 @@
 #pragma once
 /// The order of insertion: random rounds, each along a Hilbert curve.
 ///
-/// Each round holds about seven eighths of the sites that the rounds before it leave (biased randomized
-/// insertion order, Amenta, Choi and Rote 2003): randomness keeps the expected work at O(n log n)
-/// for any input, the curve keeps successive sites close, so that walks are short and memory is warm.
-/// The result of a triangulation does not depend on it.
+/// Each round holds about seven eighths of the sites that the rounds before it leave (biased
+/// randomized insertion order, Amenta, Choi and Rote 2003): randomness keeps the expected work at
+/// O(n log n) for any input, the curve keeps successive sites close, so that walks are short and
+/// memory is warm. The result of a triangulation does not depend on it.
 
 #include <cstdint>
 

@@ -12,7 +12,9 @@
 namespace signum {
 namespace {
 
-std::size_t at(Index i) noexcept { return static_cast<std::size_t>(i); }
+std::size_t at(Index i) noexcept {
+    return static_cast<std::size_t>(i);
+}
 
 int position(const Face& face, Index vertex) noexcept {
     return face[0] == vertex ? 0 : face[1] == vertex ? 1 : 2;
@@ -109,7 +111,8 @@ Index Tessellation::nearest(Point point) const {
     if (arrays_.faces.empty()) {
         // One visible site: the only one that no entry of the sorted list names.
         Index visible = 0;
-        for (const Hidden& hidden : arrays_.hidden) visible += static_cast<Index>(hidden.site == visible);
+        for (const Hidden& hidden : arrays_.hidden)
+            visible += static_cast<Index>(hidden.site == visible);
         return visible;
     }
     const Face& face = arrays_.faces[at(locate(point))];

@@ -3,10 +3,11 @@
 ///
 /// Laws:
 ///  1. n >= 2 visible sites have 2n-2 faces; with the vertex at infinity they tile the sphere.
-///  2. A face is a counterclockwise triple of sites, -1 being infinity, rotated so that the smallest
+///  2. A face is a counterclockwise triple of sites, -1 being infinity, rotated so that the
+///  smallest
 ///     number comes first; faces are sorted. One visible site has no face.
 ///  3. neighbours[f][k] is the face across the edge opposite faces[f][k].
-///  4. The arrays depend on the sites alone: not on insertion order, method, seed or threads.
+///  4. The arrays depend on the sites alone: not on insertion order, method or seed.
 
 #include <array>
 #include <cstdint>
@@ -93,15 +94,15 @@ class Tessellation {
     /// that share several edges appear as often. O(n log n).
     [[nodiscard]] std::vector<Edge> edges() const;
 
-    /// The vertices joined to a site, counterclockwise from the smallest, -1 where infinity is among
-    /// them; empty for a hidden site. Precondition: 0 <= site < sites().size(). O(degree).
+    /// The vertices joined to a site, counterclockwise from the smallest, -1 where infinity is
+    /// among them; empty for a hidden site. Precondition: 0 <= site < sites().size(). O(degree).
     [[nodiscard]] std::vector<Index> neighbours(Index site) const;
 
-    /// A face whose closure contains the point: a finite one, or outside the convex hull an infinite
-    /// one whose hull edge sees the point (where all sites are collinear, one on the point's side, on
-    /// the line itself one whose edge contains the point if any does); -1 where there is no face (fewer
-    /// than two visible sites).
-    /// Exact. The point must be finite (std::invalid_argument). Expected O(n^(1/3)) on uniform sites.
+    /// A face whose closure contains the point: a finite one, or outside the convex hull an
+    /// infinite one whose hull edge sees the point (where all sites are collinear, one on the
+    /// point's side, on the line itself one whose edge contains the point if any does); -1 where
+    /// there is no face (fewer than two visible sites). Exact. The point must be finite
+    /// (std::invalid_argument). Expected O(n^(1/3)) on uniform sites.
     [[nodiscard]] Index locate(Point point) const;
 
     /// The site whose cell contains the point, ties going to the first in the tie rule's order; -1

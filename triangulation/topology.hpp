@@ -2,11 +2,14 @@
 /// The combinatorial structure: a triangulation of the sphere as faces with twin half-edges.
 ///
 /// Laws:
-///  1. Half-edge 4f+k is edge k of face f, k = 0, 1, 2; it leads from origin(h) to target(h), its face on
+///  1. Half-edge 4f+k is edge k of face f, k = 0, 1, 2; it leads from origin(h) to target(h), its
+///  face on
 ///     its left. (Four, not three, so that face and k come from a shift and a mask.)
-///  2. twin(h) is the same edge seen from the other face. Twins, not vertices, say what is adjacent:
+///  2. twin(h) is the same edge seen from the other face. Twins, not vertices, say what is
+///  adjacent:
 ///     two vertices may share several edges, two faces several edges, a vertex may have degree 2.
-///  3. One vertex may be infinite (-1); the structure treats it as any other and knows no coordinate.
+///  3. One vertex may be infinite (-1); the structure treats it as any other and knows no
+///  coordinate.
 ///  4. A face that was taken out has `vacant` for vertices and waits for reuse.
 
 #include <cstddef>
@@ -35,8 +38,7 @@ class Topology {
 
     /// Room for the faces of `sites` sites and no more; vertices never exceed sites + 1.
     explicit Topology(std::size_t sites)
-        : capacity_(sites < 2 ? 0 : 2 * sites - 2),
-          records_(capacity_) {}
+        : capacity_(sites < 2 ? 0 : 2 * sites - 2), records_(capacity_) {}
 
     [[nodiscard]] static Index face(HalfEdge h) noexcept { return static_cast<Index>(h >> 2); }
     [[nodiscard]] static HalfEdge first_edge(Index f) noexcept {

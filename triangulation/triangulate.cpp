@@ -66,7 +66,8 @@ class Watch {
     std::size_t sites_;
 };
 
-/// Moves three sites that are not collinear to the front, counterclockwise; false where there are none.
+/// Moves three sites that are not collinear to the front, counterclockwise; false where there are
+/// none.
 template <class Kernel>
 bool lead_with_triangle(Kernel& kernel, std::span<typename Kernel::SiteType> sites,
                         std::span<Index> original) {
@@ -134,7 +135,8 @@ Tessellation construct(const StridedSites& input, const Options& options) {
     arrays.sites = static_cast<std::int64_t>(n);
     for (std::size_t i = 0; i < n; ++i)
         if (hidden_by[i] >= 0)
-            arrays.hidden.push_back({original[i], original[static_cast<std::size_t>(hidden_by[i])]});
+            arrays.hidden.push_back(
+                {original[i], original[static_cast<std::size_t>(hidden_by[i])]});
     std::sort(arrays.hidden.begin(), arrays.hidden.end(),
               [](const Hidden& a, const Hidden& b) { return a.site < b.site; });
     sites = {};
@@ -144,7 +146,7 @@ Tessellation construct(const StridedSites& input, const Options& options) {
 
     Statistics statistics;
     fill(statistics, kernel.tally());
-    std::vector<Site> copy(n);
+    std::vector<Site> copy = large_vector<Site>(n);
     for (std::size_t i = 0; i < n; ++i) copy[i] = input[i];
     statistics.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -160,10 +162,12 @@ Tessellation construct_counting(const StridedSites& input, const Options& option
 template <power::PowerSite S>
 Tessellation construct_with_arithmetic(const StridedSites& input, const Options& options) {
     switch (options.arithmetic) {
-        case Arithmetic::naive: return construct_counting<S, Arithmetic::naive>(input, options);
+        case Arithmetic::naive:
+            return construct_counting<S, Arithmetic::naive>(input, options);
         case Arithmetic::multiprecision:
             return construct_counting<S, Arithmetic::multiprecision>(input, options);
-        case Arithmetic::exact: break;
+        case Arithmetic::exact:
+            break;
     }
     return construct_counting<S, Arithmetic::exact>(input, options);
 }

@@ -18,9 +18,6 @@ enum class Arithmetic : std::uint8_t { exact, naive, multiprecision };
 
 struct Options {
     Arithmetic arithmetic = Arithmetic::exact;
-    /// Threads for sorting and for assembling the result; 0 means one per core. The result does not
-    /// depend on it.
-    unsigned threads = 1;
     /// Seeds the random insertion order. The result does not depend on it.
     std::uint64_t seed = 1;
     /// Fill the counters of Statistics; costs a few per cent of the time.
@@ -37,16 +34,16 @@ class Stopped : public std::runtime_error {
     Stopped() : std::runtime_error("the construction was stopped") {}
 };
 
-/// Thrown when inexact arithmetic led the construction astray: a walk without end, a conflict region
-/// that is no disc. Exact kernels never throw it.
+/// Thrown when inexact arithmetic led the construction astray: a walk without end, a conflict
+/// region that is no disc. Exact kernels never throw it.
 class BrokenStructure : public std::runtime_error {
  public:
     using std::runtime_error::runtime_error;
 };
 
-/// The power (regular) triangulation of the sites, hidden ones reported. Ties are decided by one rule
-/// (geometry in ARCHITECTURE.md), so that the result is the same for every order, seed and thread
-/// count. Any finite doubles are legal; sites may intersect, nest, touch and coincide.
+/// The power (regular) triangulation of the sites, hidden ones reported. Ties are decided by one
+/// rule (geometry in ARCHITECTURE.md), so that the result is the same for every order, seed and
+/// thread count. Any finite doubles are legal; sites may intersect, nest, touch and coincide.
 /// Throws std::invalid_argument, naming the site, for NaN or infinity, and for more than max_sites.
 /// Expected O(n log n) time, at most 160 bytes a site at the peak, the result included.
 [[nodiscard]] Tessellation triangulate(StridedSites sites, Power metric,

@@ -14,7 +14,9 @@ namespace signum {
 namespace triangulation {
 namespace {
 
-std::size_t at(Index i) noexcept { return static_cast<std::size_t>(i); }
+std::size_t at(Index i) noexcept {
+    return static_cast<std::size_t>(i);
+}
 
 std::string name(Index vertex) {
     return vertex == infinite ? "infinity" : "site " + std::to_string(vertex);
@@ -35,14 +37,14 @@ struct DirectedEdge {
     }
 };
 
-/// The checks in their order; each may rely on those before. What is wrong is thrown as Invalid; what
-/// is right but not the canonical choice is noted.
+/// The checks in their order; each may rely on those before. What is wrong is thrown as Invalid;
+/// what is right but not the canonical choice is noted.
 ///
-/// Why they suffice: counterclockwise faces whose interior stars wind once, inside a convex polygon that
-/// winds once, with Euler's count, cover the hull exactly once (the angles at the hull add up to those
-/// of the polygon only if every hull star winds as it should). A triangulation of the hull that is
-/// regular across each edge is regular. The cell of a site is bounded by its neighbours' alone, so that
-/// what is nearest among them is nearest of all.
+/// Why they suffice: counterclockwise faces whose interior stars wind once, inside a convex polygon
+/// that winds once, with Euler's count, cover the hull exactly once (the angles at the hull add up
+/// to those of the polygon only if every hull star winds as it should). A triangulation of the hull
+/// that is regular across each edge is regular. The cell of a site is bounded by its neighbours'
+/// alone, so that what is nearest among them is nearest of all.
 template <power::PowerSite S>
 class Check {
  public:
@@ -55,9 +57,10 @@ class Check {
         try {
             check_sites();
             if (visible_ >= 2) {
-                is_line_ = std::all_of(arrays_.faces.begin(), arrays_.faces.end(), [](const Face& v) {
-                    return v[0] == infinite || v[1] == infinite || v[2] == infinite;
-                });
+                is_line_ =
+                    std::all_of(arrays_.faces.begin(), arrays_.faces.end(), [](const Face& v) {
+                        return v[0] == infinite || v[1] == infinite || v[2] == infinite;
+                    });
                 connect();
             }
             check_neighbours();
@@ -101,7 +104,8 @@ class Check {
     [[nodiscard]] Index faces() const { return static_cast<Index>(arrays_.faces.size()); }
     [[nodiscard]] const S& site(Index i) const { return sites_[at(i)]; }
 
-    /// Every number names a site; every site is visible or hidden, once; as many faces as Euler asks.
+    /// Every number names a site; every site is visible or hidden, once; as many faces as Euler
+    /// asks.
     void check_sites() {
         const auto n = static_cast<Index>(sites_.size());
         if (arrays_.sites != n)
@@ -120,9 +124,9 @@ class Check {
         }
         for (const Hidden& hidden : arrays_.hidden) {
             if (hidden.site < 0 || hidden.site >= n || hidden.by < 0 || hidden.by >= n)
-                throw Invalid{"hidden: there is no site " +
-                              std::to_string(hidden.site < 0 || hidden.site >= n ? hidden.site
-                                                                                 : hidden.by)};
+                throw Invalid{
+                    "hidden: there is no site " +
+                    std::to_string(hidden.site < 0 || hidden.site >= n ? hidden.site : hidden.by)};
             if (seen[at(hidden.site)] != 0)
                 throw Invalid{name(hidden.site) + (seen[at(hidden.site)] == 1
                                                        ? " is both visible and hidden"
@@ -148,8 +152,9 @@ class Check {
                           std::to_string(expected) + " faces, not " + std::to_string(faces())};
     }
 
-    /// Glues the faces along their edges. In the power metric an edge between two sites is unique; only
-    /// sites on a line have two edges to infinity, which neighbours along the line share in pairs.
+    /// Glues the faces along their edges. In the power metric an edge between two sites is unique;
+    /// only sites on a line have two edges to infinity, which neighbours along the line share in
+    /// pairs.
     void connect() {
         topology_ = Topology(sites_.size());
         std::vector<DirectedEdge> edges;
@@ -162,8 +167,8 @@ class Check {
         std::sort(edges.begin(), edges.end());
         for (std::size_t i = 0; i < edges.size(); ++i) {
             const DirectedEdge& edge = edges[i];
-            const auto [first, last] = std::equal_range(
-                edges.begin(), edges.end(), DirectedEdge{edge.to, edge.from, 0});
+            const auto [first, last] =
+                std::equal_range(edges.begin(), edges.end(), DirectedEdge{edge.to, edge.from, 0});
             const bool multiple = i > 0 && !(edges[i - 1] < edge);
             if (is_line_ && (edge.from == infinite || edge.to == infinite)) continue;
             if (multiple || last - first != 1)
@@ -175,7 +180,8 @@ class Check {
         if (is_line_) connect_line_at_infinity();
     }
 
-    /// Around a site inside the line: two faces on each side, glued where they meet; around an end: two.
+    /// Around a site inside the line: two faces on each side, glued where they meet; around an end:
+    /// two.
     void connect_line_at_infinity() {
         std::vector<std::vector<HalfEdge>> spokes(sites_.size());  // out of each site to infinity
         for (Index f = 0; f < faces(); ++f) {
@@ -184,13 +190,13 @@ class Check {
         }
         for (std::size_t i = 0; i < spokes.size(); ++i)
             for (const HalfEdge h : spokes[i]) {
-                // Turn about the site: over its finite edge to the face on the other side. There the
-                // spoke into the site belongs to the same line edge; of the two spokes that leave the
-                // site it matches the other one, or the same at an end.
-                const HalfEdge inward =
-                    Topology::previous(topology_.twin(Topology::previous(h)));
+                // Turn about the site: over its finite edge to the face on the other side. There
+                // the spoke into the site belongs to the same line edge; of the two spokes that
+                // leave the site it matches the other one, or the same at an end.
+                const HalfEdge inward = Topology::previous(topology_.twin(Topology::previous(h)));
                 if (spokes[i].size() > 2)
-                    throw Invalid{name(static_cast<Index>(i)) + " has more than two neighbours on a line"};
+                    throw Invalid{name(static_cast<Index>(i)) +
+                                  " has more than two neighbours on a line"};
                 const HalfEdge outward =
                     spokes[i].size() == 1 || spokes[i][0] != h ? spokes[i][0] : spokes[i][1];
                 topology_.glue(outward, inward);
@@ -211,9 +217,9 @@ class Check {
                 const HalfEdge opposite = Topology::first_edge(f) + (k + 1) % 3;
                 const Index across = Topology::face(topology_.twin(opposite));
                 if (arrays_.neighbours[at(f)][k] != across)
-                    throw Invalid{face_name(f) + ": neighbour " + std::to_string(k) + " is given as " +
-                                  std::to_string(arrays_.neighbours[at(f)][k]) + ", but face " +
-                                  std::to_string(across) + " shares the edge"};
+                    throw Invalid{face_name(f) + ": neighbour " + std::to_string(k) +
+                                  " is given as " + std::to_string(arrays_.neighbours[at(f)][k]) +
+                                  ", but face " + std::to_string(across) + " shares the edge"};
             }
     }
 
@@ -242,7 +248,8 @@ class Check {
                     spoke[at(v)] = h;
                 }
             }
-        if (hull_edges != count_around(hull_spoke, hull_edges)) throw Invalid{"the hull is not one cycle"};
+        if (hull_edges != count_around(hull_spoke, hull_edges))
+            throw Invalid{"the hull is not one cycle"};
         for (Index v = 0; v < static_cast<Index>(sites_.size()); ++v) {
             if (degree[at(v)] == 0) continue;
             if (count_around(spoke[at(v)], degree[at(v)]) != degree[at(v)])
@@ -265,8 +272,8 @@ class Check {
         return count;
     }
 
-    /// How often the spokes of a site turn from below it to above it, counterclockwise; 1 for a site on
-    /// the hull, whose star is checked with the hull.
+    /// How often the spokes of a site turn from below it to above it, counterclockwise; 1 for a
+    /// site on the hull, whose star is checked with the hull.
     [[nodiscard]] int winding(Index v, HalfEdge first) const {
         const auto above = [&](Index u) {
             return site(u).y != site(v).y ? site(u).y > site(v).y : site(u).x > site(v).x;
@@ -284,13 +291,14 @@ class Check {
         return turns;
     }
 
-    /// The hull turns left or goes straight on everywhere, and around once; where it goes straight on
-    /// the one-dimensional in_circle holds.
+    /// The hull turns left or goes straight on everywhere, and around once; where it goes straight
+    /// on the one-dimensional in_circle holds.
     void check_hull() {
         int turns = 0;
         for (Index f = 0; f < faces(); ++f) {
             if (!topology_.is_infinite(f)) continue;
-            const HalfEdge h = topology_.finite_edge(f);  // runs from b to a for the hull edge a -> b
+            const HalfEdge h =
+                topology_.finite_edge(f);  // runs from b to a for the hull edge a -> b
             const Index a = topology_.target(h);
             const Index b = topology_.origin(h);
             const HalfEdge spoke = topology_.twin(Topology::previous(h));  // from b to infinity
@@ -348,9 +356,8 @@ class Check {
         for (Index f = 0; f < faces(); ++f)
             for (const Index v : face(f))
                 if (v != infinite) line_.push_back(v);
-        std::sort(line_.begin(), line_.end(), [&](Index i, Index k) {
-            return before(kernel_.centre(i), kernel_.centre(k));
-        });
+        std::sort(line_.begin(), line_.end(),
+                  [&](Index i, Index k) { return before(kernel_.centre(i), kernel_.centre(k)); });
         line_.erase(std::unique(line_.begin(), line_.end()), line_.end());
     }
 
@@ -365,18 +372,19 @@ class Check {
 
     void judge_on_line(Index a, Index b, Index q) {
         const Sign sign = power::multiprecision::in_segment(site(a), site(b), site(q));
-        const std::string where = name(q) + " is in conflict with the edge from " + name(a) + " to " +
-                                  name(b) + " on their line";
+        const std::string where = name(q) + " is in conflict with the edge from " + name(a) +
+                                  " to " + name(b) + " on their line";
         if (sign > 0) throw Invalid{where};
         if (sign == 0 && kernel_.conflicts_on_line(a, b, q)) note("by the tie rule " + where);
     }
 
-    /// Every hidden site lies above the tessellation, and the site it names is nearest to its centre.
+    /// Every hidden site lies above the tessellation, and the site it names is nearest to its
+    /// centre.
     void check_hidden() {
         if (arrays_.hidden.empty()) return;
-        const std::vector<Index> face_of =
-            visible_ < 2 ? std::vector<Index>(sites_.size(), -1)
-                         : faces_of_vertices(topology_, sites_.size());
+        const std::vector<Index> face_of = visible_ < 2
+                                               ? std::vector<Index>(sites_.size(), -1)
+                                               : faces_of_vertices(topology_, sites_.size());
         for (const Hidden& hidden : arrays_.hidden) {
             const Index q = hidden.site;
             check_nearest(q, hidden.by, face_of);
@@ -390,8 +398,9 @@ class Check {
         }
     }
 
-    /// A face that contains the centre of q. The walk may go in circles, for a triangulation that is valid
-    /// by a choice of ties need not be regular for any weights; then all faces are searched.
+    /// A face that contains the centre of q. The walk may go in circles, for a triangulation that
+    /// is valid by a choice of ties need not be regular for any weights; then all faces are
+    /// searched.
     [[nodiscard]] Index containing_face(Index q, Index start) {
         Index f = topology_.is_infinite(start)
                       ? Topology::face(topology_.twin(topology_.finite_edge(start)))
@@ -428,7 +437,8 @@ class Check {
                     throw Invalid{name(q) + " is said to be hidden by " + name(by) + ", but " +
                                   name(v) + " is nearer"};
                 if (kernel_.nearer(centre, v, by))
-                    note("by the tie rule " + name(q) + " is hidden by " + name(v) + ", not " + name(by));
+                    note("by the tie rule " + name(q) + " is hidden by " + name(v) + ", not " +
+                         name(by));
             }
             h = topology_.twin(Topology::previous(h));
         } while (h != first);
@@ -443,10 +453,11 @@ class Check {
 
     /// The line edge whose two ends enclose q, by bisection.
     void check_hidden_on_line(Index q) {
-        const auto first_after =
-            std::partition_point(line_.begin(), line_.end(),
-                                 [&](Index v) { return before(kernel_.centre(v), kernel_.centre(q)); });
-        const bool at_site = first_after != line_.end() && kernel_.centre(*first_after) == kernel_.centre(q);
+        const auto first_after = std::partition_point(line_.begin(), line_.end(), [&](Index v) {
+            return before(kernel_.centre(v), kernel_.centre(q));
+        });
+        const bool at_site =
+            first_after != line_.end() && kernel_.centre(*first_after) == kernel_.centre(q);
         if (first_after == line_.end() || (first_after == line_.begin() && !at_site))
             throw Invalid{name(q) + " is said to be hidden, but lies outside the hull"};
         const Index b = first_after == line_.begin() ? line_[1] : *first_after;
@@ -476,7 +487,7 @@ class Check {
     Topology topology_{0};
     Index visible_ = 0;
     std::vector<Index> line_;  // the visible sites of a line in their order along it
-    bool is_line_ = false;  // infinite faces only: all sites are collinear
+    bool is_line_ = false;     // infinite faces only: all sites are collinear
     std::string not_canonical_;
 };
 
@@ -488,10 +499,10 @@ Validation validate(const TessellationArrays& arrays, StridedSites sites) {
     if (arrays.metric != Metric::power)
         return {false, false, "only tessellations of the power metric can be checked yet"};
     if (sites.third_is_weight() != (arrays.weight_is == WeightIs::weight))
-        return {false, false, "the tessellation takes the third numbers of sites for " +
-                                  std::string(name_of(arrays.weight_is)) + "s, the input does not"};
-    if (sites.third_is_weight())
-        return triangulation::Check<power::Site>(arrays, sites).run();
+        return {false, false,
+                "the tessellation takes the third numbers of sites for " +
+                    std::string(name_of(arrays.weight_is)) + "s, the input does not"};
+    if (sites.third_is_weight()) return triangulation::Check<power::Site>(arrays, sites).run();
     return triangulation::Check<Site>(arrays, sites).run();
 }
 

@@ -18,10 +18,10 @@ struct Validation {
     std::string message;
 };
 
-/// Checks that the arrays are a power triangulation of the sites: adjacency and Euler's counts, every
-/// finite face counterclockwise, every star and the hull winding exactly once, every edge locally
-/// regular, every hidden site truly hidden by others and nearest to the site it names. The arrays may
-/// be in any order and hold any numbers; `neighbours` may be empty. O(n log n).
+/// Checks that the arrays are a power triangulation of the sites: adjacency and Euler's counts,
+/// every finite face counterclockwise, every star and the hull winding exactly once, every edge
+/// locally regular, every hidden site truly hidden by others and nearest to the site it names. The
+/// arrays may be in any order and hold any numbers; `neighbours` may be empty. O(n log n).
 [[nodiscard]] Validation validate(const TessellationArrays& arrays, StridedSites sites);
 
 }  // namespace signum

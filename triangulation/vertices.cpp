@@ -20,8 +20,8 @@ using filters::magnitude;
 /// A number in double-double and a bound on its error.
 ///
 /// Laws: the bound covers the errors of the operands and those of the operation, 2^-102 relative
-/// (double_double.hpp) and 2^-100 for a quotient; its own roundings, far fewer than 100 along any path,
-/// are paid by the last factor of `slack`.
+/// (double_double.hpp) and 2^-100 for a quotient; its own roundings, far fewer than 100 along any
+/// path, are paid by the last factor of `slack`.
 struct Bounded {
     DoubleDouble value;
     double error;
@@ -62,8 +62,8 @@ struct Bounded {
     }
 };
 
-/// The point at equal power distance from i, j and k, for any type of number. b and c are the rows of j
-/// and k relative to i: the point minus the centre of i solves b·p = h_b/2, c·p = h_c/2.
+/// The point at equal power distance from i, j and k, for any type of number. b and c are the rows
+/// of j and k relative to i: the point minus the centre of i solves b·p = h_b/2, c·p = h_c/2.
 template <class Number>
 struct Centre {
     Number x;
@@ -81,19 +81,26 @@ struct Centre {
     }
 };
 
-Bounded exactly(const DoubleDouble& value) { return {value, 0.0}; }
+Bounded exactly(const DoubleDouble& value) {
+    return {value, 0.0};
+}
 
 template <power::PowerSite S>
 power::Row<Bounded> bounded_row(const S& m, const S& origin) {
     const auto row = power::cold::double_double_row(m, origin);
     // The product of a radius row commits one rounding.
-    return {exactly(row.x), exactly(row.y),
-            {row.weight, 0x1p-101 * magnitude(row.weight.high)}};
+    return {exactly(row.x), exactly(row.y), {row.weight, 0x1p-101 * magnitude(row.weight.high)}};
 }
 
-Bounded weight_of(const power::Site& s) { return exactly({s.w, 0.0}); }
-Bounded weight_of(const Site& s) { return exactly({s.r, 0.0}) * exactly({s.r, 0.0}); }
-Rational rational_weight(const power::Site& s) { return to_rational(s.w); }
+Bounded weight_of(const power::Site& s) {
+    return exactly({s.w, 0.0});
+}
+Bounded weight_of(const Site& s) {
+    return exactly({s.r, 0.0}) * exactly({s.r, 0.0});
+}
+Rational rational_weight(const power::Site& s) {
+    return to_rational(s.w);
+}
 Rational rational_weight(const Site& s) {
     return Rational(to_rational(s.r) * to_rational(s.r));
 }

@@ -1,6 +1,6 @@
 #pragma once
-/// The vertices of the power diagram: for each finite face the point at equal power distance from its
-/// three sites.
+/// The vertices of the power diagram: for each finite face the point at equal power distance from
+/// its three sites.
 
 #include <vector>
 
@@ -9,8 +9,8 @@
 namespace signum {
 
 /// A vertex of the diagram: centre and distance rho to its sites (the power distance in the power
-/// metric). Each number is the double nearest to the exact value, halves to even; NaN where it exceeds
-/// the doubles, and in all three for an infinite face.
+/// metric). Each number is the double nearest to the exact value, halves to even; NaN where it
+/// exceeds the doubles, and in all three for an infinite face.
 struct DiagramVertex {
     double x;
     double y;

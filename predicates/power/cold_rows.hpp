@@ -11,7 +11,9 @@ namespace signum::power::cold {
 using exact::Expansion;
 using filters::DoubleDouble;
 
-[[nodiscard]] inline bool weight_in_window(const Point&) noexcept { return true; }
+[[nodiscard]] inline bool weight_in_window(const Point&) noexcept {
+    return true;
+}
 [[nodiscard]] inline bool weight_in_window(const Site& s) noexcept {
     return exact::weight_in_expansion_window(s.w);
 }

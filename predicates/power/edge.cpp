@@ -9,8 +9,8 @@ namespace {
 
 using filters::magnitude;
 
-/// |p-b|² - |p-a|² + w_a - w_b. The squares take 4 roundings, their difference 5, the weights at most
-/// 3, the last sum 6; one more e for second-order terms and the roundings of the bound.
+/// |p-b|² - |p-a|² + w_a - w_b. The squares take 4 roundings, their difference 5, the weights at
+/// most 3, the last sum 6; one more e for second-order terms and the roundings of the bound.
 constexpr double nearer_error = 7 * filters::epsilon;
 
 template <PowerSite S>

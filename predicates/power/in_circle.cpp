@@ -16,10 +16,10 @@ using filters::DoubleDouble;
 using filters::magnitude;
 using filters::Verdict;
 
-/// The determinant in integers, where the differences to q are exact and, as multiples of one power of
-/// two g, below 2^60: on integers and on grids, where exact ties abound, and for most sites that lie close
-/// together. Squares are then below 2^120, weights below 2^122, heights below 2^123, minors below 2^121
-/// and the sum of their three products below 2^246.
+/// The determinant in integers, where the differences to q are exact and, as multiples of one power
+/// of two g, below 2^60: on integers and on grids, where exact ties abound, and for most sites that
+/// lie close together. Squares are then below 2^120, weights below 2^122, heights below 2^123,
+/// minors below 2^121 and the sum of their three products below 2^246.
 class IntegerRows {
  public:
     template <PowerSite S>
@@ -49,8 +49,8 @@ class IntegerRows {
     [[nodiscard]] Verdict sign() const noexcept {
         if (!exact_) return Verdict::uncertain();
         const auto& [a, b, c] = rows_;
-        // Small numbers, those of most grids, have many factors of two in common: without them heights
-        // stay below 2^63, minors below 2^61, and the sum below 2^126.
+        // Small numbers, those of most grids, have many factors of two in common: without them
+        // heights stay below 2^63, minors below 2^61, and the sum below 2^126.
         constexpr int narrow = 30;
         std::int64_t bits = 0;
         Double weight_bits = 0;

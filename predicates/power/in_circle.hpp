@@ -40,20 +40,22 @@ template <PowerSite S>
 }
 
 /// The error of the rounded determinant as a multiple of its magnitude: the lemma of
-/// rounding_count.hpp gives (1+e)^12 - 1 < 12e(1 + 12e), and one more e pays for the second-order terms
-/// and for the rounded magnitude and bound, together fewer than 30 roundings.
+/// rounding_count.hpp gives (1+e)^12 - 1 < 12e(1 + 12e), and one more e pays for the second-order
+/// terms and for the rounded magnitude and bound, together fewer than 30 roundings.
 inline constexpr double in_circle_error = 13 * filters::epsilon;
 inline constexpr Row<filters::RoundingCount> rounded_row{
     filters::rounded_difference, filters::rounded_difference, rounded_weight_difference};
 static_assert(in_circle_determinant(rounded_row, rounded_row, rounded_row).roundings == 12);
 
-/// Decides almost every call. With h_m = |m-q|² + |w_m - w_q| and s = h_i + h_j + h_k the magnitude of
-/// the determinant is at most h_i h_j + h_j h_k + h_k h_i <= s²/3, since |x_j y_k| + |x_k y_j| is at most
-/// (|j-q|² + |k-q|²)/2; and 13e/3 < 5e. The bound is coarse for slivers, but it costs a few operations
-/// where the magnitude itself would cost twenty; that one is asked next (in_circle.cpp).
-/// Underflow: each product commits at most 2^-1074 more, so a minor at most 2^-1073, a lifted height
-/// 3·2^-1074, and the determinant at most 2^-1071 (s + 1). Overflow: no term and no partial sum of the
-/// determinant exceeds s²/2, so that where one overflows s² has, and the comparison fails.
+/// Decides almost every call. With h_m = |m-q|² + |w_m - w_q| and s = h_i + h_j + h_k the magnitude
+/// of the determinant is at most h_i h_j + h_j h_k + h_k h_i <= s²/3, since |x_j y_k| + |x_k y_j|
+/// is at most
+/// (|j-q|² + |k-q|²)/2; and 13e/3 < 5e. The bound is coarse for slivers, but it costs a few
+/// operations where the magnitude itself would cost twenty; that one is asked next (in_circle.cpp).
+/// Underflow: each product commits at most 2^-1074 more, so a minor at most 2^-1073, a lifted
+/// height 3·2^-1074, and the determinant at most 2^-1071 (s + 1). Overflow: no term and no partial
+/// sum of the determinant exceeds s²/2, so that where one overflows s² has, and the comparison
+/// fails.
 template <PowerSite S>
 [[nodiscard]] inline filters::Verdict in_circle_filter(const S& i, const S& j, const S& k,
                                                        const S& q) noexcept {
@@ -78,12 +80,15 @@ template <PowerSite S>
 }
 
 /// The stages behind the filter, for the three kinds of sites.
-[[nodiscard, gnu::cold]] Decision in_circle_cold(const Point& i, const Point& j, const Point& k,
-                                      const Point& q) noexcept;
-[[nodiscard, gnu::cold]] Decision in_circle_cold(const Site& i, const Site& j, const Site& k,
-                                      const Site& q) noexcept;
-[[nodiscard, gnu::cold]] Decision in_circle_cold(const signum::Site& i, const signum::Site& j,
-                                      const signum::Site& k, const signum::Site& q) noexcept;
+[[nodiscard, gnu::cold, gnu::pure]] Decision in_circle_cold(const Point& i, const Point& j,
+                                                            const Point& k,
+                                                            const Point& q) noexcept;
+[[nodiscard, gnu::cold, gnu::pure]] Decision in_circle_cold(const Site& i, const Site& j,
+                                                            const Site& k, const Site& q) noexcept;
+[[nodiscard, gnu::cold, gnu::pure]] Decision in_circle_cold(const signum::Site& i,
+                                                            const signum::Site& j,
+                                                            const signum::Site& k,
+                                                            const signum::Site& q) noexcept;
 
 /// The sign of in_circle with the stage that decided.
 /// Preconditions: finite numbers, ccw(i,j,k) > 0.

@@ -9,8 +9,8 @@ namespace {
 
 using filters::magnitude;
 
-/// The error of the rounded determinant as a multiple of its magnitude: (1+e)^8 - 1 by the lemma, one
-/// more e for second-order terms and the roundings of the bound.
+/// The error of the rounded determinant as a multiple of its magnitude: (1+e)^8 - 1 by the lemma,
+/// one more e for second-order terms and the roundings of the bound.
 constexpr double in_segment_error = 9 * filters::epsilon;
 static_assert(in_segment_determinant(rounded_row, rounded_row, filters::rounded_difference,
                                      filters::rounded_difference)
@@ -23,9 +23,8 @@ template <PowerSite S>
     const double a_square = a.x * a.x + a.y * a.y;
     const double b_square = b.x * b.x + b.y * b.y;
     const double determinant = (a_square - a.weight) * t_b - (b_square - b.weight) * t_a;
-    const double bound =
-        in_segment_error * ((a_square + magnitude(a.weight)) * magnitude(t_b) +
-                            (b_square + magnitude(b.weight)) * magnitude(t_a));
+    const double bound = in_segment_error * ((a_square + magnitude(a.weight)) * magnitude(t_b) +
+                                             (b_square + magnitude(b.weight)) * magnitude(t_a));
     if (magnitude(determinant) > bound)
         return filters::Verdict::certain(filters::sign_of_nonzero(determinant));
     return filters::Verdict::uncertain();

@@ -1,10 +1,10 @@
 #pragma once
 /// in_circle in the power metric with one vertex at infinity.
 ///
-/// Law: for the hull edge a -> b (all sites on its left, face (b, a, ∞)) site q conflicts where it lies
-/// strictly right of a -> b. On the line through a and b the one-dimensional in_circle decides: with
-/// t the coordinate along the line relative to q and h = |m-q|² - w_m + w_q, the sign of
-/// (h_a t_b - h_b t_a) (t_b - t_a). Any coordinate that separates a and b serves as t.
+/// Law: for the hull edge a -> b (all sites on its left, face (b, a, ∞)) site q conflicts where it
+/// lies strictly right of a -> b. On the line through a and b the one-dimensional in_circle
+/// decides: with t the coordinate along the line relative to q and h = |m-q|² - w_m + w_q, the sign
+/// of (h_a t_b - h_b t_a) (t_b - t_a). Any coordinate that separates a and b serves as t.
 
 #include <signum/core/contract.hpp>
 #include <signum/core/sign.hpp>

@@ -10,8 +10,12 @@ namespace {
 using exact::Rational;
 using exact::to_rational;
 
-Rational weight(const Point&) { return 0; }
-Rational weight(const Site& s) { return to_rational(s.w); }
+Rational weight(const Point&) {
+    return 0;
+}
+Rational weight(const Site& s) {
+    return to_rational(s.w);
+}
 Rational weight(const signum::Site& s) {
     const Rational r = to_rational(s.r);
     return r * r;

@@ -10,8 +10,9 @@
 namespace signum::power {
 namespace {
 
-/// The first coefficient that is not 0, from the last site in the order to the first. `coefficient(m)`
-/// is asked only where it is needed: q, whose coefficient is -1, is the last one often.
+/// The first coefficient that is not 0, from the last site in the order to the first.
+/// `coefficient(m)` is asked only where it is needed: q, whose coefficient is -1, is the last one
+/// often.
 template <std::size_t n, class Coefficient>
 Sign last_nonzero(std::array<Index, n> ranks, Coefficient coefficient) noexcept {
     for (std::size_t round = 0; round < n; ++round) {
@@ -36,7 +37,8 @@ namespace {
 
 Sign decide_in_segment(const Point& a, const Point& b, const Point& q,
                        const std::array<Index, 3>& ranks) noexcept {
-    // Any coordinate that separates a from b runs along the line; its differences need their sign alone.
+    // Any coordinate that separates a from b runs along the line; its differences need their sign
+    // alone.
     const bool along_x = a.x != b.x;
     const auto order = [along_x](Point from, Point to) -> Sign {
         return along_x ? (from.x < to.x) - (from.x > to.x) : (from.y < to.y) - (from.y > to.y);

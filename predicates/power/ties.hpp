@@ -1,11 +1,12 @@
 #pragma once
 /// The tie rule in the power metric: what an exact zero means to a tessellation.
 ///
-/// Law: sites are ordered by falling weight, then rising x, y and index; every weight is thought of as
-/// reduced by its own infinitesimal, infinitely larger for the later site. Reducing the weight of site
-/// m lifts its height by the infinitesimal; the derivative of in_circle by the height of m is an
-/// orientation of the other three centres (for q itself -ccw(i,j,k)). So the last site in the order
-/// whose coefficient is not 0 decides. q's coefficient never vanishes, hence the answer is never 0.
+/// Law: sites are ordered by falling weight, then rising x, y and index; every weight is thought of
+/// as reduced by its own infinitesimal, infinitely larger for the later site. Reducing the weight
+/// of site m lifts its height by the infinitesimal; the derivative of in_circle by the height of m
+/// is an orientation of the other three centres (for q itself -ccw(i,j,k)). So the last site in the
+/// order whose coefficient is not 0 decides. q's coefficient never vanishes, hence the answer is
+/// never 0.
 
 #include <array>
 
@@ -27,13 +28,14 @@ template <PowerSite S>
     return a_index < b_index;
 }
 
-/// What in_circle(i,j,k,q) = 0 becomes: +1 conflict or -1 none. `ranks` are the places of i, j, k and q
-/// in the order; only their order counts. Precondition: ccw(i,j,k) > 0, in_circle(i,j,k,q) = 0.
+/// What in_circle(i,j,k,q) = 0 becomes: +1 conflict or -1 none. `ranks` are the places of i, j, k
+/// and q in the order; only their order counts. Precondition: ccw(i,j,k) > 0, in_circle(i,j,k,q) =
+/// 0.
 [[nodiscard]] Sign in_circle_tie(Point i, Point j, Point k, Point q,
                                  const std::array<Index, 4>& ranks) noexcept;
 
-/// What the one-dimensional in_circle(a,b,q) = 0 becomes: +1 conflict or -1 none. `ranks` are the places
-/// of a, b and q. Precondition: a and b differ, q lies on their line.
+/// What the one-dimensional in_circle(a,b,q) = 0 becomes: +1 conflict or -1 none. `ranks` are the
+/// places of a, b and q. Precondition: a and b differ, q lies on their line.
 [[nodiscard]] Sign in_segment_tie(Point a, Point b, Point q,
                                   const std::array<Index, 3>& ranks) noexcept;
 

@@ -1,8 +1,8 @@
 #pragma once
 /// The one thing in which the three kinds of power sites differ: the difference of two weights.
 ///
-/// A Point weighs nothing (Delaunay), a power::Site carries w, a Site the radius of w = r². The rounded
-/// difference r_i² - r_j² is taken as (r_i - r_j)(r_i + r_j), which does not cancel.
+/// A Point weighs nothing (Delaunay), a power::Site carries w, a Site the radius of w = r². The
+/// rounded difference r_i² - r_j² is taken as (r_i - r_j)(r_i + r_j), which does not cancel.
 
 #include <concepts>
 
@@ -17,7 +17,9 @@ concept PowerSite =
     std::same_as<S, Point> || std::same_as<S, Site> || std::same_as<S, signum::Site>;
 
 /// w_i - w_q in doubles, with a relative error of at most three roundings.
-[[nodiscard]] inline double weight_difference(const Point&, const Point&) noexcept { return 0.0; }
+[[nodiscard]] inline double weight_difference(const Point&, const Point&) noexcept {
+    return 0.0;
+}
 [[nodiscard]] inline double weight_difference(const Site& i, const Site& q) noexcept {
     return i.w - q.w;
 }
@@ -31,8 +33,12 @@ inline constexpr filters::RoundingCount rounded_weight_difference =
     filters::rounded_difference * filters::rounded_difference;
 
 /// A number that orders sites of one kind by weight: w itself, or |r|, exactly.
-[[nodiscard]] inline double weight_key(const Point&) noexcept { return 0.0; }
-[[nodiscard]] inline double weight_key(const Site& s) noexcept { return s.w; }
+[[nodiscard]] inline double weight_key(const Point&) noexcept {
+    return 0.0;
+}
+[[nodiscard]] inline double weight_key(const Site& s) noexcept {
+    return s.w;
+}
 [[nodiscard]] inline double weight_key(const signum::Site& s) noexcept {
     return filters::magnitude(s.r);
 }

@@ -40,47 +40,69 @@ struct Family {
 int roll(std::mt19937_64& random, int below) {
     return static_cast<int>(random() % static_cast<std::uint64_t>(below));
 }
-double real(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
+double real(std::mt19937_64& random) {
+    return static_cast<double>(random() >> 11) * 0x1p-53;
+}
 
 const Family families[] = {
-    {"random", [](auto& g) { return Site{real(g), real(g), 0.3 * real(g)}; }},
-    {"tiny grid", [](auto& g) { return Site{1.0 * roll(g, 3), 1.0 * roll(g, 3), 0.0}; }},
-    {"tiny grid, radii", [](auto& g) {
+    {"random",
+     [](auto& g) {
+         return Site{real(g), real(g), 0.3 * real(g)};
+     }},
+    {"tiny grid",
+     [](auto& g) {
+         return Site{1.0 * roll(g, 3), 1.0 * roll(g, 3), 0.0};
+     }},
+    {"tiny grid, radii",
+     [](auto& g) {
          return Site{1.0 * roll(g, 4), 1.0 * roll(g, 4), 1.0 * roll(g, 3)};
      }},
-    {"cocircular", [](auto& g) {
-         static constexpr int points[12][2] = {{5, 0},  {4, 3},   {3, 4},   {0, 5},  {-3, 4}, {-4, 3},
-                                               {-5, 0}, {-4, -3}, {-3, -4}, {0, -5}, {3, -4}, {4, -3}};
+    {"cocircular",
+     [](auto& g) {
+         static constexpr int points[12][2] = {{5, 0},   {4, 3},  {3, 4},  {0, 5},
+                                               {-3, 4},  {-4, 3}, {-5, 0}, {-4, -3},
+                                               {-3, -4}, {0, -5}, {3, -4}, {4, -3}};
          const auto& p = points[roll(g, 12)];
          return Site{1.0 * p[0], 1.0 * p[1], 1.0};
      }},
-    {"collinear", [](auto& g) {
+    {"collinear",
+     [](auto& g) {
          const double t = roll(g, 6);
          return Site{2 * t, t, 0.5 * roll(g, 6)};
      }},
-    {"nearly collinear", [](auto& g) {
+    {"nearly collinear",
+     [](auto& g) {
          const double t = roll(g, 6);
          return Site{0.1 * t, 0.3 * t, 0.1 * roll(g, 3)};
      }},
-    {"nested", [](auto& g) {
+    {"nested",
+     [](auto& g) {
          return Site{0.25 * roll(g, 3), 0.25 * roll(g, 3), std::ldexp(1.0, -roll(g, 4))};
      }},
-    {"duplicates", [](auto& g) { return Site{1.0 * roll(g, 2), 1.0 * roll(g, 2), 1.0 * roll(g, 2)}; }},
-    {"negative radii", [](auto& g) {
+    {"duplicates",
+     [](auto& g) {
+         return Site{1.0 * roll(g, 2), 1.0 * roll(g, 2), 1.0 * roll(g, 2)};
+     }},
+    {"negative radii",
+     [](auto& g) {
          return Site{1.0 * roll(g, 3), 1.0 * roll(g, 3), 1.0 * roll(g, 5) - 2.0};
      }},
-    {"mixed scales", [](auto& g) {
+    {"mixed scales",
+     [](auto& g) {
          return Site{std::ldexp(1.0 * roll(g, 3), roll(g, 3) * 40 - 40),
                      std::ldexp(1.0 * roll(g, 3), roll(g, 3) * 40 - 40), 0.5 * roll(g, 3)};
      }},
-    {"huge", [](auto& g) {
+    {"huge",
+     [](auto& g) {
          return Site{(roll(g, 5) - 2) * 0x1.ffffffffffffp1021, (roll(g, 5) - 2) * 0x1p1021,
                      roll(g, 2) * 0x1p1000};
      }},
-    {"denormal", [](auto& g) {
+    {"denormal",
+     [](auto& g) {
          return Site{roll(g, 4) * 0x1p-1074, roll(g, 4) * 0x1p-1074, roll(g, 3) * 0x1p-1074};
      }},
-    {"huge beside denormal", [](auto& g) {
+    {"huge beside denormal",
+     [](auto& g) {
          const auto pick = [&] {
              static constexpr double values[] = {0.0, 0x1p-1074, 1.0, 0x1p1023, -0x1p1023};
              return values[roll(g, 5)];
@@ -203,14 +225,22 @@ TEST(PowerPermutations, LargerSetsGiveTheSameInEveryPermutationTried) {
         return sites;
     };
     Site (*const draws[])(std::mt19937_64&) = {
-        [](auto& g) { return Site{real(g), real(g), 0.05 * real(g)}; },
-        [](auto& g) { return Site{1.0 * roll(g, 40), 1.0 * roll(g, 40), 0.0}; },
-        [](auto& g) { return Site{1.0 * roll(g, 40), 1.0 * roll(g, 40), 1.0 * roll(g, 3)}; },
+        [](auto& g) {
+            return Site{real(g), real(g), 0.05 * real(g)};
+        },
+        [](auto& g) {
+            return Site{1.0 * roll(g, 40), 1.0 * roll(g, 40), 0.0};
+        },
+        [](auto& g) {
+            return Site{1.0 * roll(g, 40), 1.0 * roll(g, 40), 1.0 * roll(g, 3)};
+        },
         [](auto& g) {
             const double a = 6.283185307179586 * roll(g, 1000) / 1000;
             return Site{std::cos(a), std::sin(a), 1.0};
         },
-        [](auto& g) { return Site{1.0 * roll(g, 4000), 0.0, 1.0 * roll(g, 50)}; },
+        [](auto& g) {
+            return Site{1.0 * roll(g, 4000), 0.0, 1.0 * roll(g, 50)};
+        },
     };
     for (const auto draw : draws) {
         const std::vector<Site> sites = distinct(draw, 2000);

@@ -1,8 +1,8 @@
 // Every identity and claim of the additively weighted metric that the predicates rest on, checked
 // in rationals against a direct solution: intersect a line with a cone, and look at what comes out.
-#include "oracle/euclidean.hpp"
-#include <boost/multiprecision/gmp.hpp>
 #include <gtest/gtest.h>
+#include <boost/multiprecision/gmp.hpp>
+#include "oracle/euclidean.hpp"
 
 #include <algorithm>
 #include <array>

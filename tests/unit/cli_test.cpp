@@ -115,7 +115,6 @@ TEST_F(Tool, RefusesWrongCalls) {
     expect(triangulate({"--seed", "-1"}), 2,
            "signum: --seed: '-1' is no whole number from 0 to 2^64 - 1; see signum triangulate "
            "--help\n");
-    expect(triangulate({"--threads", "1025"}), 2, "signum: --threads 1025: give at most 1024\n");
 }
 
 TEST_F(Tool, SaysWhatThisVersionDoesNotHave) {
@@ -173,7 +172,6 @@ TEST_F(Tool, WritesTheSameBytesWhateverTheSeed) {
     EXPECT_GT(once.size(), 10'000U);
     EXPECT_EQ(with({}), once);
     EXPECT_EQ(with({"--seed", "99"}), once);
-    EXPECT_EQ(with({"--threads", "4"}), once);
     EXPECT_EQ(with({"--arithmetic", "multiprecision"}), once);
 }
 

@@ -2,9 +2,9 @@
 /// are really reduced, and a plain look at the diagram. Every call checks the sphere (2n-2 faces,
 /// matched edges, hidden sites are those below which another simplex passes) and throws otherwise.
 
+#include <gtest/gtest.h>
 #include "oracle/power.hpp"
 #include "unit/oracle_test_support.hpp"
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>

@@ -3,9 +3,9 @@
 /// the sphere (2n-2 faces of the n visible sites, matched edges; hidden sites are those whose
 /// centre another site is nearer to) and throws otherwise.
 
+#include <gtest/gtest.h>
 #include "oracle/rectangular.hpp"
 #include "unit/oracle_test_support.hpp"
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
