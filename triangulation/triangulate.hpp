@@ -42,8 +42,8 @@ class BrokenStructure : public std::runtime_error {
 };
 
 /// The power (regular) triangulation of the sites, hidden ones reported. Ties are decided by one
-/// rule (geometry in ARCHITECTURE.md), so that the result is the same for every order, seed and
-/// thread count. Any finite doubles are legal; sites may intersect, nest, touch and coincide.
+/// rule (geometry in ARCHITECTURE.md), so that the result is the same for every order and
+/// seed. Any finite doubles are legal; sites may intersect, nest, touch and coincide.
 /// Throws std::invalid_argument, naming the site, for NaN or infinity, and for more than max_sites.
 /// Expected O(n log n) time, at most 160 bytes a site at the peak, the result included.
 [[nodiscard]] Tessellation triangulate(StridedSites sites, Power metric,
