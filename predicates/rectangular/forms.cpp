@@ -1,0 +1,113 @@
+#include <signum/predicates/rectangular/forms.hpp>
+
+#include <algorithm>
+#include <span>
+
+#include <signum/core/contract.hpp>
+#include <signum/core/error_free.hpp>
+#include <signum/exact/floating_environment.hpp>
+#include <signum/exact/multiprecision.hpp>
+#include <signum/exact/sign_of_sum.hpp>
+
+namespace signum::rectangular {
+namespace {
+
+constexpr std::size_t most_addends = 4;
+
+/// The doubles of a sum of forms; a coordinate that does not enter is a zero among them.
+struct Terms {
+    std::array<double, 3 * most_addends> values;
+    std::size_t count;
+};
+
+/// The addends with sites of their own: what has to be read inside the default environment.
+struct Operands {
+    std::array<Site, most_addends> sites;
+    std::array<int, most_addends> sides;
+    std::array<int, most_addends> factors;
+    std::size_t count;
+};
+
+Operands copy(const Addend* first, std::size_t count) noexcept {
+    SIGNUM_EXPECTS(count <= most_addends);
+    Operands result{{}, {}, {}, count};
+    for (std::size_t i = 0; i < count; ++i) {
+        result.sites[i] = *first[i].site;
+        result.sides[i] = first[i].side;
+        result.factors[i] = first[i].factor;
+    }
+    return result;
+}
+
+template <class Directions>
+Terms terms_of(const Operands& operands) noexcept {
+    Terms terms{{}, 0};
+    for (std::size_t i = 0; i < operands.count; ++i) {
+        const double factor = operands.factors[i];
+        const Site& site = operands.sites[i];
+        terms.values[terms.count++] = factor * Directions::x[operands.sides[i]] * site.x;
+        terms.values[terms.count++] = factor * Directions::y[operands.sides[i]] * site.y;
+        terms.values[terms.count++] = -factor * site.r;
+    }
+    return terms;
+}
+
+/// On a grid every partial sum is a double: then the rounded sum is the sum. Otherwise ESSA.
+Sign sign_of_terms(const Terms& terms) noexcept {
+    double sum = 0.0;
+    bool rounded = false;
+    for (std::size_t i = 0; i < terms.count; ++i) {
+        const double next = sum + terms.values[i];
+        const double shared = next - sum;
+        // The two errors of TwoSum (Knuth); NaN where something overflowed.
+        rounded |= !((sum - (next - shared)) + (terms.values[i] - shared) == 0.0);
+        sum = next;
+    }
+    return rounded ? sign_of_sum({terms.values.data(), terms.count}) : sign_of(sum);
+}
+
+}  // namespace
+
+template <class Directions>
+Sign sign_of_forms(const Addend* first, std::size_t count) noexcept {
+    return exact::in_ieee_environment(
+        [](const Operands& operands) { return sign_of_terms(terms_of<Directions>(operands)); },
+        copy(first, count));
+}
+
+template <class Directions>
+Sign sign_of_forms_in_rationals(const Addend* first, std::size_t count) noexcept {
+    exact::Rational sum = 0;
+    for (const Addend* addend = first; addend != first + count; ++addend) {
+        const auto add = [&](int factor, double value) {
+            if (factor != 0) sum += factor * exact::to_rational(value);
+        };
+        add(addend->factor * static_cast<int>(Directions::x[addend->side]), addend->site->x);
+        add(addend->factor * static_cast<int>(Directions::y[addend->side]), addend->site->y);
+        add(-addend->factor, addend->site->r);
+    }
+    return exact::sign(sum);
+}
+
+Sign sign_of_infinitesimals(const Addend* first, std::size_t count) noexcept {
+    // From the last site in the order to the first.
+    Index below = std::numeric_limits<Index>::max();
+    for (;;) {
+        Index last = std::numeric_limits<Index>::min();
+        for (std::size_t i = 0; i < count; ++i)
+            if (first[i].rank < below) last = std::max(last, first[i].rank);
+        if (last == std::numeric_limits<Index>::min()) return 0;
+        int factor = 0;
+        for (std::size_t i = 0; i < count; ++i)
+            if (first[i].rank == last) factor += first[i].factor;
+        if (factor != 0) return factor > 0 ? 1 : -1;
+        below = last;
+    }
+}
+
+template Sign sign_of_forms<Supremum>(const Addend*, std::size_t) noexcept;
+template Sign sign_of_forms<Manhattan>(const Addend*, std::size_t) noexcept;
+template Sign sign_of_forms_in_rationals<Supremum>(const Addend*, std::size_t) noexcept;
+template Sign sign_of_forms_in_rationals<Manhattan>(const Addend*, std::size_t) noexcept;
+
+}  // namespace signum::rectangular

@@ -1,0 +1,162 @@
+#pragma once
+/// The linear forms of the supremum and Manhattan metrics, and the signs of their sums.
+///
+/// In both metrics a disc is a square with sides in four directions d, counterclockwise (right,
+/// top, left, bottom; in the Manhattan metric, where u = x + y and v = y - x take the places of x
+/// and y, the four diagonals). A site m pins one form to each direction,
+///
+///     g_d(m) = (direction d) · c_m - r_m,
+///
+/// and a circle with centre X and radius rho one number, G_d = (direction d) · X + rho.
+/// Laws:
+///  1. m's distance from X is the greatest of g_d(m) - (direction d) · X. So m is nearer than rho,
+///     as near, or farther as the greatest of g_d(m) - G_d is negative, 0 or positive.
+///  2. G_right + G_left = G_top + G_bottom = 2 rho: three of the numbers give the fourth.
+///  3. The tie rule (every radius less by its own infinitesimal, infinitely larger for the later
+///     site) adds the infinitesimal of m to all four g_d(m).
+/// Everything is decided by signs of sums of two or four forms: no product, no overflow that
+/// decides.
+
+#include <array>
+#include <cstddef>
+#include <limits>
+
+#include <signum/core/index.hpp>
+#include <signum/core/sign.hpp>
+#include <signum/core/site.hpp>
+#include <signum/filters/bounds.hpp>
+#include <signum/filters/tally.hpp>
+
+namespace signum::rectangular {
+
+/// The directions of the supremum metric: right, top, left, bottom.
+struct Supremum {
+    static constexpr double x[4] = {1, 0, -1, 0};
+    static constexpr double y[4] = {0, 1, 0, -1};
+};
+
+/// The directions of the Manhattan metric: those of u = x + y and v = y - x.
+struct Manhattan {
+    static constexpr double x[4] = {1, -1, -1, 1};
+    static constexpr double y[4] = {1, 1, -1, -1};
+};
+
+/// factor · g_side(site), one addend of a sum; `rank` is the site's place in the tie rule's order.
+struct Addend {
+    const Site* site;
+    Index rank;
+    int side;
+    int factor;
+};
+
+/// How a sum whose sign the filter leaves open is decided.
+enum class Sums {
+    exact,          ///< by the exact sign of the sum of its doubles
+    naive,          ///< not at all: there is no filter, the rounded sum has the last word
+    multiprecision  ///< by rationals; nothing is left to the filter
+};
+
+/// The exact sign of a sum of forms (at most four), 0 included. In every environment.
+template <class Directions>
+[[nodiscard, gnu::cold]] Sign sign_of_forms(const Addend* first, std::size_t count) noexcept;
+
+/// The same in rationals.
+template <class Directions>
+[[nodiscard, gnu::cold]] Sign sign_of_forms_in_rationals(const Addend* first,
+                                                         std::size_t count) noexcept;
+
+/// The sign of the infinitesimals of a sum: of the last site in the order whose factors do not
+/// cancel; 0 where all do.
+[[nodiscard]] Sign sign_of_infinitesimals(const Addend* first, std::size_t count) noexcept;
+
+/// The forms of n sites, rounded, and the comparisons that a predicate makes of them.
+///
+/// The bound: with S the greatest |x| + |y| + |r| of the sites, a rounded form, two additions at
+/// most, is off by 2e(1+e)S; four of them and three more additions, of partial sums below 2S, 3S
+/// and 4S, by less than (8 + 9 + 1)eS, e = 2^-52. Comparing two forms commits less. Additions
+/// underflow exactly, and where one overflows S does, so that the bound is infinite.
+template <class Directions, Sums sums, std::size_t n>
+class Forms {
+ public:
+    Forms(const std::array<const Site*, n>& sites, const std::array<Index, n>& ranks) noexcept
+        : sites_(sites), ranks_(ranks) {
+        double magnitude = 0.0;
+        for (std::size_t m = 0; m < n; ++m) {
+            const Site& site = *sites[m];
+            for (int d = 0; d < 4; ++d)
+                forms_[m][d] = (Directions::x[d] * site.x + Directions::y[d] * site.y) - site.r;
+            const double size = (filters::magnitude(site.x) + filters::magnitude(site.y)) +
+                                filters::magnitude(site.r);
+            magnitude = magnitude < size ? size : magnitude;
+        }
+        bound_ = bound(magnitude);
+    }
+
+    /// The sign of g_side(a) - g_side(b); never 0 for two sites.
+    [[nodiscard]] Sign compare(int side, std::size_t a, std::size_t b) noexcept {
+        const double difference = forms_[a][side] - forms_[b][side];
+        if (filters::magnitude(difference) > bound_) [[likely]]
+            return filters::sign_of_nonzero(difference);
+        return resolve(difference, {addend(side, a, 1), addend(side, b, -1)});
+    }
+
+    /// The sign of the sum of two forms (a at side s, c at side s+2) minus that of two others
+    /// (b at side s+1, d at side s+3); 0 only where the infinitesimals cancel.
+    [[nodiscard]] Sign compare_widths(int s, std::size_t a, std::size_t b, std::size_t c,
+                                      std::size_t d) noexcept {
+        const int sides[4] = {s, (s + 1) & 3, (s + 2) & 3, (s + 3) & 3};
+        const double difference = (forms_[a][sides[0]] + forms_[c][sides[2]]) -
+                                  (forms_[b][sides[1]] + forms_[d][sides[3]]);
+        if (filters::magnitude(difference) > bound_) [[likely]]
+            return filters::sign_of_nonzero(difference);
+        return resolve(difference, {addend(sides[0], a, 1), addend(sides[1], b, -1),
+                                    addend(sides[2], c, 1), addend(sides[3], d, -1)});
+    }
+
+    /// The coldest stage that was needed so far, and whether a sum was exactly 0.
+    [[nodiscard]] Stage stage() const noexcept { return stage_; }
+    [[nodiscard]] bool tied() const noexcept { return tied_; }
+    /// From now on sums that are 0 stay 0.
+    void leave_ties() noexcept { perturbed_ = false; }
+
+ private:
+    [[nodiscard]] static double bound(double magnitude) noexcept {
+        constexpr double everything = std::numeric_limits<double>::infinity();
+        if constexpr (sums == Sums::naive) return 0.0;
+        if constexpr (sums == Sums::multiprecision) return everything;
+        // Where additions may saturate or be flushed nothing is certain.
+        return filters::environment_is_default() ? 20 * filters::epsilon * magnitude : everything;
+    }
+
+    [[nodiscard]] Addend addend(int side, std::size_t m, int factor) const noexcept {
+        return {sites_[m], ranks_[m], side, factor};
+    }
+
+    template <std::size_t count>
+    [[nodiscard, gnu::cold, gnu::noinline]] Sign resolve(double rounded,
+                                                         const Addend (&addends)[count]) noexcept {
+        Sign sign = 0;
+        if constexpr (sums == Sums::exact) {
+            stage_ = Stage::exact;
+            sign = sign_of_forms<Directions>(addends, count);
+        } else if constexpr (sums == Sums::multiprecision) {
+            stage_ = Stage::multiprecision;
+            sign = sign_of_forms_in_rationals<Directions>(addends, count);
+        } else {
+            sign = sign_of(rounded);
+        }
+        if (sign != 0) return sign;
+        tied_ = true;
+        return perturbed_ ? sign_of_infinitesimals(addends, count) : 0;
+    }
+
+    std::array<const Site*, n> sites_;
+    std::array<Index, n> ranks_;
+    double forms_[n][4];
+    double bound_;
+    Stage stage_ = Stage::filter;
+    bool tied_ = false;
+    bool perturbed_ = true;
+};
+
+}  // namespace signum::rectangular
