@@ -21,6 +21,7 @@ enum class Stage : std::uint8_t { filter, refine, exact, multiprecision };
 struct Decision {
     Sign sign;
     Stage stage;
+    bool tied = false;  ///< an exact zero was met that the tie rule resolved
 };
 
 }  // namespace signum

@@ -89,6 +89,25 @@ Sign sign_of_forms_in_rationals(const Addend* first, std::size_t count) noexcept
     return exact::sign(sum);
 }
 
+template <class Directions, Sums sums>
+Sign compare_distances(const Point& p, const Site& a, const Site& b) noexcept {
+    const Site point{p.x, p.y, 0.0};
+    // (direction s)·(m - p) less (direction t)·(m' - p), radii included where the sites differ.
+    const auto compare = [&](const Site& m, int s, const Site& other, int t) {
+        const Addend addends[4] = {
+            {&m, 0, s, 1}, {&point, 0, s, -1}, {&other, 0, t, -1}, {&point, 0, t, 1}};
+        return sums == Sums::multiprecision ? sign_of_forms_in_rationals<Directions>(addends, 4)
+                                            : sign_of_forms<Directions>(addends, 4);
+    };
+    const auto farthest = [&](const Site& m) {
+        int side = 0;
+        for (int other = 1; other < 4; ++other)
+            if (compare(m, other, m, side) > 0) side = other;
+        return side;
+    };
+    return compare(b, farthest(b), a, farthest(a));
+}
+
 Sign sign_of_infinitesimals(const Addend* first, std::size_t count) noexcept {
     // From the last site in the order to the first.
     Index below = std::numeric_limits<Index>::max();
@@ -105,6 +124,14 @@ Sign sign_of_infinitesimals(const Addend* first, std::size_t count) noexcept {
     }
 }
 
+template Sign compare_distances<Supremum, Sums::exact>(const Point&, const Site&,
+                                                       const Site&) noexcept;
+template Sign compare_distances<Supremum, Sums::multiprecision>(const Point&, const Site&,
+                                                                const Site&) noexcept;
+template Sign compare_distances<Manhattan, Sums::exact>(const Point&, const Site&,
+                                                        const Site&) noexcept;
+template Sign compare_distances<Manhattan, Sums::multiprecision>(const Point&, const Site&,
+                                                                 const Site&) noexcept;
 template Sign sign_of_forms<Supremum>(const Addend*, std::size_t) noexcept;
 template Sign sign_of_forms<Manhattan>(const Addend*, std::size_t) noexcept;
 template Sign sign_of_forms_in_rationals<Supremum>(const Addend*, std::size_t) noexcept;

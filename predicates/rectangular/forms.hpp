@@ -65,6 +65,11 @@ template <class Directions>
 [[nodiscard, gnu::cold]] Sign sign_of_forms_in_rationals(const Addend* first,
                                                          std::size_t count) noexcept;
 
+/// Which of a and b is nearer to p: +1 for a, 0 where both are as near. Exact.
+template <class Directions, Sums sums>
+[[nodiscard, gnu::cold]] Sign compare_distances(const Point& p, const Site& a,
+                                                const Site& b) noexcept;
+
 /// The sign of the infinitesimals of a sum: of the last site in the order whose factors do not
 /// cancel; 0 where all do.
 [[nodiscard]] Sign sign_of_infinitesimals(const Addend* first, std::size_t count) noexcept;
@@ -113,9 +118,8 @@ class Forms {
                                     addend(sides[2], c, 1), addend(sides[3], d, -1)});
     }
 
-    /// The coldest stage that was needed so far, and whether a sum was exactly 0.
-    [[nodiscard]] Stage stage() const noexcept { return stage_; }
-    [[nodiscard]] bool tied() const noexcept { return tied_; }
+    /// A sign with the coldest stage that was needed so far, and whether a sum was exactly 0.
+    [[nodiscard]] Decision decide(Sign sign) const noexcept { return {sign, stage_, tied_}; }
     /// From now on sums that are 0 stay 0.
     void leave_ties() noexcept { perturbed_ = false; }
 

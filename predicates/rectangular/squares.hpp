@@ -69,6 +69,21 @@ template <class AnyForms>
     return least < sign ? least : sign;
 }
 
+/// A distance from a point, rounded, and the sum of the magnitudes that entered.
+struct Distance {
+    double value;
+    double magnitude;
+};
+template <class Directions>
+[[nodiscard]] inline Distance distance(const Point& p, const Site& m) noexcept {
+    const double x = m.x - p.x;
+    const double y = m.y - p.y;
+    const double first = filters::magnitude(Directions::x[0] * x + Directions::y[0] * y);
+    const double second = filters::magnitude(Directions::x[1] * x + Directions::y[1] * y);
+    return {(first < second ? second : first) - m.r,
+            (filters::magnitude(x) + filters::magnitude(y)) + filters::magnitude(m.r)};
+}
+
 /// The predicates of one of the two metrics under the tie rule: no answer is ever 0. `ranks` are
 /// the places of the sites in the rule's order (falling radius, rising x, y, index); only their
 /// order counts. Each is exact for all finite doubles and takes constant time.
@@ -79,16 +94,15 @@ struct Perturbed {
                                         const std::array<Index, 2>& ranks) noexcept {
         Forms<Directions, sums, 2> forms({&i, &q}, ranks);
         for (int side = 0; side < 4; ++side)
-            if (forms.compare(side, 1, 0) < 0) return {-1, forms.stage()};
-        return {1, forms.stage()};
+            if (forms.compare(side, 1, 0) < 0) return forms.decide(-1);
+        return forms.decide(1);
     }
 
     /// Whether a square touches i, j, k counterclockwise: +1 or -1.
     [[nodiscard]] static Decision exists(const Site& i, const Site& j, const Site& k,
                                          const std::array<Index, 3>& ranks) noexcept {
         Forms<Directions, sums, 3> forms({&i, &j, &k}, ranks);
-        const Sign sign = touching(forms).open >= 0 ? 1 : -1;
-        return {sign, forms.stage()};
+        return forms.decide(touching(forms).open >= 0 ? 1 : -1);
     }
 
     /// Whether q conflicts with the vertex of i, j, k: +1 or -1. Precondition: exists(i,j,k).
@@ -98,8 +112,7 @@ struct Perturbed {
         Forms<Directions, sums, 4> forms({&i, &j, &k, &q}, ranks);
         const Touching square = touching(forms);
         SIGNUM_EXPECTS(sums == Sums::naive || square.open >= 0);
-        const Sign sign = square.open < 0 ? -1 : meets(forms, square);
-        return {sign, forms.stage()};
+        return forms.decide(square.open < 0 ? -1 : meets(forms, square));
     }
 
     /// Whether q conflicts with the vertex at infinity of the hull edge a -> b (all other sites on
@@ -114,10 +127,29 @@ struct Perturbed {
             const int next = (side + 1) & 3;
             if (forms.compare(side, 1, 0) < 0 || forms.compare(next, 0, 1) < 0) continue;
             const bool conflict = forms.compare(side, 1, 2) > 0 && forms.compare(next, 0, 2) > 0;
-            return {conflict ? 1 : -1, forms.stage()};
+            return forms.decide(conflict ? 1 : -1);
         }
         SIGNUM_EXPECTS(sums == Sums::naive);
-        return {-1, forms.stage()};
+        return forms.decide(-1);
+    }
+
+    /// Whether the point p is nearer to a than to b: +1 or -1.
+    [[nodiscard]] static Decision nearer(const Point& p, const Site& a, const Site& b,
+                                         const std::array<Index, 2>& ranks) noexcept {
+        // Three roundings a distance and one for their difference, none of more than the sum of the
+        // magnitudes.
+        const Distance to_a = distance<Directions>(p, a);
+        const Distance to_b = distance<Directions>(p, b);
+        const double difference = to_b.value - to_a.value;
+        const double bound = 5 * filters::epsilon * (to_a.magnitude + to_b.magnitude);
+        if (sums == Sums::exact && filters::magnitude(difference) > bound &&
+            filters::environment_is_default()) [[likely]]
+            return {filters::sign_of_nonzero(difference), Stage::filter};
+        if (sums == Sums::naive && difference != 0.0) return {sign_of(difference), Stage::filter};
+        const Sign sign = sums == Sums::naive ? 0 : compare_distances<Directions, sums>(p, a, b);
+        constexpr Stage stage = sums == Sums::multiprecision ? Stage::multiprecision : Stage::exact;
+        if (sign != 0) return {sign, stage};
+        return {ranks[0] < ranks[1] ? 1 : -1, stage, true};
     }
 };
 
@@ -131,8 +163,7 @@ template <class Directions>
     const Touching square = touching(forms);
     SIGNUM_EXPECTS(square.open >= 0);
     forms.leave_ties();
-    const Sign sign = meets(forms, square);
-    return {sign, forms.stage()};
+    return forms.decide(meets(forms, square));
 }
 
 }  // namespace signum::rectangular

@@ -154,7 +154,7 @@ TYPED_TEST(RectangularPredicates, ChooseTheTessellationOfTheOracle) {
 
 /// All answers about four sites; 0 where a precondition fails.
 template <class Predicates>
-std::array<int, 4> answers(const Site (&s)[4], const std::array<Index, 4>& r) {
+std::array<int, 5> answers(const Site (&s)[4], const std::array<Index, 4>& r) {
     const int hides = Predicates::hides(s[0], s[1], {r[0], r[1]}).sign;
     const int exists = Predicates::exists(s[0], s[1], s[2], {r[0], r[1], r[2]}).sign;
     const bool apart = hides < 0 && Predicates::hides(s[1], s[0], {r[1], r[0]}).sign < 0;
@@ -183,7 +183,7 @@ TYPED_TEST(RectangularPredicates, AgreeWithRationalsForEveryDoubleInEveryEnviron
             signum::reference::in_environment(trial % signum::reference::Hostile::modes,
                                               [&] { return answers<Perturbed<TypeParam>>(s, r); });
         ASSERT_EQ(given, expected) << trial;
-        vertices += static_cast<int>(expected[2] != 0);
+        vertices += static_cast<int>(expected[3] != 0);
     }
     EXPECT_GT(vertices, 1000);
 }

@@ -1,7 +1,8 @@
 # A compiler that says that it takes liberties with IEEE arithmetic is refused, in our words.
 set(our_words "signum needs IEEE arithmetic")
 set(refused -ffast-math -Ofast -ffinite-math-only)
-set(headers core/contract.hpp core/error_free.hpp predicates/ccw.hpp predicates/power.hpp)
+set(headers core/contract.hpp core/error_free.hpp predicates/ccw.hpp predicates/power.hpp
+    predicates/supremum.hpp predicates/manhattan.hpp)
 
 # Compiles a program that includes one header.
 function(try header flag code output)
