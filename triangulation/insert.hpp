@@ -3,12 +3,18 @@
 ///
 /// The faces in conflict with the new site form a disc around it. Their boundary, joined to the
 /// site, replaces them; sites that the disc encloses become hidden, and stay hidden whatever comes
-/// later. A site that conflicts not even with the face that contains its centre is hidden itself.
+/// later. A site that conflicts not even with the face that contains its centre (in the additive
+/// metrics: one that lies within the nearest site) is hidden itself.
+///
+/// In the power metric the edges are straight: a face contains the site's centre, and an edge whose
+/// two faces go goes as a whole. In the others the site may take a part out of one edge and no
+/// vertex, or both ends of an edge and not its middle.
 /// Source: Gavrilova 1998, 4.2; Edelsbrunner and Shah 1996.
 
 #include <algorithm>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <signum/core/index.hpp>
@@ -29,6 +35,7 @@ class Stack {
     [[nodiscard]] std::size_t size() const noexcept {
         return static_cast<std::size_t>(end_ - items_.data());
     }
+    [[nodiscard]] T& operator[](std::size_t i) noexcept { return items_.data()[i]; }
     [[nodiscard]] const T& operator[](std::size_t i) const noexcept { return items_.data()[i]; }
     [[nodiscard]] const T* begin() const noexcept { return items_.data(); }
     [[nodiscard]] const T* end() const noexcept { return end_; }
@@ -51,14 +58,7 @@ class Insertion {
     /// visible or not by now, and is -1 while i is visible; it has room for every site.
     Insertion(Topology& topology, Kernel& kernel, std::span<Index> hidden_by, Index a, Index b,
               Index c)
-        : topology_(topology),
-          kernel_(kernel),
-          hidden_by_(hidden_by),
-          // Of n sites' 2n - 2 faces all may go; each but the first adds two edges to look across.
-          pending_(2 * hidden_by.size() + 4),
-          removed_(4 * hidden_by.size() + 4),
-          boundary_(4 * hidden_by.size() + 4),
-          vacant_(2 * hidden_by.size()) {
+        : Insertion(topology, kernel, hidden_by) {
         const Index corners[3] = {a, b, c};
         const Index inner = topology_.add_face(a, b, c);
         Index outer[3];
@@ -71,21 +71,39 @@ class Insertion {
         recent_ = inner;
     }
 
+    /// Starts from two sites of which neither hides the other.
+    Insertion(Topology& topology, Kernel& kernel, std::span<Index> hidden_by, Index a, Index b)
+        : Insertion(topology, kernel, hidden_by) {
+        const Index left = topology_.add_face(a, b, infinite);
+        const Index right = topology_.add_face(b, a, infinite);
+        topology_.glue(edge(left, 0), edge(right, 0));
+        topology_.glue(edge(left, 1), edge(right, 2));
+        topology_.glue(edge(left, 2), edge(right, 1));
+        recent_ = left;
+    }
+
     /// Inserts site q. Throws BrokenStructure where inexact arithmetic made nonsense.
     void insert(Index q) {
-        const Index start = locate(topology_, kernel_, recent_, q);
-        if (!conflicts(start, q)) {
-            hide_in(start, q);
-            return;
-        }
-        collect(start, q);
+        if (!find_conflicts(q)) return;
         if (boundary_.size() != removed_.size() + 2) hide_enclosed(q);
         retriangulate(q);
     }
 
  private:
+    Insertion(Topology& topology, Kernel& kernel, std::span<Index> hidden_by)
+        : topology_(topology),
+          kernel_(kernel),
+          hidden_by_(hidden_by),
+          // Of n sites' 2n - 2 faces all may go; each but the first adds two edges to look across.
+          pending_(2 * hidden_by.size() + 4),
+          removed_(4 * hidden_by.size() + 4),
+          boundary_(4 * hidden_by.size() + 4),
+          vacant_(2 * hidden_by.size()) {}
+
     /// The mark of a face that the site at hand removes.
     static constexpr Index in_conflict = 1;
+    /// Instead of a half-edge outside: the edge is a seam.
+    static constexpr HalfEdge seam = ~HalfEdge{0};
 
     /// An edge of the disc's boundary: the half-edge outside, and the vertex where it ends outside,
     /// where it begins for one who walks around the disc counterclockwise.
@@ -114,6 +132,75 @@ class Insertion {
         return kernel_.conflicts(v[0], v[1], v[2], q);
     }
 
+    /// Finds the faces that q removes and their boundary; false where q is hidden.
+    [[nodiscard]] bool find_conflicts(Index q) {
+        if constexpr (Kernel::is_straight) {
+            const Index start = locate(topology_, kernel_, recent_, q);
+            if (conflicts(start, q)) {
+                collect(start, q);
+                return true;
+            }
+            hide_in(start, q);
+            return false;
+        } else {
+            // q's cell contains its centre, which lies in the cell of the nearest site; so it
+            // reaches the border of that cell, at a vertex or between two.
+            const HalfEdge first = locate_nearest(topology_, kernel_, recent_, q);
+            const Index nearest = topology_.origin(first);
+            recent_ = Topology::face(first);
+            if (kernel_.hides(nearest, q)) {
+                hidden_by_[static_cast<std::size_t>(q)] = nearest;
+                return false;
+            }
+            HalfEdge h = first;
+            do {
+                if (conflicts(Topology::face(h), q)) {
+                    collect(Topology::face(h), q);
+                    return true;
+                }
+                h = topology_.around_origin(h);
+            } while (h != first);
+            do {
+                if (has_vertex_inside(h, q)) {
+                    cut(h);
+                    return true;
+                }
+                h = topology_.around_origin(h);
+            } while (h != first);
+            throw BrokenStructure("a site that is not hidden conflicts with nothing");
+        }
+    }
+
+    /// Whether the vertex (j, i, q) exists inside the diagram's edge of half-edge i -> j. The part
+    /// of the bisector of i and j that q takes is an interval, cyclically through infinity, that
+    /// ends there: so where q takes both ends of the edge, the edge's middle survives; where it
+    /// takes neither, it takes a part of the middle.
+    [[nodiscard]] bool has_vertex_inside(HalfEdge h, Index q) {
+        const Index i = topology_.origin(h);
+        const Index j = topology_.target(h);
+        const Index sides[2] = {topology_.apex(h), topology_.apex(topology_.twin(h))};
+        if (i == infinite || j == infinite) {
+            const Index site = i == infinite ? j : i;
+            if (kernel_.hides(q, site)) return false;
+            const Index a = i == infinite ? site : q;
+            const Index b = i == infinite ? q : site;
+            return !kernel_.conflicts_infinite(a, b, sides[0]) &&
+                   !kernel_.conflicts_infinite(a, b, sides[1]);
+        }
+        if (!kernel_.exists(j, i, q)) return false;
+        for (const Index side : sides)
+            if (side != infinite && kernel_.conflicts(j, i, q, side)) return false;
+        return true;
+    }
+
+    /// The conflict region is a piece inside one edge: no face goes, q comes between the two.
+    void cut(HalfEdge h) {
+        removed_.clear();
+        boundary_.clear();
+        boundary_.push({h, topology_.target(h)});
+        boundary_.push({topology_.twin(h), topology_.origin(h)});
+    }
+
     /// Finds all faces in conflict, from one of them, and the boundary in counterclockwise order: a
     /// depth-first search that takes the edges of each face in that order.
     void collect(Index start, Index q) {
@@ -126,8 +213,8 @@ class Insertion {
             const Crossing crossing = pending_.pop();
             const Index f = Topology::face(crossing.outside);
             const Topology::Record& record = topology_.record(f);
-            if (record.mark == in_conflict) continue;
             if (crossing.conflict) {
+                if (record.mark == in_conflict) continue;
                 take(f);
                 const unsigned k = crossing.outside & 3;
                 look_across(record, k == 0 ? 2 : k - 1, q);
@@ -148,7 +235,9 @@ class Insertion {
     /// is known, and a branch that was guessed wrong costs little.
     void look_across(const Topology::Record& record, unsigned k, Index q) {
         const HalfEdge across = record.twin[k];
-        pending_.push({across, record.vertex[k], conflicts(Topology::face(across), q)});
+        bool conflict = conflicts(Topology::face(across), q);
+        if constexpr (!Kernel::is_straight) conflict = conflict && !has_vertex_inside(across, q);
+        pending_.push({across, record.vertex[k], conflict});
     }
 
     /// The boundary of a disc is one closed walk. Rounded signs can make the region an annulus or
@@ -161,9 +250,28 @@ class Insertion {
         if (!closed) throw BrokenStructure("the conflict region of a site is not a disc");
     }
 
+    /// Where the middle of an edge survives between two removed faces, the boundary runs along it
+    /// on both sides: those new faces will be glued to each other. Such an edge is rare.
+    void find_seams() {
+        seams_.clear();
+        for (std::size_t a = 0; a < boundary_.size(); ++a) {
+            if (boundary_[a].outside == seam) continue;
+            if (topology_.record(Topology::face(boundary_[a].outside)).mark != in_conflict)
+                continue;
+            const HalfEdge opposite = topology_.twin(boundary_[a].outside);
+            std::size_t b = a + 1;
+            while (b < boundary_.size() && boundary_[b].outside != opposite) ++b;
+            if (b == boundary_.size())
+                throw BrokenStructure("an edge survives on one side and not on the other");
+            boundary_[a].outside = boundary_[b].outside = seam;
+            seams_.emplace_back(a, b);
+        }
+    }
+
     /// Joins q to every edge of the boundary, reusing the slots of the removed faces.
     void retriangulate(Index q) {
         const std::size_t count = boundary_.size();
+        if constexpr (!Kernel::is_straight) find_seams();
         while (removed_.size() < count)
             removed_.push(vacant_.empty() ? topology_.add_face(infinite, infinite, infinite)
                                           : vacant_.pop());
@@ -176,10 +284,14 @@ class Insertion {
             topology_.record(f) = {{boundary_[i].from, boundary_[next].from, q},
                                    0,
                                    {outside, edge(after, 2), edge(before, 1)}};
-            topology_.record(Topology::face(outside)).twin[outside & 3] = edge(f, 0);
+            if (Kernel::is_straight || outside != seam)
+                topology_.record(Topology::face(outside)).twin[outside & 3] = edge(f, 0);
             before = f;
             f = after;
         }
+        if constexpr (!Kernel::is_straight)
+            for (const auto& [a, b] : seams_)
+                topology_.glue(edge(removed_[a], 0), edge(removed_[b], 0));
         recent_ = before;
         for (std::size_t i = count; i < removed_.size(); ++i) {
             topology_.record(removed_[i]) = {
@@ -216,6 +328,7 @@ class Insertion {
     Stack<Index> removed_;
     Stack<BoundaryEdge> boundary_;
     Stack<Index> vacant_;
+    std::vector<std::pair<std::size_t, std::size_t>> seams_;
 };
 
 }  // namespace signum::triangulation

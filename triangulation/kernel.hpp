@@ -24,6 +24,8 @@ class PowerKernel {
     using SiteType = S;
     /// Whether answers can be trusted never to lead an algorithm astray.
     static constexpr bool is_exact = arithmetic != Arithmetic::naive;
+    /// The edges of the dual are straight; see insert.hpp.
+    static constexpr bool is_straight = true;
 
     /// Neither array is copied.
     PowerKernel(const S* sites, const Index* original) noexcept

@@ -32,4 +32,25 @@ template <class Kernel>
     throw BrokenStructure("the walk to a site went in circles");
 }
 
+/// A half-edge out of the site nearest to the centre of q, from a face where the walk starts. As
+/// cells are star-shaped, every site but the nearest has a neighbour that is nearer: the one whose
+/// cell the segment to q's centre enters.
+template <class Kernel>
+[[nodiscard]] HalfEdge locate_nearest(const Topology& topology, Kernel& kernel, Index start,
+                                      Index q) {
+    HalfEdge first = Topology::first_edge(start);
+    if (topology.origin(first) == infinite) first = Topology::next(first);
+    HalfEdge h = first;
+    for (Index steps = topology.faces(); Kernel::is_exact || steps >= 0;) {
+        const Index v = topology.target(h);
+        if (v != infinite && kernel.is_nearer(q, v, topology.origin(h))) {
+            h = first = topology.twin(h);
+            --steps;
+        }
+        h = topology.around_origin(h);
+        if (h == first) return first;
+    }
+    throw BrokenStructure("the walk to a site went in circles");
+}
+
 }  // namespace signum::triangulation

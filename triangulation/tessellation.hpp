@@ -31,6 +31,8 @@ enum class WeightIs : std::uint8_t { radius, weight };
 
 /// The power metric |x-c|² - w. Passed to triangulate() to choose the metric.
 struct Power {};
+struct Manhattan {};
+struct Supremum {};
 
 /// Three vertices counterclockwise, or the three faces across from them.
 using Face = std::array<Index, 3>;

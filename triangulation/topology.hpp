@@ -54,6 +54,8 @@ class Topology {
     /// The vertex of the face that is not on the edge.
     [[nodiscard]] Index apex(HalfEdge h) const noexcept { return origin(previous(h)); }
     [[nodiscard]] HalfEdge twin(HalfEdge h) const noexcept { return at(h).twin[h & 3]; }
+    /// The next half-edge out of the same origin, counterclockwise.
+    [[nodiscard]] HalfEdge around_origin(HalfEdge h) const noexcept { return twin(previous(h)); }
     /// The three vertices of a face, counterclockwise.
     [[nodiscard]] const Index (&vertices(Index f) const noexcept)[3] {
         return at(first_edge(f)).vertex;

@@ -2,10 +2,14 @@
 
 #include <chrono>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <string>
 
 #include <signum/exact/floating_environment.hpp>
+#include <signum/predicates/manhattan.hpp>
+#include <signum/predicates/supremum.hpp>
+#include <signum/triangulation/additive_kernel.hpp>
 #include <signum/triangulation/assemble.hpp>
 #include <signum/triangulation/collinear.hpp>
 #include <signum/triangulation/hiders.hpp>
@@ -103,6 +107,39 @@ void fill(Statistics& statistics, const filters::Tally& tally) noexcept {
 }
 void fill(Statistics&, const filters::NoTally&) noexcept {}
 
+/// The arrays of the result, from a construction that is done.
+template <class Kernel>
+Tessellation finish(Metric metric, WeightIs weight_is, const StridedSites& input,
+                    std::chrono::steady_clock::time_point start, const Kernel& kernel,
+                    LargeArray<typename Kernel::SiteType> sites, Topology topology,
+                    LargeArray<Index> original, LargeArray<Index> hidden_by) {
+    const std::size_t n = input.size();
+    settle_hiders(topology, kernel, hidden_by);
+
+    TessellationArrays arrays;
+    arrays.metric = metric;
+    arrays.weight_is = weight_is;
+    arrays.sites = static_cast<std::int64_t>(n);
+    for (std::size_t i = 0; i < n; ++i)
+        if (hidden_by[i] >= 0)
+            arrays.hidden.push_back(
+                {original[i], original[static_cast<std::size_t>(hidden_by[i])]});
+    std::sort(arrays.hidden.begin(), arrays.hidden.end(),
+              [](const Hidden& a, const Hidden& b) { return a.site < b.site; });
+    sites = {};
+    hidden_by = {};
+    assemble(std::move(topology), original, arrays);
+    original = {};
+
+    Statistics statistics;
+    fill(statistics, kernel.tally());
+    std::vector<Site> copy = large_vector<Site>(n);
+    for (std::size_t i = 0; i < n; ++i) copy[i] = input[i];
+    statistics.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return {std::move(arrays), std::move(copy), statistics};
+}
+
 template <power::PowerSite S, Arithmetic arithmetic, class Tally>
 Tessellation construct(const StridedSites& input, const Options& options) {
     using Kernel = PowerKernel<S, arithmetic, Tally>;
@@ -127,30 +164,93 @@ Tessellation construct(const StridedSites& input, const Options& options) {
     } else {
         connect_line(topology, visible_on_line(kernel, n, hidden_by));
     }
-    settle_hiders(topology, kernel, hidden_by);
+    const WeightIs weight_is = input.third_is_weight() ? WeightIs::weight : WeightIs::radius;
+    return finish(Metric::power, weight_is, input, start, kernel, std::move(sites),
+                  std::move(topology), std::move(original), std::move(hidden_by));
+}
 
-    TessellationArrays arrays;
-    arrays.metric = Metric::power;
-    arrays.weight_is = input.third_is_weight() ? WeightIs::weight : WeightIs::radius;
-    arrays.sites = static_cast<std::int64_t>(n);
-    for (std::size_t i = 0; i < n; ++i)
-        if (hidden_by[i] >= 0)
-            arrays.hidden.push_back(
-                {original[i], original[static_cast<std::size_t>(hidden_by[i])]});
-    std::sort(arrays.hidden.begin(), arrays.hidden.end(),
-              [](const Hidden& a, const Hidden& b) { return a.site < b.site; });
-    sites = {};
-    hidden_by = {};
-    assemble(std::move(topology), original, arrays);
-    original = {};
+/// The places of sites in the tie rule's order.
+LargeArray<Index> ranks_of(const LargeArray<Site>& sites, const LargeArray<Index>& original) {
+    std::vector<Index> order(sites.size());
+    std::iota(order.begin(), order.end(), 0);
+    const auto at = [](Index i) { return static_cast<std::size_t>(i); };
+    std::sort(order.begin(), order.end(), [&](Index a, Index b) {
+        return additive::precedes(sites[at(a)], original[at(a)], sites[at(b)], original[at(b)]);
+    });
+    LargeArray<Index> ranks(sites.size());
+    for (std::size_t place = 0; place < order.size(); ++place)
+        ranks[at(order[place])] = static_cast<Index>(place);
+    return ranks;
+}
 
-    Statistics statistics;
-    fill(statistics, kernel.tally());
-    std::vector<Site> copy = large_vector<Site>(n);
-    for (std::size_t i = 0; i < n; ++i) copy[i] = input[i];
-    statistics.seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    return {std::move(arrays), std::move(copy), statistics};
+template <class Kernel>
+Tessellation construct_additive(Metric metric, const StridedSites& input, const Options& options) {
+    const auto start = std::chrono::steady_clock::now();
+    const std::size_t n = input.size();
+
+    LargeArray<Index> original = spatial_order(input, options.seed);
+    LargeArray<Site> sites(n);
+    for (std::size_t i = 0; i < n; ++i) sites[i] = input[static_cast<std::size_t>(original[i])];
+    LargeArray<Index> ranks = ranks_of(sites, original);
+    if (n > 0) {
+        // The first site of the tie rule's order leads: no other ever hides it.
+        const auto first =
+            static_cast<std::size_t>(std::find(ranks.begin(), ranks.end(), 0) - ranks.begin());
+        std::swap(sites[0], sites[first]);
+        std::swap(original[0], original[first]);
+        std::swap(ranks[0], ranks[first]);
+    }
+
+    Kernel kernel(sites.data(), ranks.data());
+    Topology topology(n);
+    LargeArray<Index> hidden_by(n, -1);
+    std::size_t second = 1;
+    for (; second < n && kernel.hides(0, static_cast<Index>(second)); ++second)
+        hidden_by[second] = 0;
+    if (second < n) {
+        Insertion<Kernel> insertion(topology, kernel, hidden_by, 0, static_cast<Index>(second));
+        const Watch watch(options, n);
+        for (std::size_t i = second + 1; i < n; ++i) {
+            insertion.insert(static_cast<Index>(i));
+            watch.at(i);
+        }
+    }
+    return finish(metric, WeightIs::radius, input, start, kernel, std::move(sites),
+                  std::move(topology), std::move(original), std::move(hidden_by));
+}
+
+template <class Directions, Arithmetic arithmetic>
+Tessellation construct_rectangular(Metric metric, const StridedSites& input,
+                                   const Options& options) {
+    using rectangular::Sums;
+    constexpr Sums sums = arithmetic == Arithmetic::exact   ? Sums::exact
+                          : arithmetic == Arithmetic::naive ? Sums::naive
+                                                            : Sums::multiprecision;
+    using Predicates = rectangular::Perturbed<Directions, sums>;
+    using Counting = AdditiveKernel<Predicates, arithmetic, filters::Tally>;
+    using Plain = AdditiveKernel<Predicates, arithmetic, filters::NoTally>;
+    return options.count ? construct_additive<Counting>(metric, input, options)
+                         : construct_additive<Plain>(metric, input, options);
+}
+
+template <class Directions>
+Tessellation construct_rectangular(Metric metric, const StridedSites& input,
+                                   const Options& options) {
+    const exact::IeeeEnvironment environment;
+    check_input(input);
+    if (input.third_is_weight())
+        throw std::invalid_argument("sites of the " + std::string(name_of(metric)) +
+                                    " metric have radii, not weights");
+    switch (options.arithmetic) {
+        case Arithmetic::naive:
+            return construct_rectangular<Directions, Arithmetic::naive>(metric, input, options);
+        case Arithmetic::multiprecision:
+            return construct_rectangular<Directions, Arithmetic::multiprecision>(metric, input,
+                                                                                 options);
+        case Arithmetic::exact:
+            break;
+    }
+    return construct_rectangular<Directions, Arithmetic::exact>(metric, input, options);
 }
 
 template <power::PowerSite S, Arithmetic arithmetic>
@@ -178,6 +278,16 @@ Tessellation construct_with_arithmetic(const StridedSites& input, const Options&
 std::string_view name_of(Arithmetic arithmetic) noexcept {
     constexpr std::string_view names[] = {"exact", "naive", "multiprecision"};
     return names[static_cast<int>(arithmetic)];
+}
+
+Tessellation triangulate(StridedSites sites, Manhattan /*metric*/, const Options& options) {
+    return triangulation::construct_rectangular<rectangular::Manhattan>(Metric::manhattan, sites,
+                                                                        options);
+}
+
+Tessellation triangulate(StridedSites sites, Supremum /*metric*/, const Options& options) {
+    return triangulation::construct_rectangular<rectangular::Supremum>(Metric::supremum, sites,
+                                                                       options);
 }
 
 Tessellation triangulate(StridedSites sites, Power /*metric*/, const Options& options) {
