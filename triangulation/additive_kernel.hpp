@@ -13,7 +13,7 @@
 
 namespace signum::triangulation {
 
-/// Predicates: hides, exists, in_circle, in_circle_infinite and nearer under the tie rule.
+/// Predicates: those of a metric under the tie rule (rectangular::Perturbed).
 template <class Predicates, Arithmetic arithmetic, class Tally>
 class AdditiveKernel {
  public:
@@ -29,10 +29,24 @@ class AdditiveKernel {
     [[nodiscard]] bool hides(Index i, Index q) noexcept {
         return decide(Predicates::hides(site(i), site(q), {ranks_[i], ranks_[q]}));
     }
-    /// Whether a circle touches i, j, k counterclockwise.
-    [[nodiscard]] bool exists(Index i, Index j, Index k) noexcept {
+    /// Whether circles touch i, j, k both counterclockwise and clockwise.
+    [[nodiscard]] bool exist_twice(Index i, Index j, Index k) noexcept {
         return decide(
-            Predicates::exists(site(i), site(j), site(k), {ranks_[i], ranks_[j], ranks_[k]}));
+            Predicates::exists_twice(site(i), site(j), site(k), {ranks_[i], ranks_[j], ranks_[k]}));
+    }
+    /// Whether q's part of the bisector of i and j, or what it leaves, comes before k's; see
+    /// Predicates.
+    [[nodiscard]] bool precedes(Index i, Index j, Index q, Index k) noexcept {
+        return decide(Predicates::precedes(site(i), site(j), site(q), site(k),
+                                           {ranks_[i], ranks_[j], ranks_[q], ranks_[k]}));
+    }
+    /// Whether k, q (or, with `rest`, what it leaves) and l follow one another counterclockwise
+    /// around the horizon of s; see Predicates.
+    [[nodiscard]] bool in_order_at_infinity(Index s, Index k, Index q, Index l,
+                                            bool rest) noexcept {
+        return decide(
+            Predicates::in_order_at_infinity(site(s), site(k), site(q), site(l), rest,
+                                             {ranks_[s], ranks_[k], ranks_[q], ranks_[l]}));
     }
     /// Whether q conflicts with the vertex of i, j, k. Precondition: exists(i,j,k).
     [[nodiscard]] bool conflicts(Index i, Index j, Index k, Index q) noexcept {

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include <signum/core/index.hpp>
+#include <signum/triangulation/edge_interior.hpp>
 #include <signum/triangulation/locate.hpp>
 #include <signum/triangulation/topology.hpp>
 #include <signum/triangulation/triangulate.hpp>
@@ -161,7 +162,7 @@ class Insertion {
                 h = topology_.around_origin(h);
             } while (h != first);
             do {
-                if (has_vertex_inside(h, q)) {
+                if (ends_within(topology_, kernel_, h, q, false)) {
                     cut(h);
                     return true;
                 }
@@ -169,28 +170,6 @@ class Insertion {
             } while (h != first);
             throw BrokenStructure("a site that is not hidden conflicts with nothing");
         }
-    }
-
-    /// Whether the vertex (j, i, q) exists inside the diagram's edge of half-edge i -> j. The part
-    /// of the bisector of i and j that q takes is an interval, cyclically through infinity, that
-    /// ends there: so where q takes both ends of the edge, the edge's middle survives; where it
-    /// takes neither, it takes a part of the middle.
-    [[nodiscard]] bool has_vertex_inside(HalfEdge h, Index q) {
-        const Index i = topology_.origin(h);
-        const Index j = topology_.target(h);
-        const Index sides[2] = {topology_.apex(h), topology_.apex(topology_.twin(h))};
-        if (i == infinite || j == infinite) {
-            const Index site = i == infinite ? j : i;
-            if (kernel_.hides(q, site)) return false;
-            const Index a = i == infinite ? site : q;
-            const Index b = i == infinite ? q : site;
-            return !kernel_.conflicts_infinite(a, b, sides[0]) &&
-                   !kernel_.conflicts_infinite(a, b, sides[1]);
-        }
-        if (!kernel_.exists(j, i, q)) return false;
-        for (const Index side : sides)
-            if (side != infinite && kernel_.conflicts(j, i, q, side)) return false;
-        return true;
     }
 
     /// The conflict region is a piece inside one edge: no face goes, q comes between the two.
@@ -236,7 +215,8 @@ class Insertion {
     void look_across(const Topology::Record& record, unsigned k, Index q) {
         const HalfEdge across = record.twin[k];
         bool conflict = conflicts(Topology::face(across), q);
-        if constexpr (!Kernel::is_straight) conflict = conflict && !has_vertex_inside(across, q);
+        if constexpr (!Kernel::is_straight)
+            conflict = conflict && !ends_within(topology_, kernel_, across, q, true);
         pending_.push({across, record.vertex[k], conflict});
     }
 

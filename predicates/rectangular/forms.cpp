@@ -12,7 +12,7 @@
 namespace signum::rectangular {
 namespace {
 
-constexpr std::size_t most_addends = 4;
+constexpr std::size_t most_addends = 8;
 
 /// The doubles of a sum of forms; a coordinate that does not enter is a zero among them.
 struct Terms {

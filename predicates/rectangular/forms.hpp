@@ -14,7 +14,7 @@
 ///  2. G_right + G_left = G_top + G_bottom = 2 rho: three of the numbers give the fourth.
 ///  3. The tie rule (every radius less by its own infinitesimal, infinitely larger for the later
 ///     site) adds the infinitesimal of m to all four g_d(m).
-/// Everything is decided by signs of sums of two or four forms: no product, no overflow that
+/// Everything is decided by signs of sums of two, four or eight forms: no product, no overflow that
 /// decides.
 
 #include <array>
@@ -56,7 +56,7 @@ enum class Sums {
     multiprecision  ///< by rationals; nothing is left to the filter
 };
 
-/// The exact sign of a sum of forms (at most four), 0 included. In every environment.
+/// The exact sign of a sum of forms (at most eight), 0 included. In every environment.
 template <class Directions>
 [[nodiscard, gnu::cold]] Sign sign_of_forms(const Addend* first, std::size_t count) noexcept;
 
@@ -78,8 +78,9 @@ template <class Directions, Sums sums>
 ///
 /// The bound: with S the greatest |x| + |y| + |r| of the sites, a rounded form, two additions at
 /// most, is off by 2e(1+e)S; four of them and three more additions, of partial sums below 2S, 3S
-/// and 4S, by less than (8 + 9 + 1)eS, e = 2^-52. Comparing two forms commits less. Additions
-/// underflow exactly, and where one overflows S does, so that the bound is infinite.
+/// and 4S, by less than (8 + 9 + 1)eS, e = 2^-52. Comparing two forms commits less; summing eight
+/// commits (16 + 35 + 1)eS. Additions underflow exactly, and where one overflows S does, so that
+/// the bound is infinite.
 template <class Directions, Sums sums, std::size_t n>
 class Forms {
  public:
@@ -116,6 +117,28 @@ class Forms {
             return filters::sign_of_nonzero(difference);
         return resolve(difference, {addend(sides[0], a, 1), addend(sides[1], b, -1),
                                     addend(sides[2], c, 1), addend(sides[3], d, -1)});
+    }
+
+    /// factor · g_side(site), where the site is given by its place among the n.
+    struct Term {
+        int side;
+        std::size_t site;
+        int factor;
+    };
+
+    /// The sign of a sum of at most eight forms; 0 only where the infinitesimals cancel.
+    template <std::size_t count>
+    [[nodiscard]] Sign sign_of_sum(const std::array<Term, count>& terms) noexcept {
+        static_assert(count <= 8);
+        double sum = 0.0;
+        Addend addends[count];
+        for (std::size_t t = 0; t < count; ++t) {
+            const Term& term = terms[t];
+            sum += term.factor * forms_[term.site][term.side];
+            addends[t] = addend(term.side, term.site, term.factor);
+        }
+        if (filters::magnitude(sum) > 3 * bound_) return filters::sign_of_nonzero(sum);
+        return resolve(sum, addends);
     }
 
     /// A sign with the coldest stage that was needed so far, and whether a sum was exactly 0.

@@ -9,6 +9,7 @@
 /// Source: Gavrilova 1998, chapter 5; the tie rule is taken into every comparison.
 
 #include <array>
+#include <utility>
 
 #include <signum/core/contract.hpp>
 #include <signum/core/index.hpp>
@@ -26,15 +27,18 @@ struct Touching {
     std::array<std::size_t, 4> site;
 };
 
-/// The square that sites 0, 1, 2 of the forms touch counterclockwise, under the tie rule.
+/// The square that three sites of the forms touch counterclockwise, under the tie rule.
 template <class AnyForms>
-[[nodiscard]] inline Touching touching(AnyForms& forms) noexcept {
+[[nodiscard]] inline Touching touching(AnyForms& forms,
+                                       const std::array<std::size_t, 3>& corners = {0, 1,
+                                                                                    2}) noexcept {
     Touching result{-1, {}};
-    auto& touches = result.site;
+    std::array<std::size_t, 4> touches{};  // places among the corners
     for (int side = 0; side < 4; ++side) {
-        std::size_t most = forms.compare(side, 1, 0) > 0 ? 1 : 0;
-        if (forms.compare(side, 2, most) > 0) most = 2;
+        std::size_t most = forms.compare(side, corners[1], corners[0]) > 0 ? 1 : 0;
+        if (forms.compare(side, corners[2], corners[most]) > 0) most = 2;
         touches[static_cast<std::size_t>(side)] = most;
+        result.site[static_cast<std::size_t>(side)] = corners[most];
     }
     // Counterclockwise after the open side: 0, 1, 2, from any of them.
     const auto fits = [&](std::size_t open) {
@@ -43,7 +47,8 @@ template <class AnyForms>
                touches[(open + 3) & 3] == (first + 2) % 3;
     };
     if (!fits(0) && !fits(1) && !fits(2) && !fits(3)) return result;
-    const bool wide = forms.compare_widths(0, touches[0], touches[1], touches[2], touches[3]) > 0;
+    const auto& at = result.site;
+    const bool wide = forms.compare_widths(0, at[0], at[1], at[2], at[3]) > 0;
     for (int open = wide ? 1 : 0; open < 4; open += 2)
         if (fits(static_cast<std::size_t>(open))) result.open = open;
     return result;
@@ -67,6 +72,63 @@ template <class AnyForms>
     // G_open - g_open(q), where G_open is the sum of its two neighbours less that of the opposite.
     const Sign sign = forms.compare_widths((square.open + 1) & 3, at(1), at(2), at(3), q);
     return least < sign ? least : sign;
+}
+
+/// The sign of twice the difference between the centres of two such squares in direction `side`.
+template <class AnyForms>
+[[nodiscard]] inline Sign compare_centres(AnyForms& forms, const Touching& a, const Touching& b,
+                                          int side) noexcept {
+    // Twice a centre is G_side less that of the opposite, where an open one is the sum of its two
+    // neighbours less the other.
+    std::array<typename AnyForms::Term, 8> terms{};
+    std::size_t count = 0;
+    for (const auto& [square, factor] : {std::pair(&a, 1), std::pair(&b, -1)}) {
+        const auto add = [&](int at, int times) {
+            terms[count++] = {at & 3, square->site[static_cast<std::size_t>(at & 3)], times};
+        };
+        const bool ahead = square->open == side;
+        if (ahead || square->open == ((side + 2) & 3)) {
+            const int sign = ahead ? factor : -factor;
+            add(side + 1, sign);
+            add(side + 3, sign);
+            add(ahead ? side + 2 : side, -sign);
+            add(ahead ? side + 2 : side, -sign);
+        } else {
+            add(side, factor);
+            add(side + 2, -factor);
+            terms[count++] = {0, 0, 0};
+            terms[count++] = {0, 0, 0};
+        }
+    }
+    return forms.sign_of_sum(terms);
+}
+
+/// The vertex at infinity of the hull edge a -> b: a quadrant between direction `side` and the next
+/// one, bounded by b's reach to the one and a's to the other; side -1 where one hides the other.
+/// Reach r + (direction d)·c is the negative of the form at the opposite side.
+struct Quadrant {
+    int side;
+    std::size_t a;
+    std::size_t b;
+};
+template <class AnyForms>
+[[nodiscard]] inline Quadrant quadrant(AnyForms& forms, std::size_t a, std::size_t b) noexcept {
+    for (int side = 0; side < 4; ++side)
+        if (forms.compare(side, b, a) > 0 && forms.compare((side + 1) & 3, a, b) > 0)
+            return {(side + 2) & 3, a, b};
+    return {-1, a, b};
+}
+
+/// Whether x stands before y, counterclockwise from the first quadrant. In one quadrant their
+/// corners follow one another by a's reach less b's.
+template <class AnyForms>
+[[nodiscard]] inline bool stands_before(AnyForms& forms, const Quadrant& x,
+                                        const Quadrant& y) noexcept {
+    if (x.side != y.side) return x.side < y.side;
+    const int opposite = (x.side + 2) & 3;
+    const int next = (x.side + 3) & 3;
+    return forms.sign_of_sum(std::array<typename AnyForms::Term, 4>{
+               {{next, x.a, 1}, {opposite, x.b, -1}, {next, y.a, -1}, {opposite, y.b, 1}}}) > 0;
 }
 
 /// A distance from a point, rounded, and the sum of the magnitudes that entered.
@@ -116,21 +178,76 @@ struct Perturbed {
     }
 
     /// Whether q conflicts with the vertex at infinity of the hull edge a -> b (all other sites on
-    /// its left): +1 or -1. The vertex is a quadrant between two directions d and d+1, bounded by
-    /// b's reach to d and a's to d+1; q conflicts where it reaches into it. Precondition: neither
-    /// of a and b hides the other.
+    /// its left), where it reaches into the quadrant: +1 or -1. Precondition: neither of a and b
+    /// hides the other.
     [[nodiscard]] static Decision in_circle_infinite(const Site& a, const Site& b, const Site& q,
                                                      const std::array<Index, 3>& ranks) noexcept {
         Forms<Directions, sums, 3> forms({&a, &b, &q}, ranks);
-        // Reach r + (direction d)·c is the negative of the form at the opposite side.
-        for (int side = 0; side < 4; ++side) {
-            const int next = (side + 1) & 3;
-            if (forms.compare(side, 1, 0) < 0 || forms.compare(next, 0, 1) < 0) continue;
-            const bool conflict = forms.compare(side, 1, 2) > 0 && forms.compare(next, 0, 2) > 0;
-            return forms.decide(conflict ? 1 : -1);
-        }
-        SIGNUM_EXPECTS(sums == Sums::naive);
-        return forms.decide(-1);
+        const int side = quadrant(forms, 0, 1).side;
+        SIGNUM_EXPECTS(sums == Sums::naive || side >= 0);
+        if (side < 0) return forms.decide(-1);
+        const bool conflict =
+            forms.compare((side + 2) & 3, 1, 2) > 0 && forms.compare((side + 3) & 3, 0, 2) > 0;
+        return forms.decide(conflict ? 1 : -1);
+    }
+
+    /// Whether squares touch i, j, k both counterclockwise and clockwise: +1 or -1.
+    [[nodiscard]] static Decision exists_twice(const Site& i, const Site& j, const Site& k,
+                                               const std::array<Index, 3>& ranks) noexcept {
+        Forms<Directions, sums, 3> forms({&i, &j, &k}, ranks);
+        const bool both = touching(forms).open >= 0 && touching(forms, {1, 0, 2}).open >= 0;
+        return forms.decide(both ? 1 : -1);
+    }
+
+    /// Whether q's part of the bisector of i and j comes before k's, where k's runs from vertex
+    /// (i,j,k) to (j,i,k): +1 or -1. Preconditions: each exists twice with i and j; k's part is an
+    /// interval, q's or its complement one that k's does not meet.
+    ///
+    /// Along the bisector of sites that lie farther apart from left to right than in height, with i
+    /// on the left, the centres of the circles rise (on its diagonal rays too); otherwise a quarter
+    /// turn makes it so.
+    [[nodiscard]] static Decision precedes(const Site& i, const Site& j, const Site& q,
+                                           const Site& k,
+                                           const std::array<Index, 4>& ranks) noexcept {
+        Forms<Directions, sums, 4> forms({&i, &j, &q, &k}, ranks);
+        const Touching of_q = touching(forms, {1, 0, 2});
+        const Touching of_k = touching(forms, {1, 0, 3});
+        SIGNUM_EXPECTS(sums == Sums::naive || (of_q.open >= 0 && of_k.open >= 0));
+        if (of_q.open < 0 || of_k.open < 0) return forms.decide(-1);
+        // Twice the distance from i to j to the right and to the top; radii cancel.
+        using Term = typename Forms<Directions, sums, 4>::Term;
+        const auto along = [](int side, int factor) {
+            return std::array<Term, 4>{{{side, 1, factor},
+                                        {side, 0, -factor},
+                                        {side + 2, 1, -factor},
+                                        {side + 2, 0, factor}}};
+        };
+        const Sign right = forms.sign_of_sum(along(0, 1));
+        const Sign top = forms.sign_of_sum(along(1, 1));
+        const auto width = along(0, right);
+        const auto height = along(1, -top);
+        const Sign wide = forms.sign_of_sum(std::array<Term, 8>{
+            width[0], width[1], width[2], width[3], height[0], height[1], height[2], height[3]});
+        // Counterclockwise from the direction in which j lies.
+        const int side = wide >= 0 ? (right >= 0 ? 1 : 3) : (top >= 0 ? 2 : 0);
+        return forms.decide(compare_centres(forms, of_q, of_k, side) < 0 ? 1 : -1);
+    }
+
+    /// Whether the arcs of k, q and l, directions in which each reaches farther than s, follow one
+    /// another counterclockwise, those of k and l being disjoint, and q's or its complement, with
+    /// `rest`, lying between them: +1 or -1.
+    [[nodiscard]] static Decision in_order_at_infinity(const Site& s, const Site& k, const Site& q,
+                                                       const Site& l, bool /*rest*/,
+                                                       const std::array<Index, 4>& ranks) noexcept {
+        Forms<Directions, sums, 4> forms({&s, &k, &q, &l}, ranks);
+        // Where k's arc ends, and where those of q and l begin.
+        const Quadrant first = quadrant(forms, 1, 0);
+        const Quadrant second = quadrant(forms, 0, 2);
+        const Quadrant third = quadrant(forms, 0, 3);
+        const int falls = static_cast<int>(!stands_before(forms, first, second)) +
+                          static_cast<int>(!stands_before(forms, second, third)) +
+                          static_cast<int>(!stands_before(forms, third, first));
+        return forms.decide(falls == 1 ? 1 : -1);
     }
 
     /// Whether the point p is nearer to a than to b: +1 or -1.
