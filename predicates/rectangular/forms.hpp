@@ -143,6 +143,8 @@ class Forms {
 
     /// A sign with the coldest stage that was needed so far, and whether a sum was exactly 0.
     [[nodiscard]] Decision decide(Sign sign) const noexcept { return {sign, stage_, tied_}; }
+    /// From here on, ties count as met; those before only helped to find the square.
+    void forget_ties() noexcept { tied_ = false; }
     /// From now on sums that are 0 stay 0.
     void leave_ties() noexcept { perturbed_ = false; }
 
