@@ -167,16 +167,32 @@ template <std::size_t n>
     return result;
 }
 
+/// The sites in doubles, for the naive predicates.
+template <std::size_t n>
+[[nodiscard]] std::array<Disc<Uniform<double>>, n> rounded_discs(const std::array<Site, n>& sites) {
+    std::array<Disc<Uniform<double>>, n> result;
+    for (std::size_t m = 0; m < n; ++m) result[m] = {sites[m].x, sites[m].y, sites[m].r};
+    return result;
+}
+
+/// A question's answer with its stage.
+[[nodiscard]] inline Decision at(Stage stage, const Answer& answer) noexcept {
+    return {answer.sign, stage, answer.tied};
+}
+[[nodiscard]] inline Decision at(Stage stage, Sign sign) noexcept {
+    return {sign, stage};
+}
+
 /// The answer to a question about sites, any of those of polynomials.hpp, in the narrowest numbers
 /// that hold them.
 template <std::size_t n, class Question>
 [[nodiscard]] Decision decide_exactly(const std::array<Site, n>& sites, const Question& question) {
     const cold::Numbers<n> numbers(sites);
     if (numbers.span() > cold::integer_bits)
-        return {question(rational_discs(sites)), Stage::multiprecision};
+        return at(Stage::multiprecision, question(rational_discs(sites)));
     if (numbers.span() <= 62) {
         const cold::SmallDiscs<n> small(numbers);
-        if (small.narrow()) return {question(small.discs()), Stage::exact};
+        if (small.narrow()) return at(Stage::exact, question(small.discs()));
     }
     const auto ask = [&]<class D>(std::array<Disc<D>, n> discs) -> Decision {
         using Integer = typename D::Linear;
@@ -184,7 +200,7 @@ template <std::size_t n, class Question>
             discs[m] = {numbers.template value<Integer>(3 * m),
                         numbers.template value<Integer>(3 * m + 1),
                         numbers.template value<Integer>(3 * m + 2)};
-        return {question(discs), Stage::exact};
+        return at(Stage::exact, question(discs));
     };
     if (numbers.span() <= cold::wide_bits) return ask(std::array<Disc<Wide>, n>());
     return ask(std::array<Disc<Integers>, n>());

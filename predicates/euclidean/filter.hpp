@@ -1,7 +1,6 @@
 #pragma once
 /// The filters of the Euclidean predicates: the polynomials of polynomials.hpp in plain doubles,
-/// each with a bound on its error. Included by sources only, which the library compiles without
-/// contraction and reassociation.
+/// each with a bound on its error. Under the tie rule as without it: what is certain is no tie.
 ///
 /// The bounds. For two sites let (x, y, r) be their rounded difference and l = |x| + |y| + |r|.
 /// Every polynomial here is bounded by products of such l: the products of the coordinates of two
@@ -10,21 +9,23 @@
 /// at most e, a polynomial of at most n roundings on the way from input to result is off by at most
 /// ((1+e)^n - 1) times this product (the lemma of filters/rounding_count.hpp). The counts are given
 /// at each bound, checked below by machine; one to three units more pay for terms in e² and for the
-/// roundings of the bound itself.
+/// roundings of the bound itself. To sum in another order, or to multiply out, adds no rounding on
+/// any way.
 ///
-/// The window. All l lie in [2^-150, 2^150] (sites that coincide are left to the exact stages). No
-/// product has more than six factors l: below 2^900 times a small number, nothing overflows.
+/// The window. All l lie in [2^-120, 2^120] (sites that coincide are left to the exact stages). No
+/// product has more than eight factors l: below 2^960 times a small number, nothing overflows.
 /// Underflow costs a product at most 2^-1074, at a place where the l that bound it multiply to
-/// 2^-900 or more: 2^-174 of the bound, and some hundred of them less than 2^-160, nothing beside
-/// e.
-
-#include <algorithm>
+/// 2^-960 or more: 2^-114 of the bound, and some hundred of them are nothing beside e.
 
 #include <signum/core/sign.hpp>
 #include <signum/core/site.hpp>
 #include <signum/filters/bounds.hpp>
 #include <signum/filters/rounding_count.hpp>
 #include <signum/filters/verdict.hpp>
+
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
 
 namespace signum::euclidean::filter {
 
@@ -56,7 +57,17 @@ template <class... Size>
     ((greatest = others > greatest ? others : greatest), ...);
     // An l that is not a number is not above the least and not below the greatest; the predicates
     // on finite sites make no other than inf - inf, of which inf itself is a summand: l is inf.
-    return least >= 0x1p-150 && greatest <= 0x1p150;
+    return least >= 0x1p-120 && greatest <= 0x1p120;
+}
+
+/// NaN for a negative number, without a word to errno.
+[[nodiscard]] inline double square_root(double value) noexcept {
+#if defined(__SSE2__)
+    const __m128d number = _mm_set_sd(value);
+    return _mm_cvtsd_f64(_mm_sqrt_sd(number, number));
+#else
+    return __builtin_sqrt(value);
+#endif
 }
 
 [[nodiscard]] inline Verdict sign(double value, double bound) noexcept {
@@ -83,6 +94,8 @@ static_assert(twice_ab.roundings == 14 && gamma.roundings == 17);
 static_assert(a.roundings == 19 && l.roundings == 8);
 inline constexpr RoundingCount t = d * (d * d + d * d) - d * (d * d + d * d);
 static_assert(t.roundings == 7);
+inline constexpr RoundingCount middle = e * ((p - p) - p);
+static_assert((middle * q - middle * q).roundings == 25);
 }  // namespace count
 
 /// What i, j, k alone decide.
@@ -111,6 +124,13 @@ struct Triple {
     [[nodiscard]] double yp() const noexcept { return j.y * k.p - j.p * k.y; }
     [[nodiscard]] double rp() const noexcept { return j.r * k.p - j.p * k.r; }
 
+    /// Whether no site hides another: +1 or -1.
+    [[nodiscard]] Verdict apart() const noexcept;
+
+    /// The sign of 2ab: 14 roundings of at most (l_j l_k)² (l_j + l_k).
+    [[nodiscard]] Verdict sign_of_twice_ab() const noexcept {
+        return sign(xp() * xr + yp() * yr, 17 * epsilon * (l_jk * l_jk) * (j.l + k.l));
+    }
     /// The sign of Q: 11 roundings of at most (l_j l_k)².
     [[nodiscard]] Verdict sign_of_q() const noexcept {
         return sign(q, 13 * epsilon * (l_jk * l_jk));
@@ -122,39 +142,91 @@ struct Triple {
     return sign(m.p, 7 * epsilon * (m.l * m.l));
 }
 
-/// +1 where m hides q, -1 where it does not, in the default environment. Equal sites are out of the
-/// window, so that the tie rule changes no certain answer.
-[[nodiscard]] inline Verdict hides(const Site& m, const Site& q) noexcept {
-    if (q.r > m.r) return Verdict::certain(-1);
-    const Difference row(q, m);
-    if (!in_window(row.l)) [[unlikely]]
-        return Verdict::uncertain();
-    const Verdict of_power = sign_of_power(row);
-    return of_power.is_certain() ? Verdict::certain(-of_power.sign()) : of_power;
+inline Verdict Triple::apart() const noexcept {
+    Verdict result = Verdict::certain(1);
+    for (const Difference* m : {&j, &k, &jk}) {
+        const Verdict of_power = sign_of_power(*m);
+        if (!of_power.is_certain()) [[unlikely]]
+            return of_power;
+        if (of_power.sign() < 0) result = of_power;
+    }
+    return result;
 }
 
-/// Whether a circle touches i, j, k counterclockwise: +1 or -1; under the tie rule as without it,
-/// for an answer is certain only where neither Q nor a p is 0.
+/// +1 where m hides q, -1 where it does not, for the row of q relative to m.
+[[nodiscard]] inline Verdict hides(const Difference& q) noexcept {
+    // To nearest no difference underflows, so that its sign is that of r_q - r_m.
+    if (q.r > 0.0) return Verdict::certain(-1);
+    if (!in_window(q.l)) [[unlikely]]
+        return Verdict::uncertain();
+    const Verdict of_power = sign_of_power(q);
+    return of_power.is_certain() ? Verdict::certain(-of_power.sign()) : of_power;
+}
+[[nodiscard]] inline Verdict hides(const Site& m, const Site& q) noexcept {
+    if (!filters::environment_is_default()) [[unlikely]]
+        return Verdict::uncertain();
+    return hides(Difference(q, m));
+}
+
+/// Whether a circle touches i, j, k counterclockwise: +1 or -1.
 [[nodiscard]] inline Verdict exists(const Site& i, const Site& j, const Site& k) noexcept {
     if (!filters::environment_is_default()) [[unlikely]]
         return Verdict::uncertain();
     const Triple t(i, j, k);
     if (!t.in_window()) [[unlikely]]
         return Verdict::uncertain();
-    for (const Difference* m : {&t.j, &t.k, &t.jk}) {
-        const Verdict of_power = sign_of_power(*m);
-        if (!of_power.is_certain()) [[unlikely]]
-            return of_power;
-        if (of_power.sign() < 0) return of_power;
-    }
+    const Verdict apart = t.apart();
+    if (!apart.is_certain()) [[unlikely]]
+        return apart;
+    if (apart.sign() < 0) return apart;
     const Verdict of_q = t.sign_of_q();
     if (!of_q.is_certain()) [[unlikely]]
         return of_q;
     // C: 4 roundings of at most l_j l_k.
     if (of_q.sign() < 0) return sign(t.xy, 5 * epsilon * t.l_jk);
-    // 2ab: 14 roundings of at most (l_j l_k)² (l_j + l_k).
-    const double twice_ab = t.xp() * t.xr + t.yp() * t.yr;
-    return sign(twice_ab, 17 * epsilon * (t.l_jk * t.l_jk) * (t.j.l + t.k.l));
+    return t.sign_of_twice_ab();
+}
+
+/// Whether a circle touches them counterclockwise and another one clockwise. Almost always Q < 0,
+/// where the window is not asked for: E_xr² and so on underflow by less than 2^-1070 (1 + l_j l_k)
+/// together, and where a product overflows the bound does.
+[[nodiscard]] inline Verdict exists_twice(const Site& i, const Site& j, const Site& k) noexcept {
+    const Triple t(i, j, k);
+    const double bound = 13 * epsilon * (t.l_jk * t.l_jk) + (0x1p-1000 * t.l_jk + 0x1p-1000);
+    if (!filters::environment_is_default()) [[unlikely]]
+        return Verdict::uncertain();
+    if (t.q < -bound) [[likely]]
+        return Verdict::certain(-1);
+    if (!(t.q > bound) || !t.in_window()) return Verdict::uncertain();
+    const Verdict apart = t.apart();
+    if (!apart.is_certain() || apart.sign() < 0) return apart;
+    return t.sign_of_twice_ab();
+}
+
+/// The sign of C_k e_k Q_q - C_q e_q Q_k: 25 roundings. C and Q are at most l_j l_k and its square,
+/// e = p_ij - p_ik - p_jk is at most l_j² + l_k² + l_jk².
+[[nodiscard]] inline Verdict precedes(const Site& i, const Site& j, const Site& q,
+                                      const Site& k) noexcept {
+    if (!filters::environment_is_default()) [[unlikely]]
+        return Verdict::uncertain();
+    const Triple first(i, j, q);
+    const Triple second(i, j, k);
+    if (!in_window(first.j.l, first.k.l, first.jk.l, second.k.l, second.jk.l)) [[unlikely]]
+        return Verdict::uncertain();
+    // Twice the middle of a part, and a bound of its magnitude.
+    const auto middle = [](const Triple& t) { return t.xy * ((t.j.p - t.k.p) - t.jk.p); };
+    const auto size = [](const Triple& t) {
+        return t.l_jk * (t.j.l * t.j.l + t.k.l * t.k.l + t.jk.l * t.jk.l);
+    };
+    // Neither Q may be 0.
+    const Verdict of_first = first.sign_of_q();
+    const Verdict of_second = second.sign_of_q();
+    if (!of_first.is_certain() || !of_second.is_certain()) [[unlikely]]
+        return Verdict::uncertain();
+    return sign(
+        middle(second) * first.q - middle(first) * second.q,
+        29 * epsilon *
+            (size(second) * (first.l_jk * first.l_jk) + size(first) * (second.l_jk * second.l_jk)));
 }
 
 /// The sign of Q (A - L √Γ), where A is put in the order of q's row:
@@ -169,15 +241,15 @@ struct Triple {
 /// Now s <= g(1+9e), and t g <= m since l_jk <= l_j + l_k; so that all is at most
 /// (19 + 8 + 2 + 2) e m + 20e |L| g²/s, and some second-order terms. Where s is 0 or not a number
 /// neither is the bound smaller than anything.
-[[nodiscard]] inline Verdict in_circle(const Site& i, const Site& j, const Site& k,
-                                       const Site& q) noexcept {
+[[nodiscard]] inline Verdict in_circle_of_visible(const Site& i, const Site& j, const Site& k,
+                                                  const Site& q) noexcept {
     if (!filters::environment_is_default()) [[unlikely]]
         return Verdict::uncertain();
     const Triple t(i, j, k);
     const Difference c(q, i);
     if (!in_window(t.j.l, t.k.l, t.jk.l, c.l)) [[unlikely]]
         return Verdict::uncertain();
-    const double root = __builtin_sqrt(t.j.p * t.k.p * t.jk.p);
+    const double root = square_root(t.j.p * t.k.p * t.jk.p);
     const double xp = t.xp();
     const double yp = t.yp();
     const double rp = t.rp();
@@ -196,14 +268,13 @@ struct Triple {
     return Verdict::certain(of_q.sign() * filters::sign_of_nonzero(difference));
 }
 
-/// The same under the tie rule, where q may be hidden, which is no conflict. Q is not 0 where the
-/// filter is certain, and so the circle exists without the tie rule as well.
-[[nodiscard]] inline Verdict in_circle_perturbed(const Site& i, const Site& j, const Site& k,
-                                                 const Site& q) noexcept {
-    const Verdict verdict = in_circle(i, j, k, q);
+/// The same for a q that may be hidden, which is no conflict.
+[[nodiscard]] inline Verdict in_circle(const Site& i, const Site& j, const Site& k,
+                                       const Site& q) noexcept {
+    const Verdict verdict = in_circle_of_visible(i, j, k, q);
     if (!verdict.is_certain() || verdict.sign() < 0) return verdict;
     for (const Site* m : {&i, &j, &k}) {
-        const Verdict hidden = hides(*m, q);
+        const Verdict hidden = hides(Difference(q, *m));
         if (!hidden.is_certain()) [[unlikely]]
             return hidden;
         if (hidden.sign() > 0) return Verdict::certain(-1);
@@ -222,7 +293,7 @@ struct Triple {
     const Difference w(q, a);
     if (!in_window(u.l, w.l)) [[unlikely]]
         return Verdict::uncertain();
-    const double root = __builtin_sqrt(u.p);
+    const double root = square_root(u.p);
     const double cross = u.x * w.y - u.y * w.x;
     const double rational = w.r * (u.x * u.x + u.y * u.y) - u.r * (u.x * w.x + u.y * w.y);
     const double bound =
@@ -240,7 +311,7 @@ struct Triple {
     const auto distance = [&p](const Site& s) {
         const double x = p.x - s.x;
         const double y = p.y - s.y;
-        return __builtin_sqrt(x * x + y * y);
+        return square_root(x * x + y * y);
     };
     const double to_a = distance(a);
     const double to_b = distance(b);

@@ -1,6 +1,7 @@
 #pragma once
 /// The polynomials that decide the Euclidean predicates, for exact numbers of any type, and the
-/// signs that follow from them without a square root. Included by sources only.
+/// signs that follow from them without a square root: in integers and rationals the exact stages,
+/// in doubles the naive predicates. Included by sources only.
 ///
 /// With p_ab = |c_a - c_b|² - (r_a - r_b)² and the rows (x, y, r, p) of j, k and q relative to i,
 /// E_ab the 2x2 minors over j, k and D_abc the 3x3 minors over j, k, q:
@@ -15,7 +16,15 @@
 ///  2. A² - L² Γ = Q H / 4, so that A, L, Q and H, of degree 8 at most, have all the signs needed;
 ///  3. H = 0 is Casey's theorem: one circle touches all four. H(p_ij, p_ik, p_jk) = 4Q: one line
 ///     touches all three.
-/// Proved by tests/unit/apollonius_identities_test.cpp on all kinds of degenerate configurations.
+///  4. |c_j - c_i|² Q = W² - p_ij C² with W = |c_j - c_i|² r_k - r_j (c_j - c_i)·(c_k - c_i), so
+///  that
+///     Q = 0 and C = 0 only together with W;
+///  5. along the bisector of i and j, walked with i on the left, the coordinate
+///     t = (c_j - c_i) x (X - c_i) rises. The part nearer to k runs, cyclically through infinity,
+///     from vertex (i,j,k), at t = M + N, to vertex (j,i,k), at t = M - N, with
+///     M = p_ij C e / 4Q,  e = p_ij - p_ik - p_jk,  N = W √Γ / 2Q.
+/// Proved by tests/unit/apollonius_identities_test.cpp on all kinds of degenerate configurations;
+/// law 5 by tests/property/euclidean_predicates_test.cpp.
 
 #include <algorithm>
 #include <array>
@@ -143,6 +152,8 @@ struct Triple {
 
     /// Neither hides another, nor touches it from inside.
     [[nodiscard]] bool apart() const { return j.p > 0 && k.p > 0 && jk > 0; }
+    /// Where not apart: nothing but a touch keeps them from it.
+    [[nodiscard]] bool touch() const { return j.p >= 0 && k.p >= 0 && jk >= 0; }
 };
 
 /// The powers of four sites.
@@ -176,12 +187,26 @@ template <std::size_t n>
 }  // namespace polynomials
 
 // ---- the questions -----------------------------------------------------------------------------
+// `ranks` are the places of the sites in the order of the tie rule; only their order counts.
 
-/// Whether i hides q; a later one of two equal sites is hidden, an earlier one is not.
+/// A sign that is never 0, and whether the tie rule chose it.
+struct Answer {
+    Sign sign;
+    bool tied = false;
+};
+
+/// Whether i hides q.
 template <class D>
-[[nodiscard]] bool hides(const Disc<D>& i, const Disc<D>& q, bool i_precedes_q) {
-    if (q.r > i.r || (q.r == i.r && !i_precedes_q)) return false;
-    return polynomials::power(i, q) <= 0;
+[[nodiscard]] Answer hides(const Disc<D>& i, const Disc<D>& q, bool i_precedes_q) {
+    if (q.r > i.r) return {-1};
+    const auto power = polynomials::power(i, q);
+    if (!(power <= 0)) return {-1};
+    if (q.r == i.r) return {i_precedes_q ? 1 : -1, true};
+    return {1, power == 0};
+}
+template <class D>
+[[nodiscard]] Answer hides(const std::array<Disc<D>, 2>& d, const std::array<Index, 2>& ranks) {
+    return hides(d[0], d[1], ranks[0] < ranks[1]);
 }
 
 /// The sign of |p-b| - |p-a| + r_a - r_b for the centre of the first disc, and a, b the others.
@@ -214,10 +239,12 @@ template <class D>
            sign(Quartic(4 * product<Quartic>(square_d, near) - product<Quartic>(rest, rest)));
 }
 
-/// The sign of Q.
+/// Whether the centre of the first disc is nearer to the second than to the third.
 template <class D>
-[[nodiscard]] Sign edge_bounded(const std::array<Disc<D>, 3>& d) {
-    return polynomials::sign(polynomials::Triple<D>(d[0], d[1], d[2]).q);
+[[nodiscard]] Answer nearer(const std::array<Disc<D>, 3>& d, const std::array<Index, 2>& ranks) {
+    const Sign sign = nearer(d);
+    if (sign != 0) return {sign};
+    return {ranks[0] < ranks[1] ? 1 : -1, true};
 }
 
 namespace polynomials {
@@ -231,34 +258,67 @@ template <class D>
     return t.xy > 0 && t.twice_ab() > 0;
 }
 
-/// Where Q = 0 and no circle exists, a line may touch all three. If the last of them lies between
-/// the others it recedes, and the line becomes a circle of nearly infinite radius.
+/// Whether the last of the three lies between the others: then it recedes from a line that touches
+/// all of them, and the line becomes a circle of nearly infinite radius.
 template <class D>
-[[nodiscard]] bool exists_at_infinity(const Triple<D>& t, const std::array<Index, 3>& ranks) {
-    if (sign(t.q) != 0) return false;
+[[nodiscard]] bool last_lies_between(const Triple<D>& t, const std::array<Index, 3>& ranks) {
     const std::array<const typename D::Quadratic*, 3> opposite = {&t.jk, &t.k.p, &t.j.p};
     const std::size_t m = last_of(ranks, 3);
     const auto& others = *opposite[m];
-    return others > *opposite[(m + 1) % 3] && others > *opposite[(m + 2) % 3] &&
-           sign(t.xy) * t.twice_ab() < 0;
+    return others > *opposite[(m + 1) % 3] && others > *opposite[(m + 2) % 3];
 }
 
 }  // namespace polynomials
 
-/// +1 where a finite circle touches the three counterclockwise, -1 otherwise.
+/// Whether a circle touches the three counterclockwise. Without the tie rule a line that touches
+/// all three, C and 2ab of different signs, is no circle.
 template <class D>
-[[nodiscard]] Sign exists(const std::array<Disc<D>, 3>& d) {
-    const polynomials::Triple<D> t(d[0], d[1], d[2]);
-    return t.apart() && polynomials::exists(t) ? 1 : -1;
+[[nodiscard]] Answer exists(const std::array<Disc<D>, 3>& d, const std::array<Index, 3>& ranks) {
+    using namespace polynomials;
+    const Triple<D> t(d[0], d[1], d[2]);
+    if (!t.apart()) return {-1, t.touch()};
+    if (t.q != 0) return {exists(t) ? 1 : -1};
+    const bool at_infinity = sign(t.xy) * t.twice_ab() < 0 && last_lies_between(t, ranks);
+    return {exists(t) || at_infinity ? 1 : -1, true};
 }
 
-/// The same under the tie rule.
+/// Whether one circle touches the three counterclockwise and another one clockwise. Where Q = 0 one
+/// of them is finite, the other one of nearly infinite radius.
 template <class D>
-[[nodiscard]] Sign exists_perturbed(const std::array<Disc<D>, 3>& d,
-                                    const std::array<Index, 3>& ranks) {
-    const polynomials::Triple<D> t(d[0], d[1], d[2]);
-    if (!t.apart()) return -1;
-    return polynomials::exists(t) || polynomials::exists_at_infinity(t, ranks) ? 1 : -1;
+[[nodiscard]] Answer exists_twice(const std::array<Disc<D>, 3>& d,
+                                  const std::array<Index, 3>& ranks) {
+    using namespace polynomials;
+    const Triple<D> t(d[0], d[1], d[2]);
+    if (t.q < 0) return {-1};
+    if (!t.apart()) return {-1, t.touch()};
+    const bool above = t.twice_ab() > 0;
+    if (t.q != 0) return {above ? 1 : -1};
+    return {above && t.xy != 0 && last_lies_between(t, ranks) ? 1 : -1, true};
+}
+
+/// Whether the part of the bisector of i and j that belongs to q, or where that is all but an
+/// interval, that interval, comes before the part that belongs to k, walked in the direction of law
+/// 5. Discs i, j, q, k. Preconditions: each of q and k exists twice with i and j, k's part is an
+/// interval, both intervals are disjoint.
+///
+/// Disjoint intervals are ordered as their middles M. Under the tie rule Q = 0 is positive, but
+/// infinitely small, and C and e are not 0.
+template <class D>
+[[nodiscard]] Answer precedes(const std::array<Disc<D>, 4>& d) {
+    using namespace polynomials;
+    using Quartic = typename D::Quartic;
+    using Octic = typename D::Octic;
+    const Triple<D> q(d[0], d[1], d[2]);
+    const Triple<D> k(d[0], d[1], d[3]);
+    const auto middle = [](const Triple<D>& t) -> Quartic {
+        return product<Quartic>(t.xy, Quartic(as<Quartic>(t.j.p) - t.k.p - t.jk));
+    };
+    const Quartic of_q = middle(q);
+    const Quartic of_k = middle(k);
+    const bool tied = q.q == 0 || k.q == 0;
+    if (q.q == 0 && k.q == 0) return {sign(of_k) > sign(of_q) ? 1 : -1, tied};
+    const bool rises = product<Octic>(of_k, q.q) > product<Octic>(of_q, k.q);
+    return {rises ? 1 : -1, tied};
 }
 
 namespace polynomials {
@@ -303,17 +363,11 @@ template <class D>
 
 }  // namespace polynomials
 
-/// Preconditions: exists(i,j,k), q hidden by none of them.
-template <class D>
-[[nodiscard]] Sign in_circle(const std::array<Disc<D>, 4>& d) {
-    const polynomials::Triple<D> t(d[0], d[1], d[2]);
-    return polynomials::in_circle(t, polynomials::Powers<D>(t, d), d);
-}
-
 /// With u, s the row of b relative to a and w, z that of q: the sign of
 /// (z |u|² - s u·w) - √p_ab (u x w), whose resultant is |u|² H(p_ab, p_aq, p_bq) / 4.
 template <class D>
-[[nodiscard]] Sign in_circle_infinite(const Disc<D>& a, const Disc<D>& b, const Disc<D>& q) {
+[[nodiscard]] Sign in_circle_infinite(const std::array<Disc<D>, 3>& d) {
+    const auto& [a, b, q] = d;
     using Quadratic = typename D::Quadratic;
     using Quartic = typename D::Quartic;
     using namespace polynomials;
@@ -327,39 +381,57 @@ template <class D>
                               [&] { return sign(casey<Quartic>(u.p, w.p, power(b, q))); });
 }
 
-/// Under the tie rule. Precondition: i, j, k exist under it.
+namespace polynomials {
+
+/// The vertex of nearly infinite radius touches the last of the three between the others.
 template <class D>
-[[nodiscard]] Sign in_circle_perturbed(const std::array<Disc<D>, 4>& d,
-                                       const std::array<Index, 4>& ranks) {
-    for (std::size_t m = 0; m < 3; ++m)
-        if (hides(d[m], d[3], ranks[m] < ranks[3])) return -1;
+[[nodiscard]] Sign in_circle_at_infinity(const std::array<Disc<D>, 4>& d,
+                                         const std::array<Index, 4>& ranks) {
+    const std::size_t m = last_of(ranks, 3);
+    return euclidean::in_circle_infinite(std::array{d[(m + 1) % 3], d[(m + 2) % 3], d[3]});
+}
+
+}  // namespace polynomials
+
+/// Whether q conflicts with the vertex of i, j, k that exists under the tie rule; 0 where it
+/// touches. Precondition: none of them hides q.
+template <class D>
+[[nodiscard]] Sign in_circle_touch(const std::array<Disc<D>, 4>& d,
+                                   const std::array<Index, 4>& ranks) {
     const polynomials::Triple<D> t(d[0], d[1], d[2]);
-    const polynomials::Powers<D> p(t, d);
-    Sign sign = 0;
-    if (t.q == 0 && !polynomials::exists(t)) {
-        // The circle of nearly infinite radius, which touches the last of the three in between.
-        const std::size_t m = polynomials::last_of(ranks, 3);
-        sign = in_circle_infinite(d[(m + 1) % 3], d[(m + 2) % 3], d[3]);
-    } else {
-        sign = polynomials::in_circle(t, p, d);
+    if (t.q == 0 && !polynomials::exists(t)) return polynomials::in_circle_at_infinity(d, ranks);
+    return polynomials::in_circle(t, polynomials::Powers<D>(t, d), d);
+}
+
+/// The same under the tie rule, without the precondition.
+template <class D>
+[[nodiscard]] Answer in_circle(const std::array<Disc<D>, 4>& d, const std::array<Index, 4>& ranks) {
+    for (std::size_t m = 0; m < 3; ++m) {
+        const Answer hidden = hides(d[m], d[3], ranks[m] < ranks[3]);
+        if (hidden.sign > 0) return {-1, hidden.tied};
     }
-    return sign != 0 ? sign : polynomials::in_circle_tie(p, ranks);
+    const Sign sign = in_circle_touch(d, ranks);
+    if (sign != 0) return {sign};
+    const polynomials::Triple<D> t(d[0], d[1], d[2]);
+    return {polynomials::in_circle_tie(polynomials::Powers<D>(t, d), ranks), true};
 }
 
 /// Under the tie rule: as for a finite vertex, with the powers in the place of their products.
 /// Precondition: neither of a and b hides the other.
 template <class D>
-[[nodiscard]] Sign in_circle_infinite_perturbed(const std::array<Disc<D>, 3>& d,
-                                                const std::array<Index, 3>& ranks) {
+[[nodiscard]] Answer in_circle_infinite(const std::array<Disc<D>, 3>& d,
+                                        const std::array<Index, 3>& ranks) {
     const auto& [a, b, q] = d;
-    const Sign sign = in_circle_infinite(a, b, q);
-    if (sign != 0) return sign;
-    if (hides(a, q, ranks[0] < ranks[2]) || hides(b, q, ranks[1] < ranks[2])) return -1;
+    const Sign sign = in_circle_infinite(d);
+    if (sign != 0) return {sign};
+    if (hides(a, q, ranks[0] < ranks[2]).sign > 0 || hides(b, q, ranks[1] < ranks[2]).sign > 0)
+        return {-1, true};
     const std::size_t m = polynomials::last_of(ranks, 3);
-    if (m == 2) return -1;
+    if (m == 2) return {-1, true};
     const auto opposite = polynomials::power(d[m], q);
-    return opposite > polynomials::power(a, b) && opposite > polynomials::power(d[1 - m], q) ? -1
-                                                                                             : 1;
+    const bool between =
+        opposite > polynomials::power(a, b) && opposite > polynomials::power(d[1 - m], q);
+    return {between ? -1 : 1, true};
 }
 
 }  // namespace signum::euclidean
