@@ -194,7 +194,7 @@ void hurt(Degenerate& degenerate, int trial, Site (&s)[4]) {
     }
     const int kind = random.below(8);
     const double scale = kind == 0   ? 0x1p-1060
-                         : kind == 1 ? 0x1p1000
+                         : kind == 1 ? 0x1p990
                          : kind == 2 ? 0x1p-130
                          : kind == 3 ? 0x1p110
                                      : 1.0 + 0x1p-30 * random.below(9);
