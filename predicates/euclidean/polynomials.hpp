@@ -367,31 +367,18 @@ template <class D>
 /// (z |u|² - s u·w) - √p_ab (u x w), whose resultant is |u|² H(p_ab, p_aq, p_bq) / 4.
 template <class D>
 [[nodiscard]] Sign in_circle_infinite(const std::array<Disc<D>, 3>& d) {
-    const auto& [a, b, q] = d;
     using Quadratic = typename D::Quadratic;
     using Quartic = typename D::Quartic;
     using namespace polynomials;
-    const Row<D> u(b, a);
-    const Row<D> w(q, a);
+    const Row<D> u(d[1], d[0]);
+    const Row<D> w(d[2], d[0]);
     const Quadratic square = product<Quadratic>(u.x, u.x) + product<Quadratic>(u.y, u.y);
     const Quadratic inner = product<Quadratic>(u.x, w.x) + product<Quadratic>(u.y, w.y);
     const Sign rational = sign(minor<Quartic>(w.r, u.r, inner, square));
     const Sign cross = sign(minor<Quadratic>(u.x, u.y, w.x, w.y));
     return sign_of_difference(rational, cross,
-                              [&] { return sign(casey<Quartic>(u.p, w.p, power(b, q))); });
+                              [&] { return sign(casey<Quartic>(u.p, w.p, power(d[1], d[2]))); });
 }
-
-namespace polynomials {
-
-/// The vertex of nearly infinite radius touches the last of the three between the others.
-template <class D>
-[[nodiscard]] Sign in_circle_at_infinity(const std::array<Disc<D>, 4>& d,
-                                         const std::array<Index, 4>& ranks) {
-    const std::size_t m = last_of(ranks, 3);
-    return euclidean::in_circle_infinite(std::array{d[(m + 1) % 3], d[(m + 2) % 3], d[3]});
-}
-
-}  // namespace polynomials
 
 /// Whether q conflicts with the vertex of i, j, k that exists under the tie rule; 0 where it
 /// touches. Precondition: none of them hides q.
@@ -399,7 +386,11 @@ template <class D>
 [[nodiscard]] Sign in_circle_touch(const std::array<Disc<D>, 4>& d,
                                    const std::array<Index, 4>& ranks) {
     const polynomials::Triple<D> t(d[0], d[1], d[2]);
-    if (t.q == 0 && !polynomials::exists(t)) return polynomials::in_circle_at_infinity(d, ranks);
+    if (t.q == 0 && !polynomials::exists(t)) {
+        // A circle of nearly infinite radius touches the last of the three between the others.
+        const std::size_t m = polynomials::last_of(ranks, 3);
+        return in_circle_infinite(std::array{d[(m + 1) % 3], d[(m + 2) % 3], d[3]});
+    }
     return polynomials::in_circle(t, polynomials::Powers<D>(t, d), d);
 }
 

@@ -80,22 +80,17 @@ oracle::Tessellation tessellation(const Sites& sites) {
                 result.faces.push_back({-1, j, i});
             for (const Index k : visible) {
                 if (k <= i || k == j || j <= i) continue;
-                for (const auto& [u, v] : {std::pair(j, k), std::pair(k, j)}) {
-                    if (j > k) continue;
-                    const Site& s = sites[at(u)];
-                    const Site& t = sites[at(v)];
-                    if (Predicates::exists(a, s, t, {rank[at(i)], rank[at(u)], rank[at(v)]}).sign <
-                        0)
-                        continue;
-                    if (none(
-                            [&](Index q) {
-                                return Predicates::in_circle(
-                                    a, s, t, sites[at(q)],
-                                    {rank[at(i)], rank[at(u)], rank[at(v)], rank[at(q)]});
-                            },
-                            {i, u, v}))
-                        result.faces.push_back({i, u, v});
-                }
+                const Site& c = sites[at(k)];
+                if (Predicates::exists(a, b, c, {rank[at(i)], rank[at(j)], rank[at(k)]}).sign < 0)
+                    continue;
+                if (none(
+                        [&](Index q) {
+                            return Predicates::in_circle(
+                                a, b, c, sites[at(q)],
+                                {rank[at(i)], rank[at(j)], rank[at(k)], rank[at(q)]});
+                        },
+                        {i, j, k}))
+                    result.faces.push_back({i, j, k});
             }
         }
     std::sort(result.faces.begin(), result.faces.end());
