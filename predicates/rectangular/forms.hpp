@@ -26,6 +26,7 @@
 #include <signum/core/site.hpp>
 #include <signum/filters/bounds.hpp>
 #include <signum/filters/tally.hpp>
+#include <signum/predicates/additive.hpp>
 
 namespace signum::rectangular {
 
@@ -50,11 +51,7 @@ struct Addend {
 };
 
 /// How a sum whose sign the filter leaves open is decided.
-enum class Sums {
-    exact,          ///< by the exact sign of the sum of its doubles
-    naive,          ///< not at all: there is no filter, the rounded sum has the last word
-    multiprecision  ///< by rationals; nothing is left to the filter
-};
+using Sums = additive::Stages;
 
 /// The exact sign of a sum of forms (at most eight), 0 included. In every environment.
 template <class Directions>
