@@ -29,8 +29,9 @@ enum class WeightIs : std::uint8_t { radius, weight };
 [[nodiscard]] std::string_view name_of(Metric metric) noexcept;
 [[nodiscard]] std::string_view name_of(WeightIs weight_is) noexcept;
 
-/// The power metric |x-c|² - w. Passed to triangulate() to choose the metric.
+/// Passed to triangulate() to choose the metric.
 struct Power {};
+struct Euclidean {};
 struct Manhattan {};
 struct Supremum {};
 

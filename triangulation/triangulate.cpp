@@ -6,6 +6,7 @@
 #include <string>
 
 #include <signum/exact/floating_environment.hpp>
+#include <signum/predicates/euclidean.hpp>
 #include <signum/predicates/manhattan.hpp>
 #include <signum/predicates/supremum.hpp>
 #include <signum/triangulation/additive_kernel.hpp>
@@ -206,23 +207,22 @@ Tessellation construct_additive(Metric metric, const StridedSites& input, const 
                   std::move(topology), std::move(original), std::move(hidden_by));
 }
 
-template <class Directions, Arithmetic arithmetic>
-Tessellation construct_rectangular(Metric metric, const StridedSites& input,
-                                   const Options& options) {
-    using rectangular::Sums;
-    constexpr Sums sums = arithmetic == Arithmetic::exact   ? Sums::exact
-                          : arithmetic == Arithmetic::naive ? Sums::naive
-                                                            : Sums::multiprecision;
-    using Predicates = rectangular::Perturbed<Directions, sums>;
-    using Counting = AdditiveKernel<Predicates, arithmetic, filters::Tally>;
-    using Plain = AdditiveKernel<Predicates, arithmetic, filters::NoTally>;
+template <template <additive::Stages> class Predicates, Arithmetic arithmetic>
+Tessellation construct_additive_counting(Metric metric, const StridedSites& input,
+                                         const Options& options) {
+    using additive::Stages;
+    constexpr Stages stages = arithmetic == Arithmetic::exact   ? Stages::exact
+                              : arithmetic == Arithmetic::naive ? Stages::naive
+                                                                : Stages::multiprecision;
+    using Counting = AdditiveKernel<Predicates<stages>, arithmetic, filters::Tally>;
+    using Plain = AdditiveKernel<Predicates<stages>, arithmetic, filters::NoTally>;
     return options.count ? construct_additive<Counting>(metric, input, options)
                          : construct_additive<Plain>(metric, input, options);
 }
 
-template <class Directions>
-Tessellation construct_rectangular(Metric metric, const StridedSites& input,
-                                   const Options& options) {
+template <template <additive::Stages> class Predicates>
+Tessellation construct_additive_with_arithmetic(Metric metric, const StridedSites& input,
+                                                const Options& options) {
     const exact::IeeeEnvironment environment;
     check_input(input);
     if (input.third_is_weight())
@@ -230,14 +230,15 @@ Tessellation construct_rectangular(Metric metric, const StridedSites& input,
                                     " metric have radii, not weights");
     switch (options.arithmetic) {
         case Arithmetic::naive:
-            return construct_rectangular<Directions, Arithmetic::naive>(metric, input, options);
+            return construct_additive_counting<Predicates, Arithmetic::naive>(metric, input,
+                                                                              options);
         case Arithmetic::multiprecision:
-            return construct_rectangular<Directions, Arithmetic::multiprecision>(metric, input,
-                                                                                 options);
+            return construct_additive_counting<Predicates, Arithmetic::multiprecision>(
+                metric, input, options);
         case Arithmetic::exact:
             break;
     }
-    return construct_rectangular<Directions, Arithmetic::exact>(metric, input, options);
+    return construct_additive_counting<Predicates, Arithmetic::exact>(metric, input, options);
 }
 
 template <power::PowerSite S, Arithmetic arithmetic>
@@ -267,14 +268,19 @@ std::string_view name_of(Arithmetic arithmetic) noexcept {
     return names[static_cast<int>(arithmetic)];
 }
 
+Tessellation triangulate(StridedSites sites, Euclidean /*metric*/, const Options& options) {
+    return triangulation::construct_additive_with_arithmetic<euclidean::Perturbed>(
+        Metric::euclidean, sites, options);
+}
+
 Tessellation triangulate(StridedSites sites, Manhattan /*metric*/, const Options& options) {
-    return triangulation::construct_rectangular<rectangular::Manhattan>(Metric::manhattan, sites,
-                                                                        options);
+    return triangulation::construct_additive_with_arithmetic<manhattan::Perturbed>(
+        Metric::manhattan, sites, options);
 }
 
 Tessellation triangulate(StridedSites sites, Supremum /*metric*/, const Options& options) {
-    return triangulation::construct_rectangular<rectangular::Supremum>(Metric::supremum, sites,
-                                                                       options);
+    return triangulation::construct_additive_with_arithmetic<supremum::Perturbed>(Metric::supremum,
+                                                                                  sites, options);
 }
 
 Tessellation triangulate(StridedSites sites, Power /*metric*/, const Options& options) {

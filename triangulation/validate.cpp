@@ -1,19 +1,13 @@
 #include <signum/triangulation/validate.hpp>
 
 #include <signum/exact/floating_environment.hpp>
+#include <signum/predicates/euclidean.hpp>
 #include <signum/predicates/manhattan.hpp>
 #include <signum/predicates/supremum.hpp>
 #include <signum/triangulation/additive_check.hpp>
 #include <signum/triangulation/power_check.hpp>
 
 namespace signum {
-namespace {
-
-template <class Directions>
-using InRationals = rectangular::Perturbed<Directions, rectangular::Sums::multiprecision>;
-
-}  // namespace
-
 Validation validate(const TessellationArrays& arrays, StridedSites sites) {
     using namespace triangulation;
     const exact::IeeeEnvironment environment;
@@ -25,13 +19,14 @@ Validation validate(const TessellationArrays& arrays, StridedSites sites) {
         return {false, false,
                 "sites of the " + std::string(name_of(arrays.metric)) +
                     " metric have radii, not weights"};
+    constexpr auto in_rationals = additive::Stages::multiprecision;
     switch (arrays.metric) {
         case Metric::manhattan:
-            return AdditiveCheck<InRationals<rectangular::Manhattan>>(arrays, sites).run();
+            return AdditiveCheck<manhattan::Perturbed<in_rationals>>(arrays, sites).run();
         case Metric::supremum:
-            return AdditiveCheck<InRationals<rectangular::Supremum>>(arrays, sites).run();
+            return AdditiveCheck<supremum::Perturbed<in_rationals>>(arrays, sites).run();
         case Metric::euclidean:
-            return {false, false, "tessellations of the euclidean metric cannot be checked yet"};
+            return AdditiveCheck<euclidean::Perturbed<in_rationals>>(arrays, sites).run();
         case Metric::power:
             break;
     }

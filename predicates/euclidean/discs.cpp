@@ -1,6 +1,7 @@
 #include <signum/predicates/euclidean/discs.hpp>
 
 #include <signum/exact/floating_environment.hpp>
+#include <signum/exact/sign_of_sum.hpp>
 #include <signum/predicates/euclidean/cold_discs.hpp>
 #include <signum/predicates/euclidean/polynomials.hpp>
 #include <signum/predicates/multiprecision.hpp>
@@ -77,6 +78,12 @@ Decision in_circle_infinite(Stages stages, const Site& a, const Site& b, const S
     return decide(
         stages, filter::in_circle_infinite,
         [&](const auto& d) { return euclidean::in_circle_infinite(d, ranks); }, a, b, q);
+}
+
+bool reaches_farther(const Site& a, const Site& b, bool a_precedes_b) noexcept {
+    const double terms[] = {a.x, a.r, -b.x, -b.r};
+    const Sign sign = sign_of_sum(terms);
+    return sign != 0 ? sign > 0 : a_precedes_b;
 }
 
 Decision turn(Stages stages, const Site& a, const Site& b, const Site& c) noexcept {

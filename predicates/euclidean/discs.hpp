@@ -47,6 +47,10 @@ using Ranks = std::array<Index, n>;
 [[nodiscard, gnu::cold, gnu::pure]] Decision in_circle_infinite(Stages stages, const Site& a,
                                                                 const Site& b, const Site& q,
                                                                 const Ranks<3>& ranks) noexcept;
+/// Whether a reaches farther in the direction of rising x than b, of which it is no equal in the
+/// tie rule's order.
+[[nodiscard, gnu::cold, gnu::pure]] bool reaches_farther(const Site& a, const Site& b,
+                                                         bool a_precedes_b) noexcept;
 [[nodiscard, gnu::cold, gnu::pure]] Decision turn(Stages stages, const Site& a, const Site& b,
                                                   const Site& c) noexcept;
 
@@ -161,6 +165,28 @@ struct Perturbed {
         return {back.sign > 0 ? 1 : -1, stage < back.stage ? back.stage : stage};
     }
 
+    /// Whether the part of the horizon that belongs to s alone of s, k and l, counterclockwise from
+    /// the hull edge k -> s to s -> l, contains the direction of rising x: +1 or -1; k and l may be
+    /// the same.
+    ///
+    /// Law: neither k nor l reaches farther in it; and if their arcs are disjoint, so that there
+    /// are two such parts, it comes between the middle of k's arc and the middle of l's.
+    [[nodiscard]] static Decision holds_first_direction(
+        const Site& k, const Site& s, const Site& l, const std::array<Index, 3>& ranks) noexcept {
+        constexpr Stage stage =
+            stages == Stages::multiprecision ? Stage::multiprecision : Stage::exact;
+        if (cold::reaches_farther(k, s, ranks[0] < ranks[1]) ||
+            cold::reaches_farther(l, s, ranks[2] < ranks[1]))
+            return {-1, stage};
+        if (ranks[0] == ranks[2] ||
+            in_circle_infinite(s, k, l, {ranks[1], ranks[0], ranks[2]}).sign > 0 ||
+            in_circle_infinite(l, s, k, {ranks[2], ranks[1], ranks[0]}).sign > 0)
+            return {1, stage};
+        const Sign sum = compare(s.y, k.y) + compare(l.y, s.y);
+        if (sum != 0) return {sum > 0 ? 1 : -1, stage};
+        return {turn(s, l, k).sign > 0 ? 1 : -1, stage};
+    }
+
     /// Whether the point p is nearer to a than to b: +1 or -1.
     [[nodiscard]] static Decision nearer(const Point& p, const Site& a, const Site& b,
                                          const std::array<Index, 2>& ranks) noexcept {
@@ -186,6 +212,10 @@ struct Perturbed {
             return decision;
         return {power::in_circle_tie(centre(i), centre(j), centre(k), centre(q), ranks),
                 decision.stage, true};
+    }
+
+    [[nodiscard]] static Sign compare(double a, double b) noexcept {
+        return static_cast<int>(a > b) - static_cast<int>(a < b);
     }
 
     [[nodiscard]] static Decision turn(const Site& a, const Site& b, const Site& c) noexcept {
