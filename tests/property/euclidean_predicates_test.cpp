@@ -162,8 +162,9 @@ TEST(EuclideanPredicates, AnswerWhatIsTrueOfShrunkenDiscs) {
                 ASSERT_EQ(Exact::hides(s[a], s[b], ranks).sign, sign(discs.hides(a, b)))
                     << text(s, 4) << a << b;
                 apart[a][b] = !discs.hides(a, b) && !discs.hides(b, a);
-                ASSERT_EQ(Exact::nearer({s[0].x, s[0].y}, s[a], s[b], ranks).sign,
-                          sign(discs.nearer(a, b, 0)))
+                if (a == 3) continue;
+                ASSERT_EQ(Exact::nearer({s[3].x, s[3].y}, s[a], s[b], ranks).sign,
+                          sign(discs.nearer(a, b, 3)))
                     << text(s, 4) << a << b;
             }
         const std::array<Index, 3> first = {r[0], r[1], r[2]};
@@ -189,7 +190,7 @@ TEST(EuclideanPredicates, AnswerWhatIsTrueOfShrunkenDiscs) {
     }
     EXPECT_GT(twice, 500);
     EXPECT_GT(twice_tied, 50);
-    EXPECT_GT(vertices_tied, 1000);
+    EXPECT_GT(vertices_tied, 500);
     EXPECT_GT(hiding, 50);
 }
 
