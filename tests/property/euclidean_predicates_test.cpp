@@ -127,7 +127,7 @@ class Degenerate {
 TEST(EuclideanPredicates, ChooseTheTessellationOfTheOracle) {
     Degenerate degenerate(7);
     Random& random = degenerate.random();
-    for (int trial = 0; trial < 4500; ++trial) {
+    for (int trial = 0; trial < 3000; ++trial) {
         Sites sites(static_cast<std::size_t>(random.between(2, trial % 10 == 0 ? 7 : 5)));
         degenerate.fill(trial % Degenerate::families, sites.data(), sites.size());
         ASSERT_NO_FATAL_FAILURE(expect_oracle<Exact>(sites, signum::oracle::euclidean(sites)));
@@ -148,7 +148,7 @@ TEST(EuclideanPredicates, AnswerWhatIsTrueOfShrunkenDiscs) {
     int twice_tied = 0;
     int vertices_tied = 0;
     int hiding = 0;
-    for (int trial = 0; trial < 15'000; ++trial) {
+    for (int trial = 0; trial < 5'000; ++trial) {
         Site s[4];
         degenerate.fill(trial % Degenerate::families, s, 4);
         const auto r = ranks_of(s);
@@ -188,10 +188,10 @@ TEST(EuclideanPredicates, AnswerWhatIsTrueOfShrunkenDiscs) {
         for (const Index m : {0, 1, 2})
             hiding += static_cast<int>(conflict.tied && discs.hides(3, m));
     }
-    EXPECT_GT(twice, 500);
-    EXPECT_GT(twice_tied, 50);
-    EXPECT_GT(vertices_tied, 500);
-    EXPECT_GT(hiding, 50);
+    EXPECT_GT(twice, 100);
+    EXPECT_GT(twice_tied, 10);
+    EXPECT_GT(vertices_tied, 150);
+    EXPECT_GT(hiding, 10);
 }
 
 /// All answers about four sites; 0 where a precondition of the tie rule fails.
@@ -250,8 +250,8 @@ void hurt(Degenerate& degenerate, int trial, Site (&s)[4]) {
     const int kind = random.below(8);
     const double scale = kind == 0   ? 0x1p-1060
                          : kind == 1 ? 0x1p990
-                         : kind == 2 ? 0x1p-130
-                         : kind == 3 ? 0x1p110
+                         : kind == 2 ? std::ldexp(1.0, -random.between(100, 560))
+                         : kind == 3 ? std::ldexp(1.0, random.between(100, 350))
                                      : 1.0 + 0x1p-30 * random.below(9);
     const double away = random.below(4) == 0 ? scale * random.in_binades(0, 30) : 0.0;
     for (Site& site : s) {
@@ -506,7 +506,7 @@ TEST(EuclideanPredicates, OrderIntervalsOnABisectorAsTheirEnds) {
     std::array<int, 2> rests{};
     std::array<int, 3> ties{};
     std::array<int, 2> answers{};
-    for (int trial = 0; trial < 40'000; ++trial) {
+    for (int trial = 0; trial < 20'000; ++trial) {
         Site s[4];  // i, j, q, k
         fill_bisector(degenerate, trial, s);
         if (random.coin()) std::swap(s[0], s[1]);
@@ -538,9 +538,9 @@ TEST(EuclideanPredicates, OrderIntervalsOnABisectorAsTheirEnds) {
         ++answers[before ? 1 : 0];
         ASSERT_EQ(given.tied, of_q.tied || of_k.tied);
     }
-    for (const int count : rests) EXPECT_GT(count, 100);
-    for (const int count : ties) EXPECT_GT(count, 20);
-    for (const int count : answers) EXPECT_GT(count, 100);
+    for (const int count : rests) EXPECT_GT(count, 50);
+    for (const int count : ties) EXPECT_GT(count, 10);
+    for (const int count : answers) EXPECT_GT(count, 50);
 }
 
 TEST(EuclideanPredicates, OrderArcsAtInfinityAsTheirMiddles) {
