@@ -283,7 +283,8 @@ template <class D>
 }
 
 /// Whether one circle touches the three counterclockwise and another one clockwise. Where Q = 0 one
-/// of them is finite, the other one of nearly infinite radius.
+/// of them is finite, the other one of nearly infinite radius; then C is not 0, for with it 2ab
+/// would be 0 as well (law 4).
 template <class D>
 [[nodiscard]] Answer exists_twice(const std::array<Disc<D>, 3>& d,
                                   const std::array<Index, 3>& ranks) {
@@ -293,7 +294,7 @@ template <class D>
     if (!t.apart()) return {-1, t.touch()};
     const bool above = t.twice_ab() > 0;
     if (t.q != 0) return {above ? 1 : -1};
-    return {above && t.xy != 0 && last_lies_between(t, ranks) ? 1 : -1, true};
+    return {above && last_lies_between(t, ranks) ? 1 : -1, true};
 }
 
 /// Whether the part of the bisector of i and j that belongs to q, or where that is all but an

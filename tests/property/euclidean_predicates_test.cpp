@@ -127,7 +127,7 @@ class Degenerate {
 TEST(EuclideanPredicates, ChooseTheTessellationOfTheOracle) {
     Degenerate degenerate(7);
     Random& random = degenerate.random();
-    for (int trial = 0; trial < 4500; ++trial) {
+    for (int trial = 0; trial < 3000; ++trial) {
         Sites sites(static_cast<std::size_t>(random.between(2, trial % 10 == 0 ? 7 : 5)));
         degenerate.fill(trial % Degenerate::families, sites.data(), sites.size());
         ASSERT_NO_FATAL_FAILURE(expect_oracle<Exact>(sites, signum::oracle::euclidean(sites)));
@@ -139,6 +139,59 @@ TEST(EuclideanPredicates, ChooseTheTessellationOfTheOracle) {
             site = {place(random.engine()), place(random.engine()), place(random.engine()) / 5};
         ASSERT_NO_FATAL_FAILURE(expect_oracle<Exact>(sites, signum::oracle::euclidean(sites)));
     }
+}
+
+/// Each question by itself, also about sites that others would hide.
+TEST(EuclideanPredicates, AnswerWhatIsTrueOfShrunkenDiscs) {
+    Degenerate degenerate(13);
+    int twice = 0;
+    int twice_tied = 0;
+    int vertices_tied = 0;
+    int hiding = 0;
+    for (int trial = 0; trial < 5'000; ++trial) {
+        Site s[4];
+        degenerate.fill(trial % Degenerate::families, s, 4);
+        const auto r = ranks_of(s);
+        const ShrunkenDiscs discs(Sites{s, s + 4}, Spacing::powers);
+        const auto sign = [](bool answer) { return answer ? 1 : -1; };
+        bool apart[4][4] = {};
+        for (const Index a : {0, 1, 2, 3})
+            for (const Index b : {0, 1, 2, 3}) {
+                if (a == b) continue;
+                const std::array<Index, 2> ranks = {r[a], r[b]};
+                ASSERT_EQ(Exact::hides(s[a], s[b], ranks).sign, sign(discs.hides(a, b)))
+                    << text(s, 4) << a << b;
+                apart[a][b] = !discs.hides(a, b) && !discs.hides(b, a);
+                if (a == 3) continue;
+                ASSERT_EQ(Exact::nearer({s[3].x, s[3].y}, s[a], s[b], ranks).sign,
+                          sign(discs.nearer(a, b, 3)))
+                    << text(s, 4) << a << b;
+            }
+        const std::array<Index, 3> first = {r[0], r[1], r[2]};
+        if (apart[0][1]) {
+            ASSERT_EQ(Exact::in_circle_infinite(s[0], s[1], s[2], first).sign,
+                      sign(discs.crosses(0, 1, 2)))
+                << text(s, 3);
+        }
+        const bool three = apart[0][1] && apart[1][2] && apart[2][0];
+        const bool exists = three && discs.exists(0, 1, 2);
+        ASSERT_EQ(Exact::exists(s[0], s[1], s[2], first).sign, sign(exists)) << text(s, 3);
+        const bool both = exists && discs.exists(1, 0, 2);
+        const Decision given = Exact::exists_twice(s[0], s[1], s[2], first);
+        ASSERT_EQ(given.sign, sign(both)) << text(s, 3);
+        twice += static_cast<int>(both);
+        twice_tied += static_cast<int>(both && given.tied);
+        if (!exists) continue;
+        const Decision conflict = Exact::in_circle(s[0], s[1], s[2], s[3], r);
+        ASSERT_EQ(conflict.sign, sign(discs.conflicts(0, 1, 2, 3))) << text(s, 4);
+        vertices_tied += static_cast<int>(conflict.tied);
+        for (const Index m : {0, 1, 2})
+            hiding += static_cast<int>(conflict.tied && discs.hides(3, m));
+    }
+    EXPECT_GT(twice, 100);
+    EXPECT_GT(twice_tied, 10);
+    EXPECT_GT(vertices_tied, 150);
+    EXPECT_GT(hiding, 10);
 }
 
 /// All answers about four sites; 0 where a precondition of the tie rule fails.
@@ -181,8 +234,10 @@ void hurt(Degenerate& degenerate, int trial, Site (&s)[4]) {
         const double rho = next();
         const double direction = next();
         const bool line = random.coin();
+        // Close to one another they nearly touch from inside.
+        const double range = std::pow(10, -random.below(6));
         for (Site& site : s) {
-            const double angle = 2 * std::numbers::pi * (line ? direction : next());
+            const double angle = 2 * std::numbers::pi * (direction + (line ? 0 : range * next()));
             const double r = next() * 0.3 * random.between(-1, 3);
             const double reach = line ? r : rho + r;
             const double far = line ? 10 * next() : 0.0;
@@ -195,8 +250,8 @@ void hurt(Degenerate& degenerate, int trial, Site (&s)[4]) {
     const int kind = random.below(8);
     const double scale = kind == 0   ? 0x1p-1060
                          : kind == 1 ? 0x1p990
-                         : kind == 2 ? 0x1p-130
-                         : kind == 3 ? 0x1p110
+                         : kind == 2 ? std::ldexp(1.0, -random.between(100, 560))
+                         : kind == 3 ? std::ldexp(1.0, random.between(100, 350))
                                      : 1.0 + 0x1p-30 * random.below(9);
     const double away = random.below(4) == 0 ? scale * random.in_binades(0, 30) : 0.0;
     for (Site& site : s) {
@@ -412,28 +467,6 @@ bool is_nearer(const std::array<Float, 2>& point, const Disc& a, const Disc& b) 
     return distance(a) < distance(b);
 }
 
-TEST(EuclideanPredicates, ExistTwiceWhereTheOracleSaysSo) {
-    Degenerate degenerate(13);
-    int twice = 0;
-    int tied = 0;
-    for (int trial = 0; trial < 20'000; ++trial) {
-        Site s[4];
-        degenerate.fill(trial % Degenerate::families, s, 4);
-        const auto r = ranks_of(s);
-        const ShrunkenDiscs discs(Sites{s, s + 3}, Spacing::powers);
-        bool apart = true;
-        for (const auto& [a, b] : {std::pair(0, 1), std::pair(1, 2), std::pair(2, 0)})
-            apart = apart && !discs.hides(a, b) && !discs.hides(b, a);
-        const bool expected = apart && discs.exists(0, 1, 2) && discs.exists(1, 0, 2);
-        const Decision given = Exact::exists_twice(s[0], s[1], s[2], {r[0], r[1], r[2]});
-        ASSERT_EQ(given.sign, expected ? 1 : -1) << text(s, 3);
-        if (given.tied && expected) ++tied;
-        twice += static_cast<int>(expected);
-    }
-    EXPECT_GT(twice, 500);
-    EXPECT_GT(tied, 50);
-}
-
 /// Two sites, and others that have a little of their bisector, a lot of it, or nearly reach
 /// infinity on it.
 void fill_bisector(Degenerate& degenerate, int trial, Site (&s)[4]) {
@@ -473,7 +506,7 @@ TEST(EuclideanPredicates, OrderIntervalsOnABisectorAsTheirEnds) {
     std::array<int, 2> rests{};
     std::array<int, 3> ties{};
     std::array<int, 2> answers{};
-    for (int trial = 0; trial < 40'000; ++trial) {
+    for (int trial = 0; trial < 20'000; ++trial) {
         Site s[4];  // i, j, q, k
         fill_bisector(degenerate, trial, s);
         if (random.coin()) std::swap(s[0], s[1]);
@@ -505,9 +538,9 @@ TEST(EuclideanPredicates, OrderIntervalsOnABisectorAsTheirEnds) {
         ++answers[before ? 1 : 0];
         ASSERT_EQ(given.tied, of_q.tied || of_k.tied);
     }
-    for (const int count : rests) EXPECT_GT(count, 100);
-    for (const int count : ties) EXPECT_GT(count, 20);
-    for (const int count : answers) EXPECT_GT(count, 100);
+    for (const int count : rests) EXPECT_GT(count, 50);
+    for (const int count : ties) EXPECT_GT(count, 10);
+    for (const int count : answers) EXPECT_GT(count, 50);
 }
 
 TEST(EuclideanPredicates, OrderArcsAtInfinityAsTheirMiddles) {
