@@ -81,7 +81,7 @@ class ValidateAdditive : public testing::Test {
         return triangulate(sites, Metric{}).arrays();
     }
 };
-using Metrics = testing::Types<Manhattan, Supremum>;
+using Metrics = testing::Types<Euclidean, Manhattan, Supremum>;
 TYPED_TEST_SUITE(ValidateAdditive, Metrics);
 
 TYPED_TEST(ValidateAdditive, AcceptsEveryResult) {
@@ -91,6 +91,14 @@ TYPED_TEST(ValidateAdditive, AcceptsEveryResult) {
             ASSERT_NO_FATAL_FAILURE(expect(Expected::canonical, this->build(sites), sites))
                 << "family " << family << ", " << n << " sites";
         }
+}
+
+/// Large sites between which many edges join the same two.
+TYPED_TEST(ValidateAdditive, AcceptsHeavilyOverlappingSites) {
+    for (int round = 0; round < 150; ++round) {
+        const Sites sites = draw(round % 3, 30, this->random);
+        ASSERT_NO_FATAL_FAILURE(expect(Expected::canonical, this->build(sites), sites)) << round;
+    }
 }
 
 TYPED_TEST(ValidateAdditive, AnotherNumberingIsValidAlone) {
