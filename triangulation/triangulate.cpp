@@ -301,4 +301,19 @@ Tessellation triangulate(StridedSites sites, Power /*metric*/, const Options& op
     return construct_with_arithmetic<Site>(sites, options);
 }
 
+Tessellation triangulate(StridedSites sites, Metric metric, const Options& options) {
+    switch (metric) {
+        case Metric::power:
+            return triangulate(sites, Power{}, options);
+        case Metric::manhattan:
+            return triangulate(sites, Manhattan{}, options);
+        case Metric::supremum:
+            return triangulate(sites, Supremum{}, options);
+        case Metric::euclidean:
+            break;
+    }
+    throw std::invalid_argument("the " + std::string(name_of(metric)) +
+                                " metric is not in this version");
+}
+
 }  // namespace signum
