@@ -106,7 +106,7 @@ std::vector<double> numbers_of(const Call& call, std::size_t needed, std::string
 /// Who decided, where it was not the filter.
 void explain_stage(Answer& answer, std::string_view exact_means) {
     const auto decided_by = [&](std::string_view what) {
-        answer.words.push_back(fmt::format("decided  the filter left it open; by {}", what));
+        answer.words.push_back(fmt::format("decided  not by the filter, but by {}", what));
     };
     switch (answer.decision.stage) {
         case Stage::filter:
@@ -209,12 +209,14 @@ void check_existence(const Predicates& metric, const Sites<Site>& sites,
         }
     }
     const auto& [i, j, k, q] = sites;
-    if (metric.exists(i, j, k, {ranks[0], ranks[1], ranks[2]}).sign > 0) return;
-    const bool is_clockwise = metric.exists(j, i, k, {ranks[1], ranks[0], ranks[2]}).sign > 0;
+    const Decision forth = metric.exists(i, j, k, {ranks[0], ranks[1], ranks[2]});
+    if (forth.sign > 0) return;
+    const Decision back = metric.exists(j, i, k, {ranks[1], ranks[0], ranks[2]});
     throw CallError(
-        fmt::format("sign in_circle: no {} touches i, j and k counterclockwise; {}", metric.circle,
-                    is_clockwise ? "one touches them clockwise: exchange two of them"
-                                 : "none touches them clockwise either: give three other sites"));
+        fmt::format("sign in_circle: {}no {} touches i, j and k counterclockwise; {}",
+                    forth.tied || back.tied ? "under the tie rule " : "", metric.circle,
+                    back.sign > 0 ? "one touches them clockwise: exchange two of them"
+                                  : "none touches them clockwise either: give three other sites"));
 }
 
 Answer decide_additively(const Call& call, const Predicates& metric) {
