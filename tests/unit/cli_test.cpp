@@ -488,7 +488,7 @@ TEST_P(ToolInMetric, PrintsSigns) {
     for (const Words& options : {Words{}, Words{"--json"}}) {
         const auto with = [&](const char* x, const char* y, const char* r) {
             const Outcome outcome =
-                in_circle({"0", "0", "1", "9", "2", "1", "3", "7", "1", x, y, r}, options);
+                in_circle({"0", "0", "1", "9", "2", "1", "3", "8.5", "1", x, y, r}, options);
             EXPECT_EQ(outcome.code, 0);
             EXPECT_TRUE(options.empty() || outcome.err.empty()) << outcome.err;
             return outcome.out;
@@ -551,7 +551,7 @@ TEST_P(ToolInMetric, RefusesWhatHasNoCircle) {
         EXPECT_EQ(outcome.out, "");
         EXPECT_EQ(outcome.err, "signum: sign in_circle: " + why + "\n");
     };
-    refused({"0", "0", "0", "3", "7", "0", "9", "2", "0", "5", "5", "0"},
+    refused({"0", "0", "0", "3", "8.5", "0", "9", "2", "0", "5", "5", "0"},
             "no " + circle +
                 " touches i, j and k counterclockwise; one touches them clockwise: exchange two of "
                 "them");
@@ -563,11 +563,12 @@ TEST_P(ToolInMetric, RefusesWhatHasNoCircle) {
             "i hides k, so that no " + circle + " touches i, j and k; leave k out");
     // A hidden query is an answer.
     const Outcome hidden =
-        in_circle({"0", "0", "2", "9", "2", "1", "3", "7", "1", "0.5", "0.25", "1"});
+        in_circle({"0", "0", "2", "9", "2", "1", "3", "8.5", "1", "0.5", "0.25", "1"});
     EXPECT_EQ(hidden.code, 0);
     EXPECT_TRUE(hidden.out.starts_with("-1 ")) << hidden.out;
     EXPECT_TRUE(hidden.err.starts_with("hidden   i hides q\n")) << hidden.err;
-    const Outcome hiding = in_circle({"0", "0", "1", "9", "2", "1", "3", "7", "1", "3", "3", "50"});
+    const Outcome hiding =
+        in_circle({"0", "0", "1", "9", "2", "1", "3", "8.5", "1", "3", "3", "50"});
     EXPECT_TRUE(hiding.out.starts_with("1 ")) << hiding.out;
     EXPECT_TRUE(
         hiding.err.starts_with("hidden   q hides i\nhidden   q hides j\nhidden   q hides "
