@@ -555,7 +555,7 @@ TEST_P(ToolInMetric, RefusesWhatHasNoCircle) {
             "no " + circle +
                 " touches i, j and k counterclockwise; one touches them clockwise: exchange two of "
                 "them");
-    refused({"0", "0", "0", "1", "2", "0", "2", "4", "0", "5", "5", "0"},
+    refused({"0", "0", "0", "4", "8", "1", "8", "16", "0", "5", "5", "0"},
             "no " + circle +
                 " touches i, j and k counterclockwise; none touches them clockwise either: give "
                 "three other sites");
