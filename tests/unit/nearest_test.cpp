@@ -108,7 +108,7 @@ class Nearest : public testing::TestWithParam<Metric> {
 };
 
 TEST_P(Nearest, WhereTiesAbound) {
-    for (int trial = 0; trial < 400; ++trial) {
+    for (int trial = 0; trial < 150; ++trial) {
         const int box = 1 + trial % 9;
         Sites sites(at(static_cast<Index>(integer(0, 14))));
         for (Site& s : sites) {
@@ -135,7 +135,7 @@ TEST_P(Nearest, FarAway) {
 }
 
 TEST_P(Nearest, SitesThatHideOthers) {
-    for (int trial = 0; trial < 20; ++trial) {
+    for (int trial = 0; trial < 8; ++trial) {
         Sites sites(200);
         for (Site& s : sites) s = {real(0, 100), real(0, 100), std::pow(real(0, 2.6), 3)};
         const Tessellation t = triangulate(sites, GetParam());
