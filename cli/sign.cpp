@@ -14,6 +14,7 @@
 #include <signum/io/output_file.hpp>
 #include <signum/predicates/additive.hpp>
 #include <signum/predicates/ccw.hpp>
+#include <signum/predicates/euclidean.hpp>
 #include <signum/predicates/manhattan.hpp>
 #include <signum/predicates/power.hpp>
 #include <signum/predicates/supremum.hpp>
@@ -46,6 +47,8 @@ struct Answer {
     std::vector<std::string> words;
 };
 
+constexpr std::string_view expansions = "expansions or integers, which do not round";
+
 /// What a metric with additive weights is asked. All but in_circle follow the tie rule and are
 /// never 0; `ranks` are places in its order.
 struct Predicates {
@@ -71,18 +74,32 @@ Predicates rectangular_predicates(std::string_view circle) {
             Perturbed::in_circle};
 }
 
+/// in_circle of discs for every q: one that i, j or k hides conflicts nowhere.
+Decision in_circle_of_discs(const Site& i, const Site& j, const Site& k, const Site& q,
+                            const std::array<Index, 4>& ranks) noexcept {
+    using Perturbed = euclidean::Perturbed<>;
+    const bool is_hidden = Perturbed::hides(i, q, {ranks[0], ranks[3]}).sign > 0 ||
+                           Perturbed::hides(j, q, {ranks[1], ranks[3]}).sign > 0 ||
+                           Perturbed::hides(k, q, {ranks[2], ranks[3]}).sign > 0;
+    return is_hidden ? Perturbed::in_circle(i, j, k, q, ranks)
+                     : euclidean::in_circle_decision(i, j, k, q, ranks);
+}
+
 /// Precondition: not power, whose sites are of other types.
 Predicates predicates_of(Metric metric) {
+    using Discs = euclidean::Perturbed<>;
     switch (metric) {
+        case Metric::euclidean:
+            return {"circle",      expansions,         Discs::hides,
+                    Discs::exists, in_circle_of_discs, Discs::in_circle};
         case Metric::manhattan:
             return rectangular_predicates<rectangular::Manhattan>("diamond");
         case Metric::supremum:
             return rectangular_predicates<rectangular::Supremum>("square");
         case Metric::power:
-        case Metric::euclidean:
             break;
     }
-    throw CallError(fmt::format("the {} metric is not in this version", name_of(metric)));
+    throw CallError("no such metric");
 }
 
 std::vector<double> numbers_of(const Call& call, std::size_t needed, std::string_view meaning) {
@@ -120,7 +137,6 @@ void explain_stage(Answer& answer, std::string_view exact_means) {
     }
 }
 
-constexpr std::string_view expansions = "expansions or integers, which do not round";
 /// The names of the four sites of in_circle.
 constexpr std::string_view names = "ijkq";
 

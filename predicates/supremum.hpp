@@ -6,7 +6,8 @@
 
 namespace signum::supremum {
 
-/// hides, exists, in_circle and in_circle_infinite under the tie rule.
-using Perturbed = rectangular::Perturbed<rectangular::Supremum>;
+/// The predicates under the tie rule.
+template <additive::Stages stages = additive::Stages::exact>
+using Perturbed = rectangular::Perturbed<rectangular::Supremum, stages>;
 
 }  // namespace signum::supremum

@@ -71,9 +71,15 @@ template <class Kernel>
     // On a bisector with infinity, a circle of directions, K runs clockwise from (i, infinity, m).
     if (i == infinite) return exact.in_order_at_infinity(j, k, q, l, taken);
     if (j == infinite) return exact.in_order_at_infinity(i, l, q, k, taken);
-    // One of K_k and K_l holds infinity; the edge lies before or after the other one.
-    const bool before = k != infinite && (l == infinite || !kernel.conflicts(i, j, infinite, k));
-    return before ? exact.precedes(i, j, q, k) : exact.precedes(i, j, l, q);
+    // Infinity is in K_k, in K_l or on the other stretch, and the intervals that do not hold it are
+    // ordered.
+    const auto holds_infinity = [&](Index m) {
+        return m == infinite || kernel.conflicts(i, j, infinite, m) ||
+               kernel.conflicts(j, i, infinite, m);
+    };
+    if (holds_infinity(k)) return exact.precedes(i, j, l, q);
+    if (holds_infinity(l)) return exact.precedes(i, j, q, k);
+    return holds_infinity(q) == taken && exact.precedes(i, j, l, q) && exact.precedes(i, j, q, k);
 }
 
 }  // namespace signum::triangulation

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <string>
 #include <utility>
 
 #include <signum/core/contract.hpp>
 #include <signum/exact/floating_environment.hpp>
 #include <signum/predicates/additive.hpp>
+#include <signum/predicates/euclidean.hpp>
 #include <signum/predicates/manhattan.hpp>
 #include <signum/predicates/power.hpp>
 #include <signum/predicates/supremum.hpp>
@@ -48,15 +48,14 @@ Nearer nearer_of(Metric metric, WeightIs weight_is) {
         case Metric::power:
             return weight_is == WeightIs::weight ? nearer_in_power<power::Site>
                                                  : nearer_in_power<Site>;
-        case Metric::manhattan:
-            return nearer_additively<manhattan::Perturbed>;
-        case Metric::supremum:
-            return nearer_additively<supremum::Perturbed>;
         case Metric::euclidean:
-            break;
+            return nearer_additively<euclidean::Perturbed<>>;
+        case Metric::manhattan:
+            return nearer_additively<manhattan::Perturbed<>>;
+        case Metric::supremum:
+            return nearer_additively<supremum::Perturbed<>>;
     }
-    throw std::invalid_argument("the " + std::string(name_of(metric)) +
-                                " metric is not in this version");
+    throw std::invalid_argument("no such metric");
 }
 
 /// Calls visit with the vertices around a site, counterclockwise. `first` is a face at the site.

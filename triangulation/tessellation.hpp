@@ -32,8 +32,9 @@ enum class WeightIs : std::uint8_t { radius, weight };
 [[nodiscard]] std::string_view name_of(Metric metric) noexcept;
 [[nodiscard]] std::string_view name_of(WeightIs weight_is) noexcept;
 
-/// The power metric |x-c|² - w. Passed to triangulate() to choose the metric.
+/// Passed to triangulate() to choose the metric.
 struct Power {};
+struct Euclidean {};
 struct Manhattan {};
 struct Supremum {};
 
@@ -70,7 +71,7 @@ struct Statistics {
     std::uint64_t refined = 0;         ///< ... by double-double arithmetic
     std::uint64_t essa = 0;            ///< ... by expansions and the exact sign of a sum
     std::uint64_t multiprecision = 0;  ///< ... by rationals
-    std::uint64_t ties = 0;            ///< exact zeros of in_circle, resolved by the tie rule
+    std::uint64_t ties = 0;            ///< exact zeros that the tie rule resolved
     std::uint64_t flips = 0;           ///< edges swapped
     double seconds = 0.0;              ///< construction alone
 };

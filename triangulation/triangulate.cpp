@@ -2,11 +2,11 @@
 
 #include <chrono>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <string>
 
 #include <signum/exact/floating_environment.hpp>
+#include <signum/predicates/euclidean.hpp>
 #include <signum/predicates/manhattan.hpp>
 #include <signum/predicates/supremum.hpp>
 #include <signum/triangulation/additive_kernel.hpp>
@@ -16,6 +16,7 @@
 #include <signum/triangulation/insert.hpp>
 #include <signum/triangulation/kernel.hpp>
 #include <signum/triangulation/spatial_order.hpp>
+#include <signum/triangulation/tie_order.hpp>
 
 namespace signum {
 namespace triangulation {
@@ -169,20 +170,6 @@ Tessellation construct(const StridedSites& input, const Options& options) {
                   std::move(topology), std::move(original), std::move(hidden_by));
 }
 
-/// The places of sites in the tie rule's order.
-LargeArray<Index> ranks_of(const LargeArray<Site>& sites, const LargeArray<Index>& original) {
-    std::vector<Index> order(sites.size());
-    std::iota(order.begin(), order.end(), 0);
-    const auto at = [](Index i) { return static_cast<std::size_t>(i); };
-    std::sort(order.begin(), order.end(), [&](Index a, Index b) {
-        return additive::precedes(sites[at(a)], original[at(a)], sites[at(b)], original[at(b)]);
-    });
-    LargeArray<Index> ranks(sites.size());
-    for (std::size_t place = 0; place < order.size(); ++place)
-        ranks[at(order[place])] = static_cast<Index>(place);
-    return ranks;
-}
-
 template <class Kernel>
 Tessellation construct_additive(Metric metric, const StridedSites& input, const Options& options) {
     const auto start = std::chrono::steady_clock::now();
@@ -191,7 +178,8 @@ Tessellation construct_additive(Metric metric, const StridedSites& input, const 
     LargeArray<Index> original = spatial_order(input, options.seed);
     LargeArray<Site> sites(n);
     for (std::size_t i = 0; i < n; ++i) sites[i] = input[static_cast<std::size_t>(original[i])];
-    LargeArray<Index> ranks = ranks_of(sites, original);
+    std::vector<Index> ranks =
+        ranks_of(sites, [&](Index i) { return original[static_cast<std::size_t>(i)]; });
     if (n > 0) {
         // The first site of the tie rule's order leads: no other ever hides it.
         const auto first =
@@ -219,23 +207,22 @@ Tessellation construct_additive(Metric metric, const StridedSites& input, const 
                   std::move(topology), std::move(original), std::move(hidden_by));
 }
 
-template <class Directions, Arithmetic arithmetic>
-Tessellation construct_rectangular(Metric metric, const StridedSites& input,
-                                   const Options& options) {
-    using rectangular::Sums;
-    constexpr Sums sums = arithmetic == Arithmetic::exact   ? Sums::exact
-                          : arithmetic == Arithmetic::naive ? Sums::naive
-                                                            : Sums::multiprecision;
-    using Predicates = rectangular::Perturbed<Directions, sums>;
-    using Counting = AdditiveKernel<Predicates, arithmetic, filters::Tally>;
-    using Plain = AdditiveKernel<Predicates, arithmetic, filters::NoTally>;
+template <template <additive::Stages> class Predicates, Arithmetic arithmetic>
+Tessellation construct_additive_counting(Metric metric, const StridedSites& input,
+                                         const Options& options) {
+    using additive::Stages;
+    constexpr Stages stages = arithmetic == Arithmetic::exact   ? Stages::exact
+                              : arithmetic == Arithmetic::naive ? Stages::naive
+                                                                : Stages::multiprecision;
+    using Counting = AdditiveKernel<Predicates<stages>, arithmetic, filters::Tally>;
+    using Plain = AdditiveKernel<Predicates<stages>, arithmetic, filters::NoTally>;
     return options.count ? construct_additive<Counting>(metric, input, options)
                          : construct_additive<Plain>(metric, input, options);
 }
 
-template <class Directions>
-Tessellation construct_rectangular(Metric metric, const StridedSites& input,
-                                   const Options& options) {
+template <template <additive::Stages> class Predicates>
+Tessellation construct_additive_with_arithmetic(Metric metric, const StridedSites& input,
+                                                const Options& options) {
     const exact::IeeeEnvironment environment;
     check_input(input);
     if (input.third_is_weight())
@@ -243,14 +230,15 @@ Tessellation construct_rectangular(Metric metric, const StridedSites& input,
                                     " metric have radii, not weights");
     switch (options.arithmetic) {
         case Arithmetic::naive:
-            return construct_rectangular<Directions, Arithmetic::naive>(metric, input, options);
+            return construct_additive_counting<Predicates, Arithmetic::naive>(metric, input,
+                                                                              options);
         case Arithmetic::multiprecision:
-            return construct_rectangular<Directions, Arithmetic::multiprecision>(metric, input,
-                                                                                 options);
+            return construct_additive_counting<Predicates, Arithmetic::multiprecision>(
+                metric, input, options);
         case Arithmetic::exact:
             break;
     }
-    return construct_rectangular<Directions, Arithmetic::exact>(metric, input, options);
+    return construct_additive_counting<Predicates, Arithmetic::exact>(metric, input, options);
 }
 
 template <power::PowerSite S, Arithmetic arithmetic>
@@ -280,14 +268,19 @@ std::string_view name_of(Arithmetic arithmetic) noexcept {
     return names[static_cast<int>(arithmetic)];
 }
 
+Tessellation triangulate(StridedSites sites, Euclidean /*metric*/, const Options& options) {
+    return triangulation::construct_additive_with_arithmetic<euclidean::Perturbed>(
+        Metric::euclidean, sites, options);
+}
+
 Tessellation triangulate(StridedSites sites, Manhattan /*metric*/, const Options& options) {
-    return triangulation::construct_rectangular<rectangular::Manhattan>(Metric::manhattan, sites,
-                                                                        options);
+    return triangulation::construct_additive_with_arithmetic<manhattan::Perturbed>(
+        Metric::manhattan, sites, options);
 }
 
 Tessellation triangulate(StridedSites sites, Supremum /*metric*/, const Options& options) {
-    return triangulation::construct_rectangular<rectangular::Supremum>(Metric::supremum, sites,
-                                                                       options);
+    return triangulation::construct_additive_with_arithmetic<supremum::Perturbed>(Metric::supremum,
+                                                                                  sites, options);
 }
 
 Tessellation triangulate(StridedSites sites, Power /*metric*/, const Options& options) {
@@ -310,10 +303,9 @@ Tessellation triangulate(StridedSites sites, Metric metric, const Options& optio
         case Metric::supremum:
             return triangulate(sites, Supremum{}, options);
         case Metric::euclidean:
-            break;
+            return triangulate(sites, Euclidean{}, options);
     }
-    throw std::invalid_argument("the " + std::string(name_of(metric)) +
-                                " metric is not in this version");
+    throw std::invalid_argument("no such metric");
 }
 
 }  // namespace signum

@@ -49,9 +49,11 @@ class BrokenStructure : public std::runtime_error {
 [[nodiscard]] Tessellation triangulate(StridedSites sites, Power metric,
                                        const Options& options = {});
 
-/// The tessellation of diamonds (Manhattan) and of squares (supremum), additively weighted:
-/// distance |x-c| - r in the norm. As above; the third number of a site must be a radius
-/// (std::invalid_argument), which may be negative.
+/// The tessellation of discs (Euclidean, Apollonius), of diamonds (Manhattan) and of squares
+/// (supremum), additively weighted: distance |x-c| - r in the norm. As above; the third number of a
+/// site must be a radius (std::invalid_argument), which may be negative.
+[[nodiscard]] Tessellation triangulate(StridedSites sites, Euclidean metric,
+                                       const Options& options = {});
 [[nodiscard]] Tessellation triangulate(StridedSites sites, Manhattan metric,
                                        const Options& options = {});
 [[nodiscard]] Tessellation triangulate(StridedSites sites, Supremum metric,

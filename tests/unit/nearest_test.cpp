@@ -186,6 +186,7 @@ TEST_P(Nearest, IsTheSameMetricAtRunTime) {
         EXPECT_EQ(t.arrays(), triangulate(sites, metric).arrays());
     };
     if (GetParam() == Metric::power) expect(Power{});
+    if (GetParam() == Metric::euclidean) expect(Euclidean{});
     if (GetParam() == Metric::manhattan) expect(Manhattan{});
     if (GetParam() == Metric::supremum) expect(Supremum{});
     // Every edge is seen from both of its ends, as often as there are edges.
