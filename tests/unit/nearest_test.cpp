@@ -77,13 +77,6 @@ Index nearest_by_force(Metric metric, const Sites& sites, Point p) {
 
 class Nearest : public testing::TestWithParam<Metric> {
  protected:
-    void SetUp() override {
-        try {
-            static_cast<void>(triangulate(Sites{}, GetParam()));
-        } catch (const std::invalid_argument&) {
-            GTEST_SKIP() << name_of(GetParam()) << " is not in this version";
-        }
-    }
     static void expect_nearest(const Tessellation& t, const Sites& sites, Point p) {
         const Index expected = nearest_by_force(GetParam(), sites, p);
         ASSERT_EQ(t.nearest(p), expected) << p.x << " " << p.y;
