@@ -7,6 +7,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <signum/triangulation/tessellation.hpp>
+
 namespace signum::cli {
 
 /// What the tool returns to the shell.
@@ -44,10 +46,12 @@ CLI::Validator whole_number();
 
 /// Adds the option --metric with its four names and its default, euclidean.
 CLI::Option* add_metric(CLI::App& command, std::string& metric);
+/// The metric of a name that add_metric() let through.
+Metric metric_of(const std::string& name);
+
 /// Adds the option --weight-is; empty when it is not given.
 CLI::Option* add_weight_is(CLI::App& command, std::string& weight_is);
-
-/// Throws CallError for every metric but power, the one that this version has.
-void require_power(const std::string& metric, const CLI::Option& option);
+/// Throws CallError where --weight-is is given with a metric that has no weights.
+void check_weight_is(const std::string& weight_is, Metric metric);
 
 }  // namespace signum::cli

@@ -29,31 +29,43 @@ CLI::Validator whole_number() {
 }
 
 CLI::Option* add_metric(CLI::App& command, std::string& metric) {
-    metric = "euclidean";
+    metric = name_of(Metric::euclidean);
+    std::vector<std::string> names;
+    for (const Metric each : all_metrics) names.emplace_back(name_of(each));
     return command
         .add_option("--metric", metric,
-                    "power, euclidean, manhattan or supremum;\nthis version has power alone")
-        ->check(one_of({"power", "euclidean", "manhattan", "supremum"}))
+                    "The distance of a point p from a site (c, r):\n"
+                    "power      |p - c|^2 - r^2\n"
+                    "euclidean  |p - c| - r, sites are discs\n"
+                    "manhattan  the same with |x| + |y|: diamonds\n"
+                    "supremum   the same with max(|x|, |y|): squares")
+        ->check(one_of(names))
         ->type_name("NAME")
         ->capture_default_str();
+}
+
+Metric metric_of(const std::string& name) {
+    return *std::find_if(all_metrics.begin(), all_metrics.end(),
+                         [&](Metric metric) { return name_of(metric) == name; });
 }
 
 CLI::Option* add_weight_is(CLI::App& command, std::string& weight_is) {
     return command
         .add_option("--weight-is", weight_is,
-                    "The third number of a site is its radius or its\n"
-                    "weight; a radius r weighs r^2. Default: what a\n"
-                    "header of the file says, else radius")
+                    "Power metric only: the third number of a site is\n"
+                    "its radius or its weight; a radius r weighs r^2.\n"
+                    "Default: what a header of the file says, else\n"
+                    "radius")
         ->check(one_of({"radius", "weight"}))
         ->type_name("radius|weight");
 }
 
-void require_power(const std::string& metric, const CLI::Option& option) {
-    if (metric == "power") return;
+void check_weight_is(const std::string& weight_is, Metric metric) {
+    if (weight_is.empty() || metric == Metric::power) return;
     throw CallError(
-        fmt::format("--metric {}{} is not in this version, which has power alone; add "
-                    "--metric power",
-                    metric, option.count() == 0 ? " (the default)" : ""));
+        fmt::format("--weight-is {}: only the power metric has weights, and this is --metric {}; "
+                    "leave --weight-is out, or add --metric power",
+                    weight_is, name_of(metric)));
 }
 
 }  // namespace signum::cli

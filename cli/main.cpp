@@ -91,7 +91,7 @@ int run(int count, char** words) {
         "signum SUBCOMMAND --help says more.\n\n"
         "Example:\n"
         "  signum generate random -n 100 --radius 1:30 -o sites.txt\n"
-        "  signum triangulate sites.txt --metric power -o out.svg");
+        "  signum triangulate sites.txt --metric supremum -o out.svg");
     add_triangulate(tool);
     add_sign(tool);
     add_generate(tool);

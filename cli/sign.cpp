@@ -1,15 +1,23 @@
 /// signum sign: one predicate on numbers from the command line.
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include <signum/io/number.hpp>
 #include <signum/io/output_file.hpp>
+#include <signum/predicates/additive.hpp>
 #include <signum/predicates/ccw.hpp>
+#include <signum/predicates/euclidean.hpp>
+#include <signum/predicates/manhattan.hpp>
 #include <signum/predicates/power.hpp>
+#include <signum/predicates/supremum.hpp>
 
 #include "commands.hpp"
 
@@ -24,6 +32,75 @@ struct Call {
     bool json = false;
     std::vector<std::string> numbers;
 };
+
+/// What the tie rule makes of a sign that is 0.
+struct Tie {
+    char last;  ///< of the sites i, j, k and q, in the rule's order
+    bool conflict;
+};
+
+/// What is printed.
+struct Answer {
+    Decision decision;
+    std::optional<Tie> tie;
+    /// What there is to say about it, a line each.
+    std::vector<std::string> words;
+};
+
+constexpr std::string_view expansions = "expansions or integers, which do not round";
+
+/// What a metric with additive weights is asked. All but in_circle follow the tie rule and are
+/// never 0; `ranks` are places in its order.
+struct Predicates {
+    std::string_view circle;       ///< what its circles are
+    std::string_view exact_means;  ///< what decides where its filter does not
+    Decision (*hides)(const Site& i, const Site& q, const std::array<Index, 2>& ranks) noexcept;
+    Decision (*exists)(const Site& i, const Site& j, const Site& k,
+                       const std::array<Index, 3>& ranks) noexcept;
+    Decision (*in_circle)(const Site& i, const Site& j, const Site& k, const Site& q,
+                          const std::array<Index, 4>& ranks) noexcept;
+    Decision (*in_circle_perturbed)(const Site& i, const Site& j, const Site& k, const Site& q,
+                                    const std::array<Index, 4>& ranks) noexcept;
+};
+
+template <class Directions>
+Predicates rectangular_predicates(std::string_view circle) {
+    using Perturbed = rectangular::Perturbed<Directions>;
+    return {circle,
+            "the exact sign of a sum",
+            Perturbed::hides,
+            Perturbed::exists,
+            rectangular::in_circle_decision<Directions>,
+            Perturbed::in_circle};
+}
+
+/// in_circle of discs for every q: one that i, j or k hides conflicts nowhere.
+Decision in_circle_of_discs(const Site& i, const Site& j, const Site& k, const Site& q,
+                            const std::array<Index, 4>& ranks) noexcept {
+    using Perturbed = euclidean::Perturbed<>;
+    const bool is_hidden = Perturbed::hides(i, q, {ranks[0], ranks[3]}).sign > 0 ||
+                           Perturbed::hides(j, q, {ranks[1], ranks[3]}).sign > 0 ||
+                           Perturbed::hides(k, q, {ranks[2], ranks[3]}).sign > 0;
+    return is_hidden ? Perturbed::in_circle(i, j, k, q, ranks)
+                     : euclidean::in_circle_decision(i, j, k, q, ranks);
+}
+
+/// Precondition: not power, whose sites are of other types.
+Predicates predicates_of(Metric metric) {
+    using Discs = euclidean::Perturbed<>;
+    switch (metric) {
+        case Metric::euclidean:
+            return {"circle",      expansions,         Discs::hides,
+                    Discs::exists, in_circle_of_discs, Discs::in_circle};
+        case Metric::manhattan:
+            return rectangular_predicates<rectangular::Manhattan>("diamond");
+        case Metric::supremum:
+            return rectangular_predicates<rectangular::Supremum>("square");
+        case Metric::power:
+            break;
+    }
+    throw CallError("no such metric");
+}
 
 std::vector<double> numbers_of(const Call& call, std::size_t needed, std::string_view meaning) {
     if (call.numbers.size() != needed) {
@@ -43,15 +120,75 @@ std::vector<double> numbers_of(const Call& call, std::size_t needed, std::string
     return values;
 }
 
-Decision decide_ccw(const Call& call) {
-    const std::vector<double> v = numbers_of(call, 6, "x y of each of three points");
-    return ccw_decision({v[0], v[1]}, {v[2], v[3]}, {v[4], v[5]});
+/// Who decided, where it was not the filter.
+void explain_stage(Answer& answer, std::string_view exact_means) {
+    const auto decided_by = [&](std::string_view what) {
+        answer.words.push_back(fmt::format("decided  not by the filter, but by {}", what));
+    };
+    switch (answer.decision.stage) {
+        case Stage::filter:
+            return;
+        case Stage::refine:
+            return decided_by("a finer bound or double-doubles");
+        case Stage::exact:
+            return decided_by(exact_means);
+        case Stage::multiprecision:
+            return decided_by("rationals");
+    }
 }
 
-Decision decide_in_circle(const Call& call) {
+/// The names of the four sites of in_circle.
+constexpr std::string_view names = "ijkq";
+
+/// What the tie rule makes of a 0. `ranks` are the places of i, j, k and q in its order.
+void explain_tie(Answer& answer, std::string_view circle, std::string_view third,
+                 const std::array<Index, 4>& ranks, Sign perturbed) {
+    const auto last =
+        static_cast<std::size_t>(std::max_element(ranks.begin(), ranks.end()) - ranks.begin());
+    answer.tie = {names[last], perturbed > 0};
+    answer.words.push_back(fmt::format("tie      q touches the {} of i, j and k", circle));
+    answer.words.push_back(
+        fmt::format("rule     by falling {}, rising x, y and place {} is the last of them: q {}",
+                    third, names[last], perturbed > 0 ? "conflicts" : "does not conflict"));
+}
+
+Answer decide_ccw(const Call& call) {
+    const std::vector<double> v = numbers_of(call, 6, "x y of each of three points");
+    Answer answer = {ccw_decision({v[0], v[1]}, {v[2], v[3]}, {v[4], v[5]}), {}, {}};
+    if (answer.decision.sign == 0) {
+        answer.words.emplace_back("tie      the points lie on a line; ccw has no tie rule");
+    }
+    explain_stage(answer, expansions);
+    return answer;
+}
+
+/// i, j, k and q.
+template <class S>
+using Sites = std::array<S, 4>;
+
+template <class S>
+Sites<S> sites_of(const Call& call) {
     const std::vector<double> v =
         numbers_of(call, 12, "x y r of each of the sites i, j, k and of the query");
-    const Sign turn = ccw_decision({v[0], v[1]}, {v[3], v[4]}, {v[6], v[7]}).sign;
+    Sites<S> sites;
+    for (std::size_t m = 0; m < 4; ++m) sites[m] = {v[3 * m], v[3 * m + 1], v[3 * m + 2]};
+    return sites;
+}
+
+/// The places of the sites in the tie rule's order, in which precedes(a, b) says who comes first.
+template <class Precedes>
+std::array<Index, 4> ranks_of(Precedes precedes) {
+    std::array<Index, 4> ranks{};
+    for (std::size_t a = 0; a < 4; ++a)
+        for (std::size_t b = 0; b < a; ++b) ++ranks[precedes(a, b) ? b : a];
+    return ranks;
+}
+
+template <class S>
+Answer decide_in_power(const Call& call) {
+    const auto sites = sites_of<S>(call);
+    const auto& [i, j, k, q] = sites;
+    const Sign turn = ccw_decision(i, j, k).sign;
     if (turn < 0) {
         throw CallError(
             "sign in_circle: i, j, k must be counterclockwise and are clockwise; exchange "
@@ -62,21 +199,90 @@ Decision decide_in_circle(const Call& call) {
             "sign in_circle: i, j, k must be counterclockwise and are collinear: no circle "
             "touches them; give three centres that are not on one line");
     }
-    const auto decide = [&]<typename S>(S) {
-        const auto site = [&](std::size_t i) { return S{v[3 * i], v[3 * i + 1], v[3 * i + 2]}; };
-        return power::in_circle_decision(site(0), site(1), site(2), site(3));
-    };
-    return call.weight_is == "weight" ? decide(power::Site{}) : decide(Site{});
+    Answer answer = {power::in_circle_decision(i, j, k, q), {}, {}};
+    if (answer.decision.sign == 0) {
+        const auto ranks = ranks_of([&](std::size_t a, std::size_t b) {
+            return power::precedes(sites[a], static_cast<Index>(a), sites[b],
+                                   static_cast<Index>(b));
+        });
+        explain_tie(answer, "circle", "weight", ranks,
+                    power::in_circle_perturbed(i, j, k, q, ranks));
+    }
+    explain_stage(answer, expansions);
+    return answer;
 }
 
-void print(const Decision& decision, bool json) {
-    DescriptorStream out(1, "standard output");
-    if (json) {
-        out << fmt::format("{{\"sign\": {}, \"stage\": \"{}\"}}\n", decision.sign,
-                           name_of(decision.stage));
-    } else {
-        out << fmt::format("{} {}\n", decision.sign, name_of(decision.stage));
+/// Throws CallError where nothing touches i, j and k counterclockwise, and says why.
+void check_existence(const Predicates& metric, const Sites<Site>& sites,
+                     const std::array<Index, 4>& ranks) {
+    for (std::size_t a = 0; a < 3; ++a) {
+        for (std::size_t b = 0; b < 3; ++b) {
+            if (a == b || metric.hides(sites[a], sites[b], {ranks[a], ranks[b]}).sign < 0) continue;
+            throw CallError(
+                fmt::format("sign in_circle: {0} hides {1}, so that no {2} touches i, j and k; "
+                            "leave {1} out",
+                            names[a], names[b], metric.circle));
+        }
     }
+    const auto& [i, j, k, q] = sites;
+    const Decision forth = metric.exists(i, j, k, {ranks[0], ranks[1], ranks[2]});
+    if (forth.sign > 0) return;
+    const Decision back = metric.exists(j, i, k, {ranks[1], ranks[0], ranks[2]});
+    throw CallError(
+        fmt::format("sign in_circle: {}no {} touches i, j and k counterclockwise; {}",
+                    forth.tied || back.tied ? "under the tie rule " : "", metric.circle,
+                    back.sign > 0 ? "one touches them clockwise: exchange two of them"
+                                  : "none touches them clockwise either: give three other sites"));
+}
+
+Answer decide_additively(const Call& call, const Predicates& metric) {
+    const auto sites = sites_of<Site>(call);
+    const auto ranks = ranks_of([&](std::size_t a, std::size_t b) {
+        return additive::precedes(sites[a], static_cast<Index>(a), sites[b], static_cast<Index>(b));
+    });
+    check_existence(metric, sites, ranks);
+    const auto& [i, j, k, q] = sites;
+    Answer answer = {metric.in_circle(i, j, k, q, ranks), {}, {}};
+    for (std::size_t m = 0; m < 3; ++m) {
+        if (metric.hides(sites[m], q, {ranks[m], ranks[3]}).sign > 0)
+            answer.words.push_back(fmt::format("hidden   {} hides q", names[m]));
+        if (metric.hides(q, sites[m], {ranks[3], ranks[m]}).sign > 0)
+            answer.words.push_back(fmt::format("hidden   q hides {}", names[m]));
+    }
+    if (answer.decision.sign == 0) {
+        explain_tie(answer, metric.circle, "radius", ranks,
+                    metric.in_circle_perturbed(i, j, k, q, ranks).sign);
+    }
+    explain_stage(answer, metric.exact_means);
+    return answer;
+}
+
+Answer decide(const Call& call) {
+    // ccw is the same in every metric.
+    if (call.predicate == "ccw") return decide_ccw(call);
+    const Metric metric = metric_of(call.metric);
+    check_weight_is(call.weight_is, metric);
+    if (metric != Metric::power) return decide_additively(call, predicates_of(metric));
+    return call.weight_is == "weight" ? decide_in_power<power::Site>(call)
+                                      : decide_in_power<Site>(call);
+}
+
+/// The sign and the stage to standard output, words about them to standard error.
+void print(const Answer& answer, bool json) {
+    DescriptorStream out(1, "standard output");
+    const auto& [decision, tie, words] = answer;
+    if (!json) {
+        out << fmt::format("{} {}\n", decision.sign, name_of(decision.stage));
+        out.flush();
+        for (const std::string& line : words) std::fprintf(stderr, "%s\n", line.c_str());
+        return;
+    }
+    out << fmt::format("{{\"sign\": {}, \"stage\": \"{}\"", decision.sign, name_of(decision.stage));
+    if (tie) {
+        out << fmt::format(", \"tie\": {{\"last\": \"{}\", \"conflict\": {}}}", tie->last,
+                           tie->conflict);
+    }
+    out << "}\n";
     out.flush();
 }
 
@@ -91,8 +297,8 @@ void add_sign(CLI::App& tool) {
                      "ccw        three points turn left (1), right (-1)\n"
                      "           or lie on a line (0)\n"
                      "in_circle  the last site is inside (1), outside (-1)\n"
-                     "           or on (0) the circle that touches the\n"
-                     "           others, which turn left")
+                     "           or on (0) the circle (diamond, square) that\n"
+                     "           touches the others counterclockwise")
         ->required()
         ->check(one_of({"ccw", "in_circle"}))
         ->type_name("");
@@ -100,18 +306,19 @@ void add_sign(CLI::App& tool) {
         ->add_option("NUMBER", call->numbers,
                      "After --: x y of each point for ccw, x y r of each\nsite for in_circle")
         ->type_name("");
-    const CLI::Option* metric = add_metric(*command, call->metric);
+    add_metric(*command, call->metric);
     add_weight_is(*command, call->weight_is);
-    command->add_flag("--json", call->json, "Prints {\"sign\": S, \"stage\": NAME}");
+    command->add_flag("--json", call->json,
+                      "Prints {\"sign\": S, \"stage\": NAME}; where in_circle\n"
+                      "is 0 also \"tie\": {\"last\": SITE, \"conflict\": BOOL}");
     command->footer(
+        "Prints the sign and the stage; words about ties, hidden sites and stages behind\n"
+        "the filter go to standard error.\n\n"
         "Examples:\n"
         "  signum sign ccw -- 0 0  1 0  0 1\n"
-        "  signum sign in_circle --metric power -- 0 0 1  1 0 1  0 1 1  1 1 1");
-    command->callback([call, metric] {
-        // ccw is the same in every metric.
-        if (call->predicate == "in_circle") require_power(call->metric, *metric);
-        print(call->predicate == "ccw" ? decide_ccw(*call) : decide_in_circle(*call), call->json);
-    });
+        "  signum sign in_circle --metric power -- 0 0 1  1 0 1  0 1 1  1 1 1\n"
+        "  signum sign in_circle --metric supremum -- 0 0 0  4 1 0  1 4 0  2 2 0");
+    command->callback([call] { print(decide(*call), call->json); });
 }
 
 }  // namespace signum::cli

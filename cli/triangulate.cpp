@@ -125,7 +125,7 @@ Tessellation construct(const Call& call, StridedSites sites) {
         options.progress = [&progress](double share) { progress->show(share); };
     }
     try {
-        return triangulate(sites, Power{}, options);
+        return triangulate(sites, metric_of(call.metric), options);
     } catch (const BrokenStructure& error) {
         throw CheckFailure(
             fmt::format("the structure broke, because {} arithmetic rounds its signs: "
@@ -181,10 +181,18 @@ void check(const Call& call, const Tessellation& tessellation) {
 void run(const Call& call) {
     require_incremental(call.method);
     static_cast<void>(arithmetic_of(call.arithmetic));
+    const Metric metric = metric_of(call.metric);
+    check_weight_is(call.weight_is, metric);
     check_outputs(call);
 
     const SitesFile file = read_sites(call.input);
     WeightIs third = file.third.value_or(WeightIs::radius);
+    if (third == WeightIs::weight && metric != Metric::power) {
+        throw CallError(
+            fmt::format("{}: its header says weight, and the {} metric has radii alone; name the "
+                        "column radius, or add --metric power",
+                        call.input, call.metric));
+    }
     if (!call.weight_is.empty()) {
         third = call.weight_is == "weight" ? WeightIs::weight : WeightIs::radius;
     }
@@ -221,7 +229,7 @@ void add_triangulate(CLI::App& tool) {
     command->add_option("FILE", call->input, "Sites, one a line: x y [r]; - for standard input")
         ->required()
         ->type_name("");
-    const CLI::Option* metric = add_metric(*command, call->metric);
+    add_metric(*command, call->metric);
     add_weight_is(*command, call->weight_is);
     command
         ->add_option("--method", call->method,
@@ -264,12 +272,10 @@ void add_triangulate(CLI::App& tool) {
         ->capture_default_str();
     command->add_flag("--quiet", call->quiet, "No summary and no progress on standard error");
     command->footer(
-        "Example:\n"
-        "  signum triangulate sites.txt --metric power -o out.json -o out.svg --check");
-    command->callback([call, metric] {
-        require_power(call->metric, *metric);
-        run(*call);
-    });
+        "Examples:\n"
+        "  signum triangulate sites.txt --metric power -o out.json -o out.svg --check\n"
+        "  signum triangulate sites.txt --metric supremum --stats -o squares.svg");
+    command->callback([call] { run(*call); });
 }
 
 }  // namespace signum::cli

@@ -25,10 +25,6 @@ void run(const Call& call) {
         throw CallError("only one of the two files can be standard input");
     }
     const TessellationArrays arrays = read_tessellation(call.tessellation);
-    if (arrays.metric != Metric::power) {
-        throw CallError(fmt::format("{}: its metric is {}, and this version judges power alone",
-                                    call.tessellation, name_of(arrays.metric)));
-    }
     const SitesFile file = read_sites(call.sites);
     const Validation result = validate(arrays, strided_view(file.sites, arrays.weight_is));
     DescriptorStream out(1, "standard output");
@@ -59,7 +55,8 @@ void add_validate(CLI::App& tool) {
         ->type_name("");
     command
         ->add_option("FILE", call->sites,
-                     "Its sites; the tessellation says whether the third\nnumber is a weight")
+                     "Its sites; the tessellation says in which metric,\nand whether the third "
+                     "number is a weight")
         ->required()
         ->type_name("");
     command->footer(

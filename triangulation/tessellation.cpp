@@ -7,7 +7,11 @@
 
 #include <signum/core/contract.hpp>
 #include <signum/exact/floating_environment.hpp>
+#include <signum/predicates/additive.hpp>
+#include <signum/predicates/euclidean.hpp>
+#include <signum/predicates/manhattan.hpp>
 #include <signum/predicates/power.hpp>
+#include <signum/predicates/supremum.hpp>
 
 namespace signum {
 namespace {
@@ -20,13 +24,50 @@ int position(const Face& face, Index vertex) noexcept {
     return face[0] == vertex ? 0 : face[1] == vertex ? 1 : 2;
 }
 
-/// Of two sites the one nearer to the point, ties going to the first in the tie rule's order.
-template <class S>
-bool nearer(Point point, const Site& a, Index a_index, const Site& b, Index b_index) {
+/// Whether the point is nearer to site a than to site b, ties going to the first in the tie rule's
+/// order.
+using Nearer = bool (*)(Point point, const Site& a, Index a_index, const Site& b, Index b_index);
+
+template <power::PowerSite S>
+bool nearer_in_power(Point point, const Site& a, Index a_index, const Site& b, Index b_index) {
     const S sa{a.x, a.y, a.r};
     const S sb{b.x, b.y, b.r};
     const Sign sign = power::nearer(point, sa, sb);
     return sign != 0 ? sign > 0 : power::precedes(sa, a_index, sb, b_index);
+}
+
+/// Predicates: those of a metric with additive weights under the tie rule.
+template <class Predicates>
+bool nearer_additively(Point point, const Site& a, Index a_index, const Site& b, Index b_index) {
+    const bool a_first = additive::precedes(a, a_index, b, b_index);
+    return Predicates::nearer(point, a, b, {a_first ? 0 : 1, a_first ? 1 : 0}).sign > 0;
+}
+
+Nearer nearer_of(Metric metric, WeightIs weight_is) {
+    switch (metric) {
+        case Metric::power:
+            return weight_is == WeightIs::weight ? nearer_in_power<power::Site>
+                                                 : nearer_in_power<Site>;
+        case Metric::euclidean:
+            return nearer_additively<euclidean::Perturbed<>>;
+        case Metric::manhattan:
+            return nearer_additively<manhattan::Perturbed<>>;
+        case Metric::supremum:
+            return nearer_additively<supremum::Perturbed<>>;
+    }
+    throw std::invalid_argument("no such metric");
+}
+
+/// Calls visit with the vertices around a site, counterclockwise. `first` is a face at the site.
+template <class Visit>
+void go_around(const TessellationArrays& arrays, Index site, Index first, Visit visit) {
+    Index f = first;
+    do {
+        const Face& face = arrays.faces[at(f)];
+        const auto k = static_cast<std::size_t>(position(face, site));
+        visit(face[(k + 1) % 3]);
+        f = arrays.neighbours[at(f)][(k + 1) % 3];
+    } while (f != first);
 }
 
 void expect_finite(Point point) {
@@ -75,13 +116,7 @@ std::vector<Index> Tessellation::neighbours(Index site) const {
     std::vector<Index> result;
     const Index first = face_of_site_[at(site)];
     if (first < 0) return result;
-    Index f = first;
-    do {
-        const Face& face = arrays_.faces[at(f)];
-        const auto k = static_cast<std::size_t>(position(face, site));
-        result.push_back(face[(k + 1) % 3]);
-        f = arrays_.neighbours[at(f)][(k + 1) % 3];
-    } while (f != first);
+    go_around(arrays_, site, first, [&](Index v) { result.push_back(v); });
     std::rotate(result.begin(), std::min_element(result.begin(), result.end()), result.end());
     return result;
 }
@@ -90,8 +125,11 @@ Index Tessellation::locate(Point point) const {
     expect_finite(point);
     const exact::IeeeEnvironment environment;
     if (arrays_.faces.empty()) return -1;
-    Index f = face_of_site_[at(nearest_of_samples(point))];
-    if (f < 0) f = static_cast<Index>(arrays_.faces.size()) - 1;
+    return metric() == Metric::power ? locate_straight(point) : face_of_site_[at(nearest(point))];
+}
+
+Index Tessellation::locate_straight(Point point) const noexcept {
+    Index f = face_of_site_[at(visible_sample(point))];
     if (arrays_.faces[at(f)][0] == infinite) f = arrays_.neighbours[at(f)][0];
     if (arrays_.faces[at(f)][0] == infinite) return locate_beside_line(point);
     while (arrays_.faces[at(f)][0] != infinite) {
@@ -115,16 +153,17 @@ Index Tessellation::nearest(Point point) const {
             visible += static_cast<Index>(hidden.site == visible);
         return visible;
     }
-    const Face& face = arrays_.faces[at(locate(point))];
-    // The distance has no local minimum on the tessellation but the global one.
-    Index nearest = face[1];
-    for (bool improved = true; improved;) {
-        improved = false;
-        for (const Index v : neighbours(nearest)) {
-            if (v == infinite || !is_nearer(point, v, nearest)) continue;
-            nearest = v;
-            improved = true;
-        }
+    const Nearer nearer = nearer_of(metric(), weight_is());
+    const auto site = [&](Index i) -> const Site& { return sites_[at(i)]; };
+    Index nearest = metric() == Metric::power ? arrays_.faces[at(locate_straight(point))][1]
+                                              : visible_sample(point);
+    // Cells are star-shaped: every site but the nearest has a neighbour that is nearer, the one
+    // whose cell the segment to the point enters.
+    for (Index start = -1; start != nearest;) {
+        start = nearest;
+        go_around(arrays_, start, face_of_site_[at(start)], [&](Index v) {
+            if (v != infinite && nearer(point, site(v), v, site(nearest), nearest)) nearest = v;
+        });
     }
     return nearest;
 }
@@ -147,6 +186,12 @@ Index Tessellation::nearest_of_samples(Point point) const noexcept {
     return nearest;
 }
 
+Index Tessellation::visible_sample(Point point) const noexcept {
+    const Index sample = nearest_of_samples(point);
+    // The second vertex of a face is never infinity.
+    return face_of_site_[at(sample)] >= 0 ? sample : arrays_.faces.back()[1];
+}
+
 Index Tessellation::locate_beside_line(Point point) const noexcept {
     Index on_line = 0;
     for (std::size_t f = 0; f < arrays_.faces.size(); ++f) {
@@ -158,12 +203,6 @@ Index Tessellation::locate_beside_line(Point point) const noexcept {
         if (side == 0 && order(from, point) && order(point, to)) on_line = static_cast<Index>(f);
     }
     return on_line;
-}
-
-bool Tessellation::is_nearer(Point point, Index a, Index b) const noexcept {
-    return arrays_.weight_is == WeightIs::weight
-               ? nearer<power::Site>(point, sites_[at(a)], a, sites_[at(b)], b)
-               : nearer<Site>(point, sites_[at(a)], a, sites_[at(b)], b);
 }
 
 }  // namespace signum

@@ -23,6 +23,9 @@ namespace signum {
 /// The four distances from a site; shared by types and files.
 enum class Metric : std::uint8_t { power, euclidean, manhattan, supremum };
 
+inline constexpr std::array<Metric, 4> all_metrics = {Metric::power, Metric::euclidean,
+                                                      Metric::manhattan, Metric::supremum};
+
 /// What the third number of a site means; anything but radius exists in the power metric alone.
 enum class WeightIs : std::uint8_t { radius, weight };
 
@@ -101,23 +104,30 @@ class Tessellation {
     /// among them; empty for a hidden site. Precondition: 0 <= site < sites().size(). O(degree).
     [[nodiscard]] std::vector<Index> neighbours(Index site) const;
 
-    /// A face whose closure contains the point: a finite one, or outside the convex hull an
-    /// infinite one whose hull edge sees the point (where all sites are collinear, one on the
-    /// point's side, on the line itself one whose edge contains the point if any does); -1 where
-    /// there is no face (fewer than two visible sites). Exact. The point must be finite
-    /// (std::invalid_argument). Expected O(n^(1/3)) on uniform sites.
+    /// In the power metric, whose edges are straight, a face whose closure contains the point: a
+    /// finite one, or outside the convex hull an infinite one whose hull edge sees the point (where
+    /// all sites are collinear, one on the point's side, on the line itself one whose edge contains
+    /// the point if any does). In the other metrics edges are curved, and faces have no shape of
+    /// their own: there it is the first face at the site nearest(point). -1 where there is no face
+    /// (fewer than two visible sites). Exact. The point must be finite (std::invalid_argument).
+    /// Expected O(n^(1/3)) on uniform sites.
     [[nodiscard]] Index locate(Point point) const;
 
     /// The site whose cell contains the point, ties going to the first in the tie rule's order; -1
-    /// without sites. Exact. The point must be finite (std::invalid_argument).
+    /// without sites. Exact. The point must be finite (std::invalid_argument). Expected O(n^(1/3))
+    /// on uniform sites.
     [[nodiscard]] Index nearest(Point point) const;
 
  private:
     [[nodiscard]] Point centre(Index site) const noexcept;
     /// The visible one of about n^(1/3) sites that is nearest to the point, roughly.
     [[nodiscard]] Index nearest_of_samples(Point point) const noexcept;
+    /// A visible site to start from, near the point where a sample is. Precondition: there are
+    /// faces.
+    [[nodiscard]] Index visible_sample(Point point) const noexcept;
+    /// locate() in the power metric. Precondition: there are faces.
+    [[nodiscard]] Index locate_straight(Point point) const noexcept;
     [[nodiscard]] Index locate_beside_line(Point point) const noexcept;
-    [[nodiscard]] bool is_nearer(Point point, Index a, Index b) const noexcept;
 
     TessellationArrays arrays_;
     std::vector<Site> sites_;

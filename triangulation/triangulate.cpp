@@ -294,4 +294,18 @@ Tessellation triangulate(StridedSites sites, Power /*metric*/, const Options& op
     return construct_with_arithmetic<Site>(sites, options);
 }
 
+Tessellation triangulate(StridedSites sites, Metric metric, const Options& options) {
+    switch (metric) {
+        case Metric::power:
+            return triangulate(sites, Power{}, options);
+        case Metric::manhattan:
+            return triangulate(sites, Manhattan{}, options);
+        case Metric::supremum:
+            return triangulate(sites, Supremum{}, options);
+        case Metric::euclidean:
+            return triangulate(sites, Euclidean{}, options);
+    }
+    throw std::invalid_argument("no such metric");
+}
+
 }  // namespace signum

@@ -59,4 +59,8 @@ class BrokenStructure : public std::runtime_error {
 [[nodiscard]] Tessellation triangulate(StridedSites sites, Supremum metric,
                                        const Options& options = {});
 
+/// The same for a metric that is known only when the program runs.
+[[nodiscard]] Tessellation triangulate(StridedSites sites, Metric metric,
+                                       const Options& options = {});
+
 }  // namespace signum

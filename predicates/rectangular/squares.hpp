@@ -9,7 +9,6 @@
 /// Source: Gavrilova 1998, chapter 5; the tie rule is taken into every comparison.
 
 #include <array>
-#include <utility>
 
 #include <signum/core/contract.hpp>
 #include <signum/core/index.hpp>
@@ -82,7 +81,8 @@ template <class AnyForms>
     // neighbours less the other.
     std::array<typename AnyForms::Term, 8> terms{};
     std::size_t count = 0;
-    for (const auto& [square, factor] : {std::pair(&a, 1), std::pair(&b, -1)}) {
+    for (const int factor : {1, -1}) {
+        const Touching* const square = factor > 0 ? &a : &b;
         const auto add = [&](int at, int times) {
             terms[count++] = {at & 3, square->site[static_cast<std::size_t>(at & 3)], times};
         };

@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <chrono>
 #include <csignal>
 #include <string>
@@ -13,6 +14,8 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include <signum/triangulation/tessellation.hpp>
 
 #include "io_scratch.hpp"
 
@@ -119,16 +122,10 @@ TEST_F(Tool, RefusesWrongCalls) {
 
 TEST_F(Tool, SaysWhatThisVersionDoesNotHave) {
     expect(
-        {"triangulate", sites}, 2,
-        "signum: --metric euclidean (the default) is not in this version, which has power alone; "
-        "add --metric power\n");
-    expect({"triangulate", sites, "--metric", "manhattan"}, 2,
-           "signum: --metric manhattan is not in this version, which has power alone; add --metric "
-           "power\n");
-    expect(
         {"triangulate", sites, "--metric", "taxi"}, 2,
         "signum: --metric: 'taxi' is unknown; it is one of power, euclidean, manhattan, supremum; "
         "see signum triangulate --help\n");
+    EXPECT_EQ(run({"sign", "in_circle", "--metric", "taxi", "--", "1"}).code, 2);
     expect(triangulate({"--method", "flips"}), 2,
            "signum: --method flips is not in this version, which has incremental alone; leave "
            "--method out\n");
@@ -307,10 +304,6 @@ TEST_F(Tool, RefusesSignsThatDoNotExist) {
         "of the query; 1 is given\n");
     expect({"sign", "ccw", "--", "0", "0", "1", "0", "0", "nan"}, 2,
            "signum: number 6 of 6: 'nan' is not a finite number; write a finite one\n");
-    expect(
-        {"sign", "in_circle", "--", "0", "0", "0", "1", "0", "0", "0", "1", "0", "1", "1", "0"}, 2,
-        "signum: --metric euclidean (the default) is not in this version, which has power alone; "
-        "add --metric power\n");
     const auto in_circle = [](const char* x, const char* y) {
         return Words{"sign", "in_circle", "--metric", "power", "--", "0", "0", "0", "1",
                      "0",    "0",         x,          y,       "0",  "1", "1", "0"};
@@ -366,13 +359,233 @@ TEST_F(Tool, Validates) {
                ":1:1: 0 cannot stand here; a tessellation is what signum triangulate writes as "
                "JSON\n");
     expect({"validate", "-", "-"}, 2, "signum: only one of the two files can be standard input\n");
-    const std::string foreign = scratch.file(
-        "e.json",
-        "{\"format\": \"signum.tessellation\", \"version\": 1, \"metric\": \"euclidean\", "
-        "\"sites\": 0, \"faces\": []}");
-    expect(
-        {"validate", foreign, sites}, 2,
-        "signum: " + foreign + ": its metric is euclidean, and this version judges power alone\n");
+    const std::string foreign =
+        scratch.file("e.json",
+                     "{\"format\": \"signum.tessellation\", \"version\": 1, \"metric\": \"taxi\", "
+                     "\"sites\": 0, \"faces\": []}");
+    const Outcome unknown = run({"validate", foreign, sites});
+    EXPECT_EQ(unknown.code, 2);
+    EXPECT_NE(unknown.err.find("\"metric\" cannot be 'taxi'; it is one of power, euclidean, "
+                               "manhattan, supremum"),
+              std::string::npos)
+        << unknown.err;
+}
+
+// ---- all metrics -------------------------------------------------------------------------------
+
+class ToolInMetric : public Tool, public testing::WithParamInterface<Metric> {
+ protected:
+    const std::string metric{name_of(GetParam())};
+
+    /// Runs `signum sign in_circle` in the metric.
+    [[nodiscard]] Outcome in_circle(const Words& numbers, const Words& options = {}) const {
+        Words words = {"sign", "in_circle", "--metric", metric};
+        words.insert(words.end(), options.begin(), options.end());
+        words.emplace_back("--");
+        words.insert(words.end(), numbers.begin(), numbers.end());
+        return run(words);
+    }
+};
+
+TEST_P(ToolInMetric, WritesEveryFormat) {
+    const std::string input = scratch.path("random.txt");
+    ASSERT_EQ(run({"generate", "random", "-n", "300", "--radius", "0:40", "-o", input}).code, 0);
+    const std::string json = scratch.path("a.json");
+    const std::string svg = scratch.path("a.svg");
+    const std::string csv = scratch.path("a.csv");
+    const std::string obj = scratch.path("a.obj");
+    const Outcome outcome = run({"triangulate", input, "--metric", metric, "-o", json, "-o", svg,
+                                 "-o", csv, "-o", obj, "--stats"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_TRUE(outcome.err.starts_with("sites    300\nvisible  ")) << outcome.err;
+    EXPECT_NE(outcome.err.find("decided  "), std::string::npos);
+    EXPECT_NE(contents(json).find("\"metric\": \"" + metric + "\", \"weight_is\": \"radius\""),
+              std::string::npos);
+    EXPECT_EQ(contents(json).find("\"filtered\": null"), std::string::npos);
+    EXPECT_NE(contents(svg).find("<svg"), std::string::npos);
+    EXPECT_TRUE(contents(csv).starts_with("a,b,c\n-1,"));
+    EXPECT_TRUE(contents(obj).starts_with("# signum: " + metric + " tessellation"));
+    EXPECT_EQ(scratch.size(), 6U);
+}
+
+TEST_P(ToolInMetric, WritesTheSameBytesWhateverTheSeed) {
+    const std::string input = scratch.path("grid.csv");
+    ASSERT_EQ(run({"generate", "grid", "-n", "400", "--radius", "0:40", "-o", input}).code, 0);
+    const auto with = [&](const Words& more) {
+        Words all = {"triangulate", input, "--metric", metric, "--quiet"};
+        all.insert(all.end(), more.begin(), more.end());
+        return run(all).out;
+    };
+    const std::string once = with({});
+    EXPECT_GT(once.size(), 2000U);
+    EXPECT_EQ(with({"--seed", "99"}), once);
+    EXPECT_EQ(with({"--arithmetic", "multiprecision"}), once);
+}
+
+TEST_P(ToolInMetric, JudgesWhatItWrites) {
+    const std::string input = scratch.path("random.txt");
+    ASSERT_EQ(run({"generate", "random", "-n", "100", "--radius", "0:60", "-o", input}).code, 0);
+    const std::string json = scratch.path("a.json");
+    ASSERT_EQ(run({"triangulate", input, "--metric", metric, "-o", json, "--quiet"}).code, 0);
+    const Outcome good = run({"validate", json, input});
+    EXPECT_EQ(good.code, 0) << good.err;
+    EXPECT_EQ(good.out, "valid, canonical\n");
+    const Outcome checked = run({"triangulate", input, "--metric", metric, "-o", json, "--check"});
+    EXPECT_EQ(checked.code, 0);
+    EXPECT_NE(checked.err.find("check    valid, canonical\n"), std::string::npos) << checked.err;
+    const Outcome wrong = run({"validate", json, sites});
+    EXPECT_EQ(wrong.code, 1);
+    EXPECT_TRUE(wrong.out.starts_with("not valid: ")) << wrong.out;
+}
+
+TEST_P(ToolInMetric, TakesFewSites) {
+    const auto with = [&](std::string_view text) {
+        const std::string input = scratch.file("few.txt", text);
+        const Outcome outcome = run({"triangulate", input, "--metric", metric, "--quiet"});
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return outcome.out.substr(outcome.out.find('\n') + 1);
+    };
+    EXPECT_EQ(with("1 2 3\n"), "\"faces\": [],\n\"neighbours\": [],\n\"hidden\": []}\n");
+    EXPECT_EQ(with("1 2\n1 2\n"), "\"faces\": [],\n\"neighbours\": [],\n\"hidden\": [\n[1, 0]]}\n");
+    EXPECT_EQ(with("0 0\n5 1\n"),
+              "\"faces\": [\n[-1, 0, 1],\n[-1, 1, 0]],\n"
+              "\"neighbours\": [\n[1, 1, 1],\n[0, 0, 0]],\n\"hidden\": []}\n");
+}
+
+TEST_P(ToolInMetric, HasWeightsInPowerAlone) {
+    const bool is_power = GetParam() == Metric::power;
+    for (const std::string third : {"radius", "weight"}) {
+        const std::string error =
+            is_power ? ""
+                     : "signum: --weight-is " + third +
+                           ": only the power metric has weights, and this is --metric " + metric +
+                           "; leave --weight-is out, or add --metric power\n";
+        const Outcome tessellation =
+            run({"triangulate", sites, "--metric", metric, "--weight-is", third, "--quiet"});
+        EXPECT_EQ(tessellation.code, is_power ? 0 : 2);
+        EXPECT_EQ(tessellation.err, error);
+        const Outcome sign = in_circle(
+            {"0", "0", "1", "9", "2", "1", "2", "9", "1", "30", "4", "1"}, {"--weight-is", third});
+        EXPECT_EQ(sign.code, is_power ? 0 : 2);
+        EXPECT_EQ(sign.err, error);
+    }
+    const std::string weighted = scratch.file("w.csv", "x,y,weight\n0,0,0\n9,0,0\n0,9,0\n");
+    const Outcome header = run({"triangulate", weighted, "--metric", metric, "--quiet"});
+    EXPECT_EQ(header.code, is_power ? 0 : 2);
+    EXPECT_EQ(header.err, is_power ? ""
+                                   : "signum: " + weighted + ": its header says weight, and the " +
+                                         metric +
+                                         " metric has radii alone; name the column radius, or add "
+                                         "--metric power\n");
+}
+
+TEST_P(ToolInMetric, PrintsSigns) {
+    for (const Words& options : {Words{}, Words{"--json"}}) {
+        const auto with = [&](const char* x, const char* y, const char* r) {
+            const Outcome outcome =
+                in_circle({"0", "0", "1", "9", "2", "1", "3", "8.5", "1", x, y, r}, options);
+            EXPECT_EQ(outcome.code, 0);
+            EXPECT_TRUE(options.empty() || outcome.err.empty()) << outcome.err;
+            return outcome.out;
+        };
+        const std::string before = options.empty() ? "" : "{\"sign\": ";
+        const std::string after = options.empty() ? " filter\n" : ", \"stage\": \"filter\"}\n";
+        EXPECT_EQ(with("4", "5", "1"), before + "1" + after);
+        EXPECT_EQ(with("40", "5", "1"), before + "-1" + after);
+    }
+}
+
+TEST_P(ToolInMetric, ExplainsTies) {
+    // On one circle, square or diamond, counterclockwise; the first is the last in the order.
+    const std::vector<Words> corners =
+        GetParam() == Metric::manhattan
+            ? std::vector<Words>{{"1", "1", "0"},
+                                 {"-1", "1", "0"},
+                                 {"-1", "-1", "0"},
+                                 {"1", "-1", "0"}}
+            : std::vector<Words>{
+                  {"2", "0", "0"}, {"0", "2", "0"}, {"-2", "0", "0"}, {"0", "-2", "0"}};
+    struct Case {
+        std::array<std::size_t, 4> order;
+        char last;
+        bool conflict;
+    };
+    for (const auto& [order, last, conflict] :
+         {Case{{1, 2, 3, 0}, 'q', false}, Case{{0, 1, 2, 3}, 'i', true},
+          Case{{0, 1, 3, 2}, 'i', false}, Case{{3, 0, 1, 2}, 'j', false}}) {
+        Words numbers;
+        for (const std::size_t c : order)
+            numbers.insert(numbers.end(), corners[c].begin(), corners[c].end());
+        const Outcome outcome = in_circle(numbers);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        EXPECT_TRUE(outcome.out.starts_with("0 ")) << outcome.out;
+        EXPECT_TRUE(outcome.err.starts_with("tie      q touches the ")) << outcome.err;
+        EXPECT_NE(outcome.err.find(std::string(1, last) + " is the last of them: q " +
+                                   (conflict ? "conflicts\n" : "does not conflict\n")),
+                  std::string::npos)
+            << outcome.err;
+        EXPECT_NE(outcome.err.find("\ndecided  not by the filter, but by "), std::string::npos);
+        const Outcome json = in_circle(numbers, {"--json"});
+        EXPECT_TRUE(json.out.starts_with("{\"sign\": 0, \"stage\": \""));
+        EXPECT_TRUE(json.out.ends_with(std::string(", \"tie\": {\"last\": \"") + last +
+                                       "\", \"conflict\": " + (conflict ? "true" : "false") +
+                                       "}}\n"))
+            << json.out;
+        EXPECT_EQ(json.err, "");
+    }
+}
+
+TEST_P(ToolInMetric, RefusesWhatHasNoCircle) {
+    if (GetParam() == Metric::power) return;  // see RefusesSignsThatDoNotExist
+    const std::string circle = GetParam() == Metric::manhattan  ? "diamond"
+                               : GetParam() == Metric::supremum ? "square"
+                                                                : "circle";
+    const auto refused = [&](const Words& numbers, const std::string& why) {
+        const Outcome outcome = in_circle(numbers);
+        EXPECT_EQ(outcome.code, 2);
+        EXPECT_EQ(outcome.out, "");
+        EXPECT_EQ(outcome.err, "signum: sign in_circle: " + why + "\n");
+    };
+    refused({"0", "0", "0", "3", "8.5", "0", "9", "2", "0", "5", "5", "0"},
+            "no " + circle +
+                " touches i, j and k counterclockwise; one touches them clockwise: exchange two of "
+                "them");
+    refused({"0", "0", "0", "4", "8", "1", "8", "16", "0", "5", "5", "0"},
+            "no " + circle +
+                " touches i, j and k counterclockwise; none touches them clockwise either: give "
+                "three other sites");
+    refused({"0", "0", "5", "2", "9", "0", "1", "2", "1", "5", "5", "0"},
+            "i hides k, so that no " + circle + " touches i, j and k; leave k out");
+    // A hidden query is an answer.
+    const Outcome hidden =
+        in_circle({"0", "0", "2", "9", "2", "1", "3", "8.5", "1", "0.5", "0.25", "1"});
+    EXPECT_EQ(hidden.code, 0);
+    EXPECT_TRUE(hidden.out.starts_with("-1 ")) << hidden.out;
+    EXPECT_TRUE(hidden.err.starts_with("hidden   i hides q\n")) << hidden.err;
+    const Outcome hiding =
+        in_circle({"0", "0", "1", "9", "2", "1", "3", "8.5", "1", "3", "3", "50"});
+    EXPECT_TRUE(hiding.out.starts_with("1 ")) << hiding.out;
+    EXPECT_TRUE(
+        hiding.err.starts_with("hidden   q hides i\nhidden   q hides j\nhidden   q hides "
+                               "k\n"))
+        << hiding.err;
+}
+
+INSTANTIATE_TEST_SUITE_P(Metrics, ToolInMetric, testing::ValuesIn(all_metrics),
+                         [](const auto& info) { return std::string(name_of(info.param)); });
+
+TEST_F(Tool, TakesEuclideanWhereNoMetricIsGiven) {
+    for (const Words& words : {Words{"triangulate", sites, "--quiet"},
+                               Words{"sign", "in_circle", "--", "0", "0", "1", "9", "2", "1", "2",
+                                     "9", "1", "4", "5", "1"}}) {
+        Words named = words;
+        named.insert(named.begin() + 1, {"--metric", "euclidean"});
+        const Outcome expected = run(named);
+        const Outcome outcome = run(words);
+        EXPECT_EQ(outcome.code, expected.code);
+        EXPECT_EQ(outcome.out, expected.out);
+        EXPECT_EQ(outcome.err, expected.err);
+    }
 }
 
 }  // namespace

@@ -123,6 +123,20 @@ TEST(ReadTessellation, ReadsWhatIsWritten) {
     EXPECT_EQ(read(json(Tessellation(large, std::vector<Site>(300'000), {}))), large);
 }
 
+TEST(ReadTessellation, ReadsEveryMetric) {
+    TessellationArrays arrays = triangle();
+    // Two edges between 0 and 1, as the additive metrics have them: 2 is small and lies between.
+    arrays.faces = {{-1, 0, 1}, {-1, 1, 0}, {0, 1, 2}, {0, 2, 1}};
+    arrays.neighbours = {{3, 1, 1}, {2, 0, 0}, {3, 3, 1}, {2, 0, 2}};
+    for (const Metric metric : all_metrics) {
+        arrays.metric = metric;
+        const std::string text = json(Tessellation(arrays, std::vector<Site>(4), {}));
+        EXPECT_NE(text.find("\"metric\": \"" + std::string(name_of(metric)) + "\""),
+                  std::string::npos);
+        EXPECT_EQ(read(text), arrays) << text;
+    }
+}
+
 TEST(ReadTessellation, ReadsWhatOthersWrite) {
     const TessellationArrays arrays = read(
         "{\"x\": {\"faces\": [[0]], \"y\": [1, {}, \"a\", null, 1e5]}, \"sites\":3,\n"
@@ -195,6 +209,20 @@ TEST(WriteObj, WritesSitesAndFiniteFaces) {
     EXPECT_EQ(out.str(),
               "# signum: power tessellation, a vertex a site\n"
               "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0.1 0.5 0\nf 1 2 3\n");
+}
+
+TEST(WriteObj, SaysThatCurvedEdgesAreDrawnStraight) {
+    for (const Metric metric : {Metric::euclidean, Metric::manhattan, Metric::supremum}) {
+        TessellationArrays arrays = triangle();
+        arrays.metric = metric;
+        std::ostringstream out;
+        write_obj(out, Tessellation(arrays, std::vector<Site>(4), {}));
+        EXPECT_TRUE(out.str().starts_with(
+            "# signum: " + std::string(name_of(metric)) +
+            " tessellation, a vertex a site\n# edges are curved in this metric; drawn straight, "
+            "faces may overlap or turn\nv 0 0 0\n"))
+            << out.str();
+    }
 }
 
 TEST(WriteSites, ReadsBackToTheSameDoubles) {
