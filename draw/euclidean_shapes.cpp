@@ -47,10 +47,9 @@ class Hyperbola {
         const double cosh = dot(to_corner, forward_) / (half_ * slant_);
         const double sinh = dot(to_corner, upward_) / (half_ * rise_);
         // The coordinate that changes faster tells the parameter better.
-        const double changes = cosh > 1 ? std::abs(slant_) * std::sqrt((cosh - 1) * (cosh + 1)) : 0;
-        const double t = changes > rise_ * cosh || !std::isfinite(sinh)
-                             ? std::copysign(std::acosh(std::max(cosh, 1.0)), sinh)
-                             : std::asinh(sinh);
+        const bool by_cosh = std::isfinite(cosh) && cosh > 1 &&
+                             std::abs(slant_) * std::sqrt((cosh - 1) * (cosh + 1)) > rise_ * cosh;
+        const double t = by_cosh ? std::copysign(std::acosh(cosh), sinh) : std::asinh(sinh);
         return std::clamp(t, -end_, end_);
     }
 
