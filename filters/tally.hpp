@@ -28,8 +28,8 @@ struct Decision {
 
 namespace signum::filters {
 
-/// Counts calls by predicate and by the stage that decided. Ties are exact zeros of in_circle that
-/// the tie rule resolved.
+/// Counts calls by predicate and by the stage that decided. Ties are exact zeros that the tie rule
+/// resolved.
 struct Tally {
     std::uint64_t ccw = 0;
     std::uint64_t in_circle = 0;

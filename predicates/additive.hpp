@@ -6,6 +6,13 @@
 
 namespace signum::additive {
 
+/// The stages that a predicate has.
+enum class Stages {
+    exact,          ///< a filter, and exact arithmetic behind it
+    naive,          ///< rounded arithmetic alone, whose word is taken for the truth
+    multiprecision  ///< rationals alone
+};
+
 /// Whether site a (of index a_index) comes before site b in the tie rule's order: by falling
 /// radius, then rising x, y and index. The first site of all is hidden by none.
 [[nodiscard]] inline bool precedes(const Site& a, Index a_index, const Site& b,

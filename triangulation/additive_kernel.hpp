@@ -29,6 +29,15 @@ class AdditiveKernel {
     [[nodiscard]] bool hides(Index i, Index q) noexcept {
         return decide(Predicates::hides(site(i), site(q), {ranks_[i], ranks_[q]}));
     }
+    /// Whether i would hide q if it came before it in the tie rule's order.
+    [[nodiscard]] bool hides_if_first(Index i, Index q) noexcept {
+        return decide(Predicates::hides(site(i), site(q), {0, 1}));
+    }
+    /// Whether a circle touches i, j, k counterclockwise.
+    [[nodiscard]] bool exists(Index i, Index j, Index k) noexcept {
+        return decide(
+            Predicates::exists(site(i), site(j), site(k), {ranks_[i], ranks_[j], ranks_[k]}));
+    }
     /// Whether circles touch i, j, k both counterclockwise and clockwise.
     [[nodiscard]] bool exist_twice(Index i, Index j, Index k) noexcept {
         return decide(
@@ -59,6 +68,12 @@ class AdditiveKernel {
         tally_.count_in_circle();
         return decide(Predicates::in_circle_infinite(site(a), site(b), site(q),
                                                      {ranks_[a], ranks_[b], ranks_[q]}));
+    }
+    /// Whether the part of the horizon from hull edge k -> s on to s -> l contains the first
+    /// direction. Precondition: neither of s and k, or s and l, hides the other.
+    [[nodiscard]] bool holds_first_direction(Index k, Index s, Index l) noexcept {
+        return decide(Predicates::holds_first_direction(site(k), site(s), site(l),
+                                                        {ranks_[k], ranks_[s], ranks_[l]}));
     }
     /// Whether the centre of q is nearer to a than to b.
     [[nodiscard]] bool is_nearer(Index q, Index a, Index b) noexcept {

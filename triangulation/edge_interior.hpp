@@ -12,8 +12,7 @@
 ///     K_l.
 ///  2. If q takes both ends of the edge or neither, and (j,i,q) lies on the edge, then q does the
 ///     same to the other stretch's ends: all of them lie on one side of both vertices of q.
-///  3. There K_q or the rest of the bisector is an interval within one of the two stretches, and
-///     the order of three disjoint intervals tells which.
+///  3. There the order of three disjoint intervals tells which.
 /// None of this asks how many sites there are: edges between the same sites with the same sites
 /// across them are told apart (docs/other-metrics.md).
 
@@ -63,10 +62,11 @@ template <class Kernel>
     const Index l = topology.apex(topology.twin(h));
     if (!kernel.exist_twice(i, j, q)) return false;
     if (kernel.conflicts(j, i, q, k) || kernel.conflicts(j, i, q, l)) return false;
-    const bool another = k != l && kernel.exist_twice(i, j, k) && kernel.exist_twice(i, j, l) &&
-                         !kernel.conflicts(j, i, k, l) && !kernel.conflicts(i, j, l, k);
-    if (!another) return true;
-    if (kernel.conflicts(j, i, k, q) != taken || kernel.conflicts(i, j, l, q) != taken)
+    // The other stretch runs from vertex (j, i, from) to (i, j, to).
+    const Index from = kernel.exist_twice(i, j, k) ? k : infinite;
+    const Index to = kernel.exist_twice(i, j, l) ? l : infinite;
+    if (from == to || kernel.conflicts(j, i, from, l) || kernel.conflicts(i, j, to, k)) return true;
+    if (kernel.conflicts(j, i, from, q) != taken || kernel.conflicts(i, j, to, q) != taken)
         return false;
     // On a bisector with infinity, a circle of directions, K runs clockwise from (i, infinity, m).
     if (i == infinite) return exact.in_order_at_infinity(j, k, q, l, taken);

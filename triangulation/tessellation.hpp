@@ -67,7 +67,7 @@ struct Statistics {
     std::uint64_t refined = 0;         ///< ... by double-double arithmetic
     std::uint64_t essa = 0;            ///< ... by expansions and the exact sign of a sum
     std::uint64_t multiprecision = 0;  ///< ... by rationals
-    std::uint64_t ties = 0;            ///< exact zeros of in_circle, resolved by the tie rule
+    std::uint64_t ties = 0;            ///< exact zeros that the tie rule resolved
     std::uint64_t flips = 0;           ///< edges swapped
     double seconds = 0.0;              ///< construction alone
 };

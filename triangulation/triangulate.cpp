@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <string>
 
@@ -16,6 +15,7 @@
 #include <signum/triangulation/insert.hpp>
 #include <signum/triangulation/kernel.hpp>
 #include <signum/triangulation/spatial_order.hpp>
+#include <signum/triangulation/tie_order.hpp>
 
 namespace signum {
 namespace triangulation {
@@ -169,20 +169,6 @@ Tessellation construct(const StridedSites& input, const Options& options) {
                   std::move(topology), std::move(original), std::move(hidden_by));
 }
 
-/// The places of sites in the tie rule's order.
-LargeArray<Index> ranks_of(const LargeArray<Site>& sites, const LargeArray<Index>& original) {
-    std::vector<Index> order(sites.size());
-    std::iota(order.begin(), order.end(), 0);
-    const auto at = [](Index i) { return static_cast<std::size_t>(i); };
-    std::sort(order.begin(), order.end(), [&](Index a, Index b) {
-        return additive::precedes(sites[at(a)], original[at(a)], sites[at(b)], original[at(b)]);
-    });
-    LargeArray<Index> ranks(sites.size());
-    for (std::size_t place = 0; place < order.size(); ++place)
-        ranks[at(order[place])] = static_cast<Index>(place);
-    return ranks;
-}
-
 template <class Kernel>
 Tessellation construct_additive(Metric metric, const StridedSites& input, const Options& options) {
     const auto start = std::chrono::steady_clock::now();
@@ -191,7 +177,8 @@ Tessellation construct_additive(Metric metric, const StridedSites& input, const 
     LargeArray<Index> original = spatial_order(input, options.seed);
     LargeArray<Site> sites(n);
     for (std::size_t i = 0; i < n; ++i) sites[i] = input[static_cast<std::size_t>(original[i])];
-    LargeArray<Index> ranks = ranks_of(sites, original);
+    std::vector<Index> ranks =
+        ranks_of(sites, [&](Index i) { return original[static_cast<std::size_t>(i)]; });
     if (n > 0) {
         // The first site of the tie rule's order leads: no other ever hides it.
         const auto first =

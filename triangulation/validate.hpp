@@ -8,8 +8,9 @@
 
 namespace signum {
 
-/// The judgement: a tessellation is valid when it is a power triangulation of the sites, canonical
-/// when it is moreover the one that the tie rule chooses, with the arrays in canonical order.
+/// The judgement: a tessellation is valid when it is a tessellation of the sites in its metric,
+/// canonical when it is moreover the one that the tie rule chooses, with the arrays in canonical
+/// order.
 struct Validation {
     bool valid = false;
     bool canonical = false;
@@ -18,10 +19,13 @@ struct Validation {
     std::string message;
 };
 
-/// Checks that the arrays are a power triangulation of the sites: adjacency and Euler's counts,
-/// every finite face counterclockwise, every star and the hull winding exactly once, every edge
-/// locally regular, every hidden site truly hidden by others and nearest to the site it names. The
-/// arrays may be in any order and hold any numbers; `neighbours` may be empty. O(n log n).
+/// Checks that the arrays are a tessellation of the sites in their metric: adjacency and Euler's
+/// counts, every vertex of the diagram existing in its orientation, every edge locally right, the
+/// hull winding once (in the power metric every star), every hidden site truly hidden and nearest
+/// to the site it names. The arrays may be in any order and hold any numbers; `neighbours` may be
+/// empty where no two sites share several edges. In the metrics with additive weights a vertex must
+/// exist under the tie rule: one that would only under another choice counts as wrong. Throws
+/// std::invalid_argument for a site that is not finite. O(n log n).
 [[nodiscard]] Validation validate(const TessellationArrays& arrays, StridedSites sites);
 
 }  // namespace signum

@@ -26,6 +26,7 @@
 #include <signum/core/site.hpp>
 #include <signum/filters/bounds.hpp>
 #include <signum/filters/tally.hpp>
+#include <signum/predicates/additive.hpp>
 
 namespace signum::rectangular {
 
@@ -50,11 +51,7 @@ struct Addend {
 };
 
 /// How a sum whose sign the filter leaves open is decided.
-enum class Sums {
-    exact,          ///< by the exact sign of the sum of its doubles
-    naive,          ///< not at all: there is no filter, the rounded sum has the last word
-    multiprecision  ///< by rationals; nothing is left to the filter
-};
+using Sums = additive::Stages;
 
 /// The exact sign of a sum of forms (at most eight), 0 included. In every environment.
 template <class Directions>
@@ -143,6 +140,8 @@ class Forms {
 
     /// A sign with the coldest stage that was needed so far, and whether a sum was exactly 0.
     [[nodiscard]] Decision decide(Sign sign) const noexcept { return {sign, stage_, tied_}; }
+    /// From here on, ties count as met; those before only helped to find the square.
+    void forget_ties() noexcept { tied_ = false; }
     /// From now on sums that are 0 stay 0.
     void leave_ties() noexcept { perturbed_ = false; }
 

@@ -148,7 +148,8 @@ template <class Directions>
 
 /// The predicates of one of the two metrics under the tie rule: no answer is ever 0. `ranks` are
 /// the places of the sites in the rule's order (falling radius, rising x, y, index); only their
-/// order counts. Each is exact for all finite doubles and takes constant time.
+/// order counts. Each is exact for all finite doubles and takes constant time. A conflict that is
+/// `tied` is a touch without the rule.
 template <class Directions, Sums sums = Sums::exact>
 struct Perturbed {
     /// Whether i hides q: +1 or -1.
@@ -174,6 +175,7 @@ struct Perturbed {
         Forms<Directions, sums, 4> forms({&i, &j, &k, &q}, ranks);
         const Touching square = touching(forms);
         SIGNUM_EXPECTS(sums == Sums::naive || square.open >= 0);
+        forms.forget_ties();
         return forms.decide(square.open < 0 ? -1 : meets(forms, square));
     }
 
@@ -186,6 +188,7 @@ struct Perturbed {
         const int side = quadrant(forms, 0, 1).side;
         SIGNUM_EXPECTS(sums == Sums::naive || side >= 0);
         if (side < 0) return forms.decide(-1);
+        forms.forget_ties();
         const bool conflict =
             forms.compare((side + 2) & 3, 1, 2) > 0 && forms.compare((side + 3) & 3, 0, 2) > 0;
         return forms.decide(conflict ? 1 : -1);
@@ -248,6 +251,16 @@ struct Perturbed {
                           static_cast<int>(!stands_before(forms, second, third)) +
                           static_cast<int>(!stands_before(forms, third, first));
         return forms.decide(falls == 1 ? 1 : -1);
+    }
+
+    /// Whether the part of the horizon that belongs to s alone of s, k and l, counterclockwise from
+    /// the hull edge k -> s to s -> l, contains direction 0: +1 or -1; k and l may be the same.
+    [[nodiscard]] static Decision holds_first_direction(
+        const Site& k, const Site& s, const Site& l, const std::array<Index, 3>& ranks) noexcept {
+        Forms<Directions, sums, 3> forms({&k, &s, &l}, ranks);
+        const Quadrant first = quadrant(forms, 0, 1);
+        const Quadrant last = quadrant(forms, 1, 2);
+        return forms.decide(stands_before(forms, last, first) ? 1 : -1);
     }
 
     /// Whether the point p is nearer to a than to b: +1 or -1.

@@ -4,16 +4,13 @@
 #include <signum/predicates/manhattan.hpp>
 #include <signum/predicates/supremum.hpp>
 
-#include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <random>
-#include <string>
-#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "oracle/rectangular.hpp"
+#include "property/additive_brute_force.hpp"
 #include "unit/exact_reference.hpp"
 
 namespace {
@@ -22,87 +19,13 @@ using signum::Decision;
 using signum::Index;
 using signum::Site;
 using signum::Stage;
+using signum::brute_force::expect_oracle;
+using signum::brute_force::ranks_of;
+using signum::brute_force::Sites;
 using signum::rectangular::Manhattan;
 using signum::rectangular::Perturbed;
 using signum::rectangular::Sums;
 using signum::rectangular::Supremum;
-using Sites = std::vector<Site>;
-
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
-/// The place of every site in the order of the tie rule.
-std::vector<Index> ranks_of(const Sites& sites) {
-    std::vector<Index> order(sites.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(), [&](Index a, Index b) {
-        return signum::additive::precedes(sites[at(a)], a, sites[at(b)], b);
-    });
-    std::vector<Index> ranks(sites.size());
-    for (std::size_t i = 0; i < order.size(); ++i) ranks[at(order[i])] = static_cast<Index>(i);
-    return ranks;
-}
-
-/// Every triple of visible sites that has a vertex with which no other site conflicts.
-template <class Predicates>
-signum::oracle::Tessellation brute_force(const Sites& sites) {
-    const std::vector<Index> rank = ranks_of(sites);
-    const auto n = static_cast<Index>(sites.size());
-    std::vector<Index> visible;
-    signum::oracle::Tessellation result;
-    for (Index q = 0; q < n; ++q) {
-        bool hidden = false;
-        for (Index i = 0; i < n; ++i)
-            hidden |=
-                i != q &&
-                Predicates::hides(sites[at(i)], sites[at(q)], {rank[at(i)], rank[at(q)]}).sign > 0;
-        if (hidden) {
-            result.hidden.push_back({q, -1});
-        } else {
-            visible.push_back(q);
-        }
-    }
-    const auto none = [&](auto conflicts, std::initializer_list<Index> but) {
-        return std::none_of(visible.begin(), visible.end(), [&](Index q) {
-            return std::find(but.begin(), but.end(), q) == but.end() && conflicts(q).sign > 0;
-        });
-    };
-    for (const Index i : visible)
-        for (const Index j : visible) {
-            if (i == j) continue;
-            const Site& a = sites[at(i)];
-            const Site& b = sites[at(j)];
-            if (none(
-                    [&](Index q) {
-                        return Predicates::in_circle_infinite(
-                            a, b, sites[at(q)], {rank[at(i)], rank[at(j)], rank[at(q)]});
-                    },
-                    {i, j}))
-                result.faces.push_back({-1, j, i});
-            for (const Index k : visible) {
-                if (k <= i || k == j || j <= i) continue;
-                for (const auto& [u, v] : {std::pair(j, k), std::pair(k, j)}) {
-                    if (j > k) continue;
-                    const Site& s = sites[at(u)];
-                    const Site& t = sites[at(v)];
-                    if (Predicates::exists(a, s, t, {rank[at(i)], rank[at(u)], rank[at(v)]}).sign <
-                        0)
-                        continue;
-                    if (none(
-                            [&](Index q) {
-                                return Predicates::in_circle(
-                                    a, s, t, sites[at(q)],
-                                    {rank[at(i)], rank[at(u)], rank[at(v)], rank[at(q)]});
-                            },
-                            {i, u, v}))
-                        result.faces.push_back({i, u, v});
-                }
-            }
-        }
-    std::sort(result.faces.begin(), result.faces.end());
-    return result;
-}
 
 template <class Directions>
 signum::oracle::Tessellation oracle_of(const Sites& sites) {
@@ -118,20 +41,6 @@ class RectangularPredicates : public testing::Test {};
 using Metrics = testing::Types<Supremum, Manhattan>;
 TYPED_TEST_SUITE(RectangularPredicates, Metrics);
 
-template <class Directions>
-void expect_oracle(const Sites& sites) {
-    const signum::oracle::Tessellation expected = oracle_of<Directions>(sites);
-    const auto chosen = brute_force<Perturbed<Directions>>(sites);
-    std::string input;
-    for (const Site& s : sites)
-        input += testing::PrintToString(s.x) + " " + testing::PrintToString(s.y) + " " +
-                 testing::PrintToString(s.r) + "\n";
-    ASSERT_EQ(chosen.faces, expected.faces) << input;
-    ASSERT_EQ(chosen.hidden.size(), expected.hidden.size()) << input;
-    for (std::size_t i = 0; i < chosen.hidden.size(); ++i)
-        ASSERT_EQ(chosen.hidden[i][0], expected.hidden[i][0]) << input;
-}
-
 TYPED_TEST(RectangularPredicates, ChooseTheTessellationOfTheOracle) {
     std::mt19937_64 random(7);
     const auto integer = [&](int from, int to) {
@@ -142,13 +51,15 @@ TYPED_TEST(RectangularPredicates, ChooseTheTessellationOfTheOracle) {
         const int box = 1 + trial % 8;
         const int largest = trial / 8 % 4;
         for (Site& site : sites) site = {integer(0, box), integer(0, box), integer(0, largest)};
-        ASSERT_NO_FATAL_FAILURE(expect_oracle<TypeParam>(sites));
+        ASSERT_NO_FATAL_FAILURE(
+            expect_oracle<Perturbed<TypeParam>>(sites, oracle_of<TypeParam>(sites)));
     }
     for (int trial = 0; trial < 300; ++trial) {
         std::uniform_real_distribution<double> place(0, 10);
         Sites sites(static_cast<std::size_t>(integer(2, 7)));
         for (Site& site : sites) site = {place(random), place(random), place(random) / 5};
-        ASSERT_NO_FATAL_FAILURE(expect_oracle<TypeParam>(sites));
+        ASSERT_NO_FATAL_FAILURE(
+            expect_oracle<Perturbed<TypeParam>>(sites, oracle_of<TypeParam>(sites)));
     }
 }
 
@@ -176,8 +87,7 @@ TYPED_TEST(RectangularPredicates, AgreeWithRationalsForEveryDoubleInEveryEnviron
             return std::nextafter(1.0 + random.between(0, 3), random.between(-9, 9));
         };
         for (Site& site : s) site = {number(), number(), number()};
-        const std::vector<Index> place = ranks_of({s, s + 4});
-        const std::array<Index, 4> r = {place[0], place[1], place[2], place[3]};
+        const std::array<Index, 4> r = ranks_of(s);
         const auto expected = answers<Perturbed<TypeParam, Sums::multiprecision>>(s, r);
         const auto given =
             signum::reference::in_environment(trial % signum::reference::Hostile::modes,

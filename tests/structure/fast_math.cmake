@@ -2,7 +2,7 @@
 set(our_words "signum needs IEEE arithmetic")
 set(refused -ffast-math -Ofast -ffinite-math-only)
 set(headers core/contract.hpp core/error_free.hpp predicates/ccw.hpp predicates/power.hpp
-    predicates/supremum.hpp predicates/manhattan.hpp)
+    predicates/euclidean.hpp predicates/supremum.hpp predicates/manhattan.hpp)
 
 # Compiles a program that includes one header.
 function(try header flag code output)

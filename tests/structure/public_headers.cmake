@@ -1,8 +1,8 @@
 # A user of the predicates compiles neither big integers nor matrices, nor <cmath>: no header behind
 # the public ones belongs to GMP, MPFR, Boost or Eigen, none of the project's own includes <cmath>.
 # (What the standard library's headers include among themselves is not ours to say.)
-set(public_headers predicates/ccw.hpp predicates/power.hpp predicates/supremum.hpp
-    predicates/manhattan.hpp exact/sign_of_sum.hpp)
+set(public_headers predicates/ccw.hpp predicates/power.hpp predicates/euclidean.hpp
+    predicates/supremum.hpp predicates/manhattan.hpp exact/sign_of_sum.hpp)
 set(foreign "/boost/|/eigen3?/|/Eigen/|/gmp[^/]*\\.h$|/mpfr[^/]*\\.h$")
 set(own_mathematics "#[ \t]*include[ \t]*[<\"](cmath|math\\.h|complex|tgmath\\.h)[>\"]")
 

@@ -388,6 +388,17 @@ TEST(Apollonius, PolynomialIdentities) {
             << text(d);
         // Heron: 4Q is H of the three powers
         ASSERT_EQ(4 * f.t.q, casey(p(d[0], d[1]), p(d[0], d[2]), p(d[1], d[2]))) << text(d);
+        // Along the bisector of i and j: |u|² Q = W² - p_ij C², and the coordinate of a vertex,
+        // which is (½ [|u|² p_ik - p_ij u·v] - R W) / C, has the rational part p_ij C e / 4Q.
+        const Row& v = f.t.k;
+        const Row& j = f.t.j;
+        const Integer length = j.x * j.x + j.y * j.y;
+        const Integer inner = j.x * v.x + j.y * v.y;
+        const Integer w_minor = length * v.r - j.r * inner;
+        ASSERT_EQ(length * f.t.q, w_minor * w_minor - j.p * f.t.c * f.t.c) << text(d);
+        ASSERT_EQ(2 * (f.t.q * (length * v.p - j.p * inner) - w_minor * f.t.twice_ab),
+                  f.t.c * f.t.c * j.p * (j.p - v.p - p(d[1], d[2])))
+            << text(d);
         // The resultant of the infinite vertex
         const Row u(d[1], d[0]);
         const Row w(d[3], d[0]);

@@ -9,6 +9,7 @@
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
+#include <signum/predicates/euclidean.hpp>
 #include <signum/predicates/power.hpp>
 
 namespace {
@@ -220,6 +221,50 @@ TEST_F(RelaxedMath, InCircleInfiniteIsExact) {
         const mpq_class below = height(a) + t * (height(b) - height(a)) - height(q);
         ASSERT_EQ(signum::power::in_circle_infinite(a, b, q), sgn(below)) << round;
     }
+}
+
+/// Discs that touch one circle, or one line.
+TEST_F(RelaxedMath, EuclideanPredicatesAreExact) {
+    using Exact = signum::euclidean::Perturbed<>;
+    using Rational = signum::euclidean::Perturbed<signum::euclidean::Stages::multiprecision>;
+    for (int round = 0; round < rounds; ++round) {
+        const Point centre = {in(-8, 8), in(-8, 8)};
+        const double radius = in(0, 4);
+        const double slope = in(-1, 1);
+        const double length = std::sqrt(1 + slope * slope);
+        const bool line = round % 2 == 0;
+        const auto touching = [&]() -> Site {
+            const double x = in(-8, 8);
+            const double y = in(-8, 8);
+            const double reach =
+                line ? (slope * x - y) / length : std::hypot(x - centre.x, y - centre.y) - radius;
+            return {x, y, reach + error()};
+        };
+        const Site i = touching();
+        const Site j = touching();
+        const Site k = touching();
+        const Site q = touching();
+        const auto expect = [&](const Decision& given, const Decision& expected) {
+            note(given.stage);
+            ASSERT_EQ(given.sign, expected.sign) << round;
+        };
+        // The order of the ranks does not matter where nothing is tied.
+        const Decision exists = Exact::exists(i, j, k, {0, 1, 2});
+        expect(exists, Rational::exists(i, j, k, {0, 1, 2}));
+        expect(Exact::exists_twice(i, j, k, {0, 1, 2}), Rational::exists_twice(i, j, k, {0, 1, 2}));
+        expect(Exact::precedes(i, j, k, q, {0, 1, 2, 3}),
+               Rational::precedes(i, j, k, q, {0, 1, 2, 3}));
+        expect(Exact::nearer(centre, i, j, {0, 1}), Rational::nearer(centre, i, j, {0, 1}));
+        expect(Exact::hides(i, j, {0, 1}), Rational::hides(i, j, {0, 1}));
+        if (Exact::hides(i, j, {0, 1}).sign < 0 && Exact::hides(j, i, {1, 0}).sign < 0)
+            expect(Exact::in_circle_infinite(i, j, k, {0, 1, 2}),
+                   Rational::in_circle_infinite(i, j, k, {0, 1, 2}));
+        if (exists.sign > 0)
+            expect(Exact::in_circle(i, j, k, q, {0, 1, 2, 3}),
+                   Rational::in_circle(i, j, k, q, {0, 1, 2, 3}));
+        if (HasFatalFailure()) return;
+    }
+    expect_both_stages();
 }
 
 }  // namespace

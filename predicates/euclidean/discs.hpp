@@ -1,0 +1,208 @@
+#pragma once
+/// The predicates of the Euclidean metric: discs, and the circles inscribed between them.
+///
+/// Each asks a filter first. Behind it stand exact numbers and polynomials without a square root,
+/// see polynomials.hpp. Where all radii are the same the metric orders sites as Delaunay does, and
+/// the predicates of points, of lower degree, decide.
+/// Source: the identities of polynomials.hpp; the tie rule is decided at first order.
+
+#include <array>
+
+#include <signum/core/contract.hpp>
+#include <signum/core/index.hpp>
+#include <signum/core/sign.hpp>
+#include <signum/core/site.hpp>
+#include <signum/filters/tally.hpp>
+#include <signum/predicates/additive.hpp>
+#include <signum/predicates/ccw.hpp>
+#include <signum/predicates/euclidean/filter.hpp>
+#include <signum/predicates/power/in_circle.hpp>
+#include <signum/predicates/power/ties.hpp>
+
+namespace signum::euclidean {
+
+using additive::Stages;
+
+/// What stands behind the filters: with Stages::exact in exact arithmetic, with the others in
+/// theirs alone. Signs, preconditions and ranks are those of the functions of Perturbed.
+namespace cold {
+
+template <std::size_t n>
+using Ranks = std::array<Index, n>;
+
+[[nodiscard, gnu::cold, gnu::pure]] Decision hides(Stages stages, const Site& i, const Site& q,
+                                                   const Ranks<2>& ranks) noexcept;
+[[nodiscard, gnu::cold, gnu::pure]] Decision nearer(Stages stages, const Point& p, const Site& a,
+                                                    const Site& b, const Ranks<2>& ranks) noexcept;
+[[nodiscard, gnu::cold, gnu::pure]] Decision exists(Stages stages, const Site& i, const Site& j,
+                                                    const Site& k, const Ranks<3>& ranks) noexcept;
+[[nodiscard, gnu::cold, gnu::pure]] Decision exists_twice(Stages stages, const Site& i,
+                                                          const Site& j, const Site& k,
+                                                          const Ranks<3>& ranks) noexcept;
+[[nodiscard, gnu::cold, gnu::pure]] Decision precedes(Stages stages, const Site& i, const Site& j,
+                                                      const Site& q, const Site& k) noexcept;
+[[nodiscard, gnu::cold, gnu::pure]] Decision in_circle(Stages stages, const Site& i, const Site& j,
+                                                       const Site& k, const Site& q,
+                                                       const Ranks<4>& ranks) noexcept;
+[[nodiscard, gnu::cold, gnu::pure]] Decision in_circle_infinite(Stages stages, const Site& a,
+                                                                const Site& b, const Site& q,
+                                                                const Ranks<3>& ranks) noexcept;
+[[nodiscard, gnu::cold, gnu::pure]] Decision turn(Stages stages, const Site& a, const Site& b,
+                                                  const Site& c) noexcept;
+
+}  // namespace cold
+
+/// Whether all radii are the same number, also where the hardware reads denormals as zero.
+template <class... Others>
+[[nodiscard]] inline bool same_radius(const Site& first, const Others&... others) noexcept {
+    return ((first.r == others.r) && ...) && (filters::same_number(first.r, others.r) && ...);
+}
+
+/// The predicates under the tie rule: no answer is ever 0. `ranks` are the places of the sites in
+/// the rule's order (falling radius, rising x, y, index); only their order counts. Each is exact
+/// for all finite doubles, in every floating-point environment, and takes constant time.
+template <Stages stages = Stages::exact>
+struct Perturbed {
+    /// Whether i hides q, |c_i - c_q| <= r_i - r_q: +1 or -1.
+    [[nodiscard]] static Decision hides(const Site& i, const Site& q,
+                                        const std::array<Index, 2>& ranks) noexcept {
+        if constexpr (is_filtered) {
+            const auto verdict = filter::hides(i, q);
+            if (verdict.is_certain()) [[likely]]
+                return {verdict.sign(), Stage::filter};
+        }
+        return cold::hides(stages, i, q, ranks);
+    }
+
+    /// Whether a circle touches i, j, k counterclockwise: +1 or -1.
+    [[nodiscard]] static Decision exists(const Site& i, const Site& j, const Site& k,
+                                         const std::array<Index, 3>& ranks) noexcept {
+        if constexpr (is_filtered) {
+            const auto verdict = filter::exists(i, j, k);
+            if (verdict.is_certain()) [[likely]]
+                return {verdict.sign(), Stage::filter};
+        }
+        return cold::exists(stages, i, j, k, ranks);
+    }
+
+    /// Whether a circle touches i, j, q counterclockwise and another one clockwise: +1 or -1. Then
+    /// the part of the bisector of i and j that is nearer to q is an interval with two ends, or the
+    /// complement of one.
+    [[nodiscard]] static Decision exists_twice(const Site& i, const Site& j, const Site& q,
+                                               const std::array<Index, 3>& ranks) noexcept {
+        if constexpr (is_filtered) {
+            const auto verdict = filter::exists_twice(i, j, q);
+            if (verdict.is_certain()) [[likely]]
+                return {verdict.sign(), Stage::filter};
+        }
+        return cold::exists_twice(stages, i, j, q, ranks);
+    }
+
+    /// The order of two intervals on the bisector of i and j, walked with i on the left (in the
+    /// direction in which k's part runs from vertex (i,j,k) to (j,i,k)): +1 where that of q comes
+    /// before that of k, otherwise -1. The interval of k is the part that is nearer to k; that of q
+    /// is the part that is nearer to q or, where that goes through infinity, the rest.
+    /// Preconditions: exists_twice(i,j,q) and (i,j,k), k's part is an interval, both are disjoint.
+    [[nodiscard]] static Decision precedes(const Site& i, const Site& j, const Site& q,
+                                           const Site& k,
+                                           const std::array<Index, 4>& /*ranks*/) noexcept {
+        if constexpr (is_filtered) {
+            const auto verdict = filter::precedes(i, j, q, k);
+            if (verdict.is_certain()) [[likely]]
+                return {verdict.sign(), Stage::filter};
+        }
+        return cold::precedes(stages, i, j, q, k);
+    }
+
+    /// Whether q conflicts with the vertex of i, j, k: +1 or -1. Precondition: exists(i,j,k).
+    [[nodiscard]] static Decision in_circle(const Site& i, const Site& j, const Site& k,
+                                            const Site& q,
+                                            const std::array<Index, 4>& ranks) noexcept {
+        if constexpr (is_filtered) {
+            if (same_radius(i, j, k, q)) return in_circle_of_points(i, j, k, q, ranks);
+            const auto verdict = filter::in_circle(i, j, k, q);
+            if (verdict.is_certain()) [[likely]]
+                return {verdict.sign(), Stage::filter};
+        }
+        return cold::in_circle(stages, i, j, k, q, ranks);
+    }
+
+    /// Whether q conflicts with the vertex at infinity of the hull edge a -> b: a line has first a
+    /// and then b on its left and touches both, and q reaches across it. +1 or -1. Precondition:
+    /// neither of a and b hides the other.
+    [[nodiscard]] static Decision in_circle_infinite(const Site& a, const Site& b, const Site& q,
+                                                     const std::array<Index, 3>& ranks) noexcept {
+        if constexpr (is_filtered) {
+            const auto verdict = filter::in_circle_infinite(a, b, q);
+            if (verdict.is_certain()) [[likely]]
+                return {verdict.sign(), Stage::filter};
+        }
+        return cold::in_circle_infinite(stages, a, b, q, ranks);
+    }
+
+    /// The cyclic order of three arcs of directions around s: +1 where they come in the order k, q,
+    /// l counterclockwise, otherwise -1. The arc of m are the directions in which m reaches farther
+    /// than s; its middle is that of c_m - c_s. With `rest` q's arc is replaced by the rest of the
+    /// circle. Preconditions: the three arcs are disjoint; s hides none of the three, none hides s.
+    ///
+    /// Law: of the turns from a to b, b to c and c to a of three different directions in
+    /// counterclockwise order at least two are less than half a circle, and one less than two if
+    /// they are in the other order.
+    [[nodiscard]] static Decision in_order_at_infinity(
+        const Site& s, const Site& k, const Site& q, const Site& l, bool rest,
+        const std::array<Index, 4>& /*ranks*/) noexcept {
+        const Sign side = rest ? -1 : 1;
+        const Decision to_q = turn(s, k, q);
+        const Decision from_q = turn(s, q, l);
+        const Stage stage = to_q.stage < from_q.stage ? from_q.stage : to_q.stage;
+        const Sign sum = side * (to_q.sign + from_q.sign);
+        if (sum != 0) return {sum > 0 ? 1 : -1, stage};
+        const Decision back = turn(s, l, k);
+        return {back.sign > 0 ? 1 : -1, stage < back.stage ? back.stage : stage};
+    }
+
+    /// Whether the point p is nearer to a than to b: +1 or -1.
+    [[nodiscard]] static Decision nearer(const Point& p, const Site& a, const Site& b,
+                                         const std::array<Index, 2>& ranks) noexcept {
+        if constexpr (is_filtered) {
+            const auto verdict = filter::nearer(p, a, b);
+            if (verdict.is_certain()) [[likely]]
+                return {verdict.sign(), Stage::filter};
+        }
+        return cold::nearer(stages, p, a, b, ranks);
+    }
+
+ private:
+    static constexpr bool is_filtered = stages == Stages::exact;
+
+    /// Of equal radii only equal sites hide one another, and the circle exists where ccw > 0.
+    [[nodiscard]] static Decision in_circle_of_points(const Site& i, const Site& j, const Site& k,
+                                                      const Site& q,
+                                                      const std::array<Index, 4>& ranks) noexcept {
+        const auto centre = [](const Site& m) -> Point { return {m.x, m.y}; };
+        const Decision decision =
+            power::in_circle_decision(centre(i), centre(j), centre(k), centre(q));
+        if (decision.sign != 0) [[likely]]
+            return decision;
+        return {power::in_circle_tie(centre(i), centre(j), centre(k), centre(q), ranks),
+                decision.stage, true};
+    }
+
+    [[nodiscard]] static Decision turn(const Site& a, const Site& b, const Site& c) noexcept {
+        if constexpr (is_filtered) return ccw_decision(a, b, c);
+        return cold::turn(stages, a, b, c);
+    }
+};
+
+/// in_circle without the tie rule: 0 where q touches the circle. Preconditions: i, j, k exist under
+/// the tie rule, and none of them hides q. The radius may be infinite where they exist under the
+/// tie rule alone, for which `ranks` are needed.
+[[nodiscard]] Decision in_circle_decision(const Site& i, const Site& j, const Site& k,
+                                          const Site& q,
+                                          const std::array<Index, 4>& ranks) noexcept;
+
+/// in_circle_infinite without the tie rule: 0 where q touches the line.
+[[nodiscard]] Decision in_circle_infinite_decision(const Site& a, const Site& b,
+                                                   const Site& q) noexcept;
+
+}  // namespace signum::euclidean
