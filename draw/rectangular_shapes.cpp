@@ -1,7 +1,6 @@
 #include <signum/draw/cell_edge.hpp>
 #include <signum/draw/rectangular_shapes.hpp>
-#include <signum/predicates/additive.hpp>
-#include <signum/predicates/rectangular/forms.hpp>
+#include <signum/triangulation/touched_sides.hpp>
 
 #include <algorithm>
 #include <array>
@@ -13,22 +12,25 @@ namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
+/// Towards the right, top, left and bottom side of a square or diamond, in pixels, where y points
+/// down.
+using Directions = std::array<Point, 4>;
+constexpr Directions square_sides = {{{1, 0}, {0, -1}, {-1, 0}, {0, 1}}};
+constexpr Directions diamond_sides = {{{1, -1}, {-1, -1}, {-1, 1}, {1, 1}}};
+
 /// The centres of the squares that touch a and b: while a touches the left side and b the right
 /// one, a line upwards, and beyond it, where the one that is in the way above or below holds the
 /// corner of growing squares, a diagonal ray on either side. "Right" is the direction from a to b
 /// in which they lie farther apart.
-template <class Directions>
 class Bisector {
  public:
-    Bisector(const Frame& frame, const Site& a, const Site& b, Index a_index, Index b_index)
+    Bisector(const Frame& frame, Metric metric, const Site& a, const Site& b, Index a_index,
+             Index b_index)
         : origin_(frame.at({a.x, a.y})) {
-        // Who touches a side, if any: exactly, and by the tie rule where both do.
-        const bool in_order = additive::precedes(a, a_index, b, b_index);
-        rectangular::Forms<Directions, rectangular::Sums::exact, 2> forms(
-            {&a, &b}, in_order ? std::array<Index, 2>{0, 1} : std::array<Index, 2>{1, 0});
-        std::array<bool, 4> b_touches{};
-        for (int side = 0; side < 4; ++side)
-            b_touches[static_cast<std::size_t>(side)] = forms.compare(side, 1, 0) > 0;
+        const Directions& directions = metric == Metric::supremum ? square_sides : diamond_sides;
+        const auto direction = [&](int side) { return directions[at(side)]; };
+        const std::array<bool, 4> b_touches =
+            sides_touched_by_second(metric, a, a_index, b, b_index);
 
         const Point to_b = pixels_between(frame, a, b);
         double farthest = -1.0;
@@ -77,8 +79,6 @@ class Bisector {
 
  private:
     static std::size_t at(int side) { return static_cast<std::size_t>(side & 3); }
-    /// In pixels, where y points down.
-    static Point direction(int side) { return {Directions::x[at(side)], -Directions::y[at(side)]}; }
 
     [[nodiscard]] Point point(double height) const {
         double along = line_;
@@ -99,14 +99,16 @@ class Bisector {
     double reach_;
 };
 
-template <class Directions>
-std::vector<Segment> rectangular_edges(const Tessellation& tessellation, const Frame& frame) {
+}  // namespace
+
+std::vector<Segment> rectangular::cell_edges(const Tessellation& tessellation, const Frame& frame) {
     std::vector<Segment> drawn;
     for_each_cell_edge(tessellation, frame, [&](const CellEdge& edge) {
         const auto site = [&](Index i) -> const Site& {
             return tessellation.sites()[static_cast<std::size_t>(i)];
         };
-        const Bisector<Directions> bisector(frame, site(edge.a), site(edge.b), edge.a, edge.b);
+        const Bisector bisector(frame, tessellation.metric(), site(edge.a), site(edge.b), edge.a,
+                                edge.b);
         const auto height = [&](const CellCorner& corner, double end) {
             const double value = bisector.height(corner.at);
             return corner.apex == nullptr || std::isnan(value) ? end : value;
@@ -114,16 +116,6 @@ std::vector<Segment> rectangular_edges(const Tessellation& tessellation, const F
         bisector.draw(frame, height(edge.below, -unbounded), height(edge.above, unbounded), drawn);
     });
     return drawn;
-}
-
-}  // namespace
-
-std::vector<Segment> supremum::cell_edges(const Tessellation& tessellation, const Frame& frame) {
-    return rectangular_edges<rectangular::Supremum>(tessellation, frame);
-}
-
-std::vector<Segment> manhattan::cell_edges(const Tessellation& tessellation, const Frame& frame) {
-    return rectangular_edges<rectangular::Manhattan>(tessellation, frame);
 }
 
 }  // namespace signum

@@ -7,13 +7,8 @@
 
 #include <vector>
 
-namespace signum {
+namespace signum::rectangular {
 
-namespace supremum {
 [[nodiscard]] std::vector<Segment> cell_edges(const Tessellation& tessellation, const Frame& frame);
-}
-namespace manhattan {
-[[nodiscard]] std::vector<Segment> cell_edges(const Tessellation& tessellation, const Frame& frame);
-}
 
-}  // namespace signum
+}  // namespace signum::rectangular

@@ -34,9 +34,10 @@ const Shapes& shapes_of(Metric metric) noexcept {
                                             additive_radius, euclidean::cell_edges};
     static const Shapes manhattan_shapes = {"diamond",         "Manhattan cells",
                                             diamond_outline(), manhattan_norm,
-                                            additive_radius,   manhattan::cell_edges};
-    static const Shapes supremum_shapes = {"square",      "supremum cells", square_outline(),
-                                           supremum_norm, additive_radius,  supremum::cell_edges};
+                                            additive_radius,   rectangular::cell_edges};
+    static const Shapes supremum_shapes = {"square",         "supremum cells",
+                                           square_outline(), supremum_norm,
+                                           additive_radius,  rectangular::cell_edges};
     switch (metric) {
         case Metric::euclidean:
             return euclidean_shapes;

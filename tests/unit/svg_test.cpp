@@ -348,13 +348,13 @@ TEST(Svg, NegativeRadiiAreDots) {
 TEST(Svg, AlignedSquaresAreSeparatedByTheLineOfTheTieRule) {
     // The bisector bends around the later site, or around the smaller square.
     const Frame frame(std::vector<Site>{{0, 0, 1}, {4, 0, 1}}, 900);
-    const auto edges = supremum::cell_edges(
+    const auto edges = rectangular::cell_edges(
         triangulate(std::vector<Site>{{0, 0, 1}, {4, 0, 1}}, Supremum{}), frame);
     ASSERT_EQ(edges.size(), 1U);  // the picture is too low for the bends
     EXPECT_EQ(edges[0].from.x, frame.width() / 2);
     EXPECT_EQ(edges[0].to.x, frame.width() / 2);
     const Frame high(std::vector<Site>{{0, 0, 1}, {4, 0, 1}, {0, 9, 0}}, 900);
-    const auto bent = supremum::cell_edges(
+    const auto bent = rectangular::cell_edges(
         triangulate(std::vector<Site>{{0, 0, 1}, {4, 0, 1}}, Supremum{}), high);
     ASSERT_EQ(bent.size(), 2U);
     const Point middle = high.at({2, 2});
