@@ -1,5 +1,6 @@
 #pragma once
-/// The outline of a site: an SVG element and the attributes that give its place and size.
+/// The outline of a site: an SVG element and the attributes that give its place and size. Its
+/// points are `radius` away from the centre in the metric.
 
 #include <signum/core/site.hpp>
 #include <signum/draw/svg_text.hpp>
@@ -12,5 +13,10 @@ struct Outline {
     std::string_view element;
     void (*write_geometry)(SvgText& text, Point centre, double radius);
 };
+
+[[nodiscard]] Outline disc_outline() noexcept;
+[[nodiscard]] Outline square_outline() noexcept;
+/// A square on a corner.
+[[nodiscard]] Outline diamond_outline() noexcept;
 
 }  // namespace signum

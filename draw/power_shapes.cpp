@@ -1,5 +1,5 @@
+#include <signum/draw/cell_edge.hpp>
 #include <signum/draw/power_shapes.hpp>
-#include <signum/triangulation/vertices.hpp>
 
 #include <cmath>
 #include <limits>
@@ -17,35 +17,27 @@ constexpr double far_away = 1e6;
 bool is_near(Point p) noexcept {
     return std::abs(p.x) < far_away && std::abs(p.y) < far_away;
 }
-double dot(Point a, Point b) noexcept {
-    return a.x * b.x + a.y * b.y;
-}
-Point minus(Point a, Point b) noexcept {
-    return {a.x - b.x, a.y - b.y};
-}
-Point plus(Point a, Point b, double times) noexcept {
-    return {a.x + times * b.x, a.y + times * b.y};
-}
 
-// The edge between the cells of a and b, in pixels: it runs along `upward`, across the edge a -> b
-// from its right face (below) to its left face (above).
-class CellEdge {
+// The points at equal distance from a and b, in pixels: a line along `upward`.
+class Bisector {
  public:
-    CellEdge(const Frame& frame, WeightIs weight_is, const Plane& a, const Plane& b)
+    Bisector(const Frame& frame, WeightIs weight_is, const Plane& a, const Plane& b)
         : frame_(frame), weight_is_(weight_is), a_(a), b_(b) {
         const Point along = frame.direction({a.x, a.y}, {b.x, b.y});
         upward_ = {along.y, -along.x};  // a quarter turn to the left, where y points down
     }
 
-    [[nodiscard]] std::optional<Segment> between(Point below, Point above, const Plane* site_below,
-                                                 const Plane* site_above) const {
+    [[nodiscard]] std::optional<Segment> between(const CellCorner& lower,
+                                                 const CellCorner& upper) const {
+        const Point below = lower.at;
+        const Point above = upper.at;
         if (is_near(below) && is_near(above)) return frame_.clip(below, minus(above, below), 0, 1);
         if (is_near(below)) return frame_.clip(below, upward_, 0, unbounded);
         if (is_near(above)) return frame_.clip(above, upward_, -unbounded, 0);
         // Both ends are far away. They are on different sides of the picture, or on the same, where
         // one of the other two sites is nearer to the whole visible part of the line.
         const Point point = visible_point();
-        if (is_nearer(site_below, point) || is_nearer(site_above, point)) return {};
+        if (is_nearer(lower.apex, point) || is_nearer(upper.apex, point)) return {};
         return frame_.clip(point, upward_, -unbounded, unbounded);
     }
 
@@ -83,23 +75,7 @@ class CellEdge {
     Point upward_;
 };
 
-// Calls visit(f, k) once for every edge between two sites: the edge opposite faces()[f][k].
-template <typename Visit>
-void for_each_edge(const Tessellation& tessellation, Visit visit) {
-    const auto faces = tessellation.faces();
-    for (std::size_t f = 0; f < faces.size(); ++f)
-        for (std::size_t k = 0; k < 3; ++k) {
-            const bool first = static_cast<Index>(f) < tessellation.neighbours()[f][k];
-            if (first && faces[f][(k + 1) % 3] != infinite && faces[f][(k + 2) % 3] != infinite)
-                visit(f, k);
-        }
-}
-
 }  // namespace
-
-void write_disc(SvgText& text, Point centre, double radius) {
-    text.add(R"(cx="{}" cy="{}" r="{}")", Px{centre.x}, Px{centre.y}, Px{radius});
-}
 
 double drawn_radius(const signum::Site& site, WeightIs weight_is) {
     if (weight_is == WeightIs::radius)
@@ -108,28 +84,14 @@ double drawn_radius(const signum::Site& site, WeightIs weight_is) {
 }
 
 std::vector<Segment> cell_edges(const Tessellation& tessellation, const Frame& frame) {
-    const auto faces = tessellation.faces();
-    const auto sites = tessellation.sites();
-    std::vector<Point> pixels;
-    pixels.reserve(faces.size());
-    for (const DiagramVertex& vertex : vertices(tessellation))
-        pixels.push_back(frame.at({vertex.x, vertex.y}));
-
-    const auto site = [&](Index i) { return &sites[static_cast<std::size_t>(i)]; };
-    // The third site of a face, null for infinity.
-    const auto apex = [&](std::size_t f, Index a, Index b) -> const signum::Site* {
-        for (const Index v : faces[f])
-            if (v != a && v != b) return v == infinite ? nullptr : site(v);
-        return nullptr;
-    };
     std::vector<Segment> drawn;
-    for_each_edge(tessellation, [&](std::size_t f, std::size_t k) {
-        const auto g = static_cast<std::size_t>(tessellation.neighbours()[f][k]);
-        const Index a = faces[f][(k + 1) % 3];
-        const Index b = faces[f][(k + 2) % 3];
-        const CellEdge edge(frame, tessellation.weight_is(), *site(a), *site(b));
-        const auto segment = edge.between(pixels[g], pixels[f], apex(g, a, b), apex(f, a, b));
-        if (segment) drawn.push_back(*segment);
+    for_each_cell_edge(tessellation, frame, [&](const CellEdge& edge) {
+        const auto site = [&](Index i) -> const Plane& {
+            return tessellation.sites()[static_cast<std::size_t>(i)];
+        };
+        const Bisector bisector(frame, tessellation.weight_is(), site(edge.a), site(edge.b));
+        if (const auto segment = bisector.between(edge.below, edge.above))
+            drawn.push_back(*segment);
     });
     return drawn;
 }

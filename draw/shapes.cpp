@@ -1,12 +1,54 @@
+#include <signum/draw/euclidean_shapes.hpp>
 #include <signum/draw/power_shapes.hpp>
+#include <signum/draw/rectangular_shapes.hpp>
 #include <signum/draw/shapes.hpp>
 
-namespace signum {
+#include <algorithm>
+#include <cmath>
 
-const Shapes& shapes_of(Metric /*metric*/) noexcept {
-    static constexpr Shapes power_shapes = {
-        {"circle", power::write_disc}, power::drawn_radius, power::cell_edges};
-    return power_shapes;  // the other metrics have no tessellation yet
+namespace signum {
+namespace {
+
+double euclidean_norm(Point v) {
+    return std::hypot(v.x, v.y);
+}
+double manhattan_norm(Point v) {
+    return std::abs(v.x) + std::abs(v.y);
+}
+double supremum_norm(Point v) {
+    return std::max(std::abs(v.x), std::abs(v.y));
+}
+
+// Only differences of radii count in the additive metrics; those above 0 are drawn as they are.
+double additive_radius(const Site& site, WeightIs /*weight_is*/) {
+    return std::max(site.r, 0.0);
+}
+
+}  // namespace
+
+const Shapes& shapes_of(Metric metric) noexcept {
+    static const Shapes power_shapes = {"disc",         "power cells",       disc_outline(),
+                                        euclidean_norm, power::drawn_radius, power::cell_edges};
+    static const Shapes euclidean_shapes = {"disc",          "Euclidean cells",
+                                            disc_outline(),  euclidean_norm,
+                                            additive_radius, euclidean::cell_edges};
+    static const Shapes manhattan_shapes = {"diamond",         "Manhattan cells",
+                                            diamond_outline(), manhattan_norm,
+                                            additive_radius,   rectangular::cell_edges};
+    static const Shapes supremum_shapes = {"square",         "supremum cells",
+                                           square_outline(), supremum_norm,
+                                           additive_radius,  rectangular::cell_edges};
+    switch (metric) {
+        case Metric::euclidean:
+            return euclidean_shapes;
+        case Metric::manhattan:
+            return manhattan_shapes;
+        case Metric::supremum:
+            return supremum_shapes;
+        case Metric::power:
+            break;
+    }
+    return power_shapes;
 }
 
 }  // namespace signum

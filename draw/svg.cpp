@@ -120,7 +120,8 @@ class Picture {
     void write_discs(SvgText& text) const;
     void write_dots(SvgText& text) const;
     void write_crowd(SvgText& text, bool hidden) const;
-    void write_site(SvgText& text, std::string_view kind, std::size_t site, double radius) const;
+    void write_site(SvgText& text, const Outline& outline, std::string_view kind, std::size_t site,
+                    double radius) const;
     void describe(Legend& legend) const;
 
     const Tessellation& tessellation_;
@@ -159,17 +160,22 @@ Picture::Picture(const Tessellation& tessellation, const SvgOptions& options)
     smallest_ = smallest_drawn(radii_, options.site_limit, 0.1);
 }
 
+// Two sites may share several edges, which stand one after another: one line will do.
 std::vector<Segment> Picture::straight(std::span<const Edge> edges) const {
     std::vector<Segment> lines;
-    for (const auto& [a, b] : edges)
-        if (a != infinite && b != infinite) lines.push_back({centre(a), centre(b)});
+    Edge before = {infinite, infinite};
+    for (const Edge& edge : edges) {
+        const auto& [a, b] = edge;
+        if (a != infinite && b != infinite && edge != before)
+            lines.push_back({centre(a), centre(b)});
+        before = edge;
+    }
     return lines;
 }
 
-void Picture::write_site(SvgText& text, std::string_view kind, std::size_t site,
-                         double radius) const {
+void Picture::write_site(SvgText& text, const Outline& outline, std::string_view kind,
+                         std::size_t site, double radius) const {
     const Point at = centre(static_cast<Index>(site));
-    const Outline& outline = shapes_.outline;
     text.add(R"(<{} class="{}" )", outline.element, kind);
     outline.write_geometry(text, at, radius);
     text.add("><title>{}", site);
@@ -184,7 +190,7 @@ void Picture::write_discs(SvgText& text) const {
         if (radii_[i] >= smallest_ && radii_[i] >= pens_.dot) order.push_back(i);
     std::ranges::stable_sort(order, std::greater<>(), [&](std::size_t i) { return radii_[i]; });
     for (const std::size_t i : order)
-        write_site(text, is_hidden(i) ? "hidden" : "site", i, radii_[i]);
+        write_site(text, shapes_.outline, is_hidden(i) ? "hidden" : "site", i, radii_[i]);
 }
 
 // Centres of visible discs, and the sites too small for a disc.
@@ -192,7 +198,7 @@ void Picture::write_dots(SvgText& text) const {
     for (const bool hidden : {true, false}) write_crowd(text, hidden);
     for (std::size_t i = 0; i < radii_.size(); ++i)
         if (radii_[i] >= smallest_ && radii_[i] < pens_.dot)
-            write_site(text, is_hidden(i) ? "hidden-dot" : "dot", i, pens_.dot);
+            write_site(text, disc_outline(), is_hidden(i) ? "hidden-dot" : "dot", i, pens_.dot);
 }
 
 // The dots without a number: centres of discs large enough to show them, and sites too small to
@@ -220,9 +226,10 @@ void Picture::describe(Legend& legend) const {
     const std::size_t hidden = tessellation_.hidden().size();
     legend.site("site", fmt::format("visible sites: {}", radii_.size() - hidden));
     if (hidden > 0) legend.site("hidden", fmt::format("hidden sites: {}", hidden));
-    const double diagonal = std::hypot(frame_.width(), frame_.height());
+    const double diagonal = shapes_.norm({frame_.width(), frame_.height()});
     const auto covering = std::ranges::count_if(radii_, [&](double r) { return r > diagonal; });
-    if (covering > 0) legend.note("sites whose disc covers the whole picture: {}", covering);
+    if (covering > 0)
+        legend.note("sites whose {} covers the whole picture: {}", shapes_.site, covering);
     if (smallest_ > 0)
         legend.note("sites: those under {} px radius are dots without a number, one to {} by {} px",
                     Px{smallest_}, Px{raster}, Px{raster});
@@ -233,7 +240,7 @@ void Picture::write(std::ostream& out) const {
     describe(legend);
     SvgText drawing;
     write_discs(drawing);
-    write_lines(drawing, legend, "cell", "power cells", shapes_.cell_edges(tessellation_, frame_),
+    write_lines(drawing, legend, "cell", shapes_.cells, shapes_.cell_edges(tessellation_, frame_),
                 frame_, options_.line_limit);
     write_lines(drawing, legend, "edge", "tessellation", edges_, frame_, options_.line_limit);
     write_lines(drawing, legend, "flipped", "flipped edges", straight(options_.flipped), frame_,

@@ -1,6 +1,6 @@
 #pragma once
-/// The vertices of the power diagram: for each finite face the point at equal power distance from
-/// its three sites.
+/// The vertices of the diagram: for each finite face the point at equal distance from its three
+/// sites.
 
 #include <vector>
 
@@ -8,9 +8,12 @@
 
 namespace signum {
 
-/// A vertex of the diagram: centre and distance rho to its sites (the power distance in the power
-/// metric). Each number is the double nearest to the exact value, halves to even; NaN where it
-/// exceeds the doubles, and in all three for an infinite face.
+/// A vertex of the diagram: centre and distance rho to its sites, in the metric (the power distance
+/// in the power metric; elsewhere negative where the sites overlap). Each number is the double
+/// nearest to the exact value, halves to even; NaN where it exceeds the doubles. NaN in all three
+/// for an infinite face, and for a finite one whose vertex lies at infinity: in the Euclidean
+/// metric three discs on a common tangent line may have a face by the tie rule alone. Where the tie
+/// rule chooses one of many squares, it is the one that its infinitesimals tend to.
 struct DiagramVertex {
     double x;
     double y;

@@ -4,6 +4,8 @@
 
 #include <signum/draw/frame.hpp>
 #include <signum/draw/power_shapes.hpp>
+#include <signum/draw/rectangular_shapes.hpp>
+#include <signum/draw/shapes.hpp>
 #include <signum/draw/svg.hpp>
 #include <signum/draw/thinning.hpp>
 #include <signum/triangulation/triangulate.hpp>
@@ -14,22 +16,38 @@
 #include <cctype>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <random>
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace {
 
 using namespace signum;
 
-std::string drawn(StridedSites sites, const SvgOptions& options = {}) {
+std::string drawn(const Tessellation& tessellation, const SvgOptions& options = {}) {
     std::ostringstream out;
-    write_svg(out, triangulate(sites, Power{}), options);
+    write_svg(out, tessellation, options);
     return out.str();
+}
+std::string drawn(StridedSites sites, const SvgOptions& options = {}) {
+    return drawn(triangulate(sites, Power{}), options);
+}
+
+/// Two sites of the Euclidean metric, or three whose faces are given with all neighbours.
+Tessellation euclidean(std::vector<Site> sites, std::vector<Face> faces = {{-1, 0, 1}, {-1, 1, 0}},
+                       std::vector<Face> neighbours = {{1, 1, 1}, {0, 0, 0}}) {
+    TessellationArrays arrays;
+    arrays.metric = Metric::euclidean;
+    arrays.sites = static_cast<std::int64_t>(sites.size());
+    arrays.faces = std::move(faces);
+    arrays.neighbours = std::move(neighbours);
+    return {std::move(arrays), std::move(sites), {}};
 }
 
 std::vector<Site> random_sites(std::size_t count, double extent, double largest_radius) {
@@ -57,9 +75,10 @@ std::size_t count(std::string_view text, std::string_view part) {
 }
 
 /// How many sites are drawn with a number of their own.
-std::size_t numbered(std::string_view svg, std::string_view kind) {
+std::size_t numbered(std::string_view svg, std::string_view kind,
+                     std::string_view element = "circle") {
     std::size_t found = 0;
-    const std::string start = "<circle class=\"" + std::string(kind) + "\"";
+    const std::string start = "<" + std::string(element) + " class=\"" + std::string(kind) + "\"";
     for (auto at = svg.find(start); at != svg.npos; at = svg.find(start, at + 1))
         found += svg.substr(svg.find('>', at)).starts_with("><title>");
     return found;
@@ -268,6 +287,127 @@ TEST(Svg, AHundredThousandSitesAreBounded) {
     EXPECT_LT(svg.size(), 10'000'000U);
     EXPECT_LT(count(svg, "<"), 50'000U);
     EXPECT_NE(svg.find("tessellation: "), svg.npos);
+}
+
+TEST(Svg, SquaresAndDiamondsHaveTheirShapes) {
+    const auto sites = random_sites(60, 100, 14);
+    const auto squares = triangulate(sites, Supremum{});
+    const auto diamonds = triangulate(sites, Manhattan{});
+    ASSERT_GT(squares.hidden().size(), 3U);
+    ASSERT_GT(diamonds.hidden().size(), 3U);
+    const auto expect = [&](const Tessellation& t, std::string_view element,
+                            std::string_view cells) {
+        const std::string svg = drawn(t);
+        expect_drawable(svg);
+        EXPECT_EQ(numbered(svg, "hidden", element) + numbered(svg, "hidden-dot"),
+                  t.hidden().size());
+        EXPECT_EQ(numbered(svg, "site", element) + numbered(svg, "dot"),
+                  sites.size() - t.hidden().size());
+        EXPECT_EQ(numbered(svg, "site") + numbered(svg, "hidden"), 0U);
+        EXPECT_NE(svg.find(cells), svg.npos);
+    };
+    expect(squares, "rect", ">supremum cells<");
+    expect(diamonds, "polygon", ">Manhattan cells<");
+    const std::string discs = drawn(euclidean({{0, 0, 1}, {3, 1, 2}}));
+    expect_drawable(discs);
+    EXPECT_EQ(numbered(discs, "site"), 2U);
+    EXPECT_NE(discs.find(">Euclidean cells<"), discs.npos);
+}
+
+TEST(Svg, OutlinesTouchWhatLiesARadiusAway) {
+    SvgText text;
+    square_outline().write_geometry(text, {10, 20}, 3);
+    diamond_outline().write_geometry(text, {10, 20}, 3);
+    EXPECT_EQ(text.view(),
+              "x=\"7\" y=\"17\" width=\"6\" height=\"6\""
+              "points=\"10,17 13,20 10,23 7,20\"");
+}
+
+/// A site between two others, around which they meet twice.
+TEST(Svg, EdgesBetweenTheSameSitesAreDrawnOnce) {
+    const std::vector<Site> sites = {{0, 0, 5}, {16, 0, 5}, {8, 0, 1}};
+    const auto t = triangulate(sites, Supremum{});
+    ASSERT_EQ(t.edges().size(), 6U);
+    ASSERT_EQ(std::ranges::count(t.edges(), Edge{0, 1}), 2);
+    const std::string svg = drawn(t);
+    expect_drawable(svg);
+    EXPECT_EQ(lines(svg, "edge"), 3U);
+    // The cell of the one between is an octagon's upper and lower half, with a line up and down.
+    EXPECT_EQ(lines(svg, "cell"), 8U);
+}
+
+TEST(Svg, NegativeRadiiAreDots) {
+    const std::vector<Site> sites = {{0, 0, -3}, {5, 0, -2}, {2, 6, 1}};
+    for (const auto& t : {triangulate(sites, Supremum{}), triangulate(sites, Manhattan{})}) {
+        const std::string svg = drawn(t);
+        expect_drawable(svg);
+        EXPECT_EQ(numbered(svg, "dot"), 2U);
+    }
+}
+
+TEST(Svg, AlignedSquaresAreSeparatedByTheLineOfTheTieRule) {
+    // The bisector bends around the later site, or around the smaller square.
+    const Frame frame(std::vector<Site>{{0, 0, 1}, {4, 0, 1}}, 900);
+    const auto edges = rectangular::cell_edges(
+        triangulate(std::vector<Site>{{0, 0, 1}, {4, 0, 1}}, Supremum{}), frame);
+    ASSERT_EQ(edges.size(), 1U);  // the picture is too low for the bends
+    EXPECT_EQ(edges[0].from.x, frame.width() / 2);
+    EXPECT_EQ(edges[0].to.x, frame.width() / 2);
+    const Frame high(std::vector<Site>{{0, 0, 1}, {4, 0, 1}, {0, 9, 0}}, 900);
+    const auto bent = rectangular::cell_edges(
+        triangulate(std::vector<Site>{{0, 0, 1}, {4, 0, 1}}, Supremum{}), high);
+    ASSERT_EQ(bent.size(), 2U);
+    const Point middle = high.at({2, 2});
+    EXPECT_NEAR(bent[0].to.x, middle.x, 1e-9);
+    EXPECT_NEAR(bent[0].to.y, middle.y, 1e-9);
+    EXPECT_GT(bent[1].to.x, middle.x);
+}
+
+TEST(Svg, AdditiveMetricsAtTheExtremesOfADouble) {
+    constexpr double most = 1.7976931348623157e308;
+    const std::vector<std::vector<Site>> sets = {
+        {{-most, 0, most}, {most, most, 0}, {0, -most, most}},
+        {{-most, -most, -most}, {most, most, -most}, {0, 1, -most}},
+        {{0, 0, 0}, {1, 5e-324, 0}, {1e-200, 0, 0}},
+        {{1e300, 0, 1}, {1e300, 1, 1e-300}, {0, 0, 2}},
+        {{0, 0, 5e-324}, {5e-324, 5e-324, 0}, {0, 1e-323, 0}},
+        few_sites(1e300),
+        few_sites(1e-300),
+        few_sites(0x1p-1074)};
+    for (const auto& sites : sets) {
+        expect_drawable(drawn(triangulate(sites, Supremum{})));
+        expect_drawable(drawn(triangulate(sites, Manhattan{})));
+        expect_drawable(drawn(euclidean({sites[0], sites[1]})));
+        expect_drawable(drawn(euclidean({sites[0], sites[1], sites[2]},
+                                        {{-1, 0, 2}, {-1, 1, 0}, {-1, 2, 1}, {0, 1, 2}},
+                                        {{3, 2, 1}, {3, 0, 2}, {3, 1, 0}, {2, 0, 1}})));
+        expect_drawable(drawn(euclidean({sites[0], sites[2], sites[1]},
+                                        {{-1, 0, 2}, {-1, 1, 0}, {-1, 2, 1}, {0, 1, 2}},
+                                        {{3, 2, 1}, {3, 0, 2}, {3, 1, 0}, {2, 0, 1}})));
+    }
+}
+
+TEST(Svg, ScaleDoesNotMatterInTheAdditiveMetrics) {
+    for (const double scale : {0x1p990, 0x1p-990}) {
+        EXPECT_EQ(drawn(triangulate(few_sites(scale), Supremum{})),
+                  drawn(triangulate(few_sites(1), Supremum{})));
+        EXPECT_EQ(drawn(triangulate(few_sites(scale), Manhattan{})),
+                  drawn(triangulate(few_sites(1), Manhattan{})));
+        EXPECT_EQ(drawn(euclidean({{0, 0, scale}, {3 * scale, scale, 2 * scale}})),
+                  drawn(euclidean({{0, 0, 1}, {3, 1, 2}})));
+    }
+}
+
+TEST(Svg, ALineOfArcsIsSmooth) {
+    // A hyperbola that turns sharply around the smaller disc's side.
+    const Tessellation t = euclidean({{0, 0, 9.9}, {10, 0, 0}});
+    const Frame frame(t.sites(), 900);
+    const auto arcs = shapes_of(Metric::euclidean).cell_edges(t, frame);
+    ASSERT_GT(arcs.size(), 8U);
+    EXPECT_LT(arcs.size(), 200U);
+    for (std::size_t i = 1; i < arcs.size(); ++i) EXPECT_EQ(arcs[i].from, arcs[i - 1].to);
+    // Down first: the larger disc, on the left, stays on the left of the way up.
+    EXPECT_GT(arcs.front().from.y, arcs.back().to.y);
 }
 
 TEST(SmallestDrawn, KeepsTheLimitAndTreatsEqualSizesAlike) {

@@ -1,0 +1,196 @@
+// The cells as they are drawn, against their definition: along an edge two sites are equally near
+// and none is nearer, and wherever the nearest site changes an edge is drawn.
+
+#include <signum/draw/frame.hpp>
+#include <signum/draw/shapes.hpp>
+#include <signum/predicates/additive.hpp>
+#include <signum/triangulation/triangulate.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "property/glued.hpp"
+
+namespace signum {
+namespace {
+
+/// Pixels: what an arc may be off, and its chord between two sites on both sides.
+constexpr double tolerance = 0.12;
+
+struct Near {
+    double distance;
+    Index site;
+};
+
+class Cells : public testing::TestWithParam<Metric> {
+ protected:
+    std::mt19937_64 random_{17};
+    int segments_ = 0;
+    int changes_ = 0;
+
+    int below(int count) { return static_cast<int>(random_() % static_cast<std::uint64_t>(count)); }
+    double real() { return static_cast<double>(random_() >> 11) * 0x1p-53; }
+
+    static Tessellation build(const std::vector<Site>& sites) {
+        switch (GetParam()) {
+            case Metric::manhattan:
+                return triangulate(sites, Manhattan{});
+            case Metric::supremum:
+                return triangulate(sites, Supremum{});
+            case Metric::euclidean:
+                return glued_euclidean(sites);
+            case Metric::power:
+                break;
+        }
+        return triangulate(sites, Power{});
+    }
+
+    /// In pixels; in the power metric the distance of the lines of equal power from the point, if
+    /// the other site were as far as the picture is wide.
+    static double distance(const Frame& frame, Point pixel, const Site& site) {
+        const Point at = frame.at({site.x, site.y});
+        const double length = shapes_of(GetParam()).norm({pixel.x - at.x, pixel.y - at.y});
+        const double r = frame.length(site.r);
+        return GetParam() == Metric::power ? (length * length - r * r) / frame.width() : length - r;
+    }
+
+    /// Two rising distances; of equal ones the first in the tie rule's order.
+    static std::array<Near, 2> nearest(const Frame& frame, Point pixel,
+                                       const std::vector<Site>& sites) {
+        std::vector<Near> all;
+        for (std::size_t i = 0; i < sites.size(); ++i)
+            all.push_back({distance(frame, pixel, sites[i]), static_cast<Index>(i)});
+        const double least = std::ranges::min_element(all, {}, &Near::distance)->distance;
+        for (Near& near : all)
+            if (near.distance < least + 1e-7) near.distance = least;
+        const auto site = [&](Index i) { return sites[static_cast<std::size_t>(i)]; };
+        std::ranges::sort(all, [&](const Near& a, const Near& b) {
+            if (a.distance != b.distance) return a.distance < b.distance;
+            return additive::precedes(site(a.site), a.site, site(b.site), b.site);
+        });
+        return {all[0], all[1]};
+    }
+
+    static double distance_to(Point p, const Segment& s) {
+        const Point along = {s.to.x - s.from.x, s.to.y - s.from.y};
+        const double square = along.x * along.x + along.y * along.y;
+        const double t = std::clamp(
+            ((p.x - s.from.x) * along.x + (p.y - s.from.y) * along.y) / square, 0.0, 1.0);
+        return std::hypot(s.from.x + t * along.x - p.x, s.from.y + t * along.y - p.y);
+    }
+
+    static std::string text(const std::vector<Site>& sites) {
+        std::string result;
+        for (const Site& s : sites)
+            result += std::to_string(s.x) + ", " + std::to_string(s.y) + ", " +
+                      std::to_string(s.r) + "\n";
+        return result;
+    }
+
+    void check(const std::vector<Site>& sites) {
+        const Frame frame(sites, 900);
+        const auto drawn = shapes_of(GetParam()).cell_edges(build(sites), frame);
+        for (const auto& [from, to] : drawn) {
+            ++segments_;
+            for (const double t : {0.0, 0.3, 0.5, 1.0}) {
+                const Point p = {from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)};
+                ASSERT_TRUE(-1e-6 <= p.x && p.x <= frame.width() + 1e-6 && -1e-6 <= p.y &&
+                            p.y <= frame.height() + 1e-6);
+                const auto [one, other] = nearest(frame, p, sites);
+                ASSERT_NEAR(one.distance, other.distance, tolerance)
+                    << "at " << p.x << ", " << p.y << "\n"
+                    << text(sites);
+            }
+        }
+        for (int sample = 0; sample < 1500; ++sample) {
+            const Point p = {frame.width() * real(), frame.height() * real()};
+            const double angle = 7 * real();
+            const double step = 4 * real();
+            const Point q = {p.x + step * std::cos(angle), p.y + step * std::sin(angle)};
+            if (nearest(frame, p, sites)[0].site == nearest(frame, q, sites)[0].site) continue;
+            ++changes_;
+            double least = frame.width();
+            for (const Segment& segment : drawn) least = std::min(least, distance_to(p, segment));
+            // An edge may leave the picture between the two.
+            const double border = std::min({p.x, p.y, frame.width() - p.x, frame.height() - p.y,
+                                            q.x, q.y, frame.width() - q.x, frame.height() - q.y});
+            if (border < 0) continue;
+            ASSERT_LE(least, step + tolerance) << "at " << p.x << ", " << p.y << "\n"
+                                               << text(sites);
+        }
+    }
+
+    /// The oracle of the Euclidean metric takes its time.
+    [[nodiscard]] static int rounds(int count) {
+        return GetParam() == Metric::euclidean ? count / 2 : count;
+    }
+    [[nodiscard]] static std::size_t size(std::size_t count) {
+        return GetParam() == Metric::euclidean ? std::min<std::size_t>(count, 9) : count;
+    }
+};
+
+TEST_P(Cells, OfRandomSites) {
+    for (int round = 0; round < rounds(60); ++round) {
+        std::vector<Site> sites(size(2 + static_cast<std::size_t>(below(60))));
+        const double largest = std::ldexp(64.0, -below(6));
+        for (Site& s : sites) s = {100 * real(), 100 * real(), largest * real()};
+        ASSERT_NO_FATAL_FAILURE(check(sites));
+    }
+    EXPECT_GT(segments_, 400);
+    EXPECT_GT(changes_, 100);
+}
+
+TEST_P(Cells, OfIntegers) {
+    for (int round = 0; round < rounds(120); ++round) {
+        std::vector<Site> sites(size(2 + static_cast<std::size_t>(below(12))));
+        const int extent = 3 + below(8);
+        const int largest = 1 + below(4);
+        for (Site& s : sites) s = {1.0 * below(extent), 1.0 * below(extent), 1.0 * below(largest)};
+        ASSERT_NO_FATAL_FAILURE(check(sites));
+    }
+    EXPECT_GT(segments_, 200);
+    EXPECT_GT(changes_, 100);
+}
+
+/// One size of radii many times the others: most cells are slivers around its border.
+TEST_P(Cells, OfTinySitesAroundALargeOne) {
+    for (int round = 0; round < rounds(40); ++round) {
+        std::vector<Site> sites = {{0, 0, 30}};
+        for (int i = 0; i < 7; ++i) {
+            const double angle = 6.3 * real();
+            const double away = 30 + 10 * real();
+            sites.push_back({away * std::cos(angle), away * std::sin(angle), 4 * real()});
+        }
+        ASSERT_NO_FATAL_FAILURE(check(sites));
+    }
+    EXPECT_GT(segments_, 100);
+}
+
+TEST_P(Cells, OfCollinearSites) {
+    for (int round = 0; round < rounds(40); ++round) {
+        std::vector<Site> sites(2 + static_cast<std::size_t>(below(6)));
+        const int dx = below(3) - 1;
+        const int dy = dx == 0 ? 1 : below(3) - 1;
+        const int largest = 1 + below(3);
+        for (Site& s : sites) {
+            const int t = below(12);
+            s = {1.0 * dx * t, 1.0 * dy * t, 0.5 * below(largest)};
+        }
+        ASSERT_NO_FATAL_FAILURE(check(sites));
+    }
+    EXPECT_GT(segments_, 20);
+}
+
+INSTANTIATE_TEST_SUITE_P(Metrics, Cells,
+                         testing::Values(Metric::power, Metric::euclidean, Metric::manhattan,
+                                         Metric::supremum),
+                         [](const auto& metric) { return std::string(name_of(metric.param)); });
+
+}  // namespace
+}  // namespace signum
