@@ -51,14 +51,14 @@ double result_bytes(const Tessellation& tessellation) {
         tessellation.neighbours().size_bytes() + tessellation.hidden().size_bytes());
 }
 
-Usage construct(std::int64_t n, bool equal_radii) {
+Usage construct(Metric metric, std::int64_t n, bool equal_radii) {
     const double radius = equal_radii ? 0.0 : 700.0 / std::sqrt(static_cast<double>(n));
     const std::vector<Site> sites =
         generate(Distribution::random, {.count = n, .radius_to = radius, .seed = 1});
     Usage usage;
     const double before = peak_resident_bytes();
     const std::clock_t start = std::clock();
-    const Tessellation tessellation = triangulate(sites, Power());
+    const Tessellation tessellation = triangulate(sites, metric);
     usage.cpu_seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     usage.wall_seconds = tessellation.statistics().seconds;
     usage.peak_bytes = peak_resident_bytes() - before;
@@ -70,7 +70,7 @@ Usage construct(std::int64_t n, bool equal_radii) {
 }
 
 /// construct() in a child, whose peak is its own; not complete where the child failed.
-Usage construct_in_child(std::int64_t n, bool equal_radii) {
+Usage construct_in_child(Metric metric, std::int64_t n, bool equal_radii) {
     int ends[2];
     if (pipe(ends) != 0) return {};
     const pid_t child = fork();
@@ -78,7 +78,7 @@ Usage construct_in_child(std::int64_t n, bool equal_radii) {
     if (child == 0) {
         bool sent = false;
         try {
-            const Usage usage = construct(n, equal_radii);
+            const Usage usage = construct(metric, n, equal_radii);
             sent = write(ends[1], &usage, sizeof usage) == sizeof usage;
         } catch (const std::exception& failure) {
             fmt::print(stderr, "{}\n", failure.what());
@@ -93,17 +93,19 @@ Usage construct_in_child(std::int64_t n, bool equal_radii) {
     return usage;
 }
 
-bool print_row(std::int64_t n, bool equal_radii) {
-    const Usage usage = construct_in_child(n, equal_radii);
+bool print_row(Metric metric, std::int64_t n, bool equal_radii) {
+    const Usage usage = construct_in_child(metric, n, equal_radii);
     if (!usage.complete) {
-        fmt::print("| {} | {} | did not complete | | | |\n", n, equal_radii ? "equal" : "random");
+        fmt::print("| {} | {} | {} | did not complete | | | | |\n", name_of(metric), n,
+                   equal_radii ? "equal" : "random");
         return false;
     }
     const auto count = static_cast<double>(n);
-    fmt::print("| {} | {} | {:.1f} % | {:.1f} | {:.1f} | {:.2f} | {:.2f} |\n", n,
-               equal_radii ? "equal" : "random", 100.0 * static_cast<double>(usage.hidden) / count,
-               usage.peak_bytes / count, usage.result_bytes / count, usage.cpu_seconds,
-               usage.wall_seconds);
+    fmt::print("| {} | {} | {} | {:.1f} % | {:.1f} | {:.1f} | {:.3f} | {:.3f} | {:.1f} |\n",
+               name_of(metric), n, equal_radii ? "equal" : "random",
+               100.0 * static_cast<double>(usage.hidden) / count, usage.peak_bytes / count,
+               usage.result_bytes / count, usage.cpu_seconds, usage.wall_seconds,
+               1e9 * usage.cpu_seconds / (count * std::log2(count)));
     std::fflush(stdout);
     return true;
 }
@@ -112,18 +114,23 @@ bool print_row(std::int64_t n, bool equal_radii) {
 }  // namespace signum::benchmarks
 
 int main(int argc, char** argv) {
+    using namespace signum;
     std::vector<std::int64_t> counts;
     for (int i = 1; i < argc; ++i) counts.push_back(std::strtoll(argv[i], nullptr, 10));
-    if (counts.empty()) counts = {1'000'000, 10'000'000};
+    const bool chosen = !counts.empty();
     fmt::print(
-        "Memory of a construction, random sites (at most 160 bytes a site):\n\n"
-        "| sites | radii | hidden | peak, bytes a site | of these the result | CPU s | "
-        "wall s |\n|--:|:--|--:|--:|--:|--:|--:|\n");
+        "Memory and growth, random sites:\n\n"
+        "| metric | sites | radii | hidden | peak, bytes a site | of these the result | CPU s | "
+        "wall s | CPU ns / (n log2 n) |\n|:--|--:|:--|--:|--:|--:|--:|--:|--:|\n");
     std::fflush(stdout);
     bool complete = true;
-    for (const std::int64_t n : counts)
-        for (const bool equal_radii : {true, false})
-            complete &= signum::benchmarks::print_row(n, equal_radii);
+    for (const Metric metric : all_metrics) {
+        if (!chosen) counts = {10'000, 100'000, 1'000'000};
+        if (!chosen && metric == Metric::power) counts.push_back(10'000'000);
+        for (const std::int64_t n : counts)
+            for (const bool equal_radii : {true, false})
+                complete &= signum::benchmarks::print_row(metric, n, equal_radii);
+    }
     fmt::print("\nPeak resident set of a process beyond the input, result included.\n");
     return complete ? 0 : 1;
 }

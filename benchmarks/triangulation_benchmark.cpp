@@ -2,6 +2,7 @@
 /// and CGAL, interleaved, on every distribution.
 ///
 /// usage: triangulation_benchmark [--sites=1000000] [Google Benchmark's options]
+/// A tenth of the sites in the metrics other than power.
 
 #include <algorithm>
 #include <cmath>
@@ -41,9 +42,37 @@ constexpr NamedDistribution distributions[] = {{"random", Distribution::random},
                                                {"circle", Distribution::circle},
                                                {"square", Distribution::square}};
 
-/// Delaunay: equal radii. Regular: random ones.
-enum class Kind { delaunay, regular };
-constexpr Kind kinds[] = {Kind::delaunay, Kind::regular};
+/// What is built: a metric, with radii or without, and CGAL's counterpart where there is one.
+struct Kind {
+    const char* name;
+    const char* title;
+    Metric metric;
+    bool with_radii;
+    const char* cgal_class;  ///< empty where CGAL has none
+#if defined(SIGNUM_WITH_CGAL)
+    Construction (*cgal)(const std::vector<Site>&);
+#endif
+};
+#if defined(SIGNUM_WITH_CGAL)
+#define SIGNUM_CGAL(construction) , construction
+#else
+#define SIGNUM_CGAL(construction)
+#endif
+constexpr Kind kinds[] = {
+    {"Delaunay", "Delaunay triangulation", Metric::power, false,
+     "Delaunay_triangulation_2" SIGNUM_CGAL(cgal::delaunay)},
+    {"regular", "Regular triangulation", Metric::power, true,
+     "Regular_triangulation_2" SIGNUM_CGAL(cgal::regular)},
+    {"Euclidean", "Euclidean tessellation of discs", Metric::euclidean, true,
+     "Apollonius_graph_hierarchy_2" SIGNUM_CGAL(cgal::apollonius)},
+    {"supremum", "Supremum tessellation of points", Metric::supremum, false,
+     "Segment_Delaunay_graph_Linf_hierarchy_2" SIGNUM_CGAL(cgal::linf)},
+    {"squares", "Supremum tessellation of squares", Metric::supremum, true,
+     "" SIGNUM_CGAL(nullptr)},
+    {"diamonds", "Manhattan tessellation of diamonds", Metric::manhattan, true,
+     "" SIGNUM_CGAL(nullptr)},
+};
+#undef SIGNUM_CGAL
 
 enum class Contestant { exact, naive, cgal };
 
@@ -63,17 +92,17 @@ double spacing(Distribution distribution, std::int64_t n) {
     return 0.0;
 }
 
-std::string name_of(Kind kind, const char* distribution, Contestant contestant) {
-    constexpr const char* kind_names[] = {"Delaunay", "regular"};
+std::string name_of(const Kind& kind, const char* distribution, Contestant contestant) {
     constexpr const char* contestant_names[] = {"exact", "naive", "CGAL"};
-    return fmt::format("{} {} {}", kind_names[static_cast<int>(kind)], distribution,
+    return fmt::format("{} {} {}", kind.name, distribution,
                        contestant_names[static_cast<int>(contestant)]);
 }
 
-Construction construction(std::shared_ptr<const std::vector<Site>> sites, Arithmetic arithmetic) {
-    return [sites = std::move(sites), arithmetic] {
-        const auto result = std::make_shared<Tessellation>(
-            triangulate(*sites, Power(), {.arithmetic = arithmetic}));
+Construction construction(std::shared_ptr<const std::vector<Site>> sites, Metric metric,
+                          Arithmetic arithmetic) {
+    return [sites = std::move(sites), metric, arithmetic] {
+        const auto result =
+            std::make_shared<Tessellation>(triangulate(*sites, metric, {.arithmetic = arithmetic}));
         return Built{static_cast<std::int64_t>(sites->size() - result->hidden().size()), result};
     };
 }
@@ -111,48 +140,52 @@ void add(const std::string& name, Construction construct, Visible& visible) {
         ->Unit(benchmark::kMillisecond);
 }
 
-void add_all(std::int64_t n, Visible& visible) {
-    for (const Kind kind : kinds)
+/// Sites of a kind: CGAL's graphs of curved metrics take their time.
+std::int64_t sites_of(const Kind& kind, std::int64_t n) {
+    return kind.metric == Metric::power ? n : std::max<std::int64_t>(1, n / 10);
+}
+
+void add_all(std::int64_t all, Visible& visible) {
+    for (const Kind& kind : kinds)
         for (const auto& [name, distribution] : distributions) {
-            const double radius = kind == Kind::regular ? spacing(distribution, n) : 0.0;
+            const std::int64_t n = sites_of(kind, all);
+            const double radius = kind.with_radii ? spacing(distribution, n) : 0.0;
             const auto sites = std::make_shared<const std::vector<Site>>(
                 generate(distribution, {.count = n, .radius_to = radius, .seed = 1}));
-            add(name_of(kind, name, Contestant::exact), construction(sites, Arithmetic::exact),
-                visible);
-            add(name_of(kind, name, Contestant::naive), construction(sites, Arithmetic::naive),
-                visible);
+            add(name_of(kind, name, Contestant::exact),
+                construction(sites, kind.metric, Arithmetic::exact), visible);
+            add(name_of(kind, name, Contestant::naive),
+                construction(sites, kind.metric, Arithmetic::naive), visible);
 #if defined(SIGNUM_WITH_CGAL)
-            add(name_of(kind, name, Contestant::cgal),
-                kind == Kind::delaunay ? cgal::delaunay(*sites) : cgal::regular(*sites), visible);
+            if (kind.cgal != nullptr)
+                add(name_of(kind, name, Contestant::cgal), kind.cgal(*sites), visible);
 #endif
         }
 }
 
-std::string cgal_name(Kind kind) {
+std::string cgal_name(const Kind& kind) {
 #if defined(SIGNUM_WITH_CGAL)
-    return fmt::format(
-        "CGAL {} `{}`", cgal::version(),
-        kind == Kind::delaunay ? "Delaunay_triangulation_2" : "Regular_triangulation_2");
+    if (kind.cgal != nullptr) return fmt::format("CGAL {} `{}`", cgal::version(), kind.cgal_class);
 #else
     static_cast<void>(kind);
-    return {};
 #endif
+    return {};
 }
 
 /// Whether CGAL found as many visible sites; true without CGAL.
-bool agrees(Kind kind, const char* distribution, const Visible& visible) {
+bool agrees(const Kind& kind, const char* distribution, const Visible& visible) {
     const auto exact = visible.find(name_of(kind, distribution, Contestant::exact));
     const auto other = visible.find(name_of(kind, distribution, Contestant::cgal));
     return exact == visible.end() || other == visible.end() || exact->second == other->second;
 }
 
-bool print_table(Kind kind, std::int64_t n, const Measurements& measured, const Visible& visible) {
+bool print_table(const Kind& kind, std::int64_t n, const Measurements& measured,
+                 const Visible& visible) {
     constexpr double second = 1.0;
     const bool with_cgal = !cgal_name(kind).empty();
-    fmt::print("{} triangulation of {} sites, seconds ({}, one thread):\n\n",
-               kind == Kind::delaunay ? "Delaunay" : "Regular", n, SIGNUM_FLAGS);
+    fmt::print("{}, {} sites, seconds ({}, one thread):\n\n", kind.title, n, SIGNUM_FLAGS);
     std::vector<std::string> header = {"sites", "signum"};
-    if (kind == Kind::regular) header.insert(header.begin() + 1, "hidden");
+    if (kind.with_radii) header.insert(header.begin() + 1, "hidden");
     if (with_cgal) header.insert(header.end(), {cgal_name(kind), "CGAL / signum"});
     header.insert(header.end(), {"signum, naive arithmetic", "exact / naive"});
     print_header(header);
@@ -163,7 +196,7 @@ bool print_table(Kind kind, std::int64_t n, const Measurements& measured, const 
         const std::string naive = name_of(kind, name, Contestant::naive);
         const std::string cgal = name_of(kind, name, Contestant::cgal);
         std::vector<std::string> row = {name, measured.cell(exact, second)};
-        if (kind == Kind::regular) {
+        if (kind.with_radii) {
             const auto found = visible.find(exact);
             const double share = found == visible.end() ? 0.0
                                                         : 1.0 - static_cast<double>(found->second) /
@@ -175,8 +208,8 @@ bool print_table(Kind kind, std::int64_t n, const Measurements& measured, const 
         row.insert(row.end(), {measured.cell(naive, second), measured.ratio(exact, naive)});
         print_row(row);
         if (!agrees(kind, name, visible)) {
-            fmt::print(stderr, "{} {}: CGAL finds another number of visible sites\n",
-                       kind == Kind::delaunay ? "Delaunay" : "regular", name);
+            fmt::print(stderr, "{} {}: CGAL finds another number of visible sites\n", kind.name,
+                       name);
             all_agree = false;
         }
     }
@@ -212,8 +245,9 @@ int main(int argc, char** argv) {
     add_all(n, visible);
     const Measurements measured = run_interleaved(argc, argv, 7);
     bool all_agree = true;
-    for (const Kind kind : kinds) all_agree &= print_table(kind, n, measured, visible);
-    fmt::print("{} Regular: radii uniform from 0 to the mean distance of neighbours.\n",
+    for (const Kind& kind : kinds)
+        all_agree &= print_table(kind, sites_of(kind, n), measured, visible);
+    fmt::print("{} Radii: uniform from 0 to the mean distance of neighbours.\n",
                measured.footnote());
     return all_agree ? 0 : 1;
 }

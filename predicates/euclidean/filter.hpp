@@ -17,6 +17,8 @@
 /// Underflow costs a product at most 2^-1074, at a place where the l that bound it multiply to
 /// 2^-960 or more: 2^-114 of the bound, and some hundred of them are nothing beside e.
 
+#include <initializer_list>
+
 #include <signum/core/sign.hpp>
 #include <signum/core/site.hpp>
 #include <signum/filters/bounds.hpp>

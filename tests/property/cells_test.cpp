@@ -15,8 +15,6 @@
 #include <string>
 #include <vector>
 
-#include "property/glued.hpp"
-
 namespace signum {
 namespace {
 
@@ -38,17 +36,7 @@ class Cells : public testing::TestWithParam<Metric> {
     double real() { return static_cast<double>(random_() >> 11) * 0x1p-53; }
 
     static Tessellation build(const std::vector<Site>& sites) {
-        switch (GetParam()) {
-            case Metric::manhattan:
-                return triangulate(sites, Manhattan{});
-            case Metric::supremum:
-                return triangulate(sites, Supremum{});
-            case Metric::euclidean:
-                return glued_euclidean(sites);
-            case Metric::power:
-                break;
-        }
-        return triangulate(sites, Power{});
+        return triangulate(sites, GetParam());
     }
 
     /// In pixels; in the power metric the distance of the lines of equal power from the point, if
