@@ -3,6 +3,8 @@
 
 #include <signum/core/index.hpp>
 #include <signum/core/site.hpp>
+#include <signum/filters/bounds.hpp>
+#include <signum/filters/verdict.hpp>
 
 namespace signum::additive {
 
@@ -12,6 +14,25 @@ enum class Stages {
     naive,          ///< rounded arithmetic alone, whose word is taken for the truth
     multiprecision  ///< rationals alone
 };
+
+/// How far a point is from a site, in doubles: for who compares many sites at one point.
+struct Distance {
+    double to_centre;
+    double magnitude;  ///< to_centre is off by 3 epsilon of this at most
+    double radius;
+};
+
+/// Which of two sites is nearer to the point: +1 for a, -1 for b. The difference of the centres'
+/// distances, that of the radii and the sum of both commit one rounding each.
+[[nodiscard]] inline filters::Verdict nearer(const Distance& a, const Distance& b) noexcept {
+    const double radii = a.radius - b.radius;
+    const double difference = (b.to_centre - a.to_centre) + radii;
+    const double bound =
+        8 * filters::epsilon * ((a.magnitude + b.magnitude) + filters::magnitude(radii));
+    if (filters::magnitude(difference) > bound && filters::environment_is_default()) [[likely]]
+        return filters::Verdict::certain(filters::sign_of_nonzero(difference));
+    return filters::Verdict::uncertain();
+}
 
 /// Whether site a (of index a_index) comes before site b in the tie rule's order: by falling
 /// radius, then rising x, y and index. The first site of all is hidden by none.

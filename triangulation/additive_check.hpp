@@ -37,7 +37,11 @@ template <class Predicates>
 class AdditiveCheck : private ArraysCheck {
  public:
     AdditiveCheck(const TessellationArrays& arrays, const StridedSites& sites)
-        : ArraysCheck(arrays, sites.size()), site_(load<Site>(sites)), ranks_(ranks_of(site_)) {}
+        : ArraysCheck(arrays, sites.size()) {
+        for (const Site& site : load<Site>(sites)) site_.push_back({site, 0});
+        rank(site_, [](Index i) { return i; });
+        kernel_ = Kernel(site_.data());
+    }
 
     [[nodiscard]] Validation run() {
         return judgement([this] {
@@ -249,9 +253,8 @@ class AdditiveCheck : private ArraysCheck {
         }
     }
 
-    std::vector<Site> site_;
-    std::vector<Index> ranks_;
-    Kernel kernel_{site_.data(), ranks_.data()};
+    std::vector<RankedSite> site_;
+    Kernel kernel_{nullptr};
     ExtendedKernel<Kernel> extended_{kernel_};
 };
 

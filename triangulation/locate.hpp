@@ -1,6 +1,8 @@
 #pragma once
 /// Point location by a visibility walk.
 
+#include <limits>
+
 #include <signum/core/index.hpp>
 #include <signum/core/sign.hpp>
 #include <signum/triangulation/topology.hpp>
@@ -32,23 +34,36 @@ template <class Kernel>
     throw BrokenStructure("the walk to a site went in circles");
 }
 
-/// A half-edge out of the site nearest to the centre of q, from a face where the walk starts. As
-/// cells are star-shaped, every site but the nearest has a neighbour that is nearer: the one whose
-/// cell the segment to q's centre enters.
+/// A half-edge out of the site nearest to the centre of q, leading to the neighbour that comes
+/// next, roughly; from a face where the walk starts. As cells are star-shaped, every site but the
+/// nearest has a neighbour that is nearer: the one whose cell the segment to q's centre enters.
 template <class Kernel>
 [[nodiscard]] HalfEdge locate_nearest(const Topology& topology, Kernel& kernel, Index start,
                                       Index q) {
     HalfEdge first = Topology::first_edge(start);
     if (topology.origin(first) == infinite) first = Topology::next(first);
+    Index nearest = topology.origin(first);
+    auto least = kernel.distance(q, nearest);
     HalfEdge h = first;
+    HalfEdge next = first;
+    double to_next = std::numeric_limits<double>::infinity();
     for (Index steps = topology.faces(); Kernel::is_exact || steps >= 0;) {
         const Index v = topology.target(h);
-        if (v != infinite && kernel.is_nearer(q, v, topology.origin(h))) {
-            h = first = topology.twin(h);
-            --steps;
+        if (v != infinite) {
+            const auto distance = kernel.distance(q, v);
+            if (kernel.is_nearer(q, v, distance, nearest, least)) {
+                h = first = next = topology.twin(h);
+                to_next = least.to_centre - least.radius;
+                nearest = v;
+                least = distance;
+                --steps;
+            } else if (distance.to_centre - distance.radius < to_next) {
+                to_next = distance.to_centre - distance.radius;
+                next = h;
+            }
         }
         h = topology.around_origin(h);
-        if (h == first) return first;
+        if (h == first) return next;
     }
     throw BrokenStructure("the walk to a site went in circles");
 }

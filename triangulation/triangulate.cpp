@@ -176,20 +176,20 @@ Tessellation construct_additive(Metric metric, const StridedSites& input, const 
     const std::size_t n = input.size();
 
     LargeArray<Index> original = spatial_order(input, options.seed);
-    LargeArray<Site> sites(n);
-    for (std::size_t i = 0; i < n; ++i) sites[i] = input[static_cast<std::size_t>(original[i])];
-    std::vector<Index> ranks =
-        ranks_of(sites, [&](Index i) { return original[static_cast<std::size_t>(i)]; });
+    LargeArray<RankedSite> sites(n);
+    const auto number_of = [&](Index i) { return original[static_cast<std::size_t>(i)]; };
+    for (std::size_t i = 0; i < n; ++i)
+        sites[i] = {input[static_cast<std::size_t>(original[i])], 0};
+    rank(sites, number_of);
     if (n > 0) {
         // The first site of the tie rule's order leads: no other ever hides it.
-        const auto first =
-            static_cast<std::size_t>(std::find(ranks.begin(), ranks.end(), 0) - ranks.begin());
-        std::swap(sites[0], sites[first]);
-        std::swap(original[0], original[first]);
-        std::swap(ranks[0], ranks[first]);
+        const auto first = std::find_if(sites.begin(), sites.end(),
+                                        [](const RankedSite& site) { return site.rank == 0; });
+        std::swap(original[0], original[static_cast<std::size_t>(first - sites.begin())]);
+        std::swap(sites[0], *first);
     }
 
-    Kernel kernel(sites.data(), ranks.data());
+    Kernel kernel(sites.data());
     Topology topology(n);
     LargeArray<Index> hidden_by(n, -1);
     std::size_t second = 1;

@@ -187,6 +187,11 @@ struct Perturbed {
         return {turn(s, l, k).sign > 0 ? 1 : -1, stage};
     }
 
+    /// How far the point p is from m, for additive::nearer.
+    [[nodiscard]] static additive::Distance distance(const Point& p, const Site& m) noexcept {
+        return filter::distance(p, m);
+    }
+
     /// Whether the point p is nearer to a than to b: +1 or -1.
     [[nodiscard]] static Decision nearer(const Point& p, const Site& a, const Site& b,
                                          const std::array<Index, 2>& ranks) noexcept {

@@ -24,6 +24,7 @@
 #include <signum/filters/bounds.hpp>
 #include <signum/filters/rounding_count.hpp>
 #include <signum/filters/verdict.hpp>
+#include <signum/predicates/additive.hpp>
 
 #if defined(__SSE2__)
 #include <emmintrin.h>
@@ -303,22 +304,18 @@ inline Verdict Triple::apart() const noexcept {
     return sign(rational - root * cross, bound);
 }
 
-/// |p-b| - |p-a| + r_a - r_b. A square of a distance takes 4 roundings, its root half of that and
-/// one more: at most 3e of the distance; two further ones for the sums, one for the radii. Where a
-/// square underflows, by 2^-1074 at most, the root is off by 2^-537; where it overflows, so does
-/// the bound.
+/// A square of a distance takes 4 roundings, its root half of that and one more: at most 3e. Where
+/// a square underflows, by 2^-1074 at most, the root is off by 2^-537; where it overflows, so does
+/// the magnitude.
+[[nodiscard]] inline additive::Distance distance(const Point& p, const Site& m) noexcept {
+    const double x = p.x - m.x;
+    const double y = p.y - m.y;
+    const double to_centre = square_root(x * x + y * y);
+    return {to_centre, to_centre + 0x1p-440, m.r};
+}
+
 [[nodiscard]] inline Verdict nearer(const Point& p, const Site& a, const Site& b) noexcept {
-    if (!filters::environment_is_default()) [[unlikely]]
-        return Verdict::uncertain();
-    const auto distance = [&p](const Site& s) {
-        const double x = p.x - s.x;
-        const double y = p.y - s.y;
-        return square_root(x * x + y * y);
-    };
-    const double to_a = distance(a);
-    const double to_b = distance(b);
-    const double radii = a.r - b.r;
-    return sign((to_b - to_a) + radii, 7 * epsilon * (to_a + to_b + magnitude(radii)) + 0x1p-500);
+    return additive::nearer(distance(p, a), distance(p, b));
 }
 
 }  // namespace signum::euclidean::filter

@@ -15,6 +15,7 @@
 #include <signum/core/sign.hpp>
 #include <signum/core/site.hpp>
 #include <signum/filters/tally.hpp>
+#include <signum/predicates/additive.hpp>
 #include <signum/predicates/rectangular/forms.hpp>
 
 namespace signum::rectangular {
@@ -129,21 +130,6 @@ template <class AnyForms>
     const int next = (x.side + 3) & 3;
     return forms.sign_of_sum(std::array<typename AnyForms::Term, 4>{
                {{next, x.a, 1}, {opposite, x.b, -1}, {next, y.a, -1}, {opposite, y.b, 1}}}) > 0;
-}
-
-/// A distance from a point, rounded, and the sum of the magnitudes that entered.
-struct Distance {
-    double value;
-    double magnitude;
-};
-template <class Directions>
-[[nodiscard]] inline Distance distance(const Point& p, const Site& m) noexcept {
-    const double x = m.x - p.x;
-    const double y = m.y - p.y;
-    const double first = filters::magnitude(Directions::x[0] * x + Directions::y[0] * y);
-    const double second = filters::magnitude(Directions::x[1] * x + Directions::y[1] * y);
-    return {(first < second ? second : first) - m.r,
-            (filters::magnitude(x) + filters::magnitude(y)) + filters::magnitude(m.r)};
 }
 
 /// The predicates of one of the two metrics under the tie rule: no answer is ever 0. `ranks` are
@@ -263,19 +249,31 @@ struct Perturbed {
         return forms.decide(stands_before(forms, last, first) ? 1 : -1);
     }
 
+    /// How far the point p is from m, of three roundings, for additive::nearer.
+    [[nodiscard]] static additive::Distance distance(const Point& p, const Site& m) noexcept {
+        const double x = m.x - p.x;
+        const double y = m.y - p.y;
+        const double first = filters::magnitude(Directions::x[0] * x + Directions::y[0] * y);
+        const double second = filters::magnitude(Directions::x[1] * x + Directions::y[1] * y);
+        return {first < second ? second : first, filters::magnitude(x) + filters::magnitude(y),
+                m.r};
+    }
+
     /// Whether the point p is nearer to a than to b: +1 or -1.
     [[nodiscard]] static Decision nearer(const Point& p, const Site& a, const Site& b,
                                          const std::array<Index, 2>& ranks) noexcept {
-        // Three roundings a distance and one for their difference, none of more than the sum of the
-        // magnitudes.
-        const Distance to_a = distance<Directions>(p, a);
-        const Distance to_b = distance<Directions>(p, b);
-        const double difference = to_b.value - to_a.value;
-        const double bound = 5 * filters::epsilon * (to_a.magnitude + to_b.magnitude);
-        if (sums == Sums::exact && filters::magnitude(difference) > bound &&
-            filters::environment_is_default()) [[likely]]
-            return {filters::sign_of_nonzero(difference), Stage::filter};
-        if (sums == Sums::naive && difference != 0.0) return {sign_of(difference), Stage::filter};
+        const additive::Distance to_a = distance(p, a);
+        const additive::Distance to_b = distance(p, b);
+        if constexpr (sums == Sums::exact) {
+            const filters::Verdict verdict = additive::nearer(to_a, to_b);
+            if (verdict.is_certain()) [[likely]]
+                return {verdict.sign(), Stage::filter};
+        }
+        if constexpr (sums == Sums::naive) {
+            const Sign sign =
+                sign_of((to_b.to_centre - to_b.radius) - (to_a.to_centre - to_a.radius));
+            if (sign != 0) return {sign, Stage::filter};
+        }
         const Sign sign = sums == Sums::naive ? 0 : compare_distances<Directions, sums>(p, a, b);
         constexpr Stage stage = sums == Sums::multiprecision ? Stage::multiprecision : Stage::exact;
         if (sign != 0) return {sign, stage};

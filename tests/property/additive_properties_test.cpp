@@ -81,11 +81,13 @@ TYPED_TEST(AdditiveProperties, VerticesEdgesFaces) {
 TYPED_TEST(AdditiveProperties, InscribedCirclesAreEmpty) {
     using Predicates = PredicatesOf<TypeParam, additive::Stages::multiprecision>;
     for (const Sites& sites : families(64)) {
-        const std::vector<Index> ranks = triangulation::ranks_of(sites);
+        std::vector<triangulation::RankedSite> ranked;
+        for (const Site& site : sites) ranked.push_back({site, 0});
+        triangulation::rank(ranked, [](Index i) { return i; });
         const Tessellation t = triangulate(sites, TypeParam{});
         for (const Face& v : t.faces()) {
             const auto site = [&](Index i) -> const Site& { return sites[at(i)]; };
-            const auto rank = [&](Index i) { return ranks[at(i)]; };
+            const auto rank = [&](Index i) { return ranked[at(i)].rank; };
             for (Index q = 0; q < static_cast<Index>(sites.size()); ++q) {
                 if (q == v[0] || q == v[1] || q == v[2]) continue;
                 const Decision conflict =
