@@ -14,42 +14,31 @@ namespace {
 
 constexpr std::size_t most_addends = 8;
 
-/// The doubles of a sum of forms; a coordinate that does not enter is a zero among them.
+/// The doubles of a sum of forms; those past `count` are not set.
 struct Terms {
     std::array<double, 3 * most_addends> values;
     std::size_t count;
 };
 
-/// The addends with sites of their own: what has to be read inside the default environment.
+/// An addend with a site of its own: what has to be read inside the default environment.
+struct Operand {
+    Site site;
+    int side;
+    int factor;
+};
 struct Operands {
-    std::array<Site, most_addends> sites;
-    std::array<int, most_addends> sides;
-    std::array<int, most_addends> factors;
+    std::array<Operand, most_addends> addends;
     std::size_t count;
 };
 
-Operands copy(const Addend* first, std::size_t count) noexcept {
-    SIGNUM_EXPECTS(count <= most_addends);
-    Operands result{{}, {}, {}, count};
-    for (std::size_t i = 0; i < count; ++i) {
-        result.sites[i] = *first[i].site;
-        result.sides[i] = first[i].side;
-        result.factors[i] = first[i].factor;
-    }
-    return result;
-}
-
 template <class Directions>
-Terms terms_of(const Operands& operands) noexcept {
-    Terms terms{{}, 0};
-    for (std::size_t i = 0; i < operands.count; ++i) {
-        const double factor = operands.factors[i];
-        const Site& site = operands.sites[i];
-        terms.values[terms.count++] = factor * Directions::x[operands.sides[i]] * site.x;
-        terms.values[terms.count++] = factor * Directions::y[operands.sides[i]] * site.y;
-        terms.values[terms.count++] = -factor * site.r;
-    }
-    return terms;
+void add(Terms& terms, const Site& site, int side, int factor) noexcept {
+    const double times = factor;
+    if (Directions::x[side] != 0)
+        terms.values[terms.count++] = times * Directions::x[side] * site.x;
+    if (Directions::y[side] != 0)
+        terms.values[terms.count++] = times * Directions::y[side] * site.y;
+    terms.values[terms.count++] = -times * site.r;
 }
 
 /// On a grid every partial sum is a double: then the rounded sum is the sum. Otherwise ESSA.
@@ -70,9 +59,28 @@ Sign sign_of_terms(const Terms& terms) noexcept {
 
 template <class Directions>
 Sign sign_of_forms(const Addend* first, std::size_t count) noexcept {
+    SIGNUM_EXPECTS(count <= most_addends);
+    if (filters::environment_is_default()) [[likely]] {
+        Terms terms;
+        terms.count = 0;
+        for (std::size_t i = 0; i < count; ++i)
+            add<Directions>(terms, *first[i].site, first[i].side, first[i].factor);
+        return sign_of_terms(terms);
+    }
+    Operands operands;
+    operands.count = count;
+    for (std::size_t i = 0; i < count; ++i)
+        operands.addends[i] = {*first[i].site, first[i].side, first[i].factor};
     return exact::in_ieee_environment(
-        [](const Operands& operands) { return sign_of_terms(terms_of<Directions>(operands)); },
-        copy(first, count));
+        [](const Operands& given) {
+            Terms terms;
+            terms.count = 0;
+            for (std::size_t i = 0; i < given.count; ++i)
+                add<Directions>(terms, given.addends[i].site, given.addends[i].side,
+                                given.addends[i].factor);
+            return sign_of_terms(terms);
+        },
+        operands);
 }
 
 template <class Directions>
