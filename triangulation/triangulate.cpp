@@ -44,6 +44,12 @@ bool equal_weights(const StridedSites& sites) noexcept {
     return true;
 }
 
+bool equal_radii(const StridedSites& sites) noexcept {
+    for (std::size_t i = 1; i < sites.size(); ++i)
+        if (sites[i].r != sites[0].r) return false;
+    return true;
+}
+
 template <power::PowerSite S>
 S site_of(const Site& site) noexcept {
     if constexpr (std::is_same_v<S, Point>) {
@@ -142,7 +148,7 @@ Tessellation finish(Metric metric, WeightIs weight_is, const StridedSites& input
 }
 
 template <power::PowerSite S, Arithmetic arithmetic, class Tally>
-Tessellation construct(const StridedSites& input, const Options& options) {
+Tessellation construct(Metric metric, const StridedSites& input, const Options& options) {
     using Kernel = PowerKernel<S, arithmetic, Tally>;
     const auto start = std::chrono::steady_clock::now();
     const std::size_t n = input.size();
@@ -166,8 +172,28 @@ Tessellation construct(const StridedSites& input, const Options& options) {
         connect_line(topology, visible_on_line(kernel, n, hidden_by));
     }
     const WeightIs weight_is = input.third_is_weight() ? WeightIs::weight : WeightIs::radius;
-    return finish(Metric::power, weight_is, input, start, kernel, std::move(sites),
-                  std::move(topology), std::move(original), std::move(hidden_by));
+    return finish(metric, weight_is, input, start, kernel, std::move(sites), std::move(topology),
+                  std::move(original), std::move(hidden_by));
+}
+
+template <power::PowerSite S, Arithmetic arithmetic>
+Tessellation construct_counting(Metric metric, const StridedSites& input, const Options& options) {
+    return options.count ? construct<S, arithmetic, filters::Tally>(metric, input, options)
+                         : construct<S, arithmetic, filters::NoTally>(metric, input, options);
+}
+
+template <power::PowerSite S>
+Tessellation construct_with_arithmetic(Metric metric, const StridedSites& input,
+                                       const Options& options) {
+    switch (options.arithmetic) {
+        case Arithmetic::naive:
+            return construct_counting<S, Arithmetic::naive>(metric, input, options);
+        case Arithmetic::multiprecision:
+            return construct_counting<S, Arithmetic::multiprecision>(metric, input, options);
+        case Arithmetic::exact:
+            break;
+    }
+    return construct_counting<S, Arithmetic::exact>(metric, input, options);
 }
 
 template <class Kernel>
@@ -228,6 +254,9 @@ Tessellation construct_additive_with_arithmetic(Metric metric, const StridedSite
     if (input.third_is_weight())
         throw std::invalid_argument("sites of the " + std::string(name_of(metric)) +
                                     " metric have radii, not weights");
+    // Of equal radii the Euclidean tessellation is Delaunay's, ties included.
+    if (metric == Metric::euclidean && equal_radii(input))
+        return construct_with_arithmetic<Point>(metric, input, options);
     switch (options.arithmetic) {
         case Arithmetic::naive:
             return construct_additive_counting<Predicates, Arithmetic::naive>(metric, input,
@@ -239,25 +268,6 @@ Tessellation construct_additive_with_arithmetic(Metric metric, const StridedSite
             break;
     }
     return construct_additive_counting<Predicates, Arithmetic::exact>(metric, input, options);
-}
-
-template <power::PowerSite S, Arithmetic arithmetic>
-Tessellation construct_counting(const StridedSites& input, const Options& options) {
-    return options.count ? construct<S, arithmetic, filters::Tally>(input, options)
-                         : construct<S, arithmetic, filters::NoTally>(input, options);
-}
-
-template <power::PowerSite S>
-Tessellation construct_with_arithmetic(const StridedSites& input, const Options& options) {
-    switch (options.arithmetic) {
-        case Arithmetic::naive:
-            return construct_counting<S, Arithmetic::naive>(input, options);
-        case Arithmetic::multiprecision:
-            return construct_counting<S, Arithmetic::multiprecision>(input, options);
-        case Arithmetic::exact:
-            break;
-    }
-    return construct_counting<S, Arithmetic::exact>(input, options);
 }
 
 }  // namespace
@@ -289,9 +299,11 @@ Tessellation triangulate(StridedSites sites, Power /*metric*/, const Options& op
     // without.
     const exact::IeeeEnvironment environment;
     check_input(sites);
-    if (equal_weights(sites)) return construct_with_arithmetic<Point>(sites, options);
-    if (sites.third_is_weight()) return construct_with_arithmetic<power::Site>(sites, options);
-    return construct_with_arithmetic<Site>(sites, options);
+    if (equal_weights(sites))
+        return construct_with_arithmetic<Point>(Metric::power, sites, options);
+    if (sites.third_is_weight())
+        return construct_with_arithmetic<power::Site>(Metric::power, sites, options);
+    return construct_with_arithmetic<Site>(Metric::power, sites, options);
 }
 
 Tessellation triangulate(StridedSites sites, Metric metric, const Options& options) {

@@ -95,6 +95,8 @@ struct Perturbed {
     [[nodiscard]] static Decision exists_twice(const Site& i, const Site& j, const Site& q,
                                                const std::array<Index, 3>& ranks) noexcept {
         if constexpr (is_filtered) {
+            if (same_radius(i, j, q))
+                return {-1, Stage::filter};  // Q = -C²; a middle one is not last
             const auto verdict = filter::exists_twice(i, j, q);
             if (verdict.is_certain()) [[likely]]
                 return {verdict.sign(), Stage::filter};
@@ -137,6 +139,7 @@ struct Perturbed {
     [[nodiscard]] static Decision in_circle_infinite(const Site& a, const Site& b, const Site& q,
                                                      const std::array<Index, 3>& ranks) noexcept {
         if constexpr (is_filtered) {
+            if (same_radius(a, b, q)) return in_circle_infinite_of_points(a, b, q);
             const auto verdict = filter::in_circle_infinite(a, b, q);
             if (verdict.is_certain()) [[likely]]
                 return {verdict.sign(), Stage::filter};
@@ -217,6 +220,19 @@ struct Perturbed {
             return decision;
         return {power::in_circle_tie(centre(i), centre(j), centre(k), centre(q), ranks),
                 decision.stage, true};
+    }
+
+    /// Of equal radii only ccw counts, and on the line whether q lies strictly between a and b: the
+    /// last of the three in the order, by rising x and y, is at an end.
+    [[nodiscard]] static Decision in_circle_infinite_of_points(const Site& a, const Site& b,
+                                                               const Site& q) noexcept {
+        const Decision side = ccw_decision(a, b, q);
+        if (side.sign != 0) [[likely]]
+            return {-side.sign, side.stage};
+        const auto order = [](const Site& m, const Site& n) {
+            return m.x != n.x ? compare(m.x, n.x) : compare(m.y, n.y);
+        };
+        return {order(a, q) * order(q, b) > 0 ? 1 : -1, side.stage, true};
     }
 
     [[nodiscard]] static Sign compare(double a, double b) noexcept {

@@ -229,15 +229,20 @@ TYPED_TEST(AdditiveProperties, AQuarterTurnChangesNothing) {
     }
 }
 
-/// With equal radii the Euclidean tessellation is Delaunay's, ties included.
+/// With equal radii the Euclidean tessellation is Delaunay's, ties included. One smaller disc,
+/// hidden in both metrics, makes the general insertion do it.
 TEST(AdditiveProperties, EuclideanOfEqualRadiiIsPowerOfEqualWeights) {
     for (Sites sites : families(400)) {
         for (Site& s : sites) s.r = 0.125;
-        const Tessellation discs = triangulate(sites, Euclidean{});
-        const Tessellation power = triangulate(sites, Power{});
-        EXPECT_EQ(discs.arrays().faces, power.arrays().faces);
-        EXPECT_EQ(discs.arrays().neighbours, power.arrays().neighbours);
-        EXPECT_EQ(discs.arrays().hidden, power.arrays().hidden);
+        for (const bool general : {false, true}) {
+            if (general) sites.push_back({sites[0].x, sites[0].y, 0.0625});
+            const Tessellation discs = triangulate(sites, Euclidean{});
+            const Tessellation power = triangulate(sites, Power{});
+            EXPECT_EQ(discs.metric(), Metric::euclidean);
+            EXPECT_EQ(discs.arrays().faces, power.arrays().faces);
+            EXPECT_EQ(discs.arrays().neighbours, power.arrays().neighbours);
+            EXPECT_EQ(discs.arrays().hidden, power.arrays().hidden);
+        }
     }
 }
 
