@@ -3,6 +3,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <limits>
 
 #include <signum/core/contract.hpp>
 
@@ -31,6 +32,16 @@ inline constexpr double epsilon = 0x1p-52;
     const auto a_bits = std::bit_cast<std::uint64_t>(a);
     const auto b_bits = std::bit_cast<std::uint64_t>(b);
     return a_bits == b_bits || ((a_bits | b_bits) << 1) == 0;
+}
+
+/// The sign of a - b for finite doubles, also where the hardware reads denormals as zero: doubles
+/// as integers of the same order, both zeros the same.
+[[nodiscard]] inline int compare_numbers(double a, double b) noexcept {
+    const auto place = [](double value) {
+        const auto bits = std::bit_cast<std::int64_t>(value);
+        return bits < 0 ? std::numeric_limits<std::int64_t>::min() - bits : bits;
+    };
+    return static_cast<int>(place(a) > place(b)) - static_cast<int>(place(a) < place(b));
 }
 
 /// What environment_is_default() adds. Never written, yet not const: the compiler must suppose that

@@ -101,6 +101,10 @@ struct Perturbed {
             if (verdict.is_certain()) [[likely]]
                 return {verdict.sign(), Stage::filter};
         }
+        if constexpr (stages == Stages::naive) {
+            const Sign sign = filter::rounded::exists_twice(i, j, q);
+            if (sign != 0) return {sign, Stage::filter};
+        }
         return cold::exists_twice(stages, i, j, q, ranks);
     }
 
@@ -130,6 +134,10 @@ struct Perturbed {
             if (verdict.is_certain()) [[likely]]
                 return {verdict.sign(), Stage::filter};
         }
+        if constexpr (stages == Stages::naive) {
+            const Sign sign = filter::rounded::in_circle(i, j, k, q);
+            if (sign != 0) return {sign, Stage::filter};
+        }
         return cold::in_circle(stages, i, j, k, q, ranks);
     }
 
@@ -139,10 +147,14 @@ struct Perturbed {
     [[nodiscard]] static Decision in_circle_infinite(const Site& a, const Site& b, const Site& q,
                                                      const std::array<Index, 3>& ranks) noexcept {
         if constexpr (is_filtered) {
-            if (same_radius(a, b, q)) return in_circle_infinite_of_points(a, b, q);
+            if (same_radius(a, b, q)) return in_circle_infinite_of_points(a, b, q, ranks);
             const auto verdict = filter::in_circle_infinite(a, b, q);
             if (verdict.is_certain()) [[likely]]
                 return {verdict.sign(), Stage::filter};
+        }
+        if constexpr (stages == Stages::naive) {
+            const Sign sign = filter::rounded::in_circle_infinite(a, b, q);
+            if (sign != 0) return {sign, Stage::filter};
         }
         return cold::in_circle_infinite(stages, a, b, q, ranks);
     }
@@ -185,7 +197,7 @@ struct Perturbed {
             in_circle_infinite(s, k, l, {ranks[1], ranks[0], ranks[2]}).sign > 0 ||
             in_circle_infinite(l, s, k, {ranks[2], ranks[1], ranks[0]}).sign > 0)
             return {1, stage};
-        const Sign sum = compare(s.y, k.y) + compare(l.y, s.y);
+        const Sign sum = filters::compare_numbers(s.y, k.y) + filters::compare_numbers(l.y, s.y);
         if (sum != 0) return {sum > 0 ? 1 : -1, stage};
         return {turn(s, l, k).sign > 0 ? 1 : -1, stage};
     }
@@ -202,6 +214,10 @@ struct Perturbed {
             const auto verdict = filter::nearer(p, a, b);
             if (verdict.is_certain()) [[likely]]
                 return {verdict.sign(), Stage::filter};
+        }
+        if constexpr (stages == Stages::naive) {
+            const Sign sign = filter::rounded::nearer(p, a, b);
+            if (sign != 0) return {sign, Stage::filter};
         }
         return cold::nearer(stages, p, a, b, ranks);
     }
@@ -223,20 +239,23 @@ struct Perturbed {
     }
 
     /// Of equal radii only ccw counts, and on the line whether q lies strictly between a and b: the
-    /// last of the three in the order, by rising x and y, is at an end.
-    [[nodiscard]] static Decision in_circle_infinite_of_points(const Site& a, const Site& b,
-                                                               const Site& q) noexcept {
+    /// last of the three in the order, by rising x and y, is at an end. Of equal sites the first
+    /// hides the other.
+    [[nodiscard]] static Decision in_circle_infinite_of_points(
+        const Site& a, const Site& b, const Site& q, const std::array<Index, 3>& ranks) noexcept {
         const Decision side = ccw_decision(a, b, q);
         if (side.sign != 0) [[likely]]
             return {-side.sign, side.stage};
         const auto order = [](const Site& m, const Site& n) {
-            return m.x != n.x ? compare(m.x, n.x) : compare(m.y, n.y);
+            const Sign by_x = filters::compare_numbers(m.x, n.x);
+            return by_x != 0 ? by_x : filters::compare_numbers(m.y, n.y);
         };
-        return {order(a, q) * order(q, b) > 0 ? 1 : -1, side.stage, true};
-    }
-
-    [[nodiscard]] static Sign compare(double a, double b) noexcept {
-        return static_cast<int>(a > b) - static_cast<int>(a < b);
+        const Sign from_a = order(a, q);
+        const Sign to_b = order(q, b);
+        const bool conflict = from_a == 0 ? ranks[2] < ranks[0]
+                              : to_b == 0 ? ranks[2] < ranks[1]
+                                          : from_a == to_b;
+        return {conflict ? 1 : -1, side.stage, true};
     }
 
     [[nodiscard]] static Decision turn(const Site& a, const Site& b, const Site& c) noexcept {

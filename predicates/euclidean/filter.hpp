@@ -232,10 +232,27 @@ inline Verdict Triple::apart() const noexcept {
             (size(second) * (first.l_jk * first.l_jk) + size(first) * (second.l_jk * second.l_jk)));
 }
 
-/// The sign of Q (A - L √Γ), where A is put in the order of q's row:
+/// A - L √Γ, where A is put in the order of q's row:
 ///     A = x_q (E_xy E_yp - E_xr E_rp) - y_q (E_xy E_xp + E_yr E_rp) + r_q [2ab] - p_q Q.
-/// The magnitude of A is at most m = l_q (l_j l_k)² (l_j + l_k + l_q), that of L at most
-/// t = l_j l_k l_q, that of Γ at most g² for g = l_j l_k l_jk. The errors:
+struct Conflict {
+    double l;
+    double root;
+    double difference;
+
+    /// For the row of q relative to i.
+    Conflict(const Triple& t, const Difference& c) noexcept
+        : l((c.x * t.yr - c.y * t.xr) + c.r * t.xy), root(square_root(t.j.p * t.k.p * t.jk.p)) {
+        const double xp = t.xp();
+        const double yp = t.yp();
+        const double rp = t.rp();
+        const double a = (c.x * (t.xy * yp - t.xr * rp) - c.y * (t.xy * xp + t.yr * rp)) +
+                         (c.r * (xp * t.xr + yp * t.yr) - c.p * t.q);
+        difference = a - l * root;
+    }
+};
+
+/// The sign of Q (A - L √Γ). The magnitude of A is at most m = l_q (l_j l_k)² (l_j + l_k + l_q),
+/// that of L at most t = l_j l_k l_q, that of Γ at most g² for g = l_j l_k l_jk. The errors:
 ///     A      19e m
 ///     L       8e t
 ///     Γ      17e g², so that the root s of the rounded Γ, as |√a - √b| <= |a - b| / √a, is off by
@@ -252,17 +269,11 @@ inline Verdict Triple::apart() const noexcept {
     const Difference c(q, i);
     if (!in_window(t.j.l, t.k.l, t.jk.l, c.l)) [[unlikely]]
         return Verdict::uncertain();
-    const double root = square_root(t.j.p * t.k.p * t.jk.p);
-    const double xp = t.xp();
-    const double yp = t.yp();
-    const double rp = t.rp();
-    const double l = (c.x * t.yr - c.y * t.xr) + c.r * t.xy;
-    const double a = (c.x * (t.xy * yp - t.xr * rp) - c.y * (t.xy * xp + t.yr * rp)) +
-                     (c.r * (xp * t.xr + yp * t.yr) - c.p * t.q);
-    const double difference = a - l * root;
+    const Conflict conflict(t, c);
+    const double difference = conflict.difference;
     const double g = t.l_jk * t.jk.l;
     const double m = c.l * (t.l_jk * t.l_jk) * (t.j.l + t.k.l + c.l);
-    const double bound = epsilon * (34 * m + 22 * magnitude(l) * g * (g / root));
+    const double bound = epsilon * (34 * m + 22 * magnitude(conflict.l) * g * (g / conflict.root));
     if (!(magnitude(difference) > bound)) [[unlikely]]
         return Verdict::uncertain();
     const Verdict of_q = t.sign_of_q();
@@ -285,9 +296,22 @@ inline Verdict Triple::apart() const noexcept {
     return verdict;
 }
 
-/// The sign of T - √p X with T = z|u|² - s u·w, of 7 roundings of at most l_u² l_w, and X = u x w,
-/// of 4 roundings of at most l_u l_w. As above the root s of p is off by less than 8e l_u²/s, and
-/// s <= l_u(1+3e): (7 + 4 + 4)e l_u² l_w + 8e |X| l_u²/s.
+/// T - √p X with T = z|u|² - s u·w and X = u x w.
+struct InfiniteConflict {
+    double root;
+    double cross;
+    double difference;
+
+    InfiniteConflict(const Difference& u, const Difference& w) noexcept
+        : root(square_root(u.p)),
+          cross(u.x * w.y - u.y * w.x),
+          difference((w.r * (u.x * u.x + u.y * u.y) - u.r * (u.x * w.x + u.y * w.y)) -
+                     root * cross) {}
+};
+
+/// The sign of T - √p X: T of 7 roundings of at most l_u² l_w, X of 4 roundings of at most l_u l_w.
+/// As above the root s of p is off by less than 8e l_u²/s, and s <= l_u(1+3e): (7 + 4 + 4)e l_u²
+/// l_w + 8e |X| l_u²/s.
 [[nodiscard]] inline Verdict in_circle_infinite(const Site& a, const Site& b,
                                                 const Site& q) noexcept {
     if (!filters::environment_is_default()) [[unlikely]]
@@ -296,12 +320,10 @@ inline Verdict Triple::apart() const noexcept {
     const Difference w(q, a);
     if (!in_window(u.l, w.l)) [[unlikely]]
         return Verdict::uncertain();
-    const double root = square_root(u.p);
-    const double cross = u.x * w.y - u.y * w.x;
-    const double rational = w.r * (u.x * u.x + u.y * u.y) - u.r * (u.x * w.x + u.y * w.y);
-    const double bound =
-        epsilon * (18 * (u.l * u.l * w.l) + 10 * magnitude(cross) * u.l * (u.l / root));
-    return sign(rational - root * cross, bound);
+    const InfiniteConflict conflict(u, w);
+    const double bound = epsilon * (18 * (u.l * u.l * w.l) +
+                                    10 * magnitude(conflict.cross) * u.l * (u.l / conflict.root));
+    return sign(conflict.difference, bound);
 }
 
 /// A square of a distance takes 4 roundings, its root half of that and one more: at most 3e. Where
@@ -317,5 +339,35 @@ inline Verdict Triple::apart() const noexcept {
 [[nodiscard]] inline Verdict nearer(const Point& p, const Site& a, const Site& b) noexcept {
     return additive::nearer(distance(p, a), distance(p, b));
 }
+
+/// The signs of the same numbers with no regard for errors, for the naive kernel; 0 where it has to
+/// look closer.
+namespace rounded {
+
+[[nodiscard]] inline Sign in_circle(const Site& i, const Site& j, const Site& k,
+                                    const Site& q) noexcept {
+    const Triple t(i, j, k);
+    const Sign sign = sign_of(t.q) * sign_of(Conflict(t, Difference(q, i)).difference);
+    if (sign > 0)
+        for (const Site* m : {&i, &j, &k}) {
+            const Difference row(q, *m);
+            if (row.r <= 0.0 && row.p <= 0.0) return -1;
+        }
+    return sign;
+}
+
+[[nodiscard]] inline Sign in_circle_infinite(const Site& a, const Site& b, const Site& q) noexcept {
+    return sign_of(InfiniteConflict(Difference(b, a), Difference(q, a)).difference);
+}
+
+[[nodiscard]] inline Sign exists_twice(const Site& i, const Site& j, const Site& k) noexcept {
+    return Triple(i, j, k).q < 0.0 ? -1 : 0;
+}
+
+[[nodiscard]] inline Sign nearer(const Point& p, const Site& a, const Site& b) noexcept {
+    return sign_of((distance(p, b).to_centre - b.r) - (distance(p, a).to_centre - a.r));
+}
+
+}  // namespace rounded
 
 }  // namespace signum::euclidean::filter
