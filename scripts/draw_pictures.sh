@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+set -euo pipefail
+root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
+
+usage() {
+  cat <<'USAGE'
+Draws the pictures of docs/pictures/ again.
+
+  scripts/draw_pictures.sh          builds the tool and draws with it
+  scripts/draw_pictures.sh TOOL     draws with this one
+
+The same tool draws the same bytes. Only docs/pictures/ changes.
+USAGE
+}
+
+case ${1:-} in
+  -h | --help) usage && exit 0 ;;
+esac
+tool=$(readlink -f "${1:-$root/run}")
+cd "$root"
+out=docs/pictures
+sites=$(mktemp -d)
+trap 'rm -rf "$sites"' EXIT
+
+# draw NAME METRIC FILE: every picture is checked from scratch before it counts.
+draw() {
+  "$tool" triangulate "$3" --metric "$2" --check --quiet -o "$out/$1.svg"
+}
+
+"$tool" generate random -n 18 --radius 10:110 --seed 148 -o "$sites/few.txt"
+"$tool" generate random -n 60 --radius 5:60 --seed 6 -o "$sites/sixty.txt"
+for metric in power euclidean manhattan supremum; do
+  draw "few_$metric" "$metric" "$sites/few.txt"
+  draw "sixty_$metric" "$metric" "$sites/sixty.txt"
+done
+
+draw nested euclidean examples/nested.txt
+
+# The thousand most populous cities, and all of the 4000 around India; the header comes along.
+awk -F, '/^(#|x,)/ || n++ < 1000' examples/cities.csv > "$sites/world.csv"
+draw cities euclidean "$sites/world.csv"
+awk -F, '/^(#|x,)/ || (5800 < $1 && $1 < 9800 && 800 < $2 && $2 < 4200)' examples/cities.csv \
+  > "$sites/india.csv"
+draw cities_of_india euclidean "$sites/india.csv"
