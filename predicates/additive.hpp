@@ -1,7 +1,11 @@
 #pragma once
 /// What the three metrics with additive weights share: distance |x-c| - r in some norm.
 
+#include <array>
+#include <cstddef>
+
 #include <signum/core/index.hpp>
+#include <signum/core/sign.hpp>
 #include <signum/core/site.hpp>
 #include <signum/filters/bounds.hpp>
 #include <signum/filters/verdict.hpp>
@@ -38,10 +42,23 @@ struct Distance {
 /// radius, then rising x, y and index. The first site of all is hidden by none.
 [[nodiscard]] inline bool precedes(const Site& a, Index a_index, const Site& b,
                                    Index b_index) noexcept {
-    if (a.r != b.r) return a.r > b.r;
-    if (a.x != b.x) return a.x < b.x;
-    if (a.y != b.y) return a.y < b.y;
+    if (const Sign by_r = filters::compare_numbers(a.r, b.r); by_r != 0) return by_r > 0;
+    if (const Sign by_x = filters::compare_numbers(a.x, b.x); by_x != 0) return by_x < 0;
+    if (const Sign by_y = filters::compare_numbers(a.y, b.y); by_y != 0) return by_y < 0;
     return a_index < b_index;
+}
+
+/// The places of a few sites in the order; of equal ones the first given comes first.
+template <std::size_t n>
+[[nodiscard]] inline std::array<Index, n> ranks_of(
+    const std::array<const Site*, n>& sites) noexcept {
+    std::array<Index, n> ranks{};
+    for (std::size_t a = 0; a < n; ++a)
+        for (std::size_t b = 0; b < n; ++b)
+            if (b != a &&
+                precedes(*sites[b], static_cast<Index>(b), *sites[a], static_cast<Index>(a)))
+                ++ranks[a];
+    return ranks;
 }
 
 }  // namespace signum::additive

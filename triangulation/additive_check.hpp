@@ -21,6 +21,7 @@
 /// counts as wrong.
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -39,7 +40,9 @@ class AdditiveCheck : private ArraysCheck {
     AdditiveCheck(const TessellationArrays& arrays, const StridedSites& sites)
         : ArraysCheck(arrays, sites.size()) {
         for (const Site& site : load<Site>(sites)) site_.push_back({site, 0});
-        rank(site_, [](Index i) { return i; });
+        std::vector<Index> numbers(sites.size());
+        std::iota(numbers.begin(), numbers.end(), 0);
+        rank(site_, numbers);
         kernel_ = Kernel(site_.data());
     }
 

@@ -203,10 +203,9 @@ Tessellation construct_additive(Metric metric, const StridedSites& input, const 
 
     LargeArray<Index> original = spatial_order(input, options.seed);
     LargeArray<RankedSite> sites(n);
-    const auto number_of = [&](Index i) { return original[static_cast<std::size_t>(i)]; };
     for (std::size_t i = 0; i < n; ++i)
         sites[i] = {input[static_cast<std::size_t>(original[i])], 0};
-    rank(sites, number_of);
+    rank(sites, original);
     if (n > 0) {
         // The first site of the tie rule's order leads: no other ever hides it.
         const auto first = std::find_if(sites.begin(), sites.end(),

@@ -294,4 +294,17 @@ template <class Directions>
     return forms.decide(meets(forms, square));
 }
 
+/// in_circle_infinite without the tie rule: 0 where q reaches just to the border of the quadrant.
+template <class Directions>
+[[nodiscard]] inline Decision in_circle_infinite_decision(
+    const Site& a, const Site& b, const Site& q, const std::array<Index, 3>& ranks) noexcept {
+    Forms<Directions, Sums::exact, 3> forms({&a, &b, &q}, ranks);
+    const int side = quadrant(forms, 0, 1).side;
+    SIGNUM_EXPECTS(side >= 0);
+    forms.leave_ties();
+    const Sign first = forms.compare((side + 2) & 3, 1, 2);
+    const Sign second = forms.compare((side + 3) & 3, 0, 2);
+    return forms.decide(first < second ? first : second);
+}
+
 }  // namespace signum::rectangular

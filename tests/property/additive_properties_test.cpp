@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <random>
 #include <vector>
 
@@ -83,7 +84,9 @@ TYPED_TEST(AdditiveProperties, InscribedCirclesAreEmpty) {
     for (const Sites& sites : families(64)) {
         std::vector<triangulation::RankedSite> ranked;
         for (const Site& site : sites) ranked.push_back({site, 0});
-        triangulation::rank(ranked, [](Index i) { return i; });
+        std::vector<Index> numbers(sites.size());
+        std::iota(numbers.begin(), numbers.end(), 0);
+        triangulation::rank(ranked, numbers);
         const Tessellation t = triangulate(sites, TypeParam{});
         for (const Face& v : t.faces()) {
             const auto site = [&](Index i) -> const Site& { return sites[at(i)]; };
