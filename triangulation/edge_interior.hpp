@@ -62,9 +62,12 @@ template <class Kernel>
     const Index l = topology.apex(topology.twin(h));
     if (!kernel.exist_twice(i, j, q)) return false;
     if (kernel.conflicts(j, i, q, k) || kernel.conflicts(j, i, q, l)) return false;
-    // The other stretch runs from vertex (j, i, from) to (i, j, to).
-    const Index from = kernel.exist_twice(i, j, k) ? k : infinite;
-    const Index to = kernel.exist_twice(i, j, l) ? l : infinite;
+    // The other stretch runs from vertex (j, i, from) to (i, j, to). Visible sites exist twice with
+    // infinity: not asked, for rounded predicates may deny it, and (j, infinity, infinity) is no
+    // vertex.
+    const bool at_infinity = i == infinite || j == infinite;
+    const Index from = at_infinity || kernel.exist_twice(i, j, k) ? k : infinite;
+    const Index to = at_infinity || kernel.exist_twice(i, j, l) ? l : infinite;
     if (from == to || kernel.conflicts(j, i, from, l) || kernel.conflicts(i, j, to, k)) return true;
     if (kernel.conflicts(j, i, from, q) != taken || kernel.conflicts(i, j, to, q) != taken)
         return false;
@@ -72,12 +75,12 @@ template <class Kernel>
     if (i == infinite) return exact.in_order_at_infinity(j, k, q, l, taken);
     if (j == infinite) return exact.in_order_at_infinity(i, l, q, k, taken);
     // Infinity is in K_k, in K_l or on the other stretch, and the intervals that do not hold it are
-    // ordered.
+    // ordered. Of k and l one at most is infinity, which no rounded answer may bring into precedes.
     const auto holds_infinity = [&](Index m) {
         return m == infinite || kernel.conflicts(i, j, infinite, m) ||
                kernel.conflicts(j, i, infinite, m);
     };
-    if (holds_infinity(k)) return exact.precedes(i, j, l, q);
+    if (l != infinite && holds_infinity(k)) return exact.precedes(i, j, l, q);
     if (holds_infinity(l)) return exact.precedes(i, j, q, k);
     return holds_infinity(q) == taken && exact.precedes(i, j, l, q) && exact.precedes(i, j, q, k);
 }

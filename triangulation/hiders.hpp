@@ -8,6 +8,7 @@
 #include <signum/core/index.hpp>
 #include <signum/core/site.hpp>
 #include <signum/triangulation/topology.hpp>
+#include <signum/triangulation/triangulate.hpp>
 
 namespace signum::triangulation {
 
@@ -23,13 +24,17 @@ namespace signum::triangulation {
 
 /// The visible vertex nearest to a point, from any visible vertex: the distance has no local
 /// minimum on the tessellation but the global one, so going to a nearer neighbour as long as there
-/// is one suffices.
+/// is one suffices. Rounded distances may lead around in circles; more steps than there are sites
+/// are a proof of it.
 template <class Kernel>
 [[nodiscard]] Index nearest_vertex(const Topology& topology, const Kernel& kernel,
                                    std::span<const Index> face_of, Point point, Index start) {
     Index nearest = start;
+    std::size_t steps = face_of.size();
     for (bool improved = true; improved;) {
         improved = false;
+        if constexpr (!Kernel::is_exact)
+            if (steps-- == 0) throw BrokenStructure("the walk to a hidden site went in circles");
         const Index f = face_of[static_cast<std::size_t>(nearest)];
         if (f < 0) break;  // the only visible site
         HalfEdge first = Topology::first_edge(f);

@@ -57,7 +57,10 @@ DiagramVertex exact_vertex(const S& i, const S& j, const S& k) {
         return {to_rational(m.x) - to_rational(i.x), to_rational(m.y) - to_rational(i.y),
                 rational_weight(m) - rational_weight(i)};
     };
-    const Centre<Rational> centre(row(j), row(k));
+    const power::Row<Rational> b = row(j);
+    const power::Row<Rational> c = row(k);
+    if (b.x * c.y == c.x * b.y) return no_vertex();  // a flat face that inexact arithmetic made
+    const Centre<Rational> centre(b, c);
     return {exact::round_to_double(Rational(centre.x + to_rational(i.x))),
             exact::round_to_double(Rational(centre.y + to_rational(i.y))),
             exact::round_to_double(Rational(centre.square - rational_weight(i)))};

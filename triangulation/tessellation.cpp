@@ -132,8 +132,11 @@ Index Tessellation::locate_straight(Point point) const noexcept {
     Index f = face_of_site_[at(visible_sample(point))];
     if (arrays_.faces[at(f)][0] == infinite) f = arrays_.neighbours[at(f)][0];
     if (arrays_.faces[at(f)][0] == infinite) return locate_beside_line(point);
-    while (arrays_.faces[at(f)][0] != infinite) {
+    // No face is visited twice (Edelsbrunner 1989), unless inexact arithmetic made the faces: then
+    // any face has to do.
+    for (std::size_t steps = arrays_.faces.size(); steps > 0; --steps) {
         const Face& face = arrays_.faces[at(f)];
+        if (face[0] == infinite) break;
         std::size_t k = 0;
         while (k < 3 && ccw(centre(face[(k + 1) % 3]), centre(face[(k + 2) % 3]), point) >= 0) ++k;
         if (k == 3) break;
