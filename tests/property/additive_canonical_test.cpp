@@ -20,6 +20,12 @@ namespace {
 using namespace signum;
 using Sites = std::vector<Site>;
 
+#if defined(__SANITIZE_ADDRESS__) || !defined(__OPTIMIZE__)
+constexpr int share = 20;  // of the trials one in so many: the oracles take long there
+#else
+constexpr int share = 1;
+#endif
+
 template <class Metric>
 oracle::Tessellation oracle_of(const Sites& sites) {
     if constexpr (std::is_same_v<Metric, Euclidean>) {
@@ -101,13 +107,13 @@ Sites tied_sites(std::mt19937_64& random, int trial) {
 
 TYPED_TEST(AdditiveCanonical, EqualsTheOracleWhereTiesAbound) {
     std::mt19937_64 random(1);
-    for (int trial = 0; trial < 600 * this->effort; ++trial)
+    for (int trial = 0; trial < 600 * this->effort / share; ++trial)
         ASSERT_NO_FATAL_FAILURE(this->expect_oracle(tied_sites(random, trial)));
 }
 
 TYPED_TEST(AdditiveCanonical, EqualsTheOracleInDegeneratePositions) {
     brute_force::Degenerate degenerate(8);
-    for (int trial = 0; trial < 900 * this->effort; ++trial) {
+    for (int trial = 0; trial < 900 * this->effort / share; ++trial) {
         Sites sites(static_cast<std::size_t>(3 + trial % 6));
         degenerate.fill(trial % brute_force::Degenerate::families, sites.data(), sites.size());
         ASSERT_NO_FATAL_FAILURE(this->expect_oracle(sites));
@@ -117,7 +123,7 @@ TYPED_TEST(AdditiveCanonical, EqualsTheOracleInDegeneratePositions) {
 TYPED_TEST(AdditiveCanonical, EqualsTheOracleOnRandomAndNestedSites) {
     std::mt19937_64 random(2);
     std::uniform_real_distribution<double> place(0, 10);
-    for (int trial = 0; trial < 200 * this->effort; ++trial) {
+    for (int trial = 0; trial < 200 * this->effort / share; ++trial) {
         Sites sites(static_cast<std::size_t>(2 + trial % 9));
         for (Site& site : sites)
             site = {place(random), place(random), place(random) * (trial % 4) / 8 - 1};
@@ -127,7 +133,7 @@ TYPED_TEST(AdditiveCanonical, EqualsTheOracleOnRandomAndNestedSites) {
 
 TYPED_TEST(AdditiveCanonical, EveryOrderOfFiveSites) {
     std::mt19937_64 random(3);
-    for (int trial = 0; trial < 20 * this->effort; ++trial) {
+    for (int trial = 0; trial < 20 * this->effort / std::min(share, 10); ++trial) {
         Sites sites = tied_sites(random, trial);
         sites.resize(5, {1, 1, 0});
         std::vector<std::size_t> order(sites.size());

@@ -112,7 +112,8 @@ DiagramVertex expected_square(const Triple& sites, Metric metric) {
 
 /// The double nearest to start + shift, where the shift was computed with an error far below
 /// 2^-(bits/2). Of two doubles that this error allows the number lies half way between, as no
-/// irrational number of this degree comes so near to there: then the even one.
+/// irrational number of this degree comes so near to there: then the even one. Between the two
+/// signs of an error that is all lies 0.
 double rounded_sum(const mpq_class& start, const mpf_class& shift, mp_bitcnt_t bits) {
     const mpq_class moved(shift);
     mpq_class error = abs(start) + abs(moved);
@@ -122,6 +123,7 @@ double rounded_sum(const mpq_class& start, const mpf_class& shift, mp_bitcnt_t b
     const double above = rounded(sum + error);
     if (below == above || std::isnan(below)) return below;
     if (std::isnan(above)) return above;
+    if (below < 0.0 && above > 0.0) return 0.0;
     int exponent = 0;
     const double odd = std::ldexp(std::frexp(below, &exponent), 53);
     return std::fmod(odd, 2.0) == 0.0 ? below : above;
