@@ -9,6 +9,7 @@
 #include <signum/core/index.hpp>
 #include <signum/core/site.hpp>
 #include <signum/filters/tally.hpp>
+#include <signum/predicates/additive.hpp>
 #include <signum/triangulation/tie_order.hpp>
 #include <signum/triangulation/triangulate.hpp>
 
