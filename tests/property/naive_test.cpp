@@ -221,7 +221,7 @@ TEST_P(Naive, EndsOnSmallSets) {
 
 TEST_P(Naive, EndsOnLargeSets) {
     Hostile hostile(2);
-    for (int trial = 0; trial < 2 * effort; ++trial)
+    for (int trial = 0; trial < effort; ++trial)
         for (int family = 0; family < Hostile::families; ++family) {
             const Sites sites = hostile.sites(family, at(hostile.random().between(1000, 5000)));
             (void)expect_end(sites);
