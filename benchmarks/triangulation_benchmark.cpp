@@ -42,12 +42,12 @@ constexpr NamedDistribution distributions[] = {{"random", Distribution::random},
                                                {"circle", Distribution::circle},
                                                {"square", Distribution::square}};
 
-/// What is built: a metric, with radii or without, and CGAL's counterpart where there is one.
+/// What is built: a metric, radii, and CGAL's counterpart where there is one.
 struct Kind {
     const char* name;
     const char* title;
     Metric metric;
-    bool with_radii;
+    double radius;           ///< the largest, in mean distances of neighbours
     const char* cgal_class;  ///< empty where CGAL has none
 #if defined(SIGNUM_WITH_CGAL)
     Construction (*cgal)(const std::vector<Site>&);
@@ -59,17 +59,18 @@ struct Kind {
 #define SIGNUM_CGAL(construction)
 #endif
 constexpr Kind kinds[] = {
-    {"Delaunay", "Delaunay triangulation", Metric::power, false,
+    {"Delaunay", "Delaunay triangulation", Metric::power, 0,
      "Delaunay_triangulation_2" SIGNUM_CGAL(cgal::delaunay)},
-    {"regular", "Regular triangulation", Metric::power, true,
+    {"regular", "Regular triangulation", Metric::power, 1,
      "Regular_triangulation_2" SIGNUM_CGAL(cgal::regular)},
-    {"Euclidean", "Euclidean tessellation of discs", Metric::euclidean, true,
+    {"Euclidean", "Euclidean tessellation of discs", Metric::euclidean, 1,
      "Apollonius_graph_hierarchy_2" SIGNUM_CGAL(cgal::apollonius)},
-    {"supremum", "Supremum tessellation of points", Metric::supremum, false,
+    {"small", "Euclidean tessellation of small discs", Metric::euclidean, 0.1,
+     "Apollonius_graph_hierarchy_2" SIGNUM_CGAL(cgal::apollonius)},
+    {"supremum", "Supremum tessellation of points", Metric::supremum, 0,
      "Segment_Delaunay_graph_Linf_hierarchy_2" SIGNUM_CGAL(cgal::linf)},
-    {"squares", "Supremum tessellation of squares", Metric::supremum, true,
-     "" SIGNUM_CGAL(nullptr)},
-    {"diamonds", "Manhattan tessellation of diamonds", Metric::manhattan, true,
+    {"squares", "Supremum tessellation of squares", Metric::supremum, 1, "" SIGNUM_CGAL(nullptr)},
+    {"diamonds", "Manhattan tessellation of diamonds", Metric::manhattan, 1,
      "" SIGNUM_CGAL(nullptr)},
 };
 #undef SIGNUM_CGAL
@@ -149,7 +150,7 @@ void add_all(std::int64_t all, Visible& visible) {
     for (const Kind& kind : kinds)
         for (const auto& [name, distribution] : distributions) {
             const std::int64_t n = sites_of(kind, all);
-            const double radius = kind.with_radii ? spacing(distribution, n) : 0.0;
+            const double radius = kind.radius * spacing(distribution, n);
             const auto sites = std::make_shared<const std::vector<Site>>(
                 generate(distribution, {.count = n, .radius_to = radius, .seed = 1}));
             add(name_of(kind, name, Contestant::exact),
@@ -185,7 +186,7 @@ bool print_table(const Kind& kind, std::int64_t n, const Measurements& measured,
     const bool with_cgal = !cgal_name(kind).empty();
     fmt::print("{}, {} sites, seconds ({}, one thread):\n\n", kind.title, n, SIGNUM_FLAGS);
     std::vector<std::string> header = {"sites", "signum"};
-    if (kind.with_radii) header.insert(header.begin() + 1, "hidden");
+    if (kind.radius > 0.0) header.insert(header.begin() + 1, "hidden");
     if (with_cgal) header.insert(header.end(), {cgal_name(kind), "CGAL / signum"});
     header.insert(header.end(), {"signum, naive arithmetic", "exact / naive"});
     print_header(header);
@@ -196,7 +197,7 @@ bool print_table(const Kind& kind, std::int64_t n, const Measurements& measured,
         const std::string naive = name_of(kind, name, Contestant::naive);
         const std::string cgal = name_of(kind, name, Contestant::cgal);
         std::vector<std::string> row = {name, measured.cell(exact, second)};
-        if (kind.with_radii) {
+        if (kind.radius > 0.0) {
             const auto found = visible.find(exact);
             const double share = found == visible.end() ? 0.0
                                                         : 1.0 - static_cast<double>(found->second) /
@@ -247,7 +248,9 @@ int main(int argc, char** argv) {
     bool all_agree = true;
     for (const Kind& kind : kinds)
         all_agree &= print_table(kind, sites_of(kind, n), measured, visible);
-    fmt::print("{} Radii: uniform from 0 to the mean distance of neighbours.\n",
-               measured.footnote());
+    fmt::print(
+        "{} Radii: uniform from 0 to the mean distance of neighbours, to a tenth of it for small "
+        "discs.\n",
+        measured.footnote());
     return all_agree ? 0 : 1;
 }
