@@ -88,7 +88,8 @@ TEST(EuclideanPredicates, AnswerWhatIsTrueOfShrunkenDiscs) {
         for (const Index a : {0, 1, 2, 3})
             for (const Index b : {0, 1, 2, 3}) {
                 if (a == b) continue;
-                const std::array<Index, 2> ranks = {r[a], r[b]};
+                const std::array<Index, 2> ranks = {r[static_cast<std::size_t>(a)],
+                                                    r[static_cast<std::size_t>(b)]};
                 ASSERT_EQ(Exact::hides(s[a], s[b], ranks).sign, sign(discs.hides(a, b)))
                     << text(s, 4) << a << b;
                 apart[a][b] = !discs.hides(a, b) && !discs.hides(b, a);
