@@ -117,9 +117,11 @@ class Hostile {
 
     void grid(Sites& sites, double step, double radius) {
         const auto side = static_cast<std::size_t>(std::sqrt(sites.size())) + 1;
-        for (std::size_t i = 0; i < sites.size(); ++i)
+        for (std::size_t i = 0; i < sites.size(); ++i) {
+            const std::size_t row = i / side;
             sites[i] = {near(static_cast<double>(i % side) * step),
-                        near(static_cast<double>(i / side) * step), near(radius)};
+                        near(static_cast<double>(row) * step), near(radius)};
+        }
     }
     void scale(Sites& sites, double factor) {
         for (Site& s : sites) s = {near(s.x * factor), near(s.y * factor), near(s.r * factor)};
