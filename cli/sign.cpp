@@ -175,15 +175,6 @@ Sites<S> sites_of(const Call& call) {
     return sites;
 }
 
-/// The places of the sites in the tie rule's order, in which precedes(a, b) says who comes first.
-template <class Precedes>
-std::array<Index, 4> ranks_of(Precedes precedes) {
-    std::array<Index, 4> ranks{};
-    for (std::size_t a = 0; a < 4; ++a)
-        for (std::size_t b = 0; b < a; ++b) ++ranks[precedes(a, b) ? b : a];
-    return ranks;
-}
-
 template <class S>
 Answer decide_in_power(const Call& call) {
     const auto sites = sites_of<S>(call);
@@ -201,10 +192,13 @@ Answer decide_in_power(const Call& call) {
     }
     Answer answer = {power::in_circle_decision(i, j, k, q), {}, {}};
     if (answer.decision.sign == 0) {
-        const auto ranks = ranks_of([&](std::size_t a, std::size_t b) {
-            return power::precedes(sites[a], static_cast<Index>(a), sites[b],
-                                   static_cast<Index>(b));
-        });
+        std::array<Index, 4> ranks{};
+        for (Index a = 0; a < 4; ++a)
+            for (Index b = 0; b < a; ++b) {
+                const bool a_first = power::precedes(sites[static_cast<std::size_t>(a)], a,
+                                                     sites[static_cast<std::size_t>(b)], b);
+                ++ranks[static_cast<std::size_t>(a_first ? b : a)];
+            }
         explain_tie(answer, "circle", "weight", ranks,
                     power::in_circle_perturbed(i, j, k, q, ranks));
     }
@@ -237,11 +231,9 @@ void check_existence(const Predicates& metric, const Sites<Site>& sites,
 
 Answer decide_additively(const Call& call, const Predicates& metric) {
     const auto sites = sites_of<Site>(call);
-    const auto ranks = ranks_of([&](std::size_t a, std::size_t b) {
-        return additive::precedes(sites[a], static_cast<Index>(a), sites[b], static_cast<Index>(b));
-    });
-    check_existence(metric, sites, ranks);
     const auto& [i, j, k, q] = sites;
+    const auto ranks = additive::ranks_of<4>({&i, &j, &k, &q});
+    check_existence(metric, sites, ranks);
     Answer answer = {metric.in_circle(i, j, k, q, ranks), {}, {}};
     for (std::size_t m = 0; m < 3; ++m) {
         if (metric.hides(sites[m], q, {ranks[m], ranks[3]}).sign > 0)

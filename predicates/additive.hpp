@@ -48,17 +48,23 @@ struct Distance {
     return a_index < b_index;
 }
 
-/// The places of a few sites in the order; of equal ones the first given comes first.
+/// The places of a few sites in the order; `numbers` are their indices.
+template <std::size_t n>
+[[nodiscard]] inline std::array<Index, n> ranks_of(const std::array<const Site*, n>& sites,
+                                                   const std::array<Index, n>& numbers) noexcept {
+    std::array<Index, n> ranks{};
+    for (std::size_t a = 0; a < n; ++a)
+        for (std::size_t b = 0; b < a; ++b)
+            ++ranks[precedes(*sites[a], numbers[a], *sites[b], numbers[b]) ? b : a];
+    return ranks;
+}
+/// Of equal ones the first given comes first.
 template <std::size_t n>
 [[nodiscard]] inline std::array<Index, n> ranks_of(
     const std::array<const Site*, n>& sites) noexcept {
-    std::array<Index, n> ranks{};
-    for (std::size_t a = 0; a < n; ++a)
-        for (std::size_t b = 0; b < n; ++b)
-            if (b != a &&
-                precedes(*sites[b], static_cast<Index>(b), *sites[a], static_cast<Index>(a)))
-                ++ranks[a];
-    return ranks;
+    std::array<Index, n> numbers{};
+    for (std::size_t i = 0; i < n; ++i) numbers[i] = static_cast<Index>(i);
+    return ranks_of(sites, numbers);
 }
 
 }  // namespace signum::additive

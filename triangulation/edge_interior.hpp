@@ -4,15 +4,17 @@
 ///
 /// The bisector of sites i and j, closed through infinity, is a circle on which every other site m
 /// takes an interval K_m, from vertex (i,j,m) to vertex (j,i,m) where it does not take all or
-/// nothing; infinity takes one as well. An edge with the faces (i,j,k) and (j,i,l) is what lies
-/// between the end of K_l and the start of K_k. Where K_k and K_l are disjoint, another stretch
-/// lies between the end of K_k and the start of K_l. Laws, for a site q that has two vertices with
-/// i, j:
+/// nothing; where one of the two does not exist the interval begins or ends at infinity, which
+/// takes a point itself. An edge with the faces (i,j,k) and (j,i,l) is what lies between the end of
+/// K_l and the start of K_k. Where K_k and K_l are disjoint, another stretch lies between the end
+/// of K_k and the start of K_l. Laws, for a site q that has two vertices with i, j:
 ///  1. q's vertex (j,i,q), the end of K_q, lies on one of the two where it is neither in K_k nor in
 ///     K_l.
-///  2. If q takes both ends of the edge or neither, and (j,i,q) lies on the edge, then q does the
-///     same to the other stretch's ends: all of them lie on one side of both vertices of q.
-///  3. There the order of three disjoint intervals tells which.
+///  2. If q takes both ends of the edge or neither, and (j,i,q) lies on the edge, then so does
+///     (i,j,q), and q does the same to the other stretch's ends. Where q does that to all four
+///     ends, K_q or the rest of the bisector is an interval within one of the two stretches.
+///  3. There the order of three disjoint intervals tells which. Infinity is in K_k, in K_l or on
+///     the other stretch, never on the edge.
 /// None of this asks how many sites there are: edges between the same sites with the same sites
 /// across them are told apart (docs/other-metrics.md).
 

@@ -39,8 +39,8 @@ bool nearer_in_power(Point point, const Site& a, Index a_index, const Site& b, I
 /// Predicates: those of a metric with additive weights under the tie rule.
 template <class Predicates>
 bool nearer_additively(Point point, const Site& a, Index a_index, const Site& b, Index b_index) {
-    const bool a_first = additive::precedes(a, a_index, b, b_index);
-    return Predicates::nearer(point, a, b, {a_first ? 0 : 1, a_first ? 1 : 0}).sign > 0;
+    const auto ranks = additive::ranks_of<2>({&a, &b}, {a_index, b_index});
+    return Predicates::nearer(point, a, b, ranks).sign > 0;
 }
 
 Nearer nearer_of(Metric metric, WeightIs weight_is) {

@@ -21,8 +21,7 @@ std::array<bool, 4> sides(const Site& a, const Site& b, const std::array<Index, 
 std::array<bool, 4> sides_touched_by_second(Metric metric, const Site& a, Index a_index,
                                             const Site& b, Index b_index) {
     SIGNUM_EXPECTS(metric == Metric::supremum || metric == Metric::manhattan);
-    const Index second = additive::precedes(a, a_index, b, b_index) ? 1 : 0;
-    const std::array<Index, 2> ranks = {1 - second, second};
+    const auto ranks = additive::ranks_of<2>({&a, &b}, {a_index, b_index});
     return metric == Metric::supremum ? sides<rectangular::Supremum>(a, b, ranks)
                                       : sides<rectangular::Manhattan>(a, b, ranks);
 }

@@ -147,9 +147,29 @@ Tessellation finish(Metric metric, WeightIs weight_is, const StridedSites& input
     return {std::move(arrays), std::move(copy), statistics};
 }
 
-template <power::PowerSite S, Arithmetic arithmetic, class Tally>
-Tessellation construct(Metric metric, const StridedSites& input, const Options& options) {
-    using Kernel = PowerKernel<S, arithmetic, Tally>;
+/// construct<arithmetic, Tally>() for what the options ask.
+template <Arithmetic arithmetic, class Construct>
+Tessellation with_tally(const Options& options, Construct construct) {
+    return options.count ? construct.template operator()<arithmetic, filters::Tally>()
+                         : construct.template operator()<arithmetic, filters::NoTally>();
+}
+template <class Construct>
+Tessellation with_arithmetic(const Options& options, Construct construct) {
+    switch (options.arithmetic) {
+        case Arithmetic::naive:
+            return with_tally<Arithmetic::naive>(options, construct);
+        case Arithmetic::multiprecision:
+            return with_tally<Arithmetic::multiprecision>(options, construct);
+        case Arithmetic::exact:
+            break;
+    }
+    return with_tally<Arithmetic::exact>(options, construct);
+}
+
+template <class Kernel>
+Tessellation construct_with_kernel(Metric metric, const StridedSites& input,
+                                   const Options& options) {
+    using S = typename Kernel::SiteType;
     const auto start = std::chrono::steady_clock::now();
     const std::size_t n = input.size();
 
@@ -176,28 +196,16 @@ Tessellation construct(Metric metric, const StridedSites& input, const Options& 
                   std::move(original), std::move(hidden_by));
 }
 
-template <power::PowerSite S, Arithmetic arithmetic>
-Tessellation construct_counting(Metric metric, const StridedSites& input, const Options& options) {
-    return options.count ? construct<S, arithmetic, filters::Tally>(metric, input, options)
-                         : construct<S, arithmetic, filters::NoTally>(metric, input, options);
-}
-
 template <power::PowerSite S>
-Tessellation construct_with_arithmetic(Metric metric, const StridedSites& input,
-                                       const Options& options) {
-    switch (options.arithmetic) {
-        case Arithmetic::naive:
-            return construct_counting<S, Arithmetic::naive>(metric, input, options);
-        case Arithmetic::multiprecision:
-            return construct_counting<S, Arithmetic::multiprecision>(metric, input, options);
-        case Arithmetic::exact:
-            break;
-    }
-    return construct_counting<S, Arithmetic::exact>(metric, input, options);
+Tessellation construct(Metric metric, const StridedSites& input, const Options& options) {
+    return with_arithmetic(options, [&]<Arithmetic arithmetic, class Tally>() {
+        return construct_with_kernel<PowerKernel<S, arithmetic, Tally>>(metric, input, options);
+    });
 }
 
 template <class Kernel>
-Tessellation construct_additive(Metric metric, const StridedSites& input, const Options& options) {
+Tessellation construct_additive_with_kernel(Metric metric, const StridedSites& input,
+                                            const Options& options) {
     const auto start = std::chrono::steady_clock::now();
     const std::size_t n = input.size();
 
@@ -232,22 +240,15 @@ Tessellation construct_additive(Metric metric, const StridedSites& input, const 
                   std::move(topology), std::move(original), std::move(hidden_by));
 }
 
-template <template <additive::Stages> class Predicates, Arithmetic arithmetic>
-Tessellation construct_additive_counting(Metric metric, const StridedSites& input,
-                                         const Options& options) {
+constexpr additive::Stages stages_of(Arithmetic arithmetic) noexcept {
     using additive::Stages;
-    constexpr Stages stages = arithmetic == Arithmetic::exact   ? Stages::exact
-                              : arithmetic == Arithmetic::naive ? Stages::naive
-                                                                : Stages::multiprecision;
-    using Counting = AdditiveKernel<Predicates<stages>, arithmetic, filters::Tally>;
-    using Plain = AdditiveKernel<Predicates<stages>, arithmetic, filters::NoTally>;
-    return options.count ? construct_additive<Counting>(metric, input, options)
-                         : construct_additive<Plain>(metric, input, options);
+    return arithmetic == Arithmetic::exact   ? Stages::exact
+           : arithmetic == Arithmetic::naive ? Stages::naive
+                                             : Stages::multiprecision;
 }
 
 template <template <additive::Stages> class Predicates>
-Tessellation construct_additive_with_arithmetic(Metric metric, const StridedSites& input,
-                                                const Options& options) {
+Tessellation construct_additive(Metric metric, const StridedSites& input, const Options& options) {
     const exact::IeeeEnvironment environment;
     check_input(input);
     if (input.third_is_weight())
@@ -255,18 +256,11 @@ Tessellation construct_additive_with_arithmetic(Metric metric, const StridedSite
                                     " metric have radii, not weights");
     // Of equal radii the Euclidean tessellation is Delaunay's, ties included.
     if (metric == Metric::euclidean && equal_radii(input))
-        return construct_with_arithmetic<Point>(metric, input, options);
-    switch (options.arithmetic) {
-        case Arithmetic::naive:
-            return construct_additive_counting<Predicates, Arithmetic::naive>(metric, input,
-                                                                              options);
-        case Arithmetic::multiprecision:
-            return construct_additive_counting<Predicates, Arithmetic::multiprecision>(
-                metric, input, options);
-        case Arithmetic::exact:
-            break;
-    }
-    return construct_additive_counting<Predicates, Arithmetic::exact>(metric, input, options);
+        return construct<Point>(metric, input, options);
+    return with_arithmetic(options, [&]<Arithmetic arithmetic, class Tally>() {
+        using Kernel = AdditiveKernel<Predicates<stages_of(arithmetic)>, arithmetic, Tally>;
+        return construct_additive_with_kernel<Kernel>(metric, input, options);
+    });
 }
 
 }  // namespace
@@ -278,18 +272,17 @@ std::string_view name_of(Arithmetic arithmetic) noexcept {
 }
 
 Tessellation triangulate(StridedSites sites, Euclidean /*metric*/, const Options& options) {
-    return triangulation::construct_additive_with_arithmetic<euclidean::Perturbed>(
-        Metric::euclidean, sites, options);
+    return triangulation::construct_additive<euclidean::Perturbed>(Metric::euclidean, sites,
+                                                                   options);
 }
 
 Tessellation triangulate(StridedSites sites, Manhattan /*metric*/, const Options& options) {
-    return triangulation::construct_additive_with_arithmetic<manhattan::Perturbed>(
-        Metric::manhattan, sites, options);
+    return triangulation::construct_additive<manhattan::Perturbed>(Metric::manhattan, sites,
+                                                                   options);
 }
 
 Tessellation triangulate(StridedSites sites, Supremum /*metric*/, const Options& options) {
-    return triangulation::construct_additive_with_arithmetic<supremum::Perturbed>(Metric::supremum,
-                                                                                  sites, options);
+    return triangulation::construct_additive<supremum::Perturbed>(Metric::supremum, sites, options);
 }
 
 Tessellation triangulate(StridedSites sites, Power /*metric*/, const Options& options) {
@@ -298,11 +291,9 @@ Tessellation triangulate(StridedSites sites, Power /*metric*/, const Options& op
     // without.
     const exact::IeeeEnvironment environment;
     check_input(sites);
-    if (equal_weights(sites))
-        return construct_with_arithmetic<Point>(Metric::power, sites, options);
-    if (sites.third_is_weight())
-        return construct_with_arithmetic<power::Site>(Metric::power, sites, options);
-    return construct_with_arithmetic<Site>(Metric::power, sites, options);
+    if (equal_weights(sites)) return construct<Point>(Metric::power, sites, options);
+    if (sites.third_is_weight()) return construct<power::Site>(Metric::power, sites, options);
+    return construct<Site>(Metric::power, sites, options);
 }
 
 Tessellation triangulate(StridedSites sites, Metric metric, const Options& options) {

@@ -17,15 +17,6 @@ DiagramVertex no_vertex() noexcept {
 
 namespace {
 
-/// The places of a face's sites among the three, in the tie rule's order.
-std::array<Index, 3> ranks_of(const Face& face, const std::array<const Site*, 3>& sites) noexcept {
-    std::array<Index, 3> ranks{};
-    for (std::size_t a = 0; a < 3; ++a)
-        for (std::size_t b = 0; b < 3; ++b)
-            if (a != b && additive::precedes(*sites[b], face[b], *sites[a], face[a])) ++ranks[a];
-    return ranks;
-}
-
 DiagramVertex vertex_of(const Tessellation& t, const Face& face) {
     const auto site = [&](std::size_t m) -> const Site& {
         return t.sites()[static_cast<std::size_t>(face[m])];
@@ -37,10 +28,11 @@ DiagramVertex vertex_of(const Tessellation& t, const Face& face) {
         case Metric::euclidean:
             return euclidean_vertex(i, j, k);
         case Metric::manhattan:
-            return rectangular_vertex<rectangular::Manhattan>(i, j, k,
-                                                              ranks_of(face, {&i, &j, &k}));
+            return rectangular_vertex<rectangular::Manhattan>(
+                i, j, k, additive::ranks_of<3>({&i, &j, &k}, face));
         case Metric::supremum:
-            return rectangular_vertex<rectangular::Supremum>(i, j, k, ranks_of(face, {&i, &j, &k}));
+            return rectangular_vertex<rectangular::Supremum>(
+                i, j, k, additive::ranks_of<3>({&i, &j, &k}, face));
         case Metric::power:
             break;
     }
