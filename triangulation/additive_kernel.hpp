@@ -60,8 +60,16 @@ class AdditiveKernel {
             site(s), site(k), site(q), site(l), rest,
             {site(s).rank, site(k).rank, site(q).rank, site(l).rank}));
     }
-    /// Whether q conflicts with the vertex of i, j, k. Precondition: exists(i,j,k).
+    /// Whether q conflicts with the vertex of i, j, k. Preconditions: exists(i,j,k), and none of
+    /// them hides q.
     [[nodiscard]] bool conflicts(Index i, Index j, Index k, Index q) noexcept {
+        tally_.count_in_circle();
+        return decide(Predicates::in_circle_of_visible(
+            site(i), site(j), site(k), site(q),
+            {site(i).rank, site(j).rank, site(k).rank, site(q).rank}));
+    }
+    /// The same where q may be hidden, which is no conflict.
+    [[nodiscard]] bool conflicts_if_visible(Index i, Index j, Index k, Index q) noexcept {
         tally_.count_in_circle();
         return decide(
             Predicates::in_circle(site(i), site(j), site(k), site(q),

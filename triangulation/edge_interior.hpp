@@ -36,12 +36,12 @@ class ExtendedKernel {
         if (k == infinite) return true;
         return kernel_.exist_twice(i, j, k);
     }
-    /// Whether q conflicts with the vertex of i, j, k.
+    /// Whether q, which may be hidden, conflicts with the vertex of i, j, k.
     [[nodiscard]] bool conflicts(Index i, Index j, Index k, Index q) {
         if (i == infinite) return kernel_.conflicts_infinite(k, j, q);
         if (j == infinite) return kernel_.conflicts_infinite(i, k, q);
         if (k == infinite) return kernel_.conflicts_infinite(j, i, q);
-        return q != infinite && kernel_.conflicts(i, j, k, q);
+        return q != infinite && kernel_.conflicts_if_visible(i, j, k, q);
     }
 
  private:

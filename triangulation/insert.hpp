@@ -153,15 +153,17 @@ class Insertion {
                 hidden_by_[static_cast<std::size_t>(q)] = nearest;
                 return false;
             }
+            // The likeliest are the faces on both sides of that edge, and the edge itself.
+            if (const Index right = Topology::face(topology_.twin(first)); conflicts(right, q)) {
+                collect(right, q);
+                return true;
+            }
             HalfEdge h = first;
             do {
-                if (conflicts(Topology::face(h), q)) {
-                    collect(Topology::face(h), q);
+                if (const Index left = Topology::face(h); conflicts(left, q)) {
+                    collect(left, q);
                     return true;
                 }
-                h = topology_.around_origin(h);
-            } while (h != first);
-            do {
                 if (ends_within(topology_, kernel_, h, q, false)) {
                     cut(h);
                     return true;
@@ -187,7 +189,8 @@ class Insertion {
         removed_.clear();
         pending_.clear();
         take(start);
-        for (const unsigned k : {2U, 1U, 0U}) look_across(topology_.record(start), k, q);
+        look_across(topology_.record(start), 2, q);
+        look_across(topology_.record(start), 1, 0, q);
         while (!pending_.empty()) {
             const Crossing crossing = pending_.pop();
             const Index f = Topology::face(crossing.outside);
@@ -196,8 +199,7 @@ class Insertion {
                 if (record.mark == in_conflict) continue;
                 take(f);
                 const unsigned k = crossing.outside & 3;
-                look_across(record, k == 0 ? 2 : k - 1, q);
-                look_across(record, k == 2 ? 0 : k + 1, q);
+                look_across(record, k == 0 ? 2 : k - 1, k == 2 ? 0 : k + 1, q);
             } else {
                 boundary_.push({crossing.outside, crossing.from});
             }
@@ -210,11 +212,20 @@ class Insertion {
         removed_.push(f);
     }
 
-    /// Asks the face across an edge of the disc so far. The answer waits until its turn: by then it
-    /// is known, and a branch that was guessed wrong costs little.
+    /// Asks the faces across edges of the disc so far, of two before it looks at either's answer.
+    /// The answers wait until their turn: by then they are known, and a branch that was guessed
+    /// wrong costs little.
     void look_across(const Topology::Record& record, unsigned k, Index q) {
+        push(record, k, conflicts(Topology::face(record.twin[k]), q), q);
+    }
+    void look_across(const Topology::Record& record, unsigned k, unsigned l, Index q) {
+        const bool k_conflicts = conflicts(Topology::face(record.twin[k]), q);
+        const bool l_conflicts = conflicts(Topology::face(record.twin[l]), q);
+        push(record, k, k_conflicts, q);
+        push(record, l, l_conflicts, q);
+    }
+    void push(const Topology::Record& record, unsigned k, bool conflict, Index q) {
         const HalfEdge across = record.twin[k];
-        bool conflict = conflicts(Topology::face(across), q);
         if constexpr (!Kernel::is_straight)
             conflict = conflict && !ends_within(topology_, kernel_, across, q, true);
         pending_.push({across, record.vertex[k], conflict});

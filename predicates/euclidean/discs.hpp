@@ -141,6 +141,19 @@ struct Perturbed {
         return cold::in_circle(stages, i, j, k, q, ranks);
     }
 
+    /// The same where none of i, j, k hides q, which is not asked then.
+    [[nodiscard]] static Decision in_circle_of_visible(const Site& i, const Site& j, const Site& k,
+                                                       const Site& q,
+                                                       const std::array<Index, 4>& ranks) noexcept {
+        if constexpr (is_filtered) {
+            if (same_radius(i, j, k, q)) return in_circle_of_points(i, j, k, q, ranks);
+            const auto verdict = filter::in_circle_of_visible(i, j, k, q);
+            if (verdict.is_certain()) [[likely]]
+                return {verdict.sign(), Stage::filter};
+        }
+        return in_circle(i, j, k, q, ranks);
+    }
+
     /// Whether q conflicts with the vertex at infinity of the hull edge a -> b: a line has first a
     /// and then b on its left and touches both, and q reaches across it. +1 or -1. Precondition:
     /// neither of a and b hides the other.

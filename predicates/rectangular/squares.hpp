@@ -164,6 +164,12 @@ struct Perturbed {
         forms.forget_ties();
         return forms.decide(square.open < 0 ? -1 : meets(forms, square));
     }
+    /// The same where none of i, j, k hides q: what hidden ones do not meet needs no question here.
+    [[nodiscard]] static Decision in_circle_of_visible(const Site& i, const Site& j, const Site& k,
+                                                       const Site& q,
+                                                       const std::array<Index, 4>& ranks) noexcept {
+        return in_circle(i, j, k, q, ranks);
+    }
 
     /// Whether q conflicts with the vertex at infinity of the hull edge a -> b (all other sites on
     /// its left), where it reaches into the quadrant: +1 or -1. Precondition: neither of a and b
