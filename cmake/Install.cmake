@@ -4,7 +4,7 @@ set(package_directory "${CMAKE_INSTALL_LIBDIR}/cmake/signum")
 
 # The headers that a user's program may reach. What only the library's own sources include stays
 # here; tests/structure/consumer.cmake checks that the rest stands alone, without Boost and GMP.
-install(DIRECTORY core exact filters predicates triangulation
+install(DIRECTORY core exact filters predicates triangulation voronoi
         DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/signum"
         FILES_MATCHING PATTERN "*.hpp"
         REGEX "exact/multiprecision\\.hpp$" EXCLUDE

@@ -1,0 +1,344 @@
+#include <signum/voronoi/clip.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace signum {
+namespace {
+
+bool is_finite(Point p) {
+    return std::isfinite(p.x) && std::isfinite(p.y);
+}
+
+Point beyond_measure() {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    return {infinity, infinity};
+}
+
+/// The largest coordinate of a box.
+double extent_of(const Box& box) {
+    return std::max({std::abs(box.x0), std::abs(box.y0), std::abs(box.x1), std::abs(box.y1)});
+}
+
+double area_of(const std::vector<Conic>& loop) {
+    double area = 0;
+    for (const Conic& conic : loop) area += conic.moments(loop.front().from).area;
+    return area;
+}
+
+}  // namespace
+
+Measure measure(const CellShape& shape) {
+    if (shape.unbounded && shape.loops.empty()) {
+        const Point nowhere = beyond_measure();
+        return {nowhere.x, nowhere.x, {nowhere.x - nowhere.x, nowhere.x - nowhere.x}};
+    }
+    Measure sum = {0, 0, {0, 0}};
+    Conic::Moments moments = {0, 0, 0};
+    Point origin = {0, 0};
+    if (!shape.loops.empty()) origin = shape.loops.front().front().from;
+    for (const auto& loop : shape.loops)
+        for (const Conic& conic : loop) {
+            const Conic::Moments of = conic.moments(origin);
+            moments.area += of.area;
+            moments.x += of.x;
+            moments.y += of.y;
+            sum.perimeter += conic.length();
+        }
+    sum.area = moments.area;
+    sum.centroid = {origin.x + moments.x / moments.area, origin.y + moments.y / moments.area};
+    return sum;
+}
+
+Box default_box(std::span<const Site> sites) {
+    Box box = {sites[0].x, sites[0].y, sites[0].x, sites[0].y};
+    for (const Site& s : sites)
+        box = {std::min(box.x0, s.x), std::min(box.y0, s.y), std::max(box.x1, s.x),
+               std::max(box.y1, s.y)};
+    const double longer = std::max(box.x1 / 2 - box.x0 / 2, box.y1 / 2 - box.y0 / 2);
+    const double margin = longer > 0 ? longer / 5 : 1.0;
+    constexpr double largest = std::numeric_limits<double>::max();
+    return {std::max(box.x0 - margin, -largest), std::max(box.y0 - margin, -largest),
+            std::min(box.x1 + margin, largest), std::min(box.y1 + margin, largest)};
+}
+
+ClippedVoronoi::ClippedVoronoi(const Voronoi& voronoi, const Box& box)
+    : voronoi_(voronoi), box_(box), is_bounded_(box != no_box) {
+    if (!(box.x0 < box.x1 && box.y0 < box.y1))
+        throw std::invalid_argument("a box needs x0 < x1 and y0 < y1");
+    if (is_bounded_ && !(is_finite({box.x0, box.y0}) && is_finite({box.x1, box.y1})))
+        throw std::invalid_argument("the corners of a box are to be finite");
+    if (voronoi.exponent() != 0)
+        for (double* side : {&box_.x0, &box_.y0, &box_.x1, &box_.y1})
+            *side = std::ldexp(*side, -voronoi.exponent());
+    const std::size_t edges = voronoi.edges().size();
+    first_run_.reserve(edges + 1);
+    for (std::size_t e = 0; e < edges; ++e) cut(static_cast<Index>(e));
+    first_run_.push_back(runs_.size());
+    // No round share of the sides: on round input such a point lies on an edge.
+    if (is_bounded_)
+        at_point_ = voronoi.tessellation().nearest(
+            {0.6180339 * box.x0 + 0.3819661 * box.x1, 0.4142135 * box.y0 + 0.5857865 * box.y1});
+}
+
+bool ClippedVoronoi::contains(Point p) const noexcept {
+    return box_.x0 < p.x && p.x < box_.x1 && box_.y0 < p.y && p.y < box_.y1;
+}
+
+/// The stretch of the edge without what is certainly far from the box; whether it still begins and
+/// ends where the edge does.
+std::vector<Conic> ClippedVoronoi::pieces_near_box(Index index, bool& from_start,
+                                                   bool& to_end) const {
+    const Point focus = {box_.x0 / 2 + box_.x1 / 2, box_.y0 / 2 + box_.y1 / 2};
+    auto edge = is_bounded_ ? voronoi_.geometry(index, focus) : voronoi_.geometry(index);
+    if (!edge) return {};
+    from_start = is_finite(edge->start);
+    to_end = is_finite(edge->end);
+    if (is_bounded_) {
+        const Point origin = std::visit(
+            [](const auto& curve) {
+                if constexpr (std::is_same_v<std::decay_t<decltype(curve)>, StraightCurve>)
+                    return curve.origin;
+                else
+                    return curve.middle;
+            },
+            edge->curve);
+        const double reach =
+            std::hypot(std::max(std::abs(box_.x0 - origin.x), std::abs(box_.x1 - origin.x)),
+                       std::max(std::abs(box_.y0 - origin.y), std::abs(box_.y1 - origin.y)));
+        const double limit =
+            1.01 * std::visit([&](const auto& curve) { return curve.beyond(reach); }, edge->curve);
+        const auto clamp = [&](double& parameter, Point& point, bool& is_end) {
+            if (-limit <= parameter && parameter <= limit) return;
+            parameter = std::clamp(parameter, -limit, limit);
+            point = std::visit([&](const auto& curve) { return curve.at(parameter); }, edge->curve);
+            is_end = false;
+        };
+        clamp(edge->from, edge->start, from_start);
+        clamp(edge->to, edge->end, to_end);
+    }
+    if (!is_finite(edge->start) || !is_finite(edge->end)) return {};
+    if (!(edge->from < edge->to)) {
+        // An edge so short that rounding took its direction still joins its ends.
+        if (!from_start || !to_end || edge->start == edge->end) return {};
+        return {Conic::straight(edge->start, edge->end)};
+    }
+    return stretch(edge->curve, edge->from, edge->start, edge->to, edge->end);
+}
+
+void ClippedVoronoi::cut(Index index) {
+    first_run_.push_back(runs_.size());
+    bool from_start = false;
+    bool to_end = false;
+    const std::vector<Conic> pieces = pieces_near_box(index, from_start, to_end);
+    bool continues = false;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const std::vector<Inside> parts =
+            is_bounded_ ? parts_inside(pieces[i], box_) : std::vector<Inside>{{0, 1}};
+        if (parts.empty() || parts.front().first > 0) continues = false;
+        for (const Inside& inside : parts) {
+            Conic part = pieces[i].part(inside.first, inside.last);
+            const bool at_start = inside.first == 0 && contains(part.from);
+            const bool at_end = inside.last == 1 && contains(part.to);
+            if (!at_start && is_bounded_) part.from = on_border(part.from);
+            if (!at_end && is_bounded_) part.to = on_border(part.to);
+            if (part.is_straight()) part = Conic::straight(part.from, part.to);
+            if (!continues || !at_start)
+                runs_.push_back({conics_.size(), 0, i == 0 && at_start && from_start, false});
+            conics_.push_back(part);
+            runs_.back().last = conics_.size();
+            runs_.back().ends_at_vertex = i + 1 == pieces.size() && at_end && to_end;
+            continues = at_end;
+        }
+    }
+}
+
+Conic ClippedVoronoi::in_plane(const Conic& conic) const noexcept {
+    const int exponent = voronoi_.exponent();
+    if (exponent == 0) return conic;
+    const auto multiplied = [exponent](Point p) -> Point {
+        return {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)};
+    };
+    return {multiplied(conic.from), multiplied(conic.control), multiplied(conic.to), conic.weight};
+}
+
+std::vector<Conic> ClippedVoronoi::edge(Index index) const {
+    std::vector<Conic> parts;
+    const auto e = static_cast<std::size_t>(index);
+    for (std::size_t r = first_run_[e]; r < first_run_[e + 1]; ++r)
+        for (std::size_t i = runs_[r].first; i < runs_[r].last; ++i)
+            parts.push_back(in_plane(conics_[i]));
+    return parts;
+}
+
+/// The point of the border next to p.
+Point ClippedVoronoi::on_border(Point p) const noexcept {
+    p = {std::clamp(p.x, box_.x0, box_.x1), std::clamp(p.y, box_.y0, box_.y1)};
+    const double distances[] = {p.y - box_.y0, box_.x1 - p.x, box_.y1 - p.y, p.x - box_.x0};
+    const auto side = std::min_element(std::begin(distances), std::end(distances)) - distances;
+    switch (side) {
+        case 0:
+            return {p.x, box_.y0};
+        case 1:
+            return {box_.x1, p.y};
+        case 2:
+            return {p.x, box_.y1};
+        default:
+            return {box_.x0, p.y};
+    }
+}
+
+/// How far around the border, counterclockwise from the lower left corner, in sides: 0 to 4.
+double ClippedVoronoi::position(Point p) const noexcept {
+    const double width = box_.x1 - box_.x0;
+    const double height = box_.y1 - box_.y0;
+    if (p.y == box_.y0) return (p.x - box_.x0) / width;
+    if (p.x == box_.x1) return 1 + (p.y - box_.y0) / height;
+    if (p.y == box_.y1) return 2 + (box_.x1 - p.x) / width;
+    return 3 + (box_.y1 - p.y) / height;
+}
+
+/// Leads a loop that ends on the border counterclockwise on to another point of it; all around and
+/// over its own end where asked.
+void ClippedVoronoi::follow_border(Loop& loop, double to, Point end, bool all_around) const {
+    const Point corners[] = {
+        {box_.x1, box_.y0}, {box_.x1, box_.y1}, {box_.x0, box_.y1}, {box_.x0, box_.y0}};
+    const auto line_to = [&](Point next) {
+        if (loop.back().to != next) loop.push_back(Conic::straight(loop.back().to, next));
+    };
+    const double from = position(loop.back().to);
+    int side = std::min(static_cast<int>(from), 3);
+    const int last = std::min(static_cast<int>(to), 3);
+    int sides = (last - side + 4) % 4;
+    if (sides == 0 && (all_around || to < from)) sides = 4;
+    for (; sides > 0; --sides) {
+        line_to(corners[side]);
+        side = (side + 1) % 4;
+    }
+    line_to(end);
+}
+
+/// Closes chains of conics from border to border along the border. Behind the end of one the cell
+/// lies along the border up to the next start.
+std::vector<ClippedVoronoi::Loop> ClippedVoronoi::closed(std::vector<Loop> open, Index site) const {
+    std::vector<Loop> loops;
+    const double tolerance =
+        1e-13 + 1e-13 * extent_of(box_) / std::min(box_.x1 - box_.x0, box_.y1 - box_.y0);
+    const auto ahead = [&](Point from, Point to) {
+        double distance = position(to) - position(from);
+        if (distance < 0) distance += 4;
+        // Behind it by no more than rounding is where it is.
+        return distance > 4 - tolerance ? 0.0 : distance;
+    };
+    const double speck = 1e-13 * extent_of(box_) * extent_of(box_);
+    while (!open.empty()) {
+        Loop loop = std::move(open.back());
+        open.pop_back();
+        for (;;) {
+            const Point end = loop.back().to;
+            const Point start = loop.front().from;
+            double least = ahead(end, start);
+            auto next = open.end();
+            for (auto chain = open.begin(); chain != open.end(); ++chain)
+                if (const double distance = ahead(end, chain->front().from); distance < least) {
+                    least = distance;
+                    next = chain;
+                }
+            const Point target = next == open.end() ? start : next->front().from;
+            if (least > 0)
+                follow_border(loop, position(target), target, false);
+            else if (end != target)
+                loop.push_back(Conic::straight(end, target));
+            if (next == open.end()) {
+                // A chain that ends where it began cuts a sliver out of the box, or a spike without
+                // width enters it: is the cell the inside, or all the rest?
+                const double area = least == 0 ? area_of(loop) : 1.0;
+                if (area < -speck || (least == 0 && area <= speck && site == at_point_))
+                    follow_border(loop, position(target), target, true);
+                loops.push_back(std::move(loop));
+                break;
+            }
+            loop.insert(loop.end(), next->begin(), next->end());
+            open.erase(next);
+        }
+    }
+    return loops;
+}
+
+bool ClippedVoronoi::is_speck(const Loop& chain) const noexcept {
+    const double size = 1e-13 * extent_of(box_);
+    const Point first = chain.front().from;
+    return std::ranges::all_of(chain, [&](const Conic& conic) {
+        return std::hypot(conic.control.x - first.x, conic.control.y - first.y) <= size &&
+               std::hypot(conic.to.x - first.x, conic.to.y - first.y) <= size;
+    });
+}
+
+CellShape ClippedVoronoi::cell(Index site) const {
+    CellShape shape;
+    shape.site = site;
+    shape.unbounded = voronoi_.is_unbounded(site);
+    if (!is_bounded_ && shape.unbounded) return shape;
+    std::vector<Loop> chains;
+    bool first_begins_at_vertex = false;
+    bool continues = false;  // the last chain ends at a vertex inside the box
+    for (const VoronoiStep& step : voronoi_.cell(site)) {
+        const auto e = static_cast<std::size_t>(step.edge);
+        const std::size_t count = first_run_[e + 1] - first_run_[e];
+        for (std::size_t i = 0; i < count; ++i) {
+            const Run& run = runs_[step.forward ? first_run_[e] + i : first_run_[e + 1] - 1 - i];
+            const bool begins = step.forward ? run.begins_at_vertex : run.ends_at_vertex;
+            if (!begins || !continues) {
+                if (chains.empty()) first_begins_at_vertex = begins;
+                chains.emplace_back();
+            }
+            Loop& chain = chains.back();
+            if (step.forward)
+                chain.insert(chain.end(), conics_.begin() + static_cast<std::ptrdiff_t>(run.first),
+                             conics_.begin() + static_cast<std::ptrdiff_t>(run.last));
+            else
+                for (std::size_t c = run.last; c-- > run.first;)
+                    chain.push_back(conics_[c].reversed());
+            continues = step.forward ? run.ends_at_vertex : run.begins_at_vertex;
+        }
+    }
+    if (continues && first_begins_at_vertex) {
+        if (chains.size() == 1) {
+            shape.loops.push_back(std::move(chains.front()));
+            chains.clear();
+        } else {
+            chains.back().insert(chains.back().end(), chains.front().begin(), chains.front().end());
+            chains.erase(chains.begin());
+        }
+    }
+    // Where an edge passes by a corner of the box, rounding may leave a speck of it inside.
+    std::erase_if(chains, [this](const Loop& chain) { return is_speck(chain); });
+    if (!chains.empty()) {
+        shape.clipped = true;
+        // What ends inside by rounding ends at the border.
+        for (Loop& chain : chains) {
+            const auto line = [](Point from, Point to) { return Conic::straight(from, to); };
+            if (contains(chain.front().from))
+                chain.insert(chain.begin(),
+                             line(on_border(chain.front().from), chain.front().from));
+            if (contains(chain.back().to))
+                chain.push_back(line(chain.back().to, on_border(chain.back().to)));
+        }
+        shape.loops = closed(std::move(chains), site);
+    }
+    // A cell without an edge in the box has all of it or nothing.
+    if (shape.loops.empty() && is_bounded_ && site == at_point_) {
+        shape.clipped = true;
+        const Point corner = {box_.x0, box_.y0};
+        Loop& border = shape.loops.emplace_back(Loop{Conic::straight(corner, corner)});
+        follow_border(border, 0, corner, true);
+        border.erase(border.begin());
+    }
+    for (Loop& loop : shape.loops)
+        for (Conic& conic : loop) conic = in_plane(conic);
+    return shape;
+}
+
+}  // namespace signum

@@ -1,0 +1,86 @@
+#pragma once
+/// The part of a diagram that lies in a box, and the cells' shapes there.
+///
+/// Laws:
+///  1. The shapes of all cells tile the box: each edge is cut once, and both its cells get the same
+///     parts of it.
+///  2. A shape is a set of loops, counterclockwise, of edges' parts and pieces of the box's border.
+///     More than one loop stands where the box cuts a cell in pieces.
+///  3. Without a box the shapes are those of the bounded cells; the others have none.
+
+#include <limits>
+#include <span>
+#include <vector>
+
+#include <signum/voronoi/voronoi.hpp>
+
+namespace signum {
+
+/// The whole plane.
+inline constexpr Box no_box = {
+    -std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
+    std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+
+struct CellShape {
+    Index site = 0;
+    bool unbounded = false;  ///< the cell itself, not the shape
+    bool clipped = false;    ///< whether a piece of the border is among the loops
+    std::vector<std::vector<Conic>> loops;
+};
+
+/// Of a shape: infinite numbers where the cell is unbounded and there is no box, NaN for the
+/// centroid of nothing. Areas beyond a double's range are infinite, too.
+struct Measure {
+    double area;
+    double perimeter;
+    Point centroid;
+};
+[[nodiscard]] Measure measure(const CellShape& shape);
+
+/// The smallest box around all centres, wider by a tenth of its longer side on each side, and by 1
+/// where all centres are the same. Precondition: there are sites.
+[[nodiscard]] Box default_box(std::span<const Site> sites);
+
+class ClippedVoronoi {
+ public:
+    /// The diagram is not copied. Throws std::invalid_argument unless x0 < x1 and y0 < y1. O(n).
+    explicit ClippedVoronoi(const Voronoi& voronoi, const Box& box = no_box);
+
+    [[nodiscard]] const Voronoi& voronoi() const noexcept { return voronoi_; }
+    /// The parts of an edge in the box, in its direction, each the continuation of the one before
+    /// or behind a gap.
+    [[nodiscard]] std::vector<Conic> edge(Index edge) const;
+    /// A visible site's cell. O(its edges).
+    [[nodiscard]] CellShape cell(Index site) const;
+
+ private:
+    /// Parts of one edge that follow each other without a gap.
+    struct Run {
+        std::size_t first;
+        std::size_t last;
+        bool begins_at_vertex;  ///< of the edge, inside the box
+        bool ends_at_vertex;
+    };
+    using Loop = std::vector<Conic>;
+
+    void cut(Index edge);
+    [[nodiscard]] std::vector<Conic> pieces_near_box(Index edge, bool& from_start,
+                                                     bool& to_end) const;
+    [[nodiscard]] bool contains(Point p) const noexcept;
+    [[nodiscard]] Point on_border(Point p) const noexcept;
+    [[nodiscard]] double position(Point p) const noexcept;
+    void follow_border(Loop& loop, double to, Point end, bool all_around) const;
+    [[nodiscard]] std::vector<Loop> closed(std::vector<Loop> open, Index site) const;
+    [[nodiscard]] bool is_speck(const Loop& chain) const noexcept;
+    [[nodiscard]] Conic in_plane(const Conic& conic) const noexcept;
+
+    const Voronoi& voronoi_;
+    Box box_;  ///< divided by 2^exponent, as all that is stored here
+    bool is_bounded_;
+    std::vector<Conic> conics_;
+    std::vector<Run> runs_;
+    std::vector<std::size_t> first_run_;
+    Index at_point_ = -1;  ///< the site whose cell contains some point of the box
+};
+
+}  // namespace signum

@@ -1,0 +1,195 @@
+#include <signum/voronoi/curve.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <signum/triangulation/touched_sides.hpp>
+
+namespace signum {
+namespace {
+
+double dot(Point a, Point b) noexcept {
+    return a.x * b.x + a.y * b.y;
+}
+Point minus(Point a, Point b) noexcept {
+    return {a.x - b.x, a.y - b.y};
+}
+/// a + times b.
+Point plus(Point a, Point b, double times) noexcept {
+    return {a.x + times * b.x, a.y + times * b.y};
+}
+Point turned_left(Point p) noexcept {
+    return {-p.y, p.x};
+}
+
+/// The points with |x - a|² - w(a) = |x - b|² - w(b), for the excess w(a) - w(b).
+std::optional<Curve> straight_bisector(const Site& a, const Site& b, double excess, Point focus) {
+    const Point to_b = {b.x - a.x, b.y - a.y};
+    const double distance = std::hypot(to_b.x, to_b.y);
+    const Point right = {to_b.x / distance, to_b.y / distance};
+    // The difference of both sides at the focus, which grows by twice the distance per unit.
+    const Point from_a = {focus.x - a.x, focus.y - a.y};
+    const Point from_b = {focus.x - b.x, focus.y - b.y};
+    const double along = dot(right, from_a) + dot(right, from_b);
+    const Point origin = plus(focus, right, excess / distance / 2 - along / 2);
+    if (!std::isfinite(origin.x + origin.y + right.x + right.y)) return std::nullopt;
+    return StraightCurve{origin, right, turned_left(right)};
+}
+
+std::optional<Curve> hyperbola(const Site& a, const Site& b) {
+    const Point to_b = {b.x - a.x, b.y - a.y};
+    const double distance = std::hypot(to_b.x, to_b.y);
+    const Point forward = {to_b.x / distance, to_b.y / distance};
+    const double slant = std::clamp((a.r - b.r) / distance, -1.0, 1.0);
+    if (!std::isfinite(forward.x + forward.y + slant)) return std::nullopt;
+    return HyperbolaCurve{plus({a.x, a.y}, to_b, 0.5), forward, turned_left(forward),
+                          slant * (distance / 2),
+                          std::sqrt((1 - slant) * (1 + slant)) * (distance / 2)};
+}
+
+/// Towards the right, top, left and bottom side of a square or diamond.
+using Directions = std::array<Point, 4>;
+constexpr Directions square_sides = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
+constexpr Directions diamond_sides = {{{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
+
+/// The centres of the squares that touch a and b: while a touches the left side and b the right
+/// one, a line upwards, and beyond it, where the one that is in the way above or below holds the
+/// corner of growing squares, a diagonal ray on either side. "Right" is the direction from a to b
+/// in which they lie farther apart.
+StraightCurve rectangular_bisector(Metric metric, const Site& a, const Site& b,
+                                   const std::array<bool, 4>& b_touches) {
+    const Directions& directions = metric == Metric::supremum ? square_sides : diamond_sides;
+    const auto at = [](int side) { return static_cast<std::size_t>(side & 3); };
+    const auto direction = [&](int side) { return directions[at(side)]; };
+
+    const Point to_b = {b.x - a.x, b.y - a.y};
+    double farthest = -1.0;
+    int right = 0;
+    for (int side = 0; side < 4; ++side)
+        if (b_touches[at(side)] && !b_touches[at(side + 2)] &&
+            dot(direction(side), to_b) > farthest) {
+            farthest = dot(direction(side), to_b);
+            right = side;
+        }
+
+    // The forms relative to a, whose own are 0: only differences of radii count.
+    const double r_b = b.r - a.r;
+    const auto form = [&](int side) {
+        return b_touches[at(side)] ? dot(direction(side), to_b) - r_b : 0.0;
+    };
+    const double rho = form(right) / 2;  // of the squares that a and b touch left and right
+    const double lowest = form(right + 1) - rho;
+    const double highest = std::max(lowest, rho - form(right + 3));
+    return {{a.x, a.y},
+            direction(right),
+            direction(right + 1),
+            {lowest, highest},
+            rho,
+            {b_touches[at(right + 1)] ? 1.0 : -1.0, b_touches[at(right + 3)] ? 1.0 : -1.0}};
+}
+
+/// Half the range of the parameter of an arc: its weight is at most cosh 3, about 10.
+constexpr double widest_arc = 3.0;
+
+void append(const HyperbolaCurve& curve, double from, Point start, double to, Point end,
+            std::vector<Conic>& pieces) {
+    const double range = to - from;
+    const int count = std::max(1, static_cast<int>(std::ceil(range / (2 * widest_arc))));
+    for (int i = 0; i < count; ++i) {
+        const double first = from + range * i / count;
+        const double last = i + 1 < count ? from + range * (i + 1) / count : to;
+        const Point next = i + 1 < count ? curve.at(last) : end;
+        const double weight = std::cosh((last - first) / 2);
+        // Where the tangents meet: on the line from the middle of the hyperbola to the middle of
+        // the arc.
+        const double middle = first + (last - first) / 2;
+        const Point control =
+            plus(plus(curve.middle, curve.forward, curve.a * std::cosh(middle) / weight),
+                 curve.upward, curve.b * std::sinh(middle) / weight);
+        pieces.push_back(weight > 1 ? Conic{start, control, next, weight}
+                                    : Conic::straight(start, next));
+        start = next;
+    }
+}
+
+void append(const StraightCurve& curve, double from, Point start, double to, Point end,
+            std::vector<Conic>& pieces) {
+    const auto line_to = [&](Point next) {
+        if (start != next) pieces.push_back(Conic::straight(start, next));
+        start = next;
+    };
+    if (curve.slopes[0] != 0 || curve.slopes[1] != 0)
+        for (const double knot : curve.knots)
+            if (from < knot && knot < to) line_to(curve.at(knot));
+    line_to(end);
+}
+
+}  // namespace
+
+Point StraightCurve::at(double t) const noexcept {
+    double aside = shift;
+    if (t < knots[0]) aside += slopes[0] * (knots[0] - t);
+    if (t > knots[1]) aside += slopes[1] * (t - knots[1]);
+    const double square = dot(upward, upward);
+    return plus(plus(origin, right, aside / square), upward, t / square);
+}
+
+double StraightCurve::parameter(Point p) const noexcept {
+    return dot(upward, minus(p, origin));
+}
+
+double StraightCurve::beyond(double reach) const noexcept {
+    // A direction is at most √2 long.
+    return 2 * reach;
+}
+
+Point HyperbolaCurve::at(double t) const noexcept {
+    return plus(plus(middle, forward, a * std::cosh(t)), upward, b * std::sinh(t));
+}
+
+double HyperbolaCurve::parameter(Point p) const noexcept {
+    const Point from_middle = minus(p, middle);
+    const double cosh = dot(from_middle, forward) / a;
+    const double sinh = dot(from_middle, upward) / b;
+    // The coordinate that changes faster tells the parameter better.
+    const bool by_cosh = std::isfinite(cosh) && cosh > 1 &&
+                         std::abs(a) * std::sqrt((cosh - 1) * (cosh + 1)) > b * cosh;
+    return by_cosh ? std::copysign(std::acosh(cosh), sinh) : std::asinh(sinh);
+}
+
+double HyperbolaCurve::beyond(double reach) const noexcept {
+    return std::asinh(reach / std::hypot(a, b));
+}
+
+std::optional<Curve> bisector(Metric metric, WeightIs weight_is, const NumberedSite& first,
+                              const NumberedSite& second, int exponent, Point focus) {
+    const auto divided = [exponent](const Site& s) -> Site {
+        return {std::ldexp(s.x, -exponent), std::ldexp(s.y, -exponent), std::ldexp(s.r, -exponent)};
+    };
+    const Site a = divided(first.site);
+    const Site b = divided(second.site);
+    switch (metric) {
+        case Metric::euclidean:
+            if (first.site.r == second.site.r) return straight_bisector(a, b, 0, focus);
+            return hyperbola(a, b);
+        case Metric::manhattan:
+        case Metric::supremum:
+            return rectangular_bisector(metric, a, b,
+                                        sides_touched_by_second(metric, first.site, first.index,
+                                                                second.site, second.index));
+        case Metric::power:
+            break;
+    }
+    if (weight_is == WeightIs::weight)
+        return straight_bisector(a, b, std::ldexp(a.r - b.r, -exponent), focus);
+    return straight_bisector(a, b, (a.r - b.r) * (a.r + b.r), focus);
+}
+
+std::vector<Conic> stretch(const Curve& curve, double from, Point start, double to, Point end) {
+    std::vector<Conic> pieces;
+    if (from < to)
+        std::visit([&](const auto& of) { append(of, from, start, to, end, pieces); }, curve);
+    return pieces;
+}
+
+}  // namespace signum

@@ -1,0 +1,312 @@
+#include <signum/voronoi/voronoi.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include <signum/predicates/additive.hpp>
+#include <signum/predicates/euclidean.hpp>
+#include <signum/predicates/manhattan.hpp>
+#include <signum/predicates/power.hpp>
+#include <signum/predicates/supremum.hpp>
+
+namespace signum {
+namespace {
+
+constexpr double unbounded = std::numeric_limits<double>::infinity();
+
+bool is_finite(const DiagramVertex& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y);
+}
+bool is_finite(Point p) {
+    return std::isfinite(p.x) && std::isfinite(p.y);
+}
+
+/// Whether q touches the circle of a face, exactly.
+bool touches(const Tessellation& t, const Face& face, Index q_index) {
+    const auto site = [&](Index m) -> const Site& {
+        return t.sites()[static_cast<std::size_t>(m)];
+    };
+    const Site& i = site(face[0]);
+    const Site& j = site(face[1]);
+    const Site& k = site(face[2]);
+    const Site& q = site(q_index);
+    const auto ranks = [&] {
+        return additive::ranks_of<4>({&i, &j, &k, &q}, {face[0], face[1], face[2], q_index});
+    };
+    switch (t.metric()) {
+        case Metric::euclidean:
+            return euclidean::in_circle_decision(i, j, k, q, ranks()).sign == 0;
+        case Metric::manhattan:
+            return rectangular::in_circle_decision<rectangular::Manhattan>(i, j, k, q, ranks())
+                       .sign == 0;
+        case Metric::supremum:
+            return rectangular::in_circle_decision<rectangular::Supremum>(i, j, k, q, ranks())
+                       .sign == 0;
+        case Metric::power:
+            break;
+    }
+    if (t.weight_is() == WeightIs::radius) return power::in_circle_decision(i, j, k, q).sign == 0;
+    const auto weighted = [](const Site& s) { return power::Site{s.x, s.y, s.r}; };
+    return power::in_circle_decision(weighted(i), weighted(j), weighted(k), weighted(q)).sign == 0;
+}
+
+/// The corner of face g that lies across from face f over the edge a -> b of f.
+std::size_t corner_across(const Tessellation& t, std::size_t g, Index f, Index a, Index b) {
+    for (std::size_t k = 0; k < 3; ++k)
+        if (t.neighbours()[g][k] == f && t.faces()[g][(k + 1) % 3] == b &&
+            t.faces()[g][(k + 2) % 3] == a)
+            return k;
+    return 3;
+}
+
+}  // namespace
+
+std::string_view name_of(EdgeKind kind) noexcept {
+    constexpr std::string_view names[] = {"point", "segment",  "ray",
+                                          "line",  "polyline", "hyperbola"};
+    return names[static_cast<int>(kind)];
+}
+
+Voronoi::Voronoi(Tessellation tessellation, const VoronoiOptions& options)
+    : tessellation_(std::move(tessellation)), hidden_(tessellation_.sites().size(), false) {
+    for (const Hidden& hidden : tessellation_.hidden())
+        hidden_[static_cast<std::size_t>(hidden.site)] = true;
+    // Products of up to four lengths are to stay within a double's range.
+    double largest = 0;
+    for (const Site& s : tessellation_.sites()) {
+        largest = std::max({largest, std::abs(s.x), std::abs(s.y)});
+        if (tessellation_.weight_is() == WeightIs::radius)
+            largest = std::max(largest, std::abs(s.r));
+    }
+    if (largest > 0 && std::abs(std::ilogb(largest)) > 200) exponent_ = std::ilogb(largest);
+    number_vertices(options.merge);
+    number_edges();
+    collect_cells();
+}
+
+void Voronoi::number_vertices(bool merge) {
+    const auto faces = tessellation_.faces();
+    const std::vector<DiagramVertex> of_face = signum::vertices(tessellation_);
+    // The first face of those that share a vertex stands for them.
+    std::vector<Index> first(faces.size());
+    std::iota(first.begin(), first.end(), 0);
+    const auto root = [&](Index f) {
+        while (first[static_cast<std::size_t>(f)] != f) {
+            Index& above = first[static_cast<std::size_t>(f)];
+            above = first[static_cast<std::size_t>(above)];
+            f = above;
+        }
+        return f;
+    };
+    for (std::size_t f = 0; merge && f < faces.size(); ++f) {
+        if (!is_finite(of_face[f])) continue;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto g = static_cast<std::size_t>(tessellation_.neighbours()[f][k]);
+            if (g < f || !is_finite(of_face[g])) continue;
+            const std::size_t across = corner_across(tessellation_, g, static_cast<Index>(f),
+                                                     faces[f][(k + 1) % 3], faces[f][(k + 2) % 3]);
+            // Where many squares touch, those of two faces may differ.
+            const bool same = of_face[f].x == of_face[g].x && of_face[f].y == of_face[g].y &&
+                              touches(tessellation_, faces[f], faces[g][across]);
+            if (!same) continue;
+            const Index one = root(static_cast<Index>(f));
+            const Index other = root(static_cast<Index>(g));
+            first[static_cast<std::size_t>(std::max(one, other))] = std::min(one, other);
+        }
+    }
+    vertex_of_face_.assign(faces.size(), at_infinity);
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+        if (!is_finite(of_face[f])) continue;
+        const auto of = static_cast<std::size_t>(root(static_cast<Index>(f)));
+        if (of == f) {
+            vertex_of_face_[f] = static_cast<Index>(vertices_.size());
+            vertices_.push_back(of_face[f]);
+        } else {
+            vertex_of_face_[f] = vertex_of_face_[of];
+        }
+    }
+}
+
+void Voronoi::number_edges() {
+    const auto faces = tessellation_.faces();
+    edge_of_.assign(3 * faces.size(), -1);
+    for (std::size_t f = 0; f < faces.size(); ++f)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto g = static_cast<std::size_t>(tessellation_.neighbours()[f][k]);
+            const Index a = faces[f][(k + 1) % 3];
+            const Index b = faces[f][(k + 2) % 3];
+            if (g < f || a == infinite || b == infinite) continue;
+            const std::size_t across = corner_across(tessellation_, g, static_cast<Index>(f), a, b);
+            edge_of_[3 * f + k] = edge_of_[3 * g + across] = static_cast<Index>(edges_.size());
+            // f lies on the left of a -> b, so that the edge, with a on its left, leads to it.
+            edges_.push_back({a, b, vertex_of_face_[g], vertex_of_face_[f], static_cast<Index>(g),
+                              static_cast<Index>(f)});
+        }
+}
+
+void Voronoi::collect_cells() {
+    const auto faces = tessellation_.faces();
+    const std::size_t sites = tessellation_.sites().size();
+    first_step_.assign(sites + 1, 0);
+    for (const VoronoiEdge& edge : edges_)
+        for (const Index site : {edge.left, edge.right})
+            ++first_step_[static_cast<std::size_t>(site) + 1];
+    std::partial_sum(first_step_.begin(), first_step_.end(), first_step_.begin());
+    steps_.resize(first_step_[sites]);
+
+    // Around each site from its first face, or the one at which infinity ends.
+    std::vector<Index> start(sites, -1);
+    for (std::size_t f = 0; f < faces.size(); ++f)
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (faces[f][k] == infinite) continue;
+            Index& of = start[static_cast<std::size_t>(faces[f][k])];
+            if (of < 0 || faces[f][(k + 2) % 3] == infinite) of = static_cast<Index>(f);
+        }
+    for (std::size_t site = 0; site < sites; ++site) {
+        std::size_t step = first_step_[site];
+        Index f = start[site];
+        if (f < 0) continue;
+        do {
+            const Face& face = faces[static_cast<std::size_t>(f)];
+            std::size_t k = 0;
+            while (face[k] != static_cast<Index>(site)) ++k;
+            // The next face counterclockwise lies across from the corner behind the site.
+            const std::size_t corner = (k + 1) % 3;
+            const Index edge = edge_of_[3 * static_cast<std::size_t>(f) + corner];
+            if (edge >= 0)
+                steps_[step++] = {
+                    edge, edges_[static_cast<std::size_t>(edge)].left == static_cast<Index>(site)};
+            f = tessellation_.neighbours()[static_cast<std::size_t>(f)][corner];
+        } while (f != start[site]);
+    }
+}
+
+bool Voronoi::is_unbounded(Index site) const noexcept {
+    if (is_hidden(site)) return false;
+    const auto steps = cell(site);
+    // Alone it has all the plane.
+    return steps.empty() || std::ranges::any_of(steps, [&](const VoronoiStep& step) {
+               const VoronoiEdge& edge = edges_[static_cast<std::size_t>(step.edge)];
+               return edge.from == at_infinity || edge.to == at_infinity;
+           });
+}
+
+namespace {
+
+double dot(Point a, Point b) {
+    return a.x * b.x + a.y * b.y;
+}
+Point minus(Point a, Point b) {
+    return {a.x - b.x, a.y - b.y};
+}
+
+/// The end of the bisector of discs a and b at which a third one touches their common tangent line,
+/// too.
+double end_on_tangent(const Curve& curve, const Site& a, const Site& apex) {
+    Point forward = {1, 0};
+    Point upward = {0, 1};
+    double slant = 0;
+    double steepness = 1;
+    if (const auto* hyperbola = std::get_if<HyperbolaCurve>(&curve)) {
+        const double half = std::hypot(hyperbola->a, hyperbola->b);
+        forward = hyperbola->forward;
+        upward = hyperbola->upward;
+        slant = hyperbola->a / half;
+        steepness = hyperbola->b / half;
+    } else {
+        upward = std::get<StraightCurve>(curve).upward;
+    }
+    const Point to_apex = minus({apex.x, apex.y}, {a.x, a.y});
+    const double excess = slant * dot(to_apex, forward) - (a.r - apex.r);
+    const double rise = steepness * dot(to_apex, upward);
+    return std::abs(excess + rise) < std::abs(excess - rise) ? unbounded : -unbounded;
+}
+
+/// The end of the line of equal power of a and b beyond which a third site is nearer, or up to
+/// which it is: where the two cross beyond the doubles.
+double end_of_power(const StraightCurve& line, double weight_a, const Site& a, double weight_apex,
+                    const Site& apex) {
+    const Point to_apex = minus({apex.x, apex.y}, {a.x, a.y});
+    const Point from_both = {(line.origin.x - a.x) + (line.origin.x - apex.x),
+                             (line.origin.y - a.y) + (line.origin.y - apex.y)};
+    // The apex' power minus a's at the origin, and how fast it falls.
+    const double difference = -dot(to_apex, from_both) - (weight_apex - weight_a);
+    return (difference > 0) == (dot(line.upward, to_apex) > 0) ? unbounded : -unbounded;
+}
+
+EdgeKind kind_of(const EdgeGeometry& g, const VoronoiEdge& edge) {
+    if (edge.from == edge.to && edge.from != at_infinity) return EdgeKind::point;
+    if (!(g.from < g.to)) return EdgeKind::point;
+    if (std::holds_alternative<HyperbolaCurve>(g.curve)) return EdgeKind::hyperbola;
+    const auto& straight = std::get<StraightCurve>(g.curve);
+    if (straight.slopes[0] != 0 || straight.slopes[1] != 0)
+        for (const double knot : straight.knots)
+            if (g.from < knot && knot < g.to) return EdgeKind::polyline;
+    const bool begins = std::isfinite(g.from);
+    const bool ends = std::isfinite(g.to);
+    return begins && ends ? EdgeKind::segment : begins || ends ? EdgeKind::ray : EdgeKind::line;
+}
+
+}  // namespace
+
+std::optional<EdgeGeometry> Voronoi::geometry(Index index, std::optional<Point> focus) const {
+    const VoronoiEdge& edge = edges_[static_cast<std::size_t>(index)];
+    const auto site = [&](Index i) -> const Site& {
+        return tessellation_.sites()[static_cast<std::size_t>(i)];
+    };
+    const auto divided = [this](Point p) -> Point {
+        return {std::ldexp(p.x, -exponent_), std::ldexp(p.y, -exponent_)};
+    };
+    const auto divided_site = [&](const Site& s) -> Site {
+        const Point p = divided({s.x, s.y});
+        return {p.x, p.y, std::ldexp(s.r, -exponent_)};
+    };
+    const auto vertex = [&](Index v) -> Point {
+        if (v == at_infinity) return {unbounded, unbounded};
+        const DiagramVertex& at = vertices_[static_cast<std::size_t>(v)];
+        return divided({at.x, at.y});
+    };
+    const Point start = vertex(edge.from);
+    const Point end = vertex(edge.to);
+    const Site& a = site(edge.left);
+    const Site& b = site(edge.right);
+    if (!focus) focus = is_finite(start) ? start : is_finite(end) ? end : divided({a.x, a.y});
+
+    const auto curve = bisector(tessellation_.metric(), tessellation_.weight_is(), {a, edge.left},
+                                {b, edge.right}, exponent_, *focus);
+    if (!curve) return std::nullopt;
+    // A face without infinity whose vertex is not finite: on a common tangent line of its three
+    // discs, or beyond the doubles. Which end of the curve is meant, the third site tells.
+    const auto parameter = [&](Point p, Index face, double expected) {
+        if (is_finite(p))
+            return std::visit([&](const auto& of) { return of.parameter(p); }, *curve);
+        Index apex = infinite;
+        for (const Index v : tessellation_.faces()[static_cast<std::size_t>(face)]) {
+            if (v == infinite) return expected;
+            if (v != edge.left && v != edge.right) apex = v;
+        }
+        const Site from = divided_site(a);
+        const Site third = divided_site(site(apex));
+        if (tessellation_.metric() == Metric::euclidean) return end_on_tangent(*curve, from, third);
+        if (tessellation_.metric() != Metric::power) return expected;
+        const auto weight = [this](const Site& s) {
+            return tessellation_.weight_is() == WeightIs::weight ? std::ldexp(s.r, -exponent_)
+                                                                 : s.r * s.r;
+        };
+        return end_of_power(std::get<StraightCurve>(*curve), weight(from), from, weight(third),
+                            third);
+    };
+    EdgeGeometry result = {EdgeKind::point,
+                           *curve,
+                           parameter(start, edge.from_face, -unbounded),
+                           parameter(end, edge.to_face, unbounded),
+                           start,
+                           end};
+    result.kind = kind_of(result, edge);
+    return result;
+}
+
+}  // namespace signum

@@ -1,0 +1,134 @@
+#pragma once
+/// The Voronoi diagram: the cells of the points that are nearest to a site, with the edges between
+/// them and the vertices where edges meet; the dual of the tessellation, in every metric.
+///
+/// Laws:
+///  1. Every face without infinity has a vertex, every edge of the tessellation between two sites
+///  an
+///     edge. An edge leads along the bisector of its sites with the first on its left; where it
+///     ends at no vertex it runs to infinity.
+///  2. Every visible site has a cell. Its boundary, walked counterclockwise, is a cyclic sequence
+///  of
+///     steps along edges. Where one step ends at infinity the next one begins there.
+///  3. Faces whose circles are the same (degenerate input: grids, circles) have vertices at the
+///  same
+///     place, joined by edges of no length. They stay apart unless they are merged.
+/// Source: thesis, chapter 3; geometry of the curves: curve.hpp.
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <signum/core/index.hpp>
+#include <signum/core/site.hpp>
+#include <signum/triangulation/tessellation.hpp>
+#include <signum/triangulation/vertices.hpp>
+#include <signum/voronoi/conic.hpp>
+#include <signum/voronoi/curve.hpp>
+
+namespace signum {
+
+/// No vertex: the edge runs to infinity, or beyond the doubles.
+inline constexpr Index at_infinity = -1;
+
+struct VoronoiEdge {
+    Index left;   ///< the site whose cell lies on the left
+    Index right;  ///< and on the right
+    Index from;   ///< a vertex, or at_infinity
+    Index to;
+    Index from_face;  ///< the faces of the tessellation on whose circles the edge ends
+    Index to_face;
+};
+
+/// A step along the boundary of a cell.
+struct VoronoiStep {
+    Index edge;
+    bool forward;  ///< whether the cell's site is the edge's left one
+};
+
+/// What an edge looks like.
+enum class EdgeKind : std::uint8_t {
+    point,     ///< no length: its ends are the same vertex, or both at infinity on the same side
+    segment,   ///< straight, with two ends
+    ray,       ///< straight, with one end
+    line,      ///< straight, without ends
+    polyline,  ///< two or three straight pieces, the outer ones rays where the edge has no end
+    hyperbola  ///< an arc of a hyperbola
+};
+[[nodiscard]] std::string_view name_of(EdgeKind kind) noexcept;
+
+/// The geometry of an edge: a stretch of a curve. Lengths are those of the plane divided by
+/// 2^exponent, which is 0 unless coordinates are of extreme size.
+struct EdgeGeometry {
+    EdgeKind kind;
+    Curve curve;
+    double from;  ///< parameters on the curve, infinite where the edge does not end
+    double to;
+    Point start;  ///< the points there; not finite where the edge does not end
+    Point end;
+};
+
+struct VoronoiOptions {
+    /// One vertex for all neighbouring faces whose circles are the same; edges between them vanish.
+    bool merge = false;
+};
+
+class Voronoi {
+ public:
+    explicit Voronoi(Tessellation tessellation, const VoronoiOptions& options = {});
+
+    [[nodiscard]] const Tessellation& tessellation() const noexcept { return tessellation_; }
+
+    /// Centre and distance of every vertex, each number the double nearest to the exact one.
+    /// Without merging they come in the order of their faces.
+    [[nodiscard]] std::span<const DiagramVertex> vertices() const noexcept { return vertices_; }
+    /// The vertex of every face, at_infinity for those that have none.
+    [[nodiscard]] std::span<const Index> vertex_of_face() const noexcept { return vertex_of_face_; }
+    /// In the order of the faces where they end.
+    [[nodiscard]] std::span<const VoronoiEdge> edges() const noexcept { return edges_; }
+
+    /// The boundary of a site's cell, counterclockwise; it begins behind infinity where the cell is
+    /// unbounded. Empty for a hidden site, and for one that is alone.
+    [[nodiscard]] std::span<const VoronoiStep> cell(Index site) const noexcept {
+        const auto s = static_cast<std::size_t>(site);
+        return {steps_.data() + first_step_[s], first_step_[s + 1] - first_step_[s]};
+    }
+    [[nodiscard]] bool is_hidden(Index site) const noexcept {
+        return hidden_[static_cast<std::size_t>(site)];
+    }
+    [[nodiscard]] bool is_unbounded(Index site) const noexcept;
+
+    /// The geometry of an edge; nothing where its sites lie too near to each other for a direction.
+    /// Near `focus` the least is lost; without one near the edge's own ends.
+    [[nodiscard]] std::optional<EdgeGeometry> geometry(
+        Index edge, std::optional<Point> focus = std::nullopt) const;
+
+    /// The exponent of two by which geometry() divides all lengths, so that their products are
+    /// within a double's range.
+    [[nodiscard]] int exponent() const noexcept { return exponent_; }
+
+ private:
+    void number_vertices(bool merge);
+    void number_edges();
+    void collect_cells();
+
+    Tessellation tessellation_;
+    std::vector<DiagramVertex> vertices_;
+    std::vector<Index> vertex_of_face_;
+    std::vector<VoronoiEdge> edges_;
+    std::vector<Index> edge_of_;  ///< of every face and the corner it lies across from; -1: none
+    std::vector<VoronoiStep> steps_;
+    std::vector<std::size_t> first_step_;
+    std::vector<bool> hidden_;
+    int exponent_ = 0;
+};
+
+/// The diagram of a tessellation. O(n).
+[[nodiscard]] inline Voronoi voronoi(Tessellation tessellation,
+                                     const VoronoiOptions& options = {}) {
+    return Voronoi(std::move(tessellation), options);
+}
+
+}  // namespace signum
