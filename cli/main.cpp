@@ -93,6 +93,7 @@ int run(int count, char** words) {
         "  signum generate random -n 100 --radius 1:30 -o sites.txt\n"
         "  signum triangulate sites.txt --metric supremum -o out.svg");
     add_triangulate(tool);
+    add_voronoi(tool);
     add_sign(tool);
     add_generate(tool);
     add_validate(tool);

@@ -1,20 +1,13 @@
 /// signum triangulate: from a file of sites to files of the tessellation.
 
-#include <sys/stat.h>
-
 #include <algorithm>
-#include <cctype>
-#include <cstdio>
 #include <memory>
-#include <optional>
-#include <utility>
+#include <string>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include <signum/draw/svg.hpp>
-#include <signum/io/output_file.hpp>
-#include <signum/io/read_sites.hpp>
 #include <signum/io/write_csv.hpp>
 #include <signum/io/write_json.hpp>
 #include <signum/io/write_obj.hpp>
@@ -22,36 +15,19 @@
 #include <signum/triangulation/validate.hpp>
 
 #include "commands.hpp"
-#include "progress.hpp"
+#include "outputs.hpp"
+#include "sites_call.hpp"
 
 namespace signum::cli {
 namespace {
 
 /// The call as it was typed.
-struct Call {
-    std::string input;
-    std::string metric;
-    std::string weight_is;
+struct Call : SitesCall {
     std::string method = "incremental";
-    std::string arithmetic = "exact";
     std::vector<std::string> outputs;
     bool vertices = false;
-    bool statistics = false;
     bool check = false;
-    bool quiet = false;
-    std::uint64_t seed = 1;
 };
-
-Arithmetic arithmetic_of(const std::string& name) {
-    for (const Arithmetic arithmetic :
-         {Arithmetic::exact, Arithmetic::naive, Arithmetic::multiprecision}) {
-        if (name_of(arithmetic) == name) return arithmetic;
-    }
-    throw CallError(
-        fmt::format("--arithmetic {} is not in this version, which has exact, naive and "
-                    "multiprecision; add --arithmetic exact",
-                    name));
-}
 
 void require_incremental(const std::string& method) {
     if (method == "incremental") return;
@@ -61,39 +37,7 @@ void require_incremental(const std::string& method) {
                     method));
 }
 
-/// The ending of a path with its point, in small letters; empty where there is none.
-std::string ending_of(const std::string& path) {
-    const std::size_t point = path.rfind('.');
-    if (point == std::string::npos || path.find('/', point) != std::string::npos) return "";
-    std::string ending = path.substr(point);
-    for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return ending;
-}
-
-bool is_same_file(const std::string& a, const std::string& b) {
-    struct stat first = {};
-    struct stat second = {};
-    return ::stat(a.c_str(), &first) == 0 && ::stat(b.c_str(), &second) == 0 &&
-           S_ISREG(first.st_mode) && first.st_dev == second.st_dev && first.st_ino == second.st_ino;
-}
-
-void check_outputs(const Call& call) {
-    for (auto output = call.outputs.begin(); output != call.outputs.end(); ++output) {
-        const std::string ending = ending_of(*output);
-        if (ending != ".json" && ending != ".svg" && ending != ".csv" && ending != ".obj") {
-            throw CallError(
-                fmt::format("-o {}: the ending says what to write; give it .json, .svg, "
-                            ".csv or .obj",
-                            *output));
-        }
-        if (std::find(call.outputs.begin(), output, *output) != output) {
-            throw CallError(fmt::format("-o {} is given twice; give it once", *output));
-        }
-        if (is_same_file(call.input, *output)) {
-            throw CallError(
-                fmt::format("-o {} would overwrite the input; give another name", *output));
-        }
-    }
+void require_json(const Call& call) {
     if (!call.vertices || call.outputs.empty()) return;
     if (std::none_of(call.outputs.begin(), call.outputs.end(),
                      [](const std::string& path) { return ending_of(path) == ".json"; })) {
@@ -112,35 +56,6 @@ void write(std::ostream& out, const std::string& ending, const Tessellation& tes
     } else {
         write_json(out, tessellation, options);
     }
-}
-
-Tessellation construct(const Call& call, StridedSites sites) {
-    std::optional<Progress> progress;
-    Options options;
-    options.arithmetic = arithmetic_of(call.arithmetic);
-    options.seed = call.seed;
-    options.count = call.statistics;
-    if (!call.quiet) {
-        progress.emplace();
-        options.progress = [&progress](double share) { progress->show(share); };
-    }
-    try {
-        return triangulate(sites, metric_of(call.metric), options);
-    } catch (const BrokenStructure& error) {
-        throw CheckFailure(
-            fmt::format("the structure broke, because {} arithmetic rounds its signs: "
-                        "{}; nothing is written, --arithmetic exact cannot break",
-                        call.arithmetic, error.what()));
-    } catch (const std::invalid_argument& error) {
-        throw CallError(error.what());
-    }
-}
-
-/// A line of the summary. Nobody loses a result because nobody reads its summary: failures to write
-/// are ignored.
-template <typename... Arguments>
-void say(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-    std::fputs(fmt::format(format, std::forward<Arguments>(arguments)...).c_str(), stderr);
 }
 
 void summarize(const Tessellation& tessellation, const std::vector<std::string>& outputs) {
@@ -181,39 +96,16 @@ void check(const Call& call, const Tessellation& tessellation) {
 void run(const Call& call) {
     require_incremental(call.method);
     static_cast<void>(arithmetic_of(call.arithmetic));
-    const Metric metric = metric_of(call.metric);
-    check_weight_is(call.weight_is, metric);
-    check_outputs(call);
-
-    const SitesFile file = read_sites(call.input);
-    WeightIs third = file.third.value_or(WeightIs::radius);
-    if (third == WeightIs::weight && metric != Metric::power) {
-        throw CallError(
-            fmt::format("{}: its header says weight, and the {} metric has radii alone; name the "
-                        "column radius, or add --metric power",
-                        call.input, call.metric));
-    }
-    if (!call.weight_is.empty()) {
-        third = call.weight_is == "weight" ? WeightIs::weight : WeightIs::radius;
-    }
-    // Opened before the work: a directory that cannot be written should not cost minutes.
-    std::vector<std::unique_ptr<OutputFile>> outputs;
-    for (const std::string& path : call.outputs) {
-        outputs.push_back(std::make_unique<OutputFile>(path));
-    }
-    const Tessellation tessellation = construct(call, strided_view(file.sites, third));
-
-    const JsonOptions json = {call.vertices, call.statistics};
-    for (const auto& output : outputs) {
-        write(output->stream(), ending_of(output->path()), tessellation, json);
-        output->finish();
-    }
-    for (const auto& output : outputs) output->publish();
-    if (outputs.empty()) {
-        DescriptorStream out(1, "standard output");
-        write_json(out, tessellation, json);
-        out.flush();
-    }
+    check_outputs(call.outputs, call.input, {".json", ".svg", ".csv", ".obj"});
+    require_json(call);
+    const InputSites sites = read_input(call);
+    const Outputs outputs(call.outputs);
+    const Tessellation tessellation = construct(call, sites);
+    outputs.write(
+        [&](std::ostream& out, const std::string& ending) {
+            write(out, ending, tessellation, {call.vertices, call.statistics});
+        },
+        ".json");
     if (!call.quiet) {
         summarize(tessellation, call.outputs);
         if (call.statistics) summarize_statistics(tessellation.statistics());
@@ -226,11 +118,7 @@ void run(const Call& call) {
 void add_triangulate(CLI::App& tool) {
     auto call = std::make_shared<Call>();
     CLI::App* command = tool.add_subcommand("triangulate", "Computes the tessellation of sites");
-    command->add_option("FILE", call->input, "Sites, one a line: x y [r]; - for standard input")
-        ->required()
-        ->type_name("");
-    add_metric(*command, call->metric);
-    add_weight_is(*command, call->weight_is);
+    add_sites(*command, *call);
     command
         ->add_option("--method", call->method,
                      "incremental, flips or sweep;\nthis version has incremental alone")
@@ -245,18 +133,11 @@ void add_triangulate(CLI::App& tool) {
         ->check(one_of({"exact", "naive", "single", "interval", "sum", "multiprecision"}))
         ->type_name("NAME")
         ->capture_default_str();
-    command
-        ->add_option("-o,--output", call->outputs,
-                     "Where the result goes, by its ending:\n"
-                     ".json  faces, neighbours, hidden sites\n"
-                     ".svg   a picture\n"
-                     ".csv   a table a,b,c of faces, -1 is infinity\n"
-                     ".obj   a mesh of the finite faces\n"
-                     "Several are allowed; without it JSON goes to\nstandard output")
-        ->type_name("FILE")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-        ->allow_extra_args(false);
+    add_output(*command, call->outputs,
+               ".json  faces, neighbours, hidden sites\n"
+               ".svg   a picture\n"
+               ".csv   a table a,b,c of faces, -1 is infinity\n"
+               ".obj   a mesh of the finite faces\n");
     command->add_flag("--vertices", call->vertices,
                       "Adds centre and distance of every finite face\nto the JSON");
     command->add_flag("--stats", call->statistics,
@@ -264,13 +145,6 @@ void add_triangulate(CLI::App& tool) {
     command->add_flag(
         "--check", call->check,
         "Judges the result from scratch, in exact\narithmetic; exit 1 when it is wrong");
-    command
-        ->add_option("--seed", call->seed,
-                     "Of the order of insertion; the result does not\ndepend on it")
-        ->check(whole_number())
-        ->type_name("N")
-        ->capture_default_str();
-    command->add_flag("--quiet", call->quiet, "No summary and no progress on standard error");
     command->footer(
         "Examples:\n"
         "  signum triangulate sites.txt --metric power -o out.json -o out.svg --check\n"

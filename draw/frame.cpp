@@ -74,41 +74,40 @@ Frame::Frame(std::span<const Site> discs, double width) : width_(width), height_
     height_ = std::max(lowest * width_, y.length() * scale_ + 2 * margin * width_);
 }
 
+Frame::Frame(const Box& box, double width) : width_(width) {
+    const double largest =
+        std::max({std::abs(box.x0), std::abs(box.y0), std::abs(box.x1), std::abs(box.y1)});
+    exponent_ = std::ilogb(largest);
+    const auto scaled = [this](double side) { return std::ldexp(side, -exponent_); };
+    middle_ = {(scaled(box.x0) + scaled(box.x1)) / 2, (scaled(box.y0) + scaled(box.y1)) / 2};
+    const double box_width = scaled(box.x1) - scaled(box.x0);
+    const double box_height = scaled(box.y1) - scaled(box.y0);
+    // A tall box becomes narrower instead of a picture without end.
+    scale_ = std::min({width / box_width, 2 * width / box_height, largest_scale});
+    width_ = box_width * scale_;
+    height_ = box_height * scale_;
+}
+
 Point Frame::at(Point point) const noexcept {
-    return {width_ / 2 + (std::ldexp(point.x, -exponent_) - middle_.x) * scale_,
-            height_ / 2 - (std::ldexp(point.y, -exponent_) - middle_.y) * scale_};
+    return at(point, 0);
 }
 
 double Frame::length(double in_plane) const noexcept {
     return std::ldexp(in_plane, -exponent_) * scale_;
 }
 
-double Frame::area(double in_plane) const noexcept {
-    return std::ldexp(in_plane, -2 * exponent_) * scale_ * scale_;
+Point Frame::at(Point divided, int exponent) const noexcept {
+    const int shift = exponent - exponent_;
+    return {width_ / 2 + (std::ldexp(divided.x, shift) - middle_.x) * scale_,
+            height_ / 2 - (std::ldexp(divided.y, shift) - middle_.y) * scale_};
 }
 
-Point Frame::direction(Point a, Point b) const noexcept {
-    const double x = std::ldexp(b.x, -exponent_) - std::ldexp(a.x, -exponent_);
-    const double y = std::ldexp(a.y, -exponent_) - std::ldexp(b.y, -exponent_);
-    const double norm = std::hypot(x, y);
-    return {x / norm, y / norm};
-}
-
-std::optional<Segment> Frame::clip(Point start, Point step, double low,
-                                   double high) const noexcept {
-    const auto cut = [&](double at, double along, double end) {
-        if (along == 0) return 0 <= at && at <= end;
-        const auto [enter, leave] = std::minmax({-at / along, (end - at) / along});
-        low = std::max(low, enter);
-        high = std::min(high, leave);
-        return low < high;
+Box Frame::box(int exponent) const noexcept {
+    const auto side = [&](double middle, double pixels) {
+        return std::ldexp(middle + pixels / scale_, exponent_ - exponent);
     };
-    if (!cut(start.x, step.x, width_) || !cut(start.y, step.y, height_)) return {};
-    const Segment inside = {{start.x + low * step.x, start.y + low * step.y},
-                            {start.x + high * step.x, start.y + high * step.y}};
-    const auto finite = [](Point p) { return std::isfinite(p.x) && std::isfinite(p.y); };
-    if (!finite(inside.from) || !finite(inside.to)) return {};
-    return inside;
+    return {side(middle_.x, -width_ / 2), side(middle_.y, -height_ / 2),
+            side(middle_.x, width_ / 2), side(middle_.y, height_ / 2)};
 }
 
 }  // namespace signum

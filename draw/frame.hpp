@@ -7,23 +7,19 @@
 ///  3. A disc far larger than the rest is cut off instead of shrinking the rest to a dot.
 
 #include <signum/core/site.hpp>
+#include <signum/voronoi/conic.hpp>
 
-#include <optional>
 #include <span>
 
 namespace signum {
-
-/// A straight line from one pixel to another.
-struct Segment {
-    Point from;
-    Point to;
-};
 
 class Frame {
  public:
     /// Fits the discs (centre and radius >= 0, in the plane) into a picture `width` pixels wide and
     /// at most as high.
     Frame(std::span<const Site> discs, double width);
+    /// Shows the box and nothing else. Precondition: x0 < x1 and y0 < y1.
+    Frame(const Box& box, double width);
 
     [[nodiscard]] double width() const noexcept { return width_; }
     [[nodiscard]] double height() const noexcept { return height_; }
@@ -31,14 +27,10 @@ class Frame {
     /// Plane to pixels; infinite or NaN for points beyond all measure.
     [[nodiscard]] Point at(Point point) const noexcept;
     [[nodiscard]] double length(double in_plane) const noexcept;
-    [[nodiscard]] double area(double in_plane) const noexcept;
-    /// The unit vector from a to b, in pixels; NaN where they coincide.
-    [[nodiscard]] Point direction(Point a, Point b) const noexcept;
-
-    /// The part of start + t·step, low <= t <= high, that lies in the picture. The bounds may be
-    /// infinite; what is not finite, or a point, is not drawn.
-    [[nodiscard]] std::optional<Segment> clip(Point start, Point step, double low,
-                                              double high) const noexcept;
+    /// The same for coordinates that were divided by 2^exponent.
+    [[nodiscard]] Point at(Point divided, int exponent) const noexcept;
+    /// What the picture shows, all sides divided by 2^exponent.
+    [[nodiscard]] Box box(int exponent) const noexcept;
 
  private:
     int exponent_ = 0;       // coordinates · 2^-exponent_ are below 2

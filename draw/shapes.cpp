@@ -1,6 +1,3 @@
-#include <signum/draw/euclidean_shapes.hpp>
-#include <signum/draw/power_shapes.hpp>
-#include <signum/draw/rectangular_shapes.hpp>
 #include <signum/draw/shapes.hpp>
 
 #include <algorithm>
@@ -19,6 +16,11 @@ double supremum_norm(Point v) {
     return std::max(std::abs(v.x), std::abs(v.y));
 }
 
+double power_radius(const Site& site, WeightIs weight_is) {
+    if (weight_is == WeightIs::radius)
+        return std::abs(site.r);  // the weight is r², whatever its sign
+    return site.r > 0 ? std::sqrt(site.r) : 0.0;
+}
 // Only differences of radii count in the additive metrics; those above 0 are drawn as they are.
 double additive_radius(const Site& site, WeightIs /*weight_is*/) {
     return std::max(site.r, 0.0);
@@ -27,17 +29,14 @@ double additive_radius(const Site& site, WeightIs /*weight_is*/) {
 }  // namespace
 
 const Shapes& shapes_of(Metric metric) noexcept {
-    static const Shapes power_shapes = {"disc",         "power cells",       disc_outline(),
-                                        euclidean_norm, power::drawn_radius, power::cell_edges};
-    static const Shapes euclidean_shapes = {"disc",          "Euclidean cells",
-                                            disc_outline(),  euclidean_norm,
-                                            additive_radius, euclidean::cell_edges};
-    static const Shapes manhattan_shapes = {"diamond",         "Manhattan cells",
-                                            diamond_outline(), manhattan_norm,
-                                            additive_radius,   rectangular::cell_edges};
-    static const Shapes supremum_shapes = {"square",         "supremum cells",
-                                           square_outline(), supremum_norm,
-                                           additive_radius,  rectangular::cell_edges};
+    static const Shapes power_shapes = {"disc", "power cells", disc_outline(), euclidean_norm,
+                                        power_radius};
+    static const Shapes euclidean_shapes = {"disc", "Euclidean cells", disc_outline(),
+                                            euclidean_norm, additive_radius};
+    static const Shapes manhattan_shapes = {"diamond", "Manhattan cells", diamond_outline(),
+                                            manhattan_norm, additive_radius};
+    static const Shapes supremum_shapes = {"square", "supremum cells", square_outline(),
+                                           supremum_norm, additive_radius};
     switch (metric) {
         case Metric::euclidean:
             return euclidean_shapes;

@@ -1,12 +1,10 @@
 #pragma once
 /// What sites and cells look like in a metric. A metric is drawn by adding its Shapes.
 
-#include <signum/draw/frame.hpp>
 #include <signum/draw/outline.hpp>
 #include <signum/triangulation/tessellation.hpp>
 
 #include <string_view>
-#include <vector>
 
 namespace signum {
 
@@ -19,9 +17,6 @@ struct Shapes {
     double (*norm)(Point vector);
     /// How large a site is drawn, in units of the plane; 0 means a dot.
     double (*radius)(const Site& site, WeightIs weight_is);
-    /// The parts of all edges of the diagram that lie in the picture. A curve is given as segments
-    /// that follow one another.
-    std::vector<Segment> (*cell_edges)(const Tessellation& tessellation, const Frame& frame);
 };
 
 [[nodiscard]] const Shapes& shapes_of(Metric metric) noexcept;

@@ -16,7 +16,7 @@ Pens::Pens(double spacing)
 void write_style(SvgText& text, const Pens& pens) {
     text.add(R"svg(<style>
 * {{ vector-effect: non-scaling-stroke; }}
-path {{ fill: none; pointer-events: none; stroke-linecap: round; }}
+path {{ fill: none; pointer-events: none; stroke-linecap: round; stroke-linejoin: round; }}
 .site {{ fill: #56b4e9; fill-opacity: 0.35; stroke: #0072b2; }}
 .hidden {{ fill: url(#hatch); stroke: #a03a78; }}
 .dot {{ fill: #000; stroke: none; }}
@@ -25,12 +25,21 @@ path {{ fill: none; pointer-events: none; stroke-linecap: round; }}
 .site, .hidden, .hidden-dot, .edge {{ stroke-width: {0}; }}
 .edge {{ stroke: #000; }}
 .cell {{ stroke: #e69f00; stroke-width: {1}; }}
+.border {{ stroke: #333; stroke-width: {1}; }}
+.tint {{ pointer-events: auto; }}
+.tint0 {{ fill: #dcebf7; }}
+.tint1 {{ fill: #fdeacb; }}
+.tint2 {{ fill: #d9efe6; }}
+.tint3 {{ fill: #f6dfeb; }}
+.tint4 {{ fill: #fbf8cf; }}
+.tint5 {{ fill: #e9e9ee; }}
+.tint:hover {{ fill: #f0e442; }}
 .wrong, .flipped {{ stroke: #d55e00; stroke-width: {2}; }}
 .flipped {{ stroke: #009e73; }}
 .dots, .hidden-dots {{ stroke: #000; stroke-width: {3}; }}
 .hidden-dots {{ stroke: #cc79a7; }}
 .legend .site, .legend .hidden, .legend .edge {{ stroke-width: {4}; }}
-.legend .cell {{ stroke-width: {5}; }}
+.legend .cell, .legend .border {{ stroke-width: {5}; }}
 </style>
 <defs>
 <pattern id="hatch" width="{6}" height="{6}" patternUnits="userSpaceOnUse" patternTransform="rotate(45)">

@@ -20,7 +20,8 @@ struct Pens {
 };
 
 /// The classes of style are site, hidden, dot, hidden-dot for elements, and for paths cell, edge,
-/// wrong, flipped, dots, hidden-dots.
+/// wrong, flipped, dots, hidden-dots, border (of the cells of a diagram) and tint with tint0 to
+/// tint5.
 void write_style(SvgText& text, const Pens& pens);
 
 }  // namespace signum

@@ -2,15 +2,22 @@
 /// Formatted text to a stream in large pieces. Doubles come out in the fewest digits that read back
 /// as the same double, in any locale.
 
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <ostream>
+#include <string>
 #include <string_view>
 
 #include <fmt/compile.h>
 #include <fmt/format.h>
 
 namespace signum {
+
+/// A number in JSON; null for what is none there.
+[[nodiscard]] inline std::string number_or_null(double value) {
+    return std::isfinite(value) ? fmt::format(FMT_COMPILE("{}"), value) : "null";
+}
 
 class TextWriter {
  public:
@@ -23,6 +30,19 @@ class TextWriter {
         if (text_.size() > piece) flush();
     }
     void put(std::string_view text) { put(FMT_COMPILE("{}"), text); }
+
+    /// In JSON, a further member of an object: "name": [entry, entry, ...], an entry a line.
+    template <typename Entries, typename PutEntry>
+    void put_array(std::string_view name, const Entries& entries, const PutEntry& put_entry) {
+        put(FMT_COMPILE(",\n\"{}\": ["), name);
+        bool first = true;
+        for (const auto& entry : entries) {
+            put(first ? "\n" : ",\n");
+            put_entry(entry);
+            first = false;
+        }
+        put("]");
+    }
 
     /// To be called at the end: nothing is written by the destructor.
     void flush() {

@@ -10,28 +10,10 @@
 namespace signum {
 namespace {
 
-std::string number_or_null(double value) {
-    return std::isfinite(value) ? fmt::format(FMT_COMPILE("{}"), value) : "null";
-}
-
-/// "name": [entry, entry, ...], an entry a line.
-template <typename Entries, typename PutEntry>
-void put_array(TextWriter& text, std::string_view name, const Entries& entries,
-               const PutEntry& put_entry) {
-    text.put(FMT_COMPILE(",\n\"{}\": ["), name);
-    bool first = true;
-    for (const auto& entry : entries) {
-        text.put(first ? "\n" : ",\n");
-        put_entry(entry);
-        first = false;
-    }
-    text.put("]");
-}
-
 void put_vertices(TextWriter& text, const Tessellation& tessellation) {
     const std::vector<DiagramVertex> all = vertices(tessellation);
     std::size_t next = 0;
-    put_array(text, "vertices", tessellation.faces(), [&](const Face& face) {
+    text.put_array("vertices", tessellation.faces(), [&](const Face& face) {
         const DiagramVertex& vertex = all[next++];
         if (face[0] == infinite) {
             text.put("null");
@@ -73,9 +55,9 @@ void write_json(std::ostream& out, const Tessellation& tessellation, const JsonO
     const auto put_triple = [&](const Face& triple) {
         text.put(FMT_COMPILE("[{}, {}, {}]"), triple[0], triple[1], triple[2]);
     };
-    put_array(text, "faces", tessellation.faces(), put_triple);
-    put_array(text, "neighbours", tessellation.arrays().neighbours, put_triple);
-    put_array(text, "hidden", tessellation.hidden(), [&](const Hidden& hidden) {
+    text.put_array("faces", tessellation.faces(), put_triple);
+    text.put_array("neighbours", tessellation.arrays().neighbours, put_triple);
+    text.put_array("hidden", tessellation.hidden(), [&](const Hidden& hidden) {
         text.put(FMT_COMPILE("[{}, {}]"), hidden.site, hidden.by);
     });
     if (options.vertices) put_vertices(text, tessellation);

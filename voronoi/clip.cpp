@@ -12,11 +12,6 @@ bool is_finite(Point p) {
     return std::isfinite(p.x) && std::isfinite(p.y);
 }
 
-Point beyond_measure() {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    return {infinity, infinity};
-}
-
 /// The largest coordinate of a box.
 double extent_of(const Box& box) {
     return std::max({std::abs(box.x0), std::abs(box.y0), std::abs(box.x1), std::abs(box.y1)});
@@ -31,10 +26,8 @@ double area_of(const std::vector<Conic>& loop) {
 }  // namespace
 
 Measure measure(const CellShape& shape) {
-    if (shape.unbounded && shape.loops.empty()) {
-        const Point nowhere = beyond_measure();
-        return {nowhere.x, nowhere.x, {nowhere.x - nowhere.x, nowhere.x - nowhere.x}};
-    }
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    if (shape.unbounded && !shape.in_box) return {no_box.x1, no_box.x1, {nan, nan}};
     Measure sum = {0, 0, {0, 0}};
     Conic::Moments moments = {0, 0, 0};
     Point origin = {0, 0};
@@ -64,23 +57,31 @@ Box default_box(std::span<const Site> sites) {
             std::min(box.x1 + margin, largest), std::min(box.y1 + margin, largest)};
 }
 
-ClippedVoronoi::ClippedVoronoi(const Voronoi& voronoi, const Box& box)
-    : voronoi_(voronoi), box_(box), is_bounded_(box != no_box) {
+ClippedVoronoi::ClippedVoronoi(const Voronoi& voronoi, const Box& box, Lengths lengths)
+    : voronoi_(voronoi),
+      box_(box),
+      exponent_(lengths == Lengths::of_the_plane ? voronoi.exponent() : 0),
+      is_bounded_(box != no_box) {
     if (!(box.x0 < box.x1 && box.y0 < box.y1))
         throw std::invalid_argument("a box needs x0 < x1 and y0 < y1");
     if (is_bounded_ && !(is_finite({box.x0, box.y0}) && is_finite({box.x1, box.y1})))
         throw std::invalid_argument("the corners of a box are to be finite");
-    if (voronoi.exponent() != 0)
-        for (double* side : {&box_.x0, &box_.y0, &box_.x1, &box_.y1})
-            *side = std::ldexp(*side, -voronoi.exponent());
+    for (double* side : {&box_.x0, &box_.y0, &box_.x1, &box_.y1})
+        *side = std::ldexp(*side, -exponent_);
     const std::size_t edges = voronoi.edges().size();
     first_run_.reserve(edges + 1);
     for (std::size_t e = 0; e < edges; ++e) cut(static_cast<Index>(e));
     first_run_.push_back(runs_.size());
     // No round share of the sides: on round input such a point lies on an edge.
+    const int exponent = voronoi.exponent();
+    const auto inside = [&](double low, double high, double share) {
+        constexpr double largest = std::numeric_limits<double>::max();
+        const double value = (1 - share) * low + share * high;
+        return std::clamp(std::ldexp(value, exponent), -largest, largest);
+    };
     if (is_bounded_)
         at_point_ = voronoi.tessellation().nearest(
-            {0.6180339 * box.x0 + 0.3819661 * box.x1, 0.4142135 * box.y0 + 0.5857865 * box.y1});
+            {inside(box_.x0, box_.x1, 0.3819661), inside(box_.y0, box_.y1, 0.5857865)});
 }
 
 bool ClippedVoronoi::contains(Point p) const noexcept {
@@ -155,13 +156,12 @@ void ClippedVoronoi::cut(Index index) {
     }
 }
 
-Conic ClippedVoronoi::in_plane(const Conic& conic) const noexcept {
-    const int exponent = voronoi_.exponent();
-    if (exponent == 0) return conic;
-    const auto multiplied = [exponent](Point p) -> Point {
-        return {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)};
+Conic ClippedVoronoi::multiplied(const Conic& conic) const noexcept {
+    if (exponent_ == 0) return conic;
+    const auto times = [this](Point p) -> Point {
+        return {std::ldexp(p.x, exponent_), std::ldexp(p.y, exponent_)};
     };
-    return {multiplied(conic.from), multiplied(conic.control), multiplied(conic.to), conic.weight};
+    return {times(conic.from), times(conic.control), times(conic.to), conic.weight};
 }
 
 std::vector<Conic> ClippedVoronoi::edge(Index index) const {
@@ -169,7 +169,7 @@ std::vector<Conic> ClippedVoronoi::edge(Index index) const {
     const auto e = static_cast<std::size_t>(index);
     for (std::size_t r = first_run_[e]; r < first_run_[e + 1]; ++r)
         for (std::size_t i = runs_[r].first; i < runs_[r].last; ++i)
-            parts.push_back(in_plane(conics_[i]));
+            parts.push_back(multiplied(conics_[i]));
     return parts;
 }
 
@@ -225,14 +225,14 @@ void ClippedVoronoi::follow_border(Loop& loop, double to, Point end, bool all_ar
 std::vector<ClippedVoronoi::Loop> ClippedVoronoi::closed(std::vector<Loop> open, Index site) const {
     std::vector<Loop> loops;
     const double tolerance =
-        1e-13 + 1e-13 * extent_of(box_) / std::min(box_.x1 - box_.x0, box_.y1 - box_.y0);
+        0x1p-48 * (1 + extent_of(box_) / std::min(box_.x1 - box_.x0, box_.y1 - box_.y0));
     const auto ahead = [&](Point from, Point to) {
         double distance = position(to) - position(from);
         if (distance < 0) distance += 4;
         // Behind it by no more than rounding is where it is.
         return distance > 4 - tolerance ? 0.0 : distance;
     };
-    const double speck = 1e-13 * extent_of(box_) * extent_of(box_);
+    const double speck = 0x1p-48 * extent_of(box_) * extent_of(box_);
     while (!open.empty()) {
         Loop loop = std::move(open.back());
         open.pop_back();
@@ -268,7 +268,7 @@ std::vector<ClippedVoronoi::Loop> ClippedVoronoi::closed(std::vector<Loop> open,
 }
 
 bool ClippedVoronoi::is_speck(const Loop& chain) const noexcept {
-    const double size = 1e-13 * extent_of(box_);
+    const double size = 0x1p-48 * extent_of(box_);
     const Point first = chain.front().from;
     return std::ranges::all_of(chain, [&](const Conic& conic) {
         return std::hypot(conic.control.x - first.x, conic.control.y - first.y) <= size &&
@@ -280,6 +280,7 @@ CellShape ClippedVoronoi::cell(Index site) const {
     CellShape shape;
     shape.site = site;
     shape.unbounded = voronoi_.is_unbounded(site);
+    shape.in_box = is_bounded_;
     if (!is_bounded_ && shape.unbounded) return shape;
     std::vector<Loop> chains;
     bool first_begins_at_vertex = false;
@@ -337,7 +338,7 @@ CellShape ClippedVoronoi::cell(Index site) const {
         border.erase(border.begin());
     }
     for (Loop& loop : shape.loops)
-        for (Conic& conic : loop) conic = in_plane(conic);
+        for (Conic& conic : loop) conic = multiplied(conic);
     return shape;
 }
 

@@ -8,6 +8,7 @@
 ///     More than one loop stands where the box cuts a cell in pieces.
 ///  3. Without a box the shapes are those of the bounded cells; the others have none.
 
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
@@ -23,13 +24,14 @@ inline constexpr Box no_box = {
 
 struct CellShape {
     Index site = 0;
-    bool unbounded = false;  ///< the cell itself, not the shape
+    bool unbounded = false;  ///< the cell itself, not its part in a box
+    bool in_box = false;     ///< whether there is a box
     bool clipped = false;    ///< whether a piece of the border is among the loops
     std::vector<std::vector<Conic>> loops;
 };
 
-/// Of a shape: infinite numbers where the cell is unbounded and there is no box, NaN for the
-/// centroid of nothing. Areas beyond a double's range are infinite, too.
+/// Of a shape: infinite numbers where the cell is unbounded and there is no box, NaN for their
+/// centroid and that of nothing. Areas beyond a double's range are infinite, too.
 struct Measure {
     double area;
     double perimeter;
@@ -41,10 +43,18 @@ struct Measure {
 /// where all centres are the same. Precondition: there are sites.
 [[nodiscard]] Box default_box(std::span<const Site> sites);
 
+/// The unit of a box and of the parts in it.
+enum class Lengths : std::uint8_t {
+    of_the_plane,
+    divided  ///< by 2^exponent of the diagram, for those who go beyond a double's range
+};
+
 class ClippedVoronoi {
  public:
-    /// The diagram is not copied. Throws std::invalid_argument unless x0 < x1 and y0 < y1. O(n).
-    explicit ClippedVoronoi(const Voronoi& voronoi, const Box& box = no_box);
+    /// The diagram is not copied. Throws std::invalid_argument unless x0 < x1 and y0 < y1, all
+    /// finite or the box no_box. O(n).
+    explicit ClippedVoronoi(const Voronoi& voronoi, const Box& box = no_box,
+                            Lengths lengths = Lengths::of_the_plane);
 
     [[nodiscard]] const Voronoi& voronoi() const noexcept { return voronoi_; }
     /// The parts of an edge in the box, in its direction, each the continuation of the one before
@@ -72,10 +82,11 @@ class ClippedVoronoi {
     void follow_border(Loop& loop, double to, Point end, bool all_around) const;
     [[nodiscard]] std::vector<Loop> closed(std::vector<Loop> open, Index site) const;
     [[nodiscard]] bool is_speck(const Loop& chain) const noexcept;
-    [[nodiscard]] Conic in_plane(const Conic& conic) const noexcept;
+    [[nodiscard]] Conic multiplied(const Conic& conic) const noexcept;
 
     const Voronoi& voronoi_;
-    Box box_;  ///< divided by 2^exponent, as all that is stored here
+    Box box_;       ///< divided by 2^exponent, as all that is stored here
+    int exponent_;  ///< by which results are multiplied: that of the diagram, or 0
     bool is_bounded_;
     std::vector<Conic> conics_;
     std::vector<Run> runs_;

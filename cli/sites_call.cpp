@@ -1,0 +1,77 @@
+#include "sites_call.hpp"
+
+#include <optional>
+#include <stdexcept>
+
+#include "commands.hpp"
+#include "progress.hpp"
+
+namespace signum::cli {
+
+void add_sites(CLI::App& command, SitesCall& call) {
+    command.add_option("FILE", call.input, "Sites, one a line: x y [r]; - for standard input")
+        ->required()
+        ->type_name("");
+    add_metric(command, call.metric);
+    add_weight_is(command, call.weight_is);
+    command
+        .add_option("--seed", call.seed,
+                    "Of the order of insertion; the result does not\ndepend on it")
+        ->check(whole_number())
+        ->type_name("N")
+        ->capture_default_str();
+    command.add_flag("--quiet", call.quiet, "No summary and no progress on standard error");
+}
+
+Arithmetic arithmetic_of(const std::string& name) {
+    for (const Arithmetic arithmetic :
+         {Arithmetic::exact, Arithmetic::naive, Arithmetic::multiprecision}) {
+        if (name_of(arithmetic) == name) return arithmetic;
+    }
+    throw CallError(
+        fmt::format("--arithmetic {} is not in this version, which has exact, naive and "
+                    "multiprecision; add --arithmetic exact",
+                    name));
+}
+
+InputSites read_input(const SitesCall& call) {
+    const Metric metric = metric_of(call.metric);
+    check_weight_is(call.weight_is, metric);
+    InputSites sites = {read_sites(call.input), WeightIs::radius};
+    sites.third = sites.file.third.value_or(WeightIs::radius);
+    if (sites.third == WeightIs::weight && metric != Metric::power) {
+        throw CallError(
+            fmt::format("{}: its header says weight, and the {} metric has radii alone; name the "
+                        "column radius, or add --metric power",
+                        call.input, call.metric));
+    }
+    if (!call.weight_is.empty()) {
+        sites.third = call.weight_is == "weight" ? WeightIs::weight : WeightIs::radius;
+    }
+    return sites;
+}
+
+Tessellation construct(const SitesCall& call, const InputSites& sites) {
+    std::optional<Progress> progress;
+    Options options;
+    options.arithmetic = arithmetic_of(call.arithmetic);
+    options.seed = call.seed;
+    options.count = call.statistics;
+    if (!call.quiet) {
+        progress.emplace();
+        options.progress = [&progress](double share) { progress->show(share); };
+    }
+    try {
+        return triangulate(strided_view(sites.file.sites, sites.third), metric_of(call.metric),
+                           options);
+    } catch (const BrokenStructure& error) {
+        throw CheckFailure(
+            fmt::format("the structure broke, because {} arithmetic rounds its signs: "
+                        "{}; nothing is written, --arithmetic exact cannot break",
+                        call.arithmetic, error.what()));
+    } catch (const std::invalid_argument& error) {
+        throw CallError(error.what());
+    }
+}
+
+}  // namespace signum::cli

@@ -1,0 +1,53 @@
+#pragma once
+/// From a file of sites to their tessellation: what several subcommands begin with.
+
+#include <cstdint>
+#include <cstdio>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <signum/io/read_sites.hpp>
+#include <signum/triangulation/triangulate.hpp>
+
+namespace signum::cli {
+
+/// The part of a call that says what to tessellate.
+struct SitesCall {
+    std::string input;
+    std::string metric;
+    std::string weight_is;
+    std::string arithmetic = "exact";
+    std::uint64_t seed = 1;
+    bool statistics = false;
+    bool quiet = false;
+};
+
+/// Adds FILE, --metric, --weight-is, --seed and --quiet.
+void add_sites(CLI::App& command, SitesCall& call);
+
+/// The arithmetic of that name; throws CallError where this version has none of it.
+Arithmetic arithmetic_of(const std::string& name);
+
+struct InputSites {
+    SitesFile file;
+    WeightIs third;  ///< what the third numbers are
+};
+
+/// Reads the file. Throws InputError, or CallError where metric and weights do not fit.
+InputSites read_input(const SitesCall& call);
+
+/// With a progress bar unless quiet. Throws CheckFailure where inexact arithmetic broke the
+/// structure.
+Tessellation construct(const SitesCall& call, const InputSites& sites);
+
+/// A line of a summary, to standard error. Nobody loses a result because nobody reads its summary:
+/// failures to write are ignored.
+template <typename... Arguments>
+void say(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+    std::fputs(fmt::format(format, std::forward<Arguments>(arguments)...).c_str(), stderr);
+}
+
+}  // namespace signum::cli

@@ -1,0 +1,20 @@
+#pragma once
+/// The file around a drawing.
+
+#include <signum/draw/frame.hpp>
+#include <signum/draw/legend.hpp>
+#include <signum/draw/style.hpp>
+#include <signum/draw/svg_text.hpp>
+
+#include <iosfwd>
+#include <string_view>
+
+namespace signum {
+
+inline constexpr double picture_width = 900.0;
+
+/// Writes head, style, the drawing cut off at the frame, and the legend below it.
+void write_document(std::ostream& out, std::string_view title, const Frame& frame, const Pens& pens,
+                    const Legend& legend, const SvgText& drawing);
+
+}  // namespace signum

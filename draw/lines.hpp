@@ -1,0 +1,33 @@
+#pragma once
+/// The lines of a picture: straight ones and arcs.
+
+#include <signum/draw/frame.hpp>
+#include <signum/draw/legend.hpp>
+#include <signum/draw/svg_text.hpp>
+#include <signum/voronoi/voronoi.hpp>
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace signum {
+
+/// The edges of the diagram that lie in the picture, in pixels.
+[[nodiscard]] std::vector<Conic> cell_edges(const Voronoi& voronoi, const Frame& frame);
+
+/// A conic with its points in pixels instead of what `clipped` divided.
+[[nodiscard]] Conic in_pixels(const Conic& divided, int exponent, const Frame& frame) noexcept;
+
+/// Continues a path from where the conic begins: L or Q commands, less than a tenth of a pixel off.
+void write_stretch(SvgText& text, const Conic& conic);
+
+/// The median of the lengths from end to end; `otherwise` where there are none.
+[[nodiscard]] double median_length(std::span<const Conic> lines, double otherwise);
+
+/// The lines of one kind. Of too many, those too short to be seen go first; of still too many, all
+/// but those in the middle of the picture, so that a part of it is complete.
+void write_lines(SvgText& text, Legend& legend, std::string_view kind, std::string_view label,
+                 std::span<const Conic> lines, const Frame& frame, std::size_t limit);
+
+}  // namespace signum

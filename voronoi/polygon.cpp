@@ -1,0 +1,69 @@
+#include <signum/voronoi/polygon.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace signum {
+
+namespace {
+
+/// What rounding may do to a coordinate of the polygon.
+double rounding_of(const std::vector<Point>& points) noexcept {
+    double largest = 0;
+    for (const Point& p : points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+    return 0x1p-51 * largest;
+}
+
+/// Whether a polygon stays, or goes to `tip` and back on the same line.
+bool is_spike(Point before, Point tip, Point after, double rounding) noexcept {
+    const Point a = {before.x - tip.x, before.y - tip.y};
+    const Point b = {after.x - tip.x, after.y - tip.y};
+    const double longer = std::max(std::hypot(a.x, a.y), std::hypot(b.x, b.y));
+    if (std::min(std::hypot(a.x, a.y), std::hypot(b.x, b.y)) <= rounding) return true;
+    const double width = std::abs(a.x * b.y - a.y * b.x) / longer;
+    return a.x * b.x + a.y * b.y > 0 && width <= rounding;
+}
+
+/// The polygon without what has no width: where the tie rule decides between many squares, a cell
+/// may have spikes, and merged vertices leave points that are the same.
+std::vector<Point> without_spikes(const std::vector<Point>& points) {
+    const double rounding = rounding_of(points);
+    std::vector<Point> kept;
+    const auto trim = [&](Point next) {
+        while (kept.size() >= 2 && is_spike(kept[kept.size() - 2], kept.back(), next, rounding))
+            kept.pop_back();
+    };
+    for (const Point& p : points) {
+        trim(p);
+        kept.push_back(p);
+    }
+    // Across the seam.
+    std::size_t first = 0;
+    while (kept.size() - first >= 3) {
+        const std::size_t last = kept.size() - 1;
+        if (is_spike(kept[last - 1], kept[last], kept[first], rounding))
+            kept.pop_back();
+        else if (is_spike(kept[last], kept[first], kept[first + 1], rounding))
+            ++first;
+        else
+            break;
+    }
+    kept.erase(kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(first));
+    return kept;
+}
+
+}  // namespace
+
+std::vector<std::vector<Point>> polygons(const CellShape& shape, double tolerance) {
+    std::vector<std::vector<Point>> result;
+    for (const std::vector<Conic>& loop : shape.loops) {
+        std::vector<Point> points;
+        for (const Conic& conic : loop) sample(conic, tolerance, points);
+        points = without_spikes(points);
+        if (points.size() >= 3) result.push_back(std::move(points));
+    }
+    return result;
+}
+
+}  // namespace signum

@@ -1,0 +1,16 @@
+#pragma once
+/// Cells as polygons, for programs that know no arcs.
+
+#include <vector>
+
+#include <signum/voronoi/clip.hpp>
+
+namespace signum {
+
+/// One polygon a loop of the shape, counterclockwise, its first point not repeated at the end; of
+/// arcs as many points as are needed to stay within `tolerance` (at most 2^16 each). Both cells at
+/// an edge get the same points of it. Polygons of no area are left out. Precondition: tolerance >
+/// 0.
+[[nodiscard]] std::vector<std::vector<Point>> polygons(const CellShape& shape, double tolerance);
+
+}  // namespace signum
