@@ -1,0 +1,83 @@
+# The C++ of the pages is a program: every ```cpp block compiles without a warning, links, runs, and
+# prints what its comments say. A block without main() is put into one, below its includes. What stands
+# behind the word "prints" in its comments, commas apart, are the lines of its output.
+set(scratch "${BUILD}/Testing/documented_examples")
+file(REMOVE_RECURSE "${scratch}")
+file(MAKE_DIRECTORY "${scratch}")
+
+# A shared library is found where it was built.
+list(GET LIBRARIES 0 library)
+get_filename_component(directory "${library}" DIRECTORY)
+
+# What is wrong with a block; empty when nothing is.
+function(complaints block result)
+  set(program "${block}")
+  if(NOT block MATCHES "int main\\(")
+    # A list parts at semicolons, of which an include has none.
+    string(REGEX MATCHALL "#include [^\n]*" includes "${block}")
+    list(JOIN includes "\n" includes)
+    string(REGEX REPLACE "#include [^\n]*" "" statements "${block}")
+    set(program "${includes}\n\nint main() {\n${statements}}\n")
+  endif()
+  file(WRITE "${scratch}/example.cpp" "${program}")
+  execute_process(COMMAND ${COMPILER} ${FLAGS} -std=c++20 -Wall -Wextra -Werror "-I${BUILD}/include"
+                          "${scratch}/example.cpp" ${LIBRARIES} -pthread "-Wl,-rpath,${directory}"
+                          -o "${scratch}/example"
+                  RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE error)
+  if(NOT code EQUAL 0)
+    set(${result} "does not compile:\n${out}${error}" PARENT_SCOPE)
+    return()
+  endif()
+  execute_process(COMMAND "${scratch}/example" TIMEOUT 60
+                  RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE error)
+  if(NOT code EQUAL 0)
+    set(${result} "ends with ${code}:\n${output}${error}" PARENT_SCOPE)
+    return()
+  endif()
+  set(promised "")
+  set(rest "${block}")
+  while(rest MATCHES "//[^\n]*prints ([^\n]*)\n(.*)")
+    string(APPEND promised "${CMAKE_MATCH_1}\n")
+    set(rest "${CMAKE_MATCH_2}")
+  endwhile()
+  string(REPLACE ", " "\n" promised "${promised}")
+  if(NOT output STREQUAL promised)
+    set(${result} "prints\n${output}and promises\n${promised}" PARENT_SCOPE)
+    return()
+  endif()
+  set(${result} "" PARENT_SCOPE)
+endfunction()
+
+file(GLOB pages "${SOURCES}/*.md" "${SOURCES}/docs/*.md")
+set(fence "```cpp\n")
+string(LENGTH "${fence}" length)
+set(count 0)
+foreach(page IN LISTS pages)
+  file(READ "${page}" text)
+  string(FIND "${text}" "${fence}" start)
+  while(start GREATER_EQUAL 0)
+    math(EXPR start "${start} + ${length}")
+    string(SUBSTRING "${text}" ${start} -1 text)
+    string(FIND "${text}" "```" end)
+    string(SUBSTRING "${text}" 0 ${end} block)
+    complaints("${block}" found)
+    if(found)
+      message(FATAL_ERROR "${page}: an example ${found}\nIt is\n${block}")
+    endif()
+    math(EXPR count "${count} + 1")
+    string(SUBSTRING "${text}" ${end} -1 text)
+    string(FIND "${text}" "${fence}" start)
+  endwhile()
+endforeach()
+if(count EQUAL 0)
+  message(FATAL_ERROR "no page has an example")
+endif()
+
+# The test of the test: what does not compile, what fails, and what prints something else.
+foreach(wrong IN ITEMS "return nothing;" "return 1;" "#include <cstdio>\nstd::puts(\"1\"); // prints 2")
+  complaints("${wrong}\n" found)
+  if(NOT found)
+    message(FATAL_ERROR "should have been found out: ${wrong}")
+  endif()
+endforeach()
+message(STATUS "${count} examples compile, and print what they promise")
