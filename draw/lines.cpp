@@ -5,7 +5,6 @@
 
 #include <signum/draw/paths.hpp>
 #include <signum/draw/thinning.hpp>
-#include <signum/voronoi/clip.hpp>
 
 namespace signum {
 namespace {
@@ -31,11 +30,17 @@ Conic in_pixels(const Conic& divided, int exponent, const Frame& frame) noexcept
             frame.at(divided.to, exponent), divided.weight};
 }
 
+std::optional<ClippedVoronoi> clipped_to(const Frame& frame, const Voronoi& voronoi) {
+    const Box box = frame.box(voronoi.exponent());
+    if (!(box.x0 < box.x1 && box.y0 < box.y1)) return std::nullopt;
+    return ClippedVoronoi(voronoi, box, Lengths::divided);
+}
+
 std::vector<Conic> cell_edges(const Voronoi& voronoi, const Frame& frame) {
-    const ClippedVoronoi clipped(voronoi, frame.box(voronoi.exponent()), Lengths::divided);
+    const auto clipped = clipped_to(frame, voronoi);
     std::vector<Conic> lines;
-    for (std::size_t e = 0; e < voronoi.edges().size(); ++e)
-        for (const Conic& part : clipped.edge(static_cast<Index>(e)))
+    for (std::size_t e = 0; clipped && e < voronoi.edges().size(); ++e)
+        for (const Conic& part : clipped->edge(static_cast<Index>(e)))
             lines.push_back(in_pixels(part, voronoi.exponent(), frame));
     return lines;
 }

@@ -4,14 +4,19 @@
 #include <signum/draw/frame.hpp>
 #include <signum/draw/legend.hpp>
 #include <signum/draw/svg_text.hpp>
-#include <signum/voronoi/voronoi.hpp>
+#include <signum/voronoi/clip.hpp>
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
 namespace signum {
+
+/// The diagram in what the picture shows, lengths divided by its exponent. Nothing where the
+/// picture is so small, and so far from the origin, that doubles do not tell its sides apart.
+[[nodiscard]] std::optional<ClippedVoronoi> clipped_to(const Frame& frame, const Voronoi& voronoi);
 
 /// The edges of the diagram that lie in the picture, in pixels.
 [[nodiscard]] std::vector<Conic> cell_edges(const Voronoi& voronoi, const Frame& frame);

@@ -33,11 +33,12 @@ std::vector<std::size_t> tints_of(const Voronoi& voronoi) {
 }
 
 void write_cells(SvgText& text, const Voronoi& voronoi, const Frame& frame) {
-    const ClippedVoronoi clipped(voronoi, frame.box(voronoi.exponent()), Lengths::divided);
+    const auto clipped = clipped_to(frame, voronoi);
+    if (!clipped) return;
     const std::vector<std::size_t> tint = tints_of(voronoi);
     for (std::size_t site = 0; site < tint.size(); ++site) {
         if (voronoi.is_hidden(static_cast<Index>(site))) continue;
-        const CellShape shape = clipped.cell(static_cast<Index>(site));
+        const CellShape shape = clipped->cell(static_cast<Index>(site));
         if (shape.loops.empty()) continue;
         text.add(R"(<path class="tint tint{}" d=")", tint[site]);
         for (const auto& loop : shape.loops) {

@@ -2,6 +2,7 @@
 // and none is nearer, and wherever the nearest site changes an edge is drawn.
 
 #include <signum/draw/frame.hpp>
+#include <signum/draw/lines.hpp>
 #include <signum/draw/shapes.hpp>
 #include <signum/predicates/additive.hpp>
 #include <signum/triangulation/triangulate.hpp>
@@ -65,12 +66,32 @@ class Cells : public testing::TestWithParam<Metric> {
         return {all[0], all[1]};
     }
 
-    static double distance_to(Point p, const Segment& s) {
+    static double distance_to(Point p, const Conic& s) {
         const Point along = {s.to.x - s.from.x, s.to.y - s.from.y};
         const double square = along.x * along.x + along.y * along.y;
         const double t = std::clamp(
             ((p.x - s.from.x) * along.x + (p.y - s.from.y) * along.y) / square, 0.0, 1.0);
         return std::hypot(s.from.x + t * along.x - p.x, s.from.y + t * along.y - p.y);
+    }
+
+    /// The parabolas that are drawn, as straight lines.
+    static std::vector<Conic> chords(const std::vector<Conic>& drawn) {
+        std::vector<Conic> result;
+        for (const Conic& conic : drawn)
+            for (const Conic& parabola : parabolas(conic, 0.05)) {
+                Point start = parabola.from;
+                for (int i = 1; i <= 8; ++i) {
+                    const double s = i / 8.0;
+                    const Point end = {
+                        (1 - s) * (1 - s) * parabola.from.x + 2 * s * (1 - s) * parabola.control.x +
+                            s * s * parabola.to.x,
+                        (1 - s) * (1 - s) * parabola.from.y + 2 * s * (1 - s) * parabola.control.y +
+                            s * s * parabola.to.y};
+                    if (start != end) result.push_back(Conic::straight(start, end));
+                    start = end;
+                }
+            }
+        return result;
     }
 
     static std::string text(const std::vector<Site>& sites) {
@@ -83,11 +104,11 @@ class Cells : public testing::TestWithParam<Metric> {
 
     void check(const std::vector<Site>& sites) {
         const Frame frame(sites, 900);
-        const auto drawn = shapes_of(GetParam()).cell_edges(build(sites), frame);
-        for (const auto& [from, to] : drawn) {
+        const auto drawn = chords(cell_edges(voronoi(build(sites)), frame));
+        for (const Conic& chord : drawn) {
             ++segments_;
             for (const double t : {0.0, 0.3, 0.5, 1.0}) {
-                const Point p = {from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)};
+                const Point p = chord.at(t);
                 ASSERT_TRUE(-1e-6 <= p.x && p.x <= frame.width() + 1e-6 && -1e-6 <= p.y &&
                             p.y <= frame.height() + 1e-6);
                 const auto [one, other] = nearest(frame, p, sites);
@@ -104,7 +125,7 @@ class Cells : public testing::TestWithParam<Metric> {
             if (nearest(frame, p, sites)[0].site == nearest(frame, q, sites)[0].site) continue;
             ++changes_;
             double least = frame.width();
-            for (const Segment& segment : drawn) least = std::min(least, distance_to(p, segment));
+            for (const Conic& chord : drawn) least = std::min(least, distance_to(p, chord));
             // An edge may leave the picture between the two.
             const double border = std::min({p.x, p.y, frame.width() - p.x, frame.height() - p.y,
                                             q.x, q.y, frame.width() - q.x, frame.height() - q.y});

@@ -3,8 +3,7 @@
 /// definition.
 
 #include <signum/draw/frame.hpp>
-#include <signum/draw/power_shapes.hpp>
-#include <signum/draw/rectangular_shapes.hpp>
+#include <signum/draw/lines.hpp>
 #include <signum/draw/shapes.hpp>
 #include <signum/draw/svg.hpp>
 #include <signum/draw/thinning.hpp>
@@ -348,14 +347,14 @@ TEST(Svg, NegativeRadiiAreDots) {
 TEST(Svg, AlignedSquaresAreSeparatedByTheLineOfTheTieRule) {
     // The bisector bends around the later site, or around the smaller square.
     const Frame frame(std::vector<Site>{{0, 0, 1}, {4, 0, 1}}, 900);
-    const auto edges = rectangular::cell_edges(
-        triangulate(std::vector<Site>{{0, 0, 1}, {4, 0, 1}}, Supremum{}), frame);
+    const auto edges = cell_edges(
+        voronoi(triangulate(std::vector<Site>{{0, 0, 1}, {4, 0, 1}}, Supremum{})), frame);
     ASSERT_EQ(edges.size(), 1U);  // the picture is too low for the bends
     EXPECT_EQ(edges[0].from.x, frame.width() / 2);
     EXPECT_EQ(edges[0].to.x, frame.width() / 2);
     const Frame high(std::vector<Site>{{0, 0, 1}, {4, 0, 1}, {0, 9, 0}}, 900);
-    const auto bent = rectangular::cell_edges(
-        triangulate(std::vector<Site>{{0, 0, 1}, {4, 0, 1}}, Supremum{}), high);
+    const auto bent =
+        cell_edges(voronoi(triangulate(std::vector<Site>{{0, 0, 1}, {4, 0, 1}}, Supremum{})), high);
     ASSERT_EQ(bent.size(), 2U);
     const Point middle = high.at({2, 2});
     EXPECT_NEAR(bent[0].to.x, middle.x, 1e-9);
@@ -402,10 +401,12 @@ TEST(Svg, ALineOfArcsIsSmooth) {
     // A hyperbola that turns sharply around the smaller disc's side.
     const Tessellation t = euclidean({{0, 0, 9.9}, {10, 0, 0}});
     const Frame frame(t.sites(), 900);
-    const auto arcs = shapes_of(Metric::euclidean).cell_edges(t, frame);
-    ASSERT_GT(arcs.size(), 8U);
-    EXPECT_LT(arcs.size(), 200U);
-    for (std::size_t i = 1; i < arcs.size(); ++i) EXPECT_EQ(arcs[i].from, arcs[i - 1].to);
+    const auto arcs = cell_edges(voronoi(t), frame);
+    ASSERT_EQ(arcs.size(), 1U);
+    const auto drawn = parabolas(arcs[0], 0.05);
+    ASSERT_GT(drawn.size(), 4U);
+    EXPECT_LT(drawn.size(), 100U);
+    for (std::size_t i = 1; i < drawn.size(); ++i) EXPECT_EQ(drawn[i].from, drawn[i - 1].to);
     // Down first: the larger disc, on the left, stays on the left of the way up.
     EXPECT_GT(arcs.front().from.y, arcs.back().to.y);
 }
@@ -424,9 +425,9 @@ TEST(PowerCells, LieBetweenTheTwoNearestSites) {
         const auto sites = random_sites(80, 100, radius);
         const auto tessellation = triangulate(sites, Power{});
         const Frame frame(sites, 900);
-        const auto edges = power::cell_edges(tessellation, frame);
+        const auto edges = cell_edges(voronoi(tessellation), frame);
         EXPECT_GT(edges.size(), 60U);
-        for (const auto& [from, to] : edges) {
+        for (const auto& [from, control, to, weight] : edges) {
             const Point middle = {(from.x + to.x) / 2, (from.y + to.y) / 2};
             std::vector<double> distances;
             for (const Site& site : sites) {
@@ -446,20 +447,17 @@ TEST(PowerCells, LieBetweenTheTwoNearestSites) {
     }
 }
 
-TEST(Frame, ClipsLinesToThePicture) {
-    const Frame frame(std::vector<Site>{{0, 0, 0}, {1, 1, 0}}, 900);
-    ASSERT_EQ(frame.height(), 900);
-    const auto whole = frame.clip({100, 450}, {1, 0}, -INFINITY, INFINITY);
-    ASSERT_TRUE(whole);
-    EXPECT_EQ(whole->from, (Point{0, 450}));
-    EXPECT_EQ(whole->to, (Point{900, 450}));
-    const auto ray = frame.clip({-100, 450}, {0.5, 0}, 0, INFINITY);
-    ASSERT_TRUE(ray);
-    EXPECT_EQ(ray->from, (Point{0, 450}));
-    EXPECT_FALSE(frame.clip({-100, 450}, {-1, 0}, 0, INFINITY));
-    EXPECT_FALSE(frame.clip({0, 1000}, {1, 0}, -INFINITY, INFINITY));
-    EXPECT_FALSE(frame.clip({NAN, 450}, {1, 0}, 0, INFINITY));
-    EXPECT_FALSE(frame.clip({450, 450}, {NAN, NAN}, -INFINITY, INFINITY));
+TEST(Frame, ShowsABox) {
+    const Box box = {-1, 2, 7, 5};
+    const Frame frame(box, 900);
+    EXPECT_EQ(frame.width(), 900);
+    EXPECT_EQ(frame.height(), 337.5);
+    EXPECT_EQ(frame.at({-1, 5}), (Point{0, 0}));
+    EXPECT_EQ(frame.at({7, 2}), (Point{900, 337.5}));
+    EXPECT_EQ(frame.box(0), box);
+    EXPECT_EQ(frame.at({7.0 / 8, 2.0 / 8}, 3), (Point{900, 337.5}));
+    // A tall one is no picture without end.
+    EXPECT_EQ(Frame(Box{0, 0, 1, 1000}, 900).height(), 1800);
 }
 
 }  // namespace
