@@ -157,13 +157,13 @@ void Voronoi::collect_cells() {
     std::partial_sum(first_step_.begin(), first_step_.end(), first_step_.begin());
     steps_.resize(first_step_[sites]);
 
-    // Around each site from its first face, or the one at which infinity ends.
+    // Around each site from its first face, or one that lies at infinity.
     std::vector<Index> start(sites, -1);
     for (std::size_t f = 0; f < faces.size(); ++f)
         for (std::size_t k = 0; k < 3; ++k) {
             if (faces[f][k] == infinite) continue;
             Index& of = start[static_cast<std::size_t>(faces[f][k])];
-            if (of < 0 || faces[f][(k + 2) % 3] == infinite) of = static_cast<Index>(f);
+            if (of < 0 || vertex_of_face_[f] == at_infinity) of = static_cast<Index>(f);
         }
     for (std::size_t site = 0; site < sites; ++site) {
         std::size_t step = first_step_[site];
@@ -273,7 +273,17 @@ std::optional<EdgeGeometry> Voronoi::geometry(Index index, std::optional<Point> 
     const Point end = vertex(edge.to);
     const Site& a = site(edge.left);
     const Site& b = site(edge.right);
-    if (!focus) focus = is_finite(start) ? start : is_finite(end) ? end : divided({a.x, a.y});
+    if (!focus) {
+        // The nearer end: the other one may be far away, and not so well known.
+        const Point from = divided({a.x, a.y});
+        focus = from;
+        double least = unbounded;
+        for (const Point p : {start, end})
+            if (const double away = std::hypot(p.x - from.x, p.y - from.y); away < least) {
+                least = away;
+                focus = p;
+            }
+    }
 
     const auto curve = bisector(tessellation_.metric(), tessellation_.weight_is(), {a, edge.left},
                                 {b, edge.right}, exponent_, *focus);

@@ -1,0 +1,607 @@
+// The diagram against its definition: cells tile every box, contain the points that brute force
+// calls nearest, and their edges lie where two sites are equally near and none is nearer.
+
+#include <gmpxx.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <random>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <signum/predicates/additive.hpp>
+#include <signum/predicates/ccw.hpp>
+#include <signum/triangulation/triangulate.hpp>
+#include <signum/voronoi/clip.hpp>
+#include <signum/voronoi/polygon.hpp>
+
+#include "property/degenerate_sites.hpp"
+
+namespace signum {
+namespace {
+
+#if defined(__SANITIZE_ADDRESS__) || !defined(__OPTIMIZE__)
+constexpr int thoroughness = 1;
+#else
+constexpr int thoroughness = 10;
+#endif
+
+double norm(Metric metric, double x, double y) {
+    switch (metric) {
+        case Metric::manhattan:
+            return std::abs(x) + std::abs(y);
+        case Metric::supremum:
+            return std::max(std::abs(x), std::abs(y));
+        default:
+            return std::hypot(x, y);
+    }
+}
+
+double distance(Metric metric, Point p, const Site& s) {
+    const double length = norm(metric, p.x - s.x, p.y - s.y);
+    return metric == Metric::power ? length * length - s.r * s.r : length - s.r;
+}
+
+/// The same with hundreds of bits.
+mpf_class precise_distance(Metric metric, Point p, const Site& s) {
+    const mpf_class x = mpf_class(p.x, 400) - s.x;
+    const mpf_class y = mpf_class(p.y, 400) - s.y;
+    const mpf_class r(s.r, 400);
+    switch (metric) {
+        case Metric::power:
+            return mpf_class(x * x + y * y - r * r);
+        case Metric::euclidean:
+            return mpf_class(sqrt(mpf_class(x * x + y * y)) - r);
+        case Metric::manhattan:
+            return mpf_class(abs(x) + abs(y) - r);
+        case Metric::supremum:
+            break;
+    }
+    return mpf_class((abs(x) > abs(y) ? abs(x) : abs(y)) - r);
+}
+
+struct Nearest {
+    Index site;
+    double margin;  ///< to the second, in doubles
+    bool tied;      ///< to some hundred bits
+};
+
+/// Brute force; of equally near sites the first in the tie rule's order.
+Nearest nearest(Metric metric, Point p, const std::vector<Site>& sites) {
+    Nearest result = {0, 1e300, false};
+    std::vector<double> distances;
+    for (const Site& s : sites) distances.push_back(distance(metric, p, s));
+    // In the power metric the rule goes by weights, which are squares.
+    const auto of = [&](Index i) {
+        Site s = sites[static_cast<std::size_t>(i)];
+        if (metric == Metric::power) s.r = std::abs(s.r);
+        return s;
+    };
+    for (Index i = 1; i < static_cast<Index>(sites.size()); ++i) {
+        const double difference = distances[static_cast<std::size_t>(i)] -
+                                  distances[static_cast<std::size_t>(result.site)];
+        int sign = difference < 0 ? -1 : 1;
+        bool tied = false;
+        if (std::abs(difference) < 1e-9) {
+            const mpf_class exact =
+                precise_distance(metric, p, of(i)) - precise_distance(metric, p, of(result.site));
+            tied = abs(exact) < 1e-60;
+            sign = tied ? (additive::precedes(of(i), i, of(result.site), result.site) ? -1 : 1)
+                        : sgn(exact);
+        }
+        if (sign < 0)
+            result = {i, 1e300, tied};
+        else
+            result.tied = result.tied || tied;
+    }
+    for (Index i = 0; i < static_cast<Index>(sites.size()); ++i)
+        if (i != result.site)
+            result.margin =
+                std::min(result.margin, distances[static_cast<std::size_t>(i)] -
+                                            distances[static_cast<std::size_t>(result.site)]);
+    return result;
+}
+
+/// Whether a ray to the right crosses the shape's border an odd number of times.
+bool contains(const CellShape& shape, Point p) {
+    bool inside = false;
+    for (const auto& loop : shape.loops)
+        for (const Conic& conic : loop) {
+            // Where the curve crosses the line of p: (1-s)² a + 2s(1-s) w b + s² c = 0.
+            const double a = conic.from.y - p.y;
+            const double c = conic.to.y - p.y;
+            const auto cross_at = [&](double s) {
+                if (conic.at(s).x > p.x) inside = !inside;
+            };
+            if (conic.is_straight()) {
+                if ((a > 0) != (c > 0)) cross_at(a / (a - c));
+                continue;
+            }
+            const double b = conic.weight * (conic.control.y - p.y);
+            const double discriminant = b * b - a * c;
+            if (discriminant <= 0) continue;  // touches the line at most
+            const double sum = -(b + std::copysign(std::sqrt(discriminant), b));
+            // s = numerator / (numerator + denominator), for t = s / (1 - s) a root above 0.
+            const auto is_root = [](double numerator, double denominator) {
+                return (numerator > 0) == (denominator > 0) && numerator + denominator != 0;
+            };
+            // Ends on the line count for one of the two curves that meet there: as if below it.
+            if ((a > 0) != (c > 0)) {
+                if (is_root(sum, c))
+                    cross_at(sum / (sum + c));
+                else
+                    cross_at(a / (a + sum));
+            } else if (is_root(sum, c) && is_root(a, sum)) {
+                cross_at(sum / (sum + c));
+                cross_at(a / (a + sum));
+            }
+        }
+    return inside;
+}
+
+std::string text(const std::vector<Site>& sites) {
+    std::string result;
+    for (const Site& s : sites)
+        result += "{" + std::to_string(s.x) + ", " + std::to_string(s.y) + ", " +
+                  std::to_string(s.r) + "}, ";
+    return result;
+}
+
+bool is_on(Point a, Point b, Point p) {
+    return ccw(a, b, p) == 0 && std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) &&
+           std::min(a.y, b.y) <= p.y && p.y <= std::max(a.y, b.y);
+}
+
+bool meet(Point a, Point b, Point c, Point d) {
+    if (ccw(a, b, c) * ccw(a, b, d) < 0 && ccw(c, d, a) * ccw(c, d, b) < 0) return true;
+    return is_on(a, b, c) || is_on(a, b, d) || is_on(c, d, a) || is_on(c, d, b);
+}
+
+/// Exactly: no two sides meet but neighbours, and those at their common end alone.
+bool is_simple(const std::vector<Point>& polygon) {
+    const std::size_t n = polygon.size();
+    const auto at = [&](std::size_t i) { return polygon[i % n]; };
+    for (std::size_t i = 0; i < n; ++i) {
+        if (at(i) == at(i + 1) || is_on(at(i), at(i + 1), at(i + 2)) ||
+            is_on(at(i + 1), at(i + 2), at(i)))
+            return false;
+        for (std::size_t j = i + 2; j < n && !(i == 0 && j == n - 1); ++j)
+            if (meet(at(i), at(i + 1), at(j), at(j + 1))) return false;
+    }
+    return true;
+}
+
+double area(const std::vector<Point>& polygon) {
+    double twice = 0;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Point a = polygon[i];
+        const Point b = polygon[(i + 1) % polygon.size()];
+        twice += (a.x - polygon[0].x) * (b.y - polygon[0].y) -
+                 (b.x - polygon[0].x) * (a.y - polygon[0].y);
+    }
+    return twice / 2;
+}
+
+double area(const Box& box) {
+    return (box.x1 - box.x0) * (box.y1 - box.y0);
+}
+
+class VoronoiCells : public testing::TestWithParam<Metric> {
+ protected:
+    std::mt19937_64 random_{23};
+
+    int below(int count) { return static_cast<int>(random_() % static_cast<std::uint64_t>(count)); }
+    double real() { return static_cast<double>(random_() >> 11) * 0x1p-53; }
+
+    [[nodiscard]] Voronoi build(const std::vector<Site>& sites, bool merge = false) const {
+        return Voronoi(triangulate(sites, GetParam()), {merge});
+    }
+
+    /// Random, overlapping, on a circle, on grids, on a line, nearly so; of all the size of a unit.
+    std::vector<Site> some_sites(int family, int largest_count) {
+        std::vector<Site> sites(static_cast<std::size_t>(1 + below(largest_count)));
+        const double spacing = 1 / std::sqrt(static_cast<double>(sites.size()));
+        if (family >= 8) {
+            brute_force::Degenerate(random_()).fill(family - 8, sites.data(), sites.size());
+            return sites;
+        }
+        for (Site& s : sites) {
+            const double angle = 6.3 * real();
+            switch (family) {
+                case 0:
+                    s = {real(), real(), 0};
+                    break;
+                case 1:
+                    s = {real(), real(), below(2) * spacing * (0.9 + 0.2 * real())};
+                    break;
+                case 2:
+                    s = {real(), real(), 0.5 * real()};
+                    break;
+                case 3:
+                    s = {std::cos(angle), std::sin(angle), 0.02 * real()};
+                    break;
+                case 4:
+                    s = {1.0 * below(8), 1.0 * below(8), 1.0 * below(4)};
+                    break;
+                case 5:
+                    s = {1.0 * below(6), 1.0 * below(6), 0};
+                    break;
+                case 6: {
+                    const double t = below(12);
+                    s = {t, 2 * t, 0.5 * below(3)};
+                    break;
+                }
+                default:
+                    s = {below(6) + 1e-12 * real(), below(6) + 1e-13 * real(),
+                         0.3 * below(2) + 1e-14 * real()};
+            }
+        }
+        return sites;
+    }
+    static constexpr int families = 8 + brute_force::Degenerate::families;
+
+    /// Around the sites, in their midst, through their coordinates, far around them.
+    Box some_box(const std::vector<Site>& sites) {
+        switch (below(6)) {
+            case 0:
+                return {0.25, 0.25, 0.75, 0.75};
+            case 1:
+                return {0, 0, 2, 2};
+            case 2:
+                return {-100, -100, 100, 100};
+            case 3:
+                return {0.5, 0.5, 2.5, 1.5};
+            default:
+                return default_box(sites);
+        }
+    }
+};
+
+TEST_P(VoronoiCells, AreaSumsToThatOfTheBox) {
+    int cells = 0;
+    for (int round = 0; round < 400 * thoroughness; ++round) {
+        const auto sites = some_sites(round % families, 40);
+        const Box box = some_box(sites);
+        const Voronoi diagram = build(sites, round % 2 == 0);
+        const ClippedVoronoi clipped(diagram, box);
+        double sum = 0;
+        for (Index i = 0; i < static_cast<Index>(sites.size()); ++i) {
+            if (diagram.is_hidden(i)) continue;
+            const CellShape shape = clipped.cell(i);
+            for (const auto& loop : shape.loops)
+                for (std::size_t c = 0; c < loop.size(); ++c) {
+                    const Point end = loop[c].to;
+                    const Point next = loop[(c + 1) % loop.size()].from;
+                    ASSERT_LE(std::hypot(end.x - next.x, end.y - next.y), 1e-9) << text(sites);
+                }
+            if (shape.loops.empty()) continue;
+            ++cells;
+            const Measure of = measure(shape);
+            ASSERT_GE(of.area, -1e-14 * area(box)) << text(sites);
+            sum += of.area;
+        }
+        ASSERT_NEAR(sum / area(box), 1.0, 1e-12) << "round " << round << ", " << text(sites);
+    }
+    EXPECT_GT(cells, 1000 * thoroughness);
+}
+
+/// A quarter of a million points a metric.
+TEST_P(VoronoiCells, ContainThePointsNearestToTheirSites) {
+    int points = 0;
+    int ties = 0;
+    int near = 0;
+    while (points < 25'000 * thoroughness) {
+        const auto sites = some_sites(below(families), 60);
+        const Box box = some_box(sites);
+        const Voronoi diagram = build(sites);
+        const ClippedVoronoi clipped(diagram, box);
+        std::vector<CellShape> shapes;
+        for (Index i = 0; i < static_cast<Index>(sites.size()); ++i)
+            shapes.push_back(diagram.is_hidden(i) ? CellShape{} : clipped.cell(i));
+        const double extent = std::max({box.x1, -box.x0, box.y1, -box.y0, 10.0});
+        for (int k = 0; k < 1000; ++k, ++points) {
+            Point p = {box.x0 + (box.x1 - box.x0) * real(), box.y0 + (box.y1 - box.y0) * real()};
+            // On the lattice of the input, where ties are.
+            if (k % 8 == 0) p = {std::round(2 * p.x) / 2, std::round(2 * p.y) / 2};
+            const Nearest at = nearest(GetParam(), p, sites);
+            ASSERT_EQ(diagram.tessellation().nearest(p), at.site)
+                << p.x << ", " << p.y << ": " << text(sites);
+            ties += static_cast<int>(at.tied);
+            // The shapes are as good as doubles.
+            if (at.margin < 1e-12 * extent * extent) {
+                ++near;
+                continue;
+            }
+            if (!(box.x0 < p.x && p.x < box.x1 && box.y0 < p.y && p.y < box.y1)) continue;
+            ASSERT_TRUE(contains(shapes[static_cast<std::size_t>(at.site)], p))
+                << p.x << ", " << p.y << " is nearest to " << at.site << ": " << text(sites);
+        }
+    }
+    EXPECT_GT(ties, 100 * thoroughness);
+    // In the Manhattan and supremum metrics ties fill whole regions.
+    EXPECT_LT(near, points / 2);
+}
+
+TEST_P(VoronoiCells, AreBoundedByEdgesInOrder) {
+    for (int round = 0; round < 200 * thoroughness; ++round) {
+        const auto sites = some_sites(round % families, 30);
+        const Voronoi diagram = build(sites, round % 2 == 1);
+        const auto edges = diagram.edges();
+        std::vector<std::array<int, 2>> walked(edges.size());
+        for (Index i = 0; i < static_cast<Index>(sites.size()); ++i) {
+            const auto steps = diagram.cell(i);
+            bool to_infinity = false;
+            for (std::size_t k = 0; k < steps.size(); ++k) {
+                const auto end = [&](const VoronoiStep& step, bool last) {
+                    const VoronoiEdge& edge = edges[static_cast<std::size_t>(step.edge)];
+                    return step.forward == last ? edge.to : edge.from;
+                };
+                const VoronoiEdge& edge = edges[static_cast<std::size_t>(steps[k].edge)];
+                EXPECT_EQ(steps[k].forward ? edge.left : edge.right, i);
+                ++walked[static_cast<std::size_t>(steps[k].edge)][steps[k].forward ? 1 : 0];
+                EXPECT_EQ(end(steps[k], true), end(steps[(k + 1) % steps.size()], false));
+                to_infinity = to_infinity || end(steps[k], true) == at_infinity;
+            }
+            if (to_infinity) {
+                const VoronoiEdge& first = edges[static_cast<std::size_t>(steps[0].edge)];
+                EXPECT_EQ(steps[0].forward ? first.from : first.to, at_infinity);
+            }
+            EXPECT_EQ(diagram.is_unbounded(i),
+                      !diagram.is_hidden(i) && (steps.empty() || to_infinity));
+            const auto neighbours = diagram.tessellation().neighbours(i);
+            EXPECT_EQ(static_cast<std::ptrdiff_t>(steps.size()),
+                      std::ranges::count_if(neighbours, [](Index v) { return v != infinite; }));
+        }
+        for (const auto& times : walked) EXPECT_EQ(times, (std::array{1, 1}));
+        ASSERT_FALSE(HasFailure()) << text(sites);
+    }
+}
+
+TEST_P(VoronoiCells, EdgesLieBetweenTheNearestSites) {
+    int checked = 0;
+    std::set<EdgeKind> kinds;
+    for (int round = 0; round < 60 * thoroughness; ++round) {
+        const auto sites = some_sites(round % families, 25);
+        const Voronoi diagram = build(sites);
+        for (Index e = 0; e < static_cast<Index>(diagram.edges().size()); ++e) {
+            const VoronoiEdge& edge = diagram.edges()[static_cast<std::size_t>(e)];
+            const auto geometry = diagram.geometry(e);
+            ASSERT_TRUE(geometry);
+            kinds.insert(geometry->kind);
+            if (geometry->kind == EdgeKind::point) continue;
+            const auto end = [](double t, double other) {
+                return std::isfinite(t)       ? t
+                       : std::isfinite(other) ? other + std::copysign(3, t)
+                                              : std::copysign(3, t);
+            };
+            const double from = end(geometry->from, geometry->to);
+            const double to = end(geometry->to, geometry->from);
+            for (const double share : {0.0, 0.01, 0.4, 0.77, 1.0}) {
+                const Point p = std::visit(
+                    [&](const auto& curve) { return curve.at(from + share * (to - from)); },
+                    geometry->curve);
+                if (std::hypot(p.x, p.y) > 1e4) continue;
+                const auto& a = sites[static_cast<std::size_t>(edge.left)];
+                const auto& b = sites[static_cast<std::size_t>(edge.right)];
+                const double scale = GetParam() == Metric::power ? 1e-8 : 1e-9;
+                const double size = 1 + std::hypot(p.x, p.y);
+                const double one = distance(GetParam(), p, a);
+                EXPECT_NEAR(one, distance(GetParam(), p, b), scale * size) << p.x << ", " << p.y;
+                const Nearest least = nearest(GetParam(), p, sites);
+                EXPECT_NEAR(one,
+                            distance(GetParam(), p, sites[static_cast<std::size_t>(least.site)]),
+                            scale * size)
+                    << p.x << ", " << p.y << " edge " << e;
+                ++checked;
+            }
+            if (edge.from != at_infinity) {
+                EXPECT_EQ(geometry->start.x,
+                          diagram.vertices()[static_cast<std::size_t>(edge.from)].x);
+            }
+            ASSERT_FALSE(HasFailure()) << text(sites);
+        }
+    }
+    EXPECT_GT(checked, 2000 * thoroughness);
+    EXPECT_GE(kinds.size(), 4U);
+    EXPECT_EQ(kinds.contains(EdgeKind::hyperbola), GetParam() == Metric::euclidean);
+    EXPECT_EQ(kinds.contains(EdgeKind::polyline),
+              GetParam() == Metric::manhattan || GetParam() == Metric::supremum);
+}
+
+TEST_P(VoronoiCells, PolygonsAreSimpleAndTileTheBox) {
+    int checked = 0;
+    for (int round = 0; round < 100 * thoroughness; ++round) {
+        const auto sites = some_sites(round % families, 40);
+        const Box box = some_box(sites);
+        const Voronoi diagram = build(sites, round % 2 == 0);
+        const ClippedVoronoi clipped(diagram, box);
+        double sum = 0;
+        for (Index i = 0; i < static_cast<Index>(sites.size()); ++i) {
+            if (diagram.is_hidden(i)) continue;
+            for (const auto& polygon : polygons(clipped.cell(i), 1e-3 * (box.x1 - box.x0))) {
+                ++checked;
+                ASSERT_TRUE(is_simple(polygon)) << "cell " << i << " of " << text(sites);
+                ASSERT_GT(area(polygon), 0.0) << "cell " << i << " of " << text(sites);
+                sum += area(polygon);
+            }
+        }
+        // Both sides of an edge take the same points of it.
+        ASSERT_NEAR(sum / area(box), 1.0, 1e-12) << text(sites);
+    }
+    EXPECT_GT(checked, 400 * thoroughness);
+}
+
+TEST_P(VoronoiCells, MeasuresAreThoseOfAFinePolygon) {
+    for (int round = 0; round < 6 * thoroughness; ++round) {
+        const auto sites = some_sites(1 + round % 2, 30);
+        const Voronoi diagram = build(sites);
+        const ClippedVoronoi whole(diagram);
+        for (Index i = 0; i < static_cast<Index>(sites.size()); ++i) {
+            if (diagram.is_hidden(i)) continue;
+            const CellShape shape = whole.cell(i);
+            const Measure of = measure(shape);
+            if (diagram.is_unbounded(i)) {
+                EXPECT_TRUE(shape.loops.empty());
+                EXPECT_EQ(of.area, INFINITY);
+                EXPECT_TRUE(std::isnan(of.centroid.x));
+                continue;
+            }
+            ASSERT_EQ(shape.loops.size(), 1U);
+            const auto fine = polygons(shape, 1e-8);
+            if (fine.empty()) continue;  // of no area
+            double perimeter = 0;
+            double x = 0;
+            double y = 0;
+            const auto& polygon = fine[0];
+            for (std::size_t k = 0; k < polygon.size(); ++k) {
+                const Point o = polygon[0];
+                const Point p = polygon[k];
+                const Point q = polygon[(k + 1) % polygon.size()];
+                perimeter += std::hypot(p.x - q.x, p.y - q.y);
+                const double t = ((p.x - o.x) * (q.y - o.y) - (q.x - o.x) * (p.y - o.y)) / 2;
+                x += t * (o.x + p.x + q.x) / 3;
+                y += t * (o.y + p.y + q.y) / 3;
+            }
+            const double exact = area(polygon);
+            EXPECT_NEAR(of.area, exact, 1e-7 * perimeter);
+            EXPECT_NEAR(of.perimeter, perimeter, 1e-6 * perimeter);
+            if (exact > 1e-4 * perimeter * perimeter) {
+                EXPECT_NEAR(of.centroid.x, x / exact, 1e-4 * perimeter);
+                EXPECT_NEAR(of.centroid.y, y / exact, 1e-4 * perimeter);
+            }
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Metrics, VoronoiCells, testing::ValuesIn(all_metrics),
+                         [](const auto& metric) { return std::string(name_of(metric.param)); });
+
+// Single diagrams ---------------------------------------------------------------------------------
+
+TEST(Voronoi, OfNoSiteAndOne) {
+    const Voronoi none = voronoi(triangulate(std::vector<Site>{}, Euclidean{}));
+    EXPECT_TRUE(none.vertices().empty());
+    EXPECT_TRUE(none.edges().empty());
+    const Voronoi one = voronoi(triangulate(std::vector<Site>{{3, 4, 1}, {3, 4, 0}}, Euclidean{}));
+    EXPECT_TRUE(one.cell(0).empty());
+    EXPECT_TRUE(one.is_unbounded(0));
+    EXPECT_FALSE(one.is_unbounded(1));
+    const CellShape all = ClippedVoronoi(one, {0, 0, 2, 1}).cell(0);
+    EXPECT_EQ(measure(all).area, 2);
+    EXPECT_EQ(measure(all).perimeter, 6);
+    EXPECT_EQ(measure(all).centroid, (Point{1, 0.5}));
+    EXPECT_TRUE(all.clipped);
+}
+
+TEST(Voronoi, MergesDegenerateVerticesOnRequest) {
+    std::vector<Site> grid;
+    for (int x = 0; x < 6; ++x)
+        for (int y = 0; y < 6; ++y) grid.push_back({1.0 * x, 1.0 * y, 0.25});
+    for (const Metric metric : all_metrics) {
+        const Tessellation t = triangulate(grid, metric);
+        EXPECT_EQ(voronoi(t).vertices().size(), 50U);
+        const Voronoi merged = voronoi(t, {.merge = true});
+        EXPECT_EQ(merged.vertices().size(), 25U) << name_of(metric);
+        std::set<std::pair<double, double>> places;
+        for (const DiagramVertex& v : merged.vertices()) places.emplace(v.x, v.y);
+        EXPECT_EQ(places.size(), 25U);
+        const ClippedVoronoi clipped(merged, {-0.5, -0.5, 5.5, 5.5});
+        for (Index i = 0; i < 36; ++i) {
+            const Measure of = measure(clipped.cell(i));
+            EXPECT_NEAR(of.area, 1, 1e-15) << name_of(metric);
+            EXPECT_NEAR(of.perimeter, 4, 1e-15);
+        }
+    }
+    // Exactly on a circle: 65² = 16² + 63² = 33² + 56² = 25² + 60² = 39² + 52².
+    std::vector<Site> circle;
+    for (const auto& [a, b] : {std::pair{16, 63}, {33, 56}, {25, 60}, {39, 52}, {0, 65}})
+        for (const int s : {-1, 1})
+            for (const int r : {-1, 1})
+                for (const bool swap : {false, true}) {
+                    const double x = s * (swap ? b : a);
+                    const double y = r * (swap ? a : b);
+                    circle.push_back({x + 7, y - 3, 2});
+                }
+    const Tessellation t = triangulate(circle, Euclidean{});
+    const Voronoi merged = voronoi(t, {.merge = true});
+    ASSERT_EQ(merged.vertices().size(), 1U);
+    EXPECT_EQ(merged.vertices()[0].x, 7);
+    EXPECT_EQ(merged.vertices()[0].y, -3);
+    EXPECT_EQ(merged.vertices()[0].rho, 63);
+}
+
+/// Nested circles all of whose cells are unbounded or reach around others; the arcs of the smaller
+/// discs are half-open.
+TEST(Voronoi, AHyperbolaIsTheBisectorOfTwoDiscs) {
+    const Voronoi diagram =
+        voronoi(triangulate(std::vector<Site>{{-5, 0, 3}, {5, 0, -3}}, Euclidean{}));
+    ASSERT_EQ(diagram.edges().size(), 1U);
+    const auto geometry = diagram.geometry(0);
+    ASSERT_TRUE(geometry);
+    EXPECT_EQ(geometry->kind, EdgeKind::hyperbola);
+    EXPECT_EQ(geometry->from, -INFINITY);
+    EXPECT_EQ(geometry->to, INFINITY);
+    const auto& curve = std::get<HyperbolaCurve>(geometry->curve);
+    // a is half of what the left disc's radius has more, b completes half the distance.
+    EXPECT_EQ(std::abs(curve.a), 3);
+    EXPECT_DOUBLE_EQ(curve.b, 4);
+    EXPECT_EQ(curve.at(0).x, 3);
+    const CellShape left = ClippedVoronoi(diagram, {-10, -10, 10, 10}).cell(0);
+    ASSERT_EQ(left.loops.size(), 1U);
+    const CellShape right = ClippedVoronoi(diagram, {-10, -10, 10, 10}).cell(1);
+    EXPECT_NEAR(measure(left).area + measure(right).area, 400, 1e-12);
+    // Between x = 3 √(1 + y²/16) and x = 10 for y from -10 to 10: the hyperbola leaves the box at
+    // its upper and lower side, at x = 3 √7.25.
+    const double edge = 3 * std::sqrt(7.25);
+    const double under = 10 * std::sqrt(116.0) / 2 + 8 * std::asinh(2.5);
+    EXPECT_LT(edge, 10);
+    EXPECT_NEAR(measure(right).area, 200 - 2 * 3.0 / 4 * under, 1e-12);
+}
+
+TEST(Voronoi, ScaleDoesNotMatter) {
+    const std::vector<Site> sites = {{0, 0, 3}, {9, 2, 2}, {6, 8, 1}, {2, 7, 0}, {4, 2, 1.5}};
+    for (const Metric metric : all_metrics) {
+        const Voronoi diagram = voronoi(triangulate(sites, metric));
+        const ClippedVoronoi clipped(diagram, {-4, -4, 12, 12});
+        for (const int exponent : {900, -900, 1018, -1070}) {
+            std::vector<Site> scaled = sites;
+            for (Site& s : scaled)
+                s = {std::ldexp(s.x, exponent), std::ldexp(s.y, exponent),
+                     std::ldexp(s.r, exponent)};
+            const auto side = [&](double value) { return std::ldexp(value, exponent); };
+            const Voronoi other = voronoi(triangulate(scaled, metric));
+            const ClippedVoronoi cut(other, {side(-4), side(-4), side(12), side(12)});
+            for (Index i = 0; i < 5; ++i) {
+                if (diagram.is_hidden(i)) continue;
+                const CellShape a = clipped.cell(i);
+                const CellShape b = cut.cell(i);
+                ASSERT_EQ(a.loops.size(), b.loops.size());
+                for (std::size_t l = 0; l < a.loops.size(); ++l) {
+                    ASSERT_EQ(a.loops[l].size(), b.loops[l].size());
+                    for (std::size_t c = 0; c < a.loops[l].size(); ++c) {
+                        const double tolerance = exponent == -1070 ? 0.2 : 1e-12;
+                        EXPECT_NEAR(std::ldexp(b.loops[l][c].to.x, -exponent), a.loops[l][c].to.x,
+                                    tolerance);
+                        EXPECT_NEAR(std::ldexp(b.loops[l][c].to.y, -exponent), a.loops[l][c].to.y,
+                                    tolerance);
+                    }
+                }
+            }
+        }
+    }
+}
+
+TEST(Voronoi, RefusesBoxesWithoutInside) {
+    const Voronoi diagram = voronoi(triangulate(std::vector<Site>{{0, 0, 0}}, Power{}));
+    EXPECT_THROW(ClippedVoronoi(diagram, {0, 0, 0, 1}), std::invalid_argument);
+    EXPECT_THROW(ClippedVoronoi(diagram, {0, 1, 1, 0}), std::invalid_argument);
+    EXPECT_THROW(ClippedVoronoi(diagram, {0, 0, NAN, 1}), std::invalid_argument);
+    EXPECT_THROW(ClippedVoronoi(diagram, {0, 0, INFINITY, 1}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace signum
