@@ -422,7 +422,9 @@ TEST_P(VoronoiCells, PolygonsAreSimpleAndTileTheBox) {
         double sum = 0;
         for (Index i = 0; i < static_cast<Index>(sites.size()); ++i) {
             if (diagram.is_hidden(i)) continue;
-            for (const auto& polygon : polygons(clipped.cell(i), 1e-3 * (box.x1 - box.x0))) {
+            // However coarse: cells thinner than the tolerance have a polygon of their own, too.
+            const double tolerance = (round % 3 == 0 ? 1e-3 : 1.0) * (box.x1 - box.x0);
+            for (const auto& polygon : polygons(clipped.cell(i), tolerance)) {
                 ++checked;
                 ASSERT_TRUE(is_simple(polygon)) << "cell " << i << " of " << text(sites);
                 ASSERT_GT(area(polygon), 0.0) << "cell " << i << " of " << text(sites);

@@ -95,8 +95,9 @@ class Tool : public testing::Test {
 
 TEST_F(Tool, SaysItsVersionAndHelps) {
     EXPECT_EQ(run({"--version"}).out, "signum 0.1.0\n");
-    for (const Words& words : {Words{"--help"}, Words{"triangulate", "--help"}, Words{"sign", "-h"},
-                               Words{"generate", "--help"}, Words{"validate", "--help"}}) {
+    for (const Words& words :
+         {Words{"--help"}, Words{"triangulate", "--help"}, Words{"sign", "-h"},
+          Words{"voronoi", "--help"}, Words{"generate", "--help"}, Words{"validate", "--help"}}) {
         const Outcome outcome = run(words);
         EXPECT_EQ(outcome.code, 0);
         EXPECT_EQ(outcome.err, "");
@@ -573,6 +574,53 @@ TEST_P(ToolInMetric, RefusesWhatHasNoCircle) {
 
 INSTANTIATE_TEST_SUITE_P(Metrics, ToolInMetric, testing::ValuesIn(all_metrics),
                          [](const auto& info) { return std::string(name_of(info.param)); });
+
+TEST_F(Tool, WritesDiagrams) {
+    const Outcome outcome = run({"voronoi", sites, "--metric", "power"});
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_TRUE(
+        outcome.out.starts_with("{\"format\": \"signum.voronoi\", \"version\": 1, "
+                                "\"metric\": \"power\", \"weight_is\": \"radius\", "
+                                "\"sites\": 5, \"clip\": null,\n\"vertices\": [\n"))
+        << outcome.out;
+    EXPECT_EQ(outcome.err,
+              "sites    5\ncells    4, 3 of them unbounded\nhidden   1\nvertices 3\nedges    6\n");
+    EXPECT_EQ(run({"voronoi", "-", "--metric", "power", "--quiet"}, {.in = sites}).out,
+              outcome.out);
+
+    const std::string geojson = scratch.path("a.geojson");
+    const std::string csv = scratch.path("a.csv");
+    const std::string svg = scratch.path("a.svg");
+    const Outcome files = run({"voronoi", "-o", geojson, "-o", csv, "-o", svg, "--clip", "-1", "-1",
+                               "5", "6", "--tolerance", "0.01", "--merge", sites});
+    EXPECT_EQ(files.code, 0) << files.err;
+    EXPECT_EQ(files.out, "");
+    EXPECT_NE(files.err.find("written  " + geojson + ", " + csv + ", " + svg), std::string::npos);
+    EXPECT_NE(contents(geojson).find("\"bbox\": [-1, -1, 5, 6]"), std::string::npos);
+    EXPECT_TRUE(contents(csv).starts_with("site,x,y,radius,"));
+    EXPECT_NE(contents(svg).find("Voronoi diagram"), std::string::npos);
+    // One number may be negative, and so may all.
+    EXPECT_EQ(run({"voronoi", sites, "--quiet", "--clip", "-4", "-3", "-2.5", "-1"}).code, 0);
+}
+
+TEST_F(Tool, RefusesWrongCallsOfVoronoi) {
+    const auto refused = [&](Words more, const std::string& message) {
+        Words words = {"voronoi", sites};
+        words.insert(words.end(), more.begin(), more.end());
+        expect(words, 2, message);
+    };
+    refused({"--clip", "5", "0", "1", "1"},
+            "signum: --clip 5 0 1 1: the lower left corner comes first, x0 < x1 and y0 < y1\n");
+    refused({"--clip", "nan", "0", "1", "1"},
+            "signum: --clip: its four numbers are to be finite\n");
+    refused({"--tolerance", "0"}, "signum: --tolerance: it is to be above 0 and finite\n");
+    refused({"-o", "a.obj"},
+            "signum: -o a.obj: the ending says what to write; give it .json, .svg, .geojson or "
+            ".csv\n");
+    EXPECT_EQ(run({"voronoi", sites, "--clip", "1", "2", "3"}).code, 2);
+    EXPECT_EQ(run({"voronoi", sites, "--clip", "1", "2", "3", "x"}).code, 2);
+    EXPECT_EQ(run({"voronoi", scratch.path("none.txt")}).code, 2);
+}
 
 TEST_F(Tool, TakesEuclideanWhereNoMetricIsGiven) {
     for (const Words& words : {Words{"triangulate", sites, "--quiet"},
