@@ -36,7 +36,10 @@ DrawnSites::DrawnSites(const Tessellation& tessellation, const Frame& frame, con
     for (const Site& site : tessellation.sites())
         radii_.push_back(
             std::min(frame_.length(shapes_.radius(site, tessellation.weight_is())), largest));
-    smallest_ = smallest_drawn(radii_, limit, 0.1);
+    std::vector<double> seen;
+    for (std::size_t i = 0; i < radii_.size(); ++i)
+        if (is_in_picture(i)) seen.push_back(radii_[i]);
+    smallest_ = smallest_drawn(seen, limit, 0.1);
 }
 
 /// Whether any of it can be seen; a site that is out of the picture may be any number of pixels

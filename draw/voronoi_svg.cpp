@@ -4,6 +4,7 @@
 #include <signum/draw/sites.hpp>
 #include <signum/draw/voronoi_svg.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -13,21 +14,49 @@ namespace {
 
 constexpr std::size_t tints = 6;
 
-/// A tint for every cell, another one than its neighbours' as far as the tints reach: the first
-/// that none of those has that were tinted before.
+Index across(const Voronoi& voronoi, const VoronoiStep& step) {
+    const VoronoiEdge& edge = voronoi.edges()[static_cast<std::size_t>(step.edge)];
+    return step.forward ? edge.right : edge.left;
+}
+
+/// A tint for every cell, another one than its neighbours'. Cells make a planar map, of which every
+/// part has one with at most five neighbours: taken out one after another, and tinted in the
+/// opposite order, each finds one of six tints free.
 std::vector<std::size_t> tints_of(const Voronoi& voronoi) {
     const std::size_t sites = voronoi.tessellation().sites().size();
-    std::vector<std::size_t> tint(sites, tints);
-    for (std::size_t site = 0; site < sites; ++site) {
-        std::array<bool, tints + 1> taken{};
-        for (const VoronoiStep& step : voronoi.cell(static_cast<Index>(site))) {
-            const VoronoiEdge& edge = voronoi.edges()[static_cast<std::size_t>(step.edge)];
-            taken[tint[static_cast<std::size_t>(step.forward ? edge.right : edge.left)]] = true;
+    std::vector<std::size_t> left(sites);  // neighbours that are not taken out, once an edge
+    std::vector<Index> order;
+    std::vector<bool> taken(sites, false);
+    const auto take_if_few = [&](std::size_t site) {
+        if (taken[site] || left[site] >= tints) return;
+        taken[site] = true;
+        order.push_back(static_cast<Index>(site));
+    };
+    const auto neighbours = [&](std::size_t site) {
+        std::vector<Index> result;
+        for (const VoronoiStep& step : voronoi.cell(static_cast<Index>(site)))
+            result.push_back(across(voronoi, step));
+        std::ranges::sort(result);
+        result.erase(std::ranges::unique(result).begin(), result.end());
+        return result;
+    };
+    for (std::size_t site = 0; site < sites; ++site) left[site] = neighbours(site).size();
+    for (std::size_t site = 0; site < sites; ++site) take_if_few(site);
+    for (std::size_t i = 0; i < order.size(); ++i)
+        for (const Index v : neighbours(static_cast<std::size_t>(order[i]))) {
+            --left[static_cast<std::size_t>(v)];
+            take_if_few(static_cast<std::size_t>(v));
         }
+
+    std::vector<std::size_t> tint(sites, tints);
+    for (auto site = order.rbegin(); site != order.rend(); ++site) {
+        std::array<bool, tints + 1> used{};
+        for (const Index v : neighbours(static_cast<std::size_t>(*site)))
+            used[tint[static_cast<std::size_t>(v)]] = true;
         // Not every search begins with the first tint, or it would be the most frequent by far.
-        for (std::size_t turn = 0; turn < tints && tint[site] == tints; ++turn)
-            if (const std::size_t next = (site + turn) % tints; !taken[next]) tint[site] = next;
-        if (tint[site] == tints) tint[site] = site % tints;
+        std::size_t next = static_cast<std::size_t>(*site) % tints;
+        while (used[next]) next = (next + 1) % tints;
+        tint[static_cast<std::size_t>(*site)] = next;
     }
     return tint;
 }
@@ -52,10 +81,14 @@ void write_cells(SvgText& text, const Voronoi& voronoi, const Frame& frame) {
     }
 }
 
+/// How many cells the picture shows, roughly: a diagram has three times as many edges as cells.
+std::size_t cells_in(const std::vector<Conic>& edges) {
+    return 1 + edges.size() / 3;
+}
+
 /// How far sites are apart where they are spread evenly.
-double spacing(const Voronoi& voronoi, const Frame& frame) {
-    const auto sites = static_cast<double>(voronoi.tessellation().sites().size());
-    return std::sqrt(frame.width() * frame.height() / (1 + sites));
+double spacing(std::size_t cells, const Frame& frame) {
+    return std::sqrt(frame.width() * frame.height() / static_cast<double>(cells));
 }
 
 }  // namespace
@@ -66,18 +99,18 @@ void write_voronoi_svg(std::ostream& out, const Voronoi& voronoi, const std::opt
     const Frame frame =
         box ? Frame(*box, picture_width) : Frame(drawn_sites(tessellation), picture_width);
     const std::vector<Conic> edges = cell_edges(voronoi, frame);
-    const Pens pens(std::min(spacing(voronoi, frame), 2 * median_length(edges, picture_width)));
+    const Pens pens(
+        std::min(spacing(cells_in(edges), frame), 2 * median_length(edges, picture_width)));
     const DrawnSites sites(tessellation, frame, pens, options.site_limit);
     const Shapes& shapes = shapes_of(tessellation.metric());
 
     Legend legend(frame.width(), shapes.outline);
     sites.describe(legend);
     SvgText drawing;
-    const std::size_t cells = tessellation.sites().size() - tessellation.hidden().size();
-    if (cells <= options.cell_limit)
+    if (cells_in(edges) <= options.cell_limit)
         write_cells(drawing, voronoi, frame);
     else
-        legend.note("cells: more than {}, drawn without tints", options.cell_limit);
+        legend.note("more than {} cells, drawn without tints", options.cell_limit);
     sites.write_outlines(drawing);
     write_lines(drawing, legend, "border", shapes.cells, edges, frame, options.line_limit);
     sites.write_dots(drawing);

@@ -29,9 +29,17 @@ draw() {
 
 "$tool" generate random -n 18 --radius 10:110 --seed 148 -o "$sites/few.txt"
 "$tool" generate random -n 60 --radius 5:60 --seed 6 -o "$sites/sixty.txt"
+# diagram NAME METRIC FILE OPTION...
+diagram() {
+  "$tool" voronoi "$3" --metric "$2" --quiet -o "$out/$1.svg" "${@:4}"
+}
+"$tool" generate grid -n 36 --radius 20 -o "$sites/grid.txt"
+"$tool" generate random -n 20000 --radius 0:4 --seed 3 -o "$sites/many.txt"
+
 for metric in power euclidean manhattan supremum; do
   draw "few_$metric" "$metric" "$sites/few.txt"
   draw "sixty_$metric" "$metric" "$sites/sixty.txt"
+  diagram "diagram_$metric" "$metric" "$sites/sixty.txt"
 done
 
 draw nested euclidean examples/nested.txt
@@ -42,3 +50,9 @@ draw cities euclidean "$sites/world.csv"
 awk -F, '/^(#|x,)/ || (5800 < $1 && $1 < 9800 && 800 < $2 && $2 < 4200)' examples/cities.csv \
   > "$sites/india.csv"
 draw cities_of_india euclidean "$sites/india.csv"
+
+diagram diagram_nested euclidean examples/nested.txt
+diagram diagram_chains euclidean examples/chains.txt
+diagram diagram_grid supremum "$sites/grid.txt" --merge
+diagram diagram_many euclidean "$sites/many.txt" --clip 300 300 380 360
+diagram diagram_cities euclidean "$sites/india.csv"

@@ -144,13 +144,14 @@ double Conic::bulge() const noexcept {
 
 double Conic::distance_from_parabola() const noexcept {
     if (is_straight()) return 0;
-    // With b = 2us / (u² + s²) both curves lie on the same line from a point of the chord to the
-    // control point; the shares of the way, b w / (1 + b w) and b / (1 + b), differ most where
-    // b = 1/√w, by (√w - 1) / (√w + 1).
-    const double longest = std::max(std::hypot(from.x - control.x, from.y - control.y),
-                                    std::hypot(to.x - control.x, to.y - control.y));
-    const double root = std::sqrt(weight);
-    return longest * (root - 1) / (root + 1);
+    // In coordinates in which the chord runs from (-1, 0) to (1, 0) and the control point is (0,
+    // 1), the curve is v² = w² ((1-v)² - u²), the parabola the same with w = 1. At a fixed u
+    //     dv/dw = v²/w / (v + w² (1-v)),
+    // which rises with v: it is greatest at u = 0, for every w, and so is the difference of both
+    // curves, w / (1 + w) - 1/2.
+    const Point middle = middle_of(from, to);
+    return std::hypot(control.x - middle.x, control.y - middle.y) * (weight - 1) /
+           (2 * (weight + 1));
 }
 
 Conic::Moments Conic::moments(Point origin) const noexcept {

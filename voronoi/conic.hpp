@@ -48,7 +48,8 @@ struct Conic {
     [[nodiscard]] std::pair<Conic, Conic> halves() const noexcept;
     /// How far the curve is from its chord at most.
     [[nodiscard]] double bulge() const noexcept;
-    /// How far it is from the plain quadratic Bézier curve with the same three points at most.
+    /// How far any of its points is from the plain quadratic Bézier curve with the same three
+    /// points at most, in the direction from the middle of the chord to the control point.
     [[nodiscard]] double distance_from_parabola() const noexcept;
 
     /// Integrals over the region between the curve and the two lines from `origin` to its ends,

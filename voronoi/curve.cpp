@@ -95,8 +95,8 @@ void append(const HyperbolaCurve& curve, double from, Point start, double to, Po
             std::vector<Conic>& pieces) {
     if (from < 0 && 0 < to) {
         // From where it turns on, a chord leaves both centres on their sides, as the tangents do:
-        // the line through the points at s and t meets the axis a cosh((s-t)/2) / cosh((s+t)/2) from
-        // the middle, no farther than a. So polygons through points of a cell's border are
+        // the line through the points at s and t meets the axis a cosh((s-t)/2) / cosh((s+t)/2)
+        // from the middle, no farther than a. So polygons through points of a cell's border are
         // star-shaped around its centre, as the cell is.
         append(curve, from, start, 0, curve.at(0), pieces);
         append(curve, 0, curve.at(0), to, end, pieces);

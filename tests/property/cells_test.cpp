@@ -80,8 +80,8 @@ class Cells : public testing::TestWithParam<Metric> {
         for (const Conic& conic : drawn)
             for (const Conic& parabola : parabolas(conic, 0.05)) {
                 Point start = parabola.from;
-                for (int i = 1; i <= 8; ++i) {
-                    const double s = i / 8.0;
+                for (int i = 1; i <= 32; ++i) {
+                    const double s = i / 32.0;
                     const Point end = {
                         (1 - s) * (1 - s) * parabola.from.x + 2 * s * (1 - s) * parabola.control.x +
                             s * s * parabola.to.x,

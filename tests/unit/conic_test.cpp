@@ -33,6 +33,15 @@ double off(const HyperbolaCurve& curve, Point p) {
     return std::abs(x - std::copysign(curve.a * std::hypot(1, y / curve.b), curve.a));
 }
 
+/// Whether a point is on the side of the inner centre.
+bool inside(const HyperbolaCurve& curve, Point p) {
+    const double x =
+        (p.x - curve.middle.x) * curve.forward.x + (p.y - curve.middle.y) * curve.forward.y;
+    const double y =
+        (p.x - curve.middle.x) * curve.upward.x + (p.y - curve.middle.y) * curve.upward.y;
+    return std::abs(x) > std::abs(curve.a) * std::hypot(1, y / curve.b);
+}
+
 TEST(Conic, AllPointsAreOnTheHyperbola) {
     for (const double a : {2.0, -0.3, 1e-9})
         for (const double b : {1.0, 40.0, 1e-3}) {
@@ -120,16 +129,31 @@ TEST(Conic, SamplesAndParabolasKeepToTheTolerance) {
             }
             for (const Conic& part : parabolas(whole, tolerance)) {
                 EXPECT_LE(part.distance_from_parabola(), tolerance);
-                for (int i = 0; i <= 16; ++i) {
+                // Points of the parabola are that near to the hyperbola, in one direction.
+                const Point up = {part.control.x - (part.from.x + part.to.x) / 2,
+                                  part.control.y - (part.from.y + part.to.y) / 2};
+                const double height = std::hypot(up.x, up.y);
+                double farthest = 0;
+                for (int i = 1; i < 16; ++i) {
                     const double s = i / 16.0;
                     const double u = 1 - s;
-                    const Point on = part.at(s);
-                    const double x =
-                        u * u * part.from.x + 2 * u * s * part.control.x + s * s * part.to.x;
-                    const double y =
-                        u * u * part.from.y + 2 * u * s * part.control.y + s * s * part.to.y;
-                    EXPECT_LE(std::hypot(x - on.x, y - on.y), tolerance * (1 + 1e-9));
+                    const Point on = {
+                        u * u * part.from.x + 2 * u * s * part.control.x + s * s * part.to.x,
+                        u * u * part.from.y + 2 * u * s * part.control.y + s * s * part.to.y};
+                    const auto at = [&](double shift) -> Point {
+                        return {on.x + shift * up.x / height, on.y + shift * up.y / height};
+                    };
+                    double low = 0;
+                    double high = tolerance * (1 + 1e-6) + 1e-9;
+                    EXPECT_NE(inside(curve, at(low)), inside(curve, at(high)));
+                    for (int step = 0; step < 40; ++step) {
+                        const double middle = (low + high) / 2;
+                        (inside(curve, at(middle)) == inside(curve, at(low)) ? low : high) = middle;
+                    }
+                    farthest = std::max(farthest, low);
                 }
+                EXPECT_LE(farthest, part.distance_from_parabola() * (1 + 1e-6) + 1e-9);
+                EXPECT_GE(farthest, 0.9 * part.distance_from_parabola() - 1e-9);
             }
         }
     }

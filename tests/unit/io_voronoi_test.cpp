@@ -200,6 +200,30 @@ TEST_P(VoronoiFiles, TableHasACellALine) {
     EXPECT_NEAR(area, 640000, 1e-6);
 }
 
+TEST_P(VoronoiFiles, NeighboursHaveDifferentTints) {
+    for (const std::int64_t count : {1, 2, 7, 3000}) {
+        const Voronoi many(triangulate(
+            generate(Distribution::random, {.count = count, .radius_to = 20, .seed = 9}),
+            GetParam()));
+        std::ostringstream out;
+        write_voronoi_svg(out, many);
+        const std::string svg = out.str();
+        std::vector<char> tint(static_cast<std::size_t>(count), ' ');
+        for (auto at = svg.find("tint tint"); at != svg.npos; at = svg.find("tint tint", at + 1)) {
+            const auto title = svg.find("<title>", at) + 7;
+            tint[std::stoul(svg.substr(title, 12))] = svg[at + 9];
+        }
+        int compared = 0;
+        for (const VoronoiEdge& edge : many.edges()) {
+            const char left = tint[static_cast<std::size_t>(edge.left)];
+            if (left == ' ' || tint[static_cast<std::size_t>(edge.right)] == ' ') continue;
+            EXPECT_NE(left, tint[static_cast<std::size_t>(edge.right)]);
+            ++compared;
+        }
+        EXPECT_GE(compared, 2 * (static_cast<int>(many.edges().size()) - 2) / 3);
+    }
+}
+
 TEST_P(VoronoiFiles, PicturesHaveACellForEachSite) {
     std::ostringstream out;
     write_voronoi_svg(out, diagram);
