@@ -51,10 +51,11 @@ InputSites read_input(const SitesCall& call) {
     return sites;
 }
 
-Tessellation construct(const SitesCall& call, const InputSites& sites) {
+Tessellation construct(const SitesCall& call, const InputSites& sites, Method method) {
     std::optional<Progress> progress;
     Options options;
     options.arithmetic = arithmetic_of(call.arithmetic);
+    options.method = method;
     options.seed = call.seed;
     options.count = call.statistics;
     if (!call.quiet) {

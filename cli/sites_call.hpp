@@ -41,7 +41,8 @@ InputSites read_input(const SitesCall& call);
 
 /// With a progress bar unless quiet. Throws CheckFailure where inexact arithmetic broke the
 /// structure.
-Tessellation construct(const SitesCall& call, const InputSites& sites);
+Tessellation construct(const SitesCall& call, const InputSites& sites,
+                       Method method = Method::incremental);
 
 /// A line of a summary, to standard error. Nobody loses a result because nobody reads its summary:
 /// failures to write are ignored.

@@ -1,6 +1,7 @@
 /// signum triangulate: from a file of sites to files of the tessellation.
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <vector>
@@ -29,12 +30,19 @@ struct Call : SitesCall {
     bool check = false;
 };
 
-void require_incremental(const std::string& method) {
-    if (method == "incremental") return;
+Method method_of(const std::string& name, Metric metric) {
+    if (name == name_of(Method::incremental)) return Method::incremental;
+    if (name == name_of(Method::flips)) {
+        if (metric == Metric::power) return Method::flips;
+        throw CallError(
+            fmt::format("--method flips: only the power metric is built by flips, and this is "
+                        "--metric {}; leave --method out, or add --metric power",
+                        name_of(metric)));
+    }
     throw CallError(
-        fmt::format("--method {} is not in this version, which has incremental alone; "
+        fmt::format("--method {} is not in this version, which has incremental and flips; "
                     "leave --method out",
-                    method));
+                    name));
 }
 
 void require_json(const Call& call) {
@@ -45,10 +53,23 @@ void require_json(const Call& call) {
     }
 }
 
+/// The edges between sites that the Delaunay triangulation of the centres does not have.
+std::vector<Edge> flipped_edges(const Tessellation& tessellation) {
+    std::vector<Point> centres;
+    for (const Site& site : tessellation.sites()) centres.push_back({site.x, site.y});
+    const std::vector<Edge> before = triangulate(centres, Power{}).edges();
+    std::vector<Edge> flipped;
+    std::ranges::set_difference(tessellation.edges(), before, std::back_inserter(flipped));
+    std::erase_if(flipped, [](const Edge& edge) { return edge[0] == infinite; });
+    return flipped;
+}
+
 void write(std::ostream& out, const std::string& ending, const Tessellation& tessellation,
-           const JsonOptions& options) {
+           const JsonOptions& options, Method method) {
     if (ending == ".svg") {
-        write_svg(out, tessellation, {});
+        const std::vector<Edge> flipped =
+            method == Method::flips ? flipped_edges(tessellation) : std::vector<Edge>{};
+        write_svg(out, tessellation, {.flipped = flipped});
     } else if (ending == ".csv") {
         write_csv(out, tessellation);
     } else if (ending == ".obj") {
@@ -69,6 +90,7 @@ void summarize(const Tessellation& tessellation, const std::vector<std::string>&
     say("visible  {}\n", sites - hidden);
     say("hidden   {}\n", hidden);
     say("faces    {}, {} of them infinite\n", faces.size(), infinite_faces);
+    if (tessellation.statistics().flips > 0) say("flips    {}\n", tessellation.statistics().flips);
     say("seconds  {:.3g}\n", tessellation.statistics().seconds);
     if (!outputs.empty()) say("written  {}\n", fmt::join(outputs, ", "));
 }
@@ -94,16 +116,18 @@ void check(const Call& call, const Tessellation& tessellation) {
 }
 
 void run(const Call& call) {
-    require_incremental(call.method);
+    const Method method = method_of(call.method, metric_of(call.metric));
+    if (method == Method::flips && arithmetic_of(call.arithmetic) == Arithmetic::naive)
+        throw CallError("--method flips needs exact signs; leave --arithmetic naive out");
     static_cast<void>(arithmetic_of(call.arithmetic));
     check_outputs(call.outputs, call.input, {".json", ".svg", ".csv", ".obj"});
     require_json(call);
     const InputSites sites = read_input(call);
     const Outputs outputs(call.outputs);
-    const Tessellation tessellation = construct(call, sites);
+    const Tessellation tessellation = construct(call, sites, method);
     outputs.write(
         [&](std::ostream& out, const std::string& ending) {
-            write(out, ending, tessellation, {call.vertices, call.statistics});
+            write(out, ending, tessellation, {call.vertices, call.statistics}, method);
         },
         ".json");
     if (!call.quiet) {
@@ -121,7 +145,8 @@ void add_triangulate(CLI::App& tool) {
     add_sites(*command, *call);
     command
         ->add_option("--method", call->method,
-                     "incremental, flips or sweep;\nthis version has incremental alone")
+                     "incremental: site by site; flips: from Delaunay's\n"
+                     "triangulation, power metric only; sweep: not in\nthis version")
         ->check(one_of({"incremental", "flips", "sweep"}))
         ->type_name("NAME")
         ->capture_default_str();

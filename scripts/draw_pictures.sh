@@ -56,3 +56,6 @@ diagram diagram_chains euclidean examples/chains.txt
 diagram diagram_grid supremum "$sites/grid.txt" --merge
 diagram diagram_many euclidean "$sites/many.txt" --clip 300 300 380 360
 diagram diagram_cities euclidean "$sites/india.csv"
+
+"$tool" generate random -n 80 --radius 5:70 --seed 3 -o "$sites/eighty.txt"
+"$tool" triangulate "$sites/eighty.txt" --metric power --method flips --check --quiet -o "$out/flips.svg"

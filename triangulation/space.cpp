@@ -1,6 +1,7 @@
 #include <signum/triangulation/space.hpp>
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <stdexcept>
 #include <utility>
@@ -199,10 +200,12 @@ class SwapPath {
         std::swap(x, y);
     }
 
-    /// Sorts the star, from the first place on.
-    void sort_star() {
+    /// Brings the star into the order of another one of the same sites, from the first place on.
+    void sort_star(const SwapPath& other) {
+        std::map<Index, std::size_t> place;
+        for (std::size_t i = 0; i < other.star_.size(); ++i) place[other.star_[i].site] = i;
         for (std::size_t i = 1; i < star_.size(); ++i)
-            for (std::size_t k = i; k > 0 && star_[k].site < star_[k - 1].site; --k)
+            for (std::size_t k = i; k > 0 && place[star_[k].site] < place[star_[k - 1].site]; --k)
                 exchange(k - 1);
     }
 
@@ -290,8 +293,8 @@ std::vector<Index> path(const TessellationArrays& from, const TessellationArrays
     for (SwapPath* way : {&there, &back}) {
         way->make_tree();
         way->make_star();
-        way->sort_star();
     }
+    back.sort_star(there);
     // Both are the same star now, with edges of other numbers.
     std::vector<Index> number(static_cast<std::size_t>(second.edges()));
     for (std::size_t i = 0; i < there.places(); ++i) {

@@ -71,7 +71,7 @@ class ExtendedTessellation {
 /// With fewer than three visible sites it is reduced as it is. O(n).
 std::vector<Index> reduced_form(ExtendedTessellation& tessellation);
 
-/// The edges to swap, in order and in the numbers of `from`, that make `to` of `from`; at most 4n²
+/// The edges to swap, in order and in the numbers of `from`, that make `to` of `from`; at most 2n²
 /// + 8n. Throws std::invalid_argument unless both are tessellations of the same visible sites.
 /// O(n²).
 [[nodiscard]] std::vector<Index> path(const TessellationArrays& from, const TessellationArrays& to);

@@ -1,9 +1,13 @@
 #include <signum/triangulation/triangulate.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numeric>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include <signum/exact/floating_environment.hpp>
 #include <signum/predicates/euclidean.hpp>
@@ -11,6 +15,7 @@
 #include <signum/predicates/supremum.hpp>
 #include <signum/triangulation/additive_kernel.hpp>
 #include <signum/triangulation/assemble.hpp>
+#include <signum/triangulation/cold_inflation.hpp>
 #include <signum/triangulation/collinear.hpp>
 #include <signum/triangulation/hiders.hpp>
 #include <signum/triangulation/insert.hpp>
@@ -119,7 +124,8 @@ template <class Kernel>
 Tessellation finish(Metric metric, WeightIs weight_is, const StridedSites& input,
                     std::chrono::steady_clock::time_point start, const Kernel& kernel,
                     LargeArray<typename Kernel::SiteType> sites, Topology topology,
-                    LargeArray<Index> original, LargeArray<Index> hidden_by) {
+                    LargeArray<Index> original, LargeArray<Index> hidden_by,
+                    std::uint64_t flips = 0) {
     const std::size_t n = input.size();
     settle_hiders(topology, kernel, hidden_by);
 
@@ -140,6 +146,7 @@ Tessellation finish(Metric metric, WeightIs weight_is, const StridedSites& input
 
     Statistics statistics;
     fill(statistics, kernel.tally());
+    statistics.flips = flips;
     std::vector<Site> copy = large_vector<Site>(n);
     for (std::size_t i = 0; i < n; ++i) copy[i] = input[i];
     statistics.seconds =
@@ -194,6 +201,118 @@ Tessellation construct_with_kernel(Metric metric, const StridedSites& input,
     const WeightIs weight_is = input.third_is_weight() ? WeightIs::weight : WeightIs::radius;
     return finish(metric, weight_is, input, start, kernel, std::move(sites), std::move(topology),
                   std::move(original), std::move(hidden_by));
+}
+
+/// Of equal centres the first in the tie rule's order comes to the front of the arrays, the others
+/// behind; the number of those in front, and for each one behind the number of its first.
+template <class Kernel>
+std::size_t front_of_equal_centres(const Kernel& kernel,
+                                   LargeArray<typename Kernel::SiteType>& sites,
+                                   LargeArray<Index>& original, std::vector<Index>& first_of) {
+    const std::size_t n = original.size();
+    std::vector<Index> order(n);
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&](Index a, Index b) {
+        const Point p = kernel.centre(a);
+        const Point q = kernel.centre(b);
+        if (p.x != q.x) return p.x < q.x;
+        if (p.y != q.y) return p.y < q.y;
+        return a != b && kernel.precedes(a, b);
+    });
+    std::vector<Index> first(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        const auto at = static_cast<std::size_t>(order[i]);
+        const bool same = i > 0 && kernel.centre(order[i]) == kernel.centre(order[i - 1]);
+        first[at] = same ? first[static_cast<std::size_t>(order[i - 1])] : order[i];
+    }
+    LargeArray<typename Kernel::SiteType> new_sites(n);
+    LargeArray<Index> new_original(n);
+    std::size_t front = 0;
+    std::size_t behind = n;
+    for (std::size_t i = 0; i < n; ++i) {
+        const bool stands = first[i] == static_cast<Index>(i);
+        const std::size_t to = stands ? front++ : --behind;
+        new_sites[to] = sites[i];
+        new_original[to] = original[i];
+    }
+    first_of.resize(n - front);
+    for (std::size_t i = 0, at = n; i < n; ++i)
+        if (first[i] != static_cast<Index>(i))
+            first_of[--at - front] = original[static_cast<std::size_t>(first[i])];
+    std::copy(new_sites.begin(), new_sites.end(), sites.begin());
+    std::copy(new_original.begin(), new_original.end(), original.begin());
+    return front;
+}
+
+/// The same as construct_with_kernel, by flips. `obstruction` is where to report the edge that
+/// could not be flipped in the order of discovery; without it the order is that of time.
+template <class Kernel>
+Tessellation construct_by_flips_with_kernel(Metric metric, const StridedSites& input,
+                                            const Options& options,
+                                            std::optional<Edge>* obstruction) {
+    using S = typename Kernel::SiteType;
+    const auto start = std::chrono::steady_clock::now();
+    const std::size_t n = input.size();
+
+    LargeArray<Index> original = spatial_order(input, options.seed);
+    LargeArray<S> sites(n);
+    for (std::size_t i = 0; i < n; ++i)
+        sites[i] = site_of<S>(input[static_cast<std::size_t>(original[i])]);
+    Kernel kernel(sites.data(), original.data());
+    std::vector<Index> first_of;
+    const std::size_t front = front_of_equal_centres(kernel, sites, original, first_of);
+
+    Topology topology(n);
+    LargeArray<Index> hidden_by(n, -1);
+    std::uint64_t flips = 0;
+    if (lead_with_triangle(kernel, std::span(sites).first(front),
+                           std::span(original).first(front))) {
+        LargeArray<Point> points(n);
+        for (std::size_t i = 0; i < n; ++i) points[i] = {sites[i].x, sites[i].y};
+        using PointKernel = PowerKernel<Point, Arithmetic::exact, filters::NoTally>;
+        PointKernel point_kernel(points.data(), original.data());
+        Insertion<PointKernel> insertion(topology, point_kernel, hidden_by, 0, 1, 2);
+        const Watch watch(options, 2 * n);
+        for (std::size_t i = 3; i < front; ++i) {
+            insertion.insert(static_cast<Index>(i));
+            watch.at(i);
+        }
+        std::vector<Index> place(n);
+        for (std::size_t i = 0; i < n; ++i)
+            place[static_cast<std::size_t>(original[i])] = static_cast<Index>(i);
+        for (std::size_t i = front; i < n; ++i)
+            hidden_by[i] = place[static_cast<std::size_t>(first_of[i - front])];
+
+        using Flips = Inflation<Kernel>;
+        Flips inflation(
+            topology, kernel, hidden_by,
+            obstruction == nullptr ? Flips::Order::of_time : Flips::Order::of_discovery);
+        if (!inflation.run(
+                [&](std::uint64_t done) { watch.at(n + std::min<std::size_t>(done, n - 1)); })) {
+            const auto [a, b] = inflation.obstruction();
+            const Edge edge = {a == infinite ? a : original[static_cast<std::size_t>(a)],
+                               b == infinite ? b : original[static_cast<std::size_t>(b)]};
+            if (obstruction == nullptr)
+                throw BrokenStructure("an edge that has to be flipped cannot be");
+            *obstruction = edge;
+            return {};
+        }
+        flips = inflation.flips();
+    } else {
+        connect_line(topology, visible_on_line(kernel, n, hidden_by));
+    }
+    const WeightIs weight_is = input.third_is_weight() ? WeightIs::weight : WeightIs::radius;
+    return finish(metric, weight_is, input, start, kernel, std::move(sites), std::move(topology),
+                  std::move(original), std::move(hidden_by), flips);
+}
+
+template <class S>
+Tessellation construct_by_flips(Metric metric, const StridedSites& input, const Options& options,
+                                std::optional<Edge>* obstruction = nullptr) {
+    return with_tally<Arithmetic::exact>(options, [&]<Arithmetic arithmetic, class Tally>() {
+        return construct_by_flips_with_kernel<PowerKernel<S, arithmetic, Tally>>(
+            metric, input, options, obstruction);
+    });
 }
 
 template <power::PowerSite S>
@@ -251,6 +370,8 @@ template <template <additive::Stages> class Predicates>
 Tessellation construct_additive(Metric metric, const StridedSites& input, const Options& options) {
     const exact::IeeeEnvironment environment;
     check_input(input);
+    if (options.method == Method::flips)
+        throw std::invalid_argument("flips build tessellations of the power metric alone");
     if (input.third_is_weight())
         throw std::invalid_argument("sites of the " + std::string(name_of(metric)) +
                                     " metric have radii, not weights");
@@ -269,6 +390,23 @@ Tessellation construct_additive(Metric metric, const StridedSites& input, const 
 std::string_view name_of(Arithmetic arithmetic) noexcept {
     constexpr std::string_view names[] = {"exact", "naive", "multiprecision"};
     return names[static_cast<int>(arithmetic)];
+}
+
+std::string_view name_of(Method method) noexcept {
+    constexpr std::string_view names[] = {"incremental", "flips"};
+    return names[static_cast<int>(method)];
+}
+
+FlipOutcome flip_from_delaunay(StridedSites sites, const Options& options) {
+    const exact::IeeeEnvironment environment;
+    triangulation::check_input(sites);
+    FlipOutcome outcome;
+    outcome.tessellation = sites.third_is_weight()
+                               ? triangulation::construct_by_flips<power::Site>(
+                                     Metric::power, sites, options, &outcome.obstruction)
+                               : triangulation::construct_by_flips<Site>(
+                                     Metric::power, sites, options, &outcome.obstruction);
+    return outcome;
 }
 
 Tessellation triangulate(StridedSites sites, Euclidean /*metric*/, const Options& options) {
@@ -291,7 +429,14 @@ Tessellation triangulate(StridedSites sites, Power /*metric*/, const Options& op
     // without.
     const exact::IeeeEnvironment environment;
     check_input(sites);
+    if (options.method == Method::flips && options.arithmetic == Arithmetic::naive)
+        throw std::invalid_argument("flips need exact arithmetic");
     if (equal_weights(sites)) return construct<Point>(Metric::power, sites, options);
+    if (options.method == Method::flips) {
+        if (sites.third_is_weight())
+            return construct_by_flips<power::Site>(Metric::power, sites, options);
+        return construct_by_flips<Site>(Metric::power, sites, options);
+    }
     if (sites.third_is_weight()) return construct<power::Site>(Metric::power, sites, options);
     return construct<Site>(Metric::power, sites, options);
 }

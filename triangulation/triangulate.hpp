@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <stop_token>
 
@@ -16,8 +17,18 @@ enum class Arithmetic : std::uint8_t { exact, naive, multiprecision };
 
 [[nodiscard]] std::string_view name_of(Arithmetic arithmetic) noexcept;
 
+/// How a tessellation is built; the result is the same.
+enum class Method : std::uint8_t {
+    incremental,  ///< site by site
+    flips         ///< power metric: from the Delaunay triangulation of the centres, by flips
+};
+
+[[nodiscard]] std::string_view name_of(Method method) noexcept;
+
 struct Options {
     Arithmetic arithmetic = Arithmetic::exact;
+    /// flips: std::invalid_argument with another metric than power, and with naive arithmetic.
+    Method method = Method::incremental;
     /// Seeds the random insertion order. The result does not depend on it.
     std::uint64_t seed = 1;
     /// Fill the counters of Statistics; costs a few per cent of the time.
@@ -63,5 +74,16 @@ class BrokenStructure : public std::runtime_error {
 /// The same for a metric that is known only when the program runs.
 [[nodiscard]] Tessellation triangulate(StridedSites sites, Metric metric,
                                        const Options& options = {});
+
+/// What flipping edges in the order in which they are found comes to.
+struct FlipOutcome {
+    Tessellation tessellation;        ///< empty where there is an obstruction
+    std::optional<Edge> obstruction;  ///< an edge that is not regular and cannot be flipped
+};
+
+/// The power triangulation from the Delaunay triangulation of the centres by a queue of edges
+/// (thesis, Algorithm 6.5.1). Where sites intersect it may meet an obstruction, which Method::flips
+/// never does. Exact; options.arithmetic and method are not looked at.
+[[nodiscard]] FlipOutcome flip_from_delaunay(StridedSites sites, const Options& options = {});
 
 }  // namespace signum

@@ -156,7 +156,7 @@ TEST_F(Space, EveryMetricIsReachedFromEveryOther) {
                 const TessellationArrays a = triangulate(points, from).arrays();
                 const TessellationArrays b = triangulate(points, to).arrays();
                 const std::vector<Index> swaps = path(a, b);
-                EXPECT_LE(swaps.size(), 4 * n * n + 8 * n);
+                EXPECT_LE(swaps.size(), 2 * n * n + 8 * n);
                 TessellationArrays arrived = replay(a, swaps);
                 EXPECT_EQ(arrived.faces, b.faces);
                 EXPECT_EQ(arrived.neighbours, b.neighbours);

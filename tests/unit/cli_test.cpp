@@ -127,9 +127,14 @@ TEST_F(Tool, SaysWhatThisVersionDoesNotHave) {
         "signum: --metric: 'taxi' is unknown; it is one of power, euclidean, manhattan, supremum; "
         "see signum triangulate --help\n");
     EXPECT_EQ(run({"sign", "in_circle", "--metric", "taxi", "--", "1"}).code, 2);
-    expect(triangulate({"--method", "flips"}), 2,
-           "signum: --method flips is not in this version, which has incremental alone; leave "
+    expect(triangulate({"--method", "sweep"}), 2,
+           "signum: --method sweep is not in this version, which has incremental and flips; leave "
            "--method out\n");
+    expect({"triangulate", sites, "--method", "flips"}, 2,
+           "signum: --method flips: only the power metric is built by flips, and this is --metric "
+           "euclidean; leave --method out, or add --metric power\n");
+    expect(triangulate({"--method", "flips", "--arithmetic", "naive"}), 2,
+           "signum: --method flips needs exact signs; leave --arithmetic naive out\n");
     for (const char* arithmetic : {"single", "interval", "sum"}) {
         expect(triangulate({"--arithmetic", arithmetic}), 2,
                std::string("signum: --arithmetic ") + arithmetic +
@@ -171,6 +176,21 @@ TEST_F(Tool, WritesTheSameBytesWhateverTheSeed) {
     EXPECT_EQ(with({}), once);
     EXPECT_EQ(with({"--seed", "99"}), once);
     EXPECT_EQ(with({"--arithmetic", "multiprecision"}), once);
+}
+
+TEST_F(Tool, FlipsToTheSameTessellation) {
+    const std::string input = scratch.path("random.csv");
+    ASSERT_EQ(run({"generate", "random", "-n", "500", "--radius", "0:40", "-o", input}).code, 0);
+    const Words words = {"triangulate", input, "--metric", "power"};
+    Words flips = words;
+    const std::string svg = scratch.path("a.svg");
+    flips.insert(flips.end(), {"--method", "flips"});
+    const Outcome outcome = run(flips);
+    EXPECT_EQ(outcome.out, run(words).out);
+    EXPECT_NE(outcome.err.find("\nflips    "), std::string::npos) << outcome.err;
+    flips.insert(flips.end(), {"-o", svg, "--check"});
+    EXPECT_EQ(run(flips).code, 0);
+    EXPECT_NE(contents(svg).find("flipped edges"), std::string::npos);
 }
 
 TEST_F(Tool, WritesSeveralFiles) {
