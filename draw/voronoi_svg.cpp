@@ -37,7 +37,7 @@ std::vector<std::size_t> tints_of(const Voronoi& voronoi) {
         for (const VoronoiStep& step : voronoi.cell(static_cast<Index>(site)))
             result.push_back(across(voronoi, step));
         std::ranges::sort(result);
-        result.erase(std::ranges::unique(result).begin(), result.end());
+        result.erase(std::unique(result.begin(), result.end()), result.end());
         return result;
     };
     for (std::size_t site = 0; site < sites; ++site) left[site] = neighbours(site).size();

@@ -251,7 +251,7 @@ class Inflation {
         std::vector<Index> sites(one.sites.begin(), one.sites.end());
         sites.insert(sites.end(), other.sites.begin(), other.sites.end());
         std::ranges::sort(sites);
-        sites.erase(std::ranges::unique(sites).begin(), sites.end());
+        sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
         std::ranges::sort(sites,
                           [&](Index m, Index n) { return m != n && kernel_.precedes(n, m); });
         const auto coefficient = [](const Quad& quad, const Motion<Rational>& motion, Index site) {

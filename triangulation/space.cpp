@@ -145,7 +145,7 @@ class SwapPath {
     explicit SwapPath(ExtendedTessellation& tessellation)
         : t_(tessellation), sites_(tessellation.corner_) {
         std::ranges::sort(sites_);
-        sites_.erase(std::ranges::unique(sites_).begin(), sites_.end());
+        sites_.erase(std::unique(sites_.begin(), sites_.end()), sites_.end());
         if (!sites_.empty()) {
             if (sites_.front() != infinite) refuse("infinity is no vertex");
             sites_.erase(sites_.begin());
