@@ -597,6 +597,85 @@ TEST(Voronoi, ScaleDoesNotMatter) {
     }
 }
 
+double area_of_cells(const Voronoi& diagram, const Box& box) {
+    const ClippedVoronoi clipped(diagram, box);
+    double sum = 0;
+    for (Index i = 0; i < static_cast<Index>(diagram.tessellation().sites().size()); ++i)
+        if (!diagram.is_hidden(i)) sum += measure(clipped.cell(i)).area;
+    return sum;
+}
+
+/// Each of these cells once had all the box too much: its border touches that of the box.
+TEST(Voronoi, ACellWhoseVertexLiesOnTheBorderIsNotTheRestOfTheBox) {
+    // Far from the origin, so that rounding is visible; the vertex is (10000000300000000, 3e8).
+    const Voronoi distant = voronoi(triangulate(std::vector<Site>{{10000000200000000, 3e8, -1e8},
+                                                                  {10000000300000000, 5e8, 0},
+                                                                  {10000000400000000, 2e8, 0}},
+                                                Manhattan{}));
+    const Box box = {10000000150000000, 3e8, 10000000440000000, 5.4e8};
+    EXPECT_NEAR(area_of_cells(distant, box) / area(box), 1, 1e-6);
+    // Two cells next to each other, a few roundings wide, in the corner of the third one's box.
+    const std::vector<Site> cluster = {
+        {8.738509993212801e-15, -9.9999999994560468e-05, 1.3074e-16},
+        {8.2500481268166721e-15, -9.9999999991131041e-05, 9.17e-16},
+        {5.7826142643220285e-17, -9.999999999090222e-05, 4.93e-16},
+        {8.2819194951634589, 6.7682463450516321, 0.85439745944110201}};
+    const Voronoi tiny = voronoi(triangulate(cluster, Euclidean{}));
+    ASSERT_EQ(tiny.vertices().size(), 3U);
+    for (const DiagramVertex& v : tiny.vertices()) {
+        const Box corner = {v.x, v.y, v.x + 2, v.y + 5};
+        EXPECT_NEAR(area_of_cells(tiny, corner) / 10, 1, 1e-12);
+    }
+    const Box beside = {3.7621659178233546e-15, -9.9999999994751694e-05, 2.5450709206128899,
+                        4.6173570614119157};
+    EXPECT_NEAR(area_of_cells(tiny, beside) / area(beside), 1, 1e-12);
+}
+
+/// Their products are beyond doubles; the centroid is not.
+TEST(Voronoi, MeasuresOfExtremeSizeHaveACentroid) {
+    for (const double size : {1e150, 1e120, 1e-120, 1e-200}) {
+        const std::vector<Site> sites = {{size, 0, 0}, {3 * size, 0, 0}};
+        const Voronoi diagram = voronoi(triangulate(sites, Euclidean{}));
+        const Measure of = measure(ClippedVoronoi(diagram, {0, 0, 4 * size, 2 * size}).cell(0));
+        EXPECT_DOUBLE_EQ(of.area, 4 * size * size);
+        EXPECT_DOUBLE_EQ(of.perimeter, 8 * size);
+        EXPECT_DOUBLE_EQ(of.centroid.x, size);
+        EXPECT_DOUBLE_EQ(of.centroid.y, size);
+    }
+}
+
+TEST(Voronoi, DefaultBoxesHaveAnInside) {
+    for (const double x : {0.0, 3.0, 1e17, -1e300, 1.7e308})
+        for (const double y : {0.0, 4.0, 1e308}) {
+            const Box at_point = default_box(std::vector<Site>{{x, y, 0}});
+            EXPECT_TRUE(at_point.x0 < x && x < at_point.x1) << x << ", " << y;
+            EXPECT_TRUE(at_point.y0 < y && y < at_point.y1) << x << ", " << y;
+            const Box of_line = default_box(std::vector<Site>{{x, y, 0}, {x, y + 1, 0}});
+            EXPECT_TRUE(of_line.x0 < x && x < of_line.x1) << x << ", " << y;
+        }
+    EXPECT_EQ(default_box(std::vector<Site>{{3, 4, 1}}), (Box{2, 3, 4, 5}));
+}
+
+TEST(Voronoi, RefusesBoxesOfAnotherSizeThanItsSites) {
+    const auto of = [](double size) {
+        return voronoi(
+            triangulate(std::vector<Site>{{0, 0, 0}, {size, 0, 0}, {0, size, 0}}, Euclidean{}));
+    };
+    const Voronoi huge = of(1e308);
+    const Voronoi tiny = of(1e-320);
+    const Voronoi usual = of(1);
+    EXPECT_THROW(ClippedVoronoi(huge, {0, 0, 1e-20, 1e-20}), std::invalid_argument);
+    EXPECT_THROW(ClippedVoronoi(huge, {0, 0, 1e-320, 1}), std::invalid_argument);
+    EXPECT_THROW(ClippedVoronoi(tiny, {-1, -1, 1, 1}), std::invalid_argument);
+    EXPECT_THROW(ClippedVoronoi(tiny, {-1e308, -1e308, 1e308, 1e308}), std::invalid_argument);
+    EXPECT_THROW(ClippedVoronoi(usual, {-1e308, -1e308, 1e308, 1e308}), std::invalid_argument);
+    EXPECT_THROW(ClippedVoronoi(usual, {0, 0, 1e-200, 1e-200}), std::invalid_argument);
+    // Anything else has cells.
+    for (const double size : {1e150, 1e15, 1e-15, 1e-150})
+        EXPECT_NEAR(area_of_cells(usual, {-size, -size, size, size}) / size / size, 4, 1e-12);
+    EXPECT_NO_THROW(ClippedVoronoi(huge, {-1e200, -1e200, 1e200, 1e200}));
+}
+
 TEST(Voronoi, RefusesBoxesWithoutInside) {
     const Voronoi diagram = voronoi(triangulate(std::vector<Site>{{0, 0, 0}}, Power{}));
     EXPECT_THROW(ClippedVoronoi(diagram, {0, 0, 0, 1}), std::invalid_argument);
