@@ -644,6 +644,24 @@ TEST(Voronoi, MeasuresOfExtremeSizeHaveACentroid) {
     }
 }
 
+/// A spike in a polygon of any size is none.
+TEST(Voronoi, PolygonsHaveNoSpikesAtAnyScale) {
+    for (const int exponent : {-1000, -540, 0, 530, 1000}) {
+        const auto at = [&](double x, double y) -> Point {
+            return {std::ldexp(x, exponent), std::ldexp(y, exponent)};
+        };
+        const Point corners[] = {at(0, 0), at(3, 0), at(3, 1), at(7, 1), at(2, 1), at(0, 5)};
+        CellShape shape;
+        auto& loop = shape.loops.emplace_back();
+        for (std::size_t i = 0; i < 6; ++i)
+            loop.push_back(Conic::straight(corners[i], corners[(i + 1) % 6]));
+        const auto found = polygons(shape, 1);
+        ASSERT_EQ(found.size(), 1U);
+        EXPECT_EQ(found[0].size(), 5U) << exponent;
+        EXPECT_TRUE(std::ranges::find(found[0], at(7, 1)) == found[0].end()) << exponent;
+    }
+}
+
 TEST(Voronoi, DefaultBoxesHaveAnInside) {
     for (const double x : {0.0, 3.0, 1e17, -1e300, 1.7e308})
         for (const double y : {0.0, 4.0, 1e308}) {
