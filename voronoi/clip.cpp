@@ -320,6 +320,17 @@ bool ClippedVoronoi::is_speck(const Loop& chain) const noexcept {
     });
 }
 
+/// Whether a chain that ends at a vertex goes on at another one. An edge between two vertices on
+/// the border may by rounding be outside while they are inside: the cell goes on along the border.
+bool ClippedVoronoi::joins(const Loop& chain, Point next) const noexcept {
+    const Point end = chain.back().to;
+    const auto is_on_border = [this](Point p) {
+        const Point q = on_border(p);
+        return std::hypot(p.x - q.x, p.y - q.y) <= 0x1p-48 * extent_of(box_);
+    };
+    return end == next || !is_bounded_ || !is_on_border(end) || !is_on_border(next);
+}
+
 CellShape ClippedVoronoi::cell(Index site) const {
     CellShape shape;
     shape.site = site;
@@ -335,7 +346,9 @@ CellShape ClippedVoronoi::cell(Index site) const {
         for (std::size_t i = 0; i < count; ++i) {
             const Run& run = runs_[step.forward ? first_run_[e] + i : first_run_[e + 1] - 1 - i];
             const bool begins = step.forward ? run.begins_at_vertex : run.ends_at_vertex;
-            if (!begins || !continues) {
+            const Conic& first = conics_[step.forward ? run.first : run.last - 1];
+            if (!begins || !continues ||
+                !joins(chains.back(), step.forward ? first.from : first.to)) {
                 if (chains.empty()) first_begins_at_vertex = begins;
                 chains.emplace_back();
             }
@@ -349,7 +362,7 @@ CellShape ClippedVoronoi::cell(Index site) const {
             continues = step.forward ? run.ends_at_vertex : run.begins_at_vertex;
         }
     }
-    if (continues && first_begins_at_vertex) {
+    if (continues && first_begins_at_vertex && joins(chains.back(), chains.front().front().from)) {
         if (chains.size() == 1) {
             shape.loops.push_back(std::move(chains.front()));
             chains.clear();

@@ -89,6 +89,7 @@ class ClippedVoronoi {
     [[nodiscard]] double ahead(Point from, Point to) const noexcept;
     void follow_border(Loop& loop, Point end, bool all_around) const;
     [[nodiscard]] std::vector<Loop> closed(std::vector<Loop> open, Index site) const;
+    [[nodiscard]] bool joins(const Loop& chain, Point next) const noexcept;
     [[nodiscard]] bool is_speck(const Loop& chain) const noexcept;
 
     const Voronoi& voronoi_;

@@ -631,6 +631,28 @@ TEST(Voronoi, ACellWhoseVertexLiesOnTheBorderIsNotTheRestOfTheBox) {
     EXPECT_NEAR(area_of_cells(tiny, beside) / area(beside), 1, 1e-12);
 }
 
+/// Both vertices of an edge lie in the box, all of it by rounding outside: what its cell has of the
+/// border was left out.
+TEST(Voronoi, AnEdgeMayRunAlongTheBorder) {
+    const Voronoi squares = voronoi(
+        triangulate(std::vector<Site>{{1.0000000000009066e-05, -0.099999999999999992, 2.18e-19},
+                                      {1.0000000000009618e-05, -0.099999999999999992, 3.11e-19},
+                                      {0.0023924358805030334, -0.098861778443690429, 0},
+                                      {1.0000000000009555e-05, -0.1, 3.75e-19}},
+                    Manhattan{}));
+    const Box box = {1.0000000000002644e-05, -0.1, 0.0031029341953221312, -0.093003342960874619};
+    EXPECT_NEAR(area_of_cells(squares, box) / area(box), 1, 1e-11);
+    const Voronoi discs = voronoi(triangulate(
+        std::vector<Site>{{10050.000000000009, 20.000000000000519, 2.1667572894091592e-14},
+                          {10030.000000000007, 20.000000000000668, 3.0971162682976257e-14},
+                          {10050.000000000009, 20.000000000000085, 7.2039123317388418e-14},
+                          {10030.000000000004, 30.000000000000892, 3.0000000000000631}},
+        Euclidean{}));
+    const Box other = {10040.000000000007, 20.000000000000593, 10055.000000000009,
+                       35.00000000000162};
+    EXPECT_NEAR(area_of_cells(discs, other) / area(other), 1, 1e-10);
+}
+
 /// Their products are beyond doubles; the centroid is not.
 TEST(Voronoi, MeasuresOfExtremeSizeHaveACentroid) {
     for (const double size : {1e150, 1e120, 1e-120, 1e-200}) {
