@@ -279,10 +279,8 @@ std::vector<ClippedVoronoi::Loop> ClippedVoronoi::closed(std::vector<Loop> open,
             double least = ahead(end, start);
             bool all_around = false;
             if (least < tolerance || least > 4 - tolerance) {
-                // It cuts a sliver out of the box, or enters it as a spike without width: is the
-                // cell the inside, or all the rest?
-                const double area = area_of(loop);
-                all_around = area < -speck || (area <= speck && site == at_point_);
+                // It is a sliver of the box, or cuts one out.
+                all_around = area_of(loop) < -speck;
                 least = all_around ? 4 : 0;
             }
             auto next = open.end();
@@ -308,6 +306,10 @@ std::vector<ClippedVoronoi::Loop> ClippedVoronoi::closed(std::vector<Loop> open,
             open.erase(next);
         }
     }
+    // Of spikes without width nobody can tell on which side of them the cell is.
+    if (site == at_point_ &&
+        std::ranges::all_of(loops, [&](const Loop& loop) { return area_of(loop) <= speck; }))
+        loops.clear();
     return loops;
 }
 
@@ -386,7 +388,7 @@ CellShape ClippedVoronoi::cell(Index site) const {
         }
         shape.loops = closed(std::move(chains), site);
     }
-    // A cell without an edge in the box has all of it or nothing.
+    // A cell without an edge in the box, or with mere spikes, has all of it or nothing.
     if (shape.loops.empty() && is_bounded_ && site == at_point_) {
         shape.clipped = true;
         const Point corner = {box_.x0, box_.y0};

@@ -626,6 +626,15 @@ TEST(Voronoi, ACellWhoseVertexLiesOnTheBorderIsNotTheRestOfTheBox) {
         const Box corner = {v.x, v.y, v.x + 2, v.y + 5};
         EXPECT_NEAR(area_of_cells(tiny, corner) / 10, 1, 1e-12);
     }
+    // A cell in two parts, one of them about as wide as rounding.
+    const Voronoi thin = voronoi(triangulate(
+        std::vector<Site>{{0.00099951881114247656, -9999.9999999879565, 9.9518660466824181e-05},
+                          {0.00098877251368106899, -9999.9999819962341, 7.8782270785986792e-05},
+                          {0.00099176565950023841, -9999.9999861194246, 8.3860770593616207e-05}},
+        Euclidean{}));
+    const Box across = {0.00089457629644953214, -9999.9999469666836, 0.0010886983162700296,
+                        -9999.9999467725611};
+    EXPECT_NEAR(area_of_cells(thin, across) / area(across), 1, 1e-3);
     const Box beside = {3.7621659178233546e-15, -9.9999999994751694e-05, 2.5450709206128899,
                         4.6173570614119157};
     EXPECT_NEAR(area_of_cells(tiny, beside) / area(beside), 1, 1e-12);
