@@ -42,6 +42,19 @@ std::optional<Box> box_of(const std::vector<double>& clip) {
     return box;
 }
 
+/// Throws CallError where doubles cannot compute with the box that an output is cut to.
+void check_box(const Call& call, const Box& box, const Voronoi& diagram) {
+    const bool is_used =
+        !call.clip.empty() || std::ranges::any_of(call.outputs, [](const std::string& path) {
+            return ending_of(path) == ".geojson" || ending_of(path) == ".csv";
+        });
+    if (is_used && !fits(box, diagram))
+        throw CallError(
+            fmt::format("the box {} {} {} {} is too large or too small beside the coordinates and "
+                        "radii of the sites; cut the cells to another one with --clip",
+                        box.x0, box.y0, box.x1, box.y1));
+}
+
 void summarize(const Voronoi& voronoi, const std::vector<std::string>& outputs) {
     const std::size_t sites = voronoi.tessellation().sites().size();
     const std::size_t hidden = voronoi.tessellation().hidden().size();
@@ -66,6 +79,7 @@ void run(const Call& call) {
     const Voronoi diagram(construct(call, sites), {call.merge});
 
     const Box box = clip.value_or(default_box(diagram.tessellation().sites()));
+    check_box(call, box, diagram);
     const double longer = std::max(box.x1 / 2 - box.x0 / 2, box.y1 / 2 - box.y0 / 2);
     const double tolerance = call.tolerance.value_or(longer / 5'000);
     outputs.write(

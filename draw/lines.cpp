@@ -32,7 +32,7 @@ Conic in_pixels(const Conic& divided, int exponent, const Frame& frame) noexcept
 
 std::optional<ClippedVoronoi> clipped_to(const Frame& frame, const Voronoi& voronoi) {
     const Box box = frame.box(voronoi.exponent());
-    if (!(box.x0 < box.x1 && box.y0 < box.y1)) return std::nullopt;
+    if (!(box.x0 < box.x1 && box.y0 < box.y1) || !is_of_usual_size(box)) return std::nullopt;
     return ClippedVoronoi(voronoi, box, Lengths::divided);
 }
 

@@ -15,7 +15,8 @@
 namespace signum {
 
 /// The diagram in what the picture shows, lengths divided by its exponent. Nothing where the
-/// picture is so small, and so far from the origin, that doubles do not tell its sides apart.
+/// picture is so small, and so far from the origin, that doubles do not tell its sides apart, or
+/// not of usual size beside a site out of it.
 [[nodiscard]] std::optional<ClippedVoronoi> clipped_to(const Frame& frame, const Voronoi& voronoi);
 
 /// The edges of the diagram that lie in the picture, in pixels.

@@ -17,6 +17,26 @@ double extent_of(const Box& box) {
     return std::max({std::abs(box.x0), std::abs(box.y0), std::abs(box.x1), std::abs(box.y1)});
 }
 
+/// Times 2^exponent.
+Point scaled(Point p, int exponent) {
+    return {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)};
+}
+Conic scaled(const Conic& conic, int exponent) {
+    if (exponent == 0) return conic;
+    return {scaled(conic.from, exponent), scaled(conic.control, exponent),
+            scaled(conic.to, exponent), conic.weight};
+}
+
+/// That of the largest coordinate, 0 where it is of ordinary size.
+int exponent_of(const CellShape& shape) {
+    double largest = 0;
+    for (const auto& loop : shape.loops)
+        for (const Conic& conic : loop)
+            largest = std::max({largest, std::abs(conic.from.x), std::abs(conic.from.y)});
+    const int exponent = largest > 0 ? std::ilogb(largest) : 0;
+    return std::abs(exponent) > 200 ? exponent : 0;
+}
+
 double area_of(const std::vector<Conic>& loop) {
     double area = 0;
     for (const Conic& conic : loop) area += conic.moments(loop.front().from).area;
@@ -28,21 +48,25 @@ double area_of(const std::vector<Conic>& loop) {
 Measure measure(const CellShape& shape) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     if (shape.unbounded && !shape.in_box) return {no_box.x1, no_box.x1, {nan, nan}};
-    Measure sum = {0, 0, {0, 0}};
+    double perimeter = 0;
     Conic::Moments moments = {0, 0, 0};
     Point origin = {0, 0};
-    if (!shape.loops.empty()) origin = shape.loops.front().front().from;
+    // Moments are products of three lengths, which are to stay within a double's range.
+    const int exponent = exponent_of(shape);
+    if (!shape.loops.empty()) origin = scaled(shape.loops.front().front().from, -exponent);
     for (const auto& loop : shape.loops)
-        for (const Conic& conic : loop) {
+        for (const Conic& part : loop) {
+            const Conic conic = scaled(part, -exponent);
             const Conic::Moments of = conic.moments(origin);
             moments.area += of.area;
             moments.x += of.x;
             moments.y += of.y;
-            sum.perimeter += conic.length();
+            perimeter += conic.length();
         }
-    sum.area = moments.area;
-    sum.centroid = {origin.x + moments.x / moments.area, origin.y + moments.y / moments.area};
-    return sum;
+    const Point centroid = {origin.x + moments.x / moments.area,
+                            origin.y + moments.y / moments.area};
+    return {std::ldexp(moments.area, 2 * exponent), std::ldexp(perimeter, exponent),
+            scaled(centroid, exponent)};
 }
 
 Box default_box(std::span<const Site> sites) {
@@ -51,10 +75,24 @@ Box default_box(std::span<const Site> sites) {
         box = {std::min(box.x0, s.x), std::min(box.y0, s.y), std::max(box.x1, s.x),
                std::max(box.y1, s.y)};
     const double longer = std::max(box.x1 / 2 - box.x0 / 2, box.y1 / 2 - box.y0 / 2);
-    const double margin = longer > 0 ? longer / 5 : 1.0;
+    // Doubles are to tell its sides apart.
+    const double least = 0x1p-50 * extent_of(box);
+    const double margin = std::max(longer > 0 ? longer / 5 : 1.0, least);
     constexpr double largest = std::numeric_limits<double>::max();
     return {std::max(box.x0 - margin, -largest), std::max(box.y0 - margin, -largest),
             std::min(box.x1 + margin, largest), std::min(box.y1 + margin, largest)};
+}
+
+bool is_of_usual_size(const Box& divided) noexcept {
+    // Of such lengths products of two are within a double's range.
+    constexpr double longest = 0x1p500;
+    return extent_of(divided) <= longest && divided.x1 - divided.x0 >= 1 / longest &&
+           divided.y1 - divided.y0 >= 1 / longest;
+}
+
+bool fits(const Box& box, const Voronoi& voronoi) noexcept {
+    const auto divided = [&](double side) { return std::ldexp(side, -voronoi.exponent()); };
+    return is_of_usual_size({divided(box.x0), divided(box.y0), divided(box.x1), divided(box.y1)});
 }
 
 ClippedVoronoi::ClippedVoronoi(const Voronoi& voronoi, const Box& box, Lengths lengths)
@@ -68,6 +106,9 @@ ClippedVoronoi::ClippedVoronoi(const Voronoi& voronoi, const Box& box, Lengths l
         throw std::invalid_argument("the corners of a box are to be finite");
     for (double* side : {&box_.x0, &box_.y0, &box_.x1, &box_.y1})
         *side = std::ldexp(*side, -exponent_);
+    if (is_bounded_ && !is_of_usual_size(box_))
+        throw std::invalid_argument(
+            "the box is too large or too small beside the coordinates and radii of the sites");
     const std::size_t edges = voronoi.edges().size();
     first_run_.reserve(edges + 1);
     for (std::size_t e = 0; e < edges; ++e) cut(static_cast<Index>(e));
@@ -156,20 +197,12 @@ void ClippedVoronoi::cut(Index index) {
     }
 }
 
-Conic ClippedVoronoi::multiplied(const Conic& conic) const noexcept {
-    if (exponent_ == 0) return conic;
-    const auto times = [this](Point p) -> Point {
-        return {std::ldexp(p.x, exponent_), std::ldexp(p.y, exponent_)};
-    };
-    return {times(conic.from), times(conic.control), times(conic.to), conic.weight};
-}
-
 std::vector<Conic> ClippedVoronoi::edge(Index index) const {
     std::vector<Conic> parts;
     const auto e = static_cast<std::size_t>(index);
     for (std::size_t r = first_run_[e]; r < first_run_[e + 1]; ++r)
         for (std::size_t i = runs_[r].first; i < runs_[r].last; ++i)
-            parts.push_back(multiplied(conics_[i]));
+            parts.push_back(scaled(conics_[i], exponent_));
     return parts;
 }
 
@@ -200,19 +233,27 @@ double ClippedVoronoi::position(Point p) const noexcept {
     return 3 + (box_.y1 - p.y) / height;
 }
 
+/// How far it is along the border, counterclockwise, in sides: from 0 to 4.
+double ClippedVoronoi::ahead(Point from, Point to) const noexcept {
+    const double distance = position(to) - position(from);
+    return distance < 0 ? distance + 4 : distance;
+}
+
 /// Leads a loop that ends on the border counterclockwise on to another point of it; all around and
 /// over its own end where asked.
-void ClippedVoronoi::follow_border(Loop& loop, double to, Point end, bool all_around) const {
+void ClippedVoronoi::follow_border(Loop& loop, Point end, bool all_around) const {
     const Point corners[] = {
         {box_.x1, box_.y0}, {box_.x1, box_.y1}, {box_.x0, box_.y1}, {box_.x0, box_.y0}};
     const auto line_to = [&](Point next) {
         if (loop.back().to != next) loop.push_back(Conic::straight(loop.back().to, next));
     };
     const double from = position(loop.back().to);
+    const double to = position(end);
     int side = std::min(static_cast<int>(from), 3);
     const int last = std::min(static_cast<int>(to), 3);
     int sides = (last - side + 4) % 4;
-    if (sides == 0 && (all_around || to < from)) sides = 4;
+    const bool is_ahead = ahead(loop.back().to, end) < 2;
+    if ((sides == 0 && to < from) || (all_around && is_ahead)) sides += 4;
     for (; sides > 0; --sides) {
         line_to(corners[side]);
         side = (side + 1) % 4;
@@ -224,15 +265,11 @@ void ClippedVoronoi::follow_border(Loop& loop, double to, Point end, bool all_ar
 /// lies along the border up to the next start.
 std::vector<ClippedVoronoi::Loop> ClippedVoronoi::closed(std::vector<Loop> open, Index site) const {
     std::vector<Loop> loops;
-    const double tolerance =
-        0x1p-48 * (1 + extent_of(box_) / std::min(box_.x1 - box_.x0, box_.y1 - box_.y0));
-    const auto ahead = [&](Point from, Point to) {
-        double distance = position(to) - position(from);
-        if (distance < 0) distance += 4;
-        // Behind it by no more than rounding is where it is.
-        return distance > 4 - tolerance ? 0.0 : distance;
-    };
-    const double speck = 0x1p-48 * extent_of(box_) * extent_of(box_);
+    const double width = box_.x1 - box_.x0;
+    const double height = box_.y1 - box_.y0;
+    const double rounding = 0x1p-48 * extent_of(box_);
+    const double tolerance = 0x1p-48 + rounding / std::min(width, height);
+    const double speck = rounding * (width + height);
     while (!open.empty()) {
         Loop loop = std::move(open.back());
         open.pop_back();
@@ -240,23 +277,28 @@ std::vector<ClippedVoronoi::Loop> ClippedVoronoi::closed(std::vector<Loop> open,
             const Point end = loop.back().to;
             const Point start = loop.front().from;
             double least = ahead(end, start);
+            bool all_around = false;
+            if (least < tolerance || least > 4 - tolerance) {
+                // It is a sliver of the box, or cuts one out.
+                all_around = area_of(loop) < -speck;
+                least = all_around ? 4 : 0;
+            }
             auto next = open.end();
-            for (auto chain = open.begin(); chain != open.end(); ++chain)
-                if (const double distance = ahead(end, chain->front().from); distance < least) {
+            for (auto chain = open.begin(); chain != open.end(); ++chain) {
+                double distance = ahead(end, chain->front().from);
+                // Behind it by no more than rounding is where it is.
+                if (distance > 4 - tolerance) distance = 0;
+                if (distance < least) {
                     least = distance;
                     next = chain;
                 }
+            }
             const Point target = next == open.end() ? start : next->front().from;
             if (least > 0)
-                follow_border(loop, position(target), target, false);
+                follow_border(loop, target, all_around && next == open.end());
             else if (end != target)
                 loop.push_back(Conic::straight(end, target));
             if (next == open.end()) {
-                // A chain that ends where it began cuts a sliver out of the box, or a spike without
-                // width enters it: is the cell the inside, or all the rest?
-                const double area = least == 0 ? area_of(loop) : 1.0;
-                if (area < -speck || (least == 0 && area <= speck && site == at_point_))
-                    follow_border(loop, position(target), target, true);
                 loops.push_back(std::move(loop));
                 break;
             }
@@ -264,6 +306,10 @@ std::vector<ClippedVoronoi::Loop> ClippedVoronoi::closed(std::vector<Loop> open,
             open.erase(next);
         }
     }
+    // Of spikes without width nobody can tell on which side of them the cell is.
+    if (site == at_point_ &&
+        std::ranges::all_of(loops, [&](const Loop& loop) { return area_of(loop) <= speck; }))
+        loops.clear();
     return loops;
 }
 
@@ -274,6 +320,17 @@ bool ClippedVoronoi::is_speck(const Loop& chain) const noexcept {
         return std::hypot(conic.control.x - first.x, conic.control.y - first.y) <= size &&
                std::hypot(conic.to.x - first.x, conic.to.y - first.y) <= size;
     });
+}
+
+/// Whether a chain that ends at a vertex goes on at another one. An edge between two vertices on
+/// the border may by rounding be outside while they are inside: the cell goes on along the border.
+bool ClippedVoronoi::joins(const Loop& chain, Point next) const noexcept {
+    const Point end = chain.back().to;
+    const auto is_on_border = [this](Point p) {
+        const Point q = on_border(p);
+        return std::hypot(p.x - q.x, p.y - q.y) <= 0x1p-48 * extent_of(box_);
+    };
+    return end == next || !is_bounded_ || !is_on_border(end) || !is_on_border(next);
 }
 
 CellShape ClippedVoronoi::cell(Index site) const {
@@ -291,7 +348,9 @@ CellShape ClippedVoronoi::cell(Index site) const {
         for (std::size_t i = 0; i < count; ++i) {
             const Run& run = runs_[step.forward ? first_run_[e] + i : first_run_[e + 1] - 1 - i];
             const bool begins = step.forward ? run.begins_at_vertex : run.ends_at_vertex;
-            if (!begins || !continues) {
+            const Conic& first = conics_[step.forward ? run.first : run.last - 1];
+            if (!begins || !continues ||
+                !joins(chains.back(), step.forward ? first.from : first.to)) {
                 if (chains.empty()) first_begins_at_vertex = begins;
                 chains.emplace_back();
             }
@@ -305,7 +364,7 @@ CellShape ClippedVoronoi::cell(Index site) const {
             continues = step.forward ? run.ends_at_vertex : run.begins_at_vertex;
         }
     }
-    if (continues && first_begins_at_vertex) {
+    if (continues && first_begins_at_vertex && joins(chains.back(), chains.front().front().from)) {
         if (chains.size() == 1) {
             shape.loops.push_back(std::move(chains.front()));
             chains.clear();
@@ -329,16 +388,16 @@ CellShape ClippedVoronoi::cell(Index site) const {
         }
         shape.loops = closed(std::move(chains), site);
     }
-    // A cell without an edge in the box has all of it or nothing.
+    // A cell without an edge in the box, or with mere spikes, has all of it or nothing.
     if (shape.loops.empty() && is_bounded_ && site == at_point_) {
         shape.clipped = true;
         const Point corner = {box_.x0, box_.y0};
         Loop& border = shape.loops.emplace_back(Loop{Conic::straight(corner, corner)});
-        follow_border(border, 0, corner, true);
+        follow_border(border, corner, true);
         border.erase(border.begin());
     }
     for (Loop& loop : shape.loops)
-        for (Conic& conic : loop) conic = multiplied(conic);
+        for (Conic& conic : loop) conic = scaled(conic, exponent_);
     return shape;
 }
 

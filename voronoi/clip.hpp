@@ -40,8 +40,15 @@ struct Measure {
 [[nodiscard]] Measure measure(const CellShape& shape);
 
 /// The smallest box around all centres, wider by a tenth of its longer side on each side, and by 1
-/// where all centres are the same. Precondition: there are sites.
+/// where all centres are the same; by more where doubles would not tell its sides apart.
+/// Precondition: there are sites.
 [[nodiscard]] Box default_box(std::span<const Site> sites);
+
+/// Whether doubles can compute with a box, its lengths divided by 2^exponent of the diagram: no
+/// corner is beyond 2^500, no side shorter than 2^-500.
+[[nodiscard]] bool is_of_usual_size(const Box& divided) noexcept;
+/// The same for a box in the plane, whose size may be far from that of the sites.
+[[nodiscard]] bool fits(const Box& box, const Voronoi& voronoi) noexcept;
 
 /// The unit of a box and of the parts in it.
 enum class Lengths : std::uint8_t {
@@ -51,8 +58,8 @@ enum class Lengths : std::uint8_t {
 
 class ClippedVoronoi {
  public:
-    /// The diagram is not copied. Throws std::invalid_argument unless x0 < x1 and y0 < y1, all
-    /// finite or the box no_box. O(n).
+    /// The diagram is not copied. Throws std::invalid_argument unless the box is no_box, or x0 < x1
+    /// and y0 < y1, all finite, and it fits. O(n).
     explicit ClippedVoronoi(const Voronoi& voronoi, const Box& box = no_box,
                             Lengths lengths = Lengths::of_the_plane);
 
@@ -79,10 +86,11 @@ class ClippedVoronoi {
     [[nodiscard]] bool contains(Point p) const noexcept;
     [[nodiscard]] Point on_border(Point p) const noexcept;
     [[nodiscard]] double position(Point p) const noexcept;
-    void follow_border(Loop& loop, double to, Point end, bool all_around) const;
+    [[nodiscard]] double ahead(Point from, Point to) const noexcept;
+    void follow_border(Loop& loop, Point end, bool all_around) const;
     [[nodiscard]] std::vector<Loop> closed(std::vector<Loop> open, Index site) const;
+    [[nodiscard]] bool joins(const Loop& chain, Point next) const noexcept;
     [[nodiscard]] bool is_speck(const Loop& chain) const noexcept;
-    [[nodiscard]] Conic multiplied(const Conic& conic) const noexcept;
 
     const Voronoi& voronoi_;
     Box box_;       ///< divided by 2^exponent, as all that is stored here

@@ -139,7 +139,9 @@ double Conic::bulge() const noexcept {
     const Point chord = minus(to, from);
     const Point off = minus(at(0.5), from);
     const double length = std::hypot(chord.x, chord.y);
-    return length > 0 ? std::abs(cross(chord, off)) / length : std::hypot(off.x, off.y);
+    // Divided first: the product of two lengths may be beyond doubles.
+    return length > 0 ? std::abs(cross({chord.x / length, chord.y / length}, off))
+                      : std::hypot(off.x, off.y);
 }
 
 double Conic::distance_from_parabola() const noexcept {

@@ -3,13 +3,12 @@
 /// them and the vertices where edges meet; the dual of the tessellation, in every metric.
 ///
 /// Laws:
-///  1. Every face without infinity has a vertex, every edge of the tessellation between two sites
-///  an
-///     edge. An edge leads along the bisector of its sites with the first on its left; where it
-///     ends at no vertex it runs to infinity.
-///  2. Every visible site has a cell. Its boundary, walked counterclockwise, is a cyclic sequence
-///  of
-///     steps along edges. Where one step ends at infinity the next one begins there.
+///  1. Every face without infinity has a vertex, but those on a common tangent line of their
+///     three sites or beyond the doubles. Every edge of the tessellation between two sites has an
+///     edge. It leads along the bisector of its sites with the first on its left; where it ends
+///     at no vertex it runs to infinity.
+///  2. Every visible site has a cell. Its boundary, walked counterclockwise, is a cyclic
+///     sequence of steps along edges. Where one step ends at infinity the next one begins there.
 ///  3. Faces whose circles are the same (degenerate input: grids, circles) have vertices at the
 ///  same
 ///     place, joined by edges of no length. They stay apart unless they are merged.
@@ -17,8 +16,11 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include <signum/core/index.hpp>

@@ -597,6 +597,134 @@ TEST(Voronoi, ScaleDoesNotMatter) {
     }
 }
 
+double area_of_cells(const Voronoi& diagram, const Box& box) {
+    const ClippedVoronoi clipped(diagram, box);
+    double sum = 0;
+    for (Index i = 0; i < static_cast<Index>(diagram.tessellation().sites().size()); ++i)
+        if (!diagram.is_hidden(i)) sum += measure(clipped.cell(i)).area;
+    return sum;
+}
+
+/// Each of these cells once had all the box too much: its border touches that of the box.
+TEST(Voronoi, ACellWhoseVertexLiesOnTheBorderIsNotTheRestOfTheBox) {
+    // Far from the origin, so that rounding is visible; the vertex is (10000000300000000, 3e8).
+    const Voronoi distant = voronoi(triangulate(std::vector<Site>{{10000000200000000, 3e8, -1e8},
+                                                                  {10000000300000000, 5e8, 0},
+                                                                  {10000000400000000, 2e8, 0}},
+                                                Manhattan{}));
+    const Box box = {10000000150000000, 3e8, 10000000440000000, 5.4e8};
+    EXPECT_NEAR(area_of_cells(distant, box) / area(box), 1, 1e-6);
+    // Two cells next to each other, a few roundings wide, in the corner of the third one's box.
+    const std::vector<Site> cluster = {
+        {8.738509993212801e-15, -9.9999999994560468e-05, 1.3074e-16},
+        {8.2500481268166721e-15, -9.9999999991131041e-05, 9.17e-16},
+        {5.7826142643220285e-17, -9.999999999090222e-05, 4.93e-16},
+        {8.2819194951634589, 6.7682463450516321, 0.85439745944110201}};
+    const Voronoi tiny = voronoi(triangulate(cluster, Euclidean{}));
+    ASSERT_EQ(tiny.vertices().size(), 3U);
+    for (const DiagramVertex& v : tiny.vertices()) {
+        const Box corner = {v.x, v.y, v.x + 2, v.y + 5};
+        EXPECT_NEAR(area_of_cells(tiny, corner) / 10, 1, 1e-12);
+    }
+    // A cell in two parts, one of them about as wide as rounding.
+    const Voronoi thin = voronoi(triangulate(
+        std::vector<Site>{{0.00099951881114247656, -9999.9999999879565, 9.9518660466824181e-05},
+                          {0.00098877251368106899, -9999.9999819962341, 7.8782270785986792e-05},
+                          {0.00099176565950023841, -9999.9999861194246, 8.3860770593616207e-05}},
+        Euclidean{}));
+    const Box across = {0.00089457629644953214, -9999.9999469666836, 0.0010886983162700296,
+                        -9999.9999467725611};
+    EXPECT_NEAR(area_of_cells(thin, across) / area(across), 1, 1e-3);
+    const Box beside = {3.7621659178233546e-15, -9.9999999994751694e-05, 2.5450709206128899,
+                        4.6173570614119157};
+    EXPECT_NEAR(area_of_cells(tiny, beside) / area(beside), 1, 1e-12);
+}
+
+/// Both vertices of an edge lie in the box, all of it by rounding outside: what its cell has of the
+/// border was left out.
+TEST(Voronoi, AnEdgeMayRunAlongTheBorder) {
+    const Voronoi squares = voronoi(
+        triangulate(std::vector<Site>{{1.0000000000009066e-05, -0.099999999999999992, 2.18e-19},
+                                      {1.0000000000009618e-05, -0.099999999999999992, 3.11e-19},
+                                      {0.0023924358805030334, -0.098861778443690429, 0},
+                                      {1.0000000000009555e-05, -0.1, 3.75e-19}},
+                    Manhattan{}));
+    const Box box = {1.0000000000002644e-05, -0.1, 0.0031029341953221312, -0.093003342960874619};
+    EXPECT_NEAR(area_of_cells(squares, box) / area(box), 1, 1e-11);
+    const Voronoi discs = voronoi(triangulate(
+        std::vector<Site>{{10050.000000000009, 20.000000000000519, 2.1667572894091592e-14},
+                          {10030.000000000007, 20.000000000000668, 3.0971162682976257e-14},
+                          {10050.000000000009, 20.000000000000085, 7.2039123317388418e-14},
+                          {10030.000000000004, 30.000000000000892, 3.0000000000000631}},
+        Euclidean{}));
+    const Box other = {10040.000000000007, 20.000000000000593, 10055.000000000009,
+                       35.00000000000162};
+    EXPECT_NEAR(area_of_cells(discs, other) / area(other), 1, 1e-10);
+}
+
+/// Their products are beyond doubles; the centroid is not.
+TEST(Voronoi, MeasuresOfExtremeSizeHaveACentroid) {
+    for (const double size : {1e150, 1e120, 1e-120, 1e-200}) {
+        const std::vector<Site> sites = {{size, 0, 0}, {3 * size, 0, 0}};
+        const Voronoi diagram = voronoi(triangulate(sites, Euclidean{}));
+        const Measure of = measure(ClippedVoronoi(diagram, {0, 0, 4 * size, 2 * size}).cell(0));
+        EXPECT_DOUBLE_EQ(of.area, 4 * size * size);
+        EXPECT_DOUBLE_EQ(of.perimeter, 8 * size);
+        EXPECT_DOUBLE_EQ(of.centroid.x, size);
+        EXPECT_DOUBLE_EQ(of.centroid.y, size);
+    }
+}
+
+/// A spike in a polygon of any size is none.
+TEST(Voronoi, PolygonsHaveNoSpikesAtAnyScale) {
+    for (const int exponent : {-1000, -540, 0, 530, 1000}) {
+        const auto at = [&](double x, double y) -> Point {
+            return {std::ldexp(x, exponent), std::ldexp(y, exponent)};
+        };
+        const Point corners[] = {at(0, 0), at(3, 0), at(3, 1), at(7, 1), at(2, 1), at(0, 5)};
+        CellShape shape;
+        auto& loop = shape.loops.emplace_back();
+        for (std::size_t i = 0; i < 6; ++i)
+            loop.push_back(Conic::straight(corners[i], corners[(i + 1) % 6]));
+        const auto found = polygons(shape, 1);
+        ASSERT_EQ(found.size(), 1U);
+        EXPECT_EQ(found[0].size(), 5U) << exponent;
+        EXPECT_TRUE(std::ranges::find(found[0], at(7, 1)) == found[0].end()) << exponent;
+    }
+}
+
+TEST(Voronoi, DefaultBoxesHaveAnInside) {
+    for (const double x : {0.0, 3.0, 1e17, -1e300, 1.7e308})
+        for (const double y : {0.0, 4.0, 1e308}) {
+            const Box at_point = default_box(std::vector<Site>{{x, y, 0}});
+            EXPECT_TRUE(at_point.x0 < x && x < at_point.x1) << x << ", " << y;
+            EXPECT_TRUE(at_point.y0 < y && y < at_point.y1) << x << ", " << y;
+            const Box of_line = default_box(std::vector<Site>{{x, y, 0}, {x, y + 1, 0}});
+            EXPECT_TRUE(of_line.x0 < x && x < of_line.x1) << x << ", " << y;
+        }
+    EXPECT_EQ(default_box(std::vector<Site>{{3, 4, 1}}), (Box{2, 3, 4, 5}));
+}
+
+TEST(Voronoi, RefusesBoxesOfAnotherSizeThanItsSites) {
+    const auto of = [](double size) {
+        return voronoi(
+            triangulate(std::vector<Site>{{0, 0, 0}, {size, 0, 0}, {0, size, 0}}, Euclidean{}));
+    };
+    const Voronoi huge = of(1e308);
+    const Voronoi tiny = of(1e-320);
+    const Voronoi usual = of(1);
+    EXPECT_THROW(ClippedVoronoi(huge, {0, 0, 1e-20, 1e-20}), std::invalid_argument);
+    EXPECT_THROW(ClippedVoronoi(huge, {0, 0, 1e-320, 1}), std::invalid_argument);
+    EXPECT_THROW(ClippedVoronoi(tiny, {-1, -1, 1, 1}), std::invalid_argument);
+    EXPECT_THROW(ClippedVoronoi(tiny, {-1e308, -1e308, 1e308, 1e308}), std::invalid_argument);
+    EXPECT_THROW(ClippedVoronoi(usual, {-1e308, -1e308, 1e308, 1e308}), std::invalid_argument);
+    EXPECT_THROW(ClippedVoronoi(usual, {0, 0, 1e-200, 1e-200}), std::invalid_argument);
+    // Anything else has cells.
+    for (const double size : {1e150, 1e15, 1e-15, 1e-150})
+        EXPECT_NEAR(area_of_cells(usual, {-size, -size, size, size}) / size / size, 4, 1e-12);
+    EXPECT_NO_THROW(ClippedVoronoi(huge, {-1e200, -1e200, 1e200, 1e200}));
+}
+
 TEST(Voronoi, RefusesBoxesWithoutInside) {
     const Voronoi diagram = voronoi(triangulate(std::vector<Site>{{0, 0, 0}}, Power{}));
     EXPECT_THROW(ClippedVoronoi(diagram, {0, 0, 0, 1}), std::invalid_argument);

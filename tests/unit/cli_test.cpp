@@ -634,6 +634,11 @@ TEST_F(Tool, RefusesWrongCallsOfVoronoi) {
     refused({"--clip", "nan", "0", "1", "1"},
             "signum: --clip: its four numbers are to be finite\n");
     refused({"--tolerance", "0"}, "signum: --tolerance: it is to be above 0 and finite\n");
+    for (const char* name : {"a.json", "a.svg", "a.csv"})
+        refused(
+            {"--clip", "-1e308", "-1e308", "1e308", "1e308", "-o", scratch.path(name)},
+            "signum: the box -1e+308 -1e+308 1e+308 1e+308 is too large or too small beside the "
+            "coordinates and radii of the sites; cut the cells to another one with --clip\n");
     refused({"-o", "a.obj"},
             "signum: -o a.obj: the ending says what to write; give it .json, .svg, .geojson or "
             ".csv\n");

@@ -159,6 +159,26 @@ TEST(Conic, SamplesAndParabolasKeepToTheTolerance) {
     }
 }
 
+TEST(Conic, SamplesAreTheSameAtEveryScale) {
+    const Conic whole = arc(some_hyperbola(2, 1), -3.5, 0);
+    std::vector<Point> points;
+    sample(whole, 1e-6, points);
+    for (const int exponent : {-1000, -540, 530, 900, 1000}) {
+        const auto scaled = [&](Point p) -> Point {
+            return {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)};
+        };
+        const Conic other = {scaled(whole.from), scaled(whole.control), scaled(whole.to),
+                             whole.weight};
+        EXPECT_EQ(other.bulge(), std::ldexp(whole.bulge(), exponent));
+        std::vector<Point> others;
+        sample(other, std::ldexp(1e-6, exponent), others);
+        ASSERT_EQ(others.size(), points.size()) << exponent;
+        EXPECT_EQ(others[1], scaled(points[1]));
+        EXPECT_NEAR(other.length(), std::ldexp(whole.length(), exponent),
+                    std::ldexp(1e-9, exponent) * whole.length());
+    }
+}
+
 TEST(Conic, MomentsAreThoseOfAFinePolygon) {
     for (const double range : {1e-6, 0.01, 0.2, 0.26, 1.0, 5.0}) {
         const HyperbolaCurve curve = some_hyperbola(2, 1);
