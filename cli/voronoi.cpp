@@ -55,6 +55,22 @@ void check_box(const Call& call, const Box& box, const Voronoi& diagram) {
                         box.x0, box.y0, box.x1, box.y1));
 }
 
+/// A picture is some hundred pixels wide.
+void check_picture(const Call& call, const std::optional<Box>& clip) {
+    constexpr double slimmest = 1e-3;
+    const bool is_drawn =
+        std::any_of(call.outputs.begin(), call.outputs.end(),
+                    [](const std::string& path) { return ending_of(path) == ".svg"; });
+    if (!clip || !is_drawn) return;
+    const auto [shorter, longer] =
+        std::minmax({clip->x1 / 2 - clip->x0 / 2, clip->y1 / 2 - clip->y0 / 2});
+    if (shorter < slimmest * longer) {
+        throw CallError(
+            "--clip: a picture of a box more than a thousand times as long as wide shows nothing; "
+            "give another box, or leave the .svg out");
+    }
+}
+
 void summarize(const Voronoi& voronoi, const std::vector<std::string>& outputs) {
     const std::size_t sites = voronoi.tessellation().sites().size();
     const std::size_t hidden = voronoi.tessellation().hidden().size();
@@ -74,6 +90,7 @@ void run(const Call& call) {
     const std::optional<Box> clip = box_of(call.clip);
     if (call.tolerance && !(*call.tolerance > 0 && std::isfinite(*call.tolerance)))
         throw CallError("--tolerance: it is to be above 0 and finite");
+    check_picture(call, clip);
     const InputSites sites = read_input(call);
     const Outputs outputs(call.outputs);
     const Voronoi diagram(construct(call, sites), {call.merge});
@@ -82,6 +99,12 @@ void run(const Call& call) {
     check_box(call, box, diagram);
     const double longer = std::max(box.x1 / 2 - box.x0 / 2, box.y1 / 2 - box.y0 / 2);
     const double tolerance = call.tolerance.value_or(longer / 5'000);
+    if (tolerance < longer * 2e-9) {
+        throw CallError(
+            fmt::format("--tolerance {}: below a billionth of the box's longer side polygons would "
+                        "have more points than anybody wants; give at least {:.3g}",
+                        tolerance, longer * 2e-9));
+    }
     outputs.write(
         [&](std::ostream& out, const std::string& ending) {
             if (ending == ".json") {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 #include <utility>
 
@@ -270,9 +271,11 @@ std::vector<ClippedVoronoi::Loop> ClippedVoronoi::closed(std::vector<Loop> open,
     const double rounding = 0x1p-48 * extent_of(box_);
     const double tolerance = 0x1p-48 + rounding / std::min(width, height);
     const double speck = rounding * (width + height);
-    while (!open.empty()) {
-        Loop loop = std::move(open.back());
-        open.pop_back();
+    std::multimap<double, std::size_t> starts;  // of the chains that are left, along the border
+    for (std::size_t i = 0; i < open.size(); ++i) starts.emplace(position(open[i].front().from), i);
+    while (!starts.empty()) {
+        Loop loop = std::move(open[starts.begin()->second]);
+        starts.erase(starts.begin());
         for (;;) {
             const Point end = loop.back().to;
             const Point start = loop.front().from;
@@ -283,27 +286,29 @@ std::vector<ClippedVoronoi::Loop> ClippedVoronoi::closed(std::vector<Loop> open,
                 all_around = area_of(loop) < -speck;
                 least = all_around ? 4 : 0;
             }
-            auto next = open.end();
-            for (auto chain = open.begin(); chain != open.end(); ++chain) {
-                double distance = ahead(end, chain->front().from);
-                // Behind it by no more than rounding is where it is.
-                if (distance > 4 - tolerance) distance = 0;
-                if (distance < least) {
-                    least = distance;
-                    next = chain;
-                }
+            // A start behind the end by no more than rounding is where that is.
+            auto next = starts.lower_bound(position(end) - tolerance);
+            if (next == starts.end()) next = starts.begin();
+            if (next != starts.end()) {
+                const double distance = ahead(end, open[next->second].front().from);
+                if (const double rounded = distance > 4 - tolerance ? 0 : distance; rounded < least)
+                    least = rounded;
+                else
+                    next = starts.end();
             }
-            const Point target = next == open.end() ? start : next->front().from;
+            const bool closes = next == starts.end();
+            const Point target = closes ? start : open[next->second].front().from;
             if (least > 0)
-                follow_border(loop, target, all_around && next == open.end());
+                follow_border(loop, target, all_around && closes);
             else if (end != target)
                 loop.push_back(Conic::straight(end, target));
-            if (next == open.end()) {
+            if (closes) {
                 loops.push_back(std::move(loop));
                 break;
             }
-            loop.insert(loop.end(), next->begin(), next->end());
-            open.erase(next);
+            const Loop& chain = open[next->second];
+            loop.insert(loop.end(), chain.begin(), chain.end());
+            starts.erase(next);
         }
     }
     // Of spikes without width nobody can tell on which side of them the cell is.

@@ -639,6 +639,12 @@ TEST_F(Tool, RefusesWrongCallsOfVoronoi) {
             {"--clip", "-1e308", "-1e308", "1e308", "1e308", "-o", scratch.path(name)},
             "signum: the box -1e+308 -1e+308 1e+308 1e+308 is too large or too small beside the "
             "coordinates and radii of the sites; cut the cells to another one with --clip\n");
+    refused({"--tolerance", "1e-300"},
+            "signum: --tolerance 1e-300: below a billionth of the box's longer side polygons would "
+            "have more points than anybody wants; give at least 4.8e-09\n");
+    refused({"--clip", "0", "0", "1e-6", "1", "-o", "a.svg"},
+            "signum: --clip: a picture of a box more than a thousand times as long as wide shows "
+            "nothing; give another box, or leave the .svg out\n");
     refused({"-o", "a.obj"},
             "signum: -o a.obj: the ending says what to write; give it .json, .svg, .geojson or "
             ".csv\n");
