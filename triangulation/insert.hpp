@@ -53,6 +53,9 @@ class Stack {
 };
 
 template <class Kernel>
+class Deletion;
+
+template <class Kernel>
 class Insertion {
  public:
     /// Starts from three sites with ccw(a, b, c) > 0. hidden_by[i] becomes the site that hid i,
@@ -83,23 +86,31 @@ class Insertion {
         recent_ = left;
     }
 
+    /// A face at the site inserted last, if it is visible.
+    [[nodiscard]] Index recent() const noexcept { return recent_; }
+    /// The sites that the last one hid.
+    [[nodiscard]] const std::vector<Index>& enclosed() const noexcept { return enclosed_; }
+
     /// Inserts site q. Throws BrokenStructure where inexact arithmetic made nonsense.
     void insert(Index q) {
+        enclosed_.clear();
         if (!find_conflicts(q)) return;
         if (boundary_.size() != removed_.size() + 2) hide_enclosed(q);
         retriangulate(q);
     }
 
  private:
+    friend class Deletion<Kernel>;
+
     Insertion(Topology& topology, Kernel& kernel, std::span<Index> hidden_by)
         : topology_(topology),
           kernel_(kernel),
           hidden_by_(hidden_by),
-          // Of n sites' 2n - 2 faces all may go; each but the first adds two edges to look across.
-          pending_(2 * hidden_by.size() + 4),
-          removed_(4 * hidden_by.size() + 4),
-          boundary_(4 * hidden_by.size() + 4),
-          vacant_(2 * hidden_by.size()) {}
+          // All faces may go, and each but the first adds two edges to look across.
+          pending_(topology.room() + 8),
+          removed_(2 * topology.room() + 12),
+          boundary_(2 * topology.room() + 12),
+          vacant_(topology.room() + 4) {}
 
     /// The mark of a face that the site at hand removes.
     static constexpr Index in_conflict = 1;
@@ -307,6 +318,7 @@ class Insertion {
             for (const Index v : topology_.vertices(f)) {
                 if (std::binary_search(kept.begin(), kept.end(), v)) continue;
                 if (v == infinite) throw BrokenStructure("the hull vanished");
+                if (hidden_by_[static_cast<std::size_t>(v)] != q) enclosed_.push_back(v);
                 hidden_by_[static_cast<std::size_t>(v)] = q;
             }
     }
@@ -319,6 +331,7 @@ class Insertion {
     Stack<Index> removed_;
     Stack<BoundaryEdge> boundary_;
     Stack<Index> vacant_;
+    std::vector<Index> enclosed_;
     std::vector<std::pair<std::size_t, std::size_t>> seams_;
 };
 

@@ -61,6 +61,8 @@ class Topology {
         return at(first_edge(f)).vertex;
     }
 
+    /// How many faces there is room for.
+    [[nodiscard]] std::size_t room() const noexcept { return capacity_; }
     /// Face slots in use, vacant ones included.
     [[nodiscard]] Index faces() const noexcept { return static_cast<Index>(faces_); }
     [[nodiscard]] bool is_vacant(Index f) const noexcept { return vertices(f)[0] == vacant; }

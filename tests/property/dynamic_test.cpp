@@ -1,0 +1,224 @@
+// Sites come, go and change, in any order: at every moment the tessellation is the one that the
+// sites make when they are built anew.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <signum/triangulation/dynamic.hpp>
+#include <signum/triangulation/triangulate.hpp>
+
+#include "property/degenerate_sites.hpp"
+
+namespace signum {
+namespace {
+
+#if defined(__SANITIZE_ADDRESS__) || !defined(__OPTIMIZE__)
+constexpr int thoroughness = 1;
+#else
+constexpr int thoroughness = 8;
+#endif
+
+class Dynamic : public testing::TestWithParam<Metric> {
+ protected:
+    std::mt19937_64 random_{41};
+    double real() { return static_cast<double>(random_() >> 11) * 0x1p-53; }
+    int below(int count) { return static_cast<int>(random_() % static_cast<std::uint64_t>(count)); }
+
+    void expect_canonical(const DynamicTessellation& dynamic,
+                          const std::map<Index, Site>& expected) {
+        std::vector<Site> sites;
+        for (const auto& [handle, site] : expected) {
+            ASSERT_TRUE(dynamic.contains(handle));
+            ASSERT_EQ(dynamic.site(handle), site);
+            sites.push_back(site);
+        }
+        ASSERT_EQ(dynamic.size(), sites.size());
+        const Tessellation now = dynamic.tessellation();
+        ASSERT_TRUE(now.arrays() == triangulate(sites, GetParam()).arrays()) << text(sites);
+        ASSERT_TRUE(std::ranges::equal(now.sites(), sites));
+    }
+    static std::string text(const std::vector<Site>& sites) {
+        std::string result;
+        for (const Site& s : sites)
+            result += "{" + std::to_string(s.x) + ", " + std::to_string(s.y) + ", " +
+                      std::to_string(s.r) + "}, ";
+        return result;
+    }
+
+    /// Random insertions, deletions and changes with about `size` sites alive, and a comparison
+    /// every so often.
+    template <class MakeSite>
+    void run(int size, int steps, int every, const MakeSite& make_site) {
+        DynamicTessellation dynamic(GetParam());
+        std::map<Index, Site> sites;
+        for (int step = 0; step < steps; ++step) {
+            const int kind = below(3);
+            if (sites.empty() || (static_cast<int>(sites.size()) < size && kind != 2) ||
+                kind == 0) {
+                const Site site = make_site();
+                const Index handle = dynamic.insert(site);
+                ASSERT_TRUE(sites.emplace(handle, site).second);
+            } else {
+                const auto any = std::next(sites.begin(), below(static_cast<int>(sites.size())));
+                if (kind == 1 || static_cast<int>(sites.size()) > size) {
+                    dynamic.erase(any->first);
+                    ASSERT_FALSE(dynamic.contains(any->first));
+                    sites.erase(any);
+                } else {
+                    any->second.r = make_site().r;
+                    dynamic.change(any->first, any->second.r);
+                }
+            }
+            if (step % every == 0) {
+                ASSERT_NO_FATAL_FAILURE(expect_canonical(dynamic, sites)) << "step " << step;
+            }
+        }
+    }
+};
+
+TEST_P(Dynamic, OfFewSitesAtEveryStep) {
+    for (const double radius : {0.0, 0.2, 1.0})
+        ASSERT_NO_FATAL_FAILURE(run(9, 250 * thoroughness, 1, [&] {
+            return Site{real(), real(), radius * real()};
+        }));
+}
+
+/// Ties of all kinds, equal sites, all on one line.
+TEST_P(Dynamic, OfIntegersAtEveryStep) {
+    for (const int extent : {2, 4, 8})
+        for (const int radii : {1, 4})
+            ASSERT_NO_FATAL_FAILURE(run(14, 150 * thoroughness, 1, [&] {
+                return Site{1.0 * below(extent), 1.0 * below(extent), 1.0 * below(radii)};
+            }));
+    ASSERT_NO_FATAL_FAILURE(run(10, 150 * thoroughness, 1, [&] {
+        const double t = below(12);
+        return Site{t, 2 * t, below(3) / 2.0};
+    }));
+}
+
+TEST_P(Dynamic, OfDegenerateFamilies) {
+    for (int family = 0; family < brute_force::Degenerate::families; ++family) {
+        std::vector<Site> sites(40);
+        brute_force::Degenerate(random_()).fill(family, sites.data(), sites.size());
+        ASSERT_NO_FATAL_FAILURE(
+            run(12, 60 * thoroughness, 1, [&] { return sites[random_() % sites.size()]; }));
+    }
+}
+
+TEST_P(Dynamic, OfManySites) {
+    const int count = 250 * thoroughness;
+    for (const double radius : {0.5, 30.0})
+        ASSERT_NO_FATAL_FAILURE(run(count, 5 * count, count, [&] {
+            return Site{real(), real(), radius / std::sqrt(1.0 * count) * real()};
+        }));
+}
+
+/// Every site of a set is deleted in turn, hull and hiders included, and comes back.
+TEST_P(Dynamic, EverySiteInTurn) {
+    for (int round = 0; round < 6 * thoroughness; ++round) {
+        DynamicTessellation dynamic(GetParam());
+        std::map<Index, Site> sites;
+        const double largest = std::pow(10.0, -2 * real());
+        for (int i = 0; i < 12; ++i) {
+            const Site site = {real(), real(), largest * real()};
+            sites.emplace(dynamic.insert(site), site);
+        }
+        for (Index handle = 0; handle < 12; ++handle) {
+            const Site site = sites.at(handle);
+            dynamic.erase(handle);
+            sites.erase(handle);
+            ASSERT_NO_FATAL_FAILURE(expect_canonical(dynamic, sites));
+            ASSERT_EQ(dynamic.insert(site), handle);
+            sites.emplace(handle, site);
+            ASSERT_NO_FATAL_FAILURE(expect_canonical(dynamic, sites));
+        }
+    }
+}
+
+/// One site that hides all others, and goes again.
+TEST_P(Dynamic, TheGiant) {
+    DynamicTessellation dynamic(GetParam());
+    std::map<Index, Site> sites;
+    for (int i = 0; i < 20; ++i) {
+        const Site site = {real(), real(), 0.1 * real()};
+        sites.emplace(dynamic.insert(site), site);
+    }
+    for (const double radius : {100.0, 0.01, 100.0}) {
+        const Site giant = {0.5, 0.5, radius};
+        const Index handle = dynamic.insert(giant);
+        sites.emplace(handle, giant);
+        ASSERT_NO_FATAL_FAILURE(expect_canonical(dynamic, sites));
+        dynamic.change(handle, 0.2);
+        sites.at(handle).r = 0.2;
+        ASSERT_NO_FATAL_FAILURE(expect_canonical(dynamic, sites));
+        dynamic.erase(handle);
+        sites.erase(handle);
+        ASSERT_NO_FATAL_FAILURE(expect_canonical(dynamic, sites));
+    }
+}
+
+TEST_P(Dynamic, StructureIsChangedAndNotBuiltAnew) {
+    DynamicTessellation dynamic(GetParam());
+    std::vector<Index> handles;
+    for (int i = 0; i < 1000; ++i)
+        handles.push_back(dynamic.insert({real(), real(), 0.02 * real()}));
+    const std::size_t before = dynamic.rebuilds();
+    for (int i = 0; i < 500; ++i) {
+        dynamic.erase(handles[static_cast<std::size_t>(i)]);
+        dynamic.change(handles[static_cast<std::size_t>(500 + i)], 0.02 * real());
+    }
+    EXPECT_EQ(dynamic.rebuilds(), before);
+}
+
+TEST_P(Dynamic, RefusesWhatIsNotFinite) {
+    DynamicTessellation dynamic(GetParam());
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_THROW(dynamic.insert({nan, 0, 0}), std::invalid_argument);
+    EXPECT_THROW(dynamic.insert({0, std::numeric_limits<double>::infinity(), 0}),
+                 std::invalid_argument);
+    const Index handle = dynamic.insert({0, 0, 0});
+    EXPECT_THROW(dynamic.change(handle, nan), std::invalid_argument);
+    EXPECT_EQ(dynamic.size(), 1U);
+    EXPECT_TRUE(dynamic.tessellation().faces().empty());
+    dynamic.erase(handle);
+    EXPECT_EQ(dynamic.tessellation().sites().size(), 0U);
+    if (GetParam() != Metric::power) {
+        EXPECT_THROW(DynamicTessellation(GetParam(), WeightIs::weight), std::invalid_argument);
+    }
+    DynamicTessellation moved = std::move(dynamic);
+    EXPECT_EQ(moved.insert({1, 1, 1}), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Metrics, Dynamic, testing::ValuesIn(all_metrics),
+                         [](const auto& metric) { return std::string(name_of(metric.param)); });
+
+TEST(DynamicPower, TakesWeights) {
+    std::mt19937_64 random(3);
+    const auto number = [&] { return static_cast<double>(random() % 20) - 6; };
+    DynamicTessellation dynamic(Metric::power, WeightIs::weight);
+    std::vector<power::Site> sites;
+    for (int i = 0; i < 60; ++i) {
+        const power::Site site = {number(), number(), number()};
+        sites.push_back(site);
+        dynamic.insert({site.x, site.y, site.w});
+        ASSERT_TRUE(dynamic.tessellation().arrays() == triangulate(sites, Power{}).arrays());
+    }
+    while (!sites.empty()) {
+        dynamic.erase(static_cast<Index>(sites.size()) - 1);
+        sites.pop_back();
+        if (sites.empty()) break;
+        ASSERT_TRUE(dynamic.tessellation().arrays() == triangulate(sites, Power{}).arrays());
+    }
+}
+
+}  // namespace
+}  // namespace signum
