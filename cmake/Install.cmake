@@ -8,6 +8,7 @@ install(DIRECTORY core exact filters predicates triangulation voronoi
         DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/signum"
         FILES_MATCHING PATTERN "*.hpp"
         REGEX "exact/multiprecision\\.hpp$" EXCLUDE
+        REGEX "voronoi/vector\\.hpp$" EXCLUDE
         PATTERN "cold_*.hpp" EXCLUDE)
 
 install(TARGETS signum EXPORT signum-targets)

@@ -37,9 +37,14 @@ std::optional<ClippedVoronoi> clipped_to(const Frame& frame, const Voronoi& voro
 }
 
 std::vector<Conic> cell_edges(const Voronoi& voronoi, const Frame& frame) {
-    const auto clipped = clipped_to(frame, voronoi);
+    return cell_edges(clipped_to(frame, voronoi), frame);
+}
+
+std::vector<Conic> cell_edges(const std::optional<ClippedVoronoi>& clipped, const Frame& frame) {
     std::vector<Conic> lines;
-    for (std::size_t e = 0; clipped && e < voronoi.edges().size(); ++e)
+    if (!clipped) return lines;
+    const Voronoi& voronoi = clipped->voronoi();
+    for (std::size_t e = 0; e < voronoi.edges().size(); ++e)
         for (const Conic& part : clipped->edge(static_cast<Index>(e)))
             lines.push_back(in_pixels(part, voronoi.exponent(), frame));
     return lines;

@@ -21,6 +21,9 @@ namespace signum {
 
 /// The edges of the diagram that lie in the picture, in pixels.
 [[nodiscard]] std::vector<Conic> cell_edges(const Voronoi& voronoi, const Frame& frame);
+/// The same of what clipped_to() gave.
+[[nodiscard]] std::vector<Conic> cell_edges(const std::optional<ClippedVoronoi>& clipped,
+                                            const Frame& frame);
 
 /// A conic with its points in pixels instead of what `clipped` divided.
 [[nodiscard]] Conic in_pixels(const Conic& divided, int exponent, const Frame& frame) noexcept;

@@ -61,13 +61,12 @@ std::vector<std::size_t> tints_of(const Voronoi& voronoi) {
     return tint;
 }
 
-void write_cells(SvgText& text, const Voronoi& voronoi, const Frame& frame) {
-    const auto clipped = clipped_to(frame, voronoi);
-    if (!clipped) return;
+void write_cells(SvgText& text, const ClippedVoronoi& clipped, const Frame& frame) {
+    const Voronoi& voronoi = clipped.voronoi();
     const std::vector<std::size_t> tint = tints_of(voronoi);
     for (std::size_t site = 0; site < tint.size(); ++site) {
         if (voronoi.is_hidden(static_cast<Index>(site))) continue;
-        const CellShape shape = clipped->cell(static_cast<Index>(site));
+        const CellShape shape = clipped.cell(static_cast<Index>(site));
         if (shape.loops.empty()) continue;
         text.add(R"(<path class="tint tint{}" d=")", tint[site]);
         for (const auto& loop : shape.loops) {
@@ -98,7 +97,8 @@ void write_voronoi_svg(std::ostream& out, const Voronoi& voronoi, const std::opt
     const Tessellation& tessellation = voronoi.tessellation();
     const Frame frame =
         box ? Frame(*box, picture_width) : Frame(drawn_sites(tessellation), picture_width);
-    const std::vector<Conic> edges = cell_edges(voronoi, frame);
+    const auto clipped = clipped_to(frame, voronoi);
+    const std::vector<Conic> edges = cell_edges(clipped, frame);
     const Pens pens(
         std::min(spacing(cells_in(edges), frame), 2 * median_length(edges, picture_width)));
     const DrawnSites sites(tessellation, frame, pens, options.site_limit);
@@ -107,10 +107,10 @@ void write_voronoi_svg(std::ostream& out, const Voronoi& voronoi, const std::opt
     Legend legend(frame.width(), shapes.outline);
     sites.describe(legend);
     SvgText drawing;
-    if (cells_in(edges) <= options.cell_limit)
-        write_cells(drawing, voronoi, frame);
-    else
+    if (cells_in(edges) > options.cell_limit)
         legend.note("more than {} cells, drawn without tints", options.cell_limit);
+    else if (clipped)
+        write_cells(drawing, *clipped, frame);
     sites.write_outlines(drawing);
     write_lines(drawing, legend, "border", shapes.cells, edges, frame, options.line_limit);
     sites.write_dots(drawing);

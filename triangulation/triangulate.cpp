@@ -173,6 +173,14 @@ Tessellation with_arithmetic(const Options& options, Construct construct) {
     return with_tally<Arithmetic::exact>(options, construct);
 }
 
+template <power::PowerSite S>
+LargeArray<S> in_order(const StridedSites& input, const LargeArray<Index>& original) {
+    LargeArray<S> sites(original.size());
+    for (std::size_t i = 0; i < original.size(); ++i)
+        sites[i] = site_of<S>(input[static_cast<std::size_t>(original[i])]);
+    return sites;
+}
+
 template <class Kernel>
 Tessellation construct_with_kernel(Metric metric, const StridedSites& input,
                                    const Options& options) {
@@ -181,9 +189,7 @@ Tessellation construct_with_kernel(Metric metric, const StridedSites& input,
     const std::size_t n = input.size();
 
     LargeArray<Index> original = spatial_order(input, options.seed);
-    LargeArray<S> sites(n);
-    for (std::size_t i = 0; i < n; ++i)
-        sites[i] = site_of<S>(input[static_cast<std::size_t>(original[i])]);
+    LargeArray<S> sites = in_order<S>(input, original);
 
     Kernel kernel(sites.data(), original.data());
     Topology topology(n);
@@ -255,9 +261,7 @@ Tessellation construct_by_flips_with_kernel(Metric metric, const StridedSites& i
     const std::size_t n = input.size();
 
     LargeArray<Index> original = spatial_order(input, options.seed);
-    LargeArray<S> sites(n);
-    for (std::size_t i = 0; i < n; ++i)
-        sites[i] = site_of<S>(input[static_cast<std::size_t>(original[i])]);
+    LargeArray<S> sites = in_order<S>(input, original);
     Kernel kernel(sites.data(), original.data());
     std::vector<Index> first_of;
     const std::size_t front = front_of_equal_centres(kernel, sites, original, first_of);

@@ -6,12 +6,10 @@
 #include <stdexcept>
 #include <utility>
 
+#include <signum/voronoi/vector.hpp>
+
 namespace signum {
 namespace {
-
-bool is_finite(Point p) {
-    return std::isfinite(p.x) && std::isfinite(p.y);
-}
 
 /// The largest coordinate of a box.
 double extent_of(const Box& box) {

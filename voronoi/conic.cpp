@@ -6,17 +6,13 @@
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 
+#include <signum/voronoi/vector.hpp>
+
 namespace signum {
 namespace {
 
 constexpr int most_halvings = 16;
 
-Point minus(Point a, Point b) noexcept {
-    return {a.x - b.x, a.y - b.y};
-}
-double cross(Point a, Point b) noexcept {
-    return a.x * b.y - a.y * b.x;
-}
 Point middle_of(Point a, Point b) noexcept {
     return {a.x + (b.x - a.x) / 2, a.y + (b.y - a.y) / 2};
 }

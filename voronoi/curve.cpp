@@ -4,20 +4,11 @@
 #include <cmath>
 
 #include <signum/triangulation/touched_sides.hpp>
+#include <signum/voronoi/vector.hpp>
 
 namespace signum {
 namespace {
 
-double dot(Point a, Point b) noexcept {
-    return a.x * b.x + a.y * b.y;
-}
-Point minus(Point a, Point b) noexcept {
-    return {a.x - b.x, a.y - b.y};
-}
-/// a + times b.
-Point plus(Point a, Point b, double times) noexcept {
-    return {a.x + times * b.x, a.y + times * b.y};
-}
 Point turned_left(Point p) noexcept {
     return {-p.y, p.x};
 }

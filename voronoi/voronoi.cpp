@@ -11,6 +11,7 @@
 #include <signum/predicates/manhattan.hpp>
 #include <signum/predicates/power.hpp>
 #include <signum/predicates/supremum.hpp>
+#include <signum/voronoi/vector.hpp>
 
 namespace signum {
 namespace {
@@ -19,9 +20,6 @@ constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 bool is_finite(const DiagramVertex& v) {
     return std::isfinite(v.x) && std::isfinite(v.y);
-}
-bool is_finite(Point p) {
-    return std::isfinite(p.x) && std::isfinite(p.y);
 }
 
 /// Whether q touches the circle of a face, exactly.
@@ -195,13 +193,6 @@ bool Voronoi::is_unbounded(Index site) const noexcept {
 }
 
 namespace {
-
-double dot(Point a, Point b) {
-    return a.x * b.x + a.y * b.y;
-}
-Point minus(Point a, Point b) {
-    return {a.x - b.x, a.y - b.y};
-}
 
 /// The end of the bisector of discs a and b at which a third one touches their common tangent line,
 /// too.
