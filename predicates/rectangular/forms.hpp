@@ -76,8 +76,8 @@ template <class Directions, Sums sums>
 /// The bound: with S the greatest |x| + |y| + |r| of the sites, a rounded form, two additions at
 /// most, is off by 2e(1+e)S; four of them and three more additions, of partial sums below 2S, 3S
 /// and 4S, by less than (8 + 9 + 1)eS, e = 2^-52. Comparing two forms commits less; summing eight
-/// commits (16 + 35 + 1)eS. Additions underflow exactly, and where one overflows S does, so that
-/// the bound is infinite.
+/// commits (16 + 35 + 1)eS. Additions underflow exactly; where one could overflow the bound is
+/// infinite.
 template <class Directions, Sums sums, std::size_t n>
 class Forms {
  public:
@@ -150,8 +150,10 @@ class Forms {
         constexpr double everything = std::numeric_limits<double>::infinity();
         if constexpr (sums == Sums::naive) return 0.0;
         if constexpr (sums == Sums::multiprecision) return everything;
-        // Where additions may saturate or be flushed nothing is certain.
-        return filters::environment_is_default() ? 20 * filters::epsilon * magnitude : everything;
+        // Where additions may overflow, saturate or be flushed nothing is certain.
+        return magnitude < 0x1p1000 && filters::environment_is_default()
+                   ? 20 * filters::epsilon * magnitude
+                   : everything;
     }
 
     [[nodiscard]] Addend addend(int side, std::size_t m, int factor) const noexcept {
