@@ -40,10 +40,19 @@ template <class Kernel>
 template <class Kernel>
 [[nodiscard]] HalfEdge locate_nearest(const Topology& topology, Kernel& kernel, Index start,
                                       Index q) {
+    // From the nearest corner of the face, roughly: cells may be long and thin, and a neighbour of
+    // the site inserted last then be a thousand sites away.
     HalfEdge first = Topology::first_edge(start);
     if (topology.origin(first) == infinite) first = Topology::next(first);
+    auto least = kernel.distance(q, topology.origin(first));
+    for (const HalfEdge corner : {Topology::next(first), Topology::previous(first)}) {
+        if (topology.origin(corner) == infinite) continue;
+        const auto distance = kernel.distance(q, topology.origin(corner));
+        if (distance.to_centre - distance.radius >= least.to_centre - least.radius) continue;
+        first = corner;
+        least = distance;
+    }
     Index nearest = topology.origin(first);
-    auto least = kernel.distance(q, nearest);
     HalfEdge h = first;
     HalfEdge next = first;
     double to_next = std::numeric_limits<double>::infinity();

@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include <signum/generate/generate.hpp>
 #include <signum/predicates/euclidean.hpp>
 #include <signum/predicates/manhattan.hpp>
 #include <signum/predicates/supremum.hpp>
@@ -247,6 +248,25 @@ TEST(AdditiveProperties, EuclideanOfEqualRadiiIsPowerOfEqualWeights) {
             EXPECT_EQ(discs.arrays().hidden, power.arrays().hidden);
         }
     }
+}
+
+/// The work of an insertion does not grow with the number of sites, on a circle neither: there
+/// cells of squares are long and thin, and a site across the circle is a neighbour of the one
+/// inserted last.
+TYPED_TEST(AdditiveProperties, CallsPerSiteStayLevel) {
+    for (const Distribution distribution :
+         {Distribution::random, Distribution::circle, Distribution::square})
+        for (const std::int64_t count : {1000, 50'000}) {
+            GenerateOptions generated;
+            generated.count = count;
+            generated.radius_to = 1e-4;
+            Options options;
+            options.count = true;
+            const Statistics statistics =
+                triangulate(generate(distribution, generated), TypeParam{}, options).statistics();
+            const std::uint64_t calls = statistics.filtered + statistics.essa;
+            EXPECT_LT(calls, 100 * static_cast<std::uint64_t>(count));
+        }
 }
 
 }  // namespace
