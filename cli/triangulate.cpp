@@ -31,7 +31,6 @@ struct Call : SitesCall {
 };
 
 Method method_of(const std::string& name, Metric metric) {
-    if (name == name_of(Method::incremental)) return Method::incremental;
     if (name == name_of(Method::flips)) {
         if (metric == Metric::power) return Method::flips;
         throw CallError(
@@ -39,10 +38,15 @@ Method method_of(const std::string& name, Metric metric) {
                         "--metric {}; leave --method out, or add --metric power",
                         name_of(metric)));
     }
-    throw CallError(
-        fmt::format("--method {} is not in this version, which has incremental and flips; "
-                    "leave --method out",
-                    name));
+    if (name == name_of(Method::sweep)) {
+        if (metric == Metric::manhattan || metric == Metric::supremum) return Method::sweep;
+        throw CallError(
+            fmt::format("--method sweep: only the manhattan and supremum metrics are built by a "
+                        "sweep, and this is --metric {}; leave --method out, or add --metric "
+                        "supremum",
+                        name_of(metric)));
+    }
+    return Method::incremental;
 }
 
 void require_json(const Call& call) {
@@ -91,6 +95,8 @@ void summarize(const Tessellation& tessellation, const std::vector<std::string>&
     say("hidden   {}\n", hidden);
     say("faces    {}, {} of them infinite\n", faces.size(), infinite_faces);
     if (tessellation.statistics().flips > 0) say("flips    {}\n", tessellation.statistics().flips);
+    if (tessellation.statistics().events > 0)
+        say("events   {}\n", tessellation.statistics().events);
     say("seconds  {:.3g}\n", tessellation.statistics().seconds);
     if (!outputs.empty()) say("written  {}\n", fmt::join(outputs, ", "));
 }
@@ -146,7 +152,8 @@ void add_triangulate(CLI::App& tool) {
     command
         ->add_option("--method", call->method,
                      "incremental: site by site; flips: from Delaunay's\n"
-                     "triangulation, power metric only; sweep: not in\nthis version")
+                     "triangulation, power metric only; sweep: a line\n"
+                     "over the plane, manhattan and supremum only; the\nresult is the same")
         ->check(one_of({"incremental", "flips", "sweep"}))
         ->type_name("NAME")
         ->capture_default_str();

@@ -41,6 +41,7 @@ void put_statistics(TextWriter& text, const Statistics& statistics) {
     put_counter("multiprecision", statistics.multiprecision);
     put_counter("ties", statistics.ties);
     put_counter("flips", statistics.flips);
+    put_counter("events", statistics.events);
     text.put(FMT_COMPILE("\"seconds\": {}}}"), number_or_null(statistics.seconds));
 }
 

@@ -20,6 +20,7 @@ template <class Predicates, Arithmetic arithmetic, class Tally>
 class AdditiveKernel {
  public:
     using SiteType = RankedSite;
+    using PredicatesType = Predicates;
     static constexpr bool is_exact = arithmetic != Arithmetic::naive;
     /// The edges of the dual are curved; see insert.hpp.
     static constexpr bool is_straight = false;
@@ -115,12 +116,15 @@ class AdditiveKernel {
     [[nodiscard]] Point centre(Index i) const noexcept { return {sites_[i].x, sites_[i].y}; }
     [[nodiscard]] const Tally& tally() const noexcept { return tally_; }
 
- private:
-    [[nodiscard]] bool decide(Decision decision) noexcept {
+    /// Counts a decision, made here or not.
+    Sign count(Decision decision) noexcept {
         tally_.count_stage(decision.stage);
         if (decision.tied) tally_.count_tie();
-        return decision.sign > 0;
+        return decision.sign;
     }
+
+ private:
+    [[nodiscard]] bool decide(Decision decision) noexcept { return count(decision) > 0; }
 
     const RankedSite* sites_;
     [[no_unique_address]] Tally tally_;

@@ -73,6 +73,7 @@ struct Statistics {
     std::uint64_t multiprecision = 0;  ///< ... by rationals
     std::uint64_t ties = 0;            ///< exact zeros that the tie rule resolved
     std::uint64_t flips = 0;           ///< edges swapped
+    std::uint64_t events = 0;          ///< site and circle events of the sweep
     double seconds = 0.0;              ///< construction alone
 };
 

@@ -21,6 +21,7 @@
 #include <signum/triangulation/insert.hpp>
 #include <signum/triangulation/kernel.hpp>
 #include <signum/triangulation/spatial_order.hpp>
+#include <signum/triangulation/cold_sweep.hpp>
 #include <signum/triangulation/tie_order.hpp>
 
 namespace signum {
@@ -125,7 +126,7 @@ Tessellation finish(Metric metric, WeightIs weight_is, const StridedSites& input
                     std::chrono::steady_clock::time_point start, const Kernel& kernel,
                     LargeArray<typename Kernel::SiteType> sites, Topology topology,
                     LargeArray<Index> original, LargeArray<Index> hidden_by,
-                    std::uint64_t flips = 0) {
+                    Statistics statistics = {}) {
     const std::size_t n = input.size();
     settle_hiders(topology, kernel, hidden_by);
 
@@ -144,9 +145,7 @@ Tessellation finish(Metric metric, WeightIs weight_is, const StridedSites& input
     assemble(std::move(topology), original, arrays);
     original = {};
 
-    Statistics statistics;
     fill(statistics, kernel.tally());
-    statistics.flips = flips;
     std::vector<Site> copy = large_vector<Site>(n);
     for (std::size_t i = 0; i < n; ++i) copy[i] = input[i];
     statistics.seconds =
@@ -268,7 +267,7 @@ Tessellation construct_by_flips_with_kernel(Metric metric, const StridedSites& i
 
     Topology topology(n);
     LargeArray<Index> hidden_by(n, -1);
-    std::uint64_t flips = 0;
+    Statistics statistics;
     if (lead_with_triangle(kernel, std::span(sites).first(front),
                            std::span(original).first(front))) {
         LargeArray<Point> points(n);
@@ -301,13 +300,13 @@ Tessellation construct_by_flips_with_kernel(Metric metric, const StridedSites& i
             *obstruction = edge;
             return {};
         }
-        flips = inflation.flips();
+        statistics.flips = inflation.flips();
     } else {
         connect_line(topology, visible_on_line(kernel, n, hidden_by));
     }
     const WeightIs weight_is = input.third_is_weight() ? WeightIs::weight : WeightIs::radius;
     return finish(metric, weight_is, input, start, kernel, std::move(sites), std::move(topology),
-                  std::move(original), std::move(hidden_by), flips);
+                  std::move(original), std::move(hidden_by), statistics);
 }
 
 template <class S>
@@ -363,6 +362,38 @@ Tessellation construct_additive_with_kernel(Metric metric, const StridedSites& i
                   std::move(topology), std::move(original), std::move(hidden_by));
 }
 
+/// The same, for squares, by a sweep.
+template <class Kernel>
+Tessellation construct_by_sweep_with_kernel(Metric metric, const StridedSites& input,
+                                            const Options& options) {
+    using SweepOfKernel = Sweep<Kernel>;
+    const auto start = std::chrono::steady_clock::now();
+    const std::size_t n = input.size();
+
+    const bool exact_sums = rectangular::sums_are_exact(input);
+    LargeArray<Index> original(n);
+    std::iota(original.begin(), original.end(), 0);
+    LargeArray<RankedSite> sites(n);
+    {
+        LargeArray<RankedSite> given(n);
+        for (std::size_t i = 0; i < n; ++i) given[i] = {input[i], 0};
+        rank(given, original);
+        original = order_of_starts<typename SweepOfKernel::Directions, SweepOfKernel::sums>(given);
+        for (std::size_t i = 0; i < n; ++i) sites[i] = given[static_cast<std::size_t>(original[i])];
+    }
+
+    Kernel kernel(sites.data());
+    Topology topology(n);
+    LargeArray<Index> hidden_by(n, -1);
+    const Watch watch(options, n);
+    SweepOfKernel sweep(topology, kernel, hidden_by, exact_sums);
+    sweep.run(n, [&](std::size_t reached) { watch.at(reached); });
+    Statistics statistics;
+    statistics.events = sweep.events();
+    return finish(metric, WeightIs::radius, input, start, kernel, std::move(sites),
+                  std::move(topology), std::move(original), std::move(hidden_by), statistics);
+}
+
 constexpr additive::Stages stages_of(Arithmetic arithmetic) noexcept {
     using additive::Stages;
     return arithmetic == Arithmetic::exact   ? Stages::exact
@@ -376,6 +407,9 @@ Tessellation construct_additive(Metric metric, const StridedSites& input, const 
     check_input(input);
     if (options.method == Method::flips)
         throw std::invalid_argument("flips build tessellations of the power metric alone");
+    if (options.method == Method::sweep && metric == Metric::euclidean)
+        throw std::invalid_argument(
+            "the sweep builds tessellations of the Manhattan and supremum metrics alone");
     if (input.third_is_weight())
         throw std::invalid_argument("sites of the " + std::string(name_of(metric)) +
                                     " metric have radii, not weights");
@@ -384,6 +418,9 @@ Tessellation construct_additive(Metric metric, const StridedSites& input, const 
         return construct<Point>(metric, input, options);
     return with_arithmetic(options, [&]<Arithmetic arithmetic, class Tally>() {
         using Kernel = AdditiveKernel<Predicates<stages_of(arithmetic)>, arithmetic, Tally>;
+        if constexpr (!std::is_same_v<Predicates<additive::Stages::exact>, euclidean::Perturbed<>>)
+            if (options.method == Method::sweep)
+                return construct_by_sweep_with_kernel<Kernel>(metric, input, options);
         return construct_additive_with_kernel<Kernel>(metric, input, options);
     });
 }
@@ -397,7 +434,7 @@ std::string_view name_of(Arithmetic arithmetic) noexcept {
 }
 
 std::string_view name_of(Method method) noexcept {
-    constexpr std::string_view names[] = {"incremental", "flips"};
+    constexpr std::string_view names[] = {"incremental", "flips", "sweep"};
     return names[static_cast<int>(method)];
 }
 
@@ -433,6 +470,9 @@ Tessellation triangulate(StridedSites sites, Power /*metric*/, const Options& op
     // without.
     const exact::IeeeEnvironment environment;
     check_input(sites);
+    if (options.method == Method::sweep)
+        throw std::invalid_argument(
+            "the sweep builds tessellations of the Manhattan and supremum metrics alone");
     if (options.method == Method::flips && options.arithmetic == Arithmetic::naive)
         throw std::invalid_argument("flips need exact arithmetic");
     if (equal_weights(sites)) return construct<Point>(Metric::power, sites, options);

@@ -20,14 +20,16 @@ enum class Arithmetic : std::uint8_t { exact, naive, multiprecision };
 /// How a tessellation is built; the result is the same.
 enum class Method : std::uint8_t {
     incremental,  ///< site by site
-    flips         ///< power metric: from the Delaunay triangulation of the centres, by flips
+    flips,        ///< power metric: from the Delaunay triangulation of the centres, by flips
+    sweep         ///< Manhattan and supremum: a line sweeps the plane
 };
 
 [[nodiscard]] std::string_view name_of(Method method) noexcept;
 
 struct Options {
     Arithmetic arithmetic = Arithmetic::exact;
-    /// flips: std::invalid_argument with another metric than power, and with naive arithmetic.
+    /// std::invalid_argument with a metric that the method does not build, and for flips with naive
+    /// arithmetic.
     Method method = Method::incremental;
     /// Seeds the random insertion order. The result does not depend on it.
     std::uint64_t seed = 1;

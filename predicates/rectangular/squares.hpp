@@ -138,6 +138,9 @@ template <class AnyForms>
 /// `tied` is a touch without the rule.
 template <class Directions, Sums sums = Sums::exact>
 struct Perturbed {
+    using DirectionsType = Directions;
+    static constexpr Sums sums_used = sums;
+
     /// Whether i hides q: +1 or -1.
     [[nodiscard]] static Decision hides(const Site& i, const Site& q,
                                         const std::array<Index, 2>& ranks) noexcept {

@@ -1,5 +1,5 @@
 // Tessellations of discs, squares and diamonds: equal to the oracle's on small sets full of ties,
-// the same for every order, seed and arithmetic.
+// the same for every order, seed, method and arithmetic.
 
 #include <signum/triangulation/triangulate.hpp>
 
@@ -64,9 +64,16 @@ void expect_neighbours(const Tessellation& t) {
 template <class Metric>
 class AdditiveCanonical : public testing::Test {
  public:
+    static constexpr bool has_sweep = !std::is_same_v<Metric, Euclidean>;
+
     static Tessellation build(const Sites& sites, std::uint64_t seed = 1) {
         Options options;
         options.seed = seed;
+        return triangulate(sites, Metric{}, options);
+    }
+    static Tessellation sweep(const Sites& sites) {
+        Options options;
+        options.method = Method::sweep;
         return triangulate(sites, Metric{}, options);
     }
 
@@ -75,8 +82,8 @@ class AdditiveCanonical : public testing::Test {
 
     static void expect_oracle(const Sites& sites) {
         const oracle::Tessellation expected = oracle_of<Metric>(sites);
-        for (std::uint64_t seed = 0; seed < 2; ++seed) {
-            const Tessellation t = build(sites, seed);
+        for (std::uint64_t seed = 0; seed < (has_sweep ? 3 : 2); ++seed) {
+            const Tessellation t = seed == 2 ? sweep(sites) : build(sites, seed);
             ASSERT_EQ(std::vector<Face>(t.faces().begin(), t.faces().end()), expected.faces)
                 << text(sites);
             std::vector<std::array<std::int32_t, 2>> hidden;
@@ -167,6 +174,12 @@ TYPED_TEST(AdditiveCanonical, SeedAndArithmeticChangeNothing) {
         Options options;
         options.arithmetic = Arithmetic::multiprecision;
         ASSERT_EQ(triangulate(sites, TypeParam{}, options).arrays(), expected.arrays()) << family;
+        if (this->has_sweep) {
+            options.method = Method::sweep;
+            ASSERT_EQ(triangulate(sites, TypeParam{}, options).arrays(), expected.arrays())
+                << family;
+            ASSERT_EQ(this->sweep(sites).arrays(), expected.arrays()) << family;
+        }
         // A constant on all radii and a power of two on everything are exact and change nothing.
         Sites larger = sites;
         for (Site& s : larger) s = {s.x * 8, s.y * 8, s.r * 8};
@@ -189,6 +202,7 @@ TYPED_TEST(AdditiveCanonical, NaiveArithmeticEnds) {
                         static_cast<double>(i / 17) / 3 + jitter(random), 0.1};
         Options options;
         options.arithmetic = Arithmetic::naive;
+        if (this->has_sweep && trial % 2 == 1) options.method = Method::sweep;
         try {
             done += static_cast<int>(triangulate(sites, TypeParam{}, options).faces().size() > 0);
         } catch (const BrokenStructure& broken) {

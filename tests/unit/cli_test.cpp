@@ -127,9 +127,10 @@ TEST_F(Tool, SaysWhatThisVersionDoesNotHave) {
         "signum: --metric: 'taxi' is unknown; it is one of power, euclidean, manhattan, supremum; "
         "see signum triangulate --help\n");
     EXPECT_EQ(run({"sign", "in_circle", "--metric", "taxi", "--", "1"}).code, 2);
-    expect(triangulate({"--method", "sweep"}), 2,
-           "signum: --method sweep is not in this version, which has incremental and flips; leave "
-           "--method out\n");
+    expect(
+        triangulate({"--method", "sweep"}), 2,
+        "signum: --method sweep: only the manhattan and supremum metrics are built by a sweep, and "
+        "this is --metric power; leave --method out, or add --metric supremum\n");
     expect({"triangulate", sites, "--method", "flips"}, 2,
            "signum: --method flips: only the power metric is built by flips, and this is --metric "
            "euclidean; leave --method out, or add --metric power\n");
@@ -191,6 +192,20 @@ TEST_F(Tool, FlipsToTheSameTessellation) {
     flips.insert(flips.end(), {"-o", svg, "--check"});
     EXPECT_EQ(run(flips).code, 0);
     EXPECT_NE(contents(svg).find("flipped edges"), std::string::npos);
+}
+
+TEST_F(Tool, SweepsToTheSameTessellation) {
+    const std::string input = scratch.path("random.csv");
+    ASSERT_EQ(run({"generate", "random", "-n", "500", "--radius", "0:40", "-o", input}).code, 0);
+    for (const char* metric : {"manhattan", "supremum"}) {
+        const Words words = {"triangulate", input, "--metric", metric, "--check"};
+        Words sweep = words;
+        sweep.insert(sweep.end(), {"--method", "sweep"});
+        const Outcome outcome = run(sweep);
+        EXPECT_EQ(outcome.code, 0);
+        EXPECT_EQ(outcome.out, run(words).out);
+        EXPECT_NE(outcome.err.find("\nevents   "), std::string::npos) << outcome.err;
+    }
 }
 
 TEST_F(Tool, WritesSeveralFiles) {

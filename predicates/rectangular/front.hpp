@@ -1,0 +1,83 @@
+#pragma once
+/// The numbers of the sweep: the forms of a site, sums of a few of them, and their exact order.
+///
+/// The sweep goes in the direction between sides 0 and 1 (supremum: the diagonal; Manhattan: y). A
+/// circle is swept when its corner between those two sides is, at time (G_0 + G_1) / 2; the height
+/// of a point, across, is half the difference of its coordinates in directions 0 and 1. With the
+/// forms g_d(m) of forms.hpp:
+///  1. The wave of m starts at (g_0(m) + g_1(m)) / 2, from the corner of its square that lies
+///  farthest
+///     back, as a ray without width. At time s it fills the heights from g_0(m) - s to s - g_1(m).
+///  2. There its front, a tent, stands at (s + T) / 2 with T = min(height - g_3(m), -height -
+///  g_2(m)):
+///     tents do not move against one another, only their lower and upper edges do.
+///  3. So between the waves of i, below, and j, above, the front turns from one to the other at i's
+///     upper edge where i's tent is the higher one, at j's lower edge where j's is, or where both
+///     are as high: at height (g_3(j) - g_2(i)) / 2, which rests.
+/// All times and heights are halves of sums of forms; here they are taken twice.
+/// Source: Gavrilova 1998, chapter 5, where the parabola of a site is what is a tent here.
+
+#include <array>
+#include <cstddef>
+#include <limits>
+
+#include <signum/core/index.hpp>
+#include <signum/core/sign.hpp>
+#include <signum/core/site.hpp>
+#include <signum/core/strided_sites.hpp>
+#include <signum/filters/bounds.hpp>
+#include <signum/filters/tally.hpp>
+#include <signum/predicates/rectangular/forms.hpp>
+
+namespace signum::rectangular {
+
+/// The forms of one site, rounded.
+///
+/// The error: with S = |x| + |y| + |r| a rounded form is off by 2eS and less than S(1+2e). A sum of
+/// forms of the sites a, b, ... (each taken at most twice, then alone in its site) commits three
+/// roundings more, of partial sums below the sum of all S. So it is off by less than the sum of the
+/// errors 8eS of its sites. Additions underflow exactly; near the greatest doubles nothing is
+/// certain. Where the sums are exact (sums_are_exact) there is no error.
+template <class Directions, Sums sums>
+struct RoundedForms {
+    double g[4];
+    double error;
+
+    RoundedForms(const Site& m, bool exact) noexcept {
+        for (int d = 0; d < 4; ++d) g[d] = (Directions::x[d] * m.x + Directions::y[d] * m.y) - m.r;
+        constexpr double everything = std::numeric_limits<double>::infinity();
+        if constexpr (sums == Sums::multiprecision) {
+            error = everything;
+        } else if (sums == Sums::naive || exact) {
+            error = 0.0;
+        } else {
+            const double size =
+                (filters::magnitude(m.x) + filters::magnitude(m.y)) + filters::magnitude(m.r);
+            error = size < 0x1p1000 ? 8 * filters::epsilon * size : everything;
+        }
+    }
+};
+
+/// Whether all numbers of the sites are multiples of one power of two, and so small beside it that
+/// sums of forms are doubles, all of them: as on integers and grids, where ties are frequent. O(n).
+[[nodiscard]] bool sums_are_exact(const StridedSites& sites) noexcept;
+
+/// The sign of a sum that its rounded value leaves open, under the tie rule; 0 only where the
+/// infinitesimals cancel. `exact`: the value is not rounded.
+template <class Directions, Sums sums, std::size_t count>
+[[nodiscard, gnu::cold, gnu::noinline]] Decision decide_sum(
+    double value, bool exact, const std::array<Addend, count>& addends) noexcept {
+    Decision decision{0, Stage::filter};
+    if constexpr (sums == Sums::multiprecision) {
+        decision = {sign_of_forms_in_rationals<Directions>(addends.data(), count),
+                    Stage::multiprecision};
+    } else if (sums == Sums::naive || exact) {
+        decision.sign = sign_of(value);
+    } else {
+        decision = {sign_of_forms<Directions>(addends.data(), count), Stage::exact};
+    }
+    if (decision.sign != 0) return decision;
+    return {sign_of_infinitesimals(addends.data(), count), decision.stage, true};
+}
+
+}  // namespace signum::rectangular
