@@ -9,6 +9,7 @@ Draws the pictures of docs/pictures/ again.
   scripts/draw_pictures.sh          builds the tool and draws with it
   scripts/draw_pictures.sh TOOL     draws with this one
 
+The animation of docs/flips.md comes from examples/path_animation.cpp, which is built in either case.
 The same tool draws the same bytes. Only docs/pictures/ changes.
 USAGE
 }
@@ -59,3 +60,6 @@ diagram diagram_cities euclidean "$sites/india.csv"
 
 "$tool" generate random -n 80 --radius 5:70 --seed 3 -o "$sites/eighty.txt"
 "$tool" triangulate "$sites/eighty.txt" --metric power --method flips --check --quiet -o "$out/flips.svg"
+
+scripts/build.sh build/run path_animation -DSIGNUM_BUILD_TESTS=OFF
+build/run/examples/path_animation > "$out/path.svg"

@@ -9,8 +9,9 @@
 /// Laws:
 ///  1. The boundary of the region and the ring around the site are the same cyclic sequence of
 ///     vertices. Where it agrees with itself in more than one position, or the neighbours have no
-///     tessellation of their own (two at most, or all on one line in the power metric), nothing is
-///     done and false returned: the caller builds anew.
+///     tessellation of their own, nothing is done and false returned: the caller builds anew.
+///     Neighbours that have none because they are on one line (power metric) or because there is
+///     but one see the site go that stood between them and infinity, unless nothing else is left.
 ///  2. Sites that the deleted one hid are not looked at.
 
 #include <algorithm>
@@ -51,7 +52,7 @@ class Deletion {
 
         Topology patch(neighbours_.size() + 1);
         std::optional<Insertion<Kernel>> apart = start(patch);
-        if (!apart) return false;
+        if (!apart) return lay_bare();
         for (const Index site : neighbours_) apart->insert(site);
         if (!apart->find_conflicts(v)) return false;
         const auto turn = position(*apart);
@@ -117,6 +118,40 @@ class Deletion {
                            [f](const RingEdge& edge) { return edge.face == f; });
     }
 
+    void vacate(Index f) {
+        topology_.record(f) = {
+            {Topology::vacant, Topology::vacant, Topology::vacant}, 0, {0, 0, 0}};
+        into_.vacant_.push(f);
+    }
+
+    /// No tessellation of the neighbours: they lie on one line behind a corner of the hull or,
+    /// where edges are curved, there is one beside infinity. Infinity takes the site's place; false
+    /// where nothing is behind them.
+    [[nodiscard]] bool lay_bare() {
+        const auto outer = std::find_if(ring_.begin(), ring_.end(),
+                                        [](const RingEdge& edge) { return edge.from == infinite; });
+        if (outer == ring_.end()) return false;
+        std::rotate(ring_.begin(), outer, ring_.end());
+        const std::size_t last = ring_.size() - 1;
+        if (last == 1 && is_in_star(Topology::face(ring_[0].outside))) return false;
+        for (std::size_t i = 1; i < last; ++i)
+            if (topology_.is_infinite(Topology::face(ring_[i].outside))) return false;
+        HalfEdge before = ring_[0].outside;
+        for (std::size_t i = 1; i < last; ++i) {
+            const HalfEdge h = Topology::first_edge(ring_[i].face);
+            topology_.record(ring_[i].face) = {
+                {ring_[i].from, ring_[i + 1].from, infinite}, 0, {0, 0, 0}};
+            topology_.glue(h, ring_[i].outside);
+            topology_.glue(h + 2, before);
+            before = h + 1;
+        }
+        topology_.glue(before, ring_[last].outside);
+        vacate(ring_[0].face);
+        vacate(ring_[last].face);
+        into_.recent_ = Topology::face(before);
+        return true;
+    }
+
     void replace(const Insertion<Kernel>& apart, const Topology& patch, std::size_t turn) {
         const std::size_t count = ring_.size();
         const auto& removed = apart.removed_;
@@ -129,11 +164,7 @@ class Deletion {
             const auto at = std::lower_bound(place.begin(), place.end(), std::pair{f, Index{-1}});
             return at != place.end() && at->first == f ? at->second : -1;
         };
-        for (std::size_t i = removed.size(); i < count; ++i) {
-            topology_.record(ring_[i].face) = {
-                {Topology::vacant, Topology::vacant, Topology::vacant}, 0, {0, 0, 0}};
-            into_.vacant_.push(ring_[i].face);
-        }
+        for (std::size_t i = removed.size(); i < count; ++i) vacate(ring_[i].face);
         for (std::size_t i = 0; i < removed.size(); ++i) {
             const auto& corners = patch.vertices(removed[i]);
             topology_.record(ring_[i].face) = {{corners[0], corners[1], corners[2]}, 0, {0, 0, 0}};

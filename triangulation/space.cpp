@@ -57,6 +57,16 @@ Edge ExtendedTessellation::corners(Index e) const noexcept {
     return {corner_[h], corner_[twin_[h]]};
 }
 
+Face ExtendedTessellation::corners_of(Index f) const noexcept {
+    const Half h = 3 * static_cast<Half>(f);
+    return {corner_[h], corner_[h + 1], corner_[h + 2]};
+}
+
+Face ExtendedTessellation::edges_of(Index f) const noexcept {
+    const Half h = 3 * static_cast<Half>(f);
+    return {edge_[h], edge_[h + 1], edge_[h + 2]};
+}
+
 bool ExtendedTessellation::can_swap(Index e) const noexcept {
     const auto [a, d] = corners(e);
     return a != d;

@@ -41,6 +41,13 @@ class ExtendedTessellation {
     [[nodiscard]] Edge ends(Index e) const noexcept;
     /// The vertices across from it on both sides, which swapping joins instead.
     [[nodiscard]] Edge corners(Index e) const noexcept;
+
+    /// 2n - 2, each in its place; a swap changes two of them.
+    [[nodiscard]] Index faces() const noexcept { return static_cast<Index>(corner_.size() / 3); }
+    /// Three vertices counterclockwise, and the edges across from them.
+    [[nodiscard]] Face corners_of(Index f) const noexcept;
+    [[nodiscard]] Face edges_of(Index f) const noexcept;
+
     [[nodiscard]] bool can_swap(Index e) const noexcept;
     /// Replaces edge e by the other diagonal of its two faces. Throws std::invalid_argument unless
     /// can_swap(e). O(1).

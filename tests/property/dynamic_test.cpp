@@ -179,6 +179,30 @@ TEST_P(Dynamic, StructureIsChangedAndNotBuiltAnew) {
     EXPECT_EQ(dynamic.rebuilds(), before);
 }
 
+/// On a convex curve and on a grid there are sites with neighbours on one line, or with one alone.
+TEST_P(Dynamic, NorWhereNeighboursHaveNoTessellation) {
+    const int count = 40 * thoroughness;
+    for (const bool on_curve : {true, false}) {
+        DynamicTessellation dynamic(GetParam());
+        std::map<Index, Site> sites;
+        for (int i = 0; i < count; ++i) {
+            const double angle = 6.28 * real();
+            const Site site = on_curve
+                                  ? Site{std::cos(angle), std::sin(angle), 0.5 / count * real()}
+                                  : Site{1.0 * (i % 8), std::floor(i / 8.0), 0.25 * below(3)};
+            sites.emplace(dynamic.insert(site), site);
+        }
+        const std::size_t before = dynamic.rebuilds();
+        while (sites.size() > 24) {
+            const auto any = std::next(sites.begin(), below(static_cast<int>(sites.size())));
+            dynamic.erase(any->first);
+            sites.erase(any);
+            ASSERT_NO_FATAL_FAILURE(expect_canonical(dynamic, sites));
+        }
+        EXPECT_EQ(dynamic.rebuilds(), before) << (on_curve ? "on a curve" : "on a grid");
+    }
+}
+
 TEST_P(Dynamic, RefusesWhatIsNotFinite) {
     DynamicTessellation dynamic(GetParam());
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();

@@ -129,6 +129,34 @@ TEST_F(Space, EverySwapLeavesASphere) {
     }
 }
 
+/// Every edge lies across from a corner in two faces, and joins the other two corners.
+TEST_F(Space, FacesKnowTheirEdges) {
+    for (std::size_t n = 2; n < 9; ++n) {
+        ExtendedTessellation t(triangulate(sites(n), Power{}).arrays());
+        for (int i = 0; i < 50; ++i) {
+            std::map<Index, std::vector<Index>> across;
+            for (Index f = 0; f < t.faces(); ++f)
+                for (std::size_t k = 0; k < 3; ++k) {
+                    const Face corners = t.corners_of(f);
+                    const Index edge = t.edges_of(f)[k];
+                    across[edge].push_back(corners[k]);
+                    const Edge ends = t.ends(edge);
+                    EXPECT_EQ(std::minmax(ends[0], ends[1]),
+                              std::minmax(corners[(k + 1) % 3], corners[(k + 2) % 3]));
+                }
+            ASSERT_EQ(across.size(), 3 * n - 3);
+            for (const auto& [edge, corners] : across) {
+                ASSERT_EQ(corners.size(), 2U);
+                const Edge expected = t.corners(edge);
+                EXPECT_EQ(std::minmax(corners[0], corners[1]),
+                          std::minmax(expected[0], expected[1]));
+            }
+            const auto e = static_cast<Index>(below(static_cast<std::size_t>(t.edges())));
+            if (t.can_swap(e)) t.swap(e);
+        }
+    }
+}
+
 TEST_F(Space, ReducedFormHasTheLastSiteBetweenTheFirstTwoAndInfinity) {
     for (std::size_t n = 3; n < 200; n += 1 + n / 4)
         for (int round = 0; round < 8; ++round) {
