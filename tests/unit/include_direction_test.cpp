@@ -33,8 +33,10 @@ const std::map<std::string, Layers>& allowed() {
         for (const char* layer : {"io", "draw"}) {
             table[layer] = {"core", "triangulation", "voronoi"};
         }
+        table["study"] = {"core",          "exact",   "filters", "predicates",
+                          "triangulation", "voronoi", "draw",    "generate"};
         table["cli"] = {"core",    "exact", "filters", "predicates", "triangulation",
-                        "voronoi", "io",    "draw",    "generate"};
+                        "voronoi", "io",    "draw",    "generate",   "study"};
         return table;
     }();
     return arrows;
