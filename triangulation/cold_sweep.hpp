@@ -138,6 +138,7 @@ class Sweep {
     using Forms = rectangular::RoundedForms<Directions, sums>;
     using Addend = rectangular::Addend;
     static constexpr HalfEdge none = ~HalfEdge{0};
+    static constexpr std::uint32_t nobody = ~std::uint32_t{0};
 
     /// Where an arc's two collision points meet, and what sum of forms is twice that time.
     enum class Meeting : std::uint8_t {
@@ -147,25 +148,31 @@ class Sweep {
         lower_rests   ///< 2 g_0(k) + g_2(i) - g_3(j)
     };
 
-    /// An arc of the front, and the collision point at its lower end.
-    struct Arc : boost::intrusive::set_base_hook<boost::intrusive::optimize_size<true>> {
+    /// An arc of the front, and the collision point at its lower end. A cache line: where many
+    /// waves are under way, those that meet next lie far apart in memory.
+    struct alignas(64) Arc
+        : boost::intrusive::set_base_hook<boost::intrusive::optimize_size<true>> {
+        double edge = 0.0;  ///< rises: g_1 of the site below; falls: g_0 of this one
+        double rest = 0.0;  ///< twice the height
         Index site = infinite;
-        std::uint32_t stamp = 0;  ///< of the one event that counts, in steps of 4
-        Arc* below = nullptr;
-        Arc* above = nullptr;
-        /// The collision point: it traces the edge whose half-edge `open` is glued already at its
-        /// other end; or, while there is `none`, `partner` traces that other end.
-        Arc* partner = nullptr;
+        /// Of the one event that counts, in steps of 4; below it two flags of the collision point.
+        std::uint32_t stamp_and_flags = 0;
+        std::uint32_t below = nobody;  ///< the arcs beside this one, as places in arcs_
+        std::uint32_t above = nobody;
+        /// The collision point traces the edge whose half-edge `open` is glued already at its other
+        /// end; or, while there is `none`, `partner` traces that other end.
+        std::uint32_t partner = nobody;
         HalfEdge open = none;
-        bool rises =
-            false;  ///< with the upper edge of the wave below, or falls with the lower of this
-        bool stops = false;  ///< at `rest`
-        double edge = 0.0;   ///< rises: g_1 of the site below; falls: g_0 of this one
-        double rest = 0.0;   ///< twice the height
-        double error = 0.0;  ///< of either
-    };
 
-    /// Half a cache line: where many waves start at once, the queue is long.
+        static constexpr std::uint32_t rising = 1;    ///< with the upper edge of the wave below
+        static constexpr std::uint32_t stopping = 2;  ///< at `rest`
+        static constexpr std::uint32_t flags = rising | stopping;
+        [[nodiscard]] bool rises() const noexcept { return (stamp_and_flags & rising) != 0; }
+        [[nodiscard]] bool stops() const noexcept { return (stamp_and_flags & stopping) != 0; }
+    };
+    static_assert(sizeof(Arc) == 64);
+
+    /// Half a cache line, for the same reason.
     struct Event {
         double twice_time;
         Index i, j, k;
@@ -173,10 +180,10 @@ class Sweep {
         Arc* arc;
 
         [[nodiscard]] Meeting meeting() const noexcept {
-            return static_cast<Meeting>(stamp_and_meeting & 3);
+            return static_cast<Meeting>(stamp_and_meeting & Arc::flags);
         }
         [[nodiscard]] bool is_stale() const noexcept {
-            return (stamp_and_meeting & ~3U) != arc->stamp;
+            return ((stamp_and_meeting ^ arc->stamp_and_flags) & ~Arc::flags) != 0;
         }
     };
     struct Later {
@@ -189,19 +196,33 @@ class Sweep {
     [[nodiscard]] Addend addend(int side, Index m, int factor) const noexcept {
         return {&site(m), site(m).rank, side, factor};
     }
-    /// The sign of a sum known to an error; `addends` makes the sum.
+    [[nodiscard]] Arc& below(const Arc& arc) noexcept { return arcs_[arc.below]; }
+    [[nodiscard]] Arc& above(const Arc& arc) noexcept { return arcs_[arc.above]; }
+    [[nodiscard]] std::uint32_t place_of(const Arc& arc) const noexcept {
+        return static_cast<std::uint32_t>(&arc - arcs_.data());
+    }
+
+    /// The sign of a sum of forms of six sites at most, from its rounded value; `addends` makes it.
     template <class Addends>
-    [[nodiscard]] Sign sign(double rounded, double error, Addends addends) {
-        if (filters::magnitude(rounded) > error) [[likely]]
+    [[nodiscard]] Sign sign(double rounded, Addends addends) {
+        // Nearly always the error of the worst sites will do.
+        if (filters::magnitude(rounded) > 6 * greatest_error_) [[likely]]
+            return kernel_.count({filters::sign_of_nonzero(rounded), Stage::filter});
+        return resolve(rounded, addends());
+    }
+    template <std::size_t count>
+    [[nodiscard, gnu::noinline]] Sign resolve(double rounded,
+                                              const std::array<Addend, count>& addends) {
+        double error = 0.0;
+        for (const Addend& addend : addends) error += Forms(*addend.site, exact_sums_).error;
+        if (filters::magnitude(rounded) > error)
             return kernel_.count({filters::sign_of_nonzero(rounded), Stage::filter});
         return kernel_.count(
-            rectangular::decide_sum<Directions, sums>(rounded, exact_sums_, addends()));
+            rectangular::decide_sum<Directions, sums>(rounded, exact_sums_, addends));
     }
     /// The sign of g_side(a) - g_side(b).
     [[nodiscard]] Sign compare(int side, Index a, Index b) {
-        const Forms of_a = forms(a);
-        const Forms of_b = forms(b);
-        return sign(of_a.g[side] - of_b.g[side], of_a.error + of_b.error, [&] {
+        return sign(forms(a).g[side] - forms(b).g[side], [&] {
             return std::array{addend(side, a, 1), addend(side, b, -1)};
         });
     }
@@ -212,10 +233,10 @@ class Sweep {
         const Forms of_q = forms(q);
         return {of_q.g[0] + of_q.g[1], q, q, q, 0, nullptr};
     }
-    [[nodiscard]] Event circle_event(Arc& arc, Meeting meeting) const noexcept {
-        const Index i = arc.below->site;
+    [[nodiscard]] Event circle_event(Arc& arc, Meeting meeting) noexcept {
+        const Index i = below(arc).site;
         const Index j = arc.site;
-        const Index k = arc.above->site;
+        const Index k = above(arc).site;
         const Forms of_i = forms(i);
         const Forms of_k = forms(k);
         double time = of_i.g[1] + of_k.g[0];
@@ -223,12 +244,8 @@ class Sweep {
             time = 2 * of_i.g[1] + (of_k.g[3] - forms(j).g[2]);
         else if (meeting == Meeting::lower_rests)
             time = 2 * of_k.g[0] + (of_i.g[2] - forms(j).g[3]);
-        return {time, i, j, k, arc.stamp | static_cast<std::uint32_t>(meeting), &arc};
-    }
-    /// What the time of an event may be off by.
-    [[nodiscard]] double error_of(const Event& event) const noexcept {
-        const double error = forms(event.i).error + forms(event.k).error;
-        return event.j == infinite ? error : error + forms(event.j).error;
+        const std::uint32_t stamp = arc.stamp_and_flags & ~Arc::flags;
+        return {time, i, j, k, stamp | static_cast<std::uint32_t>(meeting), &arc};
     }
     /// Four forms whose sum, each times the factor, is twice the time of the event; where two would
     /// do, two that cancel out are added.
@@ -259,11 +276,7 @@ class Sweep {
         }
     }
     [[nodiscard]] bool before(const Event& a, const Event& b) {
-        const double difference = b.twice_time - a.twice_time;
-        // Nearly always the error of the worst sites will do.
-        const double error =
-            filters::magnitude(difference) > 6 * greatest_error_ ? 0.0 : error_of(a) + error_of(b);
-        return sign(difference, error, [&] {
+        return sign(b.twice_time - a.twice_time, [&] {
                    std::array<Addend, 8> addends;
                    add_time(b, 1, addends.data());
                    add_time(a, -1, addends.data() + 4);
@@ -275,61 +288,57 @@ class Sweep {
 
     /// A collision point that moves with one edge, from now on.
     void set_motion(Arc& arc, bool rises) {
-        const Index i = arc.below->site;
+        const Index i = below(arc).site;
         const Index j = arc.site;
-        arc.rises = rises;
         const Index leader = rises ? i : j;
         const Forms of_leader = forms(leader);
         arc.edge = of_leader.g[rises ? 1 : 0];
-        arc.error = of_leader.error;
         // It comes to rest where the other tent is the higher one far ahead, on the slope that
         // falls.
-        arc.stops =
+        const bool stops =
             i != infinite && j != infinite && (rises ? compare(2, i, j) > 0 : compare(3, j, i) > 0);
-        if (!arc.stops) return;
-        const Forms of_other = forms(rises ? j : i);
-        arc.rest = rises ? of_other.g[3] - of_leader.g[2] : of_leader.g[3] - of_other.g[2];
-        arc.error += of_other.error;
+        if (stops) {
+            const Forms of_other = forms(rises ? j : i);
+            arc.rest = rises ? of_other.g[3] - of_leader.g[2] : of_leader.g[3] - of_other.g[2];
+        }
+        arc.stamp_and_flags = (arc.stamp_and_flags & ~Arc::flags) | (rises ? Arc::rising : 0U) |
+                              (stops ? Arc::stopping : 0U);
     }
     /// Whether one collision point rests below another. Both stop.
     [[nodiscard]] bool rests_below(const Arc& a, const Arc& b) {
-        return sign(b.rest - a.rest, a.error + b.error, [&] {
-                   return std::array{addend(3, b.site, 1), addend(2, b.below->site, -1),
-                                     addend(3, a.site, -1), addend(2, a.below->site, 1)};
+        return sign(b.rest - a.rest, [&] {
+                   return std::array{addend(3, b.site, 1), addend(2, below(b).site, -1),
+                                     addend(3, a.site, -1), addend(2, below(a).site, 1)};
                }) > 0;
     }
     /// The sign of the height where the upper edge of i and the lower edge of k meet, less that
     /// where a collision point rests.
     [[nodiscard]] Sign compare_meeting(Index i, Index k, const Arc& arc) {
-        const Forms of_i = forms(i);
-        const Forms of_k = forms(k);
-        return sign((of_k.g[0] - of_i.g[1]) - arc.rest, of_i.error + of_k.error + arc.error, [&] {
+        return sign((forms(k).g[0] - forms(i).g[1]) - arc.rest, [&] {
             return std::array{addend(0, k, 1), addend(1, i, -1), addend(3, arc.site, -1),
-                              addend(2, arc.below->site, 1)};
+                              addend(2, below(arc).site, 1)};
         });
     }
     /// Whether the start of q, now, lies above a collision point.
     [[nodiscard]] bool is_above(Index q, const Forms& of_q, const Arc& arc) {
-        if (arc.below == nullptr) return true;
-        const double error = of_q.error + arc.error;
-        if (arc.rises) {
-            const Index i = arc.below->site;
-            if (sign(arc.edge - of_q.g[1], error, [&] {
-                    return std::array{addend(1, i, 1), addend(1, q, -1)};
+        if (arc.below == nobody) return true;
+        if (arc.rises()) {
+            if (sign(arc.edge - of_q.g[1], [&] {
+                    return std::array{addend(1, below(arc).site, 1), addend(1, q, -1)};
                 }) > 0)
                 return true;
-            return arc.stops && is_above_rest(q, of_q, arc);
+            return arc.stops() && is_above_rest(q, of_q, arc);
         }
-        if (sign(of_q.g[0] - arc.edge, error, [&] {
+        if (sign(of_q.g[0] - arc.edge, [&] {
                 return std::array{addend(0, q, 1), addend(0, arc.site, -1)};
             }) < 0)
             return false;
-        return !arc.stops || is_above_rest(q, of_q, arc);
+        return !arc.stops() || is_above_rest(q, of_q, arc);
     }
     [[nodiscard]] bool is_above_rest(Index q, const Forms& of_q, const Arc& arc) {
-        return sign((of_q.g[0] - of_q.g[1]) - arc.rest, of_q.error + arc.error, [&] {
+        return sign((of_q.g[0] - of_q.g[1]) - arc.rest, [&] {
                    return std::array{addend(0, q, 1), addend(1, q, -1), addend(3, arc.site, -1),
-                                     addend(2, arc.below->site, 1)};
+                                     addend(2, below(arc).site, 1)};
                }) > 0;
     }
     /// The edge that a collision point traces ends at half-edge h.
@@ -337,7 +346,7 @@ class Sweep {
         if (arc.open != none) {
             topology_.glue(arc.open, h);
         } else {
-            arc.partner->open = h;
+            arcs_[arc.partner].open = h;
         }
     }
 
@@ -357,10 +366,10 @@ class Sweep {
     }
     [[nodiscard]] Arc& insert_above(Arc& arc, Index site) {
         Arc& fresh = new_arc(site);
-        fresh.below = &arc;
+        fresh.below = place_of(arc);
         fresh.above = arc.above;
-        if (arc.above != nullptr) arc.above->below = &fresh;
-        arc.above = &fresh;
+        arc.above = place_of(fresh);
+        if (fresh.above != nobody) above(fresh).below = arc.above;
         front_.insert_before(std::next(front_.iterator_to(arc)), fresh);
         return fresh;
     }
@@ -380,8 +389,8 @@ class Sweep {
         }
         Arc& middle = insert_above(lower, q);
         Arc& upper = insert_above(middle, j);
-        middle.partner = &upper;
-        upper.partner = &middle;
+        middle.partner = place_of(upper);
+        upper.partner = place_of(middle);
         set_motion(middle, false);
         set_motion(upper, true);
         schedule(lower);
@@ -389,8 +398,8 @@ class Sweep {
     }
 
     void end_arc(Arc& arc, Meeting meeting) {
-        Arc& lower = *arc.below;
-        Arc& upper = *arc.above;
+        Arc& lower = below(arc);
+        Arc& upper = above(arc);
         const Index i = lower.site;
         const Index k = upper.site;
         if constexpr (!Kernel::is_exact)
@@ -400,10 +409,10 @@ class Sweep {
         end_edge(arc, h);
         end_edge(upper, h + 1);
         upper.open = h + 2;
-        lower.above = &upper;
-        upper.below = &lower;
+        lower.above = arc.above;
+        upper.below = arc.below;
         front_.erase(front_.iterator_to(arc));
-        arc.stamp += 4;
+        arc.stamp_and_flags += Arc::flags + 1;
         unused_.push_back(&arc);
 
         set_motion(upper, meeting == Meeting::moving ? upper_edge_leads(i, k)
@@ -418,49 +427,48 @@ class Sweep {
         if (i == infinite || k == infinite) return k == infinite;
         const Forms of_i = forms(i);
         const Forms of_k = forms(k);
-        return sign((of_i.g[1] - of_i.g[2]) - (of_k.g[0] - of_k.g[3]), of_i.error + of_k.error,
-                    [&] {
-                        return std::array{addend(1, i, 1), addend(2, i, -1), addend(0, k, -1),
-                                          addend(3, k, 1)};
-                    }) >= 0;
+        return sign((of_i.g[1] - of_i.g[2]) - (of_k.g[0] - of_k.g[3]), [&] {
+                   return std::array{addend(1, i, 1), addend(2, i, -1), addend(0, k, -1),
+                                     addend(3, k, 1)};
+               }) >= 0;
     }
 
     /// Whether and where the two collision points of an arc meet, each the lesser or the greater of
     /// its edge and its rest.
     [[nodiscard]] Meeting meeting(const Arc& arc) {
-        const Arc& upper = *arc.above;
-        if (arc.stops && upper.stops && rests_below(arc, upper)) return Meeting::none;
-        if (arc.rises && !upper.rises) {
-            const Index i = arc.below->site;
+        const Arc& upper = above(arc);
+        if (arc.stops() && upper.stops() && rests_below(arc, upper)) return Meeting::none;
+        if (arc.rises() && !upper.rises()) {
+            const Index i = below(arc).site;
             const Index k = upper.site;
-            if (upper.stops && compare_meeting(i, k, upper) < 0) return Meeting::upper_rests;
-            if (arc.stops && compare_meeting(i, k, arc) > 0) return Meeting::lower_rests;
+            if (upper.stops() && compare_meeting(i, k, upper) < 0) return Meeting::upper_rests;
+            if (arc.stops() && compare_meeting(i, k, arc) > 0) return Meeting::lower_rests;
             return Meeting::moving;
         }
-        if (arc.rises && upper.stops) return Meeting::upper_rests;
-        if (!upper.rises && arc.stops) return Meeting::lower_rests;
+        if (arc.rises() && upper.stops()) return Meeting::upper_rests;
+        if (!upper.rises() && arc.stops()) return Meeting::lower_rests;
         return Meeting::none;
     }
     /// Replaces the event of an arc one of whose collision points is new.
     void schedule(Arc& arc) {
-        arc.stamp += 4;
-        if (arc.below == nullptr || arc.above == nullptr) return;
+        arc.stamp_and_flags += Arc::flags + 1;
+        if (arc.below == nobody || arc.above == nobody) return;
         const Meeting where = meeting(arc);
         if (where != Meeting::none) queue_.push(circle_event(arc, where));
     }
 
     /// All events are over: the arcs that are left reach infinity, one beside the other.
     void close() {
-        Arc& first = *front_.begin()->above;
+        Arc& first = above(*front_.begin());
         Arc& top = *front_.rbegin();
-        if (first.above == &top) {
+        if (first.above == place_of(top)) {
             // One arc. It lies between the two ends of one edge to infinity, if there is one.
             if (first.open != none) topology_.glue(first.open, top.open);
             return;
         }
         HalfEdge last = none;
-        for (Arc* lower = &first; lower->above != &top; lower = lower->above) {
-            Arc& upper = *lower->above;
+        for (Arc* lower = &first; lower->above != place_of(top); lower = &above(*lower)) {
+            Arc& upper = above(*lower);
             if constexpr (!Kernel::is_exact)
                 if (lower->site == infinite || upper.site == infinite)
                     throw BrokenStructure("the front does not close");
