@@ -61,5 +61,6 @@ diagram diagram_cities euclidean "$sites/india.csv"
 "$tool" generate random -n 80 --radius 5:70 --seed 3 -o "$sites/eighty.txt"
 "$tool" triangulate "$sites/eighty.txt" --metric power --method flips --check --quiet -o "$out/flips.svg"
 
-scripts/build.sh build/run path_animation -DSIGNUM_BUILD_TESTS=OFF
+scripts/build.sh build/run examples -DSIGNUM_BUILD_TESTS=OFF
 build/run/examples/path_animation > "$out/path.svg"
+build/run/examples/sweep_animation > "$out/sweep.svg"

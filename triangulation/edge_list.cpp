@@ -56,7 +56,8 @@ EdgeList::EdgeList(const TessellationArrays& arrays)
             half_edge.next = next;
             half_edge.cell = left;
             half_edges_[static_cast<std::size_t>(next)].previous = h;
-            edge_of_cell_[static_cast<std::size_t>(left + 1)] = h;
+            Index& first = edge_of_cell_[static_cast<std::size_t>(left + 1)];
+            if (first < 0) first = h;
         }
 }
 

@@ -95,8 +95,8 @@ class EdgeList {
     }
     /// Where a half-edge ends.
     [[nodiscard]] Index target(Index h) const noexcept { return (*this)[(*this)[h].twin].origin; }
-    /// A half-edge around the cell of a site, or of infinity (-1); -1 where the site is hidden or
-    /// alone.
+    /// The first half-edge around the cell of a site, or of infinity (-1); -1 where the site is
+    /// hidden or alone.
     [[nodiscard]] Index edge_of_cell(Index site) const noexcept {
         return edge_of_cell_[static_cast<std::size_t>(site + 1)];
     }
