@@ -58,6 +58,9 @@ diagram diagram_grid supremum "$sites/grid.txt" --merge
 diagram diagram_many euclidean "$sites/many.txt" --clip 300 300 380 360
 diagram diagram_cities euclidean "$sites/india.csv"
 
+"$tool" generate circle -n 300 -o "$sites/circle.txt"
+"$tool" compare "$sites/circle.txt" --metric power --seconds 0 --quiet -o "$out/wrong_edges.svg" > "$sites/table.txt"
+
 "$tool" generate random -n 80 --radius 5:70 --seed 3 -o "$sites/eighty.txt"
 "$tool" triangulate "$sites/eighty.txt" --metric power --method flips --check --quiet -o "$out/flips.svg"
 

@@ -95,9 +95,9 @@ class Tool : public testing::Test {
 
 TEST_F(Tool, SaysItsVersionAndHelps) {
     EXPECT_EQ(run({"--version"}).out, "signum 0.1.0\n");
-    for (const Words& words :
-         {Words{"--help"}, Words{"triangulate", "--help"}, Words{"sign", "-h"},
-          Words{"voronoi", "--help"}, Words{"generate", "--help"}, Words{"validate", "--help"}}) {
+    for (const Words& words : {Words{"--help"}, Words{"triangulate", "--help"}, Words{"sign", "-h"},
+                               Words{"voronoi", "--help"}, Words{"generate", "--help"},
+                               Words{"validate", "--help"}, Words{"compare", "--help"}}) {
         const Outcome outcome = run(words);
         EXPECT_EQ(outcome.code, 0);
         EXPECT_EQ(outcome.err, "");
@@ -111,7 +111,7 @@ TEST_F(Tool, RefusesWrongCalls) {
     const Outcome outcome = run({});
     EXPECT_EQ(outcome.code, 2);
     EXPECT_TRUE(outcome.err.starts_with("Signs that are right")) << outcome.err;
-    expect({"compare"}, 2, "signum: 'compare' is no subcommand; see signum --help\n");
+    expect({"simplify"}, 2, "signum: 'simplify' is no subcommand; see signum --help\n");
     expect({"triangulate"}, 2, "signum: FILE is required; see signum triangulate --help\n");
     expect(
         triangulate({"--foo"}), 2,
@@ -206,6 +206,48 @@ TEST_F(Tool, SweepsToTheSameTessellation) {
         EXPECT_EQ(outcome.out, run(words).out);
         EXPECT_NE(outcome.err.find("\nevents   "), std::string::npos) << outcome.err;
     }
+}
+
+TEST_F(Tool, ComparesAndSaysWhetherExactnessIsNeeded) {
+    const std::string circle = scratch.path("circle.txt");
+    ASSERT_EQ(run({"generate", "circle", "-n", "300", "-o", circle}).code, 0);
+    const std::string picture = scratch.path("wrong.svg");
+    const Outcome table =
+        run({"compare", circle, "--metric", "power", "--seconds", "0", "--quiet", "-o", picture});
+    EXPECT_EQ(table.code, 0);
+    EXPECT_EQ(table.err, "");
+    EXPECT_NE(table.out.find("\nwrong "), std::string::npos) << table.out;
+    EXPECT_NE(table.out.find("exact / naive time: "), std::string::npos) << table.out;
+    EXPECT_NE(table.out.find("These sites need exactness: naive arithmetic got "),
+              std::string::npos)
+        << table.out;
+    EXPECT_NE(contents(picture).find(">wrong edges<"), std::string::npos);
+
+    const Outcome json = run({"compare", sites, "--metric", "power", "--seconds", "0", "--json"});
+    EXPECT_EQ(json.code, 0);
+    EXPECT_TRUE(json.out.starts_with(
+        "{\"edges\": 6, \"wrong\": 0, \"different\": 0, \"broken\": null, \"ratio\": "))
+        << json.out;
+    EXPECT_NE(json.out.find("\n\"naive\": {\"edges\": 6, "), std::string::npos) << json.out;
+    EXPECT_NE(json.out.find("\n\"exact\": {\"edges\": 6, "), std::string::npos) << json.out;
+    EXPECT_NE(json.out.find("These sites do not need exactness"), std::string::npos) << json.out;
+}
+
+TEST_F(Tool, ComparesOfATieTheChoiceAlone) {
+    const std::string grid = scratch.path("grid.txt");
+    ASSERT_EQ(run({"generate", "grid", "-n", "100", "-o", grid}).code, 0);
+    const Outcome outcome = run({"compare", grid, "--metric", "power", "--seconds", "0"});
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_NE(outcome.out.find("exactness only for a result that does not depend on their order"),
+              std::string::npos)
+        << outcome.out;
+}
+
+TEST_F(Tool, RefusesComparisonsThatSayNothing) {
+    expect({"compare", sites, "--arithmetic", "exact"}, 2,
+           "signum: --arithmetic and --against are both exact; name two\n");
+    EXPECT_EQ(run({"compare", sites, "-o", scratch.path("out.json")}).code, 2);
+    EXPECT_EQ(run({"compare", sites, "--against", "guess"}).code, 2);
 }
 
 TEST_F(Tool, WritesSeveralFiles) {

@@ -257,12 +257,15 @@ TEST(Svg, AnEnormousDiscIsCutOff) {
 TEST(Svg, MarksEdgesOnRequest) {
     const std::vector<Edge> wrong = {{-1, 2}, {0, 1}};
     const std::vector<Edge> flipped = {{0, 2}, {1, 2}};
+    const std::vector<Edge> different = {{1, 2}};
     const std::string svg = drawn(std::vector<Site>{{0, 0, 1}, {5, 0, 1}, {2, 6, 1}},
-                                  {.wrong = wrong, .flipped = flipped});
+                                  {.wrong = wrong, .different = different, .flipped = flipped});
     expect_drawable(svg);
     EXPECT_EQ(lines(svg, "wrong"), 1U);
     EXPECT_EQ(lines(svg, "flipped"), 2U);
+    EXPECT_EQ(lines(svg, "different"), 1U);
     EXPECT_NE(svg.find(">wrong edges<"), svg.npos);
+    EXPECT_NE(svg.find(">different edges<"), svg.npos);
 }
 
 TEST(Svg, ThinsOutAndSaysSo) {
