@@ -1,0 +1,229 @@
+#include <signum/study/plot.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace signum::study {
+namespace {
+
+/// Colours that survive colour blindness, on white and on black (Okabe and Ito), and marks.
+struct Style {
+    std::string_view colour;
+    int mark;
+};
+constexpr std::array<Style, 8> styles = {{{"#0072B2", 7},
+                                          {"#D55E00", 5},
+                                          {"#009E73", 9},
+                                          {"#E69F00", 13},
+                                          {"#CC79A7", 6},
+                                          {"#56B4E9", 4},
+                                          {"#7F7F7F", 8},
+                                          {"#B8A700", 12}}};
+
+const Style& style_of(const Series& series) {
+    return styles[static_cast<std::size_t>(series.style - 1) % styles.size()];
+}
+
+std::string in_quotes(std::string_view text) {
+    std::string result = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') result += '\\';
+        result += c;
+    }
+    return result + "\"";
+}
+
+/// A logarithmic axis has no zero: such points are not drawn.
+bool is_drawn(const Panel& panel, const PlotPoint& point) {
+    return (!panel.x_is_log || point.x > 0.0) && (!panel.y_is_log || point.y > 0.0);
+}
+
+std::string data_block(const Panel& panel, const std::string& name,
+                       const std::vector<PlotPoint>& points) {
+    std::string text = fmt::format("${} << END\n", name);
+    for (const PlotPoint& point : points)
+        if (is_drawn(panel, point))
+            text +=
+                fmt::format("{} {} {} {}\n", point.x, point.y,
+                            panel.y_is_log && point.low <= 0.0 ? point.y : point.low, point.high);
+    return text + "END\n";
+}
+
+bool is_empty(const Panel& panel, const std::vector<PlotPoint>& points) {
+    return std::none_of(points.begin(), points.end(),
+                        [&](const PlotPoint& point) { return is_drawn(panel, point); });
+}
+
+std::string axis_settings(const Panel& panel) {
+    std::string text =
+        fmt::format("set title {}\nset xlabel {}\nset ylabel {}\n", in_quotes(panel.title),
+                    in_quotes(panel.x_label), in_quotes(panel.y_label));
+    text += "unset logscale\nset autoscale\nset xtics autofreq norotate\nset ytics autofreq\n";
+    const auto powers = [](char axis) {
+        return fmt::format("set logscale {0}\nset format {0} \"10^{{%L}}\"\n", axis);
+    };
+    text += panel.x_is_log ? powers('x') : "set format x \"%g\"\n";
+    text += panel.y_is_log ? powers('y') : "set format y \"%g\"\n";
+    if (!panel.categories.empty()) {
+        text += "set xtics (";
+        for (std::size_t i = 0; i < panel.categories.size(); ++i)
+            text += fmt::format("{}{} {}", i > 0 ? ", " : "", in_quotes(panel.categories[i]), i);
+        text += fmt::format(") {}\nset xrange [-0.6:{}]\n",
+                            panel.categories.size() > 5 ? "rotate by 25 right" : "",
+                            static_cast<double>(panel.categories.size()) - 0.4);
+    }
+    if (!std::isnan(panel.y_least) || !std::isnan(panel.y_most)) {
+        const auto bound = [](double value) {
+            return std::isnan(value) ? std::string("*") : fmt::format("{}", value);
+        };
+        text += fmt::format("set yrange [{}:{}]\n", bound(panel.y_least), bound(panel.y_most));
+    }
+    return text;
+}
+
+/// Where a mark of categories stands beside those of the other series.
+double shift_of(const Panel& panel, std::size_t series) {
+    if (panel.categories.empty() || panel.stacked) return 0.0;
+    const auto count = static_cast<double>(panel.series.size());
+    return (static_cast<double>(series) - 0.5 * (count - 1.0)) * std::min(0.12, 0.7 / count);
+}
+
+std::string panel_script(const Panel& panel, std::size_t number, bool has_legend) {
+    std::string data;
+    std::string plots;
+    const auto add_plot = [&](const std::string& text) {
+        plots += (plots.empty() ? "plot " : ", \\\n     ") + text;
+    };
+    const auto title = [&](const std::string& text) {
+        return has_legend ? "title " + in_quotes(text) : std::string("notitle");
+    };
+    if (panel.stacked) {
+        // A part of a bar is a box from the sum of the parts below.
+        std::vector<double> base(panel.categories.size(), 0.0);
+        for (std::size_t s = 0; s < panel.series.size(); ++s) {
+            const std::string name = fmt::format("p{}s{}", number, s);
+            data += fmt::format("${} << END\n", name);
+            for (const PlotPoint& point : panel.series[s].points) {
+                double& from = base[static_cast<std::size_t>(point.x)];
+                data += fmt::format("{} {} {} {} {} {}\n", point.x, from, point.x - 0.36,
+                                    point.x + 0.36, from, from + point.y);
+                from += point.y;
+            }
+            data += "END\n";
+            add_plot(
+                fmt::format("${} using 1:2:3:4:5:6 with boxxyerror fs solid 1 noborder lc rgb "
+                            "\"{}\" {}",
+                            name, style_of(panel.series[s]).colour, title(panel.series[s].title)));
+        }
+    } else {
+        for (std::size_t s = 0; s < panel.series.size(); ++s) {
+            const Series& series = panel.series[s];
+            if (is_empty(panel, series.points)) {
+                // Keeps its place in the legend.
+                if (has_legend)
+                    add_plot(fmt::format("1/0 with points pt {} ps 0.9 lc rgb \"{}\" {}",
+                                         style_of(series).mark, style_of(series).colour,
+                                         title(series.title)));
+                continue;
+            }
+            const std::string name = fmt::format("p{}s{}", number, s);
+            data += data_block(panel, name, series.points);
+            const std::string look = fmt::format("lc rgb \"{}\" lw 1.6 pt {} ps 0.9",
+                                                 style_of(series).colour, style_of(series).mark);
+            const double shift = shift_of(panel, s);
+            add_plot(fmt::format("${} using ($1+{}):2:3:4 with yerrorbars {} {}", name, shift, look,
+                                 series.joined ? "notitle" : title(series.title)));
+            if (series.joined)
+                add_plot(fmt::format("${} using 1:2 with linespoints {} {}", name, look,
+                                     title(series.title)));
+        }
+        if (!is_empty(panel, panel.quoted.points)) {
+            const std::string name = fmt::format("p{}q", number);
+            data += data_block(panel, name, panel.quoted.points);
+            add_plot(fmt::format("${} using 1:2 with points pt 12 ps 1.6 lw 2 lc rgb \"black\" {}",
+                                 name, title(panel.quoted.title)));
+        }
+    }
+    if (plots.empty()) return "";
+    return data + axis_settings(panel) + plots + "\n";
+}
+
+void replace_all(std::string& text, std::string_view from, std::string_view to) {
+    for (std::size_t at = text.find(from); at != std::string::npos;
+         at = text.find(from, at + to.size()))
+        text.replace(at, from.size(), to);
+}
+
+std::string html_text(std::string_view text) {
+    std::string result;
+    for (const char c : text) {
+        if (c == '&')
+            result += "&amp;";
+        else if (c == '<')
+            result += "&lt;";
+        else if (c == '"')
+            result += "&quot;";
+        else
+            result += c;
+    }
+    return result;
+}
+
+}  // namespace
+
+std::string gnuplot_script(const Plot& plot) {
+    // In pixels: what a panel takes, and what lies between its frame and its neighbours.
+    const bool alone = plot.columns == 1;
+    const double across = alone ? 760.0 : 440.0;
+    const double down = alone ? 400.0 : 330.0;
+    const double legend = 64.0;
+    const auto count = static_cast<int>(plot.panels.size());
+    const int rows = (count + plot.columns - 1) / plot.columns;
+    const double width = across * plot.columns;
+    const double height = down * rows + legend;
+    std::string text = fmt::format(
+        "set terminal svg size {},{} dynamic font \"sans-serif,14\" name \"{}\" background rgb "
+        "\"#ffffff00\"\n",
+        width, height, plot.name);
+    text +=
+        "set border 3\nset tics nomirror out\nset grid ytics lc rgb \"#909090\" lw 0.4 dt 3\n"
+        "set key at screen 0.5,0.01 center bottom horizontal Left reverse samplen 2\n"
+        "set title font \",15\"\nset bars 0.6\nset multiplot\n";
+    for (int i = 0; i < count; ++i) {
+        const double left = across * (i % plot.columns);
+        const double top = height - down * (i / plot.columns);
+        text += fmt::format(
+            "set lmargin at screen {}\nset rmargin at screen {}\nset tmargin at screen {}\nset "
+            "bmargin at screen {}\n",
+            (left + 84.0) / width, (left + across - 16.0) / width, (top - 34.0) / height,
+            (top - down + 62.0) / height);
+        text += panel_script(plot.panels[static_cast<std::size_t>(i)], static_cast<std::size_t>(i),
+                             i == 0);
+    }
+    return text + "unset multiplot\n";
+}
+
+std::string inline_svg(std::string svg, const std::string& name, const std::string& description) {
+    const std::size_t start = svg.find("<svg");
+    if (start != std::string::npos) svg.erase(0, start);
+    replace_all(svg, "color=\"black\" ", "");
+    replace_all(svg, "color=\"white\" ", "");
+    replace_all(svg, "'black'", "'currentColor'");
+    replace_all(svg, "\"black\"", "\"currentColor\"");
+    replace_all(svg, "rgb(  0,   0,   0)", "currentColor");
+    for (const std::string_view part : {"gpDot", "gpPt", "textbox", "greybox", "gnuplot_canvas"})
+        replace_all(svg, part, name + "_" + std::string(part));
+    replace_all(svg, "<svg ",
+                fmt::format("<svg role=\"img\" aria-label=\"{}\" ", html_text(description)));
+    const std::size_t title = svg.find("<title>");
+    const std::size_t end = svg.find("</desc>");
+    if (title != std::string::npos && end != std::string::npos)
+        svg.replace(title, end + 7 - title, "<title>" + html_text(description) + "</title>");
+    return svg;
+}
+
+}  // namespace signum::study
