@@ -154,6 +154,13 @@ std::string text(const Tessellation& tessellation) {
     return result;
 }
 
+void check(const Tessellation& tessellation, std::size_t sites) {
+    std::vector<bool> visible(sites, true);
+    for (const auto& [site, by] : tessellation.hidden)
+        visible[static_cast<std::size_t>(site)] = false;
+    check_sphere(tessellation, visible);
+}
+
 }  // namespace
 
 ShrunkenDiscs::ShrunkenDiscs(std::span<const Site> sites, Spacing spacing, int fineness)
@@ -195,6 +202,11 @@ ShrunkenDiscs::ShrunkenDiscs(std::span<const Site> sites, Spacing spacing, int f
     }
 }
 
+ShrunkenDiscs::ShrunkenDiscs(std::span<const Site> sites, std::vector<std::int64_t> powers)
+    : ShrunkenDiscs(sites, Spacing::steps) {
+    powers_ = std::move(powers);
+}
+
 /// Gives the question the shrunken discs it names, again and again with more precision, until its
 /// answer is certain.
 template <class Question>
@@ -206,7 +218,9 @@ auto ShrunkenDiscs::ask(std::initializer_list<std::int32_t> names, Question ques
         for (const std::int32_t name : names) {
             const Grid& grid = discs_[static_cast<std::size_t>(name)];
             std::int64_t exponent = scale_;
-            if (spacing_ == Spacing::steps) {
+            if (!powers_.empty()) {
+                exponent *= powers_[static_cast<std::size_t>(name)];
+            } else if (spacing_ == Spacing::steps) {
                 exponent *= size() - grid.rank;
             } else {
                 for (const std::int32_t other : names) {
@@ -284,14 +298,18 @@ bool ShrunkenDiscs::crosses(std::int32_t a, std::int32_t b, std::int32_t q) cons
 
 Tessellation euclidean(std::span<const Site> sites) {
     const Tessellation result = tessellate({sites, Spacing::powers});
-    std::vector<bool> visible(sites.size(), true);
-    for (const auto& [site, by] : result.hidden) visible[static_cast<std::size_t>(site)] = false;
-    check_sphere(result, visible);
+    check(result, sites.size());
     const Tessellation again = tessellate({sites, Spacing::steps, 2});
     if (result != again) {
         throw std::logic_error("euclidean oracle: other infinitesimals, other result: " +
                                text(result) + " / " + text(again));
     }
+    return result;
+}
+
+Tessellation euclidean(std::span<const Site> sites, const std::vector<std::int64_t>& powers) {
+    const Tessellation result = tessellate({sites, powers});
+    check(result, sites.size());
     return result;
 }
 

@@ -34,6 +34,8 @@ class ShrunkenDiscs {
     /// Throws std::invalid_argument for a NaN or an infinity. The scale is `fineness` times what is
     /// ample for numbers of the sites' length.
     ShrunkenDiscs(std::span<const Site> sites, Spacing spacing, int fineness = 1);
+    /// Site m loses e^powers[m], whatever the order; powers are positive and all different.
+    ShrunkenDiscs(std::span<const Site> sites, std::vector<std::int64_t> powers);
 
     std::int32_t size() const { return static_cast<std::int32_t>(discs_.size()); }
     /// Disc q lies inside disc i.
@@ -53,6 +55,7 @@ class ShrunkenDiscs {
         std::int32_t rank;
     };
     std::vector<Grid> discs_;
+    std::vector<std::int64_t> powers_;  // empty: those of the spacing
     Spacing spacing_;
     std::int64_t scale_ = 0;
     std::int64_t start_ = 0;
@@ -65,5 +68,8 @@ class ShrunkenDiscs {
 /// infinitesimals, and checked: 2n-2 faces, every edge with a face on each side. Throws
 /// std::logic_error where a check fails.
 Tessellation euclidean(std::span<const Site> sites);
+
+/// The tessellation of discs shrunk otherwise: one of those that the sites' ties allow.
+Tessellation euclidean(std::span<const Site> sites, const std::vector<std::int64_t>& powers);
 
 }  // namespace signum::oracle

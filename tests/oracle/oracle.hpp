@@ -3,10 +3,14 @@
 /// They share nothing with it but the plain types of core/.
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace signum::oracle {
+
+/// For every site its place in the order of ties; empty for that of the tie rule.
+using Ranks = std::vector<std::size_t>;
 
 struct Tessellation {
     /// Counterclockwise triples, -1 is infinity, rotated so that the smallest number comes first,

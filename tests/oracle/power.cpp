@@ -21,10 +21,10 @@ struct Weighted {
 /// every determinant below linearly.
 class Lifting {
  public:
-    explicit Lifting(const std::vector<Weighted>& sites) : sites_(sites) {
+    Lifting(const std::vector<Weighted>& sites, const Ranks& ranks) : sites_(sites) {
         std::vector<TieKey> keys;
         for (const Weighted& site : sites) keys.push_back({site.weight, site.x, site.y});
-        ranks_ = tie_ranks(keys);
+        ranks_ = ranks.empty() ? tie_ranks(keys) : ranks;
         for (std::size_t i = 0; i < size(); ++i) {
             const Weighted& p = sites[i];
             height_.push_back(LinearForm(p.x * p.x + p.y * p.y - p.weight) +
@@ -123,8 +123,8 @@ class Lifting {
     std::vector<Rational> turn_;
 };
 
-Tessellation tessellate(const std::vector<Weighted>& sites) {
-    const Lifting lifting(sites);
+Tessellation tessellate(const std::vector<Weighted>& sites, const Ranks& ranks) {
+    const Lifting lifting(sites, ranks);
     const auto number = [](std::size_t i) { return static_cast<std::int32_t>(i); };
     Tessellation result;
     std::vector<bool> visible;
@@ -157,20 +157,20 @@ Tessellation tessellate(const std::vector<Weighted>& sites) {
 
 }  // namespace
 
-Tessellation power(std::span<const signum::Site> sites) {
+Tessellation power(std::span<const signum::Site> sites, const Ranks& ranks) {
     std::vector<Weighted> exact;
     for (const signum::Site& site : sites) {
         const Rational radius = exactly(site.r);
         exact.push_back({exactly(site.x), exactly(site.y), radius * radius});
     }
-    return tessellate(exact);
+    return tessellate(exact, ranks);
 }
 
-Tessellation power_weights(std::span<const signum::power::Site> sites) {
+Tessellation power_weights(std::span<const signum::power::Site> sites, const Ranks& ranks) {
     std::vector<Weighted> exact;
     for (const signum::power::Site& site : sites)
         exact.push_back({exactly(site.x), exactly(site.y), exactly(site.w)});
-    return tessellate(exact);
+    return tessellate(exact, ranks);
 }
 
 }  // namespace signum::oracle

@@ -10,10 +10,11 @@
 
 namespace signum::oracle {
 
-/// The weight of a site is the exact square of its radius.
-Tessellation power(std::span<const signum::Site> sites);
+/// The weight of a site is the exact square of its radius. `ranks` are places in the order of ties,
+/// where that is to be another than the rule's.
+Tessellation power(std::span<const signum::Site> sites, const Ranks& ranks = {});
 
 /// The sites carry their weights themselves.
-Tessellation power_weights(std::span<const signum::power::Site> sites);
+Tessellation power_weights(std::span<const signum::power::Site> sites, const Ranks& ranks = {});
 
 }  // namespace signum::oracle

@@ -140,7 +140,7 @@ Tessellation tessellate(const std::vector<Square>& sites) {
 }
 
 /// The tie order looks at the original x and y, whatever the coordinates of the metric are.
-std::vector<std::size_t> ranks_of(std::span<const signum::Site> sites) {
+Ranks ranks_of(std::span<const signum::Site> sites) {
     std::vector<TieKey> keys;
     for (const signum::Site& site : sites)
         keys.push_back({exactly(site.r), exactly(site.x), exactly(site.y)});
@@ -149,8 +149,8 @@ std::vector<std::size_t> ranks_of(std::span<const signum::Site> sites) {
 
 }  // namespace
 
-Tessellation supremum(std::span<const signum::Site> sites) {
-    const std::vector<std::size_t> ranks = ranks_of(sites);
+Tessellation supremum(std::span<const signum::Site> sites, const Ranks& order) {
+    const Ranks ranks = order.empty() ? ranks_of(sites) : order;
     std::vector<Square> squares;
     for (std::size_t i = 0; i < sites.size(); ++i)
         squares.push_back({LinearForm(exactly(sites[i].x)), LinearForm(exactly(sites[i].y)),
@@ -159,8 +159,8 @@ Tessellation supremum(std::span<const signum::Site> sites) {
 }
 
 /// |x| + |y| = max(|u|, |v|) with u = x + y and v = y - x, a rotation and a scaling.
-Tessellation manhattan(std::span<const signum::Site> sites) {
-    const std::vector<std::size_t> ranks = ranks_of(sites);
+Tessellation manhattan(std::span<const signum::Site> sites, const Ranks& order) {
+    const Ranks ranks = order.empty() ? ranks_of(sites) : order;
     std::vector<Square> squares;
     for (std::size_t i = 0; i < sites.size(); ++i) {
         const Rational x = exactly(sites[i].x), y = exactly(sites[i].y);

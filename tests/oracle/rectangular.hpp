@@ -10,7 +10,8 @@
 
 namespace signum::oracle {
 
-Tessellation supremum(std::span<const signum::Site> sites);
-Tessellation manhattan(std::span<const signum::Site> sites);
+/// `ranks` are places in the order of ties, where that is to be another than the rule's.
+Tessellation supremum(std::span<const signum::Site> sites, const Ranks& ranks = {});
+Tessellation manhattan(std::span<const signum::Site> sites, const Ranks& ranks = {});
 
 }  // namespace signum::oracle

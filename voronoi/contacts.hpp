@@ -1,0 +1,78 @@
+#pragma once
+/// Which sites may share an edge, however ties are decided: those with a common nearest point (law
+/// 1 of compare.hpp). Answered from the canonical tessellation, metric by metric.
+///
+/// Law: a site that no other hides or touches from inside has a cell with an inside. Where the
+/// cells of two of them share no more than a point, that point is the vertex of a face at either;
+/// so the faces around one of them tell. Squares in line with each other can share a strip, which
+/// has no vertex; there the smallest squares between two sites are looked at.
+
+#include <functional>
+#include <vector>
+
+#include <signum/core/index.hpp>
+#include <signum/triangulation/tessellation.hpp>
+
+namespace signum {
+
+/// The canonical tessellation, ready for questions about one site. It must outlive this.
+class Canonical {
+ public:
+    /// O(n).
+    explicit Canonical(const Tessellation& tessellation);
+
+    [[nodiscard]] const Tessellation& tessellation() const noexcept { return tessellation_; }
+    [[nodiscard]] const Site& site(Index i) const noexcept {
+        return tessellation_.sites()[static_cast<std::size_t>(i)];
+    }
+    [[nodiscard]] const Face& face(Index f) const noexcept {
+        return tessellation_.faces()[static_cast<std::size_t>(f)];
+    }
+    /// The site that hides i; -1 for a visible one.
+    [[nodiscard]] Index hidden_by(Index i) const noexcept {
+        return hidden_by_[static_cast<std::size_t>(i)];
+    }
+    /// i itself where it is visible, otherwise the site that hides it.
+    [[nodiscard]] Index shown_for(Index i) const noexcept {
+        return hidden_by(i) < 0 ? i : hidden_by(i);
+    }
+    /// Of two visible sites the one with fewer faces.
+    [[nodiscard]] Index lesser(Index i, Index j) const noexcept {
+        return degree_[static_cast<std::size_t>(i)] <= degree_[static_cast<std::size_t>(j)] ? i : j;
+    }
+
+    /// Whether `holds` is true of a face at a visible site. O(degree).
+    template <class Predicate>
+    [[nodiscard]] bool any_face_at(Index i, Predicate holds) const {
+        const Index first = face_at_[static_cast<std::size_t>(i)];
+        if (first < 0) return false;
+        Index f = first;
+        do {
+            if (holds(face(f))) return true;
+            std::size_t k = 0;
+            while (face(f)[k] != i) ++k;
+            f = tessellation_.neighbours()[static_cast<std::size_t>(f)][(k + 1) % 3];
+        } while (f != first);
+        return false;
+    }
+
+ private:
+    const Tessellation& tessellation_;
+    std::vector<Index> face_at_;
+    std::vector<Index> degree_;
+    std::vector<Index> hidden_by_;
+};
+
+/// Whether two sites may share an edge. Exact, symmetric. Where one is visible the time is that of
+/// a few exact predicates for every face at the one with fewer, and in the Manhattan and supremum
+/// metrics of a short walk.
+using Contacts = std::function<bool(Index, Index)>;
+
+[[nodiscard]] Contacts contacts_of(const Canonical& canonical);
+
+/// Its three kinds; the tessellation is of that metric.
+[[nodiscard]] Contacts power_contacts(const Canonical& canonical);
+[[nodiscard]] Contacts euclidean_contacts(const Canonical& canonical);
+[[nodiscard]] Contacts rectangular_contacts(const Canonical& canonical);
+
+}  // namespace signum

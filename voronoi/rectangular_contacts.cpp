@@ -1,0 +1,135 @@
+/// Contacts in the supremum and Manhattan metrics, in the forms g and numbers G of
+/// predicates/rectangular/forms.hpp: a square touches m where the greatest of g_d(m) - G_d is 0,
+/// and m is strictly inside where it is negative.
+///
+/// A square that i and j touch has G_d >= h_d, the greater of their two forms. A smaller one within
+/// it, G_d still at least h_d, touches both as well, and is empty if the larger one is. So only the
+/// smallest need be looked at. They lie between two opposite sides h_d and h_(d+2), and slide from
+/// one end to the other between the two sides across.
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <signum/exact/multiprecision.hpp>
+#include <signum/predicates/manhattan.hpp>
+#include <signum/predicates/supremum.hpp>
+#include <signum/voronoi/contacts.hpp>
+
+namespace signum {
+namespace {
+
+using exact::Rational;
+
+using Forms = std::array<Rational, 4>;
+
+template <class Directions>
+class RectangularContacts {
+ public:
+    explicit RectangularContacts(const Canonical& canonical) : canonical_(canonical) {}
+
+    bool operator()(Index i, Index j) const {
+        if (canonical_.site(i) == canonical_.site(j)) return false;
+        const Forms of_i = forms(i);
+        const Forms of_j = forms(j);
+        Forms least;
+        for (std::size_t d = 0; d < 4; ++d) least[d] = std::max(of_i[d], of_j[d]);
+        const std::size_t a = least[0] + least[2] >= least[1] + least[3] ? 0 : 1;
+        const Rational width = least[a] + least[a + 2];
+
+        // The square with the side across at g.
+        const std::size_t across = a + 1;
+        const std::size_t opposite = (a + 3) % 4;
+        const auto square = [&](const Rational& g) {
+            Forms result = least;
+            result[across] = g;
+            result[opposite] = width - g;
+            return result;
+        };
+        const Rational first = least[across];
+        const Rational last = width - least[opposite];
+        Index at = start(i, j);
+        const auto held = [&](const Forms& one, const Forms& other) {
+            return one[a] == least[a] && other[a + 2] == least[a + 2];
+        };
+        if (!held(of_i, of_j) && !held(of_j, of_i)) {
+            // One of them holds both sides; the other is touched at an end of the way, or nowhere.
+            const auto is_contact = [&](const Rational& g) {
+                const Forms of_square = square(g);
+                return excess(of_i, of_square) == 0 && excess(of_j, of_square) == 0 &&
+                       excess(nearest(of_square, at), of_square) >= 0;
+            };
+            return is_contact(first) || is_contact(last);
+        }
+        // A site inside stays inside until the square has passed it.
+        for (Rational g = first; g <= last;) {
+            const Forms of_square = square(g);
+            const Forms inside = nearest(of_square, at);
+            if (excess(inside, of_square) >= 0) return true;
+            g = width - inside[opposite];
+        }
+        return false;
+    }
+
+ private:
+    [[nodiscard]] Forms forms(Index i) const {
+        const Site& s = canonical_.site(i);
+        const Rational x = exact::to_rational(s.x);
+        const Rational y = exact::to_rational(s.y);
+        const Rational r = exact::to_rational(s.r);
+        Forms result;
+        for (std::size_t d = 0; d < 4; ++d)
+            result[d] = Rational(static_cast<int>(Directions::x[d])) * x +
+                        Rational(static_cast<int>(Directions::y[d])) * y - r;
+        return result;
+    }
+
+    [[nodiscard]] static Rational excess(const Forms& site, const Forms& square) {
+        Rational greatest = site[0] - square[0];
+        for (std::size_t d = 1; d < 4; ++d)
+            greatest = std::max(greatest, Rational(site[d] - square[d]));
+        return greatest;
+    }
+
+    /// A visible site to walk from.
+    [[nodiscard]] Index start(Index i, Index j) const {
+        return canonical_.lesser(canonical_.shown_for(i), canonical_.shown_for(j));
+    }
+
+    /// The forms of a site inside the square or, where there is none, of the one nearest to it.
+    /// Walks from `at`, and leaves it there: unless a site is the nearest, in the order of ties
+    /// where two are as near, a neighbour is nearer.
+    [[nodiscard]] Forms nearest(const Forms& square, Index& at) const {
+        Forms of_nearest = forms(at);
+        Rational least = excess(of_nearest, square);
+        for (Index from = -1; from != at && least >= 0;) {
+            from = at;
+            for (const Index k : canonical_.tessellation().neighbours(from)) {
+                if (k == infinite) continue;
+                Forms of_k = forms(k);
+                Rational of_excess = excess(of_k, square);
+                if (of_excess > least || (of_excess == least && !precedes(k, at))) continue;
+                of_nearest = std::move(of_k);
+                least = std::move(of_excess);
+                at = k;
+            }
+        }
+        return of_nearest;
+    }
+
+    [[nodiscard]] bool precedes(Index i, Index j) const {
+        return additive::precedes(canonical_.site(i), i, canonical_.site(j), j);
+    }
+
+    const Canonical& canonical_;
+};
+
+}  // namespace
+
+Contacts rectangular_contacts(const Canonical& canonical) {
+    if (canonical.tessellation().metric() == Metric::supremum)
+        return RectangularContacts<rectangular::Supremum>(canonical);
+    return RectangularContacts<rectangular::Manhattan>(canonical);
+}
+
+}  // namespace signum
