@@ -4,8 +4,11 @@
 #include <stdexcept>
 
 #include <signum/generate/generate.hpp>
-#include <signum/voronoi/compare.hpp>
 
+namespace signum {
+inline constexpr std::array<Arithmetic, 3> all_arithmetics = {Arithmetic::exact, Arithmetic::naive,
+                                                              Arithmetic::multiprecision};
+}  // namespace signum
 namespace signum::study {
 namespace {
 

@@ -152,7 +152,7 @@ Plot pairs_of_panels(const Results& results, const Pair& pair) {
                                         results.points(query, pair.where)});
             }
             // The first panel has the legend.
-            if (metric == "power") panel.quoted = {"stated in the thesis's text", column.thesis};
+            if (metric == "power") panel.quoted = {"stated in the thesis", column.thesis};
             plot.panels.push_back(std::move(panel));
         }
     return plot;
@@ -171,36 +171,44 @@ bool has_points(const Plot& plot) {
 
 Figure margin(const Results& results) {
     Plot plot{"margin", 2, {}};
-    constexpr std::string_view prefix = "determinants_1e";
+    constexpr std::string_view prefix = "margin_1e";
+    constexpr double zero = 1e-23;
     for (const std::string& metric : results.present("margin", metrics)) {
         Panel panel;
         panel.title = capital(metric);
-        panel.x_label = "relative distance from zero";
-        panel.y_label = "% of the determinants";
+        panel.x_label = "distance from zero, relative";
+        panel.y_label = "% of the questions";
         panel.x_is_log = true;
-        panel.y_least = 0.0;
+        panel.y_is_log = true;
+        panel.place_of_zero = zero;
+        panel.uprights = {{1e-15, "doubles"}, {1e-6, "single"}};
         for (const std::string& distribution : eight) {
             Series series{distribution, style_of(distribution), true, {}};
             for (const Row* row : results.all({"margin", metric, distribution, "", ""})) {
-                if (!row->quantity.starts_with(prefix)) continue;
-                const double exponent = std::stod(row->quantity.substr(prefix.size()));
                 const double y = row->value.median;
-                series.points.push_back({std::pow(10.0, exponent), y, y, y});
+                double x = zero;
+                if (row->quantity.starts_with(prefix))
+                    x = std::pow(10.0, std::stod(row->quantity.substr(prefix.size())) - 0.5);
+                else if (row->quantity != "margin_ties")
+                    continue;
+                series.points.push_back({x, y, y, y});
             }
+            std::sort(series.points.begin(), series.points.end(),
+                      [](const PlotPoint& a, const PlotPoint& b) { return a.x < b.x; });
             panel.series.push_back(std::move(series));
         }
         plot.panels.push_back(std::move(panel));
     }
-    return {std::move(plot), "How near to zero?",
-            "<p>Every question about a circle is the sign of one number, a determinant. Each was "
-            "computed without rounding for the edges of finished tessellations, and divided by the "
-            "sum of "
-            "the magnitudes of its terms: 1 is as far from zero as it can be, 10<sup>−16</sup> is "
-            "what one rounding of a double can change. What lies to the left of "
-            "10<sup>−15</sup> is decided by chance when it is computed in doubles.</p>"
-            "<p>Random sites keep a wide distance. Sites on one circle pile up at the rounding "
-            "itself; exact ties (grid, lattice, tangent) are zeros, drawn at the left "
-            "end.</p>",
+    return {std::move(plot), "The margin of truth: how near to zero?",
+            "<p>Every question about a circle is the sign of one number. For the edges of exact "
+            "tessellations it was computed without rounding, and divided by the size of its terms: "
+            "1 is as far "
+            "from zero as can be. What lies left of a dashed line can get the wrong sign in that "
+            "arithmetic: in doubles below about 10<sup>−15</sup>, in single precision below about "
+            "10<sup>−6</sup>. Exact zeros stand at the left end.</p>"
+            "<p><strong>Do you need exactness?</strong> If your input looks like <em>random</em>, "
+            "doubles mostly do. If it "
+            "looks like any other curve, they do not.</p>",
             "Histograms of the determinants' relative distance from zero, by distribution"};
 }
 
@@ -456,15 +464,19 @@ Figure swaps(const Results& results) {
         panel.series.push_back(
             {distribution, style_of(distribution), true,
              results.points({"flips", "power", distribution, "flips", "swaps"}, by_sites)});
-    panel.quoted = {"stated in the thesis's text", {quoted(100, 4), quoted(3000, 150)}};
+    panel.series.push_back(
+        {"random, shrinking radii", 7, true,
+         results.points({"flips_scaled", "power", "random", "flips", "swaps"}, by_sites)});
+    panel.quoted = {"stated in the thesis", {quoted(100, 4), quoted(3000, 150)}};
     return {
         {"swaps", 1, {std::move(panel)}},
         "Swaps from Delaunay to power (thesis: figure 6.7.1)",
         "<p>A Delaunay triangulation becomes the power tessellation by swapping edges one by one. "
         "Radii lie between 0.01 and 10, as in the thesis, in a square 700 wide: the more sites, "
-        "the more of the discs intersect, and the more swaps a site takes. The thesis states 4 "
-        "swaps for 100 "
-        "circles and 150 for 3000; its circles did not intersect.</p>",
+        "the "
+        "more of the discs intersect, and the more swaps a site takes. Grey: random sites whose "
+        "radii shrink as the distances do; there swaps are proportional to the sites, as "
+        "the thesis found. It states 4 swaps for 100 circles and 150 for 3000.</p>",
         "Number of swaps against sites"};
 }
 
@@ -496,7 +508,7 @@ Figure sweep(const Results& results) {
         panel.series.push_back(
             {"random, inserted", 7, true,
              results.points({"sweep", metric, "random", "incremental", "seconds"}, by_sites)});
-        panel.quoted = {"stated in the thesis's text",
+        panel.quoted = {"stated in the thesis",
                         {quoted(1000, 1), quoted(10000, 34), quoted(10000, 27)}};
         plot.panels.push_back(std::move(panel));
     }
@@ -540,7 +552,7 @@ Figure hard_inputs(const Results& results) {
             panel.y_least = 0.0;
             for (const std::string& distribution : hard)
                 panel.series.push_back(
-                    {distribution == "circle" ? "circle (nearly random when large)" : distribution,
+                    {distribution == "circle" ? "circle (soon random)" : distribution,
                      style_of(distribution), true,
                      results.points({"hard", metric, distribution, contestant, quantity},
                                     by_sites)});
@@ -602,19 +614,19 @@ std::vector<Beside> beside_the_thesis(const std::vector<Row>& rows) {
     };
     add("wrong edges, 1000 random sites, single precision", "about 1 %",
         percent(wrong("random", "single")));
-    add("the same in doubles", "", percent(wrong("random", "naive")));
+    add("wrong edges, 1000 random sites, doubles", "", percent(wrong("random", "naive")));
     add("wrong edges, 1000 sites on a circle, single precision", "30 %",
         percent(wrong("circle", "single")));
-    add("the same in doubles", "", percent(wrong("circle", "naive")));
+    add("wrong edges, 1000 sites on a circle, doubles", "", percent(wrong("circle", "naive")));
     add("wrong edges, 100 sites on a circle, perturbation 1e-9, single precision", "almost 50 %",
         percent(
             results.at({"perturbation", "power", "circle", "single", "wrong_percent"}, 100, 1e-9)));
     add("time ratio, 1000 random sites, the thesis's scheme", "tends to 4",
         ratio("random", "interval"));
-    add("the same, signum", "", ratio("random", "exact"));
+    add("time ratio, 1000 random sites, signum", "", ratio("random", "exact"));
     add("time ratio, 1000 sites on a circle, the thesis's scheme", "much higher",
         ratio("circle", "interval"));
-    add("the same, signum", "", ratio("circle", "exact"));
+    add("time ratio, 1000 sites on a circle, signum", "", ratio("circle", "exact"));
     add("swaps, 100 random discs", "4", count(100));
     add("swaps, 3000 random discs", "150", count(3000));
     add("sweep, 1000 sites", "about 1 s", seconds("random", 1000));

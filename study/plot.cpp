@@ -58,6 +58,39 @@ bool is_empty(const Panel& panel, const std::vector<PlotPoint>& points) {
                         [&](const PlotPoint& point) { return is_drawn(panel, point); });
 }
 
+/// Ranges around all points, with some air; linear axes of y are left to gnuplot.
+std::string ranges(const Panel& panel) {
+    std::vector<PlotPoint> points = panel.quoted.points;
+    for (const Series& series : panel.series)
+        points.insert(points.end(), series.points.begin(), series.points.end());
+    std::erase_if(points, [&](const PlotPoint& point) { return !is_drawn(panel, point); });
+    if (points.empty()) return "set xrange [1:10]\nset yrange [1:10]\n";
+    double left = points[0].x;
+    double right = left;
+    double bottom = points[0].y;
+    double top = bottom;
+    for (const PlotPoint& point : points) {
+        left = std::min(left, point.x);
+        right = std::max(right, point.x);
+        bottom = std::min(bottom, point.low > 0.0 ? point.low : point.y);
+        top = std::max({top, point.high, point.y});
+    }
+    std::string text;
+    if (panel.categories.empty()) {
+        const double air = 0.04 * (right - left) + (left == right ? 1.0 : 0.0);
+        const double factor = left > 0.0 ? std::max(1.3, std::pow(right / left, 0.04)) : 1.0;
+        text += panel.x_is_log ? fmt::format("set xrange [{}:{}]\n", left / factor, right * factor)
+                               : fmt::format("set xrange [{}:{}]\n", left - air, right + air);
+    }
+    if (panel.y_is_log) {
+        const double factor = std::max(1.3, std::pow(top / bottom, 0.05));
+        text += fmt::format("set yrange [{}:{}]\n", bottom / factor, top * factor);
+    } else if (top <= 0.0) {
+        text += "set yrange [0:1]\n";
+    }
+    return text;
+}
+
 std::string axis_settings(const Panel& panel) {
     std::string text =
         fmt::format("set title {}\nset xlabel {}\nset ylabel {}\n", in_quotes(panel.title),
@@ -76,12 +109,24 @@ std::string axis_settings(const Panel& panel) {
                             panel.categories.size() > 5 ? "rotate by 25 right" : "",
                             static_cast<double>(panel.categories.size()) - 0.4);
     }
-    if (!std::isnan(panel.y_least) || !std::isnan(panel.y_most)) {
+    text += ranges(panel);
+    const bool is_flat = text.find("set yrange") != std::string::npos;
+    if (!is_flat && (!std::isnan(panel.y_least) || !std::isnan(panel.y_most))) {
         const auto bound = [](double value) {
             return std::isnan(value) ? std::string("*") : fmt::format("{}", value);
         };
         text += fmt::format("set yrange [{}:{}]\n", bound(panel.y_least), bound(panel.y_most));
     }
+
+    if (panel.place_of_zero > 0.0)
+        text += fmt::format("set xtics add (\"0\" {})\n", panel.place_of_zero);
+    text += "unset arrow\nunset label\n";
+    for (const Upright& upright : panel.uprights)
+        text += fmt::format(
+            "set arrow from first {0}, graph 0 to first {0}, graph 1 nohead dt 2 lc rgb "
+            "\"#909090\"\nset label {1} at first {0}, graph 1.0 offset character 0.4,-0.6 left "
+            "font \",12\" tc rgb \"#909090\"\n",
+            upright.x, in_quotes(upright.words));
     return text;
 }
 
@@ -125,7 +170,7 @@ std::string panel_script(const Panel& panel, std::size_t number, bool has_legend
             if (is_empty(panel, series.points)) {
                 // Keeps its place in the legend.
                 if (has_legend)
-                    add_plot(fmt::format("1/0 with points pt {} ps 0.9 lc rgb \"{}\" {}",
+                    add_plot(fmt::format("keyentry with points pt {} ps 0.9 lc rgb \"{}\" {}",
                                          style_of(series).mark, style_of(series).colour,
                                          title(series.title)));
                 continue;
@@ -148,7 +193,11 @@ std::string panel_script(const Panel& panel, std::size_t number, bool has_legend
                                  name, title(panel.quoted.title)));
         }
     }
-    if (plots.empty()) return "";
+    if (data.empty()) {
+        // gnuplot refuses to draw nothing: a dot that does not show.
+        data = "$nothing << END\n1 1\nEND\n";
+        add_plot("$nothing with dots lc rgb \"#ff000000\" notitle");
+    }
     return data + axis_settings(panel) + plots + "\n";
 }
 
@@ -179,7 +228,7 @@ std::string gnuplot_script(const Plot& plot) {
     // In pixels: what a panel takes, and what lies between its frame and its neighbours.
     const bool alone = plot.columns == 1;
     const double across = alone ? 760.0 : 440.0;
-    const double down = alone ? 400.0 : 330.0;
+    const double down = alone ? 420.0 : 360.0;
     const double legend = 64.0;
     const auto count = static_cast<int>(plot.panels.size());
     const int rows = (count + plot.columns - 1) / plot.columns;
@@ -191,16 +240,23 @@ std::string gnuplot_script(const Plot& plot) {
         width, height, plot.name);
     text +=
         "set border 3\nset tics nomirror out\nset grid ytics lc rgb \"#909090\" lw 0.4 dt 3\n"
-        "set key at screen 0.5,0.01 center bottom horizontal Left reverse samplen 2\n"
-        "set title font \",15\"\nset bars 0.6\nset multiplot\n";
+        "set xlabel offset 0,0.4\nset title offset 0,-0.3 font \",15\"\nset bars 0.6\nset "
+        "multiplot\n";
+    std::size_t entries = 0;
+    if (!plot.panels.empty())
+        entries = plot.panels[0].series.size() + (plot.panels[0].quoted.points.empty() ? 0 : 1);
+    text += fmt::format(
+        "set key at screen 0.5,screen {} center bottom horizontal maxrows {} Left reverse samplen "
+        "2\n",
+        6.0 / height, entries > 5 ? 2 : 1);
     for (int i = 0; i < count; ++i) {
         const double left = across * (i % plot.columns);
         const double top = height - down * (i / plot.columns);
         text += fmt::format(
             "set lmargin at screen {}\nset rmargin at screen {}\nset tmargin at screen {}\nset "
             "bmargin at screen {}\n",
-            (left + 84.0) / width, (left + across - 16.0) / width, (top - 34.0) / height,
-            (top - down + 62.0) / height);
+            (left + 84.0) / width, (left + across - 16.0) / width, (top - 44.0) / height,
+            (top - down + 66.0) / height);
         text += panel_script(plot.panels[static_cast<std::size_t>(i)], static_cast<std::size_t>(i),
                              i == 0);
     }

@@ -21,6 +21,12 @@ struct Series {
     std::vector<PlotPoint> points;
 };
 
+/// A line across a panel.
+struct Upright {
+    double x;
+    std::string words;
+};
+
 /// Numbers that others have published, drawn as black diamonds.
 struct Quoted {
     std::string title;
@@ -39,6 +45,8 @@ struct Panel {
     double y_most = std::numeric_limits<double>::quiet_NaN();
     std::vector<Series> series;
     Quoted quoted;
+    std::vector<Upright> uprights;
+    double place_of_zero = 0.0;  ///< on a logarithmic axis of x, where there is one
 };
 
 /// Panels side by side and below each other, with one legend.

@@ -23,7 +23,8 @@ body { margin: 0 auto; padding: 2rem 1.2rem 5rem; max-width: 56rem; color: var(-
        background: var(--paper); font: 1.05rem/1.6 Georgia, "Liberation Serif", serif; }
 h1 { font-size: 2rem; line-height: 1.2; }
 h2 { font-size: 1.35rem; margin-top: 3.2rem; }
-p, ul, dl, table { max-width: 42rem; }
+p, ul, dl, table { max-width: 44rem; }
+sup { line-height: 0; }
 figure { margin: 1.2rem 0 0; }
 svg { display: block; width: 100%; height: auto; }
 svg text, svg tspan { font-family: "Helvetica Neue", Arial, "Liberation Sans", sans-serif; }
