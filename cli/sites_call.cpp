@@ -24,14 +24,10 @@ void add_sites(CLI::App& command, SitesCall& call) {
 }
 
 Arithmetic arithmetic_of(const std::string& name) {
-    for (const Arithmetic arithmetic :
-         {Arithmetic::exact, Arithmetic::naive, Arithmetic::multiprecision}) {
+    for (const Arithmetic arithmetic : all_arithmetics) {
         if (name_of(arithmetic) == name) return arithmetic;
     }
-    throw CallError(
-        fmt::format("--arithmetic {} is not in this version, which has exact, naive and "
-                    "multiprecision; add --arithmetic exact",
-                    name));
+    throw CallError(fmt::format("--arithmetic {} is unknown", name));
 }
 
 InputSites read_input(const SitesCall& call) {

@@ -28,7 +28,7 @@ struct SitesCall {
 /// Adds FILE, --metric, --weight-is, --seed and --quiet.
 void add_sites(CLI::App& command, SitesCall& call);
 
-/// The arithmetic of that name; throws CallError where this version has none of it.
+/// The arithmetic of that name; throws CallError where there is none.
 Arithmetic arithmetic_of(const std::string& name);
 
 struct InputSites {

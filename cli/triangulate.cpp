@@ -114,7 +114,7 @@ void check(const Call& call, const Tessellation& tessellation) {
     if (!result.valid) {
         throw CheckFailure(fmt::format("--check: not valid: {}", result.message));
     }
-    if (!result.canonical && arithmetic_of(call.arithmetic) != Arithmetic::naive) {
+    if (!result.canonical && is_exact(arithmetic_of(call.arithmetic))) {
         throw CheckFailure(fmt::format("--check: valid, not canonical: {}", result.message));
     }
     if (call.quiet) return;
@@ -123,9 +123,11 @@ void check(const Call& call, const Tessellation& tessellation) {
 
 void run(const Call& call) {
     const Method method = method_of(call.method, metric_of(call.metric));
-    if (method == Method::flips && arithmetic_of(call.arithmetic) == Arithmetic::naive)
-        throw CallError("--method flips needs exact signs; leave --arithmetic naive out");
-    static_cast<void>(arithmetic_of(call.arithmetic));
+    if (method == Method::flips && arithmetic_of(call.arithmetic) != Arithmetic::exact) {
+        throw CallError(
+            fmt::format("--method flips has exact arithmetic alone; leave --arithmetic {} out",
+                        call.arithmetic));
+    }
     check_outputs(call.outputs, call.input, {".json", ".svg", ".csv", ".obj"});
     require_json(call);
     const InputSites sites = read_input(call);
@@ -158,10 +160,14 @@ void add_triangulate(CLI::App& tool) {
         ->type_name("NAME")
         ->capture_default_str();
     command
-        ->add_option(
-            "--arithmetic", call->arithmetic,
-            "exact, naive, single, interval, sum or\nmultiprecision; this version has exact,\n"
-            "naive and multiprecision")
+        ->add_option("--arithmetic", call->arithmetic,
+                     "What decides signs. The first four never err:\n"
+                     "exact           a filter, then ever dearer stages\n"
+                     "interval        intervals, then the exact stage at once\n"
+                     "sum             the exact stage alone\n"
+                     "multiprecision  rationals alone\n"
+                     "naive           doubles, which round\n"
+                     "single          floats, which round\n")
         ->check(one_of({"exact", "naive", "single", "interval", "sum", "multiprecision"}))
         ->type_name("NAME")
         ->capture_default_str();

@@ -21,6 +21,9 @@ inline constexpr double epsilon = 0x1p-52;
 [[nodiscard]] inline double magnitude(double value) noexcept {
     return __builtin_fabs(value);
 }
+[[nodiscard]] inline float magnitude(float value) noexcept {
+    return __builtin_fabsf(value);
+}
 
 /// The sign of a double that is not 0.
 [[nodiscard]] inline int sign_of_nonzero(double value) noexcept {

@@ -9,15 +9,12 @@
 #include <signum/core/site.hpp>
 #include <signum/filters/bounds.hpp>
 #include <signum/filters/verdict.hpp>
+#include <signum/predicates/arithmetic.hpp>
 
 namespace signum::additive {
 
 /// The stages that a predicate has.
-enum class Stages {
-    exact,          ///< a filter, and exact arithmetic behind it
-    naive,          ///< rounded arithmetic alone, whose word is taken for the truth
-    multiprecision  ///< rationals alone
-};
+using Stages = Arithmetic;
 
 /// How far a point is from a site, in doubles: for who compares many sites at one point.
 struct Distance {

@@ -12,22 +12,35 @@ namespace {
     return exact::in_expansion_window(p.x) && exact::in_expansion_window(p.y);
 }
 
+[[nodiscard]] Sign expand(const Point& a, const Point& b, const Point& c) noexcept {
+    const auto ax = exact::difference(a.x, c.x);
+    const auto ay = exact::difference(a.y, c.y);
+    const auto bx = exact::difference(b.x, c.x);
+    const auto by = exact::difference(b.y, c.y);
+    return (ax * by - ay * bx).sign();
+}
+
 [[nodiscard]] Decision decide(const Point& a, const Point& b, const Point& c) noexcept {
     if (!in_window(a) || !in_window(b) || !in_window(c))
         return {multiprecision::ccw(a, b, c), Stage::multiprecision};
     if (const filters::Verdict verdict = ccw_filter(a, b, c); verdict.is_certain())
         return {verdict.sign(), Stage::filter};
-    const auto ax = exact::difference(a.x, c.x);
-    const auto ay = exact::difference(a.y, c.y);
-    const auto bx = exact::difference(b.x, c.x);
-    const auto by = exact::difference(b.y, c.y);
-    return {(ax * by - ay * bx).sign(), Stage::exact};
+    return {expand(a, b, c), Stage::exact};
+}
+
+[[nodiscard]] Decision decide_exactly(const Point& a, const Point& b, const Point& c) noexcept {
+    if (!in_window(a) || !in_window(b) || !in_window(c))
+        return {multiprecision::ccw(a, b, c), Stage::multiprecision};
+    return {expand(a, b, c), Stage::exact};
 }
 
 }  // namespace
 
 Decision ccw_cold(Point a, Point b, Point c) noexcept {
     return exact::in_ieee_environment(decide, a, b, c);
+}
+Decision ccw_exactly(Point a, Point b, Point c) noexcept {
+    return exact::in_ieee_environment(decide_exactly, a, b, c);
 }
 
 }  // namespace predicates

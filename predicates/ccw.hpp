@@ -29,6 +29,12 @@ template <class Number>
 [[nodiscard]] constexpr Number ccw_determinant(Number ax, Number ay, Number bx, Number by) {
     return ax * by - ay * bx;
 }
+/// The same from the points, in any arithmetic that rounds.
+template <class Number, HasCentre S>
+[[nodiscard]] inline Number rounded_ccw(const S& a, const S& b, const S& c) noexcept {
+    return ccw_determinant<Number>(Number(a.x) - Number(c.x), Number(a.y) - Number(c.y),
+                                   Number(b.x) - Number(c.x), Number(b.y) - Number(c.y));
+}
 
 /// The error of the rounded determinant, as a multiple of the sum of its two products' magnitudes.
 /// The lemma of rounding_count.hpp gives (1+e)^4 - 1; one more e pays for the terms in e² and for
@@ -59,6 +65,8 @@ template <HasCentre S>
 
 /// The stages behind the filter.
 [[nodiscard, gnu::pure]] Decision ccw_cold(Point a, Point b, Point c) noexcept;
+/// The exact stage alone, or multiprecision outside its window.
+[[nodiscard]] Decision ccw_exactly(Point a, Point b, Point c) noexcept;
 
 /// Out of line and by reference: the filter need not keep copies of its operands for this call.
 template <HasCentre S>

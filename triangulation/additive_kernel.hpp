@@ -2,7 +2,7 @@
 /// The kernel of the metrics with additive weights, over the predicates of one of them.
 ///
 /// Laws: those of kernel.hpp, and: all answers are perturbed, so that none is undecided; the naive
-/// kernel too follows the tie rule where rounded numbers agree.
+/// kernel and the single one too follow the tie rule where rounded numbers agree.
 
 #include <array>
 
@@ -21,9 +21,14 @@ class AdditiveKernel {
  public:
     using SiteType = RankedSite;
     using PredicatesType = Predicates;
-    static constexpr bool is_exact = arithmetic != Arithmetic::naive;
+    static constexpr bool is_exact = signum::is_exact(arithmetic);
     /// The edges of the dual are curved; see insert.hpp.
     static constexpr bool is_straight = false;
+
+    /// The site that the kernel takes for this one.
+    [[nodiscard]] static Site rounded(const Site& given) noexcept {
+        return predicates::rounded<arithmetic>(given);
+    }
 
     /// The array is not copied.
     explicit AdditiveKernel(const RankedSite* sites) noexcept : sites_(sites) {}

@@ -43,9 +43,11 @@ namespace signum::triangulation {
 /// those on an edge do: so the times are kept to twice the precision, where ties are seen as such.
 template <class Directions, rectangular::Sums sums>
 [[nodiscard]] LargeArray<Index> order_of_starts(std::span<const RankedSite> sites) {
+    using Number = predicates::NumberOf<sums>;
     struct Start {
-        TwoTerms twice_time;
-        double error;  ///< 0: twice_time is exact
+        Number twice_time;
+        double rest;   ///< to be added
+        double error;  ///< 0: both are exact, or taken to be
         Index place;
     };
     const auto start_of = [&](Index place) -> Start {
@@ -57,23 +59,29 @@ template <class Directions, rectangular::Sums sums>
                                             (Directions::y[0] + Directions::y[1]) * site.y);
             const TwoTerms sum = two_sum(centre.high, -2 * site.r);
             const TwoTerms rest = two_sum(centre.low, sum.low);
-            if (rest.low == 0.0) return {two_sum(sum.high, rest.high), 0.0, place};
+            if (rest.low == 0.0) {
+                const TwoTerms twice_time = two_sum(sum.high, rest.high);
+                return {Number(twice_time.high), twice_time.low, 0.0, place};
+            }
         }
-        return {{forms.g[0] + forms.g[1], 0.0}, forms.error, place};
+        Number twice_time = forms.g[0] + forms.g[1];
+        // No order has a place for a NaN.
+        if constexpr (!is_exact(sums))
+            if (twice_time != twice_time) twice_time = 0;
+        return {twice_time, 0.0, forms.error, place};
     };
     LargeArray<Start> starts(sites.size());
     for (std::size_t i = 0; i < sites.size(); ++i) starts[i] = start_of(static_cast<Index>(i));
     std::sort(starts.begin(), starts.end(), [&](const Start& a, const Start& b) {
-        const double difference = b.twice_time.high - a.twice_time.high;
+        const Number difference = b.twice_time - a.twice_time;
         const double error = a.error + b.error;
-        if (filters::magnitude(difference) > error) [[likely]]
-            return difference > 0;
+        if (filters::exceeds(difference, error)) [[likely]]
+            return filters::sign_of_nonzero(difference) > 0;
         const RankedSite& of_a = sites[static_cast<std::size_t>(a.place)];
         const RankedSite& of_b = sites[static_cast<std::size_t>(b.place)];
         // Of equal times the later site's infinitesimal is the greater one.
-        if (error == 0.0)
-            return a.twice_time.low != b.twice_time.low ? a.twice_time.low < b.twice_time.low
-                                                        : of_a.rank < of_b.rank;
+        if (error == 0.0 && sums != rectangular::Sums::interval)
+            return a.rest != b.rest ? a.rest < b.rest : of_a.rank < of_b.rank;
         if (a.place == b.place) return false;
         const auto addend = [](const RankedSite& site, int side, int factor) {
             return rectangular::Addend{&site, site.rank, side, factor};
@@ -96,7 +104,7 @@ class Sweep {
     using Directions = typename Kernel::PredicatesType::DirectionsType;
     static constexpr rectangular::Sums sums = Kernel::PredicatesType::sums_used;
 
-    /// `exact_sums`: rectangular::sums_are_exact(sites).
+    /// `exact_sums`: rectangular::sums_are_exact(sites), for the exact kernel alone.
     Sweep(Topology& topology, Kernel& kernel, std::span<Index> hidden_by, bool exact_sums)
         : topology_(topology),
           kernel_(kernel),
@@ -136,6 +144,7 @@ class Sweep {
 
  private:
     using Forms = rectangular::RoundedForms<Directions, sums>;
+    using Number = typename Forms::Number;
     using Addend = rectangular::Addend;
     static constexpr HalfEdge none = ~HalfEdge{0};
 
@@ -160,14 +169,14 @@ class Sweep {
         bool rises =
             false;  ///< with the upper edge of the wave below, or falls with the lower of this
         bool stops = false;  ///< at `rest`
-        double edge = 0.0;   ///< rises: g_1 of the site below; falls: g_0 of this one
-        double rest = 0.0;   ///< twice the height
+        Number edge{};       ///< rises: g_1 of the site below; falls: g_0 of this one
+        Number rest{};       ///< twice the height
         double error = 0.0;  ///< of either
     };
 
     /// Half a cache line: where many waves start at once, the queue is long.
     struct Event {
-        double twice_time;
+        Number twice_time;
         Index i, j, k;
         std::uint32_t stamp_and_meeting;  ///< meeting none: a site event, of i
         Arc* arc;
@@ -191,8 +200,8 @@ class Sweep {
     }
     /// The sign of a sum known to an error; `addends` makes the sum.
     template <class Addends>
-    [[nodiscard]] Sign sign(double rounded, double error, Addends addends) {
-        if (filters::magnitude(rounded) > error) [[likely]]
+    [[nodiscard]] Sign sign(const Number& rounded, double error, Addends addends) {
+        if (filters::exceeds(rounded, error)) [[likely]]
             return kernel_.count({filters::sign_of_nonzero(rounded), Stage::filter});
         return kernel_.count(
             rectangular::decide_sum<Directions, sums>(rounded, exact_sums_, addends()));
@@ -218,7 +227,7 @@ class Sweep {
         const Index k = arc.above->site;
         const Forms of_i = forms(i);
         const Forms of_k = forms(k);
-        double time = of_i.g[1] + of_k.g[0];
+        Number time = of_i.g[1] + of_k.g[0];
         if (meeting == Meeting::upper_rests)
             time = 2 * of_i.g[1] + (of_k.g[3] - forms(j).g[2]);
         else if (meeting == Meeting::lower_rests)
@@ -259,10 +268,10 @@ class Sweep {
         }
     }
     [[nodiscard]] bool before(const Event& a, const Event& b) {
-        const double difference = b.twice_time - a.twice_time;
+        const Number difference = b.twice_time - a.twice_time;
         // Nearly always the error of the worst sites will do.
         const double error =
-            filters::magnitude(difference) > 6 * greatest_error_ ? 0.0 : error_of(a) + error_of(b);
+            filters::exceeds(difference, 6 * greatest_error_) ? 0.0 : error_of(a) + error_of(b);
         return sign(difference, error, [&] {
                    std::array<Addend, 8> addends;
                    add_time(b, 1, addends.data());

@@ -4,13 +4,16 @@
 /// Laws:
 ///  1. Sites are named by their place in the insertion order; `original` gives their numbers in the
 ///     input, which the tie rule needs last.
-///  2. The exact and the multiprecision kernel agree on every question. Their conflicts are
-///  perturbed
-///     and so never undecided; ccw is exact and never perturbed.
-///  3. The naive kernel rounds, and takes a zero for no conflict.
+///  2. The exact kernels (is_exact) agree on every question. Their conflicts are perturbed and so
+///     never undecided; ccw is exact and never perturbed. What the tie rule itself asks has a
+///     filter in all of them.
+///  3. The naive kernel and the single one round, and take a zero for no conflict.
 
 #include <array>
+#include <type_traits>
 
+#include <signum/filters/interval.hpp>
+#include <signum/predicates/arithmetic.hpp>
 #include <signum/predicates/multiprecision.hpp>
 #include <signum/predicates/power.hpp>
 #include <signum/predicates/power/multiprecision.hpp>
@@ -23,9 +26,19 @@ class PowerKernel {
  public:
     using SiteType = S;
     /// Whether answers can be trusted never to lead an algorithm astray.
-    static constexpr bool is_exact = arithmetic != Arithmetic::naive;
+    static constexpr bool is_exact = signum::is_exact(arithmetic);
     /// The edges of the dual are straight; see insert.hpp.
     static constexpr bool is_straight = true;
+
+    /// The site that the kernel takes for this one.
+    [[nodiscard]] static S rounded(const Site& given) noexcept {
+        const Site site = predicates::rounded<arithmetic>(given);
+        if constexpr (std::is_same_v<S, Point>) {
+            return {site.x, site.y};
+        } else {
+            return {site.x, site.y, site.r};
+        }
+    }
 
     /// Neither array is copied.
     PowerKernel(const S* sites, const Index* original) noexcept
@@ -77,6 +90,8 @@ class PowerKernel {
     [[nodiscard]] const Tally& tally() const noexcept { return tally_; }
 
  private:
+    using Number = predicates::NumberOf<arithmetic>;
+
     [[nodiscard]] Sign orientation(const S& a, const S& b, const S& q) noexcept {
         tally_.count_ccw();
         if constexpr (arithmetic == Arithmetic::exact) {
@@ -85,7 +100,11 @@ class PowerKernel {
             return count({multiprecision::ccw(power::centre(a), power::centre(b), power::centre(q)),
                           Stage::multiprecision});
         } else {
-            return sign_of(predicates::ccw_determinant(a.x - q.x, a.y - q.y, b.x - q.x, b.y - q.y));
+            return count(decide([&] { return predicates::rounded_ccw<Number>(a, b, q); },
+                                [&] {
+                                    return predicates::ccw_exactly(
+                                        power::centre(a), power::centre(b), power::centre(q));
+                                }));
         }
     }
 
@@ -95,8 +114,13 @@ class PowerKernel {
         } else if constexpr (arithmetic == Arithmetic::multiprecision) {
             return count({power::multiprecision::in_circle(i, j, k, q), Stage::multiprecision});
         } else {
-            return sign_of(
-                power::in_circle_determinant(power::row(i, q), power::row(j, q), power::row(k, q)));
+            return count(decide(
+                [&] {
+                    return power::in_circle_determinant(power::row<Number>(i, q),
+                                                        power::row<Number>(j, q),
+                                                        power::row<Number>(k, q));
+                },
+                [&] { return power::in_circle_exactly(i, j, k, q); }));
         }
     }
 
@@ -106,22 +130,44 @@ class PowerKernel {
         } else if constexpr (arithmetic == Arithmetic::multiprecision) {
             return count({power::multiprecision::in_segment(a, b, q), Stage::multiprecision});
         } else {
-            const power::Row<double> row_a = power::row(a, q);
-            const power::Row<double> row_b = power::row(b, q);
-            const bool along_x = a.x != b.x;
-            const double t_a = along_x ? row_a.x : row_a.y;
-            const double t_b = along_x ? row_b.x : row_b.y;
-            return sign_of(t_b - t_a) *
-                   sign_of(power::in_segment_determinant(row_a, row_b, t_a, t_b));
+            return count(decide(
+                [&] {
+                    const power::Row<Number> row_a = power::row<Number>(a, q);
+                    const power::Row<Number> row_b = power::row<Number>(b, q);
+                    const bool along_x = a.x != b.x;
+                    const Number& t_a = along_x ? row_a.x : row_a.y;
+                    const Number& t_b = along_x ? row_b.x : row_b.y;
+                    const Number determinant =
+                        power::in_segment_determinant(row_a, row_b, t_a, t_b);
+                    return (along_x ? a.x < b.x : a.y < b.y) ? determinant : -determinant;
+                },
+                [&] { return power::in_segment_exactly(a, b, q); }));
         }
     }
 
     [[nodiscard]] static Sign nearer_sign(Point p, const S& a, const S& b) noexcept {
-        if constexpr (arithmetic == Arithmetic::multiprecision) {
+        if constexpr (arithmetic == Arithmetic::exact) {
+            return power::nearer(p, a, b);
+        } else if constexpr (arithmetic == Arithmetic::multiprecision) {
             return power::multiprecision::nearer(p, a, b);
         } else {
-            return power::nearer(p, a, b);
+            return decide([&] { return power::nearer_difference<Number>(p, a, b); },
+                          [&] { return power::nearer_exactly(p, a, b); })
+                .sign;
         }
+    }
+
+    /// The sign of a number: rounded, and that is that; or in an interval, and where it contains 0
+    /// exactly; or exactly at once.
+    template <class Rounded, class Exactly>
+    [[nodiscard]] static Decision decide(Rounded rounded, Exactly exactly) noexcept {
+        if constexpr (arithmetic != Arithmetic::sum) {
+            const Number number = rounded();
+            if (filters::exceeds(number, 0.0)) [[likely]]
+                return {filters::sign_of_nonzero(number), Stage::filter};
+            if constexpr (!is_exact) return {0, Stage::filter};
+        }
+        return exactly();
     }
 
     [[nodiscard, gnu::noinline]] bool tie(Index i, Index j, Index k, Index q) const noexcept {

@@ -8,14 +8,10 @@
 #include <stop_token>
 
 #include <signum/core/strided_sites.hpp>
+#include <signum/predicates/arithmetic.hpp>
 #include <signum/triangulation/tessellation.hpp>
 
 namespace signum {
-
-/// What the predicates compute with; see ARCHITECTURE.md.
-enum class Arithmetic : std::uint8_t { exact, naive, multiprecision };
-
-[[nodiscard]] std::string_view name_of(Arithmetic arithmetic) noexcept;
 
 /// How a tessellation is built; the result is the same.
 enum class Method : std::uint8_t {
@@ -27,9 +23,11 @@ enum class Method : std::uint8_t {
 [[nodiscard]] std::string_view name_of(Method method) noexcept;
 
 struct Options {
+    /// The single kernel takes the sites rounded to floats: std::invalid_argument, naming the site,
+    /// for a number beyond 3.4e38.
     Arithmetic arithmetic = Arithmetic::exact;
-    /// std::invalid_argument with a metric that the method does not build, and for flips with naive
-    /// arithmetic.
+    /// std::invalid_argument with a metric that the method does not build, and for flips with any
+    /// arithmetic but the exact one.
     Method method = Method::incremental;
     /// Seeds the random insertion order. The result does not depend on it.
     std::uint64_t seed = 1;

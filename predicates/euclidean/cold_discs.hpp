@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <compare>
 #include <cstdint>
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -22,6 +23,7 @@
 #include <signum/core/contract.hpp>
 #include <signum/core/site.hpp>
 #include <signum/exact/multiprecision.hpp>
+#include <signum/filters/interval.hpp>
 #include <signum/filters/tally.hpp>
 #include <signum/predicates/euclidean/polynomials.hpp>
 
@@ -167,11 +169,66 @@ template <std::size_t n>
     return result;
 }
 
-/// The sites in doubles, for the naive predicates.
+/// The sites in doubles or floats, for the predicates that round.
+template <class Number, std::size_t n>
+[[nodiscard]] std::array<Disc<Uniform<Number>>, n> rounded_discs(const std::array<Site, n>& sites) {
+    std::array<Disc<Uniform<Number>>, n> result;
+    for (std::size_t m = 0; m < n; ++m)
+        result[m] = {Number(sites[m].x), Number(sites[m].y), Number(sites[m].r)};
+    return result;
+}
+
+/// An interval that compares as a number does, for polynomials that ask. Where it cannot tell it
+/// says anything, and that the answer is in doubt.
+class Enclosed {
+ public:
+    Enclosed() = default;
+    Enclosed(double number, bool& doubt) noexcept : interval_(number), doubt_(&doubt) {}
+
+    friend Enclosed operator+(const Enclosed& a, const Enclosed& b) noexcept {
+        return {a.interval_ + b.interval_, a.doubt_};
+    }
+    friend Enclosed operator-(const Enclosed& a, const Enclosed& b) noexcept {
+        return {a.interval_ - b.interval_, a.doubt_};
+    }
+    friend Enclosed operator*(const Enclosed& a, const Enclosed& b) noexcept {
+        return {a.interval_ * b.interval_, a.doubt_};
+    }
+    friend Enclosed operator*(int a, const Enclosed& b) noexcept {
+        return {a * b.interval_, b.doubt_};
+    }
+    friend bool operator==(const Enclosed& a, const Enclosed& b) noexcept {
+        return (a - b).sign() == 0;
+    }
+    friend std::weak_ordering operator<=>(const Enclosed& a, const Enclosed& b) noexcept {
+        return (a - b).sign() <=> 0;
+    }
+    /// With 0.
+    friend bool operator==(const Enclosed& a, int) noexcept { return a.sign() == 0; }
+    friend std::weak_ordering operator<=>(const Enclosed& a, int) noexcept {
+        return a.sign() <=> 0;
+    }
+
+ private:
+    Enclosed(const filters::Interval& interval, bool* doubt) noexcept
+        : interval_(interval), doubt_(doubt) {}
+
+    [[nodiscard]] Sign sign() const noexcept {
+        const Sign least = sign_of(interval_.low);
+        *doubt_ |= least != sign_of(interval_.high);
+        return least;
+    }
+
+    filters::Interval interval_;
+    bool* doubt_;
+};
+
 template <std::size_t n>
-[[nodiscard]] std::array<Disc<Uniform<double>>, n> rounded_discs(const std::array<Site, n>& sites) {
-    std::array<Disc<Uniform<double>>, n> result;
-    for (std::size_t m = 0; m < n; ++m) result[m] = {sites[m].x, sites[m].y, sites[m].r};
+[[nodiscard]] std::array<Disc<Uniform<Enclosed>>, n> enclosed_discs(
+    const std::array<Site, n>& sites, bool& doubt) {
+    std::array<Disc<Uniform<Enclosed>>, n> result;
+    for (std::size_t m = 0; m < n; ++m)
+        result[m] = {{sites[m].x, doubt}, {sites[m].y, doubt}, {sites[m].r, doubt}};
     return result;
 }
 

@@ -9,20 +9,53 @@
 namespace signum::euclidean {
 namespace {
 
+/// The answer to a question of polynomials.hpp in intervals, or exactly.
+template <std::size_t n, class Question>
+[[nodiscard]] Decision decide_in_intervals(const std::array<Site, n>& sites,
+                                           const Question& question) {
+    bool doubt = !filters::environment_is_default();
+    const Decision decision = at(Stage::filter, question(enclosed_discs(sites, doubt)));
+    return doubt ? decide_exactly(sites, question) : decision;
+}
+
 /// The answer to a question of polynomials.hpp behind a filter that takes the sites one by one. In
 /// an environment in which the filter declined it is asked again in the default one.
 template <class Filter, class Question, class... Sites>
 [[nodiscard]] Decision decide(Stages stages, Filter filter, Question question,
                               const Sites&... sites) noexcept {
     const std::array array{sites...};
-    if (stages == Stages::multiprecision)
-        return at(Stage::multiprecision, question(rational_discs(array)));
-    if (stages == Stages::naive) return at(Stage::filter, question(rounded_discs(array)));
-    if (!filters::environment_is_default()) {
-        const filters::Verdict verdict = exact::in_ieee_environment(filter, sites...);
-        if (verdict.is_certain()) return {verdict.sign(), Stage::filter};
+    switch (stages) {
+        case Stages::multiprecision:
+            return at(Stage::multiprecision, question(rational_discs(array)));
+        case Stages::naive:
+            return at(Stage::filter, question(rounded_discs<double>(array)));
+        case Stages::single:
+            return at(Stage::filter, question(rounded_discs<float>(array)));
+        case Stages::interval:
+            return decide_in_intervals(array, question);
+        case Stages::exact:
+            if (!filters::environment_is_default()) {
+                const filters::Verdict verdict = exact::in_ieee_environment(filter, sites...);
+                if (verdict.is_certain()) return {verdict.sign(), Stage::filter};
+            }
+            break;
+        case Stages::sum:
+            break;
     }
     return decide_exactly(array, question);
+}
+
+/// The sign of a number that has no filter of its own: rounded(Number()) where the stages round,
+/// exactly() otherwise.
+template <class Rounded, class Exactly>
+[[nodiscard]] Decision decide_number(Stages stages, Rounded rounded, Exactly exactly) noexcept {
+    if (stages == Stages::naive) return {sign_of(rounded(double())), Stage::filter};
+    if (stages == Stages::single) return {sign_of(rounded(float())), Stage::filter};
+    if (stages == Stages::interval) {
+        const filters::Interval number = rounded(filters::Interval());
+        if (filters::exceeds(number, 0.0)) return {filters::sign_of_nonzero(number), Stage::filter};
+    }
+    return exactly();
 }
 
 }  // namespace
@@ -80,18 +113,30 @@ Decision in_circle_infinite(Stages stages, const Site& a, const Site& b, const S
         [&](const auto& d) { return euclidean::in_circle_infinite(d, ranks); }, a, b, q);
 }
 
-bool reaches_farther(const Site& a, const Site& b, bool a_precedes_b) noexcept {
-    const double terms[] = {a.x, a.r, -b.x, -b.r};
-    const Sign sign = sign_of_sum(terms);
-    return sign != 0 ? sign > 0 : a_precedes_b;
+Decision reaches_farther(Stages stages, const Site& a, const Site& b, bool a_precedes_b) noexcept {
+    const Decision decision = decide_number(
+        stages,
+        [&]<class Number>(Number) {
+            return (Number(a.x) + Number(a.r)) - (Number(b.x) + Number(b.r));
+        },
+        [&]() -> Decision {
+            const double terms[] = {a.x, a.r, -b.x, -b.r};
+            return {sign_of_sum(terms),
+                    stages == Stages::multiprecision ? Stage::multiprecision : Stage::exact};
+        });
+    if (decision.sign != 0) return decision;
+    return {a_precedes_b ? 1 : -1, decision.stage, true};
 }
 
 Decision turn(Stages stages, const Site& a, const Site& b, const Site& c) noexcept {
+    if (stages == Stages::exact) return ccw_decision(a, b, c);
     if (stages == Stages::multiprecision)
         return {multiprecision::ccw({a.x, a.y}, {b.x, b.y}, {c.x, c.y}), Stage::multiprecision};
-    if (stages == Stages::exact) return ccw_decision(a, b, c);
-    return {sign_of(predicates::ccw_determinant(a.x - c.x, a.y - c.y, b.x - c.x, b.y - c.y)),
-            Stage::filter};
+    return decide_number(
+        stages, [&]<class Number>(Number) { return predicates::rounded_ccw<Number>(a, b, c); },
+        [&] {
+            return predicates::ccw_exactly({a.x, a.y}, {b.x, b.y}, {c.x, c.y});
+        });
 }
 
 }  // namespace cold

@@ -23,8 +23,8 @@ namespace signum::euclidean {
 
 using additive::Stages;
 
-/// What stands behind the filters: with Stages::exact in exact arithmetic, with the others in
-/// theirs alone. Signs, preconditions and ranks are those of the functions of Perturbed.
+/// What stands behind the filters: with Stages::exact in exact arithmetic, with the others all
+/// that they have. Signs, preconditions and ranks are those of the functions of Perturbed.
 namespace cold {
 
 template <std::size_t n>
@@ -49,8 +49,9 @@ using Ranks = std::array<Index, n>;
                                                                 const Ranks<3>& ranks) noexcept;
 /// Whether a reaches farther in the direction of rising x than b, of which it is no equal in the
 /// tie rule's order.
-[[nodiscard, gnu::cold, gnu::pure]] bool reaches_farther(const Site& a, const Site& b,
-                                                         bool a_precedes_b) noexcept;
+[[nodiscard, gnu::cold, gnu::pure]] Decision reaches_farther(Stages stages, const Site& a,
+                                                             const Site& b,
+                                                             bool a_precedes_b) noexcept;
 [[nodiscard, gnu::cold, gnu::pure]] Decision turn(Stages stages, const Site& a, const Site& b,
                                                   const Site& c) noexcept;
 
@@ -101,8 +102,8 @@ struct Perturbed {
             if (verdict.is_certain()) [[likely]]
                 return {verdict.sign(), Stage::filter};
         }
-        if constexpr (stages == Stages::naive) {
-            const Sign sign = filter::rounded::exists_twice(i, j, q);
+        if constexpr (!is_exact(stages)) {
+            const Sign sign = filter::rounded::exists_twice<Number>(i, j, q);
             if (sign != 0) return {sign, Stage::filter};
         }
         return cold::exists_twice(stages, i, j, q, ranks);
@@ -134,8 +135,8 @@ struct Perturbed {
             if (verdict.is_certain()) [[likely]]
                 return {verdict.sign(), Stage::filter};
         }
-        if constexpr (stages == Stages::naive) {
-            const Sign sign = filter::rounded::in_circle(i, j, k, q);
+        if constexpr (!is_exact(stages)) {
+            const Sign sign = filter::rounded::in_circle<Number>(i, j, k, q);
             if (sign != 0) return {sign, Stage::filter};
         }
         return cold::in_circle(stages, i, j, k, q, ranks);
@@ -165,8 +166,8 @@ struct Perturbed {
             if (verdict.is_certain()) [[likely]]
                 return {verdict.sign(), Stage::filter};
         }
-        if constexpr (stages == Stages::naive) {
-            const Sign sign = filter::rounded::in_circle_infinite(a, b, q);
+        if constexpr (!is_exact(stages)) {
+            const Sign sign = filter::rounded::in_circle_infinite<Number>(a, b, q);
             if (sign != 0) return {sign, Stage::filter};
         }
         return cold::in_circle_infinite(stages, a, b, q, ranks);
@@ -201,18 +202,21 @@ struct Perturbed {
     /// are two such parts, it comes between the middle of k's arc and the middle of l's.
     [[nodiscard]] static Decision holds_first_direction(
         const Site& k, const Site& s, const Site& l, const std::array<Index, 3>& ranks) noexcept {
-        constexpr Stage stage =
-            stages == Stages::multiprecision ? Stage::multiprecision : Stage::exact;
-        if (cold::reaches_farther(k, s, ranks[0] < ranks[1]) ||
-            cold::reaches_farther(l, s, ranks[2] < ranks[1]))
+        Stage stage = Stage::filter;
+        const auto is_positive = [&stage](const Decision& decision) {
+            if (stage < decision.stage) stage = decision.stage;
+            return decision.sign > 0;
+        };
+        if (is_positive(cold::reaches_farther(stages, k, s, ranks[0] < ranks[1])) ||
+            is_positive(cold::reaches_farther(stages, l, s, ranks[2] < ranks[1])))
             return {-1, stage};
         if (ranks[0] == ranks[2] ||
-            in_circle_infinite(s, k, l, {ranks[1], ranks[0], ranks[2]}).sign > 0 ||
-            in_circle_infinite(l, s, k, {ranks[2], ranks[1], ranks[0]}).sign > 0)
+            is_positive(in_circle_infinite(s, k, l, {ranks[1], ranks[0], ranks[2]})) ||
+            is_positive(in_circle_infinite(l, s, k, {ranks[2], ranks[1], ranks[0]})))
             return {1, stage};
         const Sign sum = filters::compare_numbers(s.y, k.y) + filters::compare_numbers(l.y, s.y);
-        if (sum != 0) return {sum > 0 ? 1 : -1, stage};
-        return {turn(s, l, k).sign > 0 ? 1 : -1, stage};
+        const bool holds = sum != 0 ? sum > 0 : is_positive(turn(s, l, k));
+        return {holds ? 1 : -1, stage};
     }
 
     /// How far the point p is from m, for additive::nearer.
@@ -228,8 +232,8 @@ struct Perturbed {
             if (verdict.is_certain()) [[likely]]
                 return {verdict.sign(), Stage::filter};
         }
-        if constexpr (stages == Stages::naive) {
-            const Sign sign = filter::rounded::nearer(p, a, b);
+        if constexpr (!is_exact(stages)) {
+            const Sign sign = filter::rounded::nearer<Number>(p, a, b);
             if (sign != 0) return {sign, Stage::filter};
         }
         return cold::nearer(stages, p, a, b, ranks);
@@ -237,6 +241,7 @@ struct Perturbed {
 
  private:
     static constexpr bool is_filtered = stages == Stages::exact;
+    using Number = predicates::NumberOf<stages>;
 
     /// Of equal radii only equal sites hide one another, and the circle exists where ccw > 0.
     [[nodiscard]] static Decision in_circle_of_points(const Site& i, const Site& j, const Site& k,

@@ -37,20 +37,22 @@ using filters::magnitude;
 using filters::Verdict;
 
 /// A site relative to another.
-struct Difference {
-    double x;
-    double y;
-    double r;
-    double l;
-    double p;
+template <class Number>
+struct DifferenceOf {
+    Number x;
+    Number y;
+    Number r;
+    Number l;
+    Number p;
 
-    Difference(const Site& m, const Site& i) noexcept
-        : x(m.x - i.x),
-          y(m.y - i.y),
-          r(m.r - i.r),
+    DifferenceOf(const Site& m, const Site& i) noexcept
+        : x(Number(m.x) - Number(i.x)),
+          y(Number(m.y) - Number(i.y)),
+          r(Number(m.r) - Number(i.r)),
           l(magnitude(x) + magnitude(y) + magnitude(r)),
           p((x * x + y * y) - r * r) {}
 };
+using Difference = DifferenceOf<double>;
 
 template <class... Size>
 [[nodiscard]] inline bool in_window(double first, Size... others) noexcept {
@@ -70,6 +72,13 @@ template <class... Size>
     return _mm_cvtsd_f64(_mm_sqrt_sd(number, number));
 #else
     return __builtin_sqrt(value);
+#endif
+}
+[[nodiscard]] inline float square_root(float value) noexcept {
+#if defined(__SSE2__)
+    return _mm_cvtss_f32(_mm_sqrt_ss(_mm_set_ss(value)));
+#else
+    return __builtin_sqrtf(value);
 #endif
 }
 
@@ -102,17 +111,18 @@ static_assert((middle * q - middle * q).roundings == 25);
 }  // namespace count
 
 /// What i, j, k alone decide.
-struct Triple {
-    Difference j;
-    Difference k;
-    Difference jk;
-    double xy;
-    double xr;
-    double yr;
-    double q;
-    double l_jk;  // l_j l_k
+template <class Number>
+struct TripleOf {
+    DifferenceOf<Number> j;
+    DifferenceOf<Number> k;
+    DifferenceOf<Number> jk;
+    Number xy;
+    Number xr;
+    Number yr;
+    Number q;
+    Number l_jk;  // l_j l_k
 
-    Triple(const Site& i, const Site& site_j, const Site& site_k) noexcept
+    TripleOf(const Site& i, const Site& site_j, const Site& site_k) noexcept
         : j(site_j, i),
           k(site_k, i),
           jk(site_k, site_j),
@@ -123,9 +133,9 @@ struct Triple {
           l_jk(j.l * k.l) {}
 
     [[nodiscard]] bool in_window() const noexcept { return filter::in_window(j.l, k.l, jk.l); }
-    [[nodiscard]] double xp() const noexcept { return j.x * k.p - j.p * k.x; }
-    [[nodiscard]] double yp() const noexcept { return j.y * k.p - j.p * k.y; }
-    [[nodiscard]] double rp() const noexcept { return j.r * k.p - j.p * k.r; }
+    [[nodiscard]] Number xp() const noexcept { return j.x * k.p - j.p * k.x; }
+    [[nodiscard]] Number yp() const noexcept { return j.y * k.p - j.p * k.y; }
+    [[nodiscard]] Number rp() const noexcept { return j.r * k.p - j.p * k.r; }
 
     /// Whether no site hides another: +1 or -1.
     [[nodiscard]] Verdict apart() const noexcept;
@@ -139,15 +149,17 @@ struct Triple {
         return sign(q, 13 * epsilon * (l_jk * l_jk));
     }
 };
+using Triple = TripleOf<double>;
 
 /// The sign of p, of 5 roundings of at most l².
 [[nodiscard]] inline Verdict sign_of_power(const Difference& m) noexcept {
     return sign(m.p, 7 * epsilon * (m.l * m.l));
 }
 
-inline Verdict Triple::apart() const noexcept {
+template <class Number>
+inline Verdict TripleOf<Number>::apart() const noexcept {
     Verdict result = Verdict::certain(1);
-    for (const Difference* m : {&j, &k, &jk}) {
+    for (const DifferenceOf<Number>* m : {&j, &k, &jk}) {
         const Verdict of_power = sign_of_power(*m);
         if (!of_power.is_certain()) [[unlikely]]
             return of_power;
@@ -234,22 +246,24 @@ inline Verdict Triple::apart() const noexcept {
 
 /// A - L √Γ, where A is put in the order of q's row:
 ///     A = x_q (E_xy E_yp - E_xr E_rp) - y_q (E_xy E_xp + E_yr E_rp) + r_q [2ab] - p_q Q.
-struct Conflict {
-    double l;
-    double root;
-    double difference;
+template <class Number>
+struct ConflictOf {
+    Number l;
+    Number root;
+    Number difference;
 
     /// For the row of q relative to i.
-    Conflict(const Triple& t, const Difference& c) noexcept
+    ConflictOf(const TripleOf<Number>& t, const DifferenceOf<Number>& c) noexcept
         : l((c.x * t.yr - c.y * t.xr) + c.r * t.xy), root(square_root(t.j.p * t.k.p * t.jk.p)) {
-        const double xp = t.xp();
-        const double yp = t.yp();
-        const double rp = t.rp();
-        const double a = (c.x * (t.xy * yp - t.xr * rp) - c.y * (t.xy * xp + t.yr * rp)) +
+        const Number xp = t.xp();
+        const Number yp = t.yp();
+        const Number rp = t.rp();
+        const Number a = (c.x * (t.xy * yp - t.xr * rp) - c.y * (t.xy * xp + t.yr * rp)) +
                          (c.r * (xp * t.xr + yp * t.yr) - c.p * t.q);
         difference = a - l * root;
     }
 };
+using Conflict = ConflictOf<double>;
 
 /// The sign of Q (A - L √Γ). The magnitude of A is at most m = l_q (l_j l_k)² (l_j + l_k + l_q),
 /// that of L at most t = l_j l_k l_q, that of Γ at most g² for g = l_j l_k l_jk. The errors:
@@ -297,17 +311,19 @@ struct Conflict {
 }
 
 /// T - √p X with T = z|u|² - s u·w and X = u x w.
-struct InfiniteConflict {
-    double root;
-    double cross;
-    double difference;
+template <class Number>
+struct InfiniteConflictOf {
+    Number root;
+    Number cross;
+    Number difference;
 
-    InfiniteConflict(const Difference& u, const Difference& w) noexcept
+    InfiniteConflictOf(const DifferenceOf<Number>& u, const DifferenceOf<Number>& w) noexcept
         : root(square_root(u.p)),
           cross(u.x * w.y - u.y * w.x),
           difference((w.r * (u.x * u.x + u.y * u.y) - u.r * (u.x * w.x + u.y * w.y)) -
                      root * cross) {}
 };
+using InfiniteConflict = InfiniteConflictOf<double>;
 
 /// The sign of T - √p X: T of 7 roundings of at most l_u² l_w, X of 4 roundings of at most l_u l_w.
 /// As above the root s of p is off by less than 8e l_u²/s, and s <= l_u(1+3e): (7 + 4 + 4)e l_u²
@@ -340,32 +356,43 @@ struct InfiniteConflict {
     return additive::nearer(distance(p, a), distance(p, b));
 }
 
-/// The signs of the same numbers with no regard for errors, for the naive kernel; 0 where it has to
-/// look closer.
+/// The signs of the same numbers with no regard for errors, for the kernels that round; 0 where
+/// they have to look closer.
 namespace rounded {
 
+template <class Number>
 [[nodiscard]] inline Sign in_circle(const Site& i, const Site& j, const Site& k,
                                     const Site& q) noexcept {
-    const Triple t(i, j, k);
-    const Sign sign = sign_of(t.q) * sign_of(Conflict(t, Difference(q, i)).difference);
+    using Difference = DifferenceOf<Number>;
+    const TripleOf<Number> t(i, j, k);
+    const Sign sign = sign_of(t.q) * sign_of(ConflictOf<Number>(t, Difference(q, i)).difference);
     if (sign > 0)
         for (const Site* m : {&i, &j, &k}) {
             const Difference row(q, *m);
-            if (row.r <= 0.0 && row.p <= 0.0) return -1;
+            if (row.r <= 0 && row.p <= 0) return -1;
         }
     return sign;
 }
 
+template <class Number>
 [[nodiscard]] inline Sign in_circle_infinite(const Site& a, const Site& b, const Site& q) noexcept {
-    return sign_of(InfiniteConflict(Difference(b, a), Difference(q, a)).difference);
+    using Difference = DifferenceOf<Number>;
+    return sign_of(InfiniteConflictOf<Number>(Difference(b, a), Difference(q, a)).difference);
 }
 
+template <class Number>
 [[nodiscard]] inline Sign exists_twice(const Site& i, const Site& j, const Site& k) noexcept {
-    return Triple(i, j, k).q < 0.0 ? -1 : 0;
+    return TripleOf<Number>(i, j, k).q < 0 ? -1 : 0;
 }
 
+template <class Number>
 [[nodiscard]] inline Sign nearer(const Point& p, const Site& a, const Site& b) noexcept {
-    return sign_of((distance(p, b).to_centre - b.r) - (distance(p, a).to_centre - a.r));
+    const auto distance = [&p](const Site& m) -> Number {
+        const Number x = Number(p.x) - Number(m.x);
+        const Number y = Number(p.y) - Number(m.y);
+        return square_root(x * x + y * y) - Number(m.r);
+    };
+    return sign_of(distance(b) - distance(a));
 }
 
 }  // namespace rounded

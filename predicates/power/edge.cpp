@@ -14,6 +14,15 @@ using filters::magnitude;
 constexpr double nearer_error = 7 * filters::epsilon;
 
 template <PowerSite S>
+[[nodiscard]] Sign expand(const Point& p, const S& a, const S& b) noexcept {
+    const auto square = [&p](const S& s) {
+        return exact::square(exact::difference(p.x, s.x)) +
+               exact::square(exact::difference(p.y, s.y));
+    };
+    return (square(b) - square(a) + cold::expansion_weight(a, b)).sign();
+}
+
+template <PowerSite S>
 [[nodiscard]] Decision decide(const Point& p, const S& a, const S& b) noexcept {
     if (!cold::in_window(p, a, b)) return {multiprecision::nearer(p, a, b), Stage::multiprecision};
     const double ax = p.x - a.x;
@@ -26,11 +35,13 @@ template <PowerSite S>
     const double difference = (b_square - a_square) + weight;
     if (magnitude(difference) > nearer_error * (a_square + b_square + magnitude(weight)))
         return {filters::sign_of_nonzero(difference), Stage::filter};
-    const auto square = [&p](const S& s) {
-        return exact::square(exact::difference(p.x, s.x)) +
-               exact::square(exact::difference(p.y, s.y));
-    };
-    return {(square(b) - square(a) + cold::expansion_weight(a, b)).sign(), Stage::exact};
+    return {expand(p, a, b), Stage::exact};
+}
+
+template <PowerSite S>
+[[nodiscard]] Decision decide_exactly(const Point& p, const S& a, const S& b) noexcept {
+    if (!cold::in_window(p, a, b)) return {multiprecision::nearer(p, a, b), Stage::multiprecision};
+    return {expand(p, a, b), Stage::exact};
 }
 
 }  // namespace
@@ -44,5 +55,13 @@ Decision nearer_decision(Point p, const Site& a, const Site& b) noexcept {
 Decision nearer_decision(Point p, const signum::Site& a, const signum::Site& b) noexcept {
     return exact::in_ieee_environment(decide<signum::Site>, p, a, b);
 }
+
+template <PowerSite S>
+Decision nearer_exactly(Point p, const S& a, const S& b) noexcept {
+    return exact::in_ieee_environment(decide_exactly<S>, p, a, b);
+}
+template Decision nearer_exactly(Point, const Point&, const Point&) noexcept;
+template Decision nearer_exactly(Point, const Site&, const Site&) noexcept;
+template Decision nearer_exactly(Point, const signum::Site&, const signum::Site&) noexcept;
 
 }  // namespace signum::power

@@ -34,9 +34,9 @@ template <class Number>
            ((k.x * k.x + k.y * k.y) - k.weight) * (i.x * j.y - j.x * i.y);
 }
 
-template <PowerSite S>
-[[nodiscard]] inline Row<double> row(const S& m, const S& q) noexcept {
-    return {m.x - q.x, m.y - q.y, weight_difference(m, q)};
+template <class Number = double, PowerSite S>
+[[nodiscard]] inline Row<Number> row(const S& m, const S& q) noexcept {
+    return {Number(m.x) - Number(q.x), Number(m.y) - Number(q.y), weight_difference<Number>(m, q)};
 }
 
 /// The error of the rounded determinant as a multiple of its magnitude: the lemma of
@@ -89,6 +89,10 @@ template <PowerSite S>
                                                             const signum::Site& j,
                                                             const signum::Site& k,
                                                             const signum::Site& q) noexcept;
+
+/// The exact stage alone, or multiprecision outside its window.
+template <PowerSite S>
+[[nodiscard]] Decision in_circle_exactly(const S& i, const S& j, const S& k, const S& q) noexcept;
 
 /// The sign of in_circle with the stage that decided.
 /// Preconditions: finite numbers, ccw(i,j,k) > 0.

@@ -31,6 +31,17 @@ template <PowerSite S>
 }
 
 template <PowerSite S>
+[[nodiscard]] Sign expand(const S& a, const S& b, const S& q) noexcept {
+    const bool along_x = a.x != b.x;
+    const Sign direction = (along_x ? a.x < b.x : a.y < b.y) ? 1 : -1;
+    const cold::ExpansionRow<S> row_a(a, q);
+    const cold::ExpansionRow<S> row_b(b, q);
+    const auto& t_a = along_x ? row_a.x : row_a.y;
+    const auto& t_b = along_x ? row_b.x : row_b.y;
+    return direction * (row_a.height * t_b - row_b.height * t_a).sign();
+}
+
+template <PowerSite S>
 [[nodiscard]] Decision decide(const S& a, const S& b, const S& q) noexcept {
     if (!cold::in_window(a, b, q))
         return {multiprecision::in_segment(a, b, q), Stage::multiprecision};
@@ -41,11 +52,14 @@ template <PowerSite S>
     const filters::Verdict verdict =
         filter<S>(row_a, row_b, along_x ? row_a.x : row_a.y, along_x ? row_b.x : row_b.y);
     if (verdict.is_certain()) return {direction * verdict.sign(), Stage::filter};
-    const cold::ExpansionRow<S> exact_a(a, q);
-    const cold::ExpansionRow<S> exact_b(b, q);
-    const auto& t_a = along_x ? exact_a.x : exact_a.y;
-    const auto& t_b = along_x ? exact_b.x : exact_b.y;
-    return {direction * (exact_a.height * t_b - exact_b.height * t_a).sign(), Stage::exact};
+    return {expand(a, b, q), Stage::exact};
+}
+
+template <PowerSite S>
+[[nodiscard]] Decision decide_exactly(const S& a, const S& b, const S& q) noexcept {
+    if (!cold::in_window(a, b, q))
+        return {multiprecision::in_segment(a, b, q), Stage::multiprecision};
+    return {expand(a, b, q), Stage::exact};
 }
 
 }  // namespace
@@ -60,5 +74,14 @@ Decision in_segment_decision(const signum::Site& a, const signum::Site& b,
                              const signum::Site& q) noexcept {
     return exact::in_ieee_environment(decide<signum::Site>, a, b, q);
 }
+
+template <PowerSite S>
+Decision in_segment_exactly(const S& a, const S& b, const S& q) noexcept {
+    return exact::in_ieee_environment(decide_exactly<S>, a, b, q);
+}
+template Decision in_segment_exactly(const Point&, const Point&, const Point&) noexcept;
+template Decision in_segment_exactly(const Site&, const Site&, const Site&) noexcept;
+template Decision in_segment_exactly(const signum::Site&, const signum::Site&,
+                                     const signum::Site&) noexcept;
 
 }  // namespace signum::power

@@ -16,16 +16,19 @@ template <class S>
 concept PowerSite =
     std::same_as<S, Point> || std::same_as<S, Site> || std::same_as<S, signum::Site>;
 
-/// w_i - w_q in doubles, with a relative error of at most three roundings.
-[[nodiscard]] inline double weight_difference(const Point&, const Point&) noexcept {
-    return 0.0;
+/// w_i - w_q, in doubles with a relative error of at most three roundings.
+template <class Number = double>
+[[nodiscard]] inline Number weight_difference(const Point&, const Point&) noexcept {
+    return Number(0.0);
 }
-[[nodiscard]] inline double weight_difference(const Site& i, const Site& q) noexcept {
-    return i.w - q.w;
+template <class Number = double>
+[[nodiscard]] inline Number weight_difference(const Site& i, const Site& q) noexcept {
+    return Number(i.w) - Number(q.w);
 }
-[[nodiscard]] inline double weight_difference(const signum::Site& i,
+template <class Number = double>
+[[nodiscard]] inline Number weight_difference(const signum::Site& i,
                                               const signum::Site& q) noexcept {
-    return (i.r - q.r) * (i.r + q.r);
+    return (Number(i.r) - Number(q.r)) * (Number(i.r) + Number(q.r));
 }
 
 /// The roundings of the costliest of the three.

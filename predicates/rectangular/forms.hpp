@@ -25,8 +25,10 @@
 #include <signum/core/sign.hpp>
 #include <signum/core/site.hpp>
 #include <signum/filters/bounds.hpp>
+#include <signum/filters/interval.hpp>
 #include <signum/filters/tally.hpp>
 #include <signum/predicates/additive.hpp>
+#include <signum/predicates/arithmetic.hpp>
 
 namespace signum::rectangular {
 
@@ -71,6 +73,12 @@ template <class Directions, Sums sums>
 /// cancel; 0 where all do.
 [[nodiscard]] Sign sign_of_infinitesimals(const Addend* first, std::size_t count) noexcept;
 
+/// g_side(m), rounded.
+template <class Directions, class Number>
+[[nodiscard]] inline Number rounded_form(const Site& m, int side) noexcept {
+    return (Number(Directions::x[side] * m.x) + Number(Directions::y[side] * m.y)) - Number(m.r);
+}
+
 /// The forms of n sites, rounded, and the comparisons that a predicate makes of them.
 ///
 /// The bound: with S the greatest |x| + |y| + |r| of the sites, a rounded form, two additions at
@@ -78,16 +86,21 @@ template <class Directions, Sums sums>
 /// and 4S, by less than (8 + 9 + 1)eS, e = 2^-52. Comparing two forms commits less; summing eight
 /// commits (16 + 35 + 1)eS. Additions underflow exactly; where one could overflow the bound is
 /// infinite.
+///
+/// Other arithmetics than doubles with a bound say themselves what they are worth: intervals, and
+/// numbers that are taken for the truth, have the bound 0; where no rounded number counts the bound
+/// is infinite.
 template <class Directions, Sums sums, std::size_t n>
 class Forms {
+    using Number = predicates::NumberOf<sums>;
+
  public:
     Forms(const std::array<const Site*, n>& sites, const std::array<Index, n>& ranks) noexcept
         : sites_(sites), ranks_(ranks) {
         double magnitude = 0.0;
         for (std::size_t m = 0; m < n; ++m) {
             const Site& site = *sites[m];
-            for (int d = 0; d < 4; ++d)
-                forms_[m][d] = (Directions::x[d] * site.x + Directions::y[d] * site.y) - site.r;
+            for (int d = 0; d < 4; ++d) forms_[m][d] = rounded_form<Directions, Number>(site, d);
             const double size = (filters::magnitude(site.x) + filters::magnitude(site.y)) +
                                 filters::magnitude(site.r);
             magnitude = magnitude < size ? size : magnitude;
@@ -97,8 +110,8 @@ class Forms {
 
     /// The sign of g_side(a) - g_side(b); never 0 for two sites.
     [[nodiscard]] Sign compare(int side, std::size_t a, std::size_t b) noexcept {
-        const double difference = forms_[a][side] - forms_[b][side];
-        if (filters::magnitude(difference) > bound_) [[likely]]
+        const Number difference = forms_[a][side] - forms_[b][side];
+        if (filters::exceeds(difference, bound_)) [[likely]]
             return filters::sign_of_nonzero(difference);
         return resolve(difference, {addend(side, a, 1), addend(side, b, -1)});
     }
@@ -108,9 +121,9 @@ class Forms {
     [[nodiscard]] Sign compare_widths(int s, std::size_t a, std::size_t b, std::size_t c,
                                       std::size_t d) noexcept {
         const int sides[4] = {s, (s + 1) & 3, (s + 2) & 3, (s + 3) & 3};
-        const double difference = (forms_[a][sides[0]] + forms_[c][sides[2]]) -
+        const Number difference = (forms_[a][sides[0]] + forms_[c][sides[2]]) -
                                   (forms_[b][sides[1]] + forms_[d][sides[3]]);
-        if (filters::magnitude(difference) > bound_) [[likely]]
+        if (filters::exceeds(difference, bound_)) [[likely]]
             return filters::sign_of_nonzero(difference);
         return resolve(difference, {addend(sides[0], a, 1), addend(sides[1], b, -1),
                                     addend(sides[2], c, 1), addend(sides[3], d, -1)});
@@ -127,14 +140,14 @@ class Forms {
     template <std::size_t count>
     [[nodiscard]] Sign sign_of_sum(const std::array<Term, count>& terms) noexcept {
         static_assert(count <= 8);
-        double sum = 0.0;
+        Number sum(0.0);
         Addend addends[count];
         for (std::size_t t = 0; t < count; ++t) {
             const Term& term = terms[t];
-            sum += term.factor * forms_[term.site][term.side];
+            sum = sum + Number(term.factor) * forms_[term.site][term.side];
             addends[t] = addend(term.side, term.site, term.factor);
         }
-        if (filters::magnitude(sum) > 3 * bound_) return filters::sign_of_nonzero(sum);
+        if (filters::exceeds(sum, 3 * bound_)) return filters::sign_of_nonzero(sum);
         return resolve(sum, addends);
     }
 
@@ -148,8 +161,8 @@ class Forms {
  private:
     [[nodiscard]] static double bound(double magnitude) noexcept {
         constexpr double everything = std::numeric_limits<double>::infinity();
-        if constexpr (sums == Sums::naive) return 0.0;
-        if constexpr (sums == Sums::multiprecision) return everything;
+        if constexpr (!is_exact(sums) || sums == Sums::interval) return 0.0;
+        if constexpr (sums == Sums::sum || sums == Sums::multiprecision) return everything;
         // Where additions may overflow, saturate or be flushed nothing is certain.
         return magnitude < 0x1p1000 && filters::environment_is_default()
                    ? 20 * filters::epsilon * magnitude
@@ -161,17 +174,17 @@ class Forms {
     }
 
     template <std::size_t count>
-    [[nodiscard, gnu::cold, gnu::noinline]] Sign resolve(double rounded,
+    [[nodiscard, gnu::cold, gnu::noinline]] Sign resolve(const Number& rounded,
                                                          const Addend (&addends)[count]) noexcept {
         Sign sign = 0;
-        if constexpr (sums == Sums::exact) {
-            stage_ = Stage::exact;
-            sign = sign_of_forms<Directions>(addends, count);
+        if constexpr (!is_exact(sums)) {
+            sign = sign_of(rounded);
         } else if constexpr (sums == Sums::multiprecision) {
             stage_ = Stage::multiprecision;
             sign = sign_of_forms_in_rationals<Directions>(addends, count);
         } else {
-            sign = sign_of(rounded);
+            stage_ = Stage::exact;
+            sign = sign_of_forms<Directions>(addends, count);
         }
         if (sign != 0) return sign;
         tied_ = true;
@@ -180,7 +193,7 @@ class Forms {
 
     std::array<const Site*, n> sites_;
     std::array<Index, n> ranks_;
-    double forms_[n][4];
+    Number forms_[n][4];
     double bound_;
     Stage stage_ = Stage::filter;
     bool tied_ = false;

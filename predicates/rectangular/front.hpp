@@ -38,17 +38,19 @@ namespace signum::rectangular {
 /// roundings more, of partial sums below the sum of all S. So it is off by less than the sum of the
 /// errors 8eS of its sites. Additions underflow exactly; near the greatest doubles nothing is
 /// certain. Where the sums are exact (sums_are_exact) there is no error.
+/// As for Forms, other arithmetics than doubles with a bound have the error 0 or an infinite one.
 template <class Directions, Sums sums>
 struct RoundedForms {
-    double g[4];
+    using Number = predicates::NumberOf<sums>;
+    Number g[4];
     double error;
 
     RoundedForms(const Site& m, bool exact) noexcept {
-        for (int d = 0; d < 4; ++d) g[d] = (Directions::x[d] * m.x + Directions::y[d] * m.y) - m.r;
+        for (int d = 0; d < 4; ++d) g[d] = rounded_form<Directions, Number>(m, d);
         constexpr double everything = std::numeric_limits<double>::infinity();
-        if constexpr (sums == Sums::multiprecision) {
+        if constexpr (sums == Sums::sum || sums == Sums::multiprecision) {
             error = everything;
-        } else if (sums == Sums::naive || exact) {
+        } else if (!is_exact(sums) || sums == Sums::interval || exact) {
             error = 0.0;
         } else {
             const double size =
@@ -66,13 +68,14 @@ struct RoundedForms {
 /// infinitesimals cancel. `exact`: the value is not rounded.
 template <class Directions, Sums sums, std::size_t count>
 [[nodiscard, gnu::cold, gnu::noinline]] Decision decide_sum(
-    double value, bool exact, const std::array<Addend, count>& addends) noexcept {
+    const predicates::NumberOf<sums>& value, bool exact,
+    const std::array<Addend, count>& addends) noexcept {
     Decision decision{0, Stage::filter};
     if constexpr (sums == Sums::multiprecision) {
         decision = {sign_of_forms_in_rationals<Directions>(addends.data(), count),
                     Stage::multiprecision};
-    } else if (sums == Sums::naive || exact) {
-        decision.sign = sign_of(value);
+    } else if (!is_exact(sums) || (sums == Sums::exact && exact)) {
+        if constexpr (sums != Sums::interval) decision.sign = sign_of(value);
     } else {
         decision = {sign_of_forms<Directions>(addends.data(), count), Stage::exact};
     }

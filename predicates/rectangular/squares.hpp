@@ -163,7 +163,7 @@ struct Perturbed {
                                             const std::array<Index, 4>& ranks) noexcept {
         Forms<Directions, sums, 4> forms({&i, &j, &k, &q}, ranks);
         const Touching square = touching(forms);
-        SIGNUM_EXPECTS(sums == Sums::naive || square.open >= 0);
+        SIGNUM_EXPECTS(!is_exact(sums) || square.open >= 0);
         forms.forget_ties();
         return forms.decide(square.open < 0 ? -1 : meets(forms, square));
     }
@@ -181,7 +181,7 @@ struct Perturbed {
                                                      const std::array<Index, 3>& ranks) noexcept {
         Forms<Directions, sums, 3> forms({&a, &b, &q}, ranks);
         const int side = quadrant(forms, 0, 1).side;
-        SIGNUM_EXPECTS(sums == Sums::naive || side >= 0);
+        SIGNUM_EXPECTS(!is_exact(sums) || side >= 0);
         if (side < 0) return forms.decide(-1);
         forms.forget_ties();
         const bool conflict =
@@ -210,7 +210,7 @@ struct Perturbed {
         Forms<Directions, sums, 4> forms({&i, &j, &q, &k}, ranks);
         const Touching of_q = touching(forms, {1, 0, 2});
         const Touching of_k = touching(forms, {1, 0, 3});
-        SIGNUM_EXPECTS(sums == Sums::naive || (of_q.open >= 0 && of_k.open >= 0));
+        SIGNUM_EXPECTS(!is_exact(sums) || (of_q.open >= 0 && of_k.open >= 0));
         if (of_q.open < 0 || of_k.open < 0) return forms.decide(-1);
         // Twice the distance from i to j to the right and to the top; radii cancel.
         using Term = typename Forms<Directions, sums, 4>::Term;
@@ -271,22 +271,36 @@ struct Perturbed {
     /// Whether the point p is nearer to a than to b: +1 or -1.
     [[nodiscard]] static Decision nearer(const Point& p, const Site& a, const Site& b,
                                          const std::array<Index, 2>& ranks) noexcept {
-        const additive::Distance to_a = distance(p, a);
-        const additive::Distance to_b = distance(p, b);
         if constexpr (sums == Sums::exact) {
-            const filters::Verdict verdict = additive::nearer(to_a, to_b);
+            const filters::Verdict verdict = additive::nearer(distance(p, a), distance(p, b));
             if (verdict.is_certain()) [[likely]]
                 return {verdict.sign(), Stage::filter};
+        } else if constexpr (!is_exact(sums) || sums == Sums::interval) {
+            const auto difference = rounded_distance(p, b) - rounded_distance(p, a);
+            if (filters::exceeds(difference, 0.0)) [[likely]]
+                return {filters::sign_of_nonzero(difference), Stage::filter};
         }
-        if constexpr (sums == Sums::naive) {
-            const Sign sign =
-                sign_of((to_b.to_centre - to_b.radius) - (to_a.to_centre - to_a.radius));
-            if (sign != 0) return {sign, Stage::filter};
-        }
-        const Sign sign = sums == Sums::naive ? 0 : compare_distances<Directions, sums>(p, a, b);
-        constexpr Stage stage = sums == Sums::multiprecision ? Stage::multiprecision : Stage::exact;
+        constexpr Sums behind = sums == Sums::multiprecision ? sums : Sums::exact;
+        constexpr Stage stage = !is_exact(sums)                ? Stage::filter
+                                : sums == Sums::multiprecision ? Stage::multiprecision
+                                                               : Stage::exact;
+        const Sign sign = is_exact(sums) ? compare_distances<Directions, behind>(p, a, b) : 0;
         if (sign != 0) return {sign, stage};
         return {ranks[0] < ranks[1] ? 1 : -1, stage, true};
+    }
+
+ private:
+    using Number = predicates::NumberOf<sums>;
+
+    /// The distance itself, in an arithmetic that rounds.
+    [[nodiscard]] static Number rounded_distance(const Point& p, const Site& m) noexcept {
+        const Number x = Number(m.x) - Number(p.x);
+        const Number y = Number(m.y) - Number(p.y);
+        const auto along = [&](int side) {
+            return filters::magnitude(Number(Directions::x[side]) * x +
+                                      Number(Directions::y[side]) * y);
+        };
+        return filters::max(along(0), along(1)) - Number(m.r);
     }
 };
 

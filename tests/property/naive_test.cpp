@@ -1,5 +1,6 @@
-// Naive arithmetic on hostile sites: it ends, with a tessellation or with BrokenStructure. What it
-// gives may be wrong, but it is a triangulation of the sphere, so that all that reads it ends too.
+// Naive and single arithmetic on hostile sites: they end, with a tessellation or with
+// BrokenStructure, by insertion and by the sweep. What they
+// give may be wrong, but it is a triangulation of the sphere, so that all that reads it ends too.
 // A construction that hangs runs into the time limit of the test.
 
 #include <signum/triangulation/triangulate.hpp>
@@ -10,6 +11,7 @@
 #include <limits>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -38,11 +40,26 @@ std::size_t at(Index i) {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double largest = std::numeric_limits<double>::max();
 
+/// The same number of floats' range: of an eighth of the exponent, and as near to others as floats
+/// are near to one another.
+double squeezed(double x) {
+    int exponent = 0;
+    const double mantissa = std::frexp(x, &exponent);
+    constexpr double most = std::numeric_limits<float>::max();
+    return std::clamp(std::ldexp(mantissa, exponent / 8), -most, most);
+}
+Sites squeezed(Sites sites) {
+    for (Site& s : sites) s = {squeezed(s.x), squeezed(s.y), squeezed(s.r)};
+    return sites;
+}
+
 class Hostile {
  public:
     static constexpr int families = 14;
 
-    explicit Hostile(std::uint64_t seed) : degenerate_(seed) {}
+    /// Of a family whose numbers are next to one another as doubles are, or floats.
+    Hostile(std::uint64_t seed, Arithmetic arithmetic)
+        : degenerate_(seed), single_(arithmetic == Arithmetic::single) {}
 
     Sites sites(int family, std::size_t count) {
         Sites result(count);
@@ -99,7 +116,8 @@ class Hostile {
                 for (Site& s : result) s = {near(0.1), near(0.1), near(0.1)};
         }
         for (Site& s : result) s = {finite(s.x), finite(s.y), finite(s.r)};
-        return result;
+        const bool fills_range = family <= 4 || family == 6 || family == 8;
+        return single_ && fills_range ? squeezed(std::move(result)) : result;
     }
 
     brute_force::Random& random() { return degenerate_.random(); }
@@ -111,6 +129,11 @@ class Hostile {
     /// The number or one of its neighbours.
     double near(double x) {
         const int where = random().below(3);
+        if (single_ && std::fabs(x) <= std::numeric_limits<float>::max()) {
+            const auto rounded = static_cast<float>(x);
+            const auto toward = static_cast<float>(where == 1 ? infinity : -infinity);
+            return where == 0 ? rounded : std::nextafter(rounded, toward);
+        }
         return where == 0 ? x : std::nextafter(x, where == 1 ? infinity : -infinity);
     }
     static double finite(double x) { return std::isfinite(x) ? x : std::copysign(largest, x); }
@@ -139,6 +162,7 @@ class Hostile {
     }
 
     Degenerate degenerate_;
+    bool single_;
 };
 
 std::string text(const Sites& sites) {
@@ -190,14 +214,21 @@ void read(const Tessellation& t, Point point) {
     if (t.sites().size() <= 5) (void)validate(t.arrays(), t.sites());
 }
 
-class Naive : public testing::TestWithParam<Metric> {
+struct Build {
+    Metric metric;
+    Arithmetic arithmetic;
+    Method method = Method::incremental;
+};
+
+class Rounded : public testing::TestWithParam<Build> {
  public:
     /// True where there is a result.
     static bool expect_end(const Sites& sites) {
         Options options;
-        options.arithmetic = Arithmetic::naive;
+        options.arithmetic = GetParam().arithmetic;
+        options.method = GetParam().method;
         try {
-            const Tessellation t = triangulate(sites, GetParam(), options);
+            const Tessellation t = triangulate(sites, GetParam().metric, options);
             expect_sphere(t);
             if (!HasFatalFailure()) read(t, {sites.front().x, sites.back().y});
             return true;
@@ -208,8 +239,8 @@ class Naive : public testing::TestWithParam<Metric> {
     }
 };
 
-TEST_P(Naive, EndsOnSmallSets) {
-    Hostile hostile(1);
+TEST_P(Rounded, EndsOnSmallSets) {
+    Hostile hostile(1, GetParam().arithmetic);
     int results = 0;
     for (int trial = 0; trial < 2000 * effort; ++trial) {
         const int family = trial % Hostile::families;
@@ -221,8 +252,8 @@ TEST_P(Naive, EndsOnSmallSets) {
     EXPECT_GT(results, 1000 * effort);
 }
 
-TEST_P(Naive, EndsOnLargeSets) {
-    Hostile hostile(2);
+TEST_P(Rounded, EndsOnLargeSets) {
+    Hostile hostile(2, GetParam().arithmetic);
     for (int trial = 0; trial < effort; ++trial)
         for (int family = 0; family < Hostile::families; ++family) {
             const Sites sites = hostile.sites(family, at(hostile.random().between(1000, 5000)));
@@ -231,9 +262,21 @@ TEST_P(Naive, EndsOnLargeSets) {
         }
 }
 
-INSTANTIATE_TEST_SUITE_P(Metrics, Naive,
-                         testing::Values(Metric::power, Metric::euclidean, Metric::manhattan,
-                                         Metric::supremum),
-                         [](const auto& info) { return std::string(name_of(info.param)); });
+std::vector<Build> builds() {
+    std::vector<Build> result;
+    for (const Arithmetic arithmetic : {Arithmetic::naive, Arithmetic::single}) {
+        for (const Metric metric :
+             {Metric::power, Metric::euclidean, Metric::manhattan, Metric::supremum})
+            result.push_back({metric, arithmetic});
+        for (const Metric metric : {Metric::manhattan, Metric::supremum})
+            result.push_back({metric, arithmetic, Method::sweep});
+    }
+    return result;
+}
+
+INSTANTIATE_TEST_SUITE_P(Builds, Rounded, testing::ValuesIn(builds()), [](const auto& info) {
+    return std::string(name_of(info.param.arithmetic)) + "_" +
+           std::string(name_of(info.param.metric)) + "_" + std::string(name_of(info.param.method));
+});
 
 }  // namespace

@@ -134,14 +134,14 @@ TEST_F(Tool, SaysWhatThisVersionDoesNotHave) {
     expect({"triangulate", sites, "--method", "flips"}, 2,
            "signum: --method flips: only the power metric is built by flips, and this is --metric "
            "euclidean; leave --method out, or add --metric power\n");
-    expect(triangulate({"--method", "flips", "--arithmetic", "naive"}), 2,
-           "signum: --method flips needs exact signs; leave --arithmetic naive out\n");
-    for (const char* arithmetic : {"single", "interval", "sum"}) {
-        expect(triangulate({"--arithmetic", arithmetic}), 2,
-               std::string("signum: --arithmetic ") + arithmetic +
-                   " is not in this version, which has exact, naive and multiprecision; add "
-                   "--arithmetic exact\n");
+    for (const std::string arithmetic : {"naive", "single", "interval", "sum", "multiprecision"}) {
+        expect(triangulate({"--method", "flips", "--arithmetic", arithmetic.c_str()}), 2,
+               "signum: --method flips has exact arithmetic alone; leave --arithmetic " +
+                   arithmetic + " out\n");
     }
+    expect(triangulate({"--arithmetic", "double"}), 2,
+           "signum: --arithmetic: 'double' is unknown; it is one of exact, naive, single, "
+           "interval, sum, multiprecision; see signum triangulate --help\n");
 }
 
 TEST_F(Tool, WritesJsonToStandardOutput) {

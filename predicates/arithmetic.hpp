@@ -1,0 +1,55 @@
+#pragma once
+/// What the predicates compute with: the one parameter of all kernels.
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <type_traits>
+
+#include <signum/core/site.hpp>
+#include <signum/filters/interval.hpp>
+
+namespace signum {
+
+/// The exact ones agree on every sign, so that all give the same tessellation.
+enum class Arithmetic : std::uint8_t {
+    exact,          ///< a filter, then ever dearer stages; see ARCHITECTURE.md
+    naive,          ///< doubles, whose word is taken for the truth
+    single,         ///< the same in floats, to which the sites are rounded first
+    interval,       ///< intervals, and where 0 is inside the exact stage at once (thesis, 4.7)
+    sum,            ///< the exact stage alone: expansions, integers or ESSA
+    multiprecision  ///< rationals alone
+};
+
+inline constexpr std::array all_arithmetics = {Arithmetic::exact,  Arithmetic::naive,
+                                               Arithmetic::single, Arithmetic::interval,
+                                               Arithmetic::sum,    Arithmetic::multiprecision};
+
+[[nodiscard]] constexpr std::string_view name_of(Arithmetic arithmetic) noexcept {
+    constexpr std::string_view names[] = {"exact",    "naive", "single",
+                                          "interval", "sum",   "multiprecision"};
+    return names[static_cast<int>(arithmetic)];
+}
+
+/// Whether no sign is ever wrong.
+[[nodiscard]] constexpr bool is_exact(Arithmetic arithmetic) noexcept {
+    return arithmetic != Arithmetic::naive && arithmetic != Arithmetic::single;
+}
+
+namespace predicates {
+
+/// What a formula is evaluated in before, or instead of, the exact stage.
+template <Arithmetic arithmetic>
+using NumberOf = std::conditional_t<
+    arithmetic == Arithmetic::single, float,
+    std::conditional_t<arithmetic == Arithmetic::interval, filters::Interval, double>>;
+
+/// The site as the arithmetic takes it. Precondition of the single one: the numbers fit in floats.
+template <Arithmetic arithmetic>
+[[nodiscard]] constexpr Site rounded(const Site& site) noexcept {
+    if constexpr (arithmetic != Arithmetic::single) return site;
+    return {static_cast<float>(site.x), static_cast<float>(site.y), static_cast<float>(site.r)};
+}
+
+}  // namespace predicates
+}  // namespace signum
