@@ -28,6 +28,13 @@ const Style& style_of(const Series& series) {
     return styles[static_cast<std::size_t>(series.style - 1) % styles.size()];
 }
 
+std::string look_of(const Series& series) {
+    return fmt::format("lc rgb \"{}\" lw 1.6 pt {} ps 0.9", style_of(series).colour,
+                       style_of(series).mark);
+}
+
+constexpr std::string_view quoted_look = "pt 12 ps 1.6 lw 2 lc rgb \"black\"";
+
 std::string in_quotes(std::string_view text) {
     std::string result = "\"";
     for (const char c : text) {
@@ -137,14 +144,11 @@ double shift_of(const Panel& panel, std::size_t series) {
     return (static_cast<double>(series) - 0.5 * (count - 1.0)) * std::min(0.12, 0.7 / count);
 }
 
-std::string panel_script(const Panel& panel, std::size_t number, bool has_legend) {
+std::string panel_script(const Panel& panel, std::size_t number) {
     std::string data;
     std::string plots;
     const auto add_plot = [&](const std::string& text) {
-        plots += (plots.empty() ? "plot " : ", \\\n     ") + text;
-    };
-    const auto title = [&](const std::string& text) {
-        return has_legend ? "title " + in_quotes(text) : std::string("notitle");
+        plots += (plots.empty() ? "plot " : ", \\\n     ") + text + " notitle";
     };
     if (panel.stacked) {
         // A part of a bar is a box from the sum of the parts below.
@@ -161,44 +165,60 @@ std::string panel_script(const Panel& panel, std::size_t number, bool has_legend
             data += "END\n";
             add_plot(
                 fmt::format("${} using 1:2:3:4:5:6 with boxxyerror fs solid 1 noborder lc rgb "
-                            "\"{}\" {}",
-                            name, style_of(panel.series[s]).colour, title(panel.series[s].title)));
+                            "\"{}\"",
+                            name, style_of(panel.series[s]).colour));
         }
     } else {
         for (std::size_t s = 0; s < panel.series.size(); ++s) {
             const Series& series = panel.series[s];
-            if (is_empty(panel, series.points)) {
-                // Keeps its place in the legend.
-                if (has_legend)
-                    add_plot(fmt::format("keyentry with points pt {} ps 0.9 lc rgb \"{}\" {}",
-                                         style_of(series).mark, style_of(series).colour,
-                                         title(series.title)));
-                continue;
-            }
+            if (is_empty(panel, series.points)) continue;
             const std::string name = fmt::format("p{}s{}", number, s);
             data += data_block(panel, name, series.points);
-            const std::string look = fmt::format("lc rgb \"{}\" lw 1.6 pt {} ps 0.9",
-                                                 style_of(series).colour, style_of(series).mark);
-            const double shift = shift_of(panel, s);
-            add_plot(fmt::format("${} using ($1+{}):2:3:4 with yerrorbars {} {}", name, shift, look,
-                                 series.joined ? "notitle" : title(series.title)));
+            add_plot(fmt::format("${} using ($1+{}):2:3:4 with yerrorbars {}", name,
+                                 shift_of(panel, s), look_of(series)));
             if (series.joined)
-                add_plot(fmt::format("${} using 1:2 with linespoints {} {}", name, look,
-                                     title(series.title)));
+                add_plot(fmt::format("${} using 1:2 with linespoints {}", name, look_of(series)));
         }
         if (!is_empty(panel, panel.quoted.points)) {
             const std::string name = fmt::format("p{}q", number);
             data += data_block(panel, name, panel.quoted.points);
-            add_plot(fmt::format("${} using 1:2 with points pt 12 ps 1.6 lw 2 lc rgb \"black\" {}",
-                                 name, title(panel.quoted.title)));
+            add_plot(fmt::format("${} using 1:2 with points {}", name, quoted_look));
         }
     }
-    if (data.empty()) {
-        // gnuplot refuses to draw nothing: a dot that does not show.
-        data = "$nothing << END\n1 1\nEND\n";
-        add_plot("$nothing with dots lc rgb \"#ff000000\" notitle");
-    }
+    if (data.empty()) add_plot("$nothing with dots lc rgb \"#ff000000\"");
     return data + axis_settings(panel) + plots + "\n";
+}
+
+/// A plot of its own below all panels, of nothing but names: gnuplot gives a legend the width of
+/// its plot.
+std::string legend_script(const Plot& plot, double height) {
+    const Panel& first = plot.panels.front();
+    std::vector<std::string> entries;
+    for (const Series& series : first.series)
+        entries.push_back(fmt::format(
+            "keyentry with {} title {}",
+            first.stacked
+                ? fmt::format("boxes fs solid 1 lc rgb \"{}\"", style_of(series).colour)
+                : fmt::format("{} {}", series.joined ? "linespoints" : "points", look_of(series)),
+            in_quotes(series.title)));
+    for (const Panel& panel : plot.panels)
+        if (!is_empty(panel, panel.quoted.points)) {
+            entries.push_back(fmt::format("keyentry with points {} title {}", quoted_look,
+                                          in_quotes(panel.quoted.title)));
+            break;
+        }
+    std::string text = fmt::format(
+        "unset border\nunset tics\nunset grid\nunset logscale\nunset arrow\nunset label\nset title "
+        "\"\"\nset xlabel \"\"\nset ylabel \"\"\nset xrange [1:10]\nset yrange [1:10]\n"
+        "set lmargin at screen 0.02\nset rmargin at screen 0.98\nset bmargin at screen 0\nset "
+        "tmargin at screen {}\n"
+        "set key on\nset key at screen 0.5,screen {} center bottom horizontal maxrows {} Left "
+        "reverse "
+        "samplen 2\n",
+        60.0 / height, 8.0 / height, entries.size() > 4 ? 2 : 1);
+    text += "plot $nothing with dots lc rgb \"#ff000000\" notitle";
+    for (const std::string& entry : entries) text += ", \\\n     " + entry;
+    return text + "\n";
 }
 
 void replace_all(std::string& text, std::string_view from, std::string_view to) {
@@ -227,9 +247,9 @@ std::string html_text(std::string_view text) {
 std::string gnuplot_script(const Plot& plot) {
     // In pixels: what a panel takes, and what lies between its frame and its neighbours.
     const bool alone = plot.columns == 1;
-    const double across = alone ? 760.0 : 440.0;
+    const double across = alone ? 860.0 : 440.0;
     const double down = alone ? 420.0 : 360.0;
-    const double legend = 64.0;
+    const double legend = 60.0;
     const auto count = static_cast<int>(plot.panels.size());
     const int rows = (count + plot.columns - 1) / plot.columns;
     const double width = across * plot.columns;
@@ -242,13 +262,8 @@ std::string gnuplot_script(const Plot& plot) {
         "set border 3\nset tics nomirror out\nset grid ytics lc rgb \"#909090\" lw 0.4 dt 3\n"
         "set xlabel offset 0,0.4\nset title offset 0,-0.3 font \",15\"\nset bars 0.6\nset "
         "multiplot\n";
-    std::size_t entries = 0;
-    if (!plot.panels.empty())
-        entries = plot.panels[0].series.size() + (plot.panels[0].quoted.points.empty() ? 0 : 1);
-    text += fmt::format(
-        "set key at screen 0.5,screen {} center bottom horizontal maxrows {} Left reverse samplen "
-        "2\n",
-        6.0 / height, entries > 5 ? 2 : 1);
+    // gnuplot refuses to draw nothing: a dot that does not show.
+    text += "set key off\n$nothing << END\n1 1\nEND\n";
     for (int i = 0; i < count; ++i) {
         const double left = across * (i % plot.columns);
         const double top = height - down * (i / plot.columns);
@@ -257,9 +272,9 @@ std::string gnuplot_script(const Plot& plot) {
             "bmargin at screen {}\n",
             (left + 84.0) / width, (left + across - 16.0) / width, (top - 44.0) / height,
             (top - down + 66.0) / height);
-        text += panel_script(plot.panels[static_cast<std::size_t>(i)], static_cast<std::size_t>(i),
-                             i == 0);
+        text += panel_script(plot.panels[static_cast<std::size_t>(i)], static_cast<std::size_t>(i));
     }
+    if (count > 0) text += legend_script(plot, height);
     return text + "unset multiplot\n";
 }
 
