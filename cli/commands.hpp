@@ -35,6 +35,7 @@ class CheckFailure : public std::runtime_error {
 /// result to standard output and throws CallError, InputError, MachineError or CheckFailure.
 void add_triangulate(CLI::App& tool);
 void add_voronoi(CLI::App& tool);
+void add_compare(CLI::App& tool);
 void add_sign(CLI::App& tool);
 void add_generate(CLI::App& tool);
 void add_validate(CLI::App& tool);

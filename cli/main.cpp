@@ -94,6 +94,7 @@ int run(int count, char** words) {
         "  signum triangulate sites.txt --metric supremum -o out.svg");
     add_triangulate(tool);
     add_voronoi(tool);
+    add_compare(tool);
     add_sign(tool);
     add_generate(tool);
     add_validate(tool);

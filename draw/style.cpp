@@ -36,6 +36,7 @@ path {{ fill: none; pointer-events: none; stroke-linecap: round; stroke-linejoin
 .tint:hover {{ fill: #f0e442; }}
 .wrong, .flipped {{ stroke: #d55e00; stroke-width: {2}; }}
 .flipped {{ stroke: #009e73; }}
+.different {{ stroke: #009e73; stroke-width: {8}; }}
 .dots, .hidden-dots {{ stroke: #000; stroke-width: {3}; }}
 .hidden-dots {{ stroke: #cc79a7; }}
 .legend .site, .legend .hidden, .legend .edge {{ stroke-width: {4}; }}
@@ -50,7 +51,7 @@ path {{ fill: none; pointer-events: none; stroke-linecap: round; stroke-linejoin
 )svg",
              Px{pens.edge}, Px{pens.cell}, Px{pens.wrong}, Px{2 * pens.dot},
              Px{std::max(pens.edge, 0.9)}, Px{std::max(pens.cell, 1.8)}, Px{pens.hatch},
-             Px{pens.hatch / 4});
+             Px{pens.hatch / 4}, Px{std::max(2 * pens.edge, 0.9)});
 }
 
 }  // namespace signum

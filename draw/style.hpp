@@ -10,7 +10,7 @@ namespace signum {
 /// In pixels: thinner where sites crowd.
 struct Pens {
     double cell;
-    double edge;   // and outlines
+    double edge;   // and outlines; different edges twice as thick
     double wrong;  // and flipped edges
     double dot;    // a radius
     double hatch;  // from line to line
@@ -20,8 +20,8 @@ struct Pens {
 };
 
 /// The classes of style are site, hidden, dot, hidden-dot for elements, and for paths cell, edge,
-/// wrong, flipped, dots, hidden-dots, border (of the cells of a diagram) and tint with tint0 to
-/// tint5.
+/// wrong, different, flipped, dots, hidden-dots, border (of the cells of a diagram) and tint with
+/// tint0 to tint5.
 void write_style(SvgText& text, const Pens& pens);
 
 }  // namespace signum

@@ -48,6 +48,7 @@ void write_svg(std::ostream& out, const Tessellation& tessellation, const SvgOpt
     write("cell", shapes.cells, cell_edges(Voronoi(tessellation), frame));
     write("edge", "tessellation", edges);
     write("flipped", "flipped edges", straight(options.flipped, tessellation, frame));
+    write("different", "different edges", straight(options.different, tessellation, frame));
     write("wrong", "wrong edges", straight(options.wrong, tessellation, frame));
     sites.write_dots(drawing);
     write_document(out,

@@ -16,9 +16,11 @@
 namespace signum {
 
 struct SvgOptions {
-    /// Edges to be drawn thick, and edges to be drawn in another colour; those to infinity are not.
-    /// They join sites of the tessellation, whatever its own edges are.
+    /// Edges to be drawn thick, and edges to be drawn in other colours, those that are different
+    /// thin; those to infinity are not. They join sites of the tessellation, whatever its own edges
+    /// are.
     std::span<const Edge> wrong = {};
+    std::span<const Edge> different = {};
     std::span<const Edge> flipped = {};
     /// Sites with an outline and a number of their own; the smaller ones become dots.
     std::size_t site_limit = 10'000;

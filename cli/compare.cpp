@@ -1,0 +1,342 @@
+/// signum compare: what another arithmetic makes of the same sites, edge by edge, and what it
+/// costs.
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <signum/draw/svg.hpp>
+#include <signum/io/output_file.hpp>
+#include <signum/io/text_writer.hpp>
+#include <signum/study/margin.hpp>
+#include <signum/study/timing.hpp>
+#include <signum/triangulation/triangulate.hpp>
+#include <signum/voronoi/compare.hpp>
+
+#include "commands.hpp"
+#include "outputs.hpp"
+#include "progress.hpp"
+#include "sites_call.hpp"
+
+namespace signum::cli {
+namespace {
+
+/// The call as it was typed; SitesCall::arithmetic is the one that is judged.
+struct Call : SitesCall {
+    std::string against = "exact";
+    std::vector<std::string> outputs;
+    double seconds = 1.0;
+    bool json = false;
+};
+
+/// What became of the sites in one arithmetic.
+struct Run {
+    Arithmetic arithmetic;
+    std::optional<Tessellation> tessellation;  ///< nothing where the structure broke
+    std::string broken;                        ///< ... and this is where
+    EdgeComparison edges = {};
+    study::Interval seconds = {};  ///< without runs where the structure broke
+
+    [[nodiscard]] double percent(std::size_t count) const {
+        return edges.edges == 0
+                   ? 0.0
+                   : 100.0 * static_cast<double>(count) / static_cast<double>(edges.edges);
+    }
+};
+
+struct Report {
+    std::array<Run, 2> runs;               ///< the one judged, and the one against it
+    std::optional<study::Interval> ratio;  ///< of times, the second to the first
+    study::Margins margins;
+
+    [[nodiscard]] const Run& judged() const { return runs[0]; }
+};
+
+class Builder {
+ public:
+    Builder(const Call& call, const InputSites& sites)
+        : call_(call), sites_(sites), metric_(metric_of(call.metric)) {}
+
+    /// Throws BrokenStructure.
+    [[nodiscard]] Tessellation build(Arithmetic arithmetic, bool count,
+                                     std::function<void(double)> progress = {}) const {
+        Options options;
+        options.arithmetic = arithmetic;
+        options.seed = call_.seed;
+        options.count = count;
+        options.progress = std::move(progress);
+        try {
+            return triangulate(strided_view(sites_.file.sites, sites_.third), metric_, options);
+        } catch (const std::invalid_argument& error) {
+            throw CallError(error.what());
+        }
+    }
+
+    /// With counters.
+    [[nodiscard]] Run run(Arithmetic arithmetic, std::function<void(double)> progress) const {
+        Run run = {arithmetic, std::nullopt, ""};
+        try {
+            run.tessellation = build(arithmetic, true, std::move(progress));
+        } catch (const BrokenStructure& error) {
+            run.broken = error.what();
+        }
+        return run;
+    }
+
+ private:
+    const Call& call_;
+    const InputSites& sites_;
+    Metric metric_;
+};
+
+/// Times of the runs that did not break, in turns.
+void measure(Report& report, const Builder& builder, double seconds) {
+    std::vector<study::Contestant> contestants;
+    std::vector<Run*> contesting;
+    for (Run& run : report.runs) {
+        if (!run.tessellation) continue;
+        contesting.push_back(&run);
+        contestants.push_back([&builder, arithmetic = run.arithmetic] {
+            return builder.build(arithmetic, false).statistics().seconds;
+        });
+    }
+    study::Budget budget;
+    budget.seconds = seconds;
+    const study::Race race = study::race(contestants, budget);
+    for (std::size_t i = 0; i < contesting.size(); ++i) contesting[i]->seconds = race.seconds[i];
+    if (contesting.size() == 2) report.ratio = race.ratios[1];
+}
+
+Report compare(const Call& call, const InputSites& sites) {
+    std::optional<Progress> bar;
+    if (!call.quiet) bar.emplace();
+    double done = 0.0;
+    const auto show = [&](double share) {
+        if (bar) bar->show((done + share) / 4.0);
+    };
+    const auto finished = [&] {
+        done += 1.0;
+        show(0.0);
+    };
+
+    const Builder builder(call, sites);
+    Report report = {
+        {Run{arithmetic_of(call.arithmetic), {}, ""}, Run{arithmetic_of(call.against), {}, ""}},
+        {},
+        {}};
+    for (Run& run : report.runs) {
+        run = builder.run(run.arithmetic, show);
+        finished();
+    }
+    std::optional<Tessellation> apart;
+    const Tessellation* canonical = nullptr;
+    for (const Run& run : report.runs)
+        if (run.arithmetic == Arithmetic::exact) canonical = &*run.tessellation;
+    if (canonical == nullptr)
+        canonical = &apart.emplace(builder.build(Arithmetic::exact, false, show));
+    for (Run& run : report.runs)
+        if (run.tessellation) run.edges = compare_edges(*run.tessellation, *canonical);
+    report.margins = study::margins_of(*canonical);
+    finished();
+    measure(report, builder, call.seconds);
+    return report;
+}
+
+// ---- words -------------------------------------------------------------------------------------
+
+/// Whether these sites need exactness, in one sentence.
+std::string answer(const Report& report) {
+    const Run& run = report.judged();
+    const std::string_view name = name_of(run.arithmetic);
+    const auto& margins = report.margins;
+    std::string near = margins.least ? fmt::format(
+                                           "; the nearest that sites come to a tie "
+                                           "without being one is {:.1e} of its terms",
+                                           *margins.least)
+                                     : "";
+    if (margins.ties > 0)
+        near += fmt::format("{} {} of {} edges are ties", margins.least ? ", and" : ";",
+                            margins.ties, margins.edges);
+    if (!run.tessellation)
+        return fmt::format("These sites need exactness: in {} arithmetic the structure broke{}.",
+                           name, near);
+    const std::size_t wrong = run.edges.wrong.size();
+    if (wrong > 0)
+        return fmt::format(
+            "These sites need exactness: {} arithmetic got {} of {} edges wrong ({:.2g} %){}.",
+            name, wrong, run.edges.edges, run.percent(wrong), near);
+    const std::size_t different = run.edges.different.size();
+    if (different > 0)
+        return fmt::format(
+            "These sites need exactness only for a result that does not depend on their order: {} "
+            "arithmetic got no edge wrong, and {} of {} otherwise than the tie rule{}.",
+            name, different, run.edges.edges, near);
+    return fmt::format("These sites do not need exactness: {} arithmetic got all {} edges right{}.",
+                       name, run.edges.edges, near);
+}
+
+void put_table(TextWriter& text, const Report& report) {
+    const auto row = [&](std::string_view title, auto cell) {
+        std::string cells[2];
+        for (std::size_t i = 0; i < 2; ++i) cells[i] = cell(report.runs[i]);
+        text.put(FMT_COMPILE("{:<24}{:>24}{:>24}\n"), title, cells[0], cells[1]);
+    };
+    const auto counter = [&](std::string_view title, std::uint64_t Statistics::*count) {
+        row(title, [&](const Run& run) {
+            return run.tessellation ? fmt::format("{}", run.tessellation->statistics().*count) : "";
+        });
+    };
+    const auto edges = [&](std::string_view title, std::vector<Edge> EdgeComparison::*kind) {
+        row(title, [&](const Run& run) {
+            if (!run.tessellation) return std::string();
+            const std::size_t count = (run.edges.*kind).size();
+            return fmt::format("{} ({:.3g} %)", count, run.percent(count));
+        });
+    };
+    row("", [](const Run& run) { return std::string(name_of(run.arithmetic)); });
+    row("seconds, median", [](const Run& run) {
+        return run.tessellation ? fmt::format("{:.3g}", run.seconds.median) : std::string("broken");
+    });
+    row("  95 % interval", [](const Run& run) {
+        return run.tessellation ? fmt::format("{:.3g} to {:.3g}", run.seconds.low, run.seconds.high)
+                                : std::string();
+    });
+    counter("ccw", &Statistics::ccw);
+    counter("in_circle", &Statistics::in_circle);
+    counter("by the filter", &Statistics::filtered);
+    counter("refined", &Statistics::refined);
+    counter("by ESSA", &Statistics::essa);
+    counter("in multiprecision", &Statistics::multiprecision);
+    counter("ties", &Statistics::ties);
+    row("edges", [](const Run& run) {
+        return run.tessellation ? fmt::format("{}", run.edges.edges) : std::string();
+    });
+    edges("wrong", &EdgeComparison::wrong);
+    edges("different", &EdgeComparison::different);
+    text.put("\n");
+    for (const Run& run : report.runs)
+        if (!run.tessellation)
+            text.put(FMT_COMPILE("{} broke: {}\n"), name_of(run.arithmetic), run.broken);
+    if (report.ratio)
+        text.put(FMT_COMPILE("{} / {} time: {:.3g} ({:.3g} to {:.3g}, {} rounds)\n"),
+                 name_of(report.runs[1].arithmetic), name_of(report.runs[0].arithmetic),
+                 report.ratio->median, report.ratio->low, report.ratio->high, report.ratio->runs);
+    text.put(FMT_COMPILE("{}\n"), answer(report));
+}
+
+// ---- JSON --------------------------------------------------------------------------------------
+
+std::string quoted_or_null(const std::string& words) {
+    return words.empty() ? "null" : fmt::format("\"{}\"", words);
+}
+
+std::string edge_counts(const Run& run) {
+    if (!run.tessellation) return "\"edges\": null, \"wrong\": null, \"different\": null";
+    return fmt::format("\"edges\": {}, \"wrong\": {}, \"different\": {}", run.edges.edges,
+                       run.edges.wrong.size(), run.edges.different.size());
+}
+
+void put_run(TextWriter& text, const Run& run) {
+    text.put(FMT_COMPILE(",\n\"{}\": {{{}, \"broken\": {}"), name_of(run.arithmetic),
+             edge_counts(run), quoted_or_null(run.broken));
+    if (run.tessellation) {
+        const Statistics& s = run.tessellation->statistics();
+        text.put(FMT_COMPILE(", \"seconds\": {}, \"seconds_low\": {}, \"seconds_high\": {}, "
+                             "\"rounds\": {}, \"ccw\": {}, \"in_circle\": {}, \"filtered\": {}, "
+                             "\"refined\": {}, \"essa\": {}, \"multiprecision\": {}, \"ties\": {}"),
+                 number_or_null(run.seconds.median), number_or_null(run.seconds.low),
+                 number_or_null(run.seconds.high), run.seconds.runs, s.ccw, s.in_circle, s.filtered,
+                 s.refined, s.essa, s.multiprecision, s.ties);
+    }
+    text.put("}");
+}
+
+void put_json(TextWriter& text, const Report& report) {
+    const Run& run = report.judged();
+    text.put(FMT_COMPILE("{{{}, \"broken\": {}, \"ratio\": {}"), edge_counts(run),
+             quoted_or_null(run.broken),
+             report.ratio ? number_or_null(report.ratio->median) : "null");
+    text.put(FMT_COMPILE(",\n\"margins\": {{\"edges\": {}, \"ties\": {}, \"least\": {}}}"),
+             report.margins.edges, report.margins.ties,
+             report.margins.least ? number_or_null(*report.margins.least) : "null");
+    text.put(FMT_COMPILE(",\n\"answer\": {}"), quoted_or_null(answer(report)));
+    for (const Run& each : report.runs) put_run(text, each);
+    text.put("}\n");
+}
+
+// ---- the call ----------------------------------------------------------------------------------
+
+void run(const Call& call) {
+    if (arithmetic_of(call.arithmetic) == arithmetic_of(call.against))
+        throw CallError(
+            fmt::format("--arithmetic and --against are both {}; name two", call.against));
+    check_outputs(call.outputs, call.input, {".svg"});
+    const InputSites sites = read_input(call);
+    // Without -o nothing is drawn; Outputs would turn to standard output.
+    std::optional<Outputs> outputs;
+    if (!call.outputs.empty()) outputs.emplace(call.outputs);
+    const Report report = compare(call, sites);
+    DescriptorStream out(1, "standard output");
+    TextWriter text(out);
+    if (call.json) {
+        put_json(text, report);
+    } else {
+        put_table(text, report);
+    }
+    text.flush();
+    out.flush();
+    if (!outputs) return;
+    const Run& judged = report.judged();
+    if (!judged.tessellation)
+        throw CheckFailure(
+            fmt::format("{} arithmetic broke the structure, so that there is "
+                        "nothing to draw; nothing is written",
+                        call.arithmetic));
+    outputs->write(
+        [&](std::ostream& picture, const std::string&) {
+            write_svg(picture, *judged.tessellation,
+                      {.wrong = judged.edges.wrong, .different = judged.edges.different});
+        },
+        ".svg");
+    if (!call.quiet) say("written  {}\n", fmt::join(call.outputs, ", "));
+}
+
+}  // namespace
+
+void add_compare(CLI::App& tool) {
+    auto call = std::make_shared<Call>();
+    call->arithmetic = name_of(Arithmetic::naive);
+    CLI::App* command = tool.add_subcommand(
+        "compare", "Says what rounded arithmetic gets wrong, and what exactness costs");
+    add_sites(*command, *call);
+    command
+        ->add_option("--arithmetic", call->arithmetic,
+                     "The one that is judged, a name that triangulate\n--arithmetic knows")
+        ->type_name("NAME")
+        ->capture_default_str();
+    command->add_option("--against", call->against, "The one whose time it is compared with")
+        ->type_name("NAME")
+        ->capture_default_str();
+    command->add_option("--seconds", call->seconds, "For the timing, three rounds at least")
+        ->check(CLI::Range(0.0, 86400.0))
+        ->type_name("T")
+        ->capture_default_str();
+    command->add_flag("--json", call->json, "The same as JSON");
+    add_output(*command, call->outputs, ".svg   the judged tessellation, wrong edges thick\n");
+    command->footer(
+        "An edge is wrong when no tessellation of the sites, however ties are decided,\n"
+        "has it, and different when it is not the canonical choice; a run that lost its\n"
+        "structure is broken.\n\n"
+        "Examples:\n"
+        "  signum compare sites.txt --metric power -o wrong.svg\n"
+        "  signum compare sites.txt --arithmetic naive --against multiprecision --json");
+    command->callback([call] { run(*call); });
+}
+
+}  // namespace signum::cli

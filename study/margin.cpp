@@ -1,0 +1,283 @@
+#include <signum/study/margin.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include <signum/exact/multiprecision.hpp>
+#include <signum/predicates/additive.hpp>
+#include <signum/predicates/euclidean.hpp>
+#include <signum/predicates/power.hpp>
+#include <signum/predicates/rectangular/squares.hpp>
+
+namespace signum::study {
+namespace {
+
+using exact::Rational;
+
+/// A determinant's absolute value and what its terms add up to.
+template <class Number>
+struct Sum {
+    Number value;
+    Number magnitude;
+};
+
+// Doubles are trusted where they leave two digits: rounding errors stay below a hundred times 2^-53
+// of the magnitude, underflow far below 2^-900.
+bool is_certain(const Sum<double>& sum) {
+    return sum.magnitude > 0x1p-800 && sum.magnitude < 0x1p1000 &&
+           sum.value > 0x1p-40 * sum.magnitude;
+}
+
+double margin(const Sum<double>& sum) {
+    return sum.value / sum.magnitude;
+}
+double margin(const Sum<Rational>& sum) {
+    return exact::round_to_double(Rational(sum.value / sum.magnitude));
+}
+
+template <class Number>
+Number number(double value) {
+    if constexpr (std::is_same_v<Number, Rational>) {
+        return exact::to_rational(value);
+    } else {
+        return value;
+    }
+}
+
+template <class Number>
+Number difference(double a, double b) {
+    return number<Number>(a) - number<Number>(b);
+}
+
+template <class Number>
+Number absolute(const Number& value) {
+    return value < 0 ? Number(-value) : value;
+}
+
+// ---- power -------------------------------------------------------------------------------------
+
+template <class Number>
+Number weight_difference(const Site& m, const Site& q, WeightIs weight_is) {
+    if (weight_is == WeightIs::weight) return difference<Number>(m.r, q.r);
+    return difference<Number>(m.r, q.r) * (number<Number>(m.r) + number<Number>(q.r));
+}
+
+template <class Number>
+Sum<Number> power_sum(const std::array<const Site*, 4>& sites, WeightIs weight_is) {
+    power::Row<Number> row[3];
+    for (std::size_t m = 0; m < 3; ++m)
+        row[m] = {difference<Number>(sites[m]->x, sites[3]->x),
+                  difference<Number>(sites[m]->y, sites[3]->y),
+                  weight_difference<Number>(*sites[m], *sites[3], weight_is)};
+    Number magnitude = 0;
+    for (std::size_t m = 0; m < 3; ++m) {
+        const auto& a = row[m];
+        const auto& b = row[(m + 1) % 3];
+        const auto& c = row[(m + 2) % 3];
+        const Number height = a.x * a.x + a.y * a.y + absolute(a.weight);
+        magnitude += height * (absolute(Number(b.x * c.y)) + absolute(Number(c.x * b.y)));
+    }
+    return {absolute(Number(power::in_circle_determinant(row[0], row[1], row[2]))), magnitude};
+}
+
+bool is_power_tie(const std::array<const Site*, 4>& sites, WeightIs weight_is) {
+    const auto& [i, j, k, q] = sites;
+    if (weight_is == WeightIs::radius) return power::in_circle_decision(*i, *j, *k, *q).sign == 0;
+    const auto weighted = [](const Site& s) { return power::Site{s.x, s.y, s.r}; };
+    return power::in_circle_decision(weighted(*i), weighted(*j), weighted(*k), weighted(*q)).sign ==
+           0;
+}
+
+// ---- Euclidean ---------------------------------------------------------------------------------
+
+/// A product, or a sum of them, and the same of absolute values.
+template <class Number>
+struct Term {
+    Number value;
+    Number magnitude;
+
+    explicit Term(Number v) : value(v), magnitude(absolute(v)) {}
+    Term(Number v, Number m) : value(std::move(v)), magnitude(std::move(m)) {}
+
+    friend Term operator*(const Term& a, const Term& b) {
+        return {Number(a.value * b.value), Number(a.magnitude * b.magnitude)};
+    }
+    friend Term operator+(const Term& a, const Term& b) {
+        return {Number(a.value + b.value), Number(a.magnitude + b.magnitude)};
+    }
+    friend Term operator-(const Term& a, const Term& b) {
+        return {Number(a.value - b.value), Number(a.magnitude + b.magnitude)};
+    }
+};
+
+/// The terms A, L and Γ of predicates/euclidean/polynomials.hpp.
+template <class Number>
+struct Apollonius {
+    Term<Number> a;
+    Term<Number> l;
+    Term<Number> gamma;
+};
+
+template <class Number>
+Apollonius<Number> apollonius(const std::array<const Site*, 4>& sites) {
+    using T = Term<Number>;
+    struct Row {
+        T x, y, r, p;
+    };
+    const auto row = [](const Site& m, const Site& from) -> Row {
+        const T x(difference<Number>(m.x, from.x));
+        const T y(difference<Number>(m.y, from.y));
+        const T r(difference<Number>(m.r, from.r));
+        return {x, y, r, (x * x + y * y) - r * r};
+    };
+    const auto& [i, site_j, site_k, site_q] = sites;
+    const Row j = row(*site_j, *i);
+    const Row k = row(*site_k, *i);
+    const Row q = row(*site_q, *i);
+    const T xy = j.x * k.y - j.y * k.x;
+    const T xr = j.x * k.r - j.r * k.x;
+    const T yr = j.y * k.r - j.r * k.y;
+    const T xp = j.x * k.p - j.p * k.x;
+    const T yp = j.y * k.p - j.p * k.y;
+    const T rp = j.r * k.p - j.p * k.r;
+    const T xyp = q.x * yp - q.y * xp + q.p * xy;
+    const T xrp = q.x * rp - q.r * xp + q.p * xr;
+    const T yrp = q.y * rp - q.r * yp + q.p * yr;
+    return {xy * xyp - xr * xrp - yr * yrp, q.x * yr - q.y * xr + q.r * xy,
+            j.p * k.p * row(*site_k, *site_j).p};
+}
+
+Sum<double> rounded_euclidean_sum(const std::array<const Site*, 4>& sites) {
+    const Apollonius<double> t = apollonius<double>(sites);
+    const double root = std::sqrt(std::max(t.gamma.value, 0.0));
+    return {std::abs(t.a.value - t.l.value * root), t.a.magnitude + t.l.magnitude * root};
+}
+
+/// Where A and L √Γ nearly cancel, their difference is (A² - L² Γ) / (A + L √Γ). In units of A's
+/// magnitude M, so that no double overflows.
+double euclidean_margin(const std::array<const Site*, 4>& sites) {
+    const Apollonius<Rational> t = apollonius<Rational>(sites);
+    const Rational& m = t.a.magnitude;
+    if (m.is_zero()) return 0.0;
+    const double a = exact::round_to_double(Rational(t.a.value / m));
+    const auto root_of = [&](const Rational& l) {
+        return std::sqrt(exact::round_to_double(Rational(l * l * t.gamma.value / (m * m))));
+    };
+    const double root = root_of(t.l.value);
+    const double whole = 1.0 + root_of(t.l.magnitude);
+    if ((t.a.value.sign() < 0) != (t.l.value.sign() < 0)) return (std::abs(a) + root) / whole;
+    const Rational resultant = t.a.value * t.a.value - t.l.value * t.l.value * t.gamma.value;
+    return exact::round_to_double(Rational(absolute(resultant) / (m * m))) /
+           ((std::abs(a) + root) * whole);
+}
+
+bool is_euclidean_tie(const std::array<const Site*, 4>& sites, const std::array<Index, 4>& ranks) {
+    const auto& [i, j, k, q] = sites;
+    return euclidean::in_circle_decision(*i, *j, *k, *q, ranks).sign == 0;
+}
+
+// ---- supremum and Manhattan --------------------------------------------------------------------
+
+/// How far q, the last of the four, stays outside the square of the others, at the side where it
+/// does so most; the magnitude is the size of all numbers that the side and q bring in.
+template <class Directions, class Number>
+Sum<Number> rectangular_sum(const std::array<const Site*, 4>& sites,
+                            const rectangular::Touching& square) {
+    const auto form = [&](int side, std::size_t m) -> Number {
+        const auto d = static_cast<std::size_t>(side);
+        const Site& s = *sites[m];
+        return number<Number>(Directions::x[d]) * number<Number>(s.x) +
+               number<Number>(Directions::y[d]) * number<Number>(s.y) - number<Number>(s.r);
+    };
+    const auto side = [&](int turn) { return (square.open + turn) & 3; };
+    const auto at = [&](int turn) { return square.site[static_cast<std::size_t>(side(turn))]; };
+    const Number pinned[4] = {form(side(1), at(1)) + form(side(3), at(3)) - form(side(2), at(2)),
+                              form(side(1), at(1)), form(side(2), at(2)), form(side(3), at(3))};
+    Number gap = pinned[0] - form(side(0), 3);
+    for (int turn = 1; turn < 4; ++turn)
+        gap = std::min(gap, Number(pinned[turn] - form(side(turn), 3)));
+    Number magnitude = 0;
+    for (const Site* s : sites)
+        magnitude += absolute(number<Number>(s->x)) + absolute(number<Number>(s->y)) +
+                     absolute(number<Number>(s->r));
+    return {absolute(gap), magnitude};
+}
+
+template <class Directions>
+double rectangular_margin(const std::array<const Site*, 4>& sites,
+                          const std::array<Index, 4>& ranks) {
+    const auto& [i, j, k, q] = sites;
+    if (rectangular::in_circle_decision<Directions>(*i, *j, *k, *q, ranks).sign == 0) return 0.0;
+    rectangular::Forms<Directions, rectangular::Sums::exact, 4> forms(sites, ranks);
+    const rectangular::Touching square = rectangular::touching(forms);
+    const auto fast = rectangular_sum<Directions, double>(sites, square);
+    return is_certain(fast) ? margin(fast)
+                            : margin(rectangular_sum<Directions, Rational>(sites, square));
+}
+
+// ------------------------------------------------------------------------------------------------
+
+/// The margin of the last of the four against the face of the others.
+double margin_of(const Tessellation& t, const std::array<Index, 4>& numbers) {
+    std::array<const Site*, 4> sites{};
+    for (std::size_t m = 0; m < 4; ++m) sites[m] = &t.sites()[static_cast<std::size_t>(numbers[m])];
+    const auto same_radius = [&] {
+        return std::all_of(sites.begin(), sites.end(),
+                           [&](const Site* s) { return s->r == sites[0]->r; });
+    };
+    // Of equal radii the Euclidean metric asks what the power metric does.
+    if (t.metric() == Metric::power || (t.metric() == Metric::euclidean && same_radius())) {
+        const auto fast = power_sum<double>(sites, t.weight_is());
+        if (is_certain(fast)) return margin(fast);
+        if (is_power_tie(sites, t.weight_is())) return 0.0;
+        return margin(power_sum<Rational>(sites, t.weight_is()));
+    }
+    const auto ranks = additive::ranks_of<4>(sites, numbers);
+    if (t.metric() == Metric::manhattan)
+        return rectangular_margin<rectangular::Manhattan>(sites, ranks);
+    if (t.metric() == Metric::supremum)
+        return rectangular_margin<rectangular::Supremum>(sites, ranks);
+    const auto fast = rounded_euclidean_sum(sites);
+    if (is_certain(fast)) return margin(fast);
+    return is_euclidean_tie(sites, ranks) ? 0.0 : euclidean_margin(sites);
+}
+
+void add(Margins& margins, double margin) {
+    ++margins.edges;
+    if (margin == 0.0) {
+        ++margins.ties;
+        return;
+    }
+    if (!margins.least || margin < *margins.least) margins.least = margin;
+    const auto last = static_cast<double>(margins.powers.size() - 1);
+    const double power = std::clamp(std::floor(-std::log10(margin)), 0.0, last);
+    ++margins.powers[static_cast<std::size_t>(power)];
+}
+
+}  // namespace
+
+Margins margins_of(const Tessellation& canonical) {
+    Margins margins;
+    const auto faces = canonical.faces();
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+        if (faces[f][0] == infinite) continue;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto g = static_cast<std::size_t>(canonical.neighbours()[f][k]);
+            if (g < f || faces[g][0] == infinite) continue;
+            // The corner of g that is not on the edge.
+            std::size_t across = 0;
+            while (canonical.neighbours()[g][across] != static_cast<Index>(f) ||
+                   faces[g][(across + 1) % 3] != faces[f][(k + 2) % 3])
+                ++across;
+            // Two sites with two edges and one site between them: nothing is asked.
+            if (std::find(faces[f].begin(), faces[f].end(), faces[g][across]) != faces[f].end())
+                continue;
+            add(margins,
+                margin_of(canonical, {faces[f][0], faces[f][1], faces[f][2], faces[g][across]}));
+        }
+    }
+    return margins;
+}
+
+}  // namespace signum::study
