@@ -55,7 +55,7 @@ class Cells {
         if (scope_.quick)
             cell.budget = {6, 15, 0.2};
         else
-            cell.budget = {6, 25, 3.0};
+            cell.budget = {6, 25, 1.5};
         cells_.push_back(std::move(cell));
     }
 

@@ -140,7 +140,7 @@ std::vector<Row> measure_construction(const Cell& cell) {
             return seconds / static_cast<double>(built);
         });
     }
-    if (racing.empty()) return rows;
+    if (racing.size() < 2) return rows;
     const Race race = study::race(racing, cell.budget);
     for (std::size_t i = 0; i < names.size(); ++i) {
         rows.push_back({cell.setting, names[i], "seconds", race.seconds[i]});
