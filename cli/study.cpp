@@ -194,8 +194,8 @@ void write_report(const fs::path& directory, const study::Account& account,
         drawn.push_back({std::move(figure), {}});
         drawn.back().svg = study::inline_svg(svg, name, drawn.back().figure.description);
     }
-    write_file(directory / "report.html",
-               study::html_report(account, drawn, study::beside_the_thesis(rows)));
+    write_file(directory / "report.html", study::html_report(account, study::wrong_picture(), drawn,
+                                                             study::beside_the_thesis(rows)));
 }
 
 void run(const Call& call) {

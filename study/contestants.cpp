@@ -5,10 +5,6 @@
 
 #include <signum/generate/generate.hpp>
 
-namespace signum {
-inline constexpr std::array<Arithmetic, 3> all_arithmetics = {Arithmetic::exact, Arithmetic::naive,
-                                                              Arithmetic::multiprecision};
-}  // namespace signum
 namespace signum::study {
 namespace {
 

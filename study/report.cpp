@@ -26,6 +26,7 @@ h2 { font-size: 1.35rem; margin-top: 3.2rem; }
 p, ul, dl, table { max-width: 44rem; }
 sup { line-height: 0; }
 figure { margin: 1.2rem 0 0; }
+img { display: block; width: 30rem; max-width: 100%; background: #fff; }
 svg { display: block; width: 100%; height: auto; }
 svg text, svg tspan { font-family: "Helvetica Neue", Arial, "Liberation Sans", sans-serif; }
 table { border-collapse: collapse; font-size: .95rem; }
@@ -91,6 +92,27 @@ std::string escaped(std::string_view text) {
     return result;
 }
 
+/// A picture as a part of the page, whose styles are its own.
+std::string data_address(std::string_view svg) {
+    std::string result = "data:image/svg+xml,";
+    for (const char c : svg) {
+        if (c == '%' || c == '#' || c == '"' || c == '<' || c == '>' || c == '\n')
+            result += fmt::format("%{:02X}", static_cast<unsigned>(c));
+        else
+            result += c;
+    }
+    return result;
+}
+
+std::string show(const Picture& picture) {
+    if (picture.svg.empty()) return {};
+    return fmt::format(
+        "<figure>\n<img src=\"{}\" alt=\"{} sites on a circle joined by edges, the wrong ones "
+        "thick\">\n<figcaption class=\"soft\">{} sites on a circle, as single precision joins "
+        "them: {} of {} edges are wrong (thick).</figcaption>\n</figure>\n",
+        data_address(picture.svg), picture.sites, picture.sites, picture.wrong, picture.edges);
+}
+
 std::string thesis_table(const std::vector<Beside>& thesis) {
     if (thesis.empty()) return {};
     std::string text =
@@ -124,10 +146,12 @@ std::string account_of(const Account& account) {
 
 }  // namespace
 
-std::string html_report(const Account& account, const std::vector<DrawnFigure>& figures,
+std::string html_report(const Account& account, const Picture& picture,
+                        const std::vector<DrawnFigure>& figures,
                         const std::vector<Beside>& thesis) {
     std::string page(head);
     page += introduction;
+    page += show(picture);
     page += thesis_table(thesis);
     for (std::size_t i = 0; i < figures.size(); ++i) {
         const Figure& figure = figures[i].figure;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <signum/study/figures.hpp>
+#include <signum/study/picture.hpp>
 
 namespace signum::study {
 
@@ -24,7 +25,7 @@ struct DrawnFigure {
     std::string svg;  ///< see inline_svg()
 };
 
-[[nodiscard]] std::string html_report(const Account& account,
+[[nodiscard]] std::string html_report(const Account& account, const Picture& picture,
                                       const std::vector<DrawnFigure>& figures,
                                       const std::vector<Beside>& thesis);
 

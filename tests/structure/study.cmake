@@ -76,7 +76,7 @@ foreach(figure IN ITEMS margin first_error wrong_by_sites wrong_by_perturbation 
     message(FATAL_ERROR "the report lacks ${figure}")
   endif()
 endforeach()
-if(page MATCHES "<script|https?://[^w]|src=")
+if(page MATCHES "<script|<link|(src|href)=[\"'](http|[a-z]+/)")
   message(FATAL_ERROR "the report is not self-contained: ${CMAKE_MATCH_0}")
 endif()
 

@@ -163,7 +163,7 @@ TEST(StudyReport, SaysWhatItIsAndWhatIsMissing) {
     account.machine = {{"processor", "A & B"}};
     account.cells = 3;
     account.planned = 5;
-    const std::string page = html_report(account, {}, {{"what", "<1", "2"}});
+    const std::string page = html_report(account, {}, {}, {{"what", "<1", "2"}});
     EXPECT_NE(page.find("3 of 5"), std::string::npos);
     EXPECT_NE(page.find("A &amp; B"), std::string::npos);
     EXPECT_NE(page.find("&lt;1"), std::string::npos);
