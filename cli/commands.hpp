@@ -39,6 +39,7 @@ void add_compare(CLI::App& tool);
 void add_sign(CLI::App& tool);
 void add_generate(CLI::App& tool);
 void add_validate(CLI::App& tool);
+void add_study(CLI::App& tool);
 
 /// Accepts these words and no others.
 CLI::Validator one_of(std::vector<std::string> words);

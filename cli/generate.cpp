@@ -1,6 +1,6 @@
 /// signum generate: sites to try things on.
 
-#include <array>
+#include <algorithm>
 #include <memory>
 #include <optional>
 
@@ -28,10 +28,8 @@ struct Call {
 };
 
 Distribution distribution_of(const std::string& name) {
-    if (name == "circle") return Distribution::circle;
-    if (name == "square") return Distribution::square;
-    if (name == "grid") return Distribution::grid;
-    return Distribution::random;
+    return *std::find_if(all_distributions.begin(), all_distributions.end(),
+                         [&](Distribution each) { return name_of(each) == name; });
 }
 
 double number_of(const std::string& option, std::string_view text) {
@@ -89,16 +87,23 @@ void run(const Call& call) {
 
 void add_generate(CLI::App& tool) {
     auto call = std::make_shared<Call>();
+    std::vector<std::string> names;
+    for (const Distribution each : all_distributions) names.emplace_back(name_of(each));
     CLI::App* command =
         tool.add_subcommand("generate", "Makes sites; the same options make the same sites");
     command
         ->add_option("DISTRIBUTION", call->distribution,
-                     "random  in the square [0, 700] x [0, 700]\n"
-                     "circle  on the largest circle in it, radius 350\n"
-                     "square  on its boundary\n"
-                     "grid    on a grid of square cells filling it")
+                     "random   in the square [0, 700] x [0, 700]\n"
+                     "circle   on the largest circle in it, radius 350\n"
+                     "square   on its boundary\n"
+                     "grid     on a grid of square cells filling it\n"
+                     "lattice  integers on circles, 192 on each, exactly\n"
+                     "rings    on circles side by side, 1000 on each\n"
+                     "offset   on a fine grid far away: sums round\n"
+                     "tangent  discs that touch circles, 192 on each,\n"
+                     "         exactly")
         ->required()
-        ->check(one_of({"random", "circle", "square", "grid"}))
+        ->check(one_of(names))
         ->type_name("");
     command->add_option("-n", call->count, "How many sites")
         ->required()

@@ -98,6 +98,7 @@ int run(int count, char** words) {
     add_sign(tool);
     add_generate(tool);
     add_validate(tool);
+    add_study(tool);
     try {
         tool.parse(count, words);
         return done;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <random>
 #include <stdexcept>
 
@@ -64,6 +65,56 @@ double grid_step(std::int64_t columns) {
     return std::floor(step / unit) * unit;
 }
 
+/// The place of a pattern among patterns that lie side by side, in patterns.
+Point place_of(std::int64_t pattern, std::int64_t columns) {
+    return {static_cast<double>(pattern % columns), static_cast<double>(pattern / columns)};
+}
+
+/// How many sites a pattern of integers has.
+constexpr std::int64_t pattern_size = 192;
+
+/// The 192 integer points with x² + y² = 5² 13 17 29 37 = 5928325.
+std::vector<Point> lattice_circle() {
+    constexpr std::int64_t square = 5928325;
+    std::vector<Point> points;
+    for (std::int64_t x = -2434; x <= 2434; ++x) {
+        const std::int64_t rest = square - x * x;
+        const auto y = static_cast<std::int64_t>(std::sqrt(static_cast<double>(rest)) + 0.5);
+        if (y * y != rest) continue;
+        const auto u = static_cast<double>(x);
+        const auto v = static_cast<double>(y);
+        points.push_back({u, v});
+        if (y != 0) points.push_back({u, -v});
+    }
+    return points;
+}
+
+/// 192 discs that touch the circle of radius 10000 around the origin from outside. With a² + b² =
+/// c² the centre (ka, kb) is kc away: the disc's radius is kc - 10000.
+std::vector<Site> tangent_discs() {
+    constexpr std::int64_t radius = 10000;
+    std::vector<Site> discs;
+    const auto add = [&](std::int64_t a, std::int64_t b, std::int64_t c) {
+        const std::int64_t k = (radius + c - 1) / c;
+        discs.push_back({static_cast<double>(k * a), static_cast<double>(k * b),
+                         static_cast<double>(k * c - radius)});
+    };
+    // Every primitive triple is m² - n², 2mn, m² + n².
+    for (std::int64_t m = 2; std::ssize(discs) < pattern_size; ++m)
+        for (std::int64_t n = 1 + m % 2; n < m && std::ssize(discs) < pattern_size; n += 2) {
+            if (std::gcd(m, n) != 1) continue;
+            const std::int64_t a = m * m - n * n;
+            const std::int64_t b = 2 * m * n;
+            const std::int64_t c = m * m + n * n;
+            for (const std::int64_t s : {1, -1})
+                for (const std::int64_t t : {1, -1}) {
+                    add(s * a, t * b, c);
+                    add(s * b, t * a, c);
+                }
+        }
+    return discs;
+}
+
 void check(const GenerateOptions& options) {
     if (options.count < 0 || options.count > max_sites) {
         throw std::invalid_argument("the number of sites is out of range");
@@ -78,40 +129,92 @@ void check(const GenerateOptions& options) {
     }
 }
 
+/// The sites of one distribution, one after the other.
+class Centres {
+ public:
+    Centres(Distribution distribution, const GenerateOptions& options)
+        : distribution_(distribution),
+          uniform_(options.seed),
+          columns_(grid_columns(options.count)),
+          step_(grid_step(columns_)) {
+        if (distribution == Distribution::lattice)
+            for (const Point& point : lattice_circle()) pattern_.push_back({point.x, point.y, 0.0});
+        if (distribution == Distribution::tangent) pattern_ = tangent_discs();
+        if (distribution == Distribution::rings) patterns_ = (options.count + 999) / 1000;
+        if (!pattern_.empty()) patterns_ = (options.count + pattern_size - 1) / pattern_size;
+        pattern_columns_ = grid_columns(patterns_);
+    }
+
+    /// The i-th site; to be asked in order.
+    Site operator()(std::int64_t i) {
+        const auto at = [](Point point) { return Site{point.x, point.y, 0.0}; };
+        switch (distribution_) {
+            case Distribution::random:
+                return at(random_point(uniform_));
+            case Distribution::circle:
+                return at(circle_point(uniform_));
+            case Distribution::square:
+                return at(square_point(uniform_));
+            case Distribution::grid:
+                return {step_ * static_cast<double>(i % columns_),
+                        step_ * static_cast<double>(i / columns_), 0.0};
+            case Distribution::offset: {
+                // From a lowest to a highest bit these coordinates take all 53.
+                constexpr double corner = 0x1.8p40;
+                return {corner + 0x1p-12 * static_cast<double>(i % columns_),
+                        corner + 0x1p-12 * static_cast<double>(i / columns_), 0.0};
+            }
+            case Distribution::rings: {
+                const Point place = place_of(i / 1000, pattern_columns_);
+                const Point point = circle_point(uniform_);
+                const auto width = static_cast<double>(pattern_columns_);
+                return {(side * place.x + point.x) / width, (side * place.y + point.y) / width,
+                        0.0};
+            }
+            case Distribution::lattice:
+            case Distribution::tangent: {
+                const Site& site = pattern_[static_cast<std::size_t>(i % pattern_size)];
+                const Point place = place_of(i / pattern_size, pattern_columns_);
+                const double pitch = distribution_ == Distribution::lattice ? 0x1p13 : 0x1p15;
+                return {pitch * place.x + site.x, pitch * place.y + site.y, site.r};
+            }
+        }
+        return {};
+    }
+
+ private:
+    Distribution distribution_;
+    Uniform uniform_;
+    std::int64_t columns_;  ///< of a grid
+    double step_;
+    std::vector<Site> pattern_;
+    std::int64_t patterns_ = 1;
+    std::int64_t pattern_columns_ = 1;
+};
+
 }  // namespace
+
+std::string_view name_of(Distribution distribution) noexcept {
+    constexpr std::string_view names[] = {"random",  "circle", "square", "grid",
+                                          "lattice", "rings",  "offset", "tangent"};
+    return names[static_cast<int>(distribution)];
+}
 
 std::vector<Site> generate(Distribution distribution, const GenerateOptions& options) {
     check(options);
     std::vector<Site> sites;
     sites.reserve(static_cast<std::size_t>(options.count));
     // Centres, radii and perturbations each have their own numbers, and so do not move one another.
-    Uniform centres(options.seed);
+    Centres centres(distribution, options);
     Uniform radii(options.seed ^ 0x9e3779b97f4a7c15U);
     Uniform perturbations(options.seed ^ 0xc2b2ae3d27d4eb4fU);
-    const std::int64_t columns = grid_columns(options.count);
-    const double step = grid_step(columns);
     for (std::int64_t i = 0; i < options.count; ++i) {
-        Point centre;
-        switch (distribution) {
-            case Distribution::random:
-                centre = random_point(centres);
-                break;
-            case Distribution::circle:
-                centre = circle_point(centres);
-                break;
-            case Distribution::square:
-                centre = square_point(centres);
-                break;
-            case Distribution::grid:
-                centre = {step * static_cast<double>(i % columns),
-                          step * static_cast<double>(i / columns)};
-                break;
-        }
+        const Site site = centres(i);
         const double dx = options.perturb * perturbations();
         const double dy = options.perturb * perturbations();
         const double width = options.radius_to - options.radius_from;
         const double radius = std::min(options.radius_from + width * radii(), options.radius_to);
-        sites.push_back({centre.x + dx, centre.y + dy, radius});
+        sites.push_back({site.x + dx, site.y + dy, site.r + radius});
     }
     return sites;
 }

@@ -14,7 +14,7 @@ set -euo pipefail
 oldest_gcc=12
 oldest_clang=14
 build=(g++ cmake ninja-build libgmp-dev libboost-dev libcli11-dev libfmt-dev nlohmann-json3-dev)
-test=("${build[@]}" libgtest-dev)
+test=("${build[@]}" libgtest-dev gnuplot-nox)
 benchmark=("${build[@]}" libbenchmark-dev)
 
 say() { printf 'signum: %s\n' "$*" >&2; }
@@ -25,6 +25,7 @@ probe() {
     g++) command -v "${CXX:-g++}" >/dev/null || command -v clang++ >/dev/null ;;
     cmake) command -v cmake >/dev/null ;;
     ninja-build) command -v ninja >/dev/null ;;
+    gnuplot-nox) command -v gnuplot >/dev/null ;;
     *) dpkg-query -W -f '${db:Status-Status}\n' "$1" 2>/dev/null | grep -qx installed ;;
   esac
 }

@@ -1,6 +1,10 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <set>
 #include <stdexcept>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -13,6 +17,13 @@ namespace {
 
 constexpr Distribution all[] = {Distribution::random, Distribution::circle, Distribution::square,
                                 Distribution::grid};
+
+/// How many different centres there are.
+std::size_t different(const std::vector<Site>& sites) {
+    std::set<std::pair<double, double>> centres;
+    for (const Site& site : sites) centres.insert({site.x, site.y});
+    return centres.size();
+}
 
 bool is_in_square(const Site& site) {
     return site.x >= 0 && site.x <= 700 && site.y >= 0 && site.y <= 700;
@@ -84,6 +95,60 @@ TEST(Generate, KeepsCentresWhenRadiiChange) {
         EXPECT_LE(large[i].r, 9);
         EXPECT_EQ(small[i].r, 0);
         EXPECT_NE(other[i].x, small[i].x);
+    }
+}
+
+TEST(Generate, HasANameForEachDistribution) {
+    std::set<std::string_view> names;
+    for (const Distribution each : all_distributions) {
+        names.insert(name_of(each));
+        EXPECT_EQ(generate(each, {.count = 0}).size(), 0U);
+        EXPECT_EQ(generate(each, {.count = 2501}).size(), 2501U);
+    }
+    EXPECT_EQ(names.size(), all_distributions.size());
+}
+
+/// Where the first site of the pattern that holds site i would be without its pattern: a multiple
+/// of the pitch.
+double centre_of_pattern(double coordinate, double pitch) {
+    return pitch * std::floor(coordinate / pitch + 0.5);
+}
+
+TEST(Generate, LatticeIsExactlyCocircular) {
+    const std::vector<Site> sites = generate(Distribution::lattice, {.count = 2000});
+    for (const Site& site : sites) {
+        const auto x = static_cast<std::int64_t>(site.x - centre_of_pattern(site.x, 0x1p13));
+        const auto y = static_cast<std::int64_t>(site.y - centre_of_pattern(site.y, 0x1p13));
+        EXPECT_EQ(x * x + y * y, 5928325);
+    }
+    EXPECT_EQ(different(sites), 2000U);
+}
+
+TEST(Generate, TangentDiscsTouchACircle) {
+    const std::vector<Site> sites = generate(Distribution::tangent, {.count = 2000});
+    for (const Site& site : sites) {
+        const auto x = static_cast<std::int64_t>(site.x - centre_of_pattern(site.x, 0x1p15));
+        const auto y = static_cast<std::int64_t>(site.y - centre_of_pattern(site.y, 0x1p15));
+        const auto reach = static_cast<std::int64_t>(site.r) + 10000;
+        EXPECT_EQ(x * x + y * y, reach * reach);
+        EXPECT_GE(site.r, 0);
+    }
+    EXPECT_EQ(different(sites), 2000U);
+}
+
+TEST(Generate, OffsetHasExactDifferencesAndRoundedSums) {
+    const std::vector<Site> sites = generate(Distribution::offset, {.count = 100});
+    EXPECT_EQ(sites[99].x - sites[0].x, 9 * 0x1p-12);
+    EXPECT_EQ(sites[99].y - sites[0].y, 9 * 0x1p-12);
+    EXPECT_NE((sites[1].x + sites[1].y) - sites[1].y, sites[1].x);
+    EXPECT_EQ(different(sites), 100U);
+}
+
+TEST(Generate, RingsLieSideBySide) {
+    for (const Site& site : generate(Distribution::rings, {.count = 4000})) {
+        const double x = std::fmod(site.x, 350) - 175;
+        const double y = std::fmod(site.y, 350) - 175;
+        EXPECT_NEAR(std::hypot(x, y), 175, 1e-10);
     }
 }
 

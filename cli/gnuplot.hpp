@@ -1,0 +1,15 @@
+#pragma once
+/// gnuplot, which draws the figures of a study.
+
+#include <string>
+
+namespace signum::cli {
+
+/// Whether it can be started.
+bool has_gnuplot();
+
+/// What it writes to its standard output when it runs a script. Throws MachineError where it cannot
+/// be started, or fails.
+std::string run_gnuplot(const std::string& script_path);
+
+}  // namespace signum::cli

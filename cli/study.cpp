@@ -1,0 +1,295 @@
+/// signum study: all experiments from one command, and their report.
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include <signum/io/errors.hpp>
+#include <signum/io/number.hpp>
+#include <signum/io/output_file.hpp>
+#include <signum/study/figures.hpp>
+#include <signum/study/machine.hpp>
+#include <signum/study/measure.hpp>
+#include <signum/study/plan.hpp>
+#include <signum/study/report.hpp>
+
+#include "commands.hpp"
+#include "gnuplot.hpp"
+#include "progress.hpp"
+#include "sites_call.hpp"
+
+namespace signum::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The call as it was typed.
+struct Call {
+    std::string directory = "signum-study";
+    bool quick = false;
+    std::vector<std::string> metrics;
+    std::string sites;
+    double seconds = 0.0;  ///< 0: as long as it takes
+    bool fresh = false;
+    bool no_report = false;
+    bool quiet = false;
+};
+
+study::Scope scope_of(const Call& call) {
+    study::Scope scope;
+    scope.quick = call.quick;
+    if (!call.metrics.empty()) {
+        scope.metrics.clear();
+        for (const Metric metric : all_metrics)
+            if (std::count(call.metrics.begin(), call.metrics.end(), name_of(metric)) > 0)
+                scope.metrics.push_back(metric);
+    }
+    if (call.sites.empty()) return scope;
+    const std::size_t colon = call.sites.find(':');
+    const auto number = [&](const std::string& text) {
+        const Number value = parse_number(text);
+        if (value.fault != NumberFault::none || value.value < 1 || value.value > 1e9)
+            throw CallError(
+                fmt::format("--sites {}: give two numbers of sites, as in 100:10000", call.sites));
+        return static_cast<std::int64_t>(value.value);
+    };
+    scope.least_sites = number(call.sites.substr(0, colon));
+    scope.most_sites =
+        colon == std::string::npos ? scope.least_sites : number(call.sites.substr(colon + 1));
+    if (scope.least_sites > scope.most_sites)
+        throw CallError(fmt::format("--sites {}: give the smaller number first", call.sites));
+    return scope;
+}
+
+/// The command that makes the same study.
+std::string command_of(const Call& call, const study::Scope& scope) {
+    std::string command = "signum study";
+    if (call.quick) command += " --quick";
+    if (scope.metrics.size() < all_metrics.size())
+        for (const Metric metric : scope.metrics)
+            command += fmt::format(" --metric {}", name_of(metric));
+    if (!call.sites.empty()) command += " --sites " + call.sites;
+    return command;
+}
+
+/// What the results of a directory belong to; others are not mixed with them.
+std::string identity(const study::Account& account) {
+    std::string text = fmt::format(
+        "{{\"format\": \"signum.study\", \"version\": 1, \"signum\": \"{}\",\n\"command\": "
+        "\"{}\",\n"
+        "\"machine\": {{",
+        account.version, account.command);
+    for (std::size_t i = 0; i < account.machine.size(); ++i)
+        text += fmt::format("{}\"{}\": \"{}\"", i > 0 ? ", " : "", account.machine[i].first,
+                            account.machine[i].second);
+    return text + "}}";
+}
+
+std::string contents_of(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) return {};
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+void write_file(const fs::path& path, std::string_view text) {
+    OutputFile file(path.string());
+    file.stream() << text;
+    file.publish();
+}
+
+/// A directory of results: what is in it, and what comes to it, line by line.
+class Results {
+ public:
+    Results(const fs::path& directory, const std::string& identity, bool fresh) {
+        std::error_code error;
+        if (fs::exists(directory, error) && !fs::is_directory(directory, error))
+            throw CallError(
+                fmt::format("-o {}: that is a file; give a directory, which is made "
+                            "where there is none",
+                            directory.string()));
+        fs::create_directories(directory / "figures", error);
+        if (error)
+            throw MachineError(fmt::format("cannot make the directory {}: {}", directory.string(),
+                                           error.message()));
+        const fs::path table = directory / "results.csv";
+        const fs::path mark = directory / "study.json";
+        if (fresh) {
+            for (const char* name : {"results.csv", "study.json", "results.json", "report.html"})
+                fs::remove(directory / name, error);
+        }
+        const std::string old = contents_of(mark);
+        const bool is_there = fs::exists(table, error);
+        if (is_there && old != identity + "}\n")
+            throw CallError(fmt::format(
+                "{} holds the results of another study (version, options or machine differ: see "
+                "{}); --fresh starts anew there, -o names another directory",
+                directory.string(), mark.string()));
+        if (is_there) {
+            try {
+                table_ = study::read_csv(contents_of(table));
+            } catch (const std::invalid_argument& wrong) {
+                throw CallError(
+                    fmt::format("{}: {}; --fresh starts anew there", table.string(), wrong.what()));
+            }
+            fs::resize_file(table, table_.bytes, error);
+            if (error)
+                throw MachineError(
+                    fmt::format("cannot write {}: {}", table.string(), error.message()));
+        } else {
+            write_file(mark, identity + "}\n");
+        }
+        descriptor_ = ::open(table.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+        if (descriptor_ < 0)
+            throw MachineError(
+                fmt::format("cannot write {}: {}", table.string(), std::strerror(errno)));
+        stream_.emplace(descriptor_, table.string());
+        if (table_.bytes == 0) *stream_ << study::csv_header() << std::flush;
+    }
+    Results(const Results&) = delete;
+    Results& operator=(const Results&) = delete;
+    ~Results() { ::close(descriptor_); }
+
+    [[nodiscard]] const std::vector<study::Row>& rows() const { return table_.rows; }
+
+    [[nodiscard]] bool has(const study::Cell& cell) const {
+        return std::any_of(rows().begin(), rows().end(), [&](const study::Row& row) {
+            return row.quantity == study::end_of_cell && row.setting == cell.setting;
+        });
+    }
+
+    void add(const std::vector<study::Row>& rows) {
+        for (const study::Row& row : rows) {
+            *stream_ << study::csv_line(row) << std::flush;
+            table_.rows.push_back(row);
+        }
+    }
+
+ private:
+    study::Table table_;
+    int descriptor_ = -1;
+    std::optional<DescriptorStream> stream_;
+};
+
+void write_report(const fs::path& directory, const study::Account& account,
+                  const std::vector<study::Row>& rows) {
+    std::vector<study::DrawnFigure> drawn;
+    for (study::Figure& figure : study::figures(rows)) {
+        const std::string name = figure.plot.name;
+        const fs::path script = directory / "figures" / (name + ".gnuplot");
+        write_file(script, study::gnuplot_script(figure.plot));
+        const std::string svg = run_gnuplot(script.string());
+        write_file(directory / "figures" / (name + ".svg"), svg);
+        drawn.push_back({std::move(figure), {}});
+        drawn.back().svg = study::inline_svg(svg, name, drawn.back().figure.description);
+    }
+    write_file(directory / "report.html", study::html_report(account, study::wrong_picture(), drawn,
+                                                             study::beside_the_thesis(rows)));
+}
+
+void run(const Call& call) {
+    const study::Scope scope = scope_of(call);
+    const fs::path directory = call.directory;
+    const std::vector<study::Cell> cells = study::plan(scope);
+    if (cells.empty())
+        throw CallError(
+            fmt::format("--sites {}: no experiment has so many; give a wider range", call.sites));
+    study::Account account;
+    account.version = SIGNUM_VERSION;
+    account.command = command_of(call, scope);
+    account.machine = study::describe_machine();
+    account.planned = cells.size();
+    const std::string mark = identity(account);
+    Results results(directory, mark, call.fresh);
+    const bool draws = !call.no_report && has_gnuplot();
+    constexpr std::string_view missing =
+        "gnuplot is missing, so that there will be no report: install it (Debian: apt-get install "
+        "gnuplot-nox) and type the same command again, which measures nothing twice\n";
+    if (!draws && !call.no_report) say("signum: {}", missing);
+
+    double all = 0.0;
+    double done = 0.0;
+    std::vector<const study::Cell*> open;
+    for (const study::Cell& cell : cells) {
+        all += study::expected_seconds(cell);
+        if (results.has(cell))
+            done += study::expected_seconds(cell);
+        else
+            open.push_back(&cell);
+    }
+    account.cells = cells.size() - open.size();
+    if (account.cells > 0 && !call.quiet)
+        say("goes on: {} of {} experiments are there\n", account.cells, cells.size());
+    {
+        std::optional<Progress> progress;
+        if (!call.quiet) progress.emplace();
+        const auto start = std::chrono::steady_clock::now();
+        for (const study::Cell* cell : open) {
+            const double elapsed =
+                std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+            if (call.seconds > 0.0 && elapsed >= call.seconds) break;
+            if (progress) progress->show(done / all);
+            results.add(study::measure(*cell));
+            done += study::expected_seconds(*cell);
+            ++account.cells;
+        }
+    }
+    for (const study::Row& row : results.rows())
+        if (row.quantity == study::end_of_cell) account.seconds += row.value.median;
+    write_file(directory / "results.json",
+               fmt::format("{},\n\"rows\": {}}}\n", mark, study::json_array(results.rows())));
+    if (draws) write_report(directory, account, results.rows());
+    if (call.quiet) return;
+    say("study    {} of {} experiments, {:.0f} s of measuring\n", account.cells, account.planned,
+        account.seconds);
+    if (account.cells < account.planned) say("to do    the rest: the same command goes on\n");
+    say("results  {0}/results.csv, {0}/results.json\n", call.directory);
+    if (draws) say("report   {}/report.html\n", call.directory);
+}
+
+}  // namespace
+
+void add_study(CLI::App& tool) {
+    auto call = std::make_shared<Call>();
+    CLI::App* command = tool.add_subcommand(
+        "study", "Measures what accuracy costs, and what goes wrong without it: a report");
+    command
+        ->add_option("-o,--output", call->directory,
+                     "Where results.csv, results.json and\nreport.html go")
+        ->type_name("DIR")
+        ->capture_default_str();
+    command->add_flag("--quick", call->quick, "Every figure with fewer points: minutes");
+    std::vector<std::string> names;
+    for (const Metric each : all_metrics) names.emplace_back(name_of(each));
+    command->add_option("--metric", call->metrics, "These metrics alone; all without it")
+        ->check(one_of(names))
+        ->type_name("NAME ...");
+    command->add_option("--sites", call->sites, "Leaves out experiments on fewer or more sites")
+        ->type_name("A:B");
+    command
+        ->add_option("--seconds", call->seconds,
+                     "Begins nothing new after so long; the same\ncommand goes on later")
+        ->check(CLI::PositiveNumber)
+        ->type_name("N");
+    command->add_flag("--fresh", call->fresh, "Throws away the results that DIR holds");
+    command->add_flag("--no-report", call->no_report, "Numbers alone; the report needs gnuplot");
+    command->add_flag("--quiet", call->quiet, "No summary and no progress on standard error");
+    command->footer(
+        "A study that was cut off goes on where it stopped. Leave the machine alone while it "
+        "runs.\n\n"
+        "Example:\n  signum study --quick -o my-study && xdg-open my-study/report.html");
+    command->callback([call] { run(*call); });
+}
+
+}  // namespace signum::cli

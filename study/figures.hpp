@@ -1,0 +1,32 @@
+#pragma once
+/// From rows to figures: which numbers are drawn against which, and what they say in plain words.
+
+#include <string>
+#include <vector>
+
+#include <signum/study/plot.hpp>
+#include <signum/study/rows.hpp>
+
+namespace signum::study {
+
+struct Figure {
+    Plot plot;
+    std::string title;
+    std::string text;         ///< HTML
+    std::string description;  ///< for who does not see it
+};
+
+/// The figures of which there are rows, in the order in which they are to be read.
+[[nodiscard]] std::vector<Figure> figures(const std::vector<Row>& rows);
+
+/// A number of the thesis's text, and ours.
+struct Beside {
+    std::string what;
+    std::string thesis;
+    std::string here;
+};
+
+/// Those of which there are rows.
+[[nodiscard]] std::vector<Beside> beside_the_thesis(const std::vector<Row>& rows);
+
+}  // namespace signum::study

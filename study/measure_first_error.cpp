@@ -1,0 +1,54 @@
+/// From which perturbation on inexact arithmetic errs: by bisection over the powers of ten.
+
+#include <cmath>
+
+#include <signum/voronoi/compare.hpp>
+
+#include "contestants.hpp"
+#include "work.hpp"
+
+namespace signum::study {
+namespace {
+
+/// Whether the arithmetic gives a wrong edge, or breaks, on any of the sets.
+bool errs(const Cell& cell, const Options& options, int exponent) {
+    Setting setting = cell.setting;
+    setting.perturbation = std::pow(10.0, exponent);
+    const Metric metric = metric_named(setting.metric);
+    for (std::size_t seed = 1; seed <= cell.sets; ++seed) {
+        const std::vector<Site> sites = sites_of(setting, seed);
+        try {
+            const Tessellation tessellation = triangulate(sites, metric, options);
+            if (!compare_edges(tessellation, triangulate(sites, metric)).wrong.empty()) return true;
+        } catch (const BrokenStructure&) {
+            return true;
+        }
+    }
+    return false;
+}
+
+constexpr int greatest = 2;
+constexpr int least = -17;  // moves no site that is not near an axis
+
+}  // namespace
+
+std::vector<Row> measure_first_error(const Cell& cell) {
+    std::vector<Row> rows;
+    for (const std::string& name : cell.contestants) {
+        const auto options = options_named(name);
+        if (!options) continue;
+        int bad = least;
+        int good = greatest + 1;
+        if (!errs(cell, *options, bad)) good = bad;
+        while (good - bad > 1) {
+            const int middle = bad + (good - bad) / 2;
+            (errs(cell, *options, middle) ? bad : good) = middle;
+        }
+        Interval value = exactly(0.0);
+        if (good > bad) value = {std::pow(10.0, bad), std::pow(10.0, bad), std::pow(10.0, good), 1};
+        rows.push_back({cell.setting, name, "first_error", value});
+    }
+    return rows;
+}
+
+}  // namespace signum::study

@@ -1,0 +1,50 @@
+#pragma once
+/// The table of experiments: which sites, and who works on them. A study is this table, cell by
+/// cell; nothing else decides what is measured.
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <signum/study/rows.hpp>
+#include <signum/study/timing.hpp>
+#include <signum/triangulation/tessellation.hpp>
+
+namespace signum::study {
+
+/// What is done with the sites of a cell.
+enum class Work : std::uint8_t {
+    construction,  ///< contestants build the tessellation: times, wrong edges, calls by stage
+    deletion,      ///< sites go into a tessellation one by one, and come out again
+    stage_cost,    ///< what a call costs that a stage decides
+    first_error,   ///< the greatest perturbation at which inexact arithmetic errs
+    margin         ///< how near to zero the determinants come
+};
+
+struct Cell {
+    Setting setting;
+    Work work = Work::construction;
+    std::vector<std::string> contestants;  ///< names of arithmetics, or of methods
+    std::size_t sets = 1;                  ///< of sites, of seeds from 1
+    Budget budget;
+};
+
+/// What the study is asked for.
+struct Scope {
+    bool quick = false;
+    std::vector<Metric> metrics = {all_metrics.begin(), all_metrics.end()};
+    /// Cells of fewer or more sites are left out.
+    std::int64_t least_sites = 1;
+    std::int64_t most_sites = std::numeric_limits<std::int64_t>::max();
+};
+
+/// The cells in the order in which they are measured: what is cheap and new to a reader first, so
+/// that a study that is cut off has something of every figure.
+[[nodiscard]] std::vector<Cell> plan(const Scope& scope);
+
+/// Roughly how long a cell takes: for a progress bar.
+[[nodiscard]] double expected_seconds(const Cell& cell);
+
+}  // namespace signum::study

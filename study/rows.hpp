@@ -1,0 +1,55 @@
+#pragma once
+/// Results as rows: what was measured at, who was measured, and a number with its interval. A row
+/// is a line of a table, so that a study grows line by line, and goes on where it stopped.
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <signum/study/timing.hpp>
+
+namespace signum::study {
+
+/// The sites of a cell, and what is asked of them. The names are those of the command line.
+struct Setting {
+    std::string experiment;
+    std::string metric;
+    std::string distribution;
+    std::int64_t sites = 0;
+    double perturbation = 0.0;
+    double radius_from = 0.0;
+    double radius_to = 0.0;
+    friend bool operator==(const Setting&, const Setting&) = default;
+};
+
+struct Row {
+    Setting setting;
+    std::string contestant;  ///< an arithmetic, a method, a stage
+    std::string quantity;    ///< what value is; its unit where it has one
+    Interval value;
+};
+
+/// The quantity of the row that ends a cell: the seconds that it took, all in all.
+inline constexpr std::string_view end_of_cell = "cell_seconds";
+
+/// The first line of the table.
+[[nodiscard]] std::string csv_header();
+/// A row, with its end of line; numbers read back as the same doubles.
+[[nodiscard]] std::string csv_line(const Row& row);
+
+/// The cells that a table holds completely.
+struct Table {
+    std::vector<Row> rows;
+    std::size_t bytes = 0;  ///< where the last complete cell ends
+};
+
+/// Reads a table, whose end may be missing: what follows the last complete cell is left out.
+/// Throws std::invalid_argument, with the number of the line, where a whole line is no row.
+[[nodiscard]] Table read_csv(std::string_view text);
+
+/// Rows as JSON objects in an array.
+[[nodiscard]] std::string json_array(const std::vector<Row>& rows);
+
+}  // namespace signum::study

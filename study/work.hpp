@@ -1,0 +1,31 @@
+#pragma once
+/// The kinds of work of a cell, a source each. For the sources of study/.
+
+#include <chrono>
+#include <vector>
+
+#include <signum/study/plan.hpp>
+#include <signum/study/rows.hpp>
+
+namespace signum::study {
+
+[[nodiscard]] std::vector<Row> measure_construction(const Cell& cell);
+[[nodiscard]] std::vector<Row> measure_deletion(const Cell& cell);
+[[nodiscard]] std::vector<Row> measure_stage_cost(const Cell& cell);
+[[nodiscard]] std::vector<Row> measure_first_error(const Cell& cell);
+[[nodiscard]] std::vector<Row> measure_margin(const Cell& cell);
+
+/// A number that is not measured, but counted.
+[[nodiscard]] inline Interval exactly(double value) {
+    return {value, value, value, 1};
+}
+
+/// The seconds that a piece of work takes.
+template <class F>
+[[nodiscard]] double seconds_of(const F& work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace signum::study

@@ -1,0 +1,178 @@
+/// The parts of a study that can be told without a clock: its table, its plan, its plots.
+
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <signum/study/figures.hpp>
+#include <signum/study/measure.hpp>
+#include <signum/study/plan.hpp>
+#include <signum/study/plot.hpp>
+#include <signum/study/report.hpp>
+#include <signum/study/rows.hpp>
+
+namespace signum::study {
+namespace {
+
+Row row(const std::string& quantity, double value) {
+    return {{"sites", "power", "circle", 100, 1e-9, 1.0, 10.0},
+            "exact",
+            quantity,
+            {value, 0.1 * value, 3.0 * value, 7}};
+}
+
+TEST(StudyRows, ReadBackAsTheyWere) {
+    const std::string text = csv_header() + csv_line(row("seconds", 0.1)) +
+                             csv_line(row(std::string(end_of_cell), 1.0 / 3.0));
+    const Table table = read_csv(text);
+    ASSERT_EQ(table.rows.size(), 2U);
+    EXPECT_EQ(table.bytes, text.size());
+    EXPECT_EQ(table.rows[0].setting, row("seconds", 0.1).setting);
+    EXPECT_EQ(table.rows[0].value.high, 3.0 * 0.1);
+    EXPECT_EQ(table.rows[1].value.median, 1.0 / 3.0);
+    EXPECT_EQ(table.rows[1].value.runs, 7U);
+    EXPECT_EQ(csv_line(table.rows[1]), csv_line(row(std::string(end_of_cell), 1.0 / 3.0)));
+}
+
+TEST(StudyRows, LeaveOutWhatIsNoCompleteCell) {
+    const std::string whole =
+        csv_header() + csv_line(row("seconds", 0.1)) + csv_line(row(std::string(end_of_cell), 1.0));
+    const std::string text = whole + csv_line(row("ratio", 2.0)) + csv_line(row("edges", 3.0));
+    // Wherever the writer was cut off, what is read is what was complete.
+    for (std::size_t size = 0; size <= text.size(); ++size) {
+        const Table table = read_csv(text.substr(0, size));
+        const bool has_cell = size >= whole.size();
+        EXPECT_EQ(table.rows.size(), has_cell ? 2U : 0U);
+        EXPECT_EQ(table.bytes, has_cell                      ? whole.size()
+                               : size >= csv_header().size() ? csv_header().size()
+                                                             : 0U);
+    }
+}
+
+TEST(StudyRows, RefuseWhatIsNone) {
+    EXPECT_THROW(static_cast<void>(read_csv("x,y\n1,2\n")), std::invalid_argument);
+    EXPECT_THROW(static_cast<void>(read_csv(csv_header() + "1,2,3\n")), std::invalid_argument);
+    EXPECT_THROW(static_cast<void>(read_csv(csv_header() + csv_line(row("a,b", 1.0)))),
+                 std::invalid_argument);
+}
+
+/// Every cell once: a resumed study knows a cell by its setting.
+void expect_distinct(const std::vector<Cell>& cells) {
+    std::set<std::string> seen;
+    for (const Cell& cell : cells)
+        EXPECT_TRUE(seen.insert(csv_line({cell.setting, "", "", {}})).second)
+            << csv_line({cell.setting, "", "", {}});
+}
+
+TEST(StudyPlan, HasEveryExperimentInBothForms) {
+    for (const bool quick : {false, true}) {
+        Scope scope;
+        scope.quick = quick;
+        const std::vector<Cell> cells = plan(scope);
+        expect_distinct(cells);
+        std::set<std::string> experiments;
+        for (const Cell& cell : cells) experiments.insert(cell.setting.experiment);
+        EXPECT_EQ(experiments,
+                  (std::set<std::string>{"margin", "first_error", "perturbation", "radii",
+                                         "kernels", "stages", "stage_cost", "flips", "flips_scaled",
+                                         "sweep", "deletion", "hard", "sites"}));
+    }
+}
+
+TEST(StudyPlan, KeepsToItsScope) {
+    Scope scope;
+    scope.metrics = {Metric::supremum};
+    scope.least_sites = 200;
+    scope.most_sites = 1000;
+    const std::vector<Cell> cells = plan(scope);
+    EXPECT_FALSE(cells.empty());
+    for (const Cell& cell : cells) {
+        EXPECT_EQ(cell.setting.metric, "supremum");
+        EXPECT_GE(cell.setting.sites, 200);
+        EXPECT_LE(cell.setting.sites, 1000);
+    }
+}
+
+/// The first row of a contestant and a quantity; fails where there is none.
+double value_of(const std::vector<Row>& rows, const std::string& contestant,
+                const std::string& quantity) {
+    for (const Row& each : rows)
+        if (each.contestant == contestant && each.quantity == quantity) return each.value.median;
+    ADD_FAILURE() << contestant << " has no " << quantity;
+    return 0.0;
+}
+
+TEST(StudyMeasure, CountsWhatSingleGetsWrong) {
+    Cell cell;
+    cell.setting = {"sites", "power", "circle", 200, 0.0, 1.0, 1.0};
+    cell.contestants = {"naive", "exact", "single"};
+    cell.sets = 2;
+    cell.budget = {1, 1, 0.0};
+    const std::vector<Row> rows = measure(cell);
+    EXPECT_EQ(value_of(rows, "exact", "wrong_percent"), 0.0);
+    EXPECT_EQ(value_of(rows, "exact", "different_percent"), 0.0);
+    EXPECT_GT(value_of(rows, "single", "wrong_percent"), value_of(rows, "naive", "wrong_percent"));
+    EXPECT_EQ(value_of(rows, "naive", "ratio"), 1.0);
+    EXPECT_GT(value_of(rows, "exact", "seconds"), 0.0);
+    EXPECT_EQ(rows.back().quantity, end_of_cell);
+}
+
+TEST(StudyMeasure, EveryKindOfWork) {
+    for (const Work work : {Work::deletion, Work::stage_cost, Work::first_error, Work::margin}) {
+        Cell cell;
+        cell.setting = {"x", "supremum", "grid", 100, 0.0, 1.0, 1.0};
+        cell.work = work;
+        cell.contestants = work == Work::deletion
+                               ? std::vector<std::string>{"build", "insert", "erase"}
+                               : std::vector<std::string>{"naive", "single"};
+        cell.budget = {1, 1, 0.0};
+        EXPECT_GE(measure(cell).size(), 2U) << static_cast<int>(work);
+    }
+}
+
+TEST(StudyPlot, ScriptHasItsDataAndEscapesItsWords) {
+    Panel panel;
+    panel.title = "a \"word\"";
+    panel.y_is_log = true;
+    panel.series = {{"first", 1, true, {{1, 2, 1.5, 2.5}, {2, 0, 0, 0}}}, {"second", 2, true, {}}};
+    const std::string script = gnuplot_script({"name", 1, {panel}});
+    EXPECT_NE(script.find("a \\\"word\\\""), std::string::npos);
+    EXPECT_NE(script.find("\n1 2 1.5 2.5\nEND\n"), std::string::npos);  // no 0 on this axis
+    EXPECT_NE(script.find("title \"second\""), std::string::npos);
+}
+
+TEST(StudyReport, TakesTheColoursOfThePage) {
+    const std::string svg = inline_svg(
+        "<?xml?>\n<svg \n viewBox=\"0 0 1 1\">\n<title>t</title>\n<desc>d</desc>\n<g "
+        "color=\"black\" "
+        "stroke=\"currentColor\"><use xlink:href='#gpPt1'/><path stroke='black'/></g></svg>",
+        "name", "what <it> shows");
+    EXPECT_TRUE(svg.starts_with("<svg"));
+    EXPECT_EQ(svg.find("black"), std::string::npos);
+    EXPECT_NE(svg.find("#name_gpPt1"), std::string::npos);
+    EXPECT_NE(svg.find("what &lt;it> shows"), std::string::npos);
+}
+
+TEST(StudyReport, SaysWhatItIsAndWhatIsMissing) {
+    Account account;
+    account.version = "1.2.3";
+    account.command = "signum study --quick";
+    account.machine = {{"processor", "A & B"}};
+    account.cells = 3;
+    account.planned = 5;
+    const std::string page = html_report(account, {}, {}, {{"what", "<1", "2"}});
+    EXPECT_NE(page.find("3 of 5"), std::string::npos);
+    EXPECT_NE(page.find("A &amp; B"), std::string::npos);
+    EXPECT_NE(page.find("&lt;1"), std::string::npos);
+    EXPECT_NE(page.find("signum study --quick"), std::string::npos);
+}
+
+TEST(StudyFigures, NeedRows) {
+    EXPECT_TRUE(figures({}).empty());
+}
+
+}  // namespace
+}  // namespace signum::study
