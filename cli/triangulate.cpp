@@ -167,7 +167,7 @@ void add_triangulate(CLI::App& tool) {
                      "sum             the exact stage alone\n"
                      "multiprecision  rationals alone\n"
                      "naive           doubles, which round\n"
-                     "single          floats, which round\n")
+                     "single          floats, which round")
         ->check(one_of({"exact", "naive", "single", "interval", "sum", "multiprecision"}))
         ->type_name("NAME")
         ->capture_default_str();
