@@ -11,7 +11,8 @@ namespace signum::study {
 /// Runs the cell; the last row is end_of_cell. Quantities:
 ///   seconds, ratio          a construction of one set; its time to the first contestant's
 ///   broken_percent          sets on which inexact arithmetic lost its way; the others count below
-///   edges, wrong_percent, different_percent     see compare_edges(); least and greatest of a set
+///   edges, wrong_percent, different_percent, wrong_or_different_percent
+///                           see compare_edges(); of all sets, the least and greatest of one
 ///   ccw, in_circle, ties, swaps, events, hidden, calls_STAGE    means over the sets
 ///   ns_per_site             deletion
 ///   ns_per_call             by stage

@@ -23,6 +23,7 @@ struct Counts {
     double different = 0.0;
     Interval wrong_percent;
     Interval different_percent;
+    Interval either_percent;
     double hidden = 0.0;
     Statistics calls;
 };
@@ -44,6 +45,7 @@ void add(Counts& counts, const Tessellation& tessellation, const EdgeComparison&
     counts.different += different;
     add_share(counts.wrong_percent, wrong, edges);
     add_share(counts.different_percent, different, edges);
+    add_share(counts.either_percent, wrong + different, edges);
     counts.hidden += static_cast<double>(tessellation.hidden().size());
     const Statistics& calls = tessellation.statistics();
     counts.calls.ccw += calls.ccw;
@@ -71,8 +73,10 @@ std::vector<Row> rows_of(const Cell& cell, const std::string& name, Counts count
     const double percent = counts.edges > 0.0 ? 100.0 / counts.edges : 0.0;
     counts.wrong_percent.median = percent * counts.wrong;
     counts.different_percent.median = percent * counts.different;
+    counts.either_percent.median = percent * (counts.wrong + counts.different);
     put("wrong_percent", counts.wrong_percent);
     put("different_percent", counts.different_percent);
+    put("wrong_or_different_percent", counts.either_percent);
     const auto put_mean = [&](const char* quantity, auto sum) {
         put(quantity, exactly(static_cast<double>(sum) / whole));
     };

@@ -51,12 +51,14 @@ bool is_drawn(const Panel& panel, const PlotPoint& point) {
 
 std::string data_block(const Panel& panel, const std::string& name,
                        const std::vector<PlotPoint>& points) {
+    // An empty line, where a point is not drawn, breaks the line that joins its neighbours.
     std::string text = fmt::format("${} << END\n", name);
-    for (const PlotPoint& point : points)
-        if (is_drawn(panel, point))
-            text +=
-                fmt::format("{} {} {} {}\n", point.x, point.y,
-                            panel.y_is_log && point.low <= 0.0 ? point.y : point.low, point.high);
+    for (const PlotPoint& point : points) {
+        const double low = panel.y_is_log && point.low <= 0.0 ? point.y : point.low;
+        text += is_drawn(panel, point)
+                    ? fmt::format("{} {} {} {}\n", point.x, point.y, low, point.high)
+                    : "\n";
+    }
     return text + "END\n";
 }
 

@@ -37,16 +37,16 @@ if(NOT error MATCHES "--fresh")
 endif()
 study(2 -o "${scratch}/results.csv")
 
-# The value of a quantity in the power metric at 1000 sites.
+# The value of a quantity in the power metric at 200 sites.
 function(value distribution contestant quantity result)
-  string(REGEX MATCH "\nsites,power,${distribution},1000,[^\n]*,${contestant},${quantity},([^,]*)," found
+  string(REGEX MATCH "\nsites,power,${distribution},200,[^\n]*,${contestant},${quantity},([^,]*)," found
          "${after}")
   if(NOT found)
     message(FATAL_ERROR "no ${quantity} of ${contestant} on ${distribution}")
   endif()
   set(${result} "${CMAKE_MATCH_1}" PARENT_SCOPE)
 endfunction()
-foreach(what IN ITEMS "interval,ratio" "single,wrong_percent")
+foreach(what IN ITEMS "exact,ratio" "single,wrong_percent")
   string(REPLACE "," ";" what "${what}")
   list(GET what 0 contestant)
   list(GET what 1 quantity)
