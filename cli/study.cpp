@@ -94,7 +94,7 @@ std::string identity(const study::Account& account) {
     for (std::size_t i = 0; i < account.machine.size(); ++i)
         text += fmt::format("{}\"{}\": \"{}\"", i > 0 ? ", " : "", account.machine[i].first,
                             account.machine[i].second);
-    return text + "}}";
+    return text + "}";
 }
 
 std::string contents_of(const fs::path& path) {

@@ -154,11 +154,11 @@ Plot pairs_of_panels(const Results& results, const Pair& pair) {
             // The thesis counts every edge that the exact result does not have.
             if (pair.quantity == "wrong_percent")
                 panel.series.push_back(
-                    {"grid, with ties decided otherwise", 8, true,
+                    {"grid with ties", 8, true,
                      results.points({pair.experiment, metric, "grid", column.contestant,
                                      "wrong_or_different_percent"},
                                     pair.where)});
-            if (metric == "power") panel.quoted = {"stated in the thesis", column.thesis};
+            if (metric == "power") panel.quoted = {"the thesis", column.thesis};
             plot.panels.push_back(std::move(panel));
         }
     return plot;
@@ -259,7 +259,8 @@ Figure wrong_by_sites(const Results& results) {
             "every square is a tie, and either of its diagonals is right. Only one is what the tie "
             "rule chooses; the thesis counts the other one as wrong, and a line of its own does so "
             "here. The bars reach from "
-            "the least to the greatest of several sets.</p>",
+            "the least to the greatest of several sets. Where arithmetic lost its way altogether, "
+            "nothing is drawn.</p>",
             "Percentage of wrong edges against sites, circle above square and grid above random"};
 }
 
@@ -482,7 +483,7 @@ Figure swaps(const Results& results) {
     panel.series.push_back(
         {"random, shrinking radii", 7, true,
          results.points({"flips_scaled", "power", "random", "flips", "swaps"}, by_sites)});
-    panel.quoted = {"stated in the thesis", {quoted(100, 4), quoted(3000, 150)}};
+    panel.quoted = {"the thesis", {quoted(100, 4), quoted(3000, 150)}};
     return {
         {"swaps", 1, {std::move(panel)}},
         "Swaps from Delaunay to power (thesis: figure 6.7.1)",
@@ -523,8 +524,7 @@ Figure sweep(const Results& results) {
         panel.series.push_back(
             {"random, inserted", 7, true,
              results.points({"sweep", metric, "random", "incremental", "seconds"}, by_sites)});
-        panel.quoted = {"stated in the thesis",
-                        {quoted(1000, 1), quoted(10000, 34), quoted(10000, 27)}};
+        panel.quoted = {"the thesis", {quoted(1000, 1), quoted(10000, 34), quoted(10000, 27)}};
         plot.panels.push_back(std::move(panel));
     }
     return {

@@ -118,7 +118,7 @@ std::vector<Cell> plan(const Scope& scope) {
     // Who decides, and what that costs.
     for (const Metric metric : scope.metrics)
         for (const Distribution distribution : all_distributions)
-            for (const std::int64_t sites : pick({10000}, {10000, 100000}))
+            for (const std::int64_t sites : pick({2000}, {10000, 100000}))
                 cells.add("stages", Work::construction, metric, distribution, sites, 0.0,
                           radii_of(distribution), {"exact"});
     for (const Metric metric : scope.metrics)

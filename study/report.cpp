@@ -128,11 +128,13 @@ std::string thesis_table(const std::vector<Beside>& thesis) {
 
 std::string account_of(const Account& account) {
     std::string text = fmt::format(
-        "<h2>How this was made</h2>\n<p><code>{}</code> with signum {}, in {:.0f} minutes of "
+        "<h2>How this was made</h2>\n<p><code>{}</code> with signum {}, in {} of "
         "measuring. All numbers stand in <code>results.csv</code> and <code>results.json</code> "
         "beside "
         "this page, the pictures and their scripts in <code>figures/</code>.</p>\n",
-        escaped(account.command), escaped(account.version), account.seconds / 60.0);
+        escaped(account.command), escaped(account.version),
+        account.seconds < 120.0 ? fmt::format("{:.0f} seconds", account.seconds)
+                                : fmt::format("{:.0f} minutes", account.seconds / 60.0));
     if (account.cells < account.planned)
         text += fmt::format(
             "<p><strong>Not complete:</strong> {} of {} experiments. The same command goes "

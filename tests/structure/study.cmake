@@ -2,7 +2,7 @@
 # the thesis's shape. With gnuplot every figure is in the report; without it one line says what to install.
 set(scratch "${BUILD}/Testing/study")
 file(REMOVE_RECURSE "${scratch}")
-set(options study --quick --metric power --metric supremum --sites 100:2000 -o "${scratch}")
+set(options study --quick --metric power --sites 100:2000 -o "${scratch}")
 
 function(study code)
   execute_process(COMMAND "${TOOL}" ${options} ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE out
@@ -57,6 +57,11 @@ foreach(what IN ITEMS "exact,ratio" "single,wrong_percent")
   endif()
 endforeach()
 
+file(READ "${scratch}/study.json" json)
+string(JSON command GET "${json}" command)
+if(NOT command STREQUAL "signum study --quick --metric power --sites 100:2000")
+  message(FATAL_ERROR "study.json has the command ${command}")
+endif()
 file(READ "${scratch}/results.json" json)
 string(JSON count LENGTH "${json}" rows)
 if(count LESS 1000)
@@ -70,8 +75,8 @@ if(NOT GNUPLOT)
 endif()
 file(READ "${scratch}/report.html" page)
 foreach(figure IN ITEMS margin first_error wrong_by_sites wrong_by_perturbation ratio_by_sites
-                        ratio_by_perturbation radii stages stage_cost kernels swaps swap_times sweep
-                        deletion hard)
+                        ratio_by_perturbation radii stages stage_cost kernels swaps swap_times deletion
+                        hard)
   if(NOT page MATCHES "<section id=\"${figure}\">" OR NOT EXISTS "${scratch}/figures/${figure}.svg")
     message(FATAL_ERROR "the report lacks ${figure}")
   endif()
@@ -80,10 +85,18 @@ if(page MATCHES "<script|<link|(src|href)=[\"'](http|[a-z]+/)")
   message(FATAL_ERROR "the report is not self-contained: ${CMAKE_MATCH_0}")
 endif()
 
+# The sweep is of other metrics.
+set(options study --quick --metric supremum --sites 3000:3000 -o "${scratch}/sweep")
+study(0)
+file(READ "${scratch}/sweep/report.html" page)
+if(NOT page MATCHES "<section id=\"sweep\">")
+  message(FATAL_ERROR "the report lacks the sweep")
+endif()
+
 # Without gnuplot: numbers, and a line that says what to install.
 set(ENV{PATH} "${scratch}")
-file(REMOVE "${scratch}/report.html")
+file(REMOVE "${scratch}/sweep/report.html")
 study(0)
-if(NOT error MATCHES "gnuplot-nox" OR EXISTS "${scratch}/report.html")
+if(NOT error MATCHES "gnuplot-nox" OR EXISTS "${scratch}/sweep/report.html")
   message(FATAL_ERROR "says nothing of gnuplot: ${error}")
 endif()

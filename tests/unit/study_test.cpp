@@ -140,7 +140,8 @@ TEST(StudyPlot, ScriptHasItsDataAndEscapesItsWords) {
     panel.series = {{"first", 1, true, {{1, 2, 1.5, 2.5}, {2, 0, 0, 0}}}, {"second", 2, true, {}}};
     const std::string script = gnuplot_script({"name", 1, {panel}});
     EXPECT_NE(script.find("a \\\"word\\\""), std::string::npos);
-    EXPECT_NE(script.find("\n1 2 1.5 2.5\nEND\n"), std::string::npos);  // no 0 on this axis
+    EXPECT_NE(script.find("\n1 2 1.5 2.5\n\nEND\n"),
+              std::string::npos);  // a gap: no 0 on this axis
     EXPECT_NE(script.find("title \"second\""), std::string::npos);
 }
 
