@@ -177,8 +177,9 @@ std::string answer(const Report& report) {
             "These sites need exactness only for a result that does not depend on their order: {} "
             "arithmetic got no edge wrong, and {} of {} otherwise than the tie rule{}.",
             name, different, run.edges.edges, near);
-    return fmt::format("These sites do not need exactness: {} arithmetic got all {} edges right{}.",
-                       name, run.edges.edges, near);
+    return fmt::format(
+        "These sites do not need exactness: {} arithmetic got no edge of {} wrong{}.", name,
+        run.edges.edges, near);
 }
 
 void put_table(TextWriter& text, const Report& report) {
@@ -318,9 +319,11 @@ void add_compare(CLI::App& tool) {
     command
         ->add_option("--arithmetic", call->arithmetic,
                      "The one that is judged, a name that triangulate\n--arithmetic knows")
+        ->check(name_of_arithmetic())
         ->type_name("NAME")
         ->capture_default_str();
     command->add_option("--against", call->against, "The one whose time it is compared with")
+        ->check(name_of_arithmetic())
         ->type_name("NAME")
         ->capture_default_str();
     command->add_option("--seconds", call->seconds, "For the timing, three rounds at least")

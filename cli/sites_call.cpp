@@ -23,6 +23,12 @@ void add_sites(CLI::App& command, SitesCall& call) {
     command.add_flag("--quiet", call.quiet, "No summary and no progress on standard error");
 }
 
+CLI::Validator name_of_arithmetic() {
+    std::vector<std::string> names;
+    for (const Arithmetic arithmetic : all_arithmetics) names.emplace_back(name_of(arithmetic));
+    return one_of(names);
+}
+
 Arithmetic arithmetic_of(const std::string& name) {
     for (const Arithmetic arithmetic : all_arithmetics) {
         if (name_of(arithmetic) == name) return arithmetic;

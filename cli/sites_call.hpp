@@ -28,6 +28,9 @@ struct SitesCall {
 /// Adds FILE, --metric, --weight-is, --seed and --quiet.
 void add_sites(CLI::App& command, SitesCall& call);
 
+/// Accepts the name of an arithmetic.
+[[nodiscard]] CLI::Validator name_of_arithmetic();
+
 /// The arithmetic of that name; throws CallError where there is none.
 Arithmetic arithmetic_of(const std::string& name);
 

@@ -168,7 +168,7 @@ void add_triangulate(CLI::App& tool) {
                      "multiprecision  rationals alone\n"
                      "naive           doubles, which round\n"
                      "single          floats, which round")
-        ->check(one_of({"exact", "naive", "single", "interval", "sum", "multiprecision"}))
+        ->check(name_of_arithmetic())
         ->type_name("NAME")
         ->capture_default_str();
     add_output(*command, call->outputs,
