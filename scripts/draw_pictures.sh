@@ -67,3 +67,4 @@ diagram diagram_cities euclidean "$sites/india.csv"
 scripts/build.sh build/run examples -DSIGNUM_BUILD_TESTS=OFF
 build/run/examples/path_animation > "$out/path.svg"
 build/run/examples/sweep_animation > "$out/sweep.svg"
+build/run/examples/dynamic_animation > "$out/dynamic.svg"
