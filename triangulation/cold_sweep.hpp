@@ -4,17 +4,16 @@
 /// A line goes over the plane; behind it every wave that has started grows, and their front
 /// consists of arcs, each of one site, in the order of their heights. Two arcs meet at a collision
 /// point, which traces an edge of the diagram. Laws:
-///  1. A wave starts as a ray within one arc and splits it (site event), unless that arc's site, or
-///     no site at all, hides the new one.
+///  1. A wave starts as a ray within one arc and splits it (site event), unless that arc's site
+///     hides the new one; if any site does, that one does.
 ///  2. An arc ends where its two collision points meet (circle event): a vertex, a face of the
 ///     tessellation.
 ///  3. A collision point moves with the edge of one of its waves, from its birth until it comes to
 ///     rest, or for ever (front.hpp). The thesis schedules that moment, a break event. Here both
 ///     numbers, the moving edge and the resting height, are known at birth; so whoever asks takes
 ///     the lesser, or the greater, of the two, and a break takes place without being scheduled.
-///  4. The plane that no wave has reached is an arc of the infinite vertex, whose tent is
-///  infinitely
-///     low: an arc like any other.
+///  4. The plane that no wave has reached is an arc of the infinite vertex, its tent lower than
+///     any: an arc like the others.
 ///  5. Under the tie rule no two events that are both to come are simultaneous: infinitesimals that
 ///     cancel out would need the same three sites on the same sides.
 /// O(n log n): a site adds two arcs at most, and an event changes those beside it.
