@@ -96,7 +96,8 @@ TEST(WriteJson, WritesStatisticsOnRequest) {
     EXPECT_NE(
         json(Tessellation(triangle(), std::vector<Site>(4), counted), options)
             .find("{\"ccw\": 1, \"in_circle\": 0, \"filtered\": 0, \"refined\": 0, \"essa\": 0, "
-                  "\"multiprecision\": 18446744073709551615, \"ties\": 0, \"flips\": 0, \"events\": 0, "
+                  "\"multiprecision\": 18446744073709551615, \"ties\": 0, \"flips\": 0, "
+                  "\"events\": 0, "
                   "\"seconds\": 1e-07}}\n"),
         std::string::npos);
 }
