@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "html.hpp"
+
 namespace signum::study {
 namespace {
 
@@ -227,21 +229,6 @@ void replace_all(std::string& text, std::string_view from, std::string_view to) 
     for (std::size_t at = text.find(from); at != std::string::npos;
          at = text.find(from, at + to.size()))
         text.replace(at, from.size(), to);
-}
-
-std::string html_text(std::string_view text) {
-    std::string result;
-    for (const char c : text) {
-        if (c == '&')
-            result += "&amp;";
-        else if (c == '<')
-            result += "&lt;";
-        else if (c == '"')
-            result += "&quot;";
-        else
-            result += c;
-    }
-    return result;
 }
 
 }  // namespace

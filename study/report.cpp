@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "html.hpp"
+
 namespace signum::study {
 namespace {
 
@@ -79,19 +81,6 @@ better.</dd>
 </dl>
 )";
 
-std::string escaped(std::string_view text) {
-    std::string result;
-    for (const char c : text) {
-        if (c == '&')
-            result += "&amp;";
-        else if (c == '<')
-            result += "&lt;";
-        else
-            result += c;
-    }
-    return result;
-}
-
 /// A picture as a part of the page, whose styles are its own.
 std::string data_address(std::string_view svg) {
     std::string result = "data:image/svg+xml,";
@@ -121,8 +110,8 @@ std::string thesis_table(const std::vector<Beside>& thesis) {
         "Pentium of 1996 to 1998), and what this run gave, in the power metric.</p>\n"
         "<table>\n<tr><th>what</th><th>thesis</th><th>here</th></tr>\n";
     for (const Beside& line : thesis)
-        text += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td></tr>\n", escaped(line.what),
-                            escaped(line.thesis), escaped(line.here));
+        text += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td></tr>\n", html_text(line.what),
+                            html_text(line.thesis), html_text(line.here));
     return text + "</table>\n";
 }
 
@@ -132,7 +121,7 @@ std::string account_of(const Account& account) {
         "measuring. All numbers stand in <code>results.csv</code> and <code>results.json</code> "
         "beside "
         "this page, the pictures and their scripts in <code>figures/</code>.</p>\n",
-        escaped(account.command), escaped(account.version),
+        html_text(account.command), html_text(account.version),
         account.seconds < 120.0 ? fmt::format("{:.0f} seconds", account.seconds)
                                 : fmt::format("{:.0f} minutes", account.seconds / 60.0));
     if (account.cells < account.planned)
@@ -142,7 +131,7 @@ std::string account_of(const Account& account) {
             account.cells, account.planned);
     text += "<table>\n";
     for (const auto& [name, value] : account.machine)
-        text += fmt::format("<tr><th>{}</th><td>{}</td></tr>\n", escaped(name), escaped(value));
+        text += fmt::format("<tr><th>{}</th><td>{}</td></tr>\n", html_text(name), html_text(value));
     return text + "</table>\n";
 }
 

@@ -260,12 +260,7 @@ class Sweep {
     /// do, two that cancel out are added.
     void add_time(const Event& e, int factor, Addend* to) const noexcept {
         switch (e.meeting()) {
-            case Meeting::none:
-                to[0] = addend(0, e.i, factor);
-                to[1] = addend(1, e.i, factor);
-                to[2] = addend(0, e.i, factor);
-                to[3] = addend(0, e.i, -factor);
-                return;
+            case Meeting::none:  // i and k are the site
             case Meeting::moving:
                 to[0] = addend(1, e.i, factor);
                 to[1] = addend(0, e.k, factor);

@@ -79,6 +79,20 @@ template <class Directions, class Number>
     return (Number(Directions::x[side] * m.x) + Number(Directions::y[side] * m.y)) - Number(m.r);
 }
 
+/// The sign of a sum whose rounded value leaves it open, 0 included, and the stage that tells.
+/// `exact`: the value is not rounded.
+template <class Directions, Sums sums>
+[[nodiscard]] inline Decision decide_behind(const predicates::NumberOf<sums>& value,
+                                            [[maybe_unused]] bool exact, const Addend* first,
+                                            std::size_t count) noexcept {
+    if constexpr (sums == Sums::multiprecision)
+        return {sign_of_forms_in_rationals<Directions>(first, count), Stage::multiprecision};
+    if constexpr (!is_exact(sums)) return {sign_of(value), Stage::filter};
+    if constexpr (sums == Sums::exact)
+        if (exact) return {sign_of(value), Stage::filter};
+    return {sign_of_forms<Directions>(first, count), Stage::exact};
+}
+
 /// The forms of n sites, rounded, and the comparisons that a predicate makes of them.
 ///
 /// The bound: with S the greatest |x| + |y| + |r| of the sites, a rounded form, two additions at
@@ -176,17 +190,9 @@ class Forms {
     template <std::size_t count>
     [[nodiscard, gnu::cold, gnu::noinline]] Sign resolve(const Number& rounded,
                                                          const Addend (&addends)[count]) noexcept {
-        Sign sign = 0;
-        if constexpr (!is_exact(sums)) {
-            sign = sign_of(rounded);
-        } else if constexpr (sums == Sums::multiprecision) {
-            stage_ = Stage::multiprecision;
-            sign = sign_of_forms_in_rationals<Directions>(addends, count);
-        } else {
-            stage_ = Stage::exact;
-            sign = sign_of_forms<Directions>(addends, count);
-        }
-        if (sign != 0) return sign;
+        const Decision decision = decide_behind<Directions, sums>(rounded, false, addends, count);
+        stage_ = decision.stage;
+        if (decision.sign != 0) return decision.sign;
         tied_ = true;
         return perturbed_ ? sign_of_infinitesimals(addends, count) : 0;
     }

@@ -5,12 +5,10 @@
 /// circle is swept when its corner between those two sides is, at time (G_0 + G_1) / 2; the height
 /// of a point, across, is half the difference of its coordinates in directions 0 and 1. With the
 /// forms g_d(m) of forms.hpp:
-///  1. The wave of m starts at (g_0(m) + g_1(m)) / 2, from the corner of its square that lies
-///  farthest
-///     back, as a ray without width. At time s it fills the heights from g_0(m) - s to s - g_1(m).
-///  2. There its front, a tent, stands at (s + T) / 2 with T = min(height - g_3(m), -height -
-///  g_2(m)):
-///     tents do not move against one another, only their lower and upper edges do.
+///  1. The wave of m starts at (g_0(m) + g_1(m)) / 2, from the rearmost corner of its square, as a
+///     ray without width. At time s it fills the heights from g_0(m) - s to s - g_1(m).
+///  2. There its front, a tent, stands at (s + T) / 2, T being the lesser of height - g_3(m) and
+///     -height - g_2(m): tents do not move against one another, only their lower and upper edges.
 ///  3. So between the waves of i, below, and j, above, the front turns from one to the other at i's
 ///     upper edge where i's tent is the higher one, at j's lower edge where j's is, or where both
 ///     are as high: at height (g_3(j) - g_2(i)) / 2, which rests.
@@ -70,15 +68,7 @@ template <class Directions, Sums sums, std::size_t count>
 [[nodiscard, gnu::cold, gnu::noinline]] Decision decide_sum(
     const predicates::NumberOf<sums>& value, bool exact,
     const std::array<Addend, count>& addends) noexcept {
-    Decision decision{0, Stage::filter};
-    if constexpr (sums == Sums::multiprecision) {
-        decision = {sign_of_forms_in_rationals<Directions>(addends.data(), count),
-                    Stage::multiprecision};
-    } else if (!is_exact(sums) || (sums == Sums::exact && exact)) {
-        if constexpr (sums != Sums::interval) decision.sign = sign_of(value);
-    } else {
-        decision = {sign_of_forms<Directions>(addends.data(), count), Stage::exact};
-    }
+    const Decision decision = decide_behind<Directions, sums>(value, exact, addends.data(), count);
     if (decision.sign != 0) return decision;
     return {sign_of_infinitesimals(addends.data(), count), decision.stage, true};
 }
