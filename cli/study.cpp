@@ -10,9 +10,10 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <memory>
 #include <optional>
-#include <sstream>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -87,7 +88,7 @@ std::string command_of(const Call& call, const study::Scope& scope) {
 /// What the results of a directory belong to; others are not mixed with them.
 std::string identity(const study::Account& account) {
     std::string text = fmt::format(
-        "{{\"format\": \"signum.study\", \"version\": 1, \"signum\": \"{}\",\n\"command\": "
+        "{{\"format\": \"signum.study\", \"version\": 2, \"signum\": \"{}\",\n\"command\": "
         "\"{}\",\n"
         "\"machine\": {{",
         account.version, account.command);
@@ -109,10 +110,10 @@ void write_file(const fs::path& path, std::string_view text) {
     file.publish();
 }
 
-/// A directory of results: what is in it, and what comes to it, line by line.
-class Results {
+/// The directory of a study: what was measured so far, and what comes to it, line by line.
+class Measurements {
  public:
-    Results(const fs::path& directory, const std::string& identity, bool fresh) {
+    Measurements(const fs::path& directory, const std::string& identity, bool fresh) {
         std::error_code error;
         if (fs::exists(directory, error) && !fs::is_directory(directory, error))
             throw CallError(
@@ -123,20 +124,20 @@ class Results {
         if (error)
             throw MachineError(fmt::format("cannot make the directory {}: {}", directory.string(),
                                            error.message()));
-        const fs::path table = directory / "results.csv";
+        const fs::path table = directory / "measurements.csv";
         const fs::path mark = directory / "study.json";
         if (fresh) {
-            for (const char* name : {"results.csv", "study.json", "results.json", "report.html"})
+            for (const char* name :
+                 {"measurements.csv", "study.json", "results.csv", "results.json", "report.html"})
                 fs::remove(directory / name, error);
         }
         const std::string old = contents_of(mark);
-        const bool is_there = fs::exists(table, error);
-        if (is_there && old != identity + "}\n")
+        if (!old.empty() && old != identity + "}\n")
             throw CallError(fmt::format(
                 "{} holds the results of another study (version, options or machine differ: see "
                 "{}); --fresh starts anew there, -o names another directory",
                 directory.string(), mark.string()));
-        if (is_there) {
+        if (fs::exists(table, error)) {
             try {
                 table_ = study::read_csv(contents_of(table));
             } catch (const std::invalid_argument& wrong) {
@@ -147,9 +148,9 @@ class Results {
             if (error)
                 throw MachineError(
                     fmt::format("cannot write {}: {}", table.string(), error.message()));
-        } else {
-            write_file(mark, identity + "}\n");
         }
+        if (old.empty()) write_file(mark, identity + "}\n");
+        for (const study::Row& row : table_.rows) note(row);
         descriptor_ = ::open(table.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
         if (descriptor_ < 0)
             throw MachineError(
@@ -157,26 +158,44 @@ class Results {
         stream_.emplace(descriptor_, table.string());
         if (table_.bytes == 0) *stream_ << study::csv_header() << std::flush;
     }
-    Results(const Results&) = delete;
-    Results& operator=(const Results&) = delete;
-    ~Results() { ::close(descriptor_); }
+    Measurements(const Measurements&) = delete;
+    Measurements& operator=(const Measurements&) = delete;
+    ~Measurements() { ::close(descriptor_); }
 
     [[nodiscard]] const std::vector<study::Row>& rows() const { return table_.rows; }
 
-    [[nodiscard]] bool has(const study::Cell& cell) const {
-        return std::any_of(rows().begin(), rows().end(), [&](const study::Row& row) {
-            return row.quantity == study::end_of_cell && row.setting == cell.setting;
-        });
+    /// The pass over the cell that is to come next.
+    [[nodiscard]] study::Pass next(const study::Cell& cell) const {
+        const auto found = done_.find(key(cell.setting));
+        if (found == done_.end()) return {};
+        return {found->second.passes + 1, found->second.breaks};
     }
 
     void add(const std::vector<study::Row>& rows) {
         for (const study::Row& row : rows) {
             *stream_ << study::csv_line(row) << std::flush;
             table_.rows.push_back(row);
+            note(row);
         }
     }
 
  private:
+    struct Done {
+        std::size_t passes = 0;
+        bool breaks = false;
+    };
+
+    [[nodiscard]] static std::string key(const study::Setting& setting) {
+        return study::csv_line({setting, "", "", {}});
+    }
+    void note(const study::Row& row) {
+        if (row.quantity == study::end_of_cell)
+            ++done_[key(row.setting)].passes;
+        else if (row.quantity == study::broken_percent && row.value.median > 0.0)
+            done_[key(row.setting)].breaks = true;
+    }
+
+    std::map<std::string, Done> done_;
     study::Table table_;
     int descriptor_ = -1;
     std::optional<DescriptorStream> stream_;
@@ -209,51 +228,61 @@ void run(const Call& call) {
     account.version = SIGNUM_VERSION;
     account.command = command_of(call, scope);
     account.machine = study::describe_machine();
-    account.planned = cells.size();
     const std::string mark = identity(account);
-    Results results(directory, mark, call.fresh);
+    Measurements measurements(directory, mark, call.fresh);
     const bool draws = !call.no_report && has_gnuplot();
     constexpr std::string_view missing =
         "gnuplot is missing, so that there will be no report: install it (Debian: apt-get install "
         "gnuplot-nox) and type the same command again, which measures nothing twice\n";
     if (!draws && !call.no_report) say("signum: {}", missing);
 
+    // Pass after pass over all cells, so that what is cut off has something of every figure.
+    std::size_t most_passes = 0;
+    for (const study::Cell& cell : cells) most_passes = std::max(most_passes, cell.passes);
     double all = 0.0;
     double done = 0.0;
-    std::vector<const study::Cell*> open;
-    for (const study::Cell& cell : cells) {
-        all += study::expected_seconds(cell);
-        if (results.has(cell))
-            done += study::expected_seconds(cell);
-        else
-            open.push_back(&cell);
-    }
-    account.cells = cells.size() - open.size();
-    if (account.cells > 0 && !call.quiet)
-        say("goes on: {} of {} experiments are there\n", account.cells, cells.size());
+    std::vector<std::pair<const study::Cell*, std::size_t>> open;
+    for (std::size_t pass = 1; pass <= most_passes; ++pass)
+        for (const study::Cell& cell : cells) {
+            if (pass > cell.passes) continue;
+            ++account.planned;
+            const double expected = study::expected_seconds(cell, pass);
+            all += expected;
+            if (pass < measurements.next(cell).number)
+                done += expected;
+            else
+                open.emplace_back(&cell, pass);
+        }
+    account.measured = account.planned - open.size();
+    if (account.measured > 0 && !call.quiet)
+        say("goes on: {} of {} measurements are there\n", account.measured, account.planned);
     {
         std::optional<Progress> progress;
         if (!call.quiet) progress.emplace();
         const auto start = std::chrono::steady_clock::now();
-        for (const study::Cell* cell : open) {
+        for (const auto& [cell, pass] : open) {
             const double elapsed =
                 std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
             if (call.seconds > 0.0 && elapsed >= call.seconds) break;
             if (progress) progress->show(done / all);
-            results.add(study::measure(*cell));
-            done += study::expected_seconds(*cell);
-            ++account.cells;
+            measurements.add(study::measure(*cell, measurements.next(*cell)));
+            done += study::expected_seconds(*cell, pass);
+            ++account.measured;
         }
     }
-    for (const study::Row& row : results.rows())
+    const std::vector<study::Row> results = study::combined(measurements.rows());
+    std::string table = study::csv_header();
+    for (const study::Row& row : results) table += study::csv_line(row);
+    write_file(directory / "results.csv", table);
+    for (const study::Row& row : results)
         if (row.quantity == study::end_of_cell) account.seconds += row.value.median;
     write_file(directory / "results.json",
-               fmt::format("{},\n\"rows\": {}}}\n", mark, study::json_array(results.rows())));
-    if (draws) write_report(directory, account, results.rows());
+               fmt::format("{},\n\"rows\": {}}}\n", mark, study::json_array(results)));
+    if (draws) write_report(directory, account, results);
     if (call.quiet) return;
-    say("study    {} of {} experiments, {:.0f} s of measuring\n", account.cells, account.planned,
-        account.seconds);
-    if (account.cells < account.planned) say("to do    the rest: the same command goes on\n");
+    say("study    {} of {} measurements, {:.0f} s of measuring\n", account.measured,
+        account.planned, account.seconds);
+    if (account.measured < account.planned) say("to do    the rest: the same command goes on\n");
     say("results  {0}/results.csv, {0}/results.json\n", call.directory);
     if (draws) say("report   {}/report.html\n", call.directory);
 }

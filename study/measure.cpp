@@ -8,18 +8,18 @@
 
 namespace signum::study {
 
-std::vector<Row> measure(const Cell& cell) {
+std::vector<Row> measure(const Cell& cell, const Pass& pass) {
     const auto start = std::chrono::steady_clock::now();
     std::vector<Row> rows;
     switch (cell.work) {
         case Work::construction:
-            rows = measure_construction(cell);
+            rows = measure_construction(cell, pass);
             break;
         case Work::deletion:
-            rows = measure_deletion(cell);
+            rows = measure_deletion(cell, pass);
             break;
         case Work::stage_cost:
-            rows = measure_stage_cost(cell);
+            rows = measure_stage_cost(cell, pass);
             break;
         case Work::first_error:
             rows = measure_first_error(cell);

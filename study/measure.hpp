@@ -1,5 +1,5 @@
 #pragma once
-/// A cell of the plan, measured.
+/// A cell of the plan, measured once.
 
 #include <vector>
 
@@ -8,7 +8,15 @@
 
 namespace signum::study {
 
-/// Runs the cell; the last row is end_of_cell. Quantities:
+/// Which time it is.
+struct Pass {
+    std::size_t number = 1;  ///< from 1
+    /// In a later pass: whether an earlier one found a set on which a contestant broke.
+    bool breaks = true;
+};
+
+/// Runs the cell once; the last row is end_of_cell. What does not change from pass to pass is
+/// counted in the first. Quantities:
 ///   seconds, ratio          a construction of one set; its time to the first contestant's
 ///   broken_percent          sets on which inexact arithmetic lost its way; the others count below
 ///   edges, wrong_percent, different_percent, wrong_or_different_percent
@@ -16,9 +24,10 @@ namespace signum::study {
 ///   ccw, in_circle, ties, swaps, events, hidden, calls_STAGE    means over the sets
 ///   ns_per_site             deletion
 ///   ns_per_call             by stage
+///   ns_per_call_forced      rationals, on calls that do not need them
 ///   first_error             the greatest power of ten that errs as a perturbation; 0 where none
 ///   does determinants_1eN        the share whose distance from zero, relative, is in [10^N,
 ///   10^(N+1))
-[[nodiscard]] std::vector<Row> measure(const Cell& cell);
+[[nodiscard]] std::vector<Row> measure(const Cell& cell, const Pass& pass = {});
 
 }  // namespace signum::study

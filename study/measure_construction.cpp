@@ -1,8 +1,9 @@
-/// Contestants build the tessellations of the same sites. First each builds every set once, and
-/// edges and calls are counted; then they race.
+/// Contestants build the tessellations of the same sites. In the first pass each builds every set
+/// once, and edges and calls are counted; in all they race.
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -65,7 +66,7 @@ std::vector<Row> rows_of(const Cell& cell, const std::string& name, Counts count
     const auto put = [&](const std::string& quantity, const Interval& value) {
         rows.push_back({cell.setting, name, quantity, value});
     };
-    put("broken_percent",
+    put(std::string(broken_percent),
         exactly(100.0 * static_cast<double>(counts.broken) / static_cast<double>(cell.sets)));
     const auto whole = static_cast<double>(counts.sets);
     if (whole == 0.0) return rows;
@@ -95,25 +96,28 @@ std::vector<Row> rows_of(const Cell& cell, const std::string& name, Counts count
 
 }  // namespace
 
-std::vector<Row> measure_construction(const Cell& cell) {
+std::vector<Row> measure_construction(const Cell& cell, const Pass& pass) {
     const Metric metric = metric_named(cell.setting.metric);
     std::vector<std::pair<std::string, Options>> builders;
     for (const std::string& name : cell.contestants)
         if (const auto options = options_named(name)) builders.emplace_back(name, *options);
 
+    const bool counts_too = pass.number == 1;
     std::vector<Counts> counts(builders.size());
     std::vector<std::vector<Site>> sets;  // those that the first contestant builds
     std::vector<std::size_t> broken_of_these(builders.size(), 0);
     for (std::size_t seed = 1; seed <= cell.sets; ++seed) {
         std::vector<Site> sites = sites_of(cell.setting, seed);
-        const Tessellation canonical = triangulate(sites, metric);
+        std::optional<Tessellation> canonical;
+        if (counts_too) canonical = triangulate(sites, metric);
         bool first_breaks = false;
-        for (std::size_t i = 0; i < builders.size(); ++i) {
+        for (std::size_t i = 0; i < builders.size() && pass.breaks; ++i) {
             Options options = builders[i].second;
             options.count = true;
             try {
                 const Tessellation tessellation = triangulate(sites, metric, options);
-                add(counts[i], tessellation, compare_edges(tessellation, canonical));
+                if (!counts_too) continue;
+                add(counts[i], tessellation, compare_edges(tessellation, *canonical));
                 ++counts[i].sets;
             } catch (const BrokenStructure&) {
                 ++counts[i].broken;
@@ -128,8 +132,10 @@ std::vector<Row> measure_construction(const Cell& cell) {
     std::vector<Contestant> racing;
     std::vector<std::string> names;
     for (std::size_t i = 0; i < builders.size(); ++i) {
-        const auto more = rows_of(cell, builders[i].first, counts[i]);
-        rows.insert(rows.end(), more.begin(), more.end());
+        if (counts_too) {
+            const auto more = rows_of(cell, builders[i].first, counts[i]);
+            rows.insert(rows.end(), more.begin(), more.end());
+        }
         if (sets.empty() || broken_of_these[i] > 0) continue;
         names.push_back(builders[i].first);
         racing.emplace_back([&sets, metric, options = builders[i].second] {
@@ -145,7 +151,7 @@ std::vector<Row> measure_construction(const Cell& cell) {
         });
     }
     if (racing.size() < 2) return rows;
-    const Race race = study::race(racing, cell.budget);
+    const Race race = race_of(racing, cell, pass);
     for (std::size_t i = 0; i < names.size(); ++i) {
         rows.push_back({cell.setting, names[i], "seconds", race.seconds[i]});
         rows.push_back({cell.setting, names[i], "ratio", race.ratios[i]});

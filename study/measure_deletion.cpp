@@ -12,7 +12,7 @@
 
 namespace signum::study {
 
-std::vector<Row> measure_deletion(const Cell& cell) {
+std::vector<Row> measure_deletion(const Cell& cell, const Pass& pass) {
     const Metric metric = metric_named(cell.setting.metric);
     const std::vector<Site> sites = sites_of(cell.setting, 1);
     // Half the sites come and go, in no order; the other half is always there.
@@ -48,7 +48,7 @@ std::vector<Row> measure_deletion(const Cell& cell) {
             }
             return ns(std::exchange(erased, 0.0), half);
         }};
-    const Race race = study::race(contestants, cell.budget);
+    const Race race = race_of(contestants, cell, pass);
     std::vector<Row> rows;
     for (std::size_t i = 0; i < contestants.size(); ++i)
         rows.push_back({cell.setting, cell.contestants[i], "ns_per_site", race.seconds[i]});

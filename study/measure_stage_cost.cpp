@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <span>
 #include <string>
+#include <utility>
 
 #include <signum/predicates/euclidean.hpp>
 #include <signum/predicates/manhattan.hpp>
 #include <signum/predicates/power.hpp>
+#include <signum/predicates/power/multiprecision.hpp>
 #include <signum/predicates/supremum.hpp>
 
 #include "contestants.hpp"
@@ -27,11 +30,19 @@ struct InPower {
         const auto& [i, j, k, q] = call.sites;
         return power::in_circle_decision(i, j, k, q);
     }
+    static Decision in_rationals(const Call& call) noexcept {
+        const auto& [i, j, k, q] = call.sites;
+        return {power::multiprecision::in_circle(i, j, k, q), Stage::multiprecision};
+    }
 };
 struct InEuclidean {
     static Decision decide(const Call& call) noexcept {
         const auto& [i, j, k, q] = call.sites;
         return euclidean::in_circle_decision(i, j, k, q, call.ranks);
+    }
+    static Decision in_rationals(const Call& call) noexcept {
+        const auto& [i, j, k, q] = call.sites;
+        return euclidean::Perturbed<Arithmetic::multiprecision>::in_circle(i, j, k, q, call.ranks);
     }
 };
 template <class Directions>
@@ -39,6 +50,11 @@ struct InSquares {
     static Decision decide(const Call& call) noexcept {
         const auto& [i, j, k, q] = call.sites;
         return rectangular::in_circle_decision<Directions>(i, j, k, q, call.ranks);
+    }
+    static Decision in_rationals(const Call& call) noexcept {
+        const auto& [i, j, k, q] = call.sites;
+        return rectangular::Perturbed<Directions, Arithmetic::multiprecision>::in_circle(
+            i, j, k, q, call.ranks);
     }
 };
 
@@ -67,16 +83,18 @@ std::vector<Call> calls_of(const Tessellation& tessellation) {
     return calls;
 }
 
-/// Nanoseconds a call, in a loop of a millisecond or more.
-template <class Metric>
-double ns_per_call(const std::vector<Call>& calls) {
-    constexpr double long_enough = 1e-3;
+using Decide = Decision (*)(const Call&) noexcept;
+
+/// Nanoseconds a call, in a loop of two milliseconds or more.
+template <Decide decide>
+double ns_per_call(std::span<const Call> calls) {
+    constexpr double long_enough = 2e-3;
     Sign sum = 0;
     std::size_t passes = 0;
     double seconds = 0.0;
     while (seconds < long_enough) {
         seconds += seconds_of([&] {
-            for (const Call& call : calls) sum += Metric::decide(call).sign;
+            for (const Call& call : calls) sum += decide(call).sign;
         });
         ++passes;
     }
@@ -86,7 +104,7 @@ double ns_per_call(const std::vector<Call>& calls) {
 }
 
 template <class Metric>
-std::vector<Row> measure_in(const Cell& cell, const std::vector<Call>& calls) {
+std::vector<Row> measure_in(const Cell& cell, const Pass& pass, const std::vector<Call>& calls) {
     constexpr std::size_t few = 16;
     constexpr std::array stages = {Stage::filter, Stage::refine, Stage::exact,
                                    Stage::multiprecision};
@@ -94,35 +112,43 @@ std::vector<Row> measure_in(const Cell& cell, const std::vector<Call>& calls) {
     for (const Call& call : calls)
         decided[static_cast<std::size_t>(Metric::decide(call).stage)].push_back(call);
     std::vector<Contestant> contestants;
-    std::vector<Stage> names;
+    std::vector<std::pair<Stage, const char*>> names;
     for (const Stage stage : stages) {
         const std::vector<Call>& group = decided[static_cast<std::size_t>(stage)];
         if (group.size() < few) continue;
-        names.push_back(stage);
-        contestants.emplace_back([&group] { return ns_per_call<Metric>(group); });
+        names.emplace_back(stage, "ns_per_call");
+        contestants.emplace_back([&group] { return ns_per_call<Metric::decide>(group); });
     }
     std::vector<Row> rows;
     if (contestants.empty()) return rows;
-    const Race race = study::race(contestants, cell.budget);
+    if (names.back().first != Stage::multiprecision) {
+        // The calls of the last stage that has any, as they are nearest to what needs rationals.
+        constexpr std::size_t enough = 100;
+        const std::vector<Call>& last = decided[static_cast<std::size_t>(names.back().first)];
+        const std::span<const Call> group(last.data(), std::min(last.size(), enough));
+        names.emplace_back(Stage::multiprecision, "ns_per_call_forced");
+        contestants.emplace_back([group] { return ns_per_call<Metric::in_rationals>(group); });
+    }
+    const Race race = race_of(contestants, cell, pass);
     for (std::size_t i = 0; i < names.size(); ++i)
-        rows.push_back({cell.setting, name_of(names[i]), "ns_per_call", race.seconds[i]});
+        rows.push_back({cell.setting, name_of(names[i].first), names[i].second, race.seconds[i]});
     return rows;
 }
 
 }  // namespace
 
-std::vector<Row> measure_stage_cost(const Cell& cell) {
+std::vector<Row> measure_stage_cost(const Cell& cell, const Pass& pass) {
     const Metric metric = metric_named(cell.setting.metric);
     const std::vector<Call> calls = calls_of(triangulate(sites_of(cell.setting, 1), metric));
     switch (metric) {
         case Metric::power:
-            return measure_in<InPower>(cell, calls);
+            return measure_in<InPower>(cell, pass, calls);
         case Metric::euclidean:
-            return measure_in<InEuclidean>(cell, calls);
+            return measure_in<InEuclidean>(cell, pass, calls);
         case Metric::manhattan:
-            return measure_in<InSquares<rectangular::Manhattan>>(cell, calls);
+            return measure_in<InSquares<rectangular::Manhattan>>(cell, pass, calls);
         case Metric::supremum:
-            return measure_in<InSquares<rectangular::Supremum>>(cell, calls);
+            return measure_in<InSquares<rectangular::Supremum>>(cell, pass, calls);
     }
     return {};
 }

@@ -51,11 +51,11 @@ class Cells {
         const bool is_slow =
             std::count(cell.contestants.begin(), cell.contestants.end(), "multiprecision") > 0;
         cell.sets = is_slow ? 1 : sets_of(sites);
-        // Six rounds are the fewest whose extremes are an interval of 95 %.
-        if (scope_.quick)
-            cell.budget = {6, 15, 0.2};
-        else
-            cell.budget = {6, 25, 1.5};
+        // Six are the fewest whose extremes are an interval of 95 %.
+        const bool is_timed = work == Work::deletion || work == Work::stage_cost ||
+                              (work == Work::construction && cell.contestants.size() > 1);
+        cell.passes = is_timed ? 6 : 1;
+        cell.budget = {1, 5, scope_.quick ? 0.04 : 0.25};
         cells_.push_back(std::move(cell));
     }
 
@@ -176,13 +176,13 @@ std::vector<Cell> plan(const Scope& scope) {
     return cells.take();
 }
 
-double expected_seconds(const Cell& cell) {
+double expected_seconds(const Cell& cell, std::size_t pass) {
     const bool is_slow = cell.setting.experiment == "kernels";
     const double per_site = is_slow ? 1e-4 : 1.5e-6;
     const double once = per_site * static_cast<double>(cell.setting.sites) *
                         static_cast<double>(cell.sets * (cell.contestants.size() + 1));
     if (cell.work == Work::first_error) return 8.0 * once;
-    return 2.0 * once +
+    return (pass == 1 ? 2.0 * once : 0.0) +
            std::max(cell.budget.seconds, static_cast<double>(cell.budget.least_rounds) * once);
 }
 

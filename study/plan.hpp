@@ -28,7 +28,11 @@ struct Cell {
     Work work = Work::construction;
     std::vector<std::string> contestants;  ///< names of arithmetics, or of methods
     std::size_t sets = 1;                  ///< of sites, of seeds from 1
-    Budget budget;
+    /// How often it is measured. A machine is faster in one minute than in the next, which no
+    /// interval knows that is taken within a second; so times are taken in passes over the whole
+    /// plan, and what is told is the median of the passes' medians, and its interval.
+    std::size_t passes = 1;
+    Budget budget;  ///< of one pass
 };
 
 /// What the study is asked for.
@@ -44,7 +48,7 @@ struct Scope {
 /// that a study that is cut off has something of every figure.
 [[nodiscard]] std::vector<Cell> plan(const Scope& scope);
 
-/// Roughly how long a cell takes: for a progress bar.
-[[nodiscard]] double expected_seconds(const Cell& cell);
+/// Roughly how long a pass over a cell takes, the first one or a later one: for a progress bar.
+[[nodiscard]] double expected_seconds(const Cell& cell, std::size_t pass);
 
 }  // namespace signum::study

@@ -57,8 +57,9 @@ rounded arithmetic, and exactly. It follows the experiments of M. Gavrilova’s 
 Applications in General Metrics</em>, Calgary 1998) and puts its numbers beside ours.</p>
 <p>Sites come in patterns: <em>random</em> in a square, on a <em>circle</em>, on the border of a <em>square</em>, on a
 <em>grid</em>. The last three are degenerate: many sites lie on one circle or on one line, where signs are hardest.</p>
-<p>Times are medians of interleaved runs; a thin bar is the interval that holds the true median with
-a confidence of 95 %. Where there are four metrics, distance is measured in four ways; <em>power</em> is that of the
+<p>Every experiment is run in six passes, minutes apart, in which the contestants take turns. Times are
+medians of the passes; a thin bar reaches from the fastest pass to the slowest, which is an interval that holds
+the true median with a confidence of 95 %. Where there are four metrics, distance is measured in four ways; <em>power</em> is that of the
 thesis’s experiments.</p>
 )";
 
@@ -119,16 +120,16 @@ std::string account_of(const Account& account) {
     std::string text = fmt::format(
         "<h2>How this was made</h2>\n<p><code>{}</code> with signum {}, in {} of "
         "measuring. All numbers stand in <code>results.csv</code> and <code>results.json</code> "
-        "beside "
-        "this page, the pictures and their scripts in <code>figures/</code>.</p>\n",
+        "beside this page, those of each pass in <code>measurements.csv</code>, the pictures and "
+        "their scripts in <code>figures/</code>.</p>\n",
         html_text(account.command), html_text(account.version),
         account.seconds < 120.0 ? fmt::format("{:.0f} seconds", account.seconds)
                                 : fmt::format("{:.0f} minutes", account.seconds / 60.0));
-    if (account.cells < account.planned)
+    if (account.measured < account.planned)
         text += fmt::format(
-            "<p><strong>Not complete:</strong> {} of {} experiments. The same command goes "
+            "<p><strong>Not complete:</strong> {} of {} measurements. The same command goes "
             "on.</p>\n",
-            account.cells, account.planned);
+            account.measured, account.planned);
     text += "<table>\n";
     for (const auto& [name, value] : account.machine)
         text += fmt::format("<tr><th>{}</th><td>{}</td></tr>\n", html_text(name), html_text(value));

@@ -15,9 +15,9 @@ struct Account {
     std::string version;
     std::string command;  ///< that makes it again
     std::vector<std::pair<std::string, std::string>> machine;
-    std::size_t cells = 0;    ///< measured
-    std::size_t planned = 0;  ///< of so many
-    double seconds = 0.0;     ///< of measuring
+    std::size_t measured = 0;  ///< passes over cells
+    std::size_t planned = 0;   ///< of so many
+    double seconds = 0.0;      ///< of measuring
 };
 
 struct DrawnFigure {

@@ -2,7 +2,10 @@
 
 #include <array>
 #include <charconv>
+#include <map>
+#include <numeric>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -80,6 +83,31 @@ Table read_csv(std::string_view text) {
     }
     table.rows.resize(complete);
     return table;
+}
+
+std::vector<Row> combined(const std::vector<Row>& passes) {
+    std::vector<Row> rows;
+    std::vector<std::vector<double>> values;
+    std::map<std::string, std::size_t> places;
+    for (const Row& row : passes) {
+        const auto [found, is_new] = places.try_emplace(
+            csv_line({row.setting, row.contestant, row.quantity, {}}), rows.size());
+        if (is_new) {
+            rows.push_back(row);
+            values.emplace_back();
+        }
+        values[found->second].push_back(row.value.median);
+    }
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (values[i].size() < 2) continue;
+        if (rows[i].quantity == end_of_cell) {
+            const double sum = std::accumulate(values[i].begin(), values[i].end(), 0.0);
+            rows[i].value = {sum, sum, sum, values[i].size()};
+        } else {
+            rows[i].value = median_of(std::move(values[i]));
+        }
+    }
+    return rows;
 }
 
 std::string json_array(const std::vector<Row>& rows) {

@@ -31,23 +31,31 @@ struct Row {
     Interval value;
 };
 
-/// The quantity of the row that ends a cell: the seconds that it took, all in all.
+/// The quantity of the row that ends a pass over a cell: the seconds that it took, all in all.
 inline constexpr std::string_view end_of_cell = "cell_seconds";
+
+/// That of a construction: the share of the sets on which inexact arithmetic lost its way.
+inline constexpr std::string_view broken_percent = "broken_percent";
 
 /// The first line of the table.
 [[nodiscard]] std::string csv_header();
 /// A row, with its end of line; numbers read back as the same doubles.
 [[nodiscard]] std::string csv_line(const Row& row);
 
-/// The cells that a table holds completely.
+/// The passes over cells that a table holds completely.
 struct Table {
     std::vector<Row> rows;
-    std::size_t bytes = 0;  ///< where the last complete cell ends
+    std::size_t bytes = 0;  ///< where the last complete pass over a cell ends
 };
 
-/// Reads a table, whose end may be missing: what follows the last complete cell is left out.
+/// Reads a table, whose end may be missing: what follows the last complete pass over a cell is
+/// left out.
 /// Throws std::invalid_argument, with the number of the line, where a whole line is no row.
 [[nodiscard]] Table read_csv(std::string_view text);
+
+/// What the passes say together, in the order in which quantities first come: the median of their
+/// medians, with its interval; for end_of_cell the sum. What was measured once stays as it is.
+[[nodiscard]] std::vector<Row> combined(const std::vector<Row>& passes);
 
 /// Rows as JSON objects in an array.
 [[nodiscard]] std::string json_array(const std::vector<Row>& rows);

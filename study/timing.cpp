@@ -35,7 +35,7 @@ Interval median_of(std::vector<double> values) {
     return {0.5 * (values[(n - 1) / 2] + values[n / 2]), values[rank], values[n - 1 - rank], n};
 }
 
-Race race(std::span<const Contestant> contestants, const Budget& budget) {
+Race race(std::span<const Contestant> contestants, const Budget& budget, bool reversed) {
     const std::size_t count = contestants.size();
     std::vector<std::vector<double>> seconds(count);
     std::vector<std::vector<double>> ratios(count);
@@ -46,7 +46,7 @@ Race race(std::span<const Contestant> contestants, const Budget& budget) {
     for (std::size_t round = 0; round < budget.most_rounds; ++round) {
         if (round >= budget.least_rounds && elapsed() > budget.seconds) break;
         for (std::size_t turn = 0; turn < count; ++turn) {
-            const std::size_t i = round % 2 == 0 ? turn : count - 1 - turn;
+            const std::size_t i = (round % 2 == 0) == reversed ? count - 1 - turn : turn;
             seconds[i].push_back(contestants[i]());
         }
         for (std::size_t i = 0; i < count; ++i)

@@ -24,8 +24,8 @@ struct Interval {
 
 /// When to stop.
 struct Budget {
-    std::size_t least_rounds = 3;
-    std::size_t most_rounds = 21;
+    std::size_t least_rounds = 1;
+    std::size_t most_rounds = 5;
     double seconds = 1.0;  ///< no further round once so much has passed
 };
 
@@ -39,7 +39,9 @@ struct Race {
     std::vector<Interval> ratios;  ///< of the first: 1
 };
 
-/// Rounds in which all contestants run once, in an order that alternates.
-[[nodiscard]] Race race(std::span<const Contestant> contestants, const Budget& budget);
+/// Rounds in which all contestants run once, in an order that alternates; from the last to the
+/// first in the first round where `reversed`.
+[[nodiscard]] Race race(std::span<const Contestant> contestants, const Budget& budget,
+                        bool reversed = false);
 
 }  // namespace signum::study

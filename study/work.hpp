@@ -4,20 +4,27 @@
 #include <chrono>
 #include <vector>
 
+#include <signum/study/measure.hpp>
 #include <signum/study/plan.hpp>
 #include <signum/study/rows.hpp>
 
 namespace signum::study {
 
-[[nodiscard]] std::vector<Row> measure_construction(const Cell& cell);
-[[nodiscard]] std::vector<Row> measure_deletion(const Cell& cell);
-[[nodiscard]] std::vector<Row> measure_stage_cost(const Cell& cell);
+[[nodiscard]] std::vector<Row> measure_construction(const Cell& cell, const Pass& pass);
+[[nodiscard]] std::vector<Row> measure_deletion(const Cell& cell, const Pass& pass);
+[[nodiscard]] std::vector<Row> measure_stage_cost(const Cell& cell, const Pass& pass);
 [[nodiscard]] std::vector<Row> measure_first_error(const Cell& cell);
 [[nodiscard]] std::vector<Row> measure_margin(const Cell& cell);
 
 /// A number that is not measured, but counted.
 [[nodiscard]] inline Interval exactly(double value) {
     return {value, value, value, 1};
+}
+
+/// The contestants take turns, from pass to pass in another order.
+[[nodiscard]] inline Race race_of(const std::vector<Contestant>& contestants, const Cell& cell,
+                                  const Pass& pass) {
+    return race(contestants, cell.budget, pass.number % 2 == 0);
 }
 
 /// The seconds that a piece of work takes.

@@ -52,6 +52,24 @@ TEST(StudyRows, LeaveOutWhatIsNoCompleteCell) {
     }
 }
 
+TEST(StudyRows, PassesAreCombined) {
+    std::vector<Row> passes;
+    for (const double seconds : {3.0, 1.0, 2.0, 6.0, 5.0, 4.0}) {
+        if (passes.empty()) passes.push_back(row("edges", 10.0));
+        passes.push_back(row("seconds", seconds));
+        passes.push_back(row(std::string(end_of_cell), seconds));
+    }
+    const std::vector<Row> rows = combined(passes);
+    ASSERT_EQ(rows.size(), 3U);
+    EXPECT_EQ(csv_line(rows[0]), csv_line(row("edges", 10.0)));  // counted once
+    EXPECT_EQ(rows[1].quantity, "seconds");
+    EXPECT_EQ(rows[1].value.median, 3.5);
+    EXPECT_EQ(rows[1].value.low, 1.0);
+    EXPECT_EQ(rows[1].value.high, 6.0);
+    EXPECT_EQ(rows[1].value.runs, 6U);
+    EXPECT_EQ(rows[2].value.median, 21.0);
+}
+
 TEST(StudyRows, RefuseWhatIsNone) {
     EXPECT_THROW(static_cast<void>(read_csv("x,y\n1,2\n")), std::invalid_argument);
     EXPECT_THROW(static_cast<void>(read_csv(csv_header() + "1,2,3\n")), std::invalid_argument);
@@ -120,6 +138,19 @@ TEST(StudyMeasure, CountsWhatSingleGetsWrong) {
     EXPECT_EQ(rows.back().quantity, end_of_cell);
 }
 
+TEST(StudyMeasure, LaterPassesTakeTimesAlone) {
+    Cell cell;
+    cell.setting = {"sites", "manhattan", "grid", 100, 0.0, 1.0, 1.0};
+    cell.contestants = {"naive", "exact"};
+    cell.budget = {1, 1, 0.0};
+    for (const bool breaks : {false, true}) {
+        const std::vector<Row> rows = measure(cell, {2, breaks});
+        ASSERT_EQ(rows.size(), 5U);
+        EXPECT_EQ(rows[0].quantity, "seconds");
+        EXPECT_EQ(rows[3].quantity, "ratio");
+    }
+}
+
 TEST(StudyMeasure, EveryKindOfWork) {
     for (const Work work : {Work::deletion, Work::stage_cost, Work::first_error, Work::margin}) {
         Cell cell;
@@ -162,7 +193,7 @@ TEST(StudyReport, SaysWhatItIsAndWhatIsMissing) {
     account.version = "1.2.3";
     account.command = "signum study --quick";
     account.machine = {{"processor", "A & B"}};
-    account.cells = 3;
+    account.measured = 3;
     account.planned = 5;
     const std::string page = html_report(account, {}, {}, {{"what", "<1", "2"}});
     EXPECT_NE(page.find("3 of 5"), std::string::npos);
