@@ -142,10 +142,11 @@ std::uint64_t mix(std::uint64_t bits) noexcept {
 }  // namespace
 
 LargeArray<Index> spatial_order(const StridedSites& sites, std::uint64_t seed) {
-    // A round holds an eighth of what remains for it and the earlier ones; the first about a
-    // hundred.
+    // The rounds before one hold an eighth of what they and it hold; the first round some tens,
+    // since within a round the order is not random: sites along a square's sides, one after the
+    // other, make stars that each of them changes.
     int rounds = 0;
-    for (std::size_t n = sites.size(); n > 1000; n /= 8) ++rounds;
+    for (std::size_t n = sites.size(); n > 64; n /= 8) ++rounds;
 
     const Layout layout(sites.size());
     LargeArray<std::uint64_t> items(sites.size());
