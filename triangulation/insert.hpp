@@ -88,6 +88,8 @@ class Insertion {
 
     /// A face at the site inserted last, if it is visible.
     [[nodiscard]] Index recent() const noexcept { return recent_; }
+    /// The face from which the next site is looked for.
+    void start_from(Index face) noexcept { recent_ = face; }
     /// The sites that the last one hid.
     [[nodiscard]] const std::vector<Index>& enclosed() const noexcept { return enclosed_; }
 
