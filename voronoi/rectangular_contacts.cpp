@@ -6,9 +6,16 @@
 /// it, G_d still at least h_d, touches both as well, and is empty if the larger one is. So only the
 /// smallest need be looked at. They lie between two opposite sides h_d and h_(d+2), and slide from
 /// one end to the other between the two sides across.
+///
+/// Nothing is multiplied, so that all numbers are multiples of the least bit of any site's: in 128
+/// bits they are integers, unless sites' numbers span more than that.
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <type_traits>
 #include <utility>
 
 #include <signum/exact/multiprecision.hpp>
@@ -20,13 +27,36 @@ namespace signum {
 namespace {
 
 using exact::Rational;
+using Integer = __int128;
 
-using Forms = std::array<Rational, 4>;
+/// The bits that the numbers of the sites take: powers of two of which all are multiples, and which
+/// none reaches.
+struct Bits {
+    int least = 2000;
+    int greatest = -2000;
 
-template <class Directions>
+    void include(double value) noexcept {
+        if (value == 0.0) return;
+        constexpr int digits = 53;
+        int exponent = 0;
+        const double fraction = std::frexp(std::abs(value), &exponent);
+        const auto significand = static_cast<std::uint64_t>(std::ldexp(fraction, digits));
+        least = std::min(least, exponent - digits + std::countr_zero(significand));
+        greatest = std::max(greatest, exponent);
+    }
+    /// A form is below 3 numbers, a width below 6, the fourth side of a square below 15, an excess
+    /// below 18, which takes 5 bits and a sign.
+    [[nodiscard]] bool are_few() const noexcept { return greatest - least <= 120; }
+};
+
+/// Rational or Integer: then a multiple of 2^least.
+template <class Directions, class Number>
 class RectangularContacts {
+    using Forms = std::array<Number, 4>;
+
  public:
-    explicit RectangularContacts(const Canonical& canonical) : canonical_(canonical) {}
+    RectangularContacts(const Canonical& canonical, const Bits& bits)
+        : canonical_(canonical), bits_(bits) {}
 
     bool operator()(Index i, Index j) const {
         if (canonical_.site(i) == canonical_.site(j)) return false;
@@ -35,26 +65,26 @@ class RectangularContacts {
         Forms least;
         for (std::size_t d = 0; d < 4; ++d) least[d] = std::max(of_i[d], of_j[d]);
         const std::size_t a = least[0] + least[2] >= least[1] + least[3] ? 0 : 1;
-        const Rational width = least[a] + least[a + 2];
+        const Number width = least[a] + least[a + 2];
 
         // The square with the side across at g.
         const std::size_t across = a + 1;
         const std::size_t opposite = (a + 3) % 4;
-        const auto square = [&](const Rational& g) {
+        const auto square = [&](const Number& g) {
             Forms result = least;
             result[across] = g;
             result[opposite] = width - g;
             return result;
         };
-        const Rational first = least[across];
-        const Rational last = width - least[opposite];
+        const Number first = least[across];
+        const Number last = width - least[opposite];
         Index at = start(i, j);
         const auto held = [&](const Forms& one, const Forms& other) {
             return one[a] == least[a] && other[a + 2] == least[a + 2];
         };
         if (!held(of_i, of_j) && !held(of_j, of_i)) {
             // One of them holds both sides; the other is touched at an end of the way, or nowhere.
-            const auto is_contact = [&](const Rational& g) {
+            const auto is_contact = [&](const Number& g) {
                 const Forms of_square = square(g);
                 return excess(of_i, of_square) == 0 && excess(of_j, of_square) == 0 &&
                        excess(nearest(of_square, at), of_square) >= 0;
@@ -62,7 +92,7 @@ class RectangularContacts {
             return is_contact(first) || is_contact(last);
         }
         // A site inside stays inside until the square has passed it.
-        for (Rational g = first; g <= last;) {
+        for (Number g = first; g <= last;) {
             const Forms of_square = square(g);
             const Forms inside = nearest(of_square, at);
             if (excess(inside, of_square) >= 0) return true;
@@ -74,20 +104,27 @@ class RectangularContacts {
  private:
     [[nodiscard]] Forms forms(Index i) const {
         const Site& s = canonical_.site(i);
-        const Rational x = exact::to_rational(s.x);
-        const Rational y = exact::to_rational(s.y);
-        const Rational r = exact::to_rational(s.r);
+        const Number x = number(s.x);
+        const Number y = number(s.y);
+        const Number r = number(s.r);
         Forms result;
         for (std::size_t d = 0; d < 4; ++d)
-            result[d] = Rational(static_cast<int>(Directions::x[d])) * x +
-                        Rational(static_cast<int>(Directions::y[d])) * y - r;
+            result[d] = Number(static_cast<int>(Directions::x[d])) * x +
+                        Number(static_cast<int>(Directions::y[d])) * y - r;
         return result;
     }
 
-    [[nodiscard]] static Rational excess(const Forms& site, const Forms& square) {
-        Rational greatest = site[0] - square[0];
+    [[nodiscard]] Number number(double value) const {
+        if constexpr (std::is_same_v<Number, Rational>)
+            return exact::to_rational(value);
+        else
+            return static_cast<Number>(std::ldexp(value, -bits_.least));
+    }
+
+    [[nodiscard]] static Number excess(const Forms& site, const Forms& square) {
+        Number greatest = site[0] - square[0];
         for (std::size_t d = 1; d < 4; ++d)
-            greatest = std::max(greatest, Rational(site[d] - square[d]));
+            greatest = std::max(greatest, Number(site[d] - square[d]));
         return greatest;
     }
 
@@ -101,13 +138,13 @@ class RectangularContacts {
     /// where two are as near, a neighbour is nearer.
     [[nodiscard]] Forms nearest(const Forms& square, Index& at) const {
         Forms of_nearest = forms(at);
-        Rational least = excess(of_nearest, square);
+        Number least = excess(of_nearest, square);
         for (Index from = -1; from != at && least >= 0;) {
             from = at;
             for (const Index k : canonical_.tessellation().neighbours(from)) {
                 if (k == infinite) continue;
                 Forms of_k = forms(k);
-                Rational of_excess = excess(of_k, square);
+                Number of_excess = excess(of_k, square);
                 if (of_excess > least || (of_excess == least && !precedes(k, at))) continue;
                 of_nearest = std::move(of_k);
                 least = std::move(of_excess);
@@ -122,14 +159,24 @@ class RectangularContacts {
     }
 
     const Canonical& canonical_;
+    Bits bits_;
 };
+
+template <class Directions>
+Contacts contacts_along(const Canonical& canonical) {
+    Bits bits;
+    for (const Site& site : canonical.tessellation().sites())
+        for (const double number : {site.x, site.y, site.r}) bits.include(number);
+    if (bits.are_few()) return RectangularContacts<Directions, Integer>(canonical, bits);
+    return RectangularContacts<Directions, Rational>(canonical, bits);
+}
 
 }  // namespace
 
 Contacts rectangular_contacts(const Canonical& canonical) {
     if (canonical.tessellation().metric() == Metric::supremum)
-        return RectangularContacts<rectangular::Supremum>(canonical);
-    return RectangularContacts<rectangular::Manhattan>(canonical);
+        return contacts_along<rectangular::Supremum>(canonical);
+    return contacts_along<rectangular::Manhattan>(canonical);
 }
 
 }  // namespace signum

@@ -116,7 +116,6 @@ class Compare : public testing::TestWithParam<Metric> {
 
     std::size_t different_ = 0;
     std::size_t hidden_ = 0;
-    /// The Euclidean oracle compares enclosures and is slow.
     /// The oracles of the other metrics are slow.
     int effort() const { return GetParam() == Metric::power ? 5 : 1; }
 };
@@ -141,7 +140,23 @@ TEST_P(Compare, EqualsTheOracleOnDegenerateSites) {
     EXPECT_GT(hidden_, 0U);
 }
 
+/// Rationals, where integers of 128 bits do not do.
+class CompareSquares : public Compare {};
+
+TEST_P(CompareSquares, EqualsTheOracleWhereNumbersSpanManyBits) {
+    brute_force::Degenerate degenerate(43);
+    for (int trial = 0; trial < 54 * effort() / share; ++trial) {
+        Sites sites(static_cast<std::size_t>(3 + trial / brute_force::Degenerate::families % 3));
+        degenerate.fill(trial % brute_force::Degenerate::families, sites.data(), sites.size());
+        sites.push_back({0x1p-200, 0.5, 0});
+        ASSERT_NO_FATAL_FAILURE(expect_oracle(sites, false));
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Metrics, Compare, testing::ValuesIn(all_metrics),
+                         [](const auto& info) { return std::string(name_of(info.param)); });
+INSTANTIATE_TEST_SUITE_P(Metrics, CompareSquares,
+                         testing::Values(Metric::manhattan, Metric::supremum),
                          [](const auto& info) { return std::string(name_of(info.param)); });
 
 TEST(CompareEdges, AChordOfACocircularCellIsDifferentAndNotWrong) {

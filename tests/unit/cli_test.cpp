@@ -233,6 +233,32 @@ TEST_F(Tool, ComparesAndSaysWhetherExactnessIsNeeded) {
     EXPECT_NE(json.out.find("These sites do not need exactness"), std::string::npos) << json.out;
 }
 
+TEST_F(Tool, ComparesWithARunThatBreaks) {
+    const std::string offset = scratch.path("offset.txt");
+    ASSERT_EQ(run({"generate", "offset", "-n", "1000", "--radius", "1", "-o", offset}).code, 0);
+    const Outcome table = run({"compare", offset, "--metric", "manhattan", "--seconds", "0"});
+    EXPECT_EQ(table.code, 0);
+    EXPECT_NE(table.out.find("naive broke: "), std::string::npos) << table.out;
+    EXPECT_NE(table.out.find("in naive arithmetic the structure broke"), std::string::npos);
+    EXPECT_EQ(table.out.find("exact / naive time"), std::string::npos) << table.out;
+
+    const Outcome json =
+        run({"compare", offset, "--metric", "manhattan", "--seconds", "0", "--json"});
+    EXPECT_EQ(json.code, 0);
+    EXPECT_TRUE(
+        json.out.starts_with("{\"edges\": null, \"wrong\": null, \"different\": null, "
+                             "\"broken\": \""))
+        << json.out;
+    EXPECT_NE(json.out.find("\"ratio\": null"), std::string::npos) << json.out;
+
+    const std::string picture = scratch.path("none.svg");
+    const Outcome drawn =
+        run({"compare", offset, "--metric", "manhattan", "--seconds", "0", "-o", picture});
+    EXPECT_EQ(drawn.code, 1);
+    EXPECT_NE(drawn.err.find("there is nothing to draw"), std::string::npos) << drawn.err;
+    EXPECT_FALSE(std::filesystem::exists(picture));
+}
+
 TEST_F(Tool, ComparesOfATieTheChoiceAlone) {
     const std::string grid = scratch.path("grid.txt");
     ASSERT_EQ(run({"generate", "grid", "-n", "100", "-o", grid}).code, 0);
