@@ -272,6 +272,7 @@ std::string inline_svg(std::string svg, const std::string& name, const std::stri
     if (start != std::string::npos) svg.erase(0, start);
     replace_all(svg, "color=\"black\" ", "");
     replace_all(svg, "color=\"white\" ", "");
+    replace_all(svg, "color='white'", "style='color: var(--paper, white)'");
     replace_all(svg, "'black'", "'currentColor'");
     replace_all(svg, "\"black\"", "\"currentColor\"");
     replace_all(svg, "rgb(  0,   0,   0)", "currentColor");

@@ -57,9 +57,9 @@ rounded arithmetic, and exactly. It follows the experiments of M. Gavrilova’s 
 Applications in General Metrics</em>, Calgary 1998) and puts its numbers beside ours.</p>
 <p>Sites come in patterns: <em>random</em> in a square, on a <em>circle</em>, on the border of a <em>square</em>, on a
 <em>grid</em>. The last three are degenerate: many sites lie on one circle or on one line, where signs are hardest.</p>
-<p>Every experiment is run in six passes, minutes apart, in which the contestants take turns. Times are
-medians of the passes; a thin bar reaches from the fastest pass to the slowest, which is an interval that holds
-the true median with a confidence of 95 %. Where there are four metrics, distance is measured in four ways; <em>power</em> is that of the
+<p>All experiments are run six times, one pass over all of them after the other, and in each the contestants take
+turns. Times are medians of the passes; a thin bar reaches from the fastest pass to the slowest, which is an interval
+that holds the true median with a confidence of 95 %. Where there are four metrics, distance is measured in four ways; <em>power</em> is that of the
 thesis’s experiments.</p>
 )";
 

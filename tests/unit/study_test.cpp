@@ -180,10 +180,12 @@ TEST(StudyReport, TakesTheColoursOfThePage) {
     const std::string svg = inline_svg(
         "<?xml?>\n<svg \n viewBox=\"0 0 1 1\">\n<title>t</title>\n<desc>d</desc>\n<g "
         "color=\"black\" "
-        "stroke=\"currentColor\"><use xlink:href='#gpPt1'/><path stroke='black'/></g></svg>",
+        "stroke=\"currentColor\"><use xlink:href='#gpPt1' color='white'/><path "
+        "stroke='black'/></g></svg>",
         "name", "what <it> shows");
     EXPECT_TRUE(svg.starts_with("<svg"));
     EXPECT_EQ(svg.find("black"), std::string::npos);
+    EXPECT_EQ(svg.find("'white'"), std::string::npos);
     EXPECT_NE(svg.find("#name_gpPt1"), std::string::npos);
     EXPECT_NE(svg.find("what &lt;it> shows"), std::string::npos);
 }
