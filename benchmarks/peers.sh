@@ -30,17 +30,8 @@ if command -v node >/dev/null && command -v npm >/dev/null; then
   versions+=("delaunator $delaunator_version" "robust-predicates $robust" "node $(node --version)")
 fi
 
-pin=()
-pinned="not pinned"
-if command -v taskset >/dev/null; then
-  core=${CORE:-$(taskset -cp $$ | sed 's/.*[ ,-]//')}
-  pin=(taskset -c "$core")
-  pinned="pinned to one core"
-fi
-cpu=$(sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo 2>/dev/null | sort -u | head -n 1)
-compiler=$(sed -n 's/^CMAKE_CXX_COMPILER:[^=]*=//p' "$build/CMakeCache.txt")
-echo "${cpu:-$(uname -m)}, $(getconf _NPROCESSORS_ONLN) cores, $pinned; $(uname -sr);" \
-  "$("$compiler" --version | head -n 1)."
+source benchmarks/machine.sh
+describe_machine "$build"
 [ ${#versions[@]} -eq 0 ] || printf 'Peers: %s.\n' "$(printf '%s, ' "${versions[@]}" | sed 's/, $//')"
 echo
 exec "${pin[@]}" "$build/benchmarks/peers_benchmark" ${options[@]+"${options[@]}"} "$@"

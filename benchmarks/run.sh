@@ -15,20 +15,10 @@ cmake --preset benchmark -B "$build" >&2
 cmake --build "$build" --parallel ${JOBS:+"$JOBS"} \
   --target predicates_benchmark triangulation_benchmark memory_benchmark >&2
 
-pin=()
-pinned="not pinned"
-if command -v taskset >/dev/null; then
-  core=${CORE:-$(taskset -cp $$ | sed 's/.*[ ,-]//')}
-  pin=(taskset -c "$core")
-  pinned="pinned to one core"
-fi
-
-cpu=$(sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo 2>/dev/null | sort -u | head -n 1)
-cpu=${cpu:-$(sysctl -n machdep.cpu.brand_string 2>/dev/null || uname -m)}
-compiler=$(sed -n 's/^CMAKE_CXX_COMPILER:[^=]*=//p' "$build/CMakeCache.txt")
+source benchmarks/machine.sh
+describe_machine "$build"
 huge_pages=$(sed -n 's/.*\[\(.*\)\].*/\1/p' /sys/kernel/mm/transparent_hugepage/enabled 2>/dev/null || true)
-echo "$cpu, $(getconf _NPROCESSORS_ONLN) cores, $pinned; $(uname -sr);" \
-  "transparent huge pages: ${huge_pages:-none}; $("$compiler" --version | head -n 1)."
+echo "Transparent huge pages: ${huge_pages:-none}."
 
 for program in predicates_benchmark triangulation_benchmark memory_benchmark; do
   echo
