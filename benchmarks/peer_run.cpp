@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <exception>
 #include <fstream>
 #include <set>
 #include <utility>
 
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -111,7 +113,9 @@ std::optional<Outcome> run(const std::vector<std::string>& command,
         std::vector<char*> words;
         for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
         words.push_back(nullptr);
-        alarm(most_seconds);  // exec() keeps it
+        // Both outlive exec(): no peer runs on when this one is stopped, or without end.
+        prctl(PR_SET_PDEATHSIG, SIGKILL);
+        alarm(most_seconds);
         execv(words[0], words.data());
         _exit(1);
     }
