@@ -24,8 +24,8 @@ struct Interval {
 
 /// When to stop.
 struct Budget {
-    std::size_t least_rounds = 1;
-    std::size_t most_rounds = 5;
+    std::size_t least_rounds = 3;
+    std::size_t most_rounds = 21;
     double seconds = 1.0;  ///< no further round once so much has passed
 };
 

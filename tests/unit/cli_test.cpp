@@ -231,6 +231,7 @@ TEST_F(Tool, ComparesAndSaysWhetherExactnessIsNeeded) {
     EXPECT_NE(json.out.find("\n\"naive\": {\"edges\": 6, "), std::string::npos) << json.out;
     EXPECT_NE(json.out.find("\n\"exact\": {\"edges\": 6, "), std::string::npos) << json.out;
     EXPECT_NE(json.out.find("These sites do not need exactness"), std::string::npos) << json.out;
+    EXPECT_NE(json.out.find("\"rounds\": 3,"), std::string::npos) << json.out;  // at least
 }
 
 TEST_F(Tool, ComparesWithARunThatBreaks) {
