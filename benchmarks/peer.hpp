@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <signum/core/site.hpp>
@@ -26,6 +27,24 @@ class Attempt {
     /// the finite ones alone, in any orientation. Neighbours where two sites can share several
     /// edges.
     virtual void write(std::vector<Face>& faces, std::vector<Face>& neighbours) const = 0;
+};
+
+/// One that makes a Tessellation.
+class Triangulation : public Attempt {
+ public:
+    using Triangulate = std::function<Tessellation(const std::vector<Site>&)>;
+    Triangulation(std::vector<Site> sites, Triangulate triangulate)
+        : sites_(std::move(sites)), triangulate_(std::move(triangulate)) {}
+    void build() override { tessellation_ = triangulate_(sites_); }
+    void write(std::vector<Face>& faces, std::vector<Face>& neighbours) const override {
+        faces.assign(tessellation_.faces().begin(), tessellation_.faces().end());
+        neighbours.assign(tessellation_.neighbours().begin(), tessellation_.neighbours().end());
+    }
+
+ private:
+    std::vector<Site> sites_;
+    Triangulate triangulate_;
+    Tessellation tessellation_;
 };
 
 using Prepare = std::function<std::unique_ptr<Attempt>(const std::vector<Site>&)>;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <map>
 #include <vector>
 
 #include <fmt/format.h>
@@ -29,7 +28,8 @@ std::vector<Edge> edges_of(const std::vector<Face>& faces) {
 
 }  // namespace
 
-std::string judge(const Outcome& outcome, const Tessellation& canonical, const Contacts& contact) {
+std::string judge(const Outcome& outcome, const Canonical& known, const Contacts& contact) {
+    const Tessellation& canonical = known.tessellation();
     const std::vector<Site> sites(canonical.sites().begin(), canonical.sites().end());
     TessellationArrays arrays;
     arrays.metric = canonical.metric();
@@ -41,14 +41,9 @@ std::string judge(const Outcome& outcome, const Tessellation& canonical, const C
         for (const Index v : face)
             if (v != infinite) is_there[static_cast<std::size_t>(v)] = 1;
     // Which site hides another is signum's to say; peers that say it have other ways.
-    std::map<Index, Index> hidden_by;
-    for (const Hidden& hidden : canonical.hidden()) hidden_by[hidden.site] = hidden.by;
-    for (std::size_t i = 0; i < sites.size(); ++i) {
-        if (is_there[i]) continue;
-        const auto found = hidden_by.find(static_cast<Index>(i));
-        arrays.hidden.push_back(
-            {static_cast<Index>(i), found == hidden_by.end() ? infinite : found->second});
-    }
+    for (Index i = 0; i < static_cast<Index>(sites.size()); ++i)
+        if (!is_there[static_cast<std::size_t>(i)])
+            arrays.hidden.push_back({i, known.hidden_by(i)});
     if (validate(arrays, sites).valid) return "right";
 
     const std::vector<Edge> expected =

@@ -54,29 +54,14 @@ class ShewchukKernel : public PowerKernel<Point, Arithmetic::exact, filters::NoT
     }
 };
 
-class Shewchuk : public Attempt {
- public:
-    explicit Shewchuk(const std::vector<Site>& sites) : sites_(sites) {
-        exactinit(0, 0, 0, 1.0, 1.0, 1.0);  // the largest coordinates count in space alone
-    }
-    void build() override {
-        tessellation_ =
-            triangulation::construct_with_kernel<ShewchukKernel>(Metric::power, sites_, Options{});
-    }
-    void write(std::vector<Face>& faces, std::vector<Face>& neighbours) const override {
-        faces.assign(tessellation_.faces().begin(), tessellation_.faces().end());
-        neighbours.assign(tessellation_.neighbours().begin(), tessellation_.neighbours().end());
-    }
-
- private:
-    std::vector<Site> sites_;
-    Tessellation tessellation_;
-};
-
 }  // namespace
 
 std::unique_ptr<Attempt> prepare_shewchuk(const std::vector<Site>& sites) {
-    return std::make_unique<Shewchuk>(sites);
+    exactinit(0, 0, 0, 1.0, 1.0, 1.0);  // the largest coordinates count in space alone
+    return std::make_unique<Triangulation>(sites, [](const std::vector<Site>& given) {
+        return triangulation::construct_with_kernel<ShewchukKernel>(Metric::power, given,
+                                                                    Options{});
+    });
 }
 
 }  // namespace signum::benchmarks

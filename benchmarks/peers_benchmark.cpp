@@ -6,7 +6,6 @@
 /// usage: peers_benchmark [--sites N] [--rounds N] [--delaunator COMMAND]
 /// COMMAND, a shell's, reads and writes as peer_run.hpp says.
 
-#include <algorithm>
 #include <cmath>
 #include <csignal>
 #include <cstdint>
@@ -21,6 +20,7 @@
 #include <fmt/format.h>
 
 #include <signum/generate/generate.hpp>
+#include <signum/study/timing.hpp>
 #include <signum/triangulation/triangulate.hpp>
 #include <signum/voronoi/contacts.hpp>
 
@@ -29,27 +29,12 @@
 #include "peer_run.hpp"
 
 namespace signum::benchmarks {
-
 namespace {
-
-class Signum : public Attempt {
- public:
-    Signum(std::vector<Site> sites, Metric metric) : sites_(std::move(sites)), metric_(metric) {}
-    void build() override { tessellation_ = triangulate(sites_, metric_); }
-    void write(std::vector<Face>& faces, std::vector<Face>& neighbours) const override {
-        faces.assign(tessellation_.faces().begin(), tessellation_.faces().end());
-        neighbours.assign(tessellation_.neighbours().begin(), tessellation_.neighbours().end());
-    }
-
- private:
-    std::vector<Site> sites_;
-    Metric metric_;
-    Tessellation tessellation_;
-};
 
 Prepare prepare_signum(Metric metric) {
     return [metric](const std::vector<Site>& sites) {
-        return std::make_unique<Signum>(sites, metric);
+        return std::make_unique<Triangulation>(
+            sites, [metric](const std::vector<Site>& given) { return triangulate(given, metric); });
     };
 }
 
@@ -68,11 +53,6 @@ struct Kind {
     bool cgal_judges;
     std::vector<Peer> peers;
 };
-
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return 0.5 * (values[(values.size() - 1) / 2] + values[values.size() / 2]);
-}
 
 /// The rows of one kind in the table of a distribution.
 void print_rows(const Kind& kind, Distribution distribution, std::int64_t n, int rounds) {
@@ -122,10 +102,10 @@ void print_rows(const Kind& kind, Distribution distribution, std::int64_t n, int
                           : "**wrong**";
 #endif
         print_row({kind.name, kind.peers[i].name, std::to_string(n),
-                   fmt::format("{:.0f} ms", 1e3 * median(seconds)),
-                   ratios.empty() ? "" : fmt::format("{:.2f}", median(ratios)),
-                   fmt::format("{:.0f}", median(peaks) / static_cast<double>(n)),
-                   judge(outcomes[i][0], canonical, contact), by_cgal});
+                   fmt::format("{:.0f} ms", 1e3 * study::median_of(seconds).median),
+                   ratios.empty() ? "" : fmt::format("{:.2f}", study::median_of(ratios).median),
+                   fmt::format("{:.0f}", study::median_of(peaks).median / static_cast<double>(n)),
+                   judge(outcomes[i][0], known, contact), by_cgal});
         std::fflush(stdout);
     }
 }
