@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <signum/core/site.hpp>
+#include "../core/site.hpp"
 
 #include "construction.hpp"
 

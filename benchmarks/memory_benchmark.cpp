@@ -18,8 +18,8 @@
 
 #include <fmt/format.h>
 
-#include <signum/generate/generate.hpp>
-#include <signum/triangulation/triangulate.hpp>
+#include "../generate/generate.hpp"
+#include "../triangulation/triangulate.hpp"
 
 namespace signum::benchmarks {
 namespace {

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include <signum/core/site.hpp>
-#include <signum/triangulation/tessellation.hpp>
+#include "../core/site.hpp"
+#include "../triangulation/tessellation.hpp"
 
 namespace signum::benchmarks {
 

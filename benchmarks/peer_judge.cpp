@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include <signum/triangulation/validate.hpp>
+#include "../triangulation/validate.hpp"
 
 namespace signum::benchmarks {
 namespace {

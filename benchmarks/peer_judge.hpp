@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include <signum/voronoi/contacts.hpp>
+#include "../voronoi/contacts.hpp"
 
 #include "peer_run.hpp"
 

@@ -14,7 +14,7 @@
 
 #include <fmt/format.h>
 
-#include <signum/predicates/ccw.hpp>
+#include "../predicates/ccw.hpp"
 
 namespace signum::benchmarks {
 namespace {

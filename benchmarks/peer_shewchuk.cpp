@@ -2,7 +2,7 @@
 /// (Shewchuk 1997), so that nothing but the predicates differs. Exact zeros go to signum's tie
 /// rule. TetGen's package has them in a shared library; no call of them can be inlined.
 
-#include <signum/triangulation/cold_construct.hpp>
+#include "../triangulation/construction/constructions.hpp"
 
 #include "peer.hpp"
 

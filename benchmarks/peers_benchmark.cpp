@@ -19,10 +19,10 @@
 
 #include <fmt/format.h>
 
-#include <signum/generate/generate.hpp>
-#include <signum/study/timing.hpp>
-#include <signum/triangulation/triangulate.hpp>
-#include <signum/voronoi/contacts.hpp>
+#include "../generate/generate.hpp"
+#include "../study/timing.hpp"
+#include "../triangulation/triangulate.hpp"
+#include "../voronoi/contacts.hpp"
 
 #include "interleaved.hpp"
 #include "peer_judge.hpp"

@@ -13,9 +13,9 @@
 
 #include <fmt/format.h>
 
-#include <signum/exact/sign_of_sum.hpp>
-#include <signum/generate/generate.hpp>
-#include <signum/predicates/power.hpp>
+#include "../exact/sign_of_sum.hpp"
+#include "../generate/generate.hpp"
+#include "../predicates/power.hpp"
 
 #include "interleaved.hpp"
 

@@ -21,8 +21,8 @@
 
 #include <fmt/format.h>
 
-#include <signum/generate/generate.hpp>
-#include <signum/triangulation/triangulate.hpp>
+#include "../generate/generate.hpp"
+#include "../triangulation/triangulate.hpp"
 
 #include "construction.hpp"
 #include "interleaved.hpp"

@@ -7,7 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include <signum/triangulation/tessellation.hpp>
+#include "../triangulation/tessellation.hpp"
 
 namespace signum::cli {
 

@@ -11,13 +11,13 @@
 
 #include <fmt/format.h>
 
-#include <signum/draw/svg.hpp>
-#include <signum/io/output_file.hpp>
-#include <signum/io/text_writer.hpp>
-#include <signum/study/margin.hpp>
-#include <signum/study/timing.hpp>
-#include <signum/triangulation/triangulate.hpp>
-#include <signum/voronoi/compare.hpp>
+#include "../draw/svg.hpp"
+#include "../io/output_file.hpp"
+#include "../io/text_writer.hpp"
+#include "../study/margin.hpp"
+#include "../study/timing.hpp"
+#include "../triangulation/triangulate.hpp"
+#include "../voronoi/compare.hpp"
 
 #include "commands.hpp"
 #include "outputs.hpp"

@@ -6,11 +6,11 @@
 
 #include <fmt/format.h>
 
-#include <signum/core/index.hpp>
-#include <signum/generate/generate.hpp>
-#include <signum/io/number.hpp>
-#include <signum/io/output_file.hpp>
-#include <signum/io/write_sites.hpp>
+#include "../core/index.hpp"
+#include "../generate/generate.hpp"
+#include "../io/number.hpp"
+#include "../io/output_file.hpp"
+#include "../io/write_sites.hpp"
 
 #include "commands.hpp"
 

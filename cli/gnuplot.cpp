@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-#include <signum/io/errors.hpp>
+#include "../io/errors.hpp"
 
 extern char** environ;
 

@@ -10,8 +10,8 @@
 #include <new>
 #include <string>
 
-#include <signum/io/errors.hpp>
-#include <signum/io/output_file.hpp>
+#include "../io/errors.hpp"
+#include "../io/output_file.hpp"
 
 #include "commands.hpp"
 

@@ -10,7 +10,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include <signum/io/output_file.hpp>
+#include "../io/output_file.hpp"
 
 namespace signum::cli {
 

@@ -10,14 +10,14 @@
 
 #include <fmt/format.h>
 
-#include <signum/io/number.hpp>
-#include <signum/io/output_file.hpp>
-#include <signum/predicates/additive.hpp>
-#include <signum/predicates/ccw.hpp>
-#include <signum/predicates/euclidean.hpp>
-#include <signum/predicates/manhattan.hpp>
-#include <signum/predicates/power.hpp>
-#include <signum/predicates/supremum.hpp>
+#include "../io/number.hpp"
+#include "../io/output_file.hpp"
+#include "../predicates/additive.hpp"
+#include "../predicates/ccw.hpp"
+#include "../predicates/euclidean.hpp"
+#include "../predicates/manhattan.hpp"
+#include "../predicates/power.hpp"
+#include "../predicates/supremum.hpp"
 
 #include "commands.hpp"
 

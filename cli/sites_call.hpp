@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include <signum/io/read_sites.hpp>
-#include <signum/triangulation/triangulate.hpp>
+#include "../io/read_sites.hpp"
+#include "../triangulation/triangulate.hpp"
 
 namespace signum::cli {
 

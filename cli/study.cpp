@@ -17,14 +17,14 @@
 
 #include <fmt/format.h>
 
-#include <signum/io/errors.hpp>
-#include <signum/io/number.hpp>
-#include <signum/io/output_file.hpp>
-#include <signum/study/figures.hpp>
-#include <signum/study/machine.hpp>
-#include <signum/study/measure.hpp>
-#include <signum/study/plan.hpp>
-#include <signum/study/report.hpp>
+#include "../io/errors.hpp"
+#include "../io/number.hpp"
+#include "../io/output_file.hpp"
+#include "../study/figures.hpp"
+#include "../study/machine.hpp"
+#include "../study/measure.hpp"
+#include "../study/plan.hpp"
+#include "../study/report.hpp"
 
 #include "commands.hpp"
 #include "gnuplot.hpp"

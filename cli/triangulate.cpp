@@ -8,12 +8,12 @@
 
 #include <fmt/format.h>
 
-#include <signum/draw/svg.hpp>
-#include <signum/io/write_csv.hpp>
-#include <signum/io/write_json.hpp>
-#include <signum/io/write_obj.hpp>
-#include <signum/triangulation/triangulate.hpp>
-#include <signum/triangulation/validate.hpp>
+#include "../draw/svg.hpp"
+#include "../io/write_csv.hpp"
+#include "../io/write_json.hpp"
+#include "../io/write_obj.hpp"
+#include "../triangulation/triangulate.hpp"
+#include "../triangulation/validate.hpp"
 
 #include "commands.hpp"
 #include "outputs.hpp"

@@ -4,10 +4,10 @@
 
 #include <fmt/format.h>
 
-#include <signum/io/output_file.hpp>
-#include <signum/io/read_sites.hpp>
-#include <signum/io/read_tessellation.hpp>
-#include <signum/triangulation/validate.hpp>
+#include "../io/output_file.hpp"
+#include "../io/read_sites.hpp"
+#include "../io/read_tessellation.hpp"
+#include "../triangulation/validate.hpp"
 
 #include "commands.hpp"
 

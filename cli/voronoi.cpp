@@ -9,9 +9,9 @@
 
 #include <fmt/format.h>
 
-#include <signum/draw/voronoi_svg.hpp>
-#include <signum/io/write_voronoi.hpp>
-#include <signum/voronoi/clip.hpp>
+#include "../draw/voronoi_svg.hpp"
+#include "../io/write_voronoi.hpp"
+#include "../voronoi/clip.hpp"
 
 #include "commands.hpp"
 #include "outputs.hpp"

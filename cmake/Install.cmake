@@ -2,14 +2,32 @@
 include(CMakePackageConfigHelpers)
 set(package_directory "${CMAKE_INSTALL_LIBDIR}/cmake/signum")
 
-# The headers that a user's program may reach. What only the library's own sources include stays
-# here; tests/structure/consumer.cmake checks that the rest stands alone, without Boost and GMP.
-install(DIRECTORY core exact filters predicates triangulation voronoi
-        DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/signum"
-        FILES_MATCHING PATTERN "*.hpp"
-        REGEX "exact/multiprecision\\.hpp$" EXCLUDE
-        REGEX "voronoi/vector\\.hpp$" EXCLUDE
-        PATTERN "cold_*.hpp" EXCLUDE)
+# What a user's program may include; tests/structure/consumer.cmake checks that each stands alone,
+# without Boost and GMP.
+set(public_headers
+  core/index.hpp core/sign.hpp core/site.hpp core/strided_sites.hpp
+  exact/sign_of_sum.hpp
+  predicates/ccw.hpp predicates/power.hpp predicates/euclidean.hpp predicates/manhattan.hpp
+  predicates/supremum.hpp predicates/arithmetic.hpp
+  triangulation/tessellation.hpp triangulation/triangulate.hpp triangulation/validate.hpp
+  triangulation/vertices.hpp triangulation/dynamic.hpp triangulation/edge_list.hpp
+  triangulation/space.hpp
+  voronoi/voronoi.hpp voronoi/curve.hpp voronoi/conic.hpp voronoi/clip.hpp voronoi/polygon.hpp
+  voronoi/contacts.hpp voronoi/compare.hpp)
+# What these include in their turn: the filters, which are inline. Nobody includes them by name.
+set(headers_behind
+  core/contract.hpp
+  filters/bounds.hpp filters/interval.hpp filters/rounding_count.hpp filters/tally.hpp
+  filters/verdict.hpp
+  predicates/additive.hpp
+  predicates/euclidean/discs.hpp predicates/euclidean/filter.hpp
+  predicates/power/edge.hpp predicates/power/in_circle.hpp predicates/power/infinite.hpp
+  predicates/power/ties.hpp predicates/power/weight.hpp
+  predicates/rectangular/forms.hpp predicates/rectangular/squares.hpp)
+foreach(header IN LISTS public_headers headers_behind)
+  cmake_path(GET header PARENT_PATH folder)
+  install(FILES "${header}" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/signum/${folder}")
+endforeach()
 
 install(TARGETS signum EXPORT signum-targets)
 if(TARGET signum_tool)

@@ -6,7 +6,7 @@
 ///  2. high is the rounded result, |low| <= ulp(high) / 2.
 /// Sources: Dekker 1971, Knuth TAOCP 2 (4.2.2), Ogita, Rump and Oishi 2005.
 
-#include <signum/core/contract.hpp>
+#include "contract.hpp"
 
 namespace signum {
 

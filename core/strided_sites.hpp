@@ -6,7 +6,7 @@
 #include <ranges>
 #include <type_traits>
 
-#include <signum/core/site.hpp>
+#include "site.hpp"
 
 namespace signum {
 

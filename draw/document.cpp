@@ -1,4 +1,4 @@
-#include <signum/draw/document.hpp>
+#include "document.hpp"
 
 #include <ostream>
 

@@ -1,10 +1,10 @@
 #pragma once
 /// The file around a drawing.
 
-#include <signum/draw/frame.hpp>
-#include <signum/draw/legend.hpp>
-#include <signum/draw/style.hpp>
-#include <signum/draw/svg_text.hpp>
+#include "frame.hpp"
+#include "legend.hpp"
+#include "style.hpp"
+#include "svg_text.hpp"
 
 #include <iosfwd>
 #include <string_view>

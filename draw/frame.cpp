@@ -1,4 +1,4 @@
-#include <signum/draw/frame.hpp>
+#include "frame.hpp"
 
 #include <algorithm>
 #include <cmath>

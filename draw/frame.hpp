@@ -6,8 +6,8 @@
 ///  2. Nothing overflows: a power of two first brings all coordinates and radii below 2.
 ///  3. A disc far larger than the rest is cut off instead of shrinking the rest to a dot.
 
-#include <signum/core/site.hpp>
-#include <signum/voronoi/conic.hpp>
+#include "../core/site.hpp"
+#include "../voronoi/conic.hpp"
 
 #include <span>
 

@@ -1,4 +1,4 @@
-#include <signum/draw/legend.hpp>
+#include "legend.hpp"
 
 namespace signum {
 namespace {

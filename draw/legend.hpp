@@ -1,8 +1,8 @@
 #pragma once
 /// The legend below a picture: one row of samples (more where they do not fit), then notes.
 
-#include <signum/draw/outline.hpp>
-#include <signum/draw/svg_text.hpp>
+#include "outline.hpp"
+#include "svg_text.hpp"
 
 #include <fmt/format.h>
 

@@ -1,10 +1,10 @@
-#include <signum/draw/lines.hpp>
+#include "lines.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include <signum/draw/paths.hpp>
-#include <signum/draw/thinning.hpp>
+#include "paths.hpp"
+#include "thinning.hpp"
 
 namespace signum {
 namespace {

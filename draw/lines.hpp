@@ -1,10 +1,10 @@
 #pragma once
 /// The lines of a picture: straight ones and arcs.
 
-#include <signum/draw/frame.hpp>
-#include <signum/draw/legend.hpp>
-#include <signum/draw/svg_text.hpp>
-#include <signum/voronoi/clip.hpp>
+#include "../voronoi/clip.hpp"
+#include "frame.hpp"
+#include "legend.hpp"
+#include "svg_text.hpp"
 
 #include <cstddef>
 #include <optional>

@@ -1,4 +1,4 @@
-#include <signum/draw/outline.hpp>
+#include "outline.hpp"
 
 namespace signum {
 

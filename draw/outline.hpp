@@ -2,8 +2,8 @@
 /// The outline of a site: an SVG element and the attributes that give its place and size. Its
 /// points are `radius` away from the centre in the metric.
 
-#include <signum/core/site.hpp>
-#include <signum/draw/svg_text.hpp>
+#include "../core/site.hpp"
+#include "svg_text.hpp"
 
 #include <string_view>
 

@@ -1,8 +1,8 @@
 #pragma once
 /// Paths of one class, chunk by chunk.
 
-#include <signum/draw/lines.hpp>
-#include <signum/draw/svg_text.hpp>
+#include "lines.hpp"
+#include "svg_text.hpp"
 
 #include <cstddef>
 #include <string_view>

@@ -1,4 +1,4 @@
-#include <signum/draw/shapes.hpp>
+#include "shapes.hpp"
 
 #include <algorithm>
 #include <cmath>

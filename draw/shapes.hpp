@@ -1,8 +1,8 @@
 #pragma once
 /// What sites and cells look like in a metric. A metric is drawn by adding its Shapes.
 
-#include <signum/draw/outline.hpp>
-#include <signum/triangulation/tessellation.hpp>
+#include "../triangulation/tessellation.hpp"
+#include "outline.hpp"
 
 #include <string_view>
 

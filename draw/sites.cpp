@@ -1,11 +1,11 @@
-#include <signum/draw/sites.hpp>
+#include "sites.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 
-#include <signum/draw/paths.hpp>
-#include <signum/draw/thinning.hpp>
+#include "paths.hpp"
+#include "thinning.hpp"
 
 namespace signum {
 namespace {

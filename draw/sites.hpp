@@ -1,12 +1,12 @@
 #pragma once
 /// The sites of a picture: outlines in true size with a number of their own, dots, crowds.
 
-#include <signum/draw/frame.hpp>
-#include <signum/draw/legend.hpp>
-#include <signum/draw/shapes.hpp>
-#include <signum/draw/style.hpp>
-#include <signum/draw/svg_text.hpp>
-#include <signum/triangulation/tessellation.hpp>
+#include "../triangulation/tessellation.hpp"
+#include "frame.hpp"
+#include "legend.hpp"
+#include "shapes.hpp"
+#include "style.hpp"
+#include "svg_text.hpp"
 
 #include <cstddef>
 #include <string_view>

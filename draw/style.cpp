@@ -1,4 +1,4 @@
-#include <signum/draw/style.hpp>
+#include "style.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #pragma once
 /// The look of a picture: how thick things are, and in which colours.
 
-#include <signum/draw/svg_text.hpp>
+#include "svg_text.hpp"
 
 #include <string_view>
 

@@ -7,7 +7,7 @@
 ///     left out, and the legend says which and how many.
 ///  3. No number in it is NaN, infinite or far outside the picture, whatever the input.
 
-#include <signum/triangulation/tessellation.hpp>
+#include "../triangulation/tessellation.hpp"
 
 #include <cstddef>
 #include <iosfwd>

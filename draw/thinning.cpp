@@ -1,4 +1,4 @@
-#include <signum/draw/thinning.hpp>
+#include "thinning.hpp"
 
 #include <algorithm>
 #include <cmath>

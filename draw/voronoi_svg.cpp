@@ -1,8 +1,8 @@
-#include <signum/draw/document.hpp>
-#include <signum/draw/lines.hpp>
-#include <signum/draw/shapes.hpp>
-#include <signum/draw/sites.hpp>
-#include <signum/draw/voronoi_svg.hpp>
+#include "voronoi_svg.hpp"
+#include "document.hpp"
+#include "lines.hpp"
+#include "shapes.hpp"
+#include "sites.hpp"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 ///
 /// Laws: those of svg.hpp.
 
-#include <signum/voronoi/clip.hpp>
+#include "../voronoi/clip.hpp"
 
 #include <cstddef>
 #include <iosfwd>

@@ -26,8 +26,8 @@
 #include <span>
 #include <utility>
 
-#include <signum/core/error_free.hpp>
-#include <signum/core/sign.hpp>
+#include "../core/error_free.hpp"
+#include "../core/sign.hpp"
 
 namespace signum::exact {
 

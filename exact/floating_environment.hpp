@@ -11,7 +11,7 @@
 /// guard. So do not write arithmetic beside a guard; call in_ieee_environment(function,
 /// operands...).
 
-#include <signum/core/contract.hpp>
+#include "../core/contract.hpp"
 
 #if defined(__SSE2__)
 #include <immintrin.h>

@@ -15,8 +15,8 @@
 
 #include <boost/multiprecision/gmp.hpp>
 
-#include <signum/core/contract.hpp>
-#include <signum/core/sign.hpp>
+#include "../core/contract.hpp"
+#include "../core/sign.hpp"
 
 namespace signum::exact {
 

@@ -1,4 +1,4 @@
-#include <signum/exact/sign_of_sum.hpp>
+#include "sign_of_sum.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -8,9 +8,9 @@
 #include <limits>
 #include <memory>
 
-#include <signum/core/contract.hpp>
-#include <signum/core/error_free.hpp>
-#include <signum/exact/floating_environment.hpp>
+#include "../core/contract.hpp"
+#include "../core/error_free.hpp"
+#include "floating_environment.hpp"
 
 namespace signum {
 namespace exact {

@@ -43,7 +43,7 @@
 #include <cstddef>
 #include <span>
 
-#include <signum/core/sign.hpp>
+#include "../core/sign.hpp"
 
 namespace signum {
 

@@ -1,4 +1,4 @@
-#include <signum/filters/bounds.hpp>
+#include "bounds.hpp"
 
 namespace signum::filters {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <limits>
 
-#include <signum/core/contract.hpp>
+#include "../core/contract.hpp"
 
 #if defined(__SSE2__)
 #include <emmintrin.h>

@@ -14,7 +14,7 @@
 /// So every operation commits a relative error of at most double_double_epsilon against the
 /// magnitudes of its operands.
 
-#include <signum/core/error_free.hpp>
+#include "../core/error_free.hpp"
 
 namespace signum::filters {
 

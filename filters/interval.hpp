@@ -12,7 +12,7 @@
 
 #include <limits>
 
-#include <signum/filters/bounds.hpp>
+#include "bounds.hpp"
 
 namespace signum::filters {
 

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include <signum/core/sign.hpp>
+#include "../core/sign.hpp"
 
 namespace signum {
 

@@ -1,7 +1,7 @@
 #pragma once
 /// What a filter answers: a sign, or that it cannot tell.
 
-#include <signum/core/sign.hpp>
+#include "../core/sign.hpp"
 
 namespace signum::filters {
 

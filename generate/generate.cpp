@@ -4,8 +4,8 @@
 #include <random>
 #include <stdexcept>
 
-#include <signum/core/index.hpp>
-#include <signum/generate/generate.hpp>
+#include "../core/index.hpp"
+#include "generate.hpp"
 
 namespace signum {
 namespace {

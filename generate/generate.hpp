@@ -19,7 +19,7 @@
 #include <string_view>
 #include <vector>
 
-#include <signum/core/site.hpp>
+#include "../core/site.hpp"
 
 namespace signum {
 

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <signum/io/errors.hpp>
+#include "errors.hpp"
 
 namespace signum {
 

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include <signum/io/input_file.hpp>
+#include "input_file.hpp"
 
 namespace signum {
 namespace {

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include <signum/io/errors.hpp>
+#include "errors.hpp"
 
 namespace signum {
 

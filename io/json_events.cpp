@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include <signum/io/json_events.hpp>
-#include <signum/io/number.hpp>
+#include "json_events.hpp"
+#include "number.hpp"
 
 namespace signum {
 namespace {

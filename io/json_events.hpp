@@ -14,7 +14,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <signum/io/input_file.hpp>
+#include "input_file.hpp"
 
 namespace signum {
 

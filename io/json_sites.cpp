@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <array>
 
-#include <signum/io/json_events.hpp>
-#include <signum/io/json_sites.hpp>
-#include <signum/io/number.hpp>
+#include "json_events.hpp"
+#include "json_sites.hpp"
+#include "number.hpp"
 
 namespace signum {
 namespace {

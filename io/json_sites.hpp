@@ -1,8 +1,8 @@
 #pragma once
 /// Sites as JSON: [[x, y, r], [x, y], ...].
 
-#include <signum/io/input_file.hpp>
-#include <signum/io/read_sites.hpp>
+#include "input_file.hpp"
+#include "read_sites.hpp"
 
 namespace signum {
 

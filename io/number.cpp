@@ -2,9 +2,9 @@
 #include <charconv>
 #include <cmath>
 
-#include <signum/core/contract.hpp>
-#include <signum/io/errors.hpp>
-#include <signum/io/number.hpp>
+#include "../core/contract.hpp"
+#include "errors.hpp"
+#include "number.hpp"
 
 namespace signum {
 namespace {

@@ -12,8 +12,8 @@
 
 #include <fmt/format.h>
 
-#include <signum/io/errors.hpp>
-#include <signum/io/output_file.hpp>
+#include "errors.hpp"
+#include "output_file.hpp"
 
 namespace signum {
 namespace {

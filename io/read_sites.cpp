@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
-#include <signum/core/index.hpp>
-#include <signum/io/input_file.hpp>
-#include <signum/io/json_sites.hpp>
-#include <signum/io/read_sites.hpp>
-#include <signum/io/text_sites.hpp>
+#include "../core/index.hpp"
+#include "input_file.hpp"
+#include "json_sites.hpp"
+#include "read_sites.hpp"
+#include "text_sites.hpp"
 
 namespace signum {
 

@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
-#include <signum/core/site.hpp>
-#include <signum/core/strided_sites.hpp>
-#include <signum/triangulation/tessellation.hpp>
+#include "../core/site.hpp"
+#include "../core/strided_sites.hpp"
+#include "../triangulation/tessellation.hpp"
 
 namespace signum {
 

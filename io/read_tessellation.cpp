@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include <signum/io/json_events.hpp>
-#include <signum/io/read_tessellation.hpp>
+#include "json_events.hpp"
+#include "read_tessellation.hpp"
 
 namespace signum {
 namespace {

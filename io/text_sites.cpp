@@ -9,8 +9,8 @@
 
 #include <fmt/format.h>
 
-#include <signum/io/number.hpp>
-#include <signum/io/text_sites.hpp>
+#include "number.hpp"
+#include "text_sites.hpp"
 
 namespace signum {
 namespace {

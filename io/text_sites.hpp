@@ -1,8 +1,8 @@
 #pragma once
 /// Sites as text, one a line: x y [r].
 
-#include <signum/io/input_file.hpp>
-#include <signum/io/read_sites.hpp>
+#include "input_file.hpp"
+#include "read_sites.hpp"
 
 namespace signum {
 

@@ -3,7 +3,7 @@
 
 #include <ostream>
 
-#include <signum/triangulation/tessellation.hpp>
+#include "../triangulation/tessellation.hpp"
 
 namespace signum {
 

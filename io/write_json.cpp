@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include <signum/io/text_writer.hpp>
-#include <signum/io/write_json.hpp>
-#include <signum/triangulation/vertices.hpp>
+#include "../triangulation/vertices.hpp"
+#include "text_writer.hpp"
+#include "write_json.hpp"
 
 namespace signum {
 namespace {

@@ -1,5 +1,5 @@
-#include <signum/io/text_writer.hpp>
-#include <signum/io/write_obj.hpp>
+#include "write_obj.hpp"
+#include "text_writer.hpp"
 
 namespace signum {
 

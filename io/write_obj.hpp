@@ -4,7 +4,7 @@
 
 #include <ostream>
 
-#include <signum/triangulation/tessellation.hpp>
+#include "../triangulation/tessellation.hpp"
 
 namespace signum {
 

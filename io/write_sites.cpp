@@ -1,5 +1,5 @@
-#include <signum/io/text_writer.hpp>
-#include <signum/io/write_sites.hpp>
+#include "write_sites.hpp"
+#include "text_writer.hpp"
 
 namespace signum {
 

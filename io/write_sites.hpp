@@ -5,7 +5,7 @@
 #include <ostream>
 #include <span>
 
-#include <signum/core/site.hpp>
+#include "../core/site.hpp"
 
 namespace signum {
 

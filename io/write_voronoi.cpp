@@ -2,9 +2,9 @@
 #include <string>
 #include <vector>
 
-#include <signum/io/text_writer.hpp>
-#include <signum/io/write_voronoi.hpp>
-#include <signum/voronoi/polygon.hpp>
+#include "../voronoi/polygon.hpp"
+#include "text_writer.hpp"
+#include "write_voronoi.hpp"
 
 namespace signum {
 namespace {

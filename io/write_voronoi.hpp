@@ -8,7 +8,7 @@
 
 #include <ostream>
 
-#include <signum/voronoi/clip.hpp>
+#include "../voronoi/clip.hpp"
 
 namespace signum {
 

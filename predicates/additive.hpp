@@ -4,12 +4,12 @@
 #include <array>
 #include <cstddef>
 
-#include <signum/core/index.hpp>
-#include <signum/core/sign.hpp>
-#include <signum/core/site.hpp>
-#include <signum/filters/bounds.hpp>
-#include <signum/filters/verdict.hpp>
-#include <signum/predicates/arithmetic.hpp>
+#include "../core/index.hpp"
+#include "../core/sign.hpp"
+#include "../core/site.hpp"
+#include "../filters/bounds.hpp"
+#include "../filters/verdict.hpp"
+#include "arithmetic.hpp"
 
 namespace signum::additive {
 

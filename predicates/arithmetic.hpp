@@ -6,8 +6,8 @@
 #include <string_view>
 #include <type_traits>
 
-#include <signum/core/site.hpp>
-#include <signum/filters/interval.hpp>
+#include "../core/site.hpp"
+#include "../filters/interval.hpp"
 
 namespace signum {
 

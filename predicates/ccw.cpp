@@ -1,8 +1,8 @@
-#include <signum/predicates/ccw.hpp>
+#include "ccw.hpp"
 
-#include <signum/exact/expansion.hpp>
-#include <signum/exact/floating_environment.hpp>
-#include <signum/predicates/multiprecision.hpp>
+#include "../exact/expansion.hpp"
+#include "../exact/floating_environment.hpp"
+#include "multiprecision.hpp"
 
 namespace signum {
 namespace predicates {

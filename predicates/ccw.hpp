@@ -9,13 +9,13 @@
 
 #include <concepts>
 
-#include <signum/core/contract.hpp>
-#include <signum/core/sign.hpp>
-#include <signum/core/site.hpp>
-#include <signum/filters/bounds.hpp>
-#include <signum/filters/rounding_count.hpp>
-#include <signum/filters/tally.hpp>
-#include <signum/filters/verdict.hpp>
+#include "../core/contract.hpp"
+#include "../core/sign.hpp"
+#include "../core/site.hpp"
+#include "../filters/bounds.hpp"
+#include "../filters/rounding_count.hpp"
+#include "../filters/tally.hpp"
+#include "../filters/verdict.hpp"
 
 namespace signum {
 /// A point, or a site of any kind: what has a centre.

@@ -7,8 +7,8 @@
 
 #include <array>
 
-#include <signum/predicates/additive.hpp>
-#include <signum/predicates/euclidean/discs.hpp>
+#include "additive.hpp"
+#include "euclidean/discs.hpp"
 
 namespace signum::euclidean {
 

@@ -1,7 +1,7 @@
-#include <signum/predicates/multiprecision.hpp>
+#include "multiprecision.hpp"
 
-#include <signum/exact/multiprecision.hpp>
-#include <signum/predicates/ccw.hpp>
+#include "../exact/multiprecision.hpp"
+#include "ccw.hpp"
 
 namespace signum::multiprecision {
 

@@ -1,8 +1,8 @@
 #pragma once
 /// ccw in rationals: the last stage of the exact kernel, and the multiprecision kernel's own.
 
-#include <signum/core/sign.hpp>
-#include <signum/core/site.hpp>
+#include "../core/sign.hpp"
+#include "../core/site.hpp"
 
 namespace signum::multiprecision {
 

@@ -6,12 +6,12 @@
 
 #include <array>
 
-#include <signum/predicates/ccw.hpp>
-#include <signum/predicates/power/edge.hpp>
-#include <signum/predicates/power/in_circle.hpp>
-#include <signum/predicates/power/infinite.hpp>
-#include <signum/predicates/power/ties.hpp>
-#include <signum/predicates/power/weight.hpp>
+#include "ccw.hpp"
+#include "power/edge.hpp"
+#include "power/in_circle.hpp"
+#include "power/infinite.hpp"
+#include "power/ties.hpp"
+#include "power/weight.hpp"
 
 namespace signum::power {
 

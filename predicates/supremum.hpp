@@ -3,8 +3,8 @@
 
 #include <array>
 
-#include <signum/predicates/additive.hpp>
-#include <signum/predicates/rectangular/squares.hpp>
+#include "additive.hpp"
+#include "rectangular/squares.hpp"
 
 namespace signum::supremum {
 

@@ -1,9 +1,9 @@
-#include <signum/study/contestants.hpp>
+#include "contestants.hpp"
 
 #include <algorithm>
 #include <stdexcept>
 
-#include <signum/generate/generate.hpp>
+#include "../generate/generate.hpp"
 
 namespace signum::study {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include <signum/study/plan.hpp>
-#include <signum/triangulation/triangulate.hpp>
+#include "../triangulation/triangulate.hpp"
+#include "plan.hpp"
 
 namespace signum::study {
 

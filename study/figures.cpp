@@ -1,4 +1,4 @@
-#include <signum/study/figures.hpp>
+#include "figures.hpp"
 
 #include <algorithm>
 #include <array>

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include <signum/study/plot.hpp>
-#include <signum/study/rows.hpp>
+#include "plot.hpp"
+#include "rows.hpp"
 
 namespace signum::study {
 

@@ -1,4 +1,4 @@
-#include <signum/study/machine.hpp>
+#include "machine.hpp"
 
 #include <sys/sysinfo.h>
 #include <sys/utsname.h>

@@ -1,14 +1,14 @@
-#include <signum/study/margin.hpp>
+#include "margin.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
-#include <signum/exact/multiprecision.hpp>
-#include <signum/predicates/additive.hpp>
-#include <signum/predicates/euclidean.hpp>
-#include <signum/predicates/power.hpp>
-#include <signum/predicates/rectangular/squares.hpp>
+#include "../exact/multiprecision.hpp"
+#include "../predicates/additive.hpp"
+#include "../predicates/euclidean.hpp"
+#include "../predicates/power.hpp"
+#include "../predicates/rectangular/squares.hpp"
 
 namespace signum::study {
 namespace {

@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <optional>
 
-#include <signum/triangulation/tessellation.hpp>
+#include "../triangulation/tessellation.hpp"
 
 namespace signum::study {
 

@@ -1,4 +1,4 @@
-#include <signum/study/measure.hpp>
+#include "measure.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include <signum/study/plan.hpp>
-#include <signum/study/rows.hpp>
+#include "plan.hpp"
+#include "rows.hpp"
 
 namespace signum::study {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include <signum/voronoi/compare.hpp>
+#include "../voronoi/compare.hpp"
 
 #include "contestants.hpp"
 #include "work.hpp"

@@ -5,7 +5,7 @@
 #include <random>
 #include <utility>
 
-#include <signum/triangulation/dynamic.hpp>
+#include "../triangulation/dynamic.hpp"
 
 #include "contestants.hpp"
 #include "work.hpp"

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include <signum/voronoi/compare.hpp>
+#include "../voronoi/compare.hpp"
 
 #include "contestants.hpp"
 #include "work.hpp"

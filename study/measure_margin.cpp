@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include <signum/study/margin.hpp>
+#include "margin.hpp"
 
 #include "contestants.hpp"
 #include "work.hpp"

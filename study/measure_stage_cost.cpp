@@ -8,11 +8,11 @@
 #include <string>
 #include <utility>
 
-#include <signum/predicates/euclidean.hpp>
-#include <signum/predicates/manhattan.hpp>
-#include <signum/predicates/power.hpp>
-#include <signum/predicates/power/multiprecision.hpp>
-#include <signum/predicates/supremum.hpp>
+#include "../predicates/euclidean.hpp"
+#include "../predicates/manhattan.hpp"
+#include "../predicates/power.hpp"
+#include "../predicates/power/multiprecision.hpp"
+#include "../predicates/supremum.hpp"
 
 #include "contestants.hpp"
 #include "work.hpp"

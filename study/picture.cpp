@@ -1,9 +1,9 @@
-#include <signum/study/picture.hpp>
+#include "picture.hpp"
 
 #include <sstream>
 
-#include <signum/draw/svg.hpp>
-#include <signum/voronoi/compare.hpp>
+#include "../draw/svg.hpp"
+#include "../voronoi/compare.hpp"
 
 #include "contestants.hpp"
 

@@ -1,10 +1,10 @@
-#include <signum/study/plan.hpp>
+#include "plan.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include <signum/generate/generate.hpp>
+#include "../generate/generate.hpp"
 
 namespace signum::study {
 namespace {

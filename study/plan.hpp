@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include <signum/study/rows.hpp>
-#include <signum/study/timing.hpp>
-#include <signum/triangulation/tessellation.hpp>
+#include "../triangulation/tessellation.hpp"
+#include "rows.hpp"
+#include "timing.hpp"
 
 namespace signum::study {
 

@@ -1,4 +1,4 @@
-#include <signum/study/plot.hpp>
+#include "plot.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include <signum/study/report.hpp>
+#include "report.hpp"
 
 #include <string_view>
 

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include <signum/study/figures.hpp>
-#include <signum/study/picture.hpp>
+#include "figures.hpp"
+#include "picture.hpp"
 
 namespace signum::study {
 

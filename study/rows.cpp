@@ -1,4 +1,4 @@
-#include <signum/study/rows.hpp>
+#include "rows.hpp"
 
 #include <array>
 #include <charconv>

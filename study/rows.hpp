@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include <signum/study/timing.hpp>
+#include "timing.hpp"
 
 namespace signum::study {
 

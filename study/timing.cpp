@@ -1,10 +1,10 @@
-#include <signum/study/timing.hpp>
+#include "timing.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 
-#include <signum/core/contract.hpp>
+#include "../core/contract.hpp"
 
 namespace signum::study {
 namespace {

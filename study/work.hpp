@@ -4,9 +4,9 @@
 #include <chrono>
 #include <vector>
 
-#include <signum/study/measure.hpp>
-#include <signum/study/plan.hpp>
-#include <signum/study/rows.hpp>
+#include "measure.hpp"
+#include "plan.hpp"
+#include "rows.hpp"
 
 namespace signum::study {
 

@@ -1,4 +1,4 @@
-#include <signum/triangulation/dynamic.hpp>
+#include "dynamic.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,18 +12,18 @@
 #include <variant>
 #include <vector>
 
-#include <signum/core/contract.hpp>
-#include <signum/exact/floating_environment.hpp>
-#include <signum/predicates/euclidean.hpp>
-#include <signum/predicates/manhattan.hpp>
-#include <signum/predicates/supremum.hpp>
-#include <signum/triangulation/additive_kernel.hpp>
-#include <signum/triangulation/assemble.hpp>
-#include <signum/triangulation/delete.hpp>
-#include <signum/triangulation/hiders.hpp>
-#include <signum/triangulation/insert.hpp>
-#include <signum/triangulation/kernel.hpp>
-#include <signum/triangulation/triangulate.hpp>
+#include "../core/contract.hpp"
+#include "../exact/floating_environment.hpp"
+#include "../predicates/euclidean.hpp"
+#include "../predicates/manhattan.hpp"
+#include "../predicates/supremum.hpp"
+#include "insertion/delete.hpp"
+#include "insertion/hiders.hpp"
+#include "insertion/insert.hpp"
+#include "kernels/additive_kernel.hpp"
+#include "kernels/power_kernel.hpp"
+#include "structure/assemble.hpp"
+#include "triangulate.hpp"
 
 namespace signum {
 namespace triangulation {

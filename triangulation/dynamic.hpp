@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <memory>
 
-#include <signum/core/index.hpp>
-#include <signum/core/site.hpp>
-#include <signum/triangulation/tessellation.hpp>
+#include "../core/index.hpp"
+#include "../core/site.hpp"
+#include "tessellation.hpp"
 
 namespace signum {
 

@@ -1,4 +1,4 @@
-#include <signum/triangulation/edge_list.hpp>
+#include "edge_list.hpp"
 
 #include <array>
 #include <stdexcept>

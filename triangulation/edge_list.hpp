@@ -18,9 +18,9 @@
 #include <span>
 #include <vector>
 
-#include <signum/core/contract.hpp>
-#include <signum/core/index.hpp>
-#include <signum/triangulation/tessellation.hpp>
+#include "../core/contract.hpp"
+#include "../core/index.hpp"
+#include "tessellation.hpp"
 
 namespace signum {
 

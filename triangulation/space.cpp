@@ -1,4 +1,4 @@
-#include <signum/triangulation/space.hpp>
+#include "space.hpp"
 
 #include <algorithm>
 #include <map>

@@ -23,8 +23,8 @@
 #include <span>
 #include <vector>
 
-#include <signum/core/index.hpp>
-#include <signum/triangulation/tessellation.hpp>
+#include "../core/index.hpp"
+#include "tessellation.hpp"
 
 namespace signum {
 

@@ -1,17 +1,17 @@
-#include <signum/triangulation/tessellation.hpp>
+#include "tessellation.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
 
-#include <signum/core/contract.hpp>
-#include <signum/exact/floating_environment.hpp>
-#include <signum/predicates/additive.hpp>
-#include <signum/predicates/euclidean.hpp>
-#include <signum/predicates/manhattan.hpp>
-#include <signum/predicates/power.hpp>
-#include <signum/predicates/supremum.hpp>
+#include "../core/contract.hpp"
+#include "../exact/floating_environment.hpp"
+#include "../predicates/additive.hpp"
+#include "../predicates/euclidean.hpp"
+#include "../predicates/manhattan.hpp"
+#include "../predicates/power.hpp"
+#include "../predicates/supremum.hpp"
 
 namespace signum {
 namespace {

@@ -15,8 +15,8 @@
 #include <string_view>
 #include <vector>
 
-#include <signum/core/index.hpp>
-#include <signum/core/site.hpp>
+#include "../core/index.hpp"
+#include "../core/site.hpp"
 
 namespace signum {
 

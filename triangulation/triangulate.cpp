@@ -1,12 +1,12 @@
-#include <signum/triangulation/triangulate.hpp>
+#include "triangulate.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
 
-#include <signum/exact/floating_environment.hpp>
-#include <signum/triangulation/construct.hpp>
+#include "../exact/floating_environment.hpp"
+#include "construction/construct.hpp"
 
 namespace signum {
 namespace triangulation {

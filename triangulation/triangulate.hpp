@@ -7,9 +7,9 @@
 #include <stdexcept>
 #include <stop_token>
 
-#include <signum/core/strided_sites.hpp>
-#include <signum/predicates/arithmetic.hpp>
-#include <signum/triangulation/tessellation.hpp>
+#include "../core/strided_sites.hpp"
+#include "../predicates/arithmetic.hpp"
+#include "tessellation.hpp"
 
 namespace signum {
 

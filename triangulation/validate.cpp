@@ -1,11 +1,11 @@
-#include <signum/triangulation/validate.hpp>
+#include "validate.hpp"
 
-#include <signum/exact/floating_environment.hpp>
-#include <signum/predicates/euclidean.hpp>
-#include <signum/predicates/manhattan.hpp>
-#include <signum/predicates/supremum.hpp>
-#include <signum/triangulation/additive_check.hpp>
-#include <signum/triangulation/power_check.hpp>
+#include "../exact/floating_environment.hpp"
+#include "../predicates/euclidean.hpp"
+#include "../predicates/manhattan.hpp"
+#include "../predicates/supremum.hpp"
+#include "check/additive_check.hpp"
+#include "check/power_check.hpp"
 
 namespace signum {
 Validation validate(const TessellationArrays& arrays, StridedSites sites) {

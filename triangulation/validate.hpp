@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include <signum/core/strided_sites.hpp>
-#include <signum/triangulation/tessellation.hpp>
+#include "../core/strided_sites.hpp"
+#include "tessellation.hpp"
 
 namespace signum {
 

@@ -1,11 +1,11 @@
-#include <signum/triangulation/vertices.hpp>
+#include "vertices.hpp"
 
 #include <limits>
 
-#include <signum/exact/floating_environment.hpp>
-#include <signum/predicates/additive.hpp>
-#include <signum/predicates/rectangular/forms.hpp>
-#include <signum/triangulation/vertex_of_face.hpp>
+#include "../exact/floating_environment.hpp"
+#include "../predicates/additive.hpp"
+#include "../predicates/rectangular/forms.hpp"
+#include "vertices/vertex_of_face.hpp"
 
 namespace signum {
 namespace triangulation {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include <signum/triangulation/tessellation.hpp>
+#include "tessellation.hpp"
 
 namespace signum {
 

@@ -1,4 +1,4 @@
-#include <signum/voronoi/clip.hpp>
+#include "clip.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include <signum/voronoi/vector.hpp>
+#include "vector.hpp"
 
 namespace signum {
 namespace {

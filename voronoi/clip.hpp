@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-#include <signum/voronoi/voronoi.hpp>
+#include "voronoi.hpp"
 
 namespace signum {
 

@@ -1,10 +1,10 @@
-#include <signum/voronoi/compare.hpp>
+#include "compare.hpp"
 
 #include <algorithm>
 #include <iterator>
 #include <stdexcept>
 
-#include <signum/voronoi/contacts.hpp>
+#include "contacts.hpp"
 
 namespace signum {
 namespace {

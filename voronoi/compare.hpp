@@ -14,7 +14,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <signum/triangulation/tessellation.hpp>
+#include "../triangulation/tessellation.hpp"
 
 namespace signum {
 

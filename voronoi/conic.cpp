@@ -1,4 +1,4 @@
-#include <signum/voronoi/conic.hpp>
+#include "conic.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 
-#include <signum/voronoi/vector.hpp>
+#include "vector.hpp"
 
 namespace signum {
 namespace {

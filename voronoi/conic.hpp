@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include <signum/core/site.hpp>
+#include "../core/site.hpp"
 
 namespace signum {
 

@@ -1,4 +1,4 @@
-#include <signum/voronoi/contacts.hpp>
+#include "contacts.hpp"
 
 #include <stdexcept>
 

@@ -10,8 +10,8 @@
 #include <functional>
 #include <vector>
 
-#include <signum/core/index.hpp>
-#include <signum/triangulation/tessellation.hpp>
+#include "../core/index.hpp"
+#include "../triangulation/tessellation.hpp"
 
 namespace signum {
 

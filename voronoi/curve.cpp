@@ -1,10 +1,10 @@
-#include <signum/voronoi/curve.hpp>
+#include "curve.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include <signum/triangulation/touched_sides.hpp>
-#include <signum/voronoi/vector.hpp>
+#include "touched_sides.hpp"
+#include "vector.hpp"
 
 namespace signum {
 namespace {

@@ -16,9 +16,9 @@
 #include <variant>
 #include <vector>
 
-#include <signum/core/index.hpp>
-#include <signum/triangulation/tessellation.hpp>
-#include <signum/voronoi/conic.hpp>
+#include "../core/index.hpp"
+#include "../triangulation/tessellation.hpp"
+#include "conic.hpp"
 
 namespace signum {
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <optional>
 
-#include <signum/exact/multiprecision.hpp>
-#include <signum/predicates/euclidean.hpp>
-#include <signum/voronoi/contacts.hpp>
+#include "../exact/multiprecision.hpp"
+#include "../predicates/euclidean.hpp"
+#include "contacts.hpp"
 
 namespace signum {
 namespace {

@@ -1,4 +1,4 @@
-#include <signum/voronoi/polygon.hpp>
+#include "polygon.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include <signum/voronoi/clip.hpp>
+#include "clip.hpp"
 
 namespace signum {
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include <signum/predicates/power.hpp>
-#include <signum/voronoi/contacts.hpp>
+#include "../predicates/power.hpp"
+#include "contacts.hpp"
 
 namespace signum {
 namespace {

@@ -18,10 +18,10 @@
 #include <type_traits>
 #include <utility>
 
-#include <signum/exact/multiprecision.hpp>
-#include <signum/predicates/manhattan.hpp>
-#include <signum/predicates/supremum.hpp>
-#include <signum/voronoi/contacts.hpp>
+#include "../exact/multiprecision.hpp"
+#include "../predicates/manhattan.hpp"
+#include "../predicates/supremum.hpp"
+#include "contacts.hpp"
 
 namespace signum {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include <signum/core/site.hpp>
+#include "../core/site.hpp"
 
 namespace signum {
 

@@ -1,4 +1,4 @@
-#include <signum/voronoi/voronoi.hpp>
+#include "voronoi.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,12 +6,12 @@
 #include <numeric>
 #include <utility>
 
-#include <signum/predicates/additive.hpp>
-#include <signum/predicates/euclidean.hpp>
-#include <signum/predicates/manhattan.hpp>
-#include <signum/predicates/power.hpp>
-#include <signum/predicates/supremum.hpp>
-#include <signum/voronoi/vector.hpp>
+#include "../predicates/additive.hpp"
+#include "../predicates/euclidean.hpp"
+#include "../predicates/manhattan.hpp"
+#include "../predicates/power.hpp"
+#include "../predicates/supremum.hpp"
+#include "vector.hpp"
 
 namespace signum {
 namespace {

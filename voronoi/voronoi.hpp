@@ -23,12 +23,12 @@
 #include <utility>
 #include <vector>
 
-#include <signum/core/index.hpp>
-#include <signum/core/site.hpp>
-#include <signum/triangulation/tessellation.hpp>
-#include <signum/triangulation/vertices.hpp>
-#include <signum/voronoi/conic.hpp>
-#include <signum/voronoi/curve.hpp>
+#include "../core/index.hpp"
+#include "../core/site.hpp"
+#include "../triangulation/tessellation.hpp"
+#include "../triangulation/vertices.hpp"
+#include "conic.hpp"
+#include "curve.hpp"
 
 namespace signum {
 

@@ -1,10 +1,10 @@
-#include <signum/predicates/euclidean/discs.hpp>
+#include "discs.hpp"
 
-#include <signum/exact/floating_environment.hpp>
-#include <signum/exact/sign_of_sum.hpp>
-#include <signum/predicates/euclidean/cold_discs.hpp>
-#include <signum/predicates/euclidean/polynomials.hpp>
-#include <signum/predicates/multiprecision.hpp>
+#include "../../exact/floating_environment.hpp"
+#include "../../exact/sign_of_sum.hpp"
+#include "../multiprecision.hpp"
+#include "exact_discs.hpp"
+#include "polynomials.hpp"
 
 namespace signum::euclidean {
 namespace {

@@ -8,16 +8,16 @@
 
 #include <array>
 
-#include <signum/core/contract.hpp>
-#include <signum/core/index.hpp>
-#include <signum/core/sign.hpp>
-#include <signum/core/site.hpp>
-#include <signum/filters/tally.hpp>
-#include <signum/predicates/additive.hpp>
-#include <signum/predicates/ccw.hpp>
-#include <signum/predicates/euclidean/filter.hpp>
-#include <signum/predicates/power/in_circle.hpp>
-#include <signum/predicates/power/ties.hpp>
+#include "../../core/contract.hpp"
+#include "../../core/index.hpp"
+#include "../../core/sign.hpp"
+#include "../../core/site.hpp"
+#include "../../filters/tally.hpp"
+#include "../additive.hpp"
+#include "../ccw.hpp"
+#include "../power/in_circle.hpp"
+#include "../power/ties.hpp"
+#include "filter.hpp"
 
 namespace signum::euclidean {
 

@@ -19,12 +19,12 @@
 
 #include <initializer_list>
 
-#include <signum/core/sign.hpp>
-#include <signum/core/site.hpp>
-#include <signum/filters/bounds.hpp>
-#include <signum/filters/rounding_count.hpp>
-#include <signum/filters/verdict.hpp>
-#include <signum/predicates/additive.hpp>
+#include "../../core/sign.hpp"
+#include "../../core/site.hpp"
+#include "../../filters/bounds.hpp"
+#include "../../filters/rounding_count.hpp"
+#include "../../filters/verdict.hpp"
+#include "../additive.hpp"
 
 #if defined(__SSE2__)
 #include <emmintrin.h>

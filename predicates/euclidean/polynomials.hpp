@@ -31,8 +31,8 @@
 #include <cstddef>
 #include <type_traits>
 
-#include <signum/core/index.hpp>
-#include <signum/core/sign.hpp>
+#include "../../core/index.hpp"
+#include "../../core/sign.hpp"
 
 namespace signum::euclidean {
 

@@ -1,10 +1,10 @@
 #pragma once
 /// Comparing two sites along nothing but a point: which of them is nearer in the power metric.
 
-#include <signum/core/sign.hpp>
-#include <signum/core/site.hpp>
-#include <signum/filters/tally.hpp>
-#include <signum/predicates/power/weight.hpp>
+#include "../../core/sign.hpp"
+#include "../../core/site.hpp"
+#include "../../filters/tally.hpp"
+#include "weight.hpp"
 
 namespace signum::power {
 

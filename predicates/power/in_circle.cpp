@@ -1,13 +1,13 @@
-#include <signum/predicates/power/in_circle.hpp>
+#include "in_circle.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cstdint>
 
-#include <signum/exact/floating_environment.hpp>
-#include <signum/predicates/power/cold_rows.hpp>
-#include <signum/predicates/power/multiprecision.hpp>
+#include "../../exact/floating_environment.hpp"
+#include "exact_rows.hpp"
+#include "multiprecision.hpp"
 
 namespace signum::power {
 namespace {

@@ -6,14 +6,14 @@
 /// +1 where q is nearer than the vertex's distance to i, j, k, 0 where it is as near.
 /// Source: Gavrilova 1998, Theorem 4.4.1, translated to q.
 
-#include <signum/core/contract.hpp>
-#include <signum/core/sign.hpp>
-#include <signum/filters/bounds.hpp>
-#include <signum/filters/rounding_count.hpp>
-#include <signum/filters/tally.hpp>
-#include <signum/filters/verdict.hpp>
-#include <signum/predicates/ccw.hpp>
-#include <signum/predicates/power/weight.hpp>
+#include "../../core/contract.hpp"
+#include "../../core/sign.hpp"
+#include "../../filters/bounds.hpp"
+#include "../../filters/rounding_count.hpp"
+#include "../../filters/tally.hpp"
+#include "../../filters/verdict.hpp"
+#include "../ccw.hpp"
+#include "weight.hpp"
 
 namespace signum::power {
 

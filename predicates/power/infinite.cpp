@@ -1,8 +1,8 @@
-#include <signum/predicates/power/infinite.hpp>
+#include "infinite.hpp"
 
-#include <signum/exact/floating_environment.hpp>
-#include <signum/predicates/power/cold_rows.hpp>
-#include <signum/predicates/power/multiprecision.hpp>
+#include "../../exact/floating_environment.hpp"
+#include "exact_rows.hpp"
+#include "multiprecision.hpp"
 
 namespace signum::power {
 namespace {

@@ -6,11 +6,11 @@
 /// decides: with t the coordinate along the line relative to q and h = |m-q|² - w_m + w_q, the sign
 /// of (h_a t_b - h_b t_a) (t_b - t_a). Any coordinate that separates a and b serves as t.
 
-#include <signum/core/contract.hpp>
-#include <signum/core/sign.hpp>
-#include <signum/filters/tally.hpp>
-#include <signum/predicates/ccw.hpp>
-#include <signum/predicates/power/in_circle.hpp>
+#include "../../core/contract.hpp"
+#include "../../core/sign.hpp"
+#include "../../filters/tally.hpp"
+#include "../ccw.hpp"
+#include "in_circle.hpp"
 
 namespace signum::power {
 

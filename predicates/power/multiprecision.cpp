@@ -1,8 +1,8 @@
-#include <signum/predicates/power/multiprecision.hpp>
+#include "multiprecision.hpp"
 
-#include <signum/exact/multiprecision.hpp>
-#include <signum/predicates/power/in_circle.hpp>
-#include <signum/predicates/power/infinite.hpp>
+#include "../../exact/multiprecision.hpp"
+#include "in_circle.hpp"
+#include "infinite.hpp"
 
 namespace signum::power::multiprecision {
 namespace {

@@ -2,9 +2,9 @@
 /// The power predicates in rationals: the last stage of the exact kernel, and the whole of the
 /// multiprecision kernel that judges the others. Right for every finite double, in any environment.
 
-#include <signum/core/sign.hpp>
-#include <signum/core/site.hpp>
-#include <signum/predicates/power/weight.hpp>
+#include "../../core/sign.hpp"
+#include "../../core/site.hpp"
+#include "weight.hpp"
 
 namespace signum::power::multiprecision {
 

@@ -1,11 +1,11 @@
-#include <signum/predicates/power/ties.hpp>
+#include "ties.hpp"
 
 #include <algorithm>
 #include <limits>
 
-#include <signum/core/contract.hpp>
-#include <signum/exact/floating_environment.hpp>
-#include <signum/predicates/ccw.hpp>
+#include "../../core/contract.hpp"
+#include "../../exact/floating_environment.hpp"
+#include "../ccw.hpp"
 
 namespace signum::power {
 namespace {

@@ -10,10 +10,10 @@
 
 #include <array>
 
-#include <signum/core/index.hpp>
-#include <signum/core/sign.hpp>
-#include <signum/core/site.hpp>
-#include <signum/predicates/power/weight.hpp>
+#include "../../core/index.hpp"
+#include "../../core/sign.hpp"
+#include "../../core/site.hpp"
+#include "weight.hpp"
 
 namespace signum::power {
 

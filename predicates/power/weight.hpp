@@ -6,9 +6,9 @@
 
 #include <concepts>
 
-#include <signum/core/site.hpp>
-#include <signum/filters/bounds.hpp>
-#include <signum/filters/rounding_count.hpp>
+#include "../../core/site.hpp"
+#include "../../filters/bounds.hpp"
+#include "../../filters/rounding_count.hpp"
 
 namespace signum::power {
 

@@ -1,13 +1,13 @@
-#include <signum/predicates/rectangular/forms.hpp>
+#include "forms.hpp"
 
 #include <algorithm>
 #include <span>
 
-#include <signum/core/contract.hpp>
-#include <signum/core/error_free.hpp>
-#include <signum/exact/floating_environment.hpp>
-#include <signum/exact/multiprecision.hpp>
-#include <signum/exact/sign_of_sum.hpp>
+#include "../../core/contract.hpp"
+#include "../../core/error_free.hpp"
+#include "../../exact/floating_environment.hpp"
+#include "../../exact/multiprecision.hpp"
+#include "../../exact/sign_of_sum.hpp"
 
 namespace signum::rectangular {
 namespace {

@@ -21,14 +21,14 @@
 #include <cstddef>
 #include <limits>
 
-#include <signum/core/index.hpp>
-#include <signum/core/sign.hpp>
-#include <signum/core/site.hpp>
-#include <signum/filters/bounds.hpp>
-#include <signum/filters/interval.hpp>
-#include <signum/filters/tally.hpp>
-#include <signum/predicates/additive.hpp>
-#include <signum/predicates/arithmetic.hpp>
+#include "../../core/index.hpp"
+#include "../../core/sign.hpp"
+#include "../../core/site.hpp"
+#include "../../filters/bounds.hpp"
+#include "../../filters/interval.hpp"
+#include "../../filters/tally.hpp"
+#include "../additive.hpp"
+#include "../arithmetic.hpp"
 
 namespace signum::rectangular {
 

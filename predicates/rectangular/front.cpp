@@ -1,4 +1,4 @@
-#include <signum/predicates/rectangular/front.hpp>
+#include "front.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -19,13 +19,13 @@
 #include <cstddef>
 #include <limits>
 
-#include <signum/core/index.hpp>
-#include <signum/core/sign.hpp>
-#include <signum/core/site.hpp>
-#include <signum/core/strided_sites.hpp>
-#include <signum/filters/bounds.hpp>
-#include <signum/filters/tally.hpp>
-#include <signum/predicates/rectangular/forms.hpp>
+#include "../../core/index.hpp"
+#include "../../core/sign.hpp"
+#include "../../core/site.hpp"
+#include "../../core/strided_sites.hpp"
+#include "../../filters/bounds.hpp"
+#include "../../filters/tally.hpp"
+#include "forms.hpp"
 
 namespace signum::rectangular {
 

@@ -10,13 +10,13 @@
 
 #include <array>
 
-#include <signum/core/contract.hpp>
-#include <signum/core/index.hpp>
-#include <signum/core/sign.hpp>
-#include <signum/core/site.hpp>
-#include <signum/filters/tally.hpp>
-#include <signum/predicates/additive.hpp>
-#include <signum/predicates/rectangular/forms.hpp>
+#include "../../core/contract.hpp"
+#include "../../core/index.hpp"
+#include "../../core/sign.hpp"
+#include "../../core/site.hpp"
+#include "../../filters/tally.hpp"
+#include "../additive.hpp"
+#include "forms.hpp"
 
 namespace signum::rectangular {
 

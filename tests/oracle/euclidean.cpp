@@ -1,6 +1,6 @@
-#include "oracle/euclidean.hpp"
+#include "euclidean.hpp"
 
-#include "oracle/sphere.hpp"
+#include "sphere.hpp"
 
 #include <algorithm>
 #include <array>

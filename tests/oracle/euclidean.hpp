@@ -3,10 +3,10 @@
 /// discs that may intersect, touch, nest and coincide. It knows no predicate of the library and no
 /// rule for ties: it really makes the radii smaller and looks at the discs that result.
 
-#include <signum/core/site.hpp>
+#include "../../core/site.hpp"
 
-#include "oracle/enclosure.hpp"
-#include "oracle/oracle.hpp"
+#include "enclosure.hpp"
+#include "oracle.hpp"
 
 #include <cstdint>
 #include <initializer_list>

@@ -1,7 +1,7 @@
-#include "oracle/power.hpp"
+#include "power.hpp"
 
-#include "oracle/linear_form.hpp"
-#include "oracle/sphere.hpp"
+#include "linear_form.hpp"
+#include "sphere.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -2,9 +2,9 @@
 /// Brute force for the power metric: the lower hull of the lifted sites, every plane against every
 /// site, in rationals with the infinitesimals of the tie rule.
 
-#include <signum/core/site.hpp>
+#include "../../core/site.hpp"
 
-#include "oracle/oracle.hpp"
+#include "oracle.hpp"
 
 #include <span>
 

@@ -1,7 +1,7 @@
-#include "oracle/rectangular.hpp"
+#include "rectangular.hpp"
 
-#include "oracle/linear_form.hpp"
-#include "oracle/sphere.hpp"
+#include "linear_form.hpp"
+#include "sphere.hpp"
 
 #include <algorithm>
 #include <array>

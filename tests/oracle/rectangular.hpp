@@ -2,9 +2,9 @@
 /// Brute force for the supremum and the Manhattan metric: every square that three sites pin,
 /// against every other site, in rationals with the infinitesimals of the tie rule.
 
-#include <signum/core/site.hpp>
+#include "../../core/site.hpp"
 
-#include "oracle/oracle.hpp"
+#include "oracle.hpp"
 
 #include <span>
 

@@ -1,4 +1,4 @@
-#include "oracle/sphere.hpp"
+#include "sphere.hpp"
 
 #include <algorithm>
 #include <map>

@@ -1,7 +1,7 @@
 #pragma once
 /// The canonical form of faces, and what every tessellation has to be: a triangulated sphere.
 
-#include "oracle/oracle.hpp"
+#include "oracle.hpp"
 
 #include <array>
 #include <cstddef>

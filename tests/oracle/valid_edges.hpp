@@ -2,7 +2,7 @@
 /// The edges that sites may have, whatever is made of ties: those of the oracle's tessellations for
 /// all orders in which ties are decided.
 
-#include "oracle/oracle.hpp"
+#include "oracle.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,9 +2,9 @@
 /// The tessellation that the perturbed predicates of an additive metric choose: every question is
 /// asked, no algorithm decides which.
 
-#include <signum/core/index.hpp>
-#include <signum/core/site.hpp>
-#include <signum/predicates/additive.hpp>
+#include "../../core/index.hpp"
+#include "../../core/site.hpp"
+#include "../../predicates/additive.hpp"
 
 #include <algorithm>
 #include <array>
@@ -16,7 +16,7 @@
 
 #include <gtest/gtest.h>
 
-#include "oracle/oracle.hpp"
+#include "../oracle/oracle.hpp"
 
 namespace signum::brute_force {
 

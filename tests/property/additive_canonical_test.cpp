@@ -1,7 +1,7 @@
 // Tessellations of discs, squares and diamonds: equal to the oracle's on small sets full of ties,
 // the same for every order, seed, method and arithmetic.
 
-#include <signum/triangulation/triangulate.hpp>
+#include "../../triangulation/triangulate.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -11,9 +11,9 @@
 
 #include <gtest/gtest.h>
 
-#include "oracle/euclidean.hpp"
-#include "oracle/rectangular.hpp"
-#include "property/degenerate_sites.hpp"
+#include "../oracle/euclidean.hpp"
+#include "../oracle/rectangular.hpp"
+#include "degenerate_sites.hpp"
 
 namespace {
 

@@ -1,7 +1,7 @@
 // The properties of chapter 3 of the thesis, in the metrics with additive weights: the empty
 // inscribed circle, nearest neighbours, the hull, the counts, and what changes nothing.
 
-#include <signum/triangulation/triangulate.hpp>
+#include "../../triangulation/triangulate.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,11 +12,11 @@
 
 #include <gtest/gtest.h>
 
-#include <signum/generate/generate.hpp>
-#include <signum/predicates/euclidean.hpp>
-#include <signum/predicates/manhattan.hpp>
-#include <signum/predicates/supremum.hpp>
-#include <signum/triangulation/tie_order.hpp>
+#include "../../generate/generate.hpp"
+#include "../../predicates/euclidean.hpp"
+#include "../../predicates/manhattan.hpp"
+#include "../../predicates/supremum.hpp"
+#include "../../triangulation/structure/tie_order.hpp"
 
 namespace {
 

@@ -13,10 +13,10 @@
 #include <random>
 #include <vector>
 
-#include <signum/triangulation/triangulate.hpp>
-#include <signum/triangulation/vertices.hpp>
+#include "../../triangulation/triangulate.hpp"
+#include "../../triangulation/vertices.hpp"
 
-#include "property/rounded.hpp"
+#include "rounded.hpp"
 
 namespace signum {
 namespace {

@@ -2,7 +2,7 @@
 // stage that an arithmetic is named for is the one that answers; single precision gets wrong edges,
 // and refuses what it cannot hold.
 
-#include <signum/triangulation/triangulate.hpp>
+#include "../../triangulation/triangulate.hpp"
 
 #include <cmath>
 #include <limits>
@@ -13,9 +13,9 @@
 
 #include <gtest/gtest.h>
 
-#include <signum/triangulation/validate.hpp>
+#include "../../triangulation/validate.hpp"
 
-#include "property/degenerate_sites.hpp"
+#include "degenerate_sites.hpp"
 
 namespace {
 

@@ -1,11 +1,11 @@
 // The cells as they are drawn, against their definition: along an edge two sites are equally near
 // and none is nearer, and wherever the nearest site changes an edge is drawn.
 
-#include <signum/draw/frame.hpp>
-#include <signum/draw/lines.hpp>
-#include <signum/draw/shapes.hpp>
-#include <signum/predicates/additive.hpp>
-#include <signum/triangulation/triangulate.hpp>
+#include "../../draw/frame.hpp"
+#include "../../draw/lines.hpp"
+#include "../../draw/shapes.hpp"
+#include "../../predicates/additive.hpp"
+#include "../../triangulation/triangulate.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // compare_edges() calls an edge wrong where no order of ties makes the oracle show it, and
 // different where some order does and the canonical one does not.
 
-#include <signum/triangulation/triangulate.hpp>
-#include <signum/voronoi/compare.hpp>
+#include "../../voronoi/compare.hpp"
+#include "../../triangulation/triangulate.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -11,11 +11,11 @@
 
 #include <gtest/gtest.h>
 
-#include "oracle/euclidean.hpp"
-#include "oracle/power.hpp"
-#include "oracle/rectangular.hpp"
-#include "oracle/valid_edges.hpp"
-#include "property/degenerate_sites.hpp"
+#include "../oracle/euclidean.hpp"
+#include "../oracle/power.hpp"
+#include "../oracle/rectangular.hpp"
+#include "../oracle/valid_edges.hpp"
+#include "degenerate_sites.hpp"
 
 namespace {
 

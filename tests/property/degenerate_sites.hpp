@@ -1,12 +1,12 @@
 #pragma once
 /// Sets of sites in which degenerate positions abound.
 
-#include <signum/core/site.hpp>
+#include "../../core/site.hpp"
 
 #include <array>
 #include <utility>
 
-#include "unit/exact_reference.hpp"
+#include "../unit/exact_reference.hpp"
 
 namespace signum::brute_force {
 

@@ -13,10 +13,10 @@
 #include <string>
 #include <vector>
 
-#include <signum/triangulation/dynamic.hpp>
-#include <signum/triangulation/triangulate.hpp>
+#include "../../triangulation/dynamic.hpp"
+#include "../../triangulation/triangulate.hpp"
 
-#include "property/degenerate_sites.hpp"
+#include "degenerate_sites.hpp"
 
 namespace signum {
 namespace {

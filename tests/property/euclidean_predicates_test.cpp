@@ -2,7 +2,7 @@
 // the oracle's, every stage against rationals, all floating-point environments, and the order of
 // intervals on a bisector against the vertices themselves.
 
-#include <signum/predicates/euclidean.hpp>
+#include "../../predicates/euclidean.hpp"
 
 #include <boost/multiprecision/gmp.hpp>
 
@@ -17,10 +17,10 @@
 
 #include <gtest/gtest.h>
 
-#include "oracle/euclidean.hpp"
-#include "property/additive_brute_force.hpp"
-#include "property/degenerate_sites.hpp"
-#include "unit/exact_reference.hpp"
+#include "../oracle/euclidean.hpp"
+#include "../unit/exact_reference.hpp"
+#include "additive_brute_force.hpp"
+#include "degenerate_sites.hpp"
 
 namespace {
 

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include <signum/triangulation/triangulate.hpp>
+#include "../../triangulation/triangulate.hpp"
 
-#include "property/degenerate_sites.hpp"
+#include "degenerate_sites.hpp"
 
 namespace signum {
 namespace {

@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include <signum/generate/generate.hpp>
-#include <signum/triangulation/triangulate.hpp>
+#include "../../generate/generate.hpp"
+#include "../../triangulation/triangulate.hpp"
 
 namespace signum {
 namespace {

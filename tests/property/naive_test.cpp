@@ -3,7 +3,7 @@
 // give may be wrong, but it is a triangulation of the sphere, so that all that reads it ends too.
 // A construction that hangs runs into the time limit of the test.
 
-#include <signum/triangulation/triangulate.hpp>
+#include "../../triangulation/triangulate.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,10 +16,10 @@
 
 #include <gtest/gtest.h>
 
-#include <signum/triangulation/validate.hpp>
-#include <signum/triangulation/vertices.hpp>
+#include "../../triangulation/validate.hpp"
+#include "../../triangulation/vertices.hpp"
 
-#include "property/degenerate_sites.hpp"
+#include "degenerate_sites.hpp"
 
 namespace {
 

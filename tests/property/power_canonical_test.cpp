@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <oracle/power.hpp>
 #include <random>
 #include <string>
 #include <vector>
+#include "../oracle/power.hpp"
 
-#include <signum/triangulation/triangulate.hpp>
-#include <signum/triangulation/validate.hpp>
+#include "../../triangulation/triangulate.hpp"
+#include "../../triangulation/validate.hpp"
 
 namespace signum {
 namespace {

@@ -20,7 +20,7 @@
 #include <immintrin.h>
 #endif
 
-#include <signum/predicates/power.hpp>
+#include "../../predicates/power.hpp"
 
 namespace signum {
 namespace {

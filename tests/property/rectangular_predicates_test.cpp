@@ -1,17 +1,17 @@
 // The predicates of the supremum and Manhattan metrics: the tessellation that they choose by brute
 // force against the oracle's, every stage against rationals, all floating-point environments.
 
-#include <signum/predicates/manhattan.hpp>
-#include <signum/predicates/supremum.hpp>
+#include "../../predicates/manhattan.hpp"
+#include "../../predicates/supremum.hpp"
 
 #include <cmath>
 #include <random>
 
 #include <gtest/gtest.h>
 
-#include "oracle/rectangular.hpp"
-#include "property/additive_brute_force.hpp"
-#include "unit/exact_reference.hpp"
+#include "../oracle/rectangular.hpp"
+#include "../unit/exact_reference.hpp"
+#include "additive_brute_force.hpp"
 
 namespace {
 

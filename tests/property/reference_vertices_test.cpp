@@ -20,8 +20,8 @@
 #include <string>
 #include <vector>
 
-#include <signum/triangulation/triangulate.hpp>
-#include <signum/triangulation/vertices.hpp>
+#include "../../triangulation/triangulate.hpp"
+#include "../../triangulation/vertices.hpp"
 
 namespace signum {
 namespace {

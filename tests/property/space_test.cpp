@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include <signum/triangulation/space.hpp>
-#include <signum/triangulation/triangulate.hpp>
+#include "../../triangulation/space.hpp"
+#include "../../triangulation/triangulate.hpp"
 
 namespace signum {
 namespace {

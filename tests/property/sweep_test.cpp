@@ -2,8 +2,8 @@
 // faces, neighbours and hidden sites, on sets meant to break it. (Small sets are compared with the
 // oracle in additive_canonical_test.)
 
-#include <signum/predicates/rectangular/front.hpp>
-#include <signum/triangulation/triangulate.hpp>
+#include "../../predicates/rectangular/front.hpp"
+#include "../../triangulation/triangulate.hpp"
 
 #include <cmath>
 #include <limits>
@@ -13,9 +13,9 @@
 
 #include <gtest/gtest.h>
 
-#include <signum/generate/generate.hpp>
+#include "../../generate/generate.hpp"
 
-#include "property/degenerate_sites.hpp"
+#include "degenerate_sites.hpp"
 
 namespace {
 

@@ -9,8 +9,8 @@
 #include <random>
 #include <vector>
 
-#include <signum/triangulation/triangulate.hpp>
-#include <signum/triangulation/validate.hpp>
+#include "../../triangulation/triangulate.hpp"
+#include "../../triangulation/validate.hpp"
 
 namespace {
 

@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include <signum/triangulation/triangulate.hpp>
-#include <signum/triangulation/validate.hpp>
+#include "../../triangulation/triangulate.hpp"
+#include "../../triangulation/validate.hpp"
 
 namespace signum {
 namespace {

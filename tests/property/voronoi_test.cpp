@@ -13,13 +13,13 @@
 #include <string>
 #include <vector>
 
-#include <signum/predicates/additive.hpp>
-#include <signum/predicates/ccw.hpp>
-#include <signum/triangulation/triangulate.hpp>
-#include <signum/voronoi/clip.hpp>
-#include <signum/voronoi/polygon.hpp>
+#include "../../predicates/additive.hpp"
+#include "../../predicates/ccw.hpp"
+#include "../../triangulation/triangulate.hpp"
+#include "../../voronoi/clip.hpp"
+#include "../../voronoi/polygon.hpp"
 
-#include "property/degenerate_sites.hpp"
+#include "degenerate_sites.hpp"
 
 namespace signum {
 namespace {

@@ -12,9 +12,9 @@
 #include <tuple>
 #include <vector>
 
-#include <signum/generate/generate.hpp>
-#include <signum/triangulation/dynamic.hpp>
-#include <signum/triangulation/triangulate.hpp>
+#include "../../generate/generate.hpp"
+#include "../../triangulation/dynamic.hpp"
+#include "../../triangulation/triangulate.hpp"
 
 namespace signum {
 namespace {

@@ -9,8 +9,8 @@
 #include <tuple>
 #include <vector>
 
-#include <signum/generate/generate.hpp>
-#include <signum/triangulation/triangulate.hpp>
+#include "../../generate/generate.hpp"
+#include "../../triangulation/triangulate.hpp"
 
 namespace signum {
 namespace {

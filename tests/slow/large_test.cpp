@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include <signum/generate/generate.hpp>
-#include <signum/triangulation/triangulate.hpp>
-#include <signum/triangulation/validate.hpp>
+#include "../../generate/generate.hpp"
+#include "../../triangulation/triangulate.hpp"
+#include "../../triangulation/validate.hpp"
 
 namespace signum {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <signum/predicates/euclidean.hpp>
-#include <signum/predicates/manhattan.hpp>
-#include <signum/predicates/supremum.hpp>
+#include "../../predicates/euclidean.hpp"
+#include "../../predicates/manhattan.hpp"
+#include "../../predicates/supremum.hpp"
 
 namespace {
 

@@ -15,7 +15,7 @@
 
 #include <gtest/gtest.h>
 
-#include <signum/triangulation/tessellation.hpp>
+#include "../../triangulation/tessellation.hpp"
 
 #include "io_scratch.hpp"
 

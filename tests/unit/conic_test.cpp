@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include <signum/voronoi/conic.hpp>
-#include <signum/voronoi/curve.hpp>
+#include "../../voronoi/conic.hpp"
+#include "../../voronoi/curve.hpp"
 
 namespace signum {
 namespace {

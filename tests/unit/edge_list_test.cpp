@@ -1,12 +1,12 @@
-#include <signum/triangulation/edge_list.hpp>
+#include "../../triangulation/edge_list.hpp"
 
 #include <algorithm>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include <signum/generate/generate.hpp>
-#include <signum/triangulation/triangulate.hpp>
+#include "../../generate/generate.hpp"
+#include "../../triangulation/triangulate.hpp"
 
 namespace {
 

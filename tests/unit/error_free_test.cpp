@@ -1,13 +1,13 @@
 // Error-free transforms against GMP integers.
 
-#include <signum/core/error_free.hpp>
+#include "../../core/error_free.hpp"
 
 #include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
 
-#include "unit/exact_reference.hpp"
+#include "exact_reference.hpp"
 
 namespace {
 

@@ -1,6 +1,6 @@
 // Expansions against GMP integers: exact, nonadjacent, and right under a hostile caller.
 
-#include <signum/exact/expansion.hpp>
+#include "../../exact/expansion.hpp"
 
 #include <array>
 #include <bit>
@@ -11,9 +11,9 @@
 
 #include <gtest/gtest.h>
 
-#include <signum/exact/floating_environment.hpp>
+#include "../../exact/floating_environment.hpp"
 
-#include "unit/exact_reference.hpp"
+#include "exact_reference.hpp"
 
 namespace {
 

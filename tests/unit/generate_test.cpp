@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include <signum/core/index.hpp>
-#include <signum/generate/generate.hpp>
+#include "../../core/index.hpp"
+#include "../../generate/generate.hpp"
 
 namespace signum {
 namespace {

@@ -1,6 +1,6 @@
 /// Intervals contain what the exact numbers give, at both ends of the doubles' range too.
 
-#include <signum/filters/interval.hpp>
+#include "../../filters/interval.hpp"
 
 #include <algorithm>
 #include <cfenv>
@@ -9,9 +9,9 @@
 
 #include <gtest/gtest.h>
 
-#include <signum/exact/multiprecision.hpp>
+#include "../../exact/multiprecision.hpp"
 
-#include "unit/exact_reference.hpp"
+#include "exact_reference.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <signum/io/number.hpp>
+#include "../../io/number.hpp"
 
 namespace signum {
 namespace {

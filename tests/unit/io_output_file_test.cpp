@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include <signum/io/errors.hpp>
-#include <signum/io/output_file.hpp>
+#include "../../io/errors.hpp"
+#include "../../io/output_file.hpp"
 
 #include "io_scratch.hpp"
 

@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include <signum/io/errors.hpp>
-#include <signum/io/read_sites.hpp>
+#include "../../io/errors.hpp"
+#include "../../io/read_sites.hpp"
 
 #include "io_scratch.hpp"
 

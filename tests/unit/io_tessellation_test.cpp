@@ -8,13 +8,13 @@
 
 #include <gtest/gtest.h>
 
-#include <signum/io/errors.hpp>
-#include <signum/io/read_sites.hpp>
-#include <signum/io/read_tessellation.hpp>
-#include <signum/io/write_csv.hpp>
-#include <signum/io/write_json.hpp>
-#include <signum/io/write_obj.hpp>
-#include <signum/io/write_sites.hpp>
+#include "../../io/errors.hpp"
+#include "../../io/read_sites.hpp"
+#include "../../io/read_tessellation.hpp"
+#include "../../io/write_csv.hpp"
+#include "../../io/write_json.hpp"
+#include "../../io/write_obj.hpp"
+#include "../../io/write_sites.hpp"
 
 #include "io_scratch.hpp"
 

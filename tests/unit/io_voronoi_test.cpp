@@ -8,11 +8,11 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <signum/draw/voronoi_svg.hpp>
-#include <signum/generate/generate.hpp>
-#include <signum/io/write_voronoi.hpp>
-#include <signum/triangulation/triangulate.hpp>
-#include <signum/voronoi/polygon.hpp>
+#include "../../draw/voronoi_svg.hpp"
+#include "../../generate/generate.hpp"
+#include "../../io/write_voronoi.hpp"
+#include "../../triangulation/triangulate.hpp"
+#include "../../voronoi/polygon.hpp"
 
 namespace signum {
 namespace {

@@ -1,4 +1,4 @@
-#include <signum/study/margin.hpp>
+#include "../../study/margin.hpp"
 
 #include <cmath>
 #include <iterator>
@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include <signum/triangulation/triangulate.hpp>
+#include "../../triangulation/triangulate.hpp"
 
 namespace {
 

@@ -1,7 +1,7 @@
 // Conversions between doubles and rationals against GMP's own and against the definition of
 // rounding.
 
-#include <signum/exact/multiprecision.hpp>
+#include "../../exact/multiprecision.hpp"
 
 #include <bit>
 #include <cmath>
@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "unit/exact_reference.hpp"
+#include "exact_reference.hpp"
 
 namespace {
 

@@ -1,7 +1,7 @@
 // nearest(), locate() and neighbours() in all metrics, against brute force in rationals: ties,
 // hidden sites, grids, few sites; triangulate() for a metric known at run time.
 
-#include <signum/triangulation/triangulate.hpp>
+#include "../../triangulation/triangulate.hpp"
 
 #include <algorithm>
 #include <array>

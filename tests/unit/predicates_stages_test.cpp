@@ -10,7 +10,7 @@
 #include <ostream>
 #include <type_traits>
 
-#include <signum/predicates/power.hpp>
+#include "../../predicates/power.hpp"
 
 namespace signum {
 

@@ -9,8 +9,8 @@
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
-#include <signum/predicates/euclidean.hpp>
-#include <signum/predicates/power.hpp>
+#include "../../predicates/euclidean.hpp"
+#include "../../predicates/power.hpp"
 
 namespace {
 

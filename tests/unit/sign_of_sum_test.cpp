@@ -1,6 +1,6 @@
 // The exact sign of a sum against GMP integers, in every environment; its steps and its memory.
 
-#include <signum/exact/sign_of_sum.hpp>
+#include "../../exact/sign_of_sum.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-#include "unit/exact_reference.hpp"
+#include "exact_reference.hpp"
 
 namespace {
 std::size_t allocations = 0;

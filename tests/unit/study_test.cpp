@@ -7,12 +7,12 @@
 
 #include <gtest/gtest.h>
 
-#include <signum/study/figures.hpp>
-#include <signum/study/measure.hpp>
-#include <signum/study/plan.hpp>
-#include <signum/study/plot.hpp>
-#include <signum/study/report.hpp>
-#include <signum/study/rows.hpp>
+#include "../../study/figures.hpp"
+#include "../../study/measure.hpp"
+#include "../../study/plan.hpp"
+#include "../../study/plot.hpp"
+#include "../../study/report.hpp"
+#include "../../study/rows.hpp"
 
 namespace signum::study {
 namespace {

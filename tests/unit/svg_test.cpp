@@ -2,12 +2,12 @@
 /// cannot draw, and bounded however many sites there are. The cells are checked against their
 /// definition.
 
-#include <signum/draw/frame.hpp>
-#include <signum/draw/lines.hpp>
-#include <signum/draw/shapes.hpp>
-#include <signum/draw/svg.hpp>
-#include <signum/draw/thinning.hpp>
-#include <signum/triangulation/triangulate.hpp>
+#include "../../draw/svg.hpp"
+#include "../../draw/frame.hpp"
+#include "../../draw/lines.hpp"
+#include "../../draw/shapes.hpp"
+#include "../../draw/thinning.hpp"
+#include "../../triangulation/triangulate.hpp"
 
 #include <gtest/gtest.h>
 

@@ -11,20 +11,20 @@
 #include <cstdint>
 #include <limits>
 #include <map>
-#include <oracle/power.hpp>
 #include <random>
 #include <set>
 #include <stdexcept>
 #include <stop_token>
 #include <string>
 #include <vector>
+#include "../oracle/power.hpp"
 
 #if defined(__SSE2__)
 #include <immintrin.h>
 #endif
 
-#include <signum/triangulation/triangulate.hpp>
-#include <signum/triangulation/vertices.hpp>
+#include "../../triangulation/triangulate.hpp"
+#include "../../triangulation/vertices.hpp"
 
 namespace signum {
 namespace {

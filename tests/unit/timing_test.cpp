@@ -1,4 +1,4 @@
-#include <signum/study/timing.hpp>
+#include "../../study/timing.hpp"
 
 #include <numeric>
 #include <random>

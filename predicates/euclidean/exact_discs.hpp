@@ -1,0 +1,266 @@
+#pragma once
+/// The exact stages of the Euclidean predicates: sites as integers, as many bits wide as they need,
+/// and as rationals. Included by sources only, for it pulls in Boost and GMP.
+///
+/// All predicates are signs of homogeneous polynomials in differences of coordinates and radii, so
+/// every site may be moved by the same amounts and multiplied by the same power of two.
+///
+/// Laws:
+///  1. four sizes: differences below 2^30, in the processor's integers as far as they reach
+///     (integers and grids, where ties abound); numbers that span at most wide_bits bits, in
+///     integers of a fixed size (most other doubles); at most integer_bits, in integers of any
+///     size; all others in rationals, the multiprecision stage;
+///  2. doubles are taken apart by their bits: no floating-point operation, no environment.
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <compare>
+#include <cstdint>
+
+#include <boost/multiprecision/cpp_int.hpp>
+
+#include "../../core/contract.hpp"
+#include "../../core/site.hpp"
+#include "../../exact/multiprecision.hpp"
+#include "../../filters/interval.hpp"
+#include "../../filters/tally.hpp"
+#include "polynomials.hpp"
+
+namespace signum::euclidean {
+
+/// Differences below 2^30 have 2x2 minors and powers below 2^61, minors with a power below 2^92,
+/// D below 2^124, products of two powers below 2^122; A is below 2^187, the square in H below
+/// 2^248, and H of three powers below 2^126.
+struct Narrow {
+    using Linear = std::int64_t;
+    using Quadratic = std::int64_t;
+    using Quartic = __int128;
+    using Octic = boost::multiprecision::int256_t;
+};
+/// Numbers that span 120 bits have differences below 2^121, powers below 2^243, products of two
+/// powers below 2^486, and the square in H stays below 2^976. Nothing is allocated.
+using Wide = Uniform<boost::multiprecision::number<
+    boost::multiprecision::cpp_int_backend<1024, 1024, boost::multiprecision::signed_magnitude,
+                                           boost::multiprecision::unchecked, void>,
+    boost::multiprecision::et_off>>;
+using Integers = Uniform<exact::Integer>;
+using Rationals = Uniform<exact::Rational>;
+
+namespace cold {
+
+inline constexpr int wide_bits = 120;
+/// Beyond this span most bits of the integers would be 0.
+inline constexpr int integer_bits = 400;
+
+/// ±significand · 2^exponent; the significand is odd, or 0.
+struct Parts {
+    std::uint64_t significand;
+    int exponent;
+    bool negative;
+};
+
+[[nodiscard]] inline Parts parts(double value) noexcept {
+    const auto bits = std::bit_cast<std::uint64_t>(value);
+    const std::uint64_t fraction = bits & ((std::uint64_t{1} << 52) - 1);
+    const int biased = static_cast<int>(bits >> 52 & 0x7FF);
+    SIGNUM_EXPECTS(biased != 0x7FF);
+    const std::uint64_t significand = fraction | std::uint64_t{biased != 0} << 52;
+    if (significand == 0) return {0, 0, false};
+    const int zeros = std::countr_zero(significand);
+    return {significand >> zeros, (biased == 0 ? 1 : biased) - 1075 + zeros, bits >> 63 != 0};
+}
+
+/// The numbers of n sites in the order x, y, r.
+template <std::size_t n>
+class Numbers {
+ public:
+    explicit Numbers(const std::array<Site, n>& sites) noexcept {
+        bool any = false;
+        for (std::size_t m = 0; m < n; ++m) {
+            const double values[] = {sites[m].x, sites[m].y, sites[m].r};
+            for (std::size_t column = 0; column < 3; ++column) {
+                const Parts& number = numbers_[3 * m + column] = parts(values[column]);
+                if (number.significand == 0) continue;
+                const int end =
+                    number.exponent + static_cast<int>(std::bit_width(number.significand));
+                lowest_ = any ? std::min(lowest_, number.exponent) : number.exponent;
+                highest_ = any ? std::max(highest_, end) : end;
+                any = true;
+            }
+        }
+    }
+
+    /// All are multiples of 2^lowest below 2^(lowest + span).
+    [[nodiscard]] int span() const noexcept { return highest_ - lowest_; }
+
+    /// number / 2^lowest. Precondition: span() <= 62.
+    [[nodiscard]] std::int64_t small(std::size_t at) const noexcept {
+        const Parts& number = numbers_[at];
+        if (number.significand == 0) return 0;
+        const auto result =
+            static_cast<std::int64_t>(number.significand << (number.exponent - lowest_));
+        return number.negative ? -result : result;
+    }
+    /// The same for any span.
+    template <class Integer>
+    [[nodiscard]] Integer value(std::size_t at) const {
+        const Parts& number = numbers_[at];
+        Integer result = number.significand;
+        if (number.significand != 0) result <<= number.exponent - lowest_;
+        if (number.negative) result.backend().negate();
+        return result;
+    }
+
+ private:
+    std::array<Parts, 3 * n> numbers_;
+    int lowest_ = 0;
+    int highest_ = 0;
+};
+
+/// Relative to the first site; precondition: span() <= 62, so that no difference overflows.
+template <std::size_t n>
+class SmallDiscs {
+ public:
+    explicit SmallDiscs(const Numbers<n>& numbers) noexcept {
+        std::uint64_t bits = 0;
+        for (std::size_t m = 0; m < n; ++m) {
+            std::int64_t* const values[] = {&discs_[m].x, &discs_[m].y, &discs_[m].r};
+            for (std::size_t column = 0; column < 3; ++column) {
+                *values[column] = numbers.small(3 * m + column) - numbers.small(column);
+                bits |= static_cast<std::uint64_t>(*values[column]);
+            }
+        }
+        const int zeros = bits == 0 ? 0 : std::countr_zero(bits);
+        for (Disc<Narrow>& d : discs_) d = {d.x >> zeros, d.y >> zeros, d.r >> zeros};
+    }
+
+    [[nodiscard]] const std::array<Disc<Narrow>, n>& discs() const noexcept { return discs_; }
+
+    /// Whether all differences, not only those to the first site, are below 2^30.
+    [[nodiscard]] bool narrow() const noexcept {
+        return spread(&Disc<Narrow>::x) && spread(&Disc<Narrow>::y) && spread(&Disc<Narrow>::r);
+    }
+
+ private:
+    [[nodiscard]] bool spread(std::int64_t Disc<Narrow>::*column) const noexcept {
+        std::int64_t least = 0;
+        std::int64_t greatest = 0;
+        for (const Disc<Narrow>& d : discs_) {
+            least = std::min(least, d.*column);
+            greatest = std::max(greatest, d.*column);
+        }
+        constexpr std::int64_t limit = std::int64_t{1} << 30;
+        return least > -limit && greatest < limit && greatest - least < limit;
+    }
+
+    std::array<Disc<Narrow>, n> discs_;
+};
+
+}  // namespace cold
+
+/// The sites in rationals.
+template <std::size_t n>
+[[nodiscard]] std::array<Disc<Rationals>, n> rational_discs(const std::array<Site, n>& sites) {
+    std::array<Disc<Rationals>, n> result;
+    for (std::size_t m = 0; m < n; ++m)
+        result[m] = {exact::to_rational(sites[m].x), exact::to_rational(sites[m].y),
+                     exact::to_rational(sites[m].r)};
+    return result;
+}
+
+/// The sites in doubles or floats, for the predicates that round.
+template <class Number, std::size_t n>
+[[nodiscard]] std::array<Disc<Uniform<Number>>, n> rounded_discs(const std::array<Site, n>& sites) {
+    std::array<Disc<Uniform<Number>>, n> result;
+    for (std::size_t m = 0; m < n; ++m)
+        result[m] = {Number(sites[m].x), Number(sites[m].y), Number(sites[m].r)};
+    return result;
+}
+
+/// An interval that compares as a number does, for polynomials that ask. Where it cannot tell it
+/// says anything, and that the answer is in doubt.
+class Enclosed {
+ public:
+    Enclosed() = default;
+    Enclosed(double number, bool& doubt) noexcept : interval_(number), doubt_(&doubt) {}
+
+    friend Enclosed operator+(const Enclosed& a, const Enclosed& b) noexcept {
+        return {a.interval_ + b.interval_, a.doubt_};
+    }
+    friend Enclosed operator-(const Enclosed& a, const Enclosed& b) noexcept {
+        return {a.interval_ - b.interval_, a.doubt_};
+    }
+    friend Enclosed operator*(const Enclosed& a, const Enclosed& b) noexcept {
+        return {a.interval_ * b.interval_, a.doubt_};
+    }
+    friend Enclosed operator*(int a, const Enclosed& b) noexcept {
+        return {a * b.interval_, b.doubt_};
+    }
+    friend bool operator==(const Enclosed& a, const Enclosed& b) noexcept {
+        return (a - b).sign() == 0;
+    }
+    friend std::weak_ordering operator<=>(const Enclosed& a, const Enclosed& b) noexcept {
+        return (a - b).sign() <=> 0;
+    }
+    /// With 0.
+    friend bool operator==(const Enclosed& a, int) noexcept { return a.sign() == 0; }
+    friend std::weak_ordering operator<=>(const Enclosed& a, int) noexcept {
+        return a.sign() <=> 0;
+    }
+
+ private:
+    Enclosed(const filters::Interval& interval, bool* doubt) noexcept
+        : interval_(interval), doubt_(doubt) {}
+
+    [[nodiscard]] Sign sign() const noexcept {
+        const Sign least = sign_of(interval_.low);
+        *doubt_ |= least != sign_of(interval_.high);
+        return least;
+    }
+
+    filters::Interval interval_;
+    bool* doubt_;
+};
+
+template <std::size_t n>
+[[nodiscard]] std::array<Disc<Uniform<Enclosed>>, n> enclosed_discs(
+    const std::array<Site, n>& sites, bool& doubt) {
+    std::array<Disc<Uniform<Enclosed>>, n> result;
+    for (std::size_t m = 0; m < n; ++m)
+        result[m] = {{sites[m].x, doubt}, {sites[m].y, doubt}, {sites[m].r, doubt}};
+    return result;
+}
+
+/// A question's answer with its stage.
+[[nodiscard]] inline Decision at(Stage stage, const Answer& answer) noexcept {
+    return {answer.sign, stage, answer.tied};
+}
+[[nodiscard]] inline Decision at(Stage stage, Sign sign) noexcept {
+    return {sign, stage};
+}
+
+/// The answer to a question about sites, any of those of polynomials.hpp, in the narrowest numbers
+/// that hold them.
+template <std::size_t n, class Question>
+[[nodiscard]] Decision decide_exactly(const std::array<Site, n>& sites, const Question& question) {
+    const cold::Numbers<n> numbers(sites);
+    if (numbers.span() > cold::integer_bits)
+        return at(Stage::multiprecision, question(rational_discs(sites)));
+    if (numbers.span() <= 62) {
+        const cold::SmallDiscs<n> small(numbers);
+        if (small.narrow()) return at(Stage::exact, question(small.discs()));
+    }
+    const auto ask = [&]<class D>(std::array<Disc<D>, n> discs) -> Decision {
+        using Integer = typename D::Linear;
+        for (std::size_t m = 0; m < n; ++m)
+            discs[m] = {numbers.template value<Integer>(3 * m),
+                        numbers.template value<Integer>(3 * m + 1),
+                        numbers.template value<Integer>(3 * m + 2)};
+        return at(Stage::exact, question(discs));
+    };
+    if (numbers.span() <= cold::wide_bits) return ask(std::array<Disc<Wide>, n>());
+    return ask(std::array<Disc<Integers>, n>());
+}
+
+}  // namespace signum::euclidean

@@ -1,7 +1,0 @@
-#include <signum/triangulation/cold_construct.hpp>
-
-namespace signum::triangulation {
-
-template Tessellation construct<Arithmetic::exact>(Metric, const StridedSites&, const Options&);
-
-}  // namespace signum::triangulation

@@ -1,8 +1,0 @@
-#include <signum/triangulation/cold_construct.hpp>
-
-namespace signum::triangulation {
-
-template Tessellation construct<Arithmetic::naive>(Metric, const StridedSites&, const Options&);
-template Tessellation construct<Arithmetic::single>(Metric, const StridedSites&, const Options&);
-
-}  // namespace signum::triangulation

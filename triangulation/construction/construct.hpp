@@ -1,0 +1,34 @@
+#pragma once
+/// Constructions of checked sites, by methods and arithmetics: what triangulate() chooses from.
+
+#include <cmath>
+#include <optional>
+
+#include "../../core/strided_sites.hpp"
+#include "../triangulate.hpp"
+
+namespace signum::triangulation {
+
+/// The same weight everywhere: ordinary Delaunay, which needs no weights at all.
+inline bool equal_weights(const StridedSites& sites) noexcept {
+    for (std::size_t i = 1; i < sites.size(); ++i) {
+        const double first = sites[0].r;
+        const double other = sites[i].r;
+        if (sites.third_is_weight() ? first != other : std::fabs(first) != std::fabs(other))
+            return false;
+    }
+    return true;
+}
+
+/// By insertion or the sweep. The single kernel rounds the sites to floats, which must be finite;
+/// the tessellation is still one of the sites given.
+template <Arithmetic arithmetic>
+[[nodiscard]] Tessellation construct(Metric metric, const StridedSites& input,
+                                     const Options& options);
+
+/// The power tessellation by flips, in exact arithmetic. `obstruction` is where to report the edge
+/// that could not be flipped in the order of discovery; without it the order is that of time.
+[[nodiscard]] Tessellation construct_by_flips(const StridedSites& input, const Options& options,
+                                              std::optional<Edge>* obstruction = nullptr);
+
+}  // namespace signum::triangulation

@@ -1,0 +1,281 @@
+#pragma once
+/// Incremental insertion and the sweep, from checked sites to a tessellation: the text of
+/// construct(), which each construct_*.cpp compiles for one arithmetic or two. For sources only.
+
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+#include <span>
+#include <stdexcept>
+#include <type_traits>
+#include <vector>
+
+#include "../../filters/tally.hpp"
+#include "../../predicates/euclidean.hpp"
+#include "../../predicates/manhattan.hpp"
+#include "../../predicates/supremum.hpp"
+#include "../insertion/collinear.hpp"
+#include "../insertion/hiders.hpp"
+#include "../insertion/insert.hpp"
+#include "../kernels/additive_kernel.hpp"
+#include "../kernels/power_kernel.hpp"
+#include "../structure/assemble.hpp"
+#include "../structure/spatial_order.hpp"
+#include "../structure/tie_order.hpp"
+#include "../sweep/sweep.hpp"
+#include "construct.hpp"
+
+namespace signum::triangulation {
+
+inline bool equal_radii(const StridedSites& sites) noexcept {
+    for (std::size_t i = 1; i < sites.size(); ++i)
+        if (sites[i].r != sites[0].r) return false;
+    return true;
+}
+
+/// Calls the user back every few thousand sites.
+class Watch {
+ public:
+    Watch(const Options& options, std::size_t sites) noexcept : options_(options), sites_(sites) {}
+
+    void at(std::size_t done) const {
+        if (done % period != 0) return;
+        if (options_.stop.stop_requested()) throw Stopped();
+        if (options_.progress)
+            options_.progress(static_cast<double>(done) / static_cast<double>(sites_));
+    }
+
+ private:
+    static constexpr std::size_t period = 4096;
+    const Options& options_;
+    std::size_t sites_;
+};
+
+template <class Kernel>
+LargeArray<typename Kernel::SiteType> in_order(const StridedSites& input,
+                                               const LargeArray<Index>& original) {
+    LargeArray<typename Kernel::SiteType> sites(original.size());
+    for (std::size_t i = 0; i < original.size(); ++i)
+        sites[i] = Kernel::rounded(input[static_cast<std::size_t>(original[i])]);
+    return sites;
+}
+
+/// Moves three sites that are not collinear to the front, counterclockwise; false where there are
+/// none.
+template <class Kernel>
+bool lead_with_triangle(Kernel& kernel, std::span<typename Kernel::SiteType> sites,
+                        std::span<Index> original) {
+    const auto n = static_cast<Index>(sites.size());
+    const auto bring = [&](Index to, Index from) {
+        std::swap(sites[static_cast<std::size_t>(to)], sites[static_cast<std::size_t>(from)]);
+        std::swap(original[static_cast<std::size_t>(to)], original[static_cast<std::size_t>(from)]);
+    };
+    Index second = 1;
+    while (second < n && kernel.centre(second) == kernel.centre(0)) ++second;
+    if (second >= n) return false;
+    bring(1, second);
+    for (Index third = 2; third < n; ++third) {
+        const Sign side = kernel.ccw(0, 1, third);
+        if (side == 0) continue;
+        bring(2, third);
+        if (side < 0) bring(0, 1);
+        return true;
+    }
+    return false;
+}
+
+inline void fill(Statistics& statistics, const filters::Tally& tally) noexcept {
+    statistics.counted = true;
+    statistics.ccw = tally.ccw;
+    statistics.in_circle = tally.in_circle;
+    const auto decided = [&](Stage stage) { return tally.stages[static_cast<int>(stage)]; };
+    statistics.filtered = decided(Stage::filter);
+    statistics.refined = decided(Stage::refine);
+    statistics.essa = decided(Stage::exact);
+    statistics.multiprecision = decided(Stage::multiprecision);
+    statistics.ties = tally.ties;
+}
+inline void fill(Statistics&, const filters::NoTally&) noexcept {}
+
+/// The arrays of the result, from a construction that is done.
+template <class Kernel>
+Tessellation finish(Metric metric, WeightIs weight_is, const StridedSites& input,
+                    std::chrono::steady_clock::time_point start, const Kernel& kernel,
+                    LargeArray<typename Kernel::SiteType> sites, Topology topology,
+                    LargeArray<Index> original, LargeArray<Index> hidden_by,
+                    Statistics statistics = {}) {
+    const std::size_t n = input.size();
+    settle_hiders(topology, kernel, hidden_by);
+
+    TessellationArrays arrays;
+    arrays.metric = metric;
+    arrays.weight_is = weight_is;
+    arrays.sites = static_cast<std::int64_t>(n);
+    for (std::size_t i = 0; i < n; ++i)
+        if (hidden_by[i] >= 0)
+            arrays.hidden.push_back(
+                {original[i], original[static_cast<std::size_t>(hidden_by[i])]});
+    std::sort(arrays.hidden.begin(), arrays.hidden.end(),
+              [](const Hidden& a, const Hidden& b) { return a.site < b.site; });
+    sites = {};
+    hidden_by = {};
+    assemble(std::move(topology), original, arrays);
+    original = {};
+
+    fill(statistics, kernel.tally());
+    std::vector<Site> copy = large_vector<Site>(n);
+    for (std::size_t i = 0; i < n; ++i) copy[i] = input[i];
+    statistics.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return {std::move(arrays), std::move(copy), statistics};
+}
+
+template <class Kernel>
+Tessellation construct_with_kernel(Metric metric, const StridedSites& input,
+                                   const Options& options) {
+    using S = typename Kernel::SiteType;
+    const auto start = std::chrono::steady_clock::now();
+    const std::size_t n = input.size();
+
+    LargeArray<Index> original = spatial_order(input, options.seed);
+    LargeArray<S> sites = in_order<Kernel>(input, original);
+
+    Kernel kernel(sites.data(), original.data());
+    Topology topology(n);
+    LargeArray<Index> hidden_by(n, -1);
+    if (lead_with_triangle(kernel, sites, original)) {
+        Insertion<Kernel> insertion(topology, kernel, hidden_by, 0, 1, 2);
+        const Watch watch(options, n);
+        for (std::size_t i = 3; i < n; ++i) {
+            insertion.insert(static_cast<Index>(i));
+            watch.at(i);
+        }
+    } else {
+        connect_line(topology, visible_on_line(kernel, n, hidden_by));
+    }
+    const WeightIs weight_is = input.third_is_weight() ? WeightIs::weight : WeightIs::radius;
+    return finish(metric, weight_is, input, start, kernel, std::move(sites), std::move(topology),
+                  std::move(original), std::move(hidden_by));
+}
+
+template <class Kernel>
+Tessellation construct_additive_with_kernel(Metric metric, const StridedSites& input,
+                                            const Options& options) {
+    const auto start = std::chrono::steady_clock::now();
+    const std::size_t n = input.size();
+
+    LargeArray<Index> original = spatial_order(input, options.seed);
+    LargeArray<RankedSite> sites(n);
+    for (std::size_t i = 0; i < n; ++i)
+        sites[i] = {Kernel::rounded(input[static_cast<std::size_t>(original[i])]), 0};
+    rank(sites, original);
+    if (n > 0) {
+        // The first site of the tie rule's order leads: no other ever hides it.
+        const auto first = std::find_if(sites.begin(), sites.end(),
+                                        [](const RankedSite& site) { return site.rank == 0; });
+        std::swap(original[0], original[static_cast<std::size_t>(first - sites.begin())]);
+        std::swap(sites[0], *first);
+    }
+
+    Kernel kernel(sites.data());
+    Topology topology(n);
+    LargeArray<Index> hidden_by(n, -1);
+    std::size_t second = 1;
+    for (; second < n && kernel.hides(0, static_cast<Index>(second)); ++second)
+        hidden_by[second] = 0;
+    if (second < n) {
+        Insertion<Kernel> insertion(topology, kernel, hidden_by, 0, static_cast<Index>(second));
+        const Watch watch(options, n);
+        for (std::size_t i = second + 1; i < n; ++i) {
+            insertion.insert(static_cast<Index>(i));
+            watch.at(i);
+        }
+    }
+    return finish(metric, WeightIs::radius, input, start, kernel, std::move(sites),
+                  std::move(topology), std::move(original), std::move(hidden_by));
+}
+
+/// The same, for squares, by a sweep.
+template <class Kernel>
+Tessellation construct_by_sweep_with_kernel(Metric metric, const StridedSites& input,
+                                            const Options& options) {
+    using SweepOfKernel = Sweep<Kernel>;
+    const auto start = std::chrono::steady_clock::now();
+    const std::size_t n = input.size();
+
+    const bool exact_sums =
+        SweepOfKernel::sums == Arithmetic::exact && rectangular::sums_are_exact(input);
+    LargeArray<Index> original(n);
+    std::iota(original.begin(), original.end(), 0);
+    LargeArray<RankedSite> sites(n);
+    {
+        LargeArray<RankedSite> given(n);
+        for (std::size_t i = 0; i < n; ++i) given[i] = {Kernel::rounded(input[i]), 0};
+        rank(given, original);
+        original = order_of_starts<typename SweepOfKernel::Directions, SweepOfKernel::sums>(given);
+        for (std::size_t i = 0; i < n; ++i) sites[i] = given[static_cast<std::size_t>(original[i])];
+    }
+
+    Kernel kernel(sites.data());
+    Topology topology(n);
+    LargeArray<Index> hidden_by(n, -1);
+    const Watch watch(options, n);
+    SweepOfKernel sweep(topology, kernel, hidden_by, exact_sums);
+    sweep.run(n, [&](std::size_t reached) { watch.at(reached); });
+    Statistics statistics;
+    statistics.events = sweep.events();
+    return finish(metric, WeightIs::radius, input, start, kernel, std::move(sites),
+                  std::move(topology), std::move(original), std::move(hidden_by), statistics);
+}
+
+/// construct<Tally>() for what the options ask.
+template <class Construct>
+Tessellation with_tally(const Options& options, Construct construct) {
+    return options.count ? construct.template operator()<filters::Tally>()
+                         : construct.template operator()<filters::NoTally>();
+}
+
+template <class S, Arithmetic arithmetic>
+Tessellation construct_power(Metric metric, const StridedSites& input, const Options& options) {
+    return with_tally(options, [&]<class Tally>() {
+        return construct_with_kernel<PowerKernel<S, arithmetic, Tally>>(metric, input, options);
+    });
+}
+
+template <class Predicates, Arithmetic arithmetic>
+Tessellation construct_additive(Metric metric, const StridedSites& input, const Options& options) {
+    return with_tally(options, [&]<class Tally>() {
+        using Kernel = AdditiveKernel<Predicates, arithmetic, Tally>;
+        if constexpr (!std::is_same_v<Predicates, euclidean::Perturbed<arithmetic>>)
+            if (options.method == Method::sweep)
+                return construct_by_sweep_with_kernel<Kernel>(metric, input, options);
+        return construct_additive_with_kernel<Kernel>(metric, input, options);
+    });
+}
+
+template <Arithmetic arithmetic>
+Tessellation construct(Metric metric, const StridedSites& input, const Options& options) {
+    switch (metric) {
+        case Metric::power:
+            if (equal_weights(input))
+                return construct_power<Point, arithmetic>(metric, input, options);
+            if (input.third_is_weight())
+                return construct_power<power::Site, arithmetic>(metric, input, options);
+            return construct_power<Site, arithmetic>(metric, input, options);
+        case Metric::euclidean:
+            // Of equal radii the tessellation is Delaunay's, ties included.
+            if (equal_radii(input))
+                return construct_power<Point, arithmetic>(metric, input, options);
+            return construct_additive<euclidean::Perturbed<arithmetic>, arithmetic>(metric, input,
+                                                                                    options);
+        case Metric::manhattan:
+            return construct_additive<manhattan::Perturbed<arithmetic>, arithmetic>(metric, input,
+                                                                                    options);
+        case Metric::supremum:
+            return construct_additive<supremum::Perturbed<arithmetic>, arithmetic>(metric, input,
+                                                                                   options);
+    }
+    throw std::invalid_argument("no such metric");
+}
+
+}  // namespace signum::triangulation

@@ -1,0 +1,122 @@
+#include "../construction/constructions.hpp"
+#include "inflation.hpp"
+
+namespace signum::triangulation {
+namespace {
+
+/// Of equal centres the first in the tie rule's order comes to the front of the arrays, the others
+/// behind; the number of those in front, and for each one behind the number of its first.
+template <class Kernel>
+std::size_t front_of_equal_centres(const Kernel& kernel,
+                                   LargeArray<typename Kernel::SiteType>& sites,
+                                   LargeArray<Index>& original, std::vector<Index>& first_of) {
+    const std::size_t n = original.size();
+    std::vector<Index> order(n);
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&](Index a, Index b) {
+        const Point p = kernel.centre(a);
+        const Point q = kernel.centre(b);
+        if (p.x != q.x) return p.x < q.x;
+        if (p.y != q.y) return p.y < q.y;
+        return a != b && kernel.precedes(a, b);
+    });
+    std::vector<Index> first(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        const auto at = static_cast<std::size_t>(order[i]);
+        const bool same = i > 0 && kernel.centre(order[i]) == kernel.centre(order[i - 1]);
+        first[at] = same ? first[static_cast<std::size_t>(order[i - 1])] : order[i];
+    }
+    LargeArray<typename Kernel::SiteType> new_sites(n);
+    LargeArray<Index> new_original(n);
+    std::size_t front = 0;
+    std::size_t behind = n;
+    for (std::size_t i = 0; i < n; ++i) {
+        const bool stands = first[i] == static_cast<Index>(i);
+        const std::size_t to = stands ? front++ : --behind;
+        new_sites[to] = sites[i];
+        new_original[to] = original[i];
+    }
+    first_of.resize(n - front);
+    for (std::size_t i = 0, at = n; i < n; ++i)
+        if (first[i] != static_cast<Index>(i))
+            first_of[--at - front] = original[static_cast<std::size_t>(first[i])];
+    std::copy(new_sites.begin(), new_sites.end(), sites.begin());
+    std::copy(new_original.begin(), new_original.end(), original.begin());
+    return front;
+}
+
+template <class Kernel>
+Tessellation construct_by_flips_with_kernel(const StridedSites& input, const Options& options,
+                                            std::optional<Edge>* obstruction) {
+    using S = typename Kernel::SiteType;
+    const auto start = std::chrono::steady_clock::now();
+    const std::size_t n = input.size();
+
+    LargeArray<Index> original = spatial_order(input, options.seed);
+    LargeArray<S> sites = in_order<Kernel>(input, original);
+    Kernel kernel(sites.data(), original.data());
+    std::vector<Index> first_of;
+    const std::size_t front = front_of_equal_centres(kernel, sites, original, first_of);
+
+    Topology topology(n);
+    LargeArray<Index> hidden_by(n, -1);
+    Statistics statistics;
+    if (lead_with_triangle(kernel, std::span(sites).first(front),
+                           std::span(original).first(front))) {
+        LargeArray<Point> points(n);
+        for (std::size_t i = 0; i < n; ++i) points[i] = {sites[i].x, sites[i].y};
+        using PointKernel = PowerKernel<Point, Arithmetic::exact, filters::NoTally>;
+        PointKernel point_kernel(points.data(), original.data());
+        Insertion<PointKernel> insertion(topology, point_kernel, hidden_by, 0, 1, 2);
+        const Watch watch(options, 2 * n);
+        for (std::size_t i = 3; i < front; ++i) {
+            insertion.insert(static_cast<Index>(i));
+            watch.at(i);
+        }
+        std::vector<Index> place(n);
+        for (std::size_t i = 0; i < n; ++i)
+            place[static_cast<std::size_t>(original[i])] = static_cast<Index>(i);
+        for (std::size_t i = front; i < n; ++i)
+            hidden_by[i] = place[static_cast<std::size_t>(first_of[i - front])];
+
+        using Flips = Inflation<Kernel>;
+        Flips inflation(
+            topology, kernel, hidden_by,
+            obstruction == nullptr ? Flips::Order::of_time : Flips::Order::of_discovery);
+        if (!inflation.run(
+                [&](std::uint64_t done) { watch.at(n + std::min<std::size_t>(done, n - 1)); })) {
+            const auto [a, b] = inflation.obstruction();
+            const Edge edge = {a == infinite ? a : original[static_cast<std::size_t>(a)],
+                               b == infinite ? b : original[static_cast<std::size_t>(b)]};
+            if (obstruction == nullptr)
+                throw BrokenStructure("an edge that has to be flipped cannot be");
+            *obstruction = edge;
+            return {};
+        }
+        statistics.flips = inflation.flips();
+    } else {
+        connect_line(topology, visible_on_line(kernel, n, hidden_by));
+    }
+    const WeightIs weight_is = input.third_is_weight() ? WeightIs::weight : WeightIs::radius;
+    return finish(Metric::power, weight_is, input, start, kernel, std::move(sites),
+                  std::move(topology), std::move(original), std::move(hidden_by), statistics);
+}
+
+template <class S>
+Tessellation construct_by_flips_of(const StridedSites& input, const Options& options,
+                                   std::optional<Edge>* obstruction) {
+    return with_tally(options, [&]<class Tally>() {
+        return construct_by_flips_with_kernel<PowerKernel<S, Arithmetic::exact, Tally>>(
+            input, options, obstruction);
+    });
+}
+
+}  // namespace
+
+Tessellation construct_by_flips(const StridedSites& input, const Options& options,
+                                std::optional<Edge>* obstruction) {
+    return input.third_is_weight() ? construct_by_flips_of<power::Site>(input, options, obstruction)
+                                   : construct_by_flips_of<Site>(input, options, obstruction);
+}
+
+}  // namespace signum::triangulation

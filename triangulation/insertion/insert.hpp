@@ -1,0 +1,340 @@
+#pragma once
+/// Incremental insertion: one site at a time into a tessellation of the sphere.
+///
+/// The faces in conflict with the new site form a disc around it. Their boundary, joined to the
+/// site, replaces them; sites that the disc encloses become hidden, and stay hidden whatever comes
+/// later. A site that conflicts not even with the face that contains its centre (in the additive
+/// metrics: one that lies within the nearest site) is hidden itself.
+///
+/// In the power metric the edges are straight: a face contains the site's centre, and an edge whose
+/// two faces go goes as a whole. In the others the site may take a part out of one edge and no
+/// vertex, or both ends of an edge and not its middle.
+/// Source: Gavrilova 1998, 4.2; Edelsbrunner and Shah 1996.
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "../../core/index.hpp"
+#include "../structure/topology.hpp"
+#include "../triangulate.hpp"
+#include "edge_interior.hpp"
+#include "locate.hpp"
+
+namespace signum::triangulation {
+
+/// A stack with room for all that can ever be on it: memory is claimed as it is used, and a push is
+/// a store.
+template <class T>
+class Stack {
+ public:
+    explicit Stack(std::size_t most) : items_(most), end_(items_.data()) {}
+
+    [[nodiscard]] bool empty() const noexcept { return end_ == items_.data(); }
+    [[nodiscard]] std::size_t size() const noexcept {
+        return static_cast<std::size_t>(end_ - items_.data());
+    }
+    [[nodiscard]] T& operator[](std::size_t i) noexcept { return items_.data()[i]; }
+    [[nodiscard]] const T& operator[](std::size_t i) const noexcept { return items_.data()[i]; }
+    [[nodiscard]] const T* begin() const noexcept { return items_.data(); }
+    [[nodiscard]] const T* end() const noexcept { return end_; }
+    void clear() noexcept { end_ = items_.data(); }
+    void push(const T& item) noexcept {
+        SIGNUM_EXPECTS(size() < items_.size());
+        *end_++ = item;
+    }
+    T pop() noexcept { return *--end_; }
+
+ private:
+    LargeArray<T> items_;
+    T* end_;
+};
+
+template <class Kernel>
+class Deletion;
+
+template <class Kernel>
+class Insertion {
+ public:
+    /// Starts from three sites with ccw(a, b, c) > 0. hidden_by[i] becomes the site that hid i,
+    /// visible or not by now, and is -1 while i is visible; it has room for every site.
+    Insertion(Topology& topology, Kernel& kernel, std::span<Index> hidden_by, Index a, Index b,
+              Index c)
+        : Insertion(topology, kernel, hidden_by) {
+        const Index corners[3] = {a, b, c};
+        const Index inner = topology_.add_face(a, b, c);
+        Index outer[3];
+        for (int k = 0; k < 3; ++k)
+            outer[k] = topology_.add_face(corners[(k + 1) % 3], corners[k], infinite);
+        for (unsigned k = 0; k < 3; ++k) {
+            topology_.glue(edge(inner, k), edge(outer[k], 0));
+            topology_.glue(edge(outer[k], 1), edge(outer[(k + 2) % 3], 2));
+        }
+        recent_ = inner;
+    }
+
+    /// Starts from two sites of which neither hides the other.
+    Insertion(Topology& topology, Kernel& kernel, std::span<Index> hidden_by, Index a, Index b)
+        : Insertion(topology, kernel, hidden_by) {
+        const Index left = topology_.add_face(a, b, infinite);
+        const Index right = topology_.add_face(b, a, infinite);
+        topology_.glue(edge(left, 0), edge(right, 0));
+        topology_.glue(edge(left, 1), edge(right, 2));
+        topology_.glue(edge(left, 2), edge(right, 1));
+        recent_ = left;
+    }
+
+    /// A face at the site inserted last, if it is visible.
+    [[nodiscard]] Index recent() const noexcept { return recent_; }
+    /// The face from which the next site is looked for.
+    void start_from(Index face) noexcept { recent_ = face; }
+    /// The sites that the last one hid.
+    [[nodiscard]] const std::vector<Index>& enclosed() const noexcept { return enclosed_; }
+
+    /// Inserts site q. Throws BrokenStructure where inexact arithmetic made nonsense.
+    void insert(Index q) {
+        enclosed_.clear();
+        if (!find_conflicts(q)) return;
+        if (boundary_.size() != removed_.size() + 2) hide_enclosed(q);
+        retriangulate(q);
+    }
+
+ private:
+    friend class Deletion<Kernel>;
+
+    Insertion(Topology& topology, Kernel& kernel, std::span<Index> hidden_by)
+        : topology_(topology),
+          kernel_(kernel),
+          hidden_by_(hidden_by),
+          // All faces may go, and each but the first adds two edges to look across.
+          pending_(topology.room() + 8),
+          removed_(2 * topology.room() + 12),
+          boundary_(2 * topology.room() + 12),
+          vacant_(topology.room() + 4) {}
+
+    /// The mark of a face that the site at hand removes.
+    static constexpr Index in_conflict = 1;
+    /// Instead of a half-edge outside: the edge is a seam.
+    static constexpr HalfEdge seam = ~HalfEdge{0};
+
+    /// An edge of the disc's boundary: the half-edge outside, and the vertex where it ends outside,
+    /// where it begins for one who walks around the disc counterclockwise.
+    struct BoundaryEdge {
+        HalfEdge outside;
+        Index from;
+    };
+
+    /// An edge out of the disc as far as it is known, and whether the face outside is in conflict.
+    struct Crossing {
+        HalfEdge outside;
+        Index from;
+        bool conflict;
+    };
+
+    [[nodiscard]] static HalfEdge edge(Index f, unsigned k) noexcept {
+        return Topology::first_edge(f) + k;
+    }
+
+    [[nodiscard]] bool conflicts(Index f, Index q) {
+        const auto& v = topology_.vertices(f);
+        if ((v[0] | v[1] | v[2]) < 0) [[unlikely]] {
+            const HalfEdge h = topology_.finite_edge(f);
+            return kernel_.conflicts_infinite(topology_.target(h), topology_.origin(h), q);
+        }
+        return kernel_.conflicts(v[0], v[1], v[2], q);
+    }
+
+    /// Finds the faces that q removes and their boundary; false where q is hidden.
+    [[nodiscard]] bool find_conflicts(Index q) {
+        if constexpr (Kernel::is_straight) {
+            const Index start = locate(topology_, kernel_, recent_, q);
+            if (conflicts(start, q)) {
+                collect(start, q);
+                return true;
+            }
+            hide_in(start, q);
+            return false;
+        } else {
+            // q's cell contains its centre, which lies in the cell of the nearest site; so it
+            // reaches the border of that cell, at a vertex or between two.
+            const HalfEdge first = locate_nearest(topology_, kernel_, recent_, q);
+            const Index nearest = topology_.origin(first);
+            recent_ = Topology::face(first);
+            if (kernel_.hides(nearest, q)) {
+                hidden_by_[static_cast<std::size_t>(q)] = nearest;
+                return false;
+            }
+            // The likeliest are the faces on both sides of that edge, and the edge itself.
+            if (const Index right = Topology::face(topology_.twin(first)); conflicts(right, q)) {
+                collect(right, q);
+                return true;
+            }
+            HalfEdge h = first;
+            do {
+                if (const Index left = Topology::face(h); conflicts(left, q)) {
+                    collect(left, q);
+                    return true;
+                }
+                if (ends_within(topology_, kernel_, h, q, false)) {
+                    cut(h);
+                    return true;
+                }
+                h = topology_.around_origin(h);
+            } while (h != first);
+            throw BrokenStructure("a site that is not hidden conflicts with nothing");
+        }
+    }
+
+    /// The conflict region is a piece inside one edge: no face goes, q comes between the two.
+    void cut(HalfEdge h) {
+        removed_.clear();
+        boundary_.clear();
+        boundary_.push({h, topology_.target(h)});
+        boundary_.push({topology_.twin(h), topology_.origin(h)});
+    }
+
+    /// Finds all faces in conflict, from one of them, and the boundary in counterclockwise order: a
+    /// depth-first search that takes the edges of each face in that order.
+    void collect(Index start, Index q) {
+        boundary_.clear();
+        removed_.clear();
+        pending_.clear();
+        take(start);
+        look_across(topology_.record(start), 2, q);
+        look_across(topology_.record(start), 1, 0, q);
+        while (!pending_.empty()) {
+            const Crossing crossing = pending_.pop();
+            const Index f = Topology::face(crossing.outside);
+            const Topology::Record& record = topology_.record(f);
+            if (crossing.conflict) {
+                if (record.mark == in_conflict) continue;
+                take(f);
+                const unsigned k = crossing.outside & 3;
+                look_across(record, k == 0 ? 2 : k - 1, k == 2 ? 0 : k + 1, q);
+            } else {
+                boundary_.push({crossing.outside, crossing.from});
+            }
+        }
+        if constexpr (!Kernel::is_exact) check_boundary();
+    }
+
+    void take(Index f) {
+        topology_.record(f).mark = in_conflict;
+        removed_.push(f);
+    }
+
+    /// Asks the faces across edges of the disc so far, of two before it looks at either's answer.
+    /// The answers wait until their turn: by then they are known, and a branch that was guessed
+    /// wrong costs little.
+    void look_across(const Topology::Record& record, unsigned k, Index q) {
+        push(record, k, conflicts(Topology::face(record.twin[k]), q), q);
+    }
+    void look_across(const Topology::Record& record, unsigned k, unsigned l, Index q) {
+        const bool k_conflicts = conflicts(Topology::face(record.twin[k]), q);
+        const bool l_conflicts = conflicts(Topology::face(record.twin[l]), q);
+        push(record, k, k_conflicts, q);
+        push(record, l, l_conflicts, q);
+    }
+    void push(const Topology::Record& record, unsigned k, bool conflict, Index q) {
+        const HalfEdge across = record.twin[k];
+        if constexpr (!Kernel::is_straight)
+            conflict = conflict && !ends_within(topology_, kernel_, across, q, true);
+        pending_.push({across, record.vertex[k], conflict});
+    }
+
+    /// The boundary of a disc is one closed walk. Rounded signs can make the region an annulus or
+    /// all of the sphere.
+    void check_boundary() const {
+        bool closed = boundary_.size() >= 2;
+        for (std::size_t i = 0; closed && i < boundary_.size(); ++i)
+            closed = topology_.origin(boundary_[i].outside) ==
+                     boundary_[(i + 1) % boundary_.size()].from;
+        if (!closed) throw BrokenStructure("the conflict region of a site is not a disc");
+    }
+
+    /// Where the middle of an edge survives between two removed faces, the boundary runs along it
+    /// on both sides: those new faces will be glued to each other. Such an edge is rare.
+    void find_seams() {
+        seams_.clear();
+        for (std::size_t a = 0; a < boundary_.size(); ++a) {
+            if (boundary_[a].outside == seam) continue;
+            if (topology_.record(Topology::face(boundary_[a].outside)).mark != in_conflict)
+                continue;
+            const HalfEdge opposite = topology_.twin(boundary_[a].outside);
+            std::size_t b = a + 1;
+            while (b < boundary_.size() && boundary_[b].outside != opposite) ++b;
+            if (b == boundary_.size())
+                throw BrokenStructure("an edge survives on one side and not on the other");
+            boundary_[a].outside = boundary_[b].outside = seam;
+            seams_.emplace_back(a, b);
+        }
+    }
+
+    /// Joins q to every edge of the boundary, reusing the slots of the removed faces.
+    void retriangulate(Index q) {
+        const std::size_t count = boundary_.size();
+        if constexpr (!Kernel::is_straight) find_seams();
+        while (removed_.size() < count)
+            removed_.push(vacant_.empty() ? topology_.add_face(infinite, infinite, infinite)
+                                          : vacant_.pop());
+        Index before = removed_[count - 1];
+        Index f = removed_[0];
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::size_t next = i + 1 < count ? i + 1 : 0;
+            const Index after = removed_[next];
+            const HalfEdge outside = boundary_[i].outside;
+            topology_.record(f) = {{boundary_[i].from, boundary_[next].from, q},
+                                   0,
+                                   {outside, edge(after, 2), edge(before, 1)}};
+            if (Kernel::is_straight || outside != seam)
+                topology_.record(Topology::face(outside)).twin[outside & 3] = edge(f, 0);
+            before = f;
+            f = after;
+        }
+        if constexpr (!Kernel::is_straight)
+            for (const auto& [a, b] : seams_)
+                topology_.glue(edge(removed_[a], 0), edge(removed_[b], 0));
+        recent_ = before;
+        for (std::size_t i = count; i < removed_.size(); ++i) {
+            topology_.record(removed_[i]) = {
+                {Topology::vacant, Topology::vacant, Topology::vacant}, 0, {0, 0, 0}};
+            vacant_.push(removed_[i]);
+        }
+    }
+
+    /// q is hidden in face f. Any finite corner will do: who hides it is settled at the end.
+    void hide_in(Index f, Index q) {
+        const auto& v = topology_.vertices(f);
+        hidden_by_[static_cast<std::size_t>(q)] = v[0] != infinite ? v[0] : v[1];
+        recent_ = f;
+    }
+
+    /// Vertices of the removed faces that are not on the boundary vanish behind q.
+    void hide_enclosed(Index q) {
+        std::vector<Index> kept;
+        for (const BoundaryEdge& edge : boundary_) kept.push_back(edge.from);
+        std::sort(kept.begin(), kept.end());
+        for (const Index f : removed_)
+            for (const Index v : topology_.vertices(f)) {
+                if (std::binary_search(kept.begin(), kept.end(), v)) continue;
+                if (v == infinite) throw BrokenStructure("the hull vanished");
+                if (hidden_by_[static_cast<std::size_t>(v)] != q) enclosed_.push_back(v);
+                hidden_by_[static_cast<std::size_t>(v)] = q;
+            }
+    }
+
+    Topology& topology_;
+    Kernel& kernel_;
+    std::span<Index> hidden_by_;
+    Index recent_ = 0;
+    Stack<Crossing> pending_;
+    Stack<Index> removed_;
+    Stack<BoundaryEdge> boundary_;
+    Stack<Index> vacant_;
+    std::vector<Index> enclosed_;
+    std::vector<std::pair<std::size_t, std::size_t>> seams_;
+};
+
+}  // namespace signum::triangulation

@@ -1,0 +1,197 @@
+#pragma once
+/// Kernels: the predicates an algorithm asks, over the sites it works on, with one arithmetic.
+///
+/// Laws:
+///  1. Sites are named by their place in the insertion order; `original` gives their numbers in the
+///     input, which the tie rule needs last.
+///  2. The exact kernels (is_exact) agree on every question. Their conflicts are perturbed and so
+///     never undecided; ccw is exact and never perturbed. What the tie rule itself asks has a
+///     filter in all of them.
+///  3. The naive kernel and the single one round, and take a zero for no conflict.
+
+#include <array>
+#include <type_traits>
+
+#include "../../filters/interval.hpp"
+#include "../../predicates/arithmetic.hpp"
+#include "../../predicates/multiprecision.hpp"
+#include "../../predicates/power.hpp"
+#include "../../predicates/power/multiprecision.hpp"
+#include "../triangulate.hpp"
+
+namespace signum::triangulation {
+
+template <power::PowerSite S, Arithmetic arithmetic, class Tally>
+class PowerKernel {
+ public:
+    using SiteType = S;
+    /// Whether answers can be trusted never to lead an algorithm astray.
+    static constexpr bool is_exact = signum::is_exact(arithmetic);
+    /// The edges of the dual are straight; see insert.hpp.
+    static constexpr bool is_straight = true;
+
+    /// The site that the kernel takes for this one.
+    [[nodiscard]] static S rounded(const Site& given) noexcept {
+        const Site site = predicates::rounded<arithmetic>(given);
+        if constexpr (std::is_same_v<S, Point>) {
+            return {site.x, site.y};
+        } else {
+            return {site.x, site.y, site.r};
+        }
+    }
+
+    /// Neither array is copied.
+    PowerKernel(const S* sites, const Index* original) noexcept
+        : sites_(sites), original_(original) {}
+
+    /// The orientation of a, b and q.
+    [[nodiscard]] Sign ccw(Index a, Index b, Index q) noexcept {
+        return orientation(site(a), site(b), site(q));
+    }
+
+    /// Whether q conflicts with the face (i, j, k). Precondition: ccw(i,j,k) > 0.
+    [[nodiscard]] bool conflicts(Index i, Index j, Index k, Index q) noexcept {
+        tally_.count_in_circle();
+        const Sign sign = in_circle(site(i), site(j), site(k), site(q));
+        if (sign != 0 || !is_exact) [[likely]]
+            return sign > 0;
+        tally_.count_tie();
+        return tie(i, j, k, q);
+    }
+
+    /// Whether q conflicts with the face (b, a, infinity) of the hull edge a -> b.
+    [[nodiscard]] bool conflicts_infinite(Index a, Index b, Index q) noexcept {
+        const Sign side = orientation(site(a), site(b), site(q));
+        return side != 0 ? side < 0 : conflicts_on_line(a, b, q);
+    }
+
+    /// The same where q is known to lie on the line through a and b.
+    [[nodiscard]] bool conflicts_on_line(Index a, Index b, Index q) noexcept {
+        tally_.count_in_circle();
+        const Sign sign = in_segment(site(a), site(b), site(q));
+        if (sign != 0 || !is_exact) return sign > 0;
+        tally_.count_tie();
+        return power::in_segment_tie(centre(a), centre(b), centre(q), places({a, b, q})) > 0;
+    }
+
+    /// Whether a comes before b in the tie rule's order.
+    [[nodiscard]] bool precedes(Index a, Index b) const noexcept {
+        return power::precedes(site(a), original_[a], site(b), original_[b]);
+    }
+
+    /// Whether the point is nearer to a than to b, ties going to the earlier site.
+    [[nodiscard]] bool nearer(Point point, Index a, Index b) const noexcept {
+        const Sign sign = nearer_sign(point, site(a), site(b));
+        return sign != 0 ? sign > 0 : precedes(a, b);
+    }
+
+    [[nodiscard]] const S& site(Index i) const noexcept { return sites_[i]; }
+    [[nodiscard]] Point centre(Index i) const noexcept { return power::centre(sites_[i]); }
+    [[nodiscard]] const Tally& tally() const noexcept { return tally_; }
+
+ private:
+    using Number = predicates::NumberOf<arithmetic>;
+
+    [[nodiscard]] Sign orientation(const S& a, const S& b, const S& q) noexcept {
+        tally_.count_ccw();
+        if constexpr (arithmetic == Arithmetic::exact) {
+            return count(ccw_decision(a, b, q));
+        } else if constexpr (arithmetic == Arithmetic::multiprecision) {
+            return count({multiprecision::ccw(power::centre(a), power::centre(b), power::centre(q)),
+                          Stage::multiprecision});
+        } else {
+            return count(decide([&] { return predicates::rounded_ccw<Number>(a, b, q); },
+                                [&] {
+                                    return predicates::ccw_exactly(
+                                        power::centre(a), power::centre(b), power::centre(q));
+                                }));
+        }
+    }
+
+    [[nodiscard]] Sign in_circle(const S& i, const S& j, const S& k, const S& q) noexcept {
+        if constexpr (arithmetic == Arithmetic::exact) {
+            return count(power::in_circle_decision(i, j, k, q));
+        } else if constexpr (arithmetic == Arithmetic::multiprecision) {
+            return count({power::multiprecision::in_circle(i, j, k, q), Stage::multiprecision});
+        } else {
+            return count(decide(
+                [&] {
+                    return power::in_circle_determinant(power::row<Number>(i, q),
+                                                        power::row<Number>(j, q),
+                                                        power::row<Number>(k, q));
+                },
+                [&] { return power::in_circle_exactly(i, j, k, q); }));
+        }
+    }
+
+    [[nodiscard]] Sign in_segment(const S& a, const S& b, const S& q) noexcept {
+        if constexpr (arithmetic == Arithmetic::exact) {
+            return count(power::in_segment_decision(a, b, q));
+        } else if constexpr (arithmetic == Arithmetic::multiprecision) {
+            return count({power::multiprecision::in_segment(a, b, q), Stage::multiprecision});
+        } else {
+            return count(decide(
+                [&] {
+                    const power::Row<Number> row_a = power::row<Number>(a, q);
+                    const power::Row<Number> row_b = power::row<Number>(b, q);
+                    const bool along_x = a.x != b.x;
+                    const Number& t_a = along_x ? row_a.x : row_a.y;
+                    const Number& t_b = along_x ? row_b.x : row_b.y;
+                    const Number determinant =
+                        power::in_segment_determinant(row_a, row_b, t_a, t_b);
+                    return (along_x ? a.x < b.x : a.y < b.y) ? determinant : -determinant;
+                },
+                [&] { return power::in_segment_exactly(a, b, q); }));
+        }
+    }
+
+    [[nodiscard]] static Sign nearer_sign(Point p, const S& a, const S& b) noexcept {
+        if constexpr (arithmetic == Arithmetic::exact) {
+            return power::nearer(p, a, b);
+        } else if constexpr (arithmetic == Arithmetic::multiprecision) {
+            return power::multiprecision::nearer(p, a, b);
+        } else {
+            return decide([&] { return power::nearer_difference<Number>(p, a, b); },
+                          [&] { return power::nearer_exactly(p, a, b); })
+                .sign;
+        }
+    }
+
+    /// The sign of a number: rounded, and that is that; or in an interval, and where it contains 0
+    /// exactly; or exactly at once.
+    template <class Rounded, class Exactly>
+    [[nodiscard]] static Decision decide(Rounded rounded, Exactly exactly) noexcept {
+        if constexpr (arithmetic != Arithmetic::sum) {
+            const Number number = rounded();
+            if (filters::exceeds(number, 0.0)) [[likely]]
+                return {filters::sign_of_nonzero(number), Stage::filter};
+            if constexpr (!is_exact) return {0, Stage::filter};
+        }
+        return exactly();
+    }
+
+    [[nodiscard, gnu::noinline]] bool tie(Index i, Index j, Index k, Index q) const noexcept {
+        return power::in_circle_tie(centre(i), centre(j), centre(k), centre(q),
+                                    places({i, j, k, q})) > 0;
+    }
+
+    /// The places of a few sites in the order among themselves.
+    template <std::size_t n>
+    [[nodiscard]] std::array<Index, n> places(const Index (&sites)[n]) const noexcept {
+        std::array<Index, n> result{};
+        for (std::size_t a = 0; a < n; ++a)
+            for (std::size_t b = 0; b < a; ++b) ++result[precedes(sites[a], sites[b]) ? b : a];
+        return result;
+    }
+
+    [[nodiscard]] Sign count(Decision decision) noexcept {
+        tally_.count_stage(decision.stage);
+        return decision.sign;
+    }
+
+    const S* sites_;
+    const Index* original_;
+    [[no_unique_address]] Tally tally_;
+};
+
+}  // namespace signum::triangulation

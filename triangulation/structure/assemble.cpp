@@ -1,0 +1,171 @@
+#include "assemble.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace signum::triangulation {
+namespace {
+
+std::size_t at(Index i) noexcept {
+    return static_cast<std::size_t>(i);
+}
+
+/// A face with input numbers, turned to begin at its smallest vertex, and its first half-edge.
+/// Three numbers, not an array: these stay in registers.
+struct Turned {
+    Index a;
+    Index b;
+    Index c;
+    HalfEdge first;
+};
+
+inline Turned turn(const Topology& topology, std::span<const Index> original, Index f) noexcept {
+    const auto& v = topology.vertices(f);
+    const auto number = [&](Index vertex) {
+        return vertex == infinite ? infinite : original[at(vertex)];
+    };
+    const Index a = number(v[0]);
+    const Index b = number(v[1]);
+    const Index c = number(v[2]);
+    // By selections, not branches: which vertex is smallest is anybody's guess.
+    const bool at_c = c < std::min(a, b);
+    const bool at_b = !at_c && b < a;
+    const auto select = [&](Index from_a, Index from_b, Index from_c) {
+        return at_c ? from_c : at_b ? from_b : from_a;
+    };
+    return {select(a, b, c), select(b, c, a), select(c, a, b),
+            Topology::first_edge(f) + static_cast<HalfEdge>(select(0, 1, 2))};
+}
+
+/// The number that leads a face in the sorted order: infinite faces come first and are led by their
+/// second vertex, of which each has one of its own; finite ones by their smallest.
+std::size_t lead(Index first, Index second, std::size_t sites) noexcept {
+    return first == infinite ? at(second) : sites + at(first);
+}
+
+/// Vertices lie along the Hilbert curve in the topology and anywhere in the input, so that faces
+/// sorted by input numbers jump about in memory. They are dealt into blocks of consecutive leads
+/// first, few enough that each block's next place stays in the cache, small enough that a block
+/// does.
+constexpr std::size_t leads_per_block = 8192;
+
+/// A face of the result, its neighbours and itself as faces of the topology.
+struct Entry {
+    Face face;
+    Face neighbours;
+    Index from;
+};
+
+/// Sorts one block: by lead through counting, the few faces that share it by comparing.
+class BlockSort {
+ public:
+    explicit BlockSort(std::size_t sites) : sites_(sites) {}
+
+    /// Deals the block into buckets, one a lead.
+    void deal(std::span<const Face> faces, std::span<const Face> neighbours,
+              std::span<const Index> from) {
+        starts_.fill(0);
+        for (const Face& face : faces) ++starts_[bucket(face) + 1];
+        for (std::size_t b = 1; b < starts_.size(); ++b) starts_[b] += starts_[b - 1];
+        entries_.resize(faces.size());
+        for (std::size_t i = 0; i < faces.size(); ++i)
+            entries_[starts_[bucket(faces[i])]++] = {faces[i], neighbours[i], from[i]};
+    }
+
+    /// Calls emit(place, entry) for every entry with its place in the sorted block.
+    template <class Emit>
+    void emit(Emit emit) {
+        for (std::size_t first = 0, b = 0; first < entries_.size(); first = starts_[b++]) {
+            const std::size_t last = starts_[b];
+            if (last - first > few) {
+                std::sort(&entries_[first], &entries_[last - 1] + 1, before);
+                for (std::size_t i = first; i < last; ++i) emit(i, entries_[i]);
+                continue;
+            }
+            // Nearly all buckets hold two or three faces. Counting those that come before each
+            // takes more comparisons than sorting and no branch that would be guessed.
+            for (std::size_t i = first; i < last; ++i) {
+                std::size_t place = first;
+                for (std::size_t k = first; k < last; ++k)
+                    place += static_cast<std::size_t>(key(entries_[k]) < key(entries_[i]));
+                // Equal triples, in metrics that have them, stay in the order of the topology.
+                for (std::size_t k = first; k < i; ++k)
+                    place += static_cast<std::size_t>(key(entries_[k]) == key(entries_[i]));
+                emit(place, entries_[i]);
+            }
+        }
+    }
+
+ private:
+    static constexpr std::size_t few = 12;
+
+    [[nodiscard]] std::size_t bucket(const Face& face) const noexcept {
+        return lead(face[0], face[1], sites_) % leads_per_block;
+    }
+    /// The second and third vertex, neither of which is negative.
+    [[nodiscard]] static std::uint64_t key(const Entry& entry) noexcept {
+        return static_cast<std::uint64_t>(entry.face[1]) << 32 |
+               static_cast<std::uint64_t>(entry.face[2]);
+    }
+    [[nodiscard]] static bool before(const Entry& a, const Entry& b) noexcept {
+        return key(a) < key(b);
+    }
+
+    std::size_t sites_;
+    std::array<std::size_t, leads_per_block + 1> starts_;
+    LargeArray<Entry> entries_;
+};
+
+}  // namespace
+
+void assemble(Topology topology, std::span<const Index> original, TessellationArrays& result) {
+    const Index slots = topology.faces();
+    const auto block_of = [&](const Turned& face) {
+        return lead(face.a, face.b, original.size()) / leads_per_block;
+    };
+    std::vector<std::size_t> starts(2 * original.size() / leads_per_block + 2, 0);
+    for (Index f = 0; f < slots; ++f)
+        if (!topology.is_vacant(f)) ++starts[block_of(turn(topology, original, f)) + 1];
+    for (std::size_t b = 1; b < starts.size(); ++b) starts[b] += starts[b - 1];
+
+    // The neighbours are faces of the topology until the place of every face is known.
+    const std::size_t count = starts.back();
+    result.faces = large_vector<Face>(count);
+    result.neighbours = large_vector<Face>(count);
+    LargeArray<Index> from(count);
+    std::vector<std::size_t> ends = starts;
+    for (Index f = 0; f < slots; ++f) {
+        if (topology.is_vacant(f)) continue;
+        const Turned turned = turn(topology, original, f);
+        const auto across = [&](HalfEdge h) { return Topology::face(topology.twin(h)); };
+        const std::size_t i = ends[block_of(turned)]++;
+        result.faces[i] = {turned.a, turned.b, turned.c};
+        // The edge opposite the first vertex is the one that follows the first edge.
+        result.neighbours[i] = {across(Topology::next(turned.first)),
+                                across(Topology::previous(turned.first)), across(turned.first)};
+        from[i] = f;
+    }
+    topology = Topology(0);
+
+    LargeArray<Index> place(at(slots));
+    BlockSort sort(original.size());
+    for (std::size_t b = 0; b + 1 < starts.size(); ++b) {
+        const std::size_t first = starts[b];
+        const std::size_t size = starts[b + 1] - first;
+        if (size == 0) continue;
+        sort.deal({&result.faces[first], size}, {&result.neighbours[first], size},
+                  {&from[first], size});
+        sort.emit([&](std::size_t i, const Entry& entry) {
+            result.faces[first + i] = entry.face;
+            result.neighbours[first + i] = entry.neighbours;
+            place[at(entry.from)] = static_cast<Index>(first + i);
+        });
+    }
+    for (Face& neighbours : result.neighbours)
+        for (Index& f : neighbours) f = place[at(f)];
+}
+
+}  // namespace signum::triangulation

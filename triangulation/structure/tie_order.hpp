@@ -1,0 +1,19 @@
+#pragma once
+/// The order of the tie rule in the additive metrics: by falling radius, then rising x, y, index.
+
+#include <span>
+
+#include "../../core/index.hpp"
+#include "../../core/site.hpp"
+
+namespace signum::triangulation {
+
+/// A site with its place in the order: together, for who asks about the one needs the other.
+struct alignas(32) RankedSite : Site {
+    Index rank;
+};
+
+/// Gives every site its place in the order; original[i] is the input's number of site i.
+void rank(std::span<RankedSite> sites, std::span<const Index> original);
+
+}  // namespace signum::triangulation

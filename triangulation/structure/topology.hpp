@@ -1,0 +1,109 @@
+#pragma once
+/// The combinatorial structure: a triangulation of the sphere as faces with twin half-edges.
+///
+/// Laws:
+///  1. Half-edge 4f+k is edge k of face f, k = 0, 1, 2; it leads from origin(h) to target(h), its
+///  face on
+///     its left. (Four, not three, so that face and k come from a shift and a mask.)
+///  2. twin(h) is the same edge seen from the other face. Twins, not vertices, say what is
+///  adjacent:
+///     two vertices may share several edges, two faces several edges, a vertex may have degree 2.
+///  3. One vertex may be infinite (-1); the structure treats it as any other and knows no
+///  coordinate.
+///  4. A face that was taken out has `vacant` for vertices and waits for reuse.
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+#include "../../core/contract.hpp"
+#include "../../core/index.hpp"
+#include "large_array.hpp"
+
+namespace signum::triangulation {
+
+/// Unsigned, so that 4·2n fits for max_sites.
+using HalfEdge = std::uint32_t;
+
+class Topology {
+ public:
+    static constexpr Index vacant = -2;
+
+    /// What is stored of a face. Half a cache line, never across two.
+    struct alignas(32) Record {
+        Index vertex[3];
+        Index mark;  ///< a number that an algorithm keeps with a face; 0 when the face is added
+        HalfEdge twin[3];
+    };
+
+    /// Room for the faces of `sites` sites and no more; vertices never exceed sites + 1.
+    explicit Topology(std::size_t sites)
+        : capacity_(sites < 2 ? 0 : 2 * sites - 2), records_(capacity_) {}
+
+    [[nodiscard]] static Index face(HalfEdge h) noexcept { return static_cast<Index>(h >> 2); }
+    [[nodiscard]] static HalfEdge first_edge(Index f) noexcept {
+        return static_cast<HalfEdge>(f) << 2;
+    }
+    [[nodiscard]] static HalfEdge next(HalfEdge h) noexcept { return (h & 3) == 2 ? h - 2 : h + 1; }
+    [[nodiscard]] static HalfEdge previous(HalfEdge h) noexcept {
+        return (h & 3) == 0 ? h + 2 : h - 1;
+    }
+
+    [[nodiscard]] Index origin(HalfEdge h) const noexcept { return at(h).vertex[h & 3]; }
+    [[nodiscard]] Index target(HalfEdge h) const noexcept { return origin(next(h)); }
+    /// The vertex of the face that is not on the edge.
+    [[nodiscard]] Index apex(HalfEdge h) const noexcept { return origin(previous(h)); }
+    [[nodiscard]] HalfEdge twin(HalfEdge h) const noexcept { return at(h).twin[h & 3]; }
+    /// The next half-edge out of the same origin, counterclockwise.
+    [[nodiscard]] HalfEdge around_origin(HalfEdge h) const noexcept { return twin(previous(h)); }
+    /// The three vertices of a face, counterclockwise.
+    [[nodiscard]] const Index (&vertices(Index f) const noexcept)[3] {
+        return at(first_edge(f)).vertex;
+    }
+
+    /// How many faces there is room for.
+    [[nodiscard]] std::size_t room() const noexcept { return capacity_; }
+    /// Face slots in use, vacant ones included.
+    [[nodiscard]] Index faces() const noexcept { return static_cast<Index>(faces_); }
+    [[nodiscard]] bool is_vacant(Index f) const noexcept { return vertices(f)[0] == vacant; }
+    /// Whether infinity is a vertex of the face.
+    [[nodiscard]] bool is_infinite(Index f) const noexcept {
+        const auto& v = vertices(f);
+        return (v[0] | v[1] | v[2]) < 0;
+    }
+    /// The edge of an infinite face that does not touch infinity. Precondition: is_infinite(f).
+    [[nodiscard]] HalfEdge finite_edge(Index f) const noexcept {
+        const auto& v = vertices(f);
+        return first_edge(f) + (v[0] < 0 ? 1U : v[1] < 0 ? 2U : 0U);
+    }
+
+    /// A new face; its edges have no twins yet. Precondition: the faces of the tessellation fit.
+    Index add_face(Index a, Index b, Index c) noexcept {
+        SIGNUM_EXPECTS(faces_ < capacity_);
+        const auto f = static_cast<Index>(faces_++);
+        record(f) = {{a, b, c}, 0, {0, 0, 0}};
+        return f;
+    }
+    /// For algorithms that rewrite whole faces at a time.
+    [[nodiscard]] Record& record(Index f) noexcept { return at(first_edge(f)); }
+    [[nodiscard]] const Record& record(Index f) const noexcept { return at(first_edge(f)); }
+    void glue(HalfEdge h, HalfEdge g) noexcept {
+        at(h).twin[h & 3] = g;
+        at(g).twin[g & 3] = h;
+    }
+
+ private:
+    [[nodiscard]] const Record& at(HalfEdge h) const noexcept {
+        SIGNUM_EXPECTS((h >> 2) < faces_ && (h & 3) < 3);
+        return records_[h >> 2];
+    }
+    [[nodiscard]] Record& at(HalfEdge h) noexcept {
+        return const_cast<Record&>(std::as_const(*this).at(h));
+    }
+
+    std::size_t capacity_;
+    std::size_t faces_ = 0;
+    LargeArray<Record> records_;
+};
+
+}  // namespace signum::triangulation

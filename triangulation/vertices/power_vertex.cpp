@@ -1,0 +1,86 @@
+#include "../../exact/multiprecision.hpp"
+#include "../../filters/bounded.hpp"
+#include "../../predicates/power/exact_rows.hpp"
+#include "vertex_of_face.hpp"
+
+namespace signum::triangulation {
+namespace {
+
+using exact::Rational;
+using exact::to_rational;
+using filters::magnitude;
+
+/// The point at equal power distance from i, j and k, for any type of number. b and c are the rows
+/// of j and k relative to i: the point minus the centre of i solves b·p = h_b/2, c·p = h_c/2.
+template <class Number>
+struct Centre {
+    Number x;
+    Number y;
+    Number square;  // |p|²
+
+    Centre(const power::Row<Number>& b, const power::Row<Number>& c) {
+        const Number h_b = b.x * b.x + b.y * b.y - b.weight;
+        const Number h_c = c.x * c.x + c.y * c.y - c.weight;
+        const Number area = b.x * c.y - c.x * b.y;
+        const Number twice = area + area;
+        x = Number((h_b * c.y - h_c * b.y) / twice);
+        y = Number((h_c * b.x - h_b * c.x) / twice);
+        square = x * x + y * y;
+    }
+};
+
+template <power::PowerSite S>
+power::Row<Bounded> bounded_row(const S& m, const S& origin) {
+    const auto row = power::cold::double_double_row(m, origin);
+    // The product of a radius row commits one rounding.
+    return {Bounded::exactly(row.x),
+            Bounded::exactly(row.y),
+            {row.weight, 0x1p-101 * magnitude(row.weight.high)}};
+}
+
+Bounded weight_of(const power::Site& s) {
+    return Bounded::exactly(s.w);
+}
+Bounded weight_of(const Site& s) {
+    return Bounded::exactly(s.r) * Bounded::exactly(s.r);
+}
+Rational rational_weight(const power::Site& s) {
+    return to_rational(s.w);
+}
+Rational rational_weight(const Site& s) {
+    return Rational(to_rational(s.r) * to_rational(s.r));
+}
+
+template <power::PowerSite S>
+DiagramVertex exact_vertex(const S& i, const S& j, const S& k) {
+    const auto row = [&i](const S& m) -> power::Row<Rational> {
+        return {to_rational(m.x) - to_rational(i.x), to_rational(m.y) - to_rational(i.y),
+                rational_weight(m) - rational_weight(i)};
+    };
+    const power::Row<Rational> b = row(j);
+    const power::Row<Rational> c = row(k);
+    if (b.x * c.y == c.x * b.y) return no_vertex();  // a flat face that inexact arithmetic made
+    const Centre<Rational> centre(b, c);
+    return {exact::round_to_double(Rational(centre.x + to_rational(i.x))),
+            exact::round_to_double(Rational(centre.y + to_rational(i.y))),
+            exact::round_to_double(Rational(centre.square - rational_weight(i)))};
+}
+
+}  // namespace
+
+template <class S>
+DiagramVertex power_vertex(const S& i, const S& j, const S& k) {
+    if (power::cold::in_window(i, j, k)) {
+        const Centre<Bounded> centre(bounded_row(j, i), bounded_row(k, i));
+        const auto x = (centre.x + Bounded::exactly(i.x)).rounded();
+        const auto y = (centre.y + Bounded::exactly(i.y)).rounded();
+        const auto rho = (centre.square - weight_of(i)).rounded();
+        if (x && y && rho) return {*x, *y, *rho};
+    }
+    return exact_vertex(i, j, k);
+}
+
+template DiagramVertex power_vertex(const power::Site&, const power::Site&, const power::Site&);
+template DiagramVertex power_vertex(const Site&, const Site&, const Site&);
+
+}  // namespace signum::triangulation
