@@ -5,6 +5,7 @@ set(package_directory "${CMAKE_INSTALL_LIBDIR}/cmake/signum")
 # What a user's program may include; tests/structure/consumer.cmake checks that each stands alone,
 # without Boost and GMP.
 set(public_headers
+  signum.hpp
   core/index.hpp core/sign.hpp core/site.hpp core/strided_sites.hpp
   exact/sign_of_sum.hpp
   predicates/ccw.hpp predicates/power.hpp predicates/euclidean.hpp predicates/manhattan.hpp

@@ -51,6 +51,21 @@ if(found)
   message(FATAL_ERROR "behind the public headers:\n${found}")
 endif()
 
+# <signum/signum.hpp> has every header that is installed for users.
+file(READ "${SOURCES}/signum.hpp" all_of_it)
+file(READ "${SOURCES}/cmake/Install.cmake" listed)
+if(NOT listed MATCHES "set\\(public_headers\n([^)]*)\\)")
+  message(FATAL_ERROR "cmake/Install.cmake has no list of public headers")
+endif()
+string(REGEX MATCHALL "[a-z_/]+\\.hpp" listed "${CMAKE_MATCH_1}")
+list(REMOVE_ITEM listed signum.hpp)
+foreach(header IN LISTS listed)
+  string(FIND "${all_of_it}" "#include \"${header}\"" position)
+  if(position LESS 0)
+    message(FATAL_ERROR "signum.hpp lacks ${header}, which is installed for users")
+  endif()
+endforeach()
+
 # The test of the test: the library's own arithmetic does use Boost and GMP.
 headers_behind("#include <signum/exact/multiprecision.hpp>\n" headers)
 complaints("${headers}" found)
