@@ -260,21 +260,7 @@ class Live {
             if (v >= 0) face_of_[at(v)] = f;
     }
 
-    [[nodiscard]] HalfEdge spoke_of(Index v) const {
-        HalfEdge h = Topology::first_edge(face_of_[at(v)]);
-        while (topology_->origin(h) != v) ++h;
-        return h;
-    }
-
-    /// Calls visit(h) for all half-edges out of the origin of the first.
-    template <class Visit>
-    void around(HalfEdge first, const Visit& visit) const {
-        HalfEdge h = first;
-        do {
-            visit(h);
-            h = topology_->around_origin(h);
-        } while (h != first);
-    }
+    [[nodiscard]] HalfEdge spoke_of(Index v) const { return topology_->spoke(face_of_[at(v)], v); }
 
     void keep(Index by, Index hidden) {
         hidden_by_[at(hidden)] = by;
@@ -337,8 +323,7 @@ class Live {
                 for (const Index of_v : std::exchange(kept_[at(v)], {})) keep(h, of_v);
         }
         face_of_[at(h)] = insertion_->recent();
-        const HalfEdge spoke = spoke_of(h);
-        around(spoke, [&](HalfEdge of) { note_face(Topology::face(of)); });
+        for (const HalfEdge of : topology_->fan(spoke_of(h))) note_face(Topology::face(of));
         if constexpr (is_straight)
             for (const Index hidden : taken_from_star(h)) keep(h, hidden);
         return true;
@@ -348,22 +333,22 @@ class Live {
     [[nodiscard]] std::vector<Index> taken_from_star(Index h) {
         std::vector<Index> taken;
         const HalfEdge spoke = spoke_of(h);
-        around(spoke, [&](HalfEdge of) {
+        for (const HalfEdge of : topology_->fan(spoke)) {
             const Index u = topology_->target(of);
-            if (u == infinite || kept_[at(u)].empty()) return;
+            if (u == infinite || kept_[at(u)].empty()) continue;
             std::erase_if(kept_[at(u)], [&](Index hidden) {
                 bool inside = false;
-                around(spoke, [&](HalfEdge face) {
+                for (const HalfEdge face : topology_->fan(spoke)) {
                     const Index a = topology_->target(face);
                     const Index b = topology_->apex(face);
                     inside = inside ||
                              (a != infinite && b != infinite && kernel_->ccw(h, a, hidden) >= 0 &&
                               kernel_->ccw(a, b, hidden) >= 0 && kernel_->ccw(b, h, hidden) >= 0);
-                });
+                }
                 if (inside) taken.push_back(hidden);
                 return inside;
             });
-        });
+        }
         return taken;
     }
 
@@ -380,7 +365,8 @@ class Live {
                     for (const Index hidden : taken_from_star(h)) freed.push_back(hidden);
                 std::vector<Index> ring;
                 const HalfEdge spoke = spoke_of(h);
-                around(spoke, [&](HalfEdge of) { ring.push_back(topology_->target(of)); });
+                for (const HalfEdge of : topology_->fan(spoke))
+                    ring.push_back(topology_->target(of));
                 is_whole = Deletion<Kernel>(*insertion_, none_hidden_).erase(spoke);
                 if (is_whole) note_faces_at(ring);
             }
@@ -418,11 +404,11 @@ class Live {
             const Index v = pending.back();
             pending.pop_back();
             if (v == infinite || std::erase(open, v) == 0) continue;
-            around(spoke_of(v), [&](HalfEdge of) {
+            for (const HalfEdge of : topology_->fan(spoke_of(v))) {
                 note_face(Topology::face(of));
                 const Index u = topology_->target(of);
                 if (std::find(open.begin(), open.end(), u) != open.end()) pending.push_back(u);
-            });
+            }
         }
     }
 

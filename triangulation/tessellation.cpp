@@ -12,16 +12,13 @@
 #include "../predicates/manhattan.hpp"
 #include "../predicates/power.hpp"
 #include "../predicates/supremum.hpp"
+#include "structure/corners.hpp"
 
 namespace signum {
 namespace {
 
 std::size_t at(Index i) noexcept {
     return static_cast<std::size_t>(i);
-}
-
-int position(const Face& face, Index vertex) noexcept {
-    return face[0] == vertex ? 0 : face[1] == vertex ? 1 : 2;
 }
 
 /// Whether the point is nearer to site a than to site b, ties going to the first in the tie rule's
@@ -56,18 +53,6 @@ Nearer nearer_of(Metric metric, WeightIs weight_is) {
             return nearer_additively<supremum::Perturbed<>>;
     }
     throw std::invalid_argument("no such metric");
-}
-
-/// Calls visit with the vertices around a site, counterclockwise. `first` is a face at the site.
-template <class Visit>
-void go_around(const TessellationArrays& arrays, Index site, Index first, Visit visit) {
-    Index f = first;
-    do {
-        const Face& face = arrays.faces[at(f)];
-        const auto k = static_cast<std::size_t>(position(face, site));
-        visit(face[(k + 1) % 3]);
-        f = arrays.neighbours[at(f)][(k + 1) % 3];
-    } while (f != first);
 }
 
 void expect_finite(Point point) {
@@ -116,7 +101,8 @@ std::vector<Index> Tessellation::neighbours(Index site) const {
     std::vector<Index> result;
     const Index first = face_of_site_[at(site)];
     if (first < 0) return result;
-    go_around(arrays_, site, first, [&](Index v) { result.push_back(v); });
+    for (const auto corner : triangulation::fan(arrays_, first, site))
+        result.push_back(arrays_.faces[at(corner.face)][corner.next()]);
     std::rotate(result.begin(), std::min_element(result.begin(), result.end()), result.end());
     return result;
 }
@@ -164,9 +150,10 @@ Index Tessellation::nearest(Point point) const {
     // whose cell the segment to the point enters.
     for (Index start = -1; start != nearest;) {
         start = nearest;
-        go_around(arrays_, start, face_of_site_[at(start)], [&](Index v) {
+        for (const auto corner : triangulation::fan(arrays_, face_of_site_[at(start)], start)) {
+            const Index v = arrays_.faces[at(corner.face)][corner.next()];
             if (v != infinite && nearer(point, site(v), v, site(nearest), nearest)) nearest = v;
-        });
+        }
     }
     return nearest;
 }

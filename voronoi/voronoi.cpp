@@ -11,6 +11,7 @@
 #include "../predicates/manhattan.hpp"
 #include "../predicates/power.hpp"
 #include "../predicates/supremum.hpp"
+#include "../triangulation/structure/corners.hpp"
 #include "vector.hpp"
 
 namespace signum {
@@ -165,20 +166,14 @@ void Voronoi::collect_cells() {
         }
     for (std::size_t site = 0; site < sites; ++site) {
         std::size_t step = first_step_[site];
-        Index f = start[site];
-        if (f < 0) continue;
-        do {
-            const Face& face = faces[static_cast<std::size_t>(f)];
-            std::size_t k = 0;
-            while (face[k] != static_cast<Index>(site)) ++k;
-            // The next face counterclockwise lies across from the corner behind the site.
-            const std::size_t corner = (k + 1) % 3;
-            const Index edge = edge_of_[3 * static_cast<std::size_t>(f) + corner];
+        if (start[site] < 0) continue;
+        for (const auto corner :
+             triangulation::fan(tessellation_.arrays(), start[site], static_cast<Index>(site))) {
+            const Index edge = edge_of_[3 * static_cast<std::size_t>(corner.face) + corner.next()];
             if (edge >= 0)
                 steps_[step++] = {
                     edge, edges_[static_cast<std::size_t>(edge)].left == static_cast<Index>(site)};
-            f = tessellation_.neighbours()[static_cast<std::size_t>(f)][corner];
-        } while (f != start[site]);
+        }
     }
 }
 

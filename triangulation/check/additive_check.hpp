@@ -148,7 +148,7 @@ class AdditiveCheck : private ArraysCheck {
             }
         if (degree[0] == 0) throw Invalid{"infinity is no vertex"};
         for (std::size_t v = 0; v < degree.size(); ++v)
-            if (degree[v] != 0 && count_around(spoke[v], degree[v]) != degree[v])
+            if (degree[v] != 0 && degree_at(spoke[v]) != degree[v])
                 throw Invalid{"the faces at " + name(static_cast<Index>(v) - 1) +
                               " are not one cycle"};
         std::vector<char> seen(at(faces()), 0);
@@ -242,17 +242,13 @@ class AdditiveCheck : private ArraysCheck {
             }
             const Index f = face_of[at(hidden.by)];
             if (f < 0) continue;
-            HalfEdge first = Topology::first_edge(f);
-            while (topology_.origin(first) != hidden.by) ++first;
-            HalfEdge h = first;
-            do {
+            for (const HalfEdge h : topology_.fan(topology_.spoke(f, hidden.by))) {
                 const Index v = topology_.target(h);
                 if (v != infinite)
                     forbid([&] { return kernel_.is_nearer(q, v, hidden.by); },
                            name(v) + " is nearer to the centre of " + name(q) + " than " +
                                name(hidden.by) + ", which is said to hide it");
-                h = topology_.around_origin(h);
-            } while (h != first);
+            }
         }
     }
 

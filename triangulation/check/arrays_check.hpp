@@ -112,14 +112,10 @@ class ArraysCheck {
                           std::to_string(expected) + " faces, not " + std::to_string(faces())};
     }
 
-    /// Faces met on the way around a vertex, `limit` at most and one.
-    [[nodiscard]] Index count_around(HalfEdge first, Index limit) const {
+    /// The number of half-edges out of the origin of h.
+    [[nodiscard]] Index degree_at(HalfEdge h) const {
         Index count = 0;
-        HalfEdge h = first;
-        do {
-            ++count;
-            h = topology_.twin(Topology::previous(h));
-        } while (h != first && count <= limit);
+        for ([[maybe_unused]] const HalfEdge of : topology_.fan(h)) ++count;
         return count;
     }
 

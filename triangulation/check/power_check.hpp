@@ -162,11 +162,10 @@ class PowerCheck : private ArraysCheck {
                     spoke[at(v)] = h;
                 }
             }
-        if (hull_edges != count_around(hull_spoke, hull_edges))
-            throw Invalid{"the hull is not one cycle"};
+        if (hull_edges != degree_at(hull_spoke)) throw Invalid{"the hull is not one cycle"};
         for (Index v = 0; v < static_cast<Index>(sites_); ++v) {
             if (degree[at(v)] == 0) continue;
-            if (count_around(spoke[at(v)], degree[at(v)]) != degree[at(v)])
+            if (degree_at(spoke[at(v)]) != degree[at(v)])
                 throw Invalid{"the faces at " + name(v) + " are not one cycle"};
             const int turns = winding(v, spoke[at(v)]);
             if (turns != 1)
@@ -182,15 +181,12 @@ class PowerCheck : private ArraysCheck {
             return site(u).y != site(v).y ? site(u).y > site(v).y : site(u).x > site(v).x;
         };
         int turns = 0;
-        HalfEdge h = first;
-        do {
-            const HalfEdge next = topology_.twin(Topology::previous(h));
+        for (const HalfEdge h : topology_.fan(first)) {
             const Index u = topology_.target(h);
-            const Index w = topology_.target(next);
+            const Index w = topology_.apex(h);
             if (u == infinite || w == infinite) return 1;
             turns += static_cast<int>(!above(u) && above(w));
-            h = next;
-        } while (h != first);
+        }
         return turns;
     }
 
@@ -204,7 +200,7 @@ class PowerCheck : private ArraysCheck {
                 topology_.finite_edge(f);  // runs from b to a for the hull edge a -> b
             const Index a = topology_.target(h);
             const Index b = topology_.origin(h);
-            const HalfEdge spoke = topology_.twin(Topology::previous(h));  // from b to infinity
+            const HalfEdge spoke = topology_.around_origin(h);  // from b to infinity
             const Index c = topology_.apex(spoke);
             const Sign side = kernel_.ccw(a, b, c);
             const auto rises = [&](Index from, Index to) {
@@ -243,7 +239,7 @@ class PowerCheck : private ArraysCheck {
             const HalfEdge h = topology_.finite_edge(f);
             const Index a = topology_.target(h);
             const Index b = topology_.origin(h);
-            const Index c = topology_.apex(topology_.twin(Topology::previous(h)));
+            const Index c = topology_.apex(topology_.around_origin(h));
             if (kernel_.centre(a) == kernel_.centre(b))
                 throw Invalid{face_name(f) + " joins sites with equal centres"};
             if (c == a) {
@@ -329,10 +325,7 @@ class PowerCheck : private ArraysCheck {
         const Point centre = kernel_.centre(q);
         const Index f = face_of[at(by)];
         if (f < 0) return;
-        HalfEdge first = Topology::first_edge(f);
-        while (topology_.origin(first) != by) ++first;
-        HalfEdge h = first;
-        do {
+        for (const HalfEdge h : topology_.fan(topology_.spoke(f, by))) {
             const Index v = topology_.target(h);
             if (v != infinite) {
                 if (power::multiprecision::nearer(centre, site(v), site(by)) > 0)
@@ -342,8 +335,7 @@ class PowerCheck : private ArraysCheck {
                     note("by the tie rule " + name(q) + " is hidden by " + name(v) + ", not " +
                          name(by));
             }
-            h = topology_.twin(Topology::previous(h));
-        } while (h != first);
+        }
     }
 
     void check_hidden_by_one(Index q, Index by) {

@@ -40,13 +40,11 @@ class Deletion {
         const Index v = topology_.origin(h);
         ring_.clear();
         neighbours_.clear();
-        HalfEdge spoke = h;
-        do {
+        for (const HalfEdge spoke : topology_.fan(h)) {
             const HalfEdge link = Topology::next(spoke);
             ring_.push_back({topology_.origin(link), topology_.twin(link), Topology::face(spoke)});
             if (topology_.origin(link) != infinite) neighbours_.push_back(topology_.origin(link));
-            spoke = topology_.around_origin(spoke);
-        } while (spoke != h);
+        }
         std::sort(neighbours_.begin(), neighbours_.end());
         neighbours_.erase(std::unique(neighbours_.begin(), neighbours_.end()), neighbours_.end());
 

@@ -37,18 +37,14 @@ template <class Kernel>
             if (steps-- == 0) throw BrokenStructure("the walk to a hidden site went in circles");
         const Index f = face_of[static_cast<std::size_t>(nearest)];
         if (f < 0) break;  // the only visible site
-        HalfEdge first = Topology::first_edge(f);
-        while (topology.origin(first) != nearest) ++first;
-        HalfEdge h = first;
-        do {
+        for (const HalfEdge h : topology.fan(topology.spoke(f, nearest))) {
             const Index v = topology.target(h);
             if (v != infinite && kernel.nearer(point, v, nearest)) {
                 nearest = v;
                 improved = true;
                 break;
             }
-            h = topology.twin(Topology::previous(h));
-        } while (h != first);
+        }
     }
     return nearest;
 }

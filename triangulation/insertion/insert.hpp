@@ -171,8 +171,7 @@ class Insertion {
                 collect(right, q);
                 return true;
             }
-            HalfEdge h = first;
-            do {
+            for (const HalfEdge h : topology_.fan(first)) {
                 if (const Index left = Topology::face(h); conflicts(left, q)) {
                     collect(left, q);
                     return true;
@@ -181,8 +180,7 @@ class Insertion {
                     cut(h);
                     return true;
                 }
-                h = topology_.around_origin(h);
-            } while (h != first);
+            }
             throw BrokenStructure("a site that is not hidden conflicts with nothing");
         }
     }

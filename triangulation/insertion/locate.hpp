@@ -2,6 +2,7 @@
 /// Point location by a visibility walk.
 
 #include <limits>
+#include <utility>
 
 #include "../../core/index.hpp"
 #include "../../core/sign.hpp"
@@ -53,26 +54,28 @@ template <class Kernel>
         least = distance;
     }
     Index nearest = topology.origin(first);
-    HalfEdge h = first;
+    Index before = infinite;
     HalfEdge next = first;
     double to_next = std::numeric_limits<double>::infinity();
-    for (Index steps = topology.faces(); Kernel::is_exact || steps >= 0;) {
-        const Index v = topology.target(h);
-        if (v != infinite) {
+    for (Index steps = topology.faces(); Kernel::is_exact || steps >= 0; --steps) {
+        const Index start = nearest;
+        for (const HalfEdge h : topology.fan(first)) {
+            const Index v = topology.target(h);
+            if (v == infinite || v == before) continue;
             const auto distance = kernel.distance(q, v);
             if (kernel.is_nearer(q, v, distance, nearest, least)) {
-                h = first = next = topology.twin(h);
+                first = next = topology.twin(h);
                 to_next = least.to_centre - least.radius;
-                nearest = v;
+                before = std::exchange(nearest, v);
                 least = distance;
-                --steps;
-            } else if (distance.to_centre - distance.radius < to_next) {
+                break;
+            }
+            if (distance.to_centre - distance.radius < to_next) {
                 to_next = distance.to_centre - distance.radius;
                 next = h;
             }
         }
-        h = topology.around_origin(h);
-        if (h == first) return next;
+        if (nearest == start) return next;
     }
     throw BrokenStructure("the walk to a site went in circles");
 }

@@ -3,13 +3,12 @@
 ///
 /// Laws:
 ///  1. Half-edge 4f+k is edge k of face f, k = 0, 1, 2; it leads from origin(h) to target(h), its
-///  face on
-///     its left. (Four, not three, so that face and k come from a shift and a mask.)
+///     face on its left. (Four, not three, so that face and k come from a shift and a mask.)
 ///  2. twin(h) is the same edge seen from the other face. Twins, not vertices, say what is
-///  adjacent:
-///     two vertices may share several edges, two faces several edges, a vertex may have degree 2.
+///     adjacent: two vertices may share several edges, two faces several edges, a vertex may have
+///     degree 2.
 ///  3. One vertex may be infinite (-1); the structure treats it as any other and knows no
-///  coordinate.
+///     coordinate.
 ///  4. A face that was taken out has `vacant` for vertices and waits for reuse.
 
 #include <cstddef>
@@ -18,6 +17,7 @@
 
 #include "../../core/contract.hpp"
 #include "../../core/index.hpp"
+#include "cycle.hpp"
 #include "large_array.hpp"
 
 namespace signum::triangulation {
@@ -56,6 +56,17 @@ class Topology {
     [[nodiscard]] HalfEdge twin(HalfEdge h) const noexcept { return at(h).twin[h & 3]; }
     /// The next half-edge out of the same origin, counterclockwise.
     [[nodiscard]] HalfEdge around_origin(HalfEdge h) const noexcept { return twin(previous(h)); }
+    /// All half-edges out of the origin of h, counterclockwise from h: a range for a range-for. The
+    /// structure must not change on the way.
+    [[nodiscard]] auto fan(HalfEdge h) const noexcept {
+        return Cycle(h, [this](HalfEdge of) noexcept { return around_origin(of); });
+    }
+    /// The half-edge of face f out of v. Precondition: v is a vertex of f.
+    [[nodiscard]] HalfEdge spoke(Index f, Index v) const noexcept {
+        HalfEdge h = first_edge(f);
+        while (origin(h) != v) ++h;
+        return h;
+    }
     /// The three vertices of a face, counterclockwise.
     [[nodiscard]] const Index (&vertices(Index f) const noexcept)[3] {
         return at(first_edge(f)).vertex;
