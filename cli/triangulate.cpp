@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -15,6 +17,7 @@
 #include "../triangulation/triangulate.hpp"
 #include "../triangulation/validate.hpp"
 
+#include "clip.hpp"
 #include "commands.hpp"
 #include "outputs.hpp"
 #include "sites_call.hpp"
@@ -25,6 +28,7 @@ namespace {
 /// The call as it was typed.
 struct Call : SitesCall {
     std::string method = "incremental";
+    std::vector<double> clip;
     std::vector<std::string> outputs;
     bool vertices = false;
     bool check = false;
@@ -49,12 +53,17 @@ Method method_of(const std::string& name, Metric metric) {
     return Method::incremental;
 }
 
-void require_json(const Call& call) {
-    if (!call.vertices || call.outputs.empty()) return;
-    if (std::none_of(call.outputs.begin(), call.outputs.end(),
-                     [](const std::string& path) { return ending_of(path) == ".json"; })) {
+bool is_written(const Call& call, std::string_view ending) {
+    return std::ranges::any_of(call.outputs,
+                               [&](const std::string& path) { return ending_of(path) == ending; });
+}
+
+/// Options that one kind of file alone heeds.
+void require_files_for_options(const Call& call) {
+    if (call.vertices && !call.outputs.empty() && !is_written(call, ".json"))
         throw CallError("--vertices goes into JSON alone; add -o FILE.json");
-    }
+    if (!call.clip.empty() && !is_written(call, ".svg"))
+        throw CallError("--clip is what a picture shows; add -o FILE.svg");
 }
 
 /// The edges between sites that the Delaunay triangulation of the centres does not have.
@@ -69,11 +78,11 @@ std::vector<Edge> flipped_edges(const Tessellation& tessellation) {
 }
 
 void write(std::ostream& out, const std::string& ending, const Tessellation& tessellation,
-           const JsonOptions& options, Method method) {
+           const JsonOptions& options, const std::optional<Box>& clip, Method method) {
     if (ending == ".svg") {
         const std::vector<Edge> flipped =
             method == Method::flips ? flipped_edges(tessellation) : std::vector<Edge>{};
-        write_svg(out, tessellation, {.flipped = flipped});
+        write_svg(out, tessellation, {.box = clip, .flipped = flipped});
     } else if (ending == ".csv") {
         write_csv(out, tessellation);
     } else if (ending == ".obj") {
@@ -129,13 +138,15 @@ void run(const Call& call) {
                         call.arithmetic));
     }
     check_outputs(call.outputs, call.input, {".json", ".svg", ".csv", ".obj"});
-    require_json(call);
+    require_files_for_options(call);
+    const std::optional<Box> clip = box_of(call.clip, call.outputs);
     const InputSites sites = read_input(call);
     const Outputs outputs(call.outputs);
     const Tessellation tessellation = construct(call, sites, method);
+    if (clip) require_fit(*clip, Voronoi(tessellation));
     outputs.write(
         [&](std::ostream& out, const std::string& ending) {
-            write(out, ending, tessellation, {call.vertices, call.statistics}, method);
+            write(out, ending, tessellation, {call.vertices, call.statistics}, clip, method);
         },
         ".json");
     if (!call.quiet) {
@@ -176,6 +187,8 @@ void add_triangulate(CLI::App& tool) {
                ".svg   a picture\n"
                ".csv   a table a,b,c of faces, -1 is infinity\n"
                ".obj   a mesh of the finite faces\n");
+    add_clip(*command, call->clip,
+             "The box that a picture shows. Default: all sites\nwith some room around them");
     command->add_flag("--vertices", call->vertices,
                       "Adds centre and distance of every finite face\nto the JSON");
     command->add_flag("--stats", call->statistics,
@@ -186,7 +199,8 @@ void add_triangulate(CLI::App& tool) {
     command->footer(
         "Examples:\n"
         "  signum triangulate sites.txt --metric power -o out.json -o out.svg --check\n"
-        "  signum triangulate sites.txt --metric supremum --stats -o squares.svg");
+        "  signum triangulate sites.txt --metric supremum --stats -o squares.svg\n"
+        "  signum triangulate sites.txt --clip 0 0 10 10 -o part.svg");
     command->callback([call] { run(*call); });
 }
 

@@ -13,6 +13,7 @@
 #include "../io/write_voronoi.hpp"
 #include "../voronoi/clip.hpp"
 
+#include "clip.hpp"
 #include "commands.hpp"
 #include "outputs.hpp"
 #include "sites_call.hpp"
@@ -28,47 +29,13 @@ struct Call : SitesCall {
     bool merge = false;
 };
 
-std::optional<Box> box_of(const std::vector<double>& clip) {
-    if (clip.empty()) return std::nullopt;
-    const Box box = {clip[0], clip[1], clip[2], clip[3]};
-    for (const double side : clip)
-        if (!std::isfinite(side)) throw CallError("--clip: its four numbers are to be finite");
-    if (!(box.x0 < box.x1 && box.y0 < box.y1)) {
-        throw CallError(
-            fmt::format("--clip {} {} {} {}: the lower left corner comes first, x0 < x1 and "
-                        "y0 < y1",
-                        box.x0, box.y0, box.x1, box.y1));
-    }
-    return box;
-}
-
 /// Throws CallError where doubles cannot compute with the box that an output is cut to.
 void check_box(const Call& call, const Box& box, const Voronoi& diagram) {
     const bool is_used =
         !call.clip.empty() || std::ranges::any_of(call.outputs, [](const std::string& path) {
             return ending_of(path) == ".geojson" || ending_of(path) == ".csv";
         });
-    if (is_used && !fits(box, diagram))
-        throw CallError(
-            fmt::format("the box {} {} {} {} is too large or too small beside the coordinates and "
-                        "radii of the sites; cut the cells to another one with --clip",
-                        box.x0, box.y0, box.x1, box.y1));
-}
-
-/// A picture is some hundred pixels wide.
-void check_picture(const Call& call, const std::optional<Box>& clip) {
-    constexpr double slimmest = 1e-3;
-    const bool is_drawn =
-        std::any_of(call.outputs.begin(), call.outputs.end(),
-                    [](const std::string& path) { return ending_of(path) == ".svg"; });
-    if (!clip || !is_drawn) return;
-    const auto [shorter, longer] =
-        std::minmax({clip->x1 / 2 - clip->x0 / 2, clip->y1 / 2 - clip->y0 / 2});
-    if (shorter < slimmest * longer) {
-        throw CallError(
-            "--clip: a picture of a box more than a thousand times as long as wide shows nothing; "
-            "give another box, or leave the .svg out");
-    }
+    if (is_used) require_fit(box, diagram);
 }
 
 void summarize(const Voronoi& voronoi, const std::vector<std::string>& outputs) {
@@ -87,10 +54,9 @@ void summarize(const Voronoi& voronoi, const std::vector<std::string>& outputs) 
 
 void run(const Call& call) {
     check_outputs(call.outputs, call.input, {".json", ".svg", ".geojson", ".csv"});
-    const std::optional<Box> clip = box_of(call.clip);
+    const std::optional<Box> clip = box_of(call.clip, call.outputs);
     if (call.tolerance && !(*call.tolerance > 0 && std::isfinite(*call.tolerance)))
         throw CallError("--tolerance: it is to be above 0 and finite");
-    check_picture(call, clip);
     const InputSites sites = read_input(call);
     const Outputs outputs(call.outputs);
     const Voronoi diagram(construct(call, sites), {call.merge});
@@ -129,14 +95,11 @@ void add_voronoi(CLI::App& tool) {
     CLI::App* command =
         tool.add_subcommand("voronoi", "Computes the diagram of sites: vertices, edges, cells");
     add_sites(*command, *call);
-    command
-        ->add_option("--clip", call->clip,
-                     "The box that cells are cut to. Default: JSON has\n"
-                     "them whole; tables and GeoJSON cut them to the\n"
-                     "smallest box around all centres and a tenth more,\n"
-                     "pictures to what they show")
-        ->type_name("X0 Y0 X1 Y1")
-        ->expected(4);
+    add_clip(*command, call->clip,
+             "The box that cells are cut to. Default: JSON has\n"
+             "them whole; tables and GeoJSON cut them to the\n"
+             "smallest box around all centres and a tenth more,\n"
+             "pictures to what they show");
     command
         ->add_option("--tolerance", call->tolerance,
                      "How far the polygons of tables and GeoJSON may be\n"

@@ -5,14 +5,18 @@
 #include "sites.hpp"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace signum {
 namespace {
 
-// Two sites may share several edges, which stand one after another: one line will do.
+// The edges between centres, as far as the picture shows them. Two sites may share several edges,
+// which stand one after another: one line will do.
 std::vector<Conic> straight(std::span<const Edge> edges, const Tessellation& tessellation,
                             const Frame& frame) {
+    constexpr double beyond = 20;  // pixels: no end of a line that goes on is seen
+    const Box picture = {-beyond, -beyond, frame.width() + beyond, frame.height() + beyond};
     const auto centre = [&](Index i) {
         const Site& s = tessellation.sites()[static_cast<std::size_t>(i)];
         return frame.at({s.x, s.y});
@@ -21,9 +25,10 @@ std::vector<Conic> straight(std::span<const Edge> edges, const Tessellation& tes
     Edge before = {infinite, infinite};
     for (const Edge& edge : edges) {
         const auto& [a, b] = edge;
-        if (a != infinite && b != infinite && edge != before)
-            lines.push_back(Conic::straight(centre(a), centre(b)));
-        before = edge;
+        if (a == infinite || b == infinite || edge == std::exchange(before, edge)) continue;
+        const Conic line = Conic::straight(centre(a), centre(b));
+        for (const auto& [first, last] : parts_inside(line, picture))
+            lines.push_back(line.part(first, last));
     }
     return lines;
 }
@@ -31,7 +36,8 @@ std::vector<Conic> straight(std::span<const Edge> edges, const Tessellation& tes
 }  // namespace
 
 void write_svg(std::ostream& out, const Tessellation& tessellation, const SvgOptions& options) {
-    const Frame frame(drawn_sites(tessellation), picture_width);
+    const Frame frame = options.box ? Frame(*options.box, picture_width)
+                                    : Frame(drawn_sites(tessellation), picture_width);
     const std::vector<Conic> edges = straight(tessellation.edges(), tessellation, frame);
     const Pens pens(median_length(edges, picture_width));
     const DrawnSites sites(tessellation, frame, pens, options.site_limit);

@@ -8,14 +8,18 @@
 ///  3. No number in it is NaN, infinite or far outside the picture, whatever the input.
 
 #include "../triangulation/tessellation.hpp"
+#include "../voronoi/conic.hpp"
 
 #include <cstddef>
 #include <iosfwd>
+#include <optional>
 #include <span>
 
 namespace signum {
 
 struct SvgOptions {
+    /// What the picture shows; without one the sites with some room around them.
+    std::optional<Box> box = std::nullopt;
     /// Edges to be drawn thick, and edges to be drawn in other colours, those that are different
     /// thin; those to infinity are not. They join sites of the tessellation, whatever its own edges
     /// are.

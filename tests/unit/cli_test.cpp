@@ -737,6 +737,34 @@ TEST_F(Tool, RefusesWrongCallsOfVoronoi) {
     EXPECT_EQ(run({"voronoi", scratch.path("none.txt")}).code, 2);
 }
 
+TEST_F(Tool, DrawsAPartOfATessellation) {
+    const std::string svg = scratch.path("part.svg");
+    const std::string json = scratch.path("whole.json");
+    const Outcome whole = run({"triangulate", sites, "--quiet"});
+    const Outcome part = run(
+        {"triangulate", sites, "--clip", "-1", "-1", "5", "6", "-o", svg, "-o", json, "--quiet"});
+    EXPECT_EQ(part.code, 0) << part.err;
+    EXPECT_EQ(contents(json), whole.out);
+    const std::string drawn = contents(svg);
+    EXPECT_EQ(run({"triangulate", sites, "-o", svg, "--quiet"}).code, 0);
+    EXPECT_NE(contents(svg), drawn);
+
+    const auto refused = [&](Words more, const std::string& message) {
+        Words words = {"triangulate", sites, "--clip"};
+        words.insert(words.end(), more.begin(), more.end());
+        expect(words, 2, message);
+    };
+    refused({"0", "0", "1", "1"}, "signum: --clip is what a picture shows; add -o FILE.svg\n");
+    refused({"5", "0", "1", "1", "-o", svg},
+            "signum: --clip 5 0 1 1: the lower left corner comes first, x0 < x1 and y0 < y1\n");
+    refused({"-1e308", "-1e308", "1e308", "1e308", "-o", svg},
+            "signum: the box -1e+308 -1e+308 1e+308 1e+308 is too large or too small beside the "
+            "coordinates and radii of the sites; cut the cells to another one with --clip\n");
+    refused({"0", "0", "1e-6", "1", "-o", svg},
+            "signum: --clip: a picture of a box more than a thousand times as long as wide shows "
+            "nothing; give another box, or leave the .svg out\n");
+}
+
 TEST_F(Tool, TakesEuclideanWhereNoMetricIsGiven) {
     for (const Words& words : {Words{"triangulate", sites, "--quiet"},
                                Words{"sign", "in_circle", "--", "0", "0", "1", "9", "2", "1", "2",

@@ -239,6 +239,16 @@ TEST(Svg, AlmostCollinearSitesHaveTheirVerticesFarAway) {
     EXPECT_EQ(lines(svg, "cell"), 9U);  // those of the other ten edges are beyond all doubles
 }
 
+TEST(Svg, ShowsABoxAndCutsEdgesThere) {
+    const std::vector<Site> sites = {{0, 0, 1}, {1e6, 1e6, 2}, {0, 1e6, 1}, {5, 1, 1}};
+    const std::string svg = drawn(sites, {.box = Box{-2, -2, 8, 6}});
+    expect_drawable(svg);
+    // Two sites lie outside of it; the edge between them passes it by.
+    EXPECT_EQ(lines(svg, "edge"), 4U);
+    EXPECT_EQ(numbered(svg, "site"), 2U);
+    expect_drawable(drawn(few_sites(1e300), {.box = Box{0, 0, 1e160, 1e160}}));
+}
+
 TEST(Svg, WeightsBelowZeroAreDots) {
     const std::string svg = drawn(std::vector<power::Site>{{0, 0, -1}, {5, 0, 4}, {2, 6, 0}});
     expect_drawable(svg);

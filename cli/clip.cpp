@@ -1,0 +1,50 @@
+#include "clip.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "commands.hpp"
+#include "outputs.hpp"
+
+namespace signum::cli {
+
+void add_clip(CLI::App& command, std::vector<double>& clip, const std::string& description) {
+    command.add_option("--clip", clip, description)->type_name("X0 Y0 X1 Y1")->expected(4);
+}
+
+std::optional<Box> box_of(const std::vector<double>& clip,
+                          const std::vector<std::string>& outputs) {
+    if (clip.empty()) return std::nullopt;
+    const Box box = {clip[0], clip[1], clip[2], clip[3]};
+    for (const double side : clip)
+        if (!std::isfinite(side)) throw CallError("--clip: its four numbers are to be finite");
+    if (!(box.x0 < box.x1 && box.y0 < box.y1)) {
+        throw CallError(
+            fmt::format("--clip {} {} {} {}: the lower left corner comes first, x0 < x1 and "
+                        "y0 < y1",
+                        box.x0, box.y0, box.x1, box.y1));
+    }
+    // A picture is some hundred pixels wide.
+    constexpr double slimmest = 1e-3;
+    const bool is_drawn = std::ranges::any_of(
+        outputs, [](const std::string& path) { return ending_of(path) == ".svg"; });
+    const auto [shorter, longer] = std::minmax({box.x1 / 2 - box.x0 / 2, box.y1 / 2 - box.y0 / 2});
+    if (is_drawn && shorter < slimmest * longer) {
+        throw CallError(
+            "--clip: a picture of a box more than a thousand times as long as wide shows nothing; "
+            "give another box, or leave the .svg out");
+    }
+    return box;
+}
+
+void require_fit(const Box& box, const Voronoi& diagram) {
+    if (fits(box, diagram)) return;
+    throw CallError(
+        fmt::format("the box {} {} {} {} is too large or too small beside the coordinates and "
+                    "radii of the sites; cut the cells to another one with --clip",
+                    box.x0, box.y0, box.x1, box.y1));
+}
+
+}  // namespace signum::cli
