@@ -305,11 +305,7 @@ class Live {
     bool add(Index h) {
         hidden_by_[at(h)] = -1;
         insertion_->start_from(face_near(sites_[at(h)]));
-        try {
-            insertion_->insert(h);
-        } catch (const BrokenStructure&) {
-            // In the additive metrics one site may hide all others: a structure that was begun with
-            // the first of the rule's order has no word for that.
+        if (!insertion_->insert(h)) {
             build();
             return false;
         }

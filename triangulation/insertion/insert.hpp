@@ -86,6 +86,15 @@ class Insertion {
         recent_ = left;
     }
 
+    /// Goes on with the tessellation that is in the topology; from a face of it the first site is
+    /// looked for.
+    Insertion(Topology& topology, Kernel& kernel, std::span<Index> hidden_by, Index face)
+        : Insertion(topology, kernel, hidden_by) {
+        for (Index f = 0; f < topology_.faces(); ++f)
+            if (topology_.is_vacant(f)) vacant_.push(f);
+        recent_ = face;
+    }
+
     /// A face at the site inserted last, if it is visible.
     [[nodiscard]] Index recent() const noexcept { return recent_; }
     /// The face from which the next site is looked for.
@@ -93,12 +102,17 @@ class Insertion {
     /// The sites that the last one hid.
     [[nodiscard]] const std::vector<Index>& enclosed() const noexcept { return enclosed_; }
 
-    /// Inserts site q. Throws BrokenStructure where inexact arithmetic made nonsense.
-    void insert(Index q) {
+    /// Inserts site q; false, and nothing is done, where q hides all the others, so that no
+    /// structure is left. In exact arithmetic that takes a site before all of them in the tie
+    /// rule's order, in an additive metric. Throws BrokenStructure where inexact arithmetic made
+    /// nonsense.
+    bool insert(Index q) {
         enclosed_.clear();
-        if (!find_conflicts(q)) return;
+        if (!find_conflicts(q)) return true;
+        if (boundary_.empty()) return hides_all();
         if (boundary_.size() != removed_.size() + 2) hide_enclosed(q);
         retriangulate(q);
+        return true;
     }
 
  private:
@@ -307,6 +321,13 @@ class Insertion {
         const auto& v = topology_.vertices(f);
         hidden_by_[static_cast<std::size_t>(q)] = v[0] != infinite ? v[0] : v[1];
         recent_ = f;
+    }
+
+    /// All faces were in conflict. Those that stay are unmarked.
+    bool hides_all() {
+        if constexpr (!Kernel::is_exact) throw BrokenStructure("the hull vanished");
+        for (const Index f : removed_) topology_.record(f).mark = 0;
+        return false;
     }
 
     /// Vertices of the removed faces that are not on the boundary vanish behind q.
