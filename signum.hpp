@@ -15,6 +15,7 @@
 #include "predicates/supremum.hpp"
 #include "triangulation/dynamic.hpp"
 #include "triangulation/edge_list.hpp"
+#include "triangulation/metric.hpp"
 #include "triangulation/space.hpp"
 #include "triangulation/tessellation.hpp"
 #include "triangulation/triangulate.hpp"

@@ -10,9 +10,9 @@ set(public_headers
   exact/sign_of_sum.hpp
   predicates/ccw.hpp predicates/power.hpp predicates/euclidean.hpp predicates/manhattan.hpp
   predicates/supremum.hpp predicates/arithmetic.hpp
-  triangulation/tessellation.hpp triangulation/triangulate.hpp triangulation/validate.hpp
-  triangulation/vertices.hpp triangulation/dynamic.hpp triangulation/edge_list.hpp
-  triangulation/space.hpp
+  triangulation/metric.hpp triangulation/tessellation.hpp triangulation/triangulate.hpp
+  triangulation/validate.hpp triangulation/vertices.hpp triangulation/dynamic.hpp
+  triangulation/edge_list.hpp triangulation/space.hpp
   voronoi/voronoi.hpp voronoi/curve.hpp voronoi/conic.hpp voronoi/clip.hpp voronoi/polygon.hpp
   voronoi/contacts.hpp voronoi/compare.hpp)
 # What these include in their turn: the filters, which are inline. Nobody includes them by name.

@@ -117,10 +117,9 @@ class TessellationReader final : public JsonEvents {
                 fail_at_value("the format is " + in_quotes(text) + ", not 'signum.tessellation'");
             }
         } else if (depth_ == 1 && key_ == Key::metric) {
-            result_.metric =
-                find(text, {Metric::power, Metric::euclidean, Metric::manhattan, Metric::supremum});
+            result_.metric = find(text, all_metrics);
         } else if (depth_ == 1 && key_ == Key::weight_is) {
-            result_.weight_is = find(text, {WeightIs::radius, WeightIs::weight});
+            result_.weight_is = find(text, std::array{WeightIs::radius, WeightIs::weight});
         } else {
             expect_other(in_quotes(text), cursor().value());
         }
@@ -176,8 +175,8 @@ class TessellationReader final : public JsonEvents {
     }
 
     /// The value that has this name.
-    template <typename Value>
-    Value find(std::string_view name, std::initializer_list<Value> values) const {
+    template <typename Value, std::size_t count>
+    Value find(std::string_view name, const std::array<Value, count>& values) const {
         std::string names;
         for (const Value value : values) {
             if (signum::name_of(value) == name) return value;

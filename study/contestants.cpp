@@ -19,10 +19,6 @@ auto named(const Values& values, const std::string& name) {
 
 }  // namespace
 
-Metric metric_named(const std::string& name) {
-    return named(all_metrics, name);
-}
-
 std::vector<Site> sites_of(const Setting& setting, std::size_t seed) {
     GenerateOptions options;
     options.count = setting.sites;

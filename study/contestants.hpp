@@ -10,9 +10,6 @@
 
 namespace signum::study {
 
-/// The metric of a name.
-[[nodiscard]] Metric metric_named(const std::string& name);
-
 /// The sites of one set; `seed` counts from 1.
 [[nodiscard]] std::vector<Site> sites_of(const Setting& setting, std::size_t seed);
 

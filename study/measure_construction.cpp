@@ -97,7 +97,7 @@ std::vector<Row> rows_of(const Cell& cell, const std::string& name, Counts count
 }  // namespace
 
 std::vector<Row> measure_construction(const Cell& cell, const Pass& pass) {
-    const Metric metric = metric_named(cell.setting.metric);
+    const Metric metric = metric_named(cell.setting.metric).value();
     std::vector<std::pair<std::string, Options>> builders;
     for (const std::string& name : cell.contestants)
         if (const auto options = options_named(name)) builders.emplace_back(name, *options);

@@ -13,7 +13,7 @@
 namespace signum::study {
 
 std::vector<Row> measure_deletion(const Cell& cell, const Pass& pass) {
-    const Metric metric = metric_named(cell.setting.metric);
+    const Metric metric = metric_named(cell.setting.metric).value();
     const std::vector<Site> sites = sites_of(cell.setting, 1);
     // Half the sites come and go, in no order; the other half is always there.
     const std::size_t half = sites.size() / 2;

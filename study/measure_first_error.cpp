@@ -14,7 +14,7 @@ namespace {
 bool errs(const Cell& cell, const Options& options, int exponent) {
     Setting setting = cell.setting;
     setting.perturbation = std::pow(10.0, exponent);
-    const Metric metric = metric_named(setting.metric);
+    const Metric metric = metric_named(setting.metric).value();
     for (std::size_t seed = 1; seed <= cell.sets; ++seed) {
         const std::vector<Site> sites = sites_of(setting, seed);
         try {

@@ -13,7 +13,7 @@
 namespace signum::study {
 
 std::vector<Row> measure_margin(const Cell& cell) {
-    const Metric metric = metric_named(cell.setting.metric);
+    const Metric metric = metric_named(cell.setting.metric).value();
     const Margins margins = margins_of(triangulate(sites_of(cell.setting, 1), metric));
     std::vector<Row> rows;
     const auto put = [&](const std::string& quantity, double value) {

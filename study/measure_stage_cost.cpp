@@ -138,7 +138,7 @@ std::vector<Row> measure_in(const Cell& cell, const Pass& pass, const std::vecto
 }  // namespace
 
 std::vector<Row> measure_stage_cost(const Cell& cell, const Pass& pass) {
-    const Metric metric = metric_named(cell.setting.metric);
+    const Metric metric = metric_named(cell.setting.metric).value();
     const std::vector<Call> calls = calls_of(triangulate(sites_of(cell.setting, 1), metric));
     switch (metric) {
         case Metric::power:

@@ -62,15 +62,6 @@ void expect_finite(Point point) {
 
 }  // namespace
 
-std::string_view name_of(Metric metric) noexcept {
-    constexpr std::string_view names[] = {"power", "euclidean", "manhattan", "supremum"};
-    return names[static_cast<int>(metric)];
-}
-
-std::string_view name_of(WeightIs weight_is) noexcept {
-    return weight_is == WeightIs::radius ? "radius" : "weight";
-}
-
 Tessellation::Tessellation(TessellationArrays arrays, std::vector<Site> sites,
                            Statistics statistics)
     : arrays_(std::move(arrays)),

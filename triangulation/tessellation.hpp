@@ -4,39 +4,20 @@
 /// Laws:
 ///  1. n >= 2 visible sites have 2n-2 faces; with the vertex at infinity they tile the sphere.
 ///  2. A face is a counterclockwise triple of sites, -1 being infinity, rotated so that the
-///  smallest
-///     number comes first; faces are sorted. One visible site has no face.
+///     smallest number comes first; faces are sorted. One visible site has no face.
 ///  3. neighbours[f][k] is the face across the edge opposite faces[f][k].
 ///  4. The arrays depend on the sites alone: not on insertion order, method or seed.
 
 #include <array>
 #include <cstdint>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "../core/index.hpp"
 #include "../core/site.hpp"
+#include "metric.hpp"
 
 namespace signum {
-
-/// The four distances from a site; shared by types and files.
-enum class Metric : std::uint8_t { power, euclidean, manhattan, supremum };
-
-inline constexpr std::array<Metric, 4> all_metrics = {Metric::power, Metric::euclidean,
-                                                      Metric::manhattan, Metric::supremum};
-
-/// What the third number of a site means; anything but radius exists in the power metric alone.
-enum class WeightIs : std::uint8_t { radius, weight };
-
-[[nodiscard]] std::string_view name_of(Metric metric) noexcept;
-[[nodiscard]] std::string_view name_of(WeightIs weight_is) noexcept;
-
-/// Passed to triangulate() to choose the metric.
-struct Power {};
-struct Euclidean {};
-struct Manhattan {};
-struct Supremum {};
 
 /// Three vertices counterclockwise, or the three faces across from them.
 using Face = std::array<Index, 3>;

@@ -1,0 +1,132 @@
+#pragma once
+/// The metrics: one table of what they are called, what their sites look like and what can be asked
+/// of them. Whatever differs from metric to metric stands here or, where it is code, hangs on the
+/// types by which with_metric() names them; nothing else tells metrics apart.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+namespace signum {
+
+/// The distances from a site; shared by types and files.
+enum class Metric : std::uint8_t { power, euclidean, manhattan, supremum };
+
+/// What the third number of a site means; anything but radius exists in the power metric alone.
+enum class WeightIs : std::uint8_t { radius, weight };
+
+/// What is known of a metric without computing anything.
+struct MetricTraits {
+    Metric metric;
+    std::string_view name;                    ///< in files and on the command line
+    std::string_view title;                   ///< in sentences: the … metric
+    std::array<std::string_view, 4> aliases;  ///< what else it is called; unused ones are empty
+    std::string_view distance;                ///< of a point p from a site with centre c, radius r
+    std::string_view site;                    ///< what a site looks like
+    std::string_view circle;                  ///< what touches three of them
+    /// Whether the edges of a tessellation are straight, and its faces triangles that cover the
+    /// convex hull.
+    bool edges_are_straight = false;
+    bool has_weights = false;  ///< whether the third number of a site may be a weight
+    /// Whether sites of equal radii have Delaunay's triangulation.
+    bool is_delaunay_for_equal_radii = false;
+    bool has_flips = false;  ///< whether Method::flips builds it
+    bool has_sweep = false;  ///< whether Method::sweep builds it
+};
+
+/// A row for every metric, in the order of the enumerators.
+inline constexpr std::array<MetricTraits, 4> metric_table = {{
+    {.metric = Metric::power,
+     .name = "power",
+     .title = "power",
+     .aliases = {"laguerre", "regular"},
+     .distance = "|p - c|^2 - r^2",
+     .site = "disc",
+     .circle = "circle",
+     .edges_are_straight = true,
+     .has_weights = true,
+     .is_delaunay_for_equal_radii = true,
+     .has_flips = true},
+    {.metric = Metric::euclidean,
+     .name = "euclidean",
+     .title = "Euclidean",
+     .aliases = {"apollonius", "l2"},
+     .distance = "|p - c| - r",
+     .site = "disc",
+     .circle = "circle",
+     .is_delaunay_for_equal_radii = true},
+    {.metric = Metric::manhattan,
+     .name = "manhattan",
+     .title = "Manhattan",
+     .aliases = {"l1", "taxicab", "cityblock"},
+     .distance = "|p - c| - r in the norm |x| + |y|",
+     .site = "diamond",
+     .circle = "diamond",
+     .has_sweep = true},
+    {.metric = Metric::supremum,
+     .name = "supremum",
+     .title = "supremum",
+     .aliases = {"linf", "linfinity", "chebyshev", "maximum"},
+     .distance = "|p - c| - r in the norm max(|x|, |y|)",
+     .site = "square",
+     .circle = "square",
+     .has_sweep = true},
+}};
+
+/// The row of a metric.
+[[nodiscard]] constexpr const MetricTraits& traits_of(Metric metric) noexcept {
+    return metric_table[static_cast<std::size_t>(metric)];
+}
+
+inline constexpr auto all_metrics = [] {
+    std::array<Metric, metric_table.size()> metrics{};
+    for (std::size_t i = 0; i < metrics.size(); ++i) metrics[i] = metric_table[i].metric;
+    return metrics;
+}();
+
+/// A metric as a type: chooses the metric of triangulate(), and the code of the library that is
+/// another one for each.
+template <Metric which>
+struct MetricType {
+    static constexpr Metric metric = which;
+    static constexpr const MetricTraits& traits = traits_of(which);
+    static_assert(traits.metric == which, "the rows follow the enumerators");
+};
+struct Power : MetricType<Metric::power> {};
+struct Euclidean : MetricType<Metric::euclidean> {};
+struct Manhattan : MetricType<Metric::manhattan> {};
+struct Supremum : MetricType<Metric::supremum> {};
+
+/// Calls visit with the metric as a type: where a metric lacks the code that visit wants of it,
+/// nothing compiles. The only switch over metrics. Throws std::invalid_argument for what is no
+/// enumerator.
+template <class Visit>
+decltype(auto) with_metric(Metric metric, Visit&& visit) {
+    switch (metric) {
+        case Metric::power:
+            return std::forward<Visit>(visit)(Power{});
+        case Metric::euclidean:
+            return std::forward<Visit>(visit)(Euclidean{});
+        case Metric::manhattan:
+            return std::forward<Visit>(visit)(Manhattan{});
+        case Metric::supremum:
+            return std::forward<Visit>(visit)(Supremum{});
+    }
+    throw std::invalid_argument("no such metric");
+}
+
+[[nodiscard]] constexpr std::string_view name_of(Metric metric) noexcept {
+    return traits_of(metric).name;
+}
+[[nodiscard]] constexpr std::string_view name_of(WeightIs weight_is) noexcept {
+    return weight_is == WeightIs::radius ? "radius" : "weight";
+}
+
+/// The metric of that name or alias, in capitals or not, with hyphens and underscores or not.
+[[nodiscard]] std::optional<Metric> metric_named(std::string_view name);
+
+}  // namespace signum
