@@ -3,6 +3,8 @@
 
 #include <chrono>
 
+#include "../triangulation/validate.hpp"
+
 namespace signum::cli {
 
 class Progress {
@@ -21,5 +23,9 @@ class Progress {
     bool on_terminal_;
     int shown_ = -1;  ///< per cent on the screen; -1 while there is no bar
 };
+
+/// validate() with a bar unless quiet.
+[[nodiscard]] Validation validate_with_progress(const TessellationArrays& arrays,
+                                                StridedSites sites, bool quiet);
 
 }  // namespace signum::cli

@@ -20,6 +20,7 @@
 #include "clip.hpp"
 #include "commands.hpp"
 #include "outputs.hpp"
+#include "progress.hpp"
 #include "sites_call.hpp"
 
 namespace signum::cli {
@@ -117,17 +118,16 @@ void summarize_statistics(const Statistics& s) {
 }
 
 /// Judges the tessellation from scratch. An exact one must be the canonical one, too.
-void check(const Call& call, const Tessellation& tessellation) {
-    const Validation result = validate(
-        tessellation.arrays(), strided_view(tessellation.sites(), tessellation.weight_is()));
-    if (!result.valid) {
-        throw CheckFailure(fmt::format("--check: not valid: {}", result.message));
+Validation check(const Call& call, const Tessellation& tessellation) {
+    const Validation result = validate_with_progress(
+        tessellation.arrays(), strided_view(tessellation.sites(), tessellation.weight_is()),
+        call.quiet);
+    if (!result.valid || (!result.canonical && is_exact(arithmetic_of(call.arithmetic)))) {
+        throw CheckFailure(
+            fmt::format("--check: {}: {}; nothing is written, without --check it would be",
+                        result.valid ? "valid, not canonical" : "not valid", result.message));
     }
-    if (!result.canonical && is_exact(arithmetic_of(call.arithmetic))) {
-        throw CheckFailure(fmt::format("--check: valid, not canonical: {}", result.message));
-    }
-    if (call.quiet) return;
-    say("check    valid, {}canonical\n", result.canonical ? "" : "not ");
+    return result;
 }
 
 void run(const Call& call) {
@@ -144,6 +144,9 @@ void run(const Call& call) {
     const Outputs outputs(call.outputs);
     const Tessellation tessellation = construct(call, sites, method);
     if (clip) require_fit(*clip, Voronoi(tessellation));
+    // Before anything is written: what fails its check is not left under the name asked for.
+    std::optional<Validation> checked;
+    if (call.check) checked = check(call, tessellation);
     outputs.write(
         [&](std::ostream& out, const std::string& ending) {
             write(out, ending, tessellation, {call.vertices, call.statistics}, clip, method);
@@ -152,8 +155,8 @@ void run(const Call& call) {
     if (!call.quiet) {
         summarize(tessellation, call.outputs);
         if (call.statistics) summarize_statistics(tessellation.statistics());
+        if (checked) say("check    valid, {}canonical\n", checked->canonical ? "" : "not ");
     }
-    if (call.check) check(call, tessellation);
 }
 
 }  // namespace
@@ -193,9 +196,9 @@ void add_triangulate(CLI::App& tool) {
                       "Adds centre and distance of every finite face\nto the JSON");
     command->add_flag("--stats", call->statistics,
                       "Adds counters and time to the JSON and to the\nsummary");
-    command->add_flag(
-        "--check", call->check,
-        "Judges the result from scratch, in exact\narithmetic; exit 1 when it is wrong");
+    command->add_flag("--check", call->check,
+                      "Judges the result from scratch before it is\nwritten; where it is wrong, "
+                      "exit 1 and nothing\nis written");
     command->footer(
         "Examples:\n"
         "  signum triangulate sites.txt --metric power -o out.json -o out.svg --check\n"

@@ -7,9 +7,9 @@
 #include "../io/output_file.hpp"
 #include "../io/read_sites.hpp"
 #include "../io/read_tessellation.hpp"
-#include "../triangulation/validate.hpp"
 
 #include "commands.hpp"
+#include "progress.hpp"
 
 namespace signum::cli {
 namespace {
@@ -18,6 +18,7 @@ namespace {
 struct Call {
     std::string tessellation;
     std::string sites;
+    bool quiet = false;
 };
 
 void run(const Call& call) {
@@ -26,7 +27,8 @@ void run(const Call& call) {
     }
     const TessellationArrays arrays = read_tessellation(call.tessellation);
     const SitesFile file = read_sites(call.sites);
-    const Validation result = validate(arrays, strided_view(file.sites, arrays.weight_is));
+    const Validation result =
+        validate_with_progress(arrays, strided_view(file.sites, arrays.weight_is), call.quiet);
     DescriptorStream out(1, "standard output");
     if (!result.valid) {
         out << fmt::format("not valid: {}\n", result.message);
@@ -59,6 +61,7 @@ void add_validate(CLI::App& tool) {
                      "number is a weight")
         ->required()
         ->type_name("");
+    command->add_flag("--quiet", call->quiet, "No progress on standard error");
     command->footer(
         "Prints \"valid, canonical\", \"valid, not canonical: WHY\" or \"not valid: WHY\";\n"
         "exit 1 when it is not valid.\n\n"

@@ -39,10 +39,10 @@ struct Options {
     std::function<void(double)> progress = {};
 };
 
-/// Thrown when Options::stop asked for it.
+/// Thrown when Options::stop, or that of a validation, asked for it.
 class Stopped : public std::runtime_error {
  public:
-    Stopped() : std::runtime_error("the construction was stopped") {}
+    Stopped() : std::runtime_error("the work was stopped before its end") {}
 };
 
 /// Thrown when inexact arithmetic led the construction astray: a walk without end, a conflict

@@ -8,30 +8,58 @@
 #include "check/power_check.hpp"
 
 namespace signum {
-Validation validate(const TessellationArrays& arrays, StridedSites sites) {
-    using namespace triangulation;
+namespace {
+
+using namespace triangulation;
+
+template <template <Arithmetic> class Perturbed, class Distance>
+Validation check_additive(const TessellationArrays& arrays, const StridedSites& sites,
+                          const ValidationOptions& options) {
+    using Predicates = judging::AdditivePredicates<Perturbed<Arithmetic::exact>,
+                                                   Perturbed<Arithmetic::multiprecision>>;
+    return AdditiveCheck<Predicates, Distance>(arrays, sites, options).run();
+}
+
+Validation check(Euclidean, const TessellationArrays& arrays, const StridedSites& sites,
+                 const ValidationOptions& options) {
+    return check_additive<euclidean::Perturbed, EuclideanDistance>(arrays, sites, options);
+}
+Validation check(Manhattan, const TessellationArrays& arrays, const StridedSites& sites,
+                 const ValidationOptions& options) {
+    return check_additive<manhattan::Perturbed, ManhattanDistance>(arrays, sites, options);
+}
+Validation check(Supremum, const TessellationArrays& arrays, const StridedSites& sites,
+                 const ValidationOptions& options) {
+    return check_additive<supremum::Perturbed, SupremumDistance>(arrays, sites, options);
+}
+Validation check(Power, const TessellationArrays& arrays, const StridedSites& sites,
+                 const ValidationOptions& options) {
+    const auto with = [&]<class S>(S) {
+        return PowerCheck<S, judging::PowerPredicates, PowerDistance<S>>(arrays, sites, options)
+            .run();
+    };
+    return sites.third_is_weight() ? with(power::Site()) : with(Site());
+}
+
+Validation invalid(std::string why) {
+    Validation result;
+    result.message = std::move(why);
+    return result;
+}
+
+}  // namespace
+
+Validation validate(const TessellationArrays& arrays, StridedSites sites,
+                    const ValidationOptions& options) {
     const exact::IeeeEnvironment environment;
     if (sites.third_is_weight() != (arrays.weight_is == WeightIs::weight))
-        return {false, false,
-                "the tessellation takes the third numbers of sites for " +
-                    std::string(name_of(arrays.weight_is)) + "s, the input does not"};
-    if (arrays.metric != Metric::power && sites.third_is_weight())
-        return {false, false,
-                "sites of the " + std::string(name_of(arrays.metric)) +
-                    " metric have radii, not weights"};
-    constexpr auto in_rationals = additive::Stages::multiprecision;
-    switch (arrays.metric) {
-        case Metric::manhattan:
-            return AdditiveCheck<manhattan::Perturbed<in_rationals>>(arrays, sites).run();
-        case Metric::supremum:
-            return AdditiveCheck<supremum::Perturbed<in_rationals>>(arrays, sites).run();
-        case Metric::euclidean:
-            return AdditiveCheck<euclidean::Perturbed<in_rationals>>(arrays, sites).run();
-        case Metric::power:
-            break;
-    }
-    if (sites.third_is_weight()) return PowerCheck<power::Site>(arrays, sites).run();
-    return PowerCheck<Site>(arrays, sites).run();
+        return invalid("the tessellation takes the third numbers of sites for " +
+                       std::string(name_of(arrays.weight_is)) + "s, the input does not");
+    if (sites.third_is_weight() && !traits_of(arrays.metric).has_weights)
+        return invalid("sites of the " + std::string(name_of(arrays.metric)) +
+                       " metric have radii, not weights");
+    return with_metric(arrays.metric,
+                       [&](auto metric) { return check(metric, arrays, sites, options); });
 }
 
 }  // namespace signum

@@ -1,6 +1,11 @@
 #pragma once
-/// Certifies a tessellation from scratch, whoever made it, with the multiprecision kernel alone.
+/// Certifies a tessellation from scratch, whoever made it. Signs are believed where a
+/// floating-point filter proves them, otherwise in rationals; no stage between on which
+/// constructions rely is.
 
+#include <cstdint>
+#include <functional>
+#include <stop_token>
 #include <string>
 
 #include "../core/strided_sites.hpp"
@@ -17,6 +22,15 @@ struct Validation {
     /// What is wrong and where (face, site), empty where nothing is: first the reason for not being
     /// valid, otherwise the reason for not being canonical.
     std::string message;
+    std::uint64_t filtered = 0;        ///< questions that floating-point filters decided
+    std::uint64_t multiprecision = 0;  ///< questions that took rationals
+};
+
+struct ValidationOptions {
+    /// Checked every few thousand faces; a stopped validation throws Stopped.
+    std::stop_token stop = {};
+    /// Called now and then with the share of the work done, from 0 to 1, by the calling thread.
+    std::function<void(double)> progress = {};
 };
 
 /// Checks that the arrays are a tessellation of the sites in their metric: adjacency and Euler's
@@ -25,7 +39,12 @@ struct Validation {
 /// to the site it names. The arrays may be in any order and hold any numbers; `neighbours` may be
 /// empty where no two sites share several edges. In the metrics with additive weights a vertex must
 /// exist under the tie rule: one that would only under another choice counts as wrong. Throws
-/// std::invalid_argument for a site that is not finite. O(n log n).
-[[nodiscard]] Validation validate(const TessellationArrays& arrays, StridedSites sites);
+/// std::invalid_argument for a site that is not finite.
+///
+/// O(n log n) where few sites are as near to a hidden one's centre as the site that hides it. Sites
+/// in general position take no longer than their construction; ties are decided in rationals, and a
+/// grid takes some ten (power) to a hundred times as long. Source: the heads of check/*.hpp.
+[[nodiscard]] Validation validate(const TessellationArrays& arrays, StridedSites sites,
+                                  const ValidationOptions& options = {});
 
 }  // namespace signum

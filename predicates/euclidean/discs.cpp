@@ -120,9 +120,14 @@ Decision reaches_farther(Stages stages, const Site& a, const Site& b, bool a_pre
             return (Number(a.x) + Number(a.r)) - (Number(b.x) + Number(b.r));
         },
         [&]() -> Decision {
+            if (stages == Stages::multiprecision) {
+                using exact::to_rational;
+                const exact::Rational difference =
+                    to_rational(a.x) + to_rational(a.r) - to_rational(b.x) - to_rational(b.r);
+                return {exact::sign(difference), Stage::multiprecision};
+            }
             const double terms[] = {a.x, a.r, -b.x, -b.r};
-            return {sign_of_sum(terms),
-                    stages == Stages::multiprecision ? Stage::multiprecision : Stage::exact};
+            return {sign_of_sum(terms), Stage::exact};
         });
     if (decision.sign != 0) return decision;
     return {a_precedes_b ? 1 : -1, decision.stage, true};

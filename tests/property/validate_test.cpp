@@ -644,6 +644,47 @@ TEST(ValidateShapes, SitesThatAreNotFinite) {
     EXPECT_THROW((void)validate(t, std::vector<Site>{{0, HUGE_VAL, 0}}), std::invalid_argument);
 }
 
+// ---- watching ----------------------------------------------------------------------------------
+
+class ValidateWatched : public testing::TestWithParam<Metric> {
+ protected:
+    std::vector<Site> sites = [] {
+        Random random(3);
+        std::vector<Site> drawn(20000);
+        for (Site& site : drawn) site = {random.real(), random.real(), 0.02 * random.real()};
+        return drawn;
+    }();
+    TessellationArrays arrays = triangulate(sites, GetParam()).arrays();
+};
+
+TEST_P(ValidateWatched, SaysHowFarItHasCome) {
+    std::vector<double> shares;
+    const Validation v =
+        validate(arrays, sites, {.progress = [&](double share) { shares.push_back(share); }});
+    EXPECT_TRUE(v.canonical) << v.message;
+    ASSERT_GT(shares.size(), 5U);
+    EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+    EXPECT_GT(shares.front(), 0.0);
+    EXPECT_LT(shares.front(), 0.2);
+    EXPECT_GT(shares.back(), 0.8);
+    EXPECT_LE(shares.back(), 1.0);
+}
+
+TEST_P(ValidateWatched, StopsWhereItIsAskedTo) {
+    std::stop_source source;
+    int calls = 0;
+    const ValidationOptions options = {.stop = source.get_token(), .progress = [&](double) {
+                                           if (++calls == 3) source.request_stop();
+                                       }};
+    EXPECT_THROW((void)validate(arrays, sites, options), Stopped);
+    EXPECT_EQ(calls, 3);
+}
+
+INSTANTIATE_TEST_SUITE_P(, ValidateWatched, testing::ValuesIn(all_metrics),
+                         [](const testing::TestParamInfo<Metric>& info) {
+                             return std::string(name_of(info.param));
+                         });
+
 // ---- garbage -----------------------------------------------------------------------------------
 
 TEST(ValidateGarbage, RandomArrays) {

@@ -444,6 +444,29 @@ TEST_F(Tool, Generates) {
         "1.5, -2e-3 or 0x1.8p-3\n");
 }
 
+/// What fails its check is nowhere: the file asked for keeps its old contents.
+TEST_F(Tool, WritesNothingThatFailsItsCheck) {
+    const std::string input = scratch.path("circle.txt");
+    ASSERT_EQ(run({"generate", "circle", "-n", "300", "-o", input}).code, 0);
+    const std::string json = scratch.file("a.json", "old");
+    const std::size_t before = scratch.size();
+    for (const char* metric : {"power", "euclidean"}) {
+        Words words = {"triangulate",  input,    "--metric", metric,
+                       "--arithmetic", "single", "--check"};
+        const Outcome printed = run(words);
+        EXPECT_EQ(printed.code, 1) << printed.err;
+        EXPECT_EQ(printed.out, "");
+        words.insert(words.end(), {"-o", json, "-o", scratch.path("a.csv")});
+        const Outcome written = run(words);
+        EXPECT_EQ(written.code, 1);
+        EXPECT_TRUE(written.err.starts_with("signum: --check: not valid: ")) << written.err;
+        EXPECT_TRUE(written.err.ends_with("; nothing is written, without --check it would be\n"))
+            << written.err;
+        EXPECT_EQ(contents(json), "old");
+        EXPECT_EQ(scratch.size(), before);
+    }
+}
+
 TEST_F(Tool, Validates) {
     const std::string json = scratch.path("a.json");
     ASSERT_EQ(run(triangulate({"-o", json, "--quiet"})).code, 0);

@@ -26,19 +26,21 @@
 #include <vector>
 
 #include "../insertion/edge_interior.hpp"
-#include "../insertion/hiders.hpp"
 #include "../kernels/additive_kernel.hpp"
 #include "../structure/tie_order.hpp"
 #include "arrays_check.hpp"
+#include "judging.hpp"
+#include "near_sites.hpp"
 
 namespace signum::triangulation {
 
-/// Predicates: those of the metric in rationals.
-template <class Predicates>
+/// Predicates: those of the metric, as a judge asks them. Distance: see near_sites.hpp.
+template <class Predicates, class Distance>
 class AdditiveCheck : private ArraysCheck {
  public:
-    AdditiveCheck(const TessellationArrays& arrays, const StridedSites& sites)
-        : ArraysCheck(arrays, sites.size()) {
+    AdditiveCheck(const TessellationArrays& arrays, const StridedSites& sites,
+                  const ValidationOptions& options)
+        : ArraysCheck(arrays, sites.size(), options, 4) {
         for (const Site& site : load<Site>(sites)) site_.push_back({site, 0});
         std::vector<Index> numbers(sites.size());
         std::iota(numbers.begin(), numbers.end(), 0);
@@ -47,11 +49,15 @@ class AdditiveCheck : private ArraysCheck {
     }
 
     [[nodiscard]] Validation run() {
-        return judgement([this] {
+        Validation result = judgement([this] {
             check_sites();
-            connect();
+            if (must_find_neighbours()) {
+                connect_unique([](const Edge&) { return true; });
+            } else {
+                connect();
+            }
             if (visible_ >= 2) {
-                check_sphere();
+                check_infinity();
                 check_vertices();
                 check_edges();
                 check_hull();
@@ -59,127 +65,40 @@ class AdditiveCheck : private ArraysCheck {
             check_hidden();
             check_canonical_order();
         });
+        const auto& stages = kernel_.tally().stages;
+        result.filtered = stages[static_cast<int>(Stage::filter)] + intervals_;
+        result.multiprecision = stages[static_cast<int>(Stage::multiprecision)];
+        return result;
     }
 
  private:
     using Kernel = AdditiveKernel<Predicates, Arithmetic::multiprecision, filters::Tally>;
 
-    static void require(bool holds, const std::string& why) {
-        if (!holds) throw Invalid{why};
-    }
-
     /// Throws if the question is answered yes; where nothing but the tie rule does so, notes it.
-    /// Whether the answer is no.
-    template <class Question>
-    bool forbid(Question question, const std::string& why) {
+    /// Whether the answer is no. Reasons are given by a function, for they are seldom needed.
+    template <class Question, class Why>
+    bool forbid(Question question, Why why) {
         const auto before = kernel_.tally().ties;
-        if (!question()) return true;
-        require(kernel_.tally().ties != before, why);
-        note("by the tie rule " + why);
+        if (!question()) [[likely]]
+            return true;
+        if (kernel_.tally().ties == before) throw Invalid{why()};
+        note("by the tie rule " + why());
         return false;
-    }
-
-    /// Glues the faces as their neighbours say; two sites may share several edges. Without
-    /// neighbours the edges must be unique.
-    void connect() {
-        topology_ = Topology(sites_);
-        for (const Face& v : arrays_.faces) topology_.add_face(v[0], v[1], v[2]);
-        if (arrays_.neighbours.empty() && faces() > 0) {
-            note("the neighbours are missing");
-            connect_unique();
-            return;
-        }
-        if (arrays_.neighbours.size() != arrays_.faces.size())
-            throw Invalid{"there are " + std::to_string(arrays_.faces.size()) + " faces, but " +
-                          std::to_string(arrays_.neighbours.size()) + " triples of neighbours"};
-        for (Index f = 0; f < faces(); ++f)
-            for (unsigned k = 0; k < 3; ++k) {
-                const Index g = arrays_.neighbours[at(f)][k];
-                const HalfEdge h = Topology::first_edge(f) + (k + 1) % 3;
-                topology_.glue(h, edge_of_neighbour(f, k, g, h));
-            }
-    }
-
-    /// The edge of face g that is h, backwards; g must say so too.
-    [[nodiscard]] HalfEdge edge_of_neighbour(Index f, unsigned k, Index g, HalfEdge h) const {
-        if (g >= 0 && g < faces())
-            for (unsigned m = 0; m < 3; ++m) {
-                const HalfEdge back = Topology::first_edge(g) + (m + 1) % 3;
-                if (arrays_.neighbours[at(g)][m] == f && topology_.origin(back) == target(h) &&
-                    target(back) == topology_.origin(h))
-                    return back;
-            }
-        throw Invalid{face_name(f) + ": neighbour " + std::to_string(k) + " is given as " +
-                      std::to_string(g) + ", which does not share the edge"};
-    }
-    [[nodiscard]] Index target(HalfEdge h) const { return topology_.origin(Topology::next(h)); }
-
-    void connect_unique() {
-        std::vector<std::pair<Edge, HalfEdge>> edges;
-        for (Index f = 0; f < faces(); ++f)
-            for (unsigned k = 0; k < 3; ++k) {
-                const HalfEdge h = Topology::first_edge(f) + k;
-                edges.push_back({{topology_.origin(h), target(h)}, h});
-            }
-        std::sort(edges.begin(), edges.end());
-        for (std::size_t e = 0; e < edges.size(); ++e) {
-            const auto [from, to] = edges[e].first;
-            const std::string which = "the edge from " + name(from) + " to " + name(to);
-            if (e > 0 && edges[e - 1].first == edges[e].first)
-                throw Invalid{which + " occurs twice: only neighbours can tell which is which"};
-            const auto back = std::lower_bound(edges.begin(), edges.end(),
-                                               std::pair(Edge{to, from}, HalfEdge{0}));
-            if (back == edges.end() || back->first != Edge{to, from})
-                throw Invalid{face_name(Topology::face(edges[e].second)) + ": " + which +
-                              " belongs to one face only"};
-            topology_.glue(edges[e].second, back->second);
-        }
-    }
-
-    /// The faces at every vertex are one cycle, and all faces hang together.
-    void check_sphere() {
-        std::vector<Index> degree(sites_ + 1, 0);  // infinity's comes first
-        std::vector<HalfEdge> spoke(sites_ + 1, 0);
-        for (Index f = 0; f < faces(); ++f)
-            for (unsigned k = 0; k < 3; ++k) {
-                const HalfEdge h = Topology::first_edge(f) + k;
-                ++degree[at(topology_.origin(h) + 1)];
-                spoke[at(topology_.origin(h) + 1)] = h;
-            }
-        if (degree[0] == 0) throw Invalid{"infinity is no vertex"};
-        for (std::size_t v = 0; v < degree.size(); ++v)
-            if (degree[v] != 0 && degree_at(spoke[v]) != degree[v])
-                throw Invalid{"the faces at " + name(static_cast<Index>(v) - 1) +
-                              " are not one cycle"};
-        std::vector<char> seen(at(faces()), 0);
-        std::vector<Index> pending = {0};
-        seen[0] = 1;
-        std::size_t count = 0;
-        while (!pending.empty()) {
-            const Index f = pending.back();
-            pending.pop_back();
-            ++count;
-            for (unsigned k = 0; k < 3; ++k) {
-                const Index g = Topology::face(topology_.twin(Topology::first_edge(f) + k));
-                if (std::exchange(seen[at(g)], 1) == 0) pending.push_back(g);
-            }
-        }
-        if (count != at(faces())) throw Invalid{"the faces do not hang together"};
     }
 
     /// Every face has its vertex: a circle that touches the three, or at infinity two sites of
     /// which neither hides the other.
     void check_vertices() {
-        for (Index f = 0; f < faces(); ++f) {
+        for (Index f = 0; f < faces(); ++f, advance()) {
             const Face& v = face(f);
             if (topology_.is_infinite(f)) {
                 const HalfEdge h = topology_.finite_edge(f);
-                require(!kernel_.hides(topology_.origin(h), topology_.target(h)) &&
-                            !kernel_.hides(topology_.target(h), topology_.origin(h)),
-                        face_name(f) + " joins a site to one it hides");
-            } else {
-                require(kernel_.exists(v[0], v[1], v[2]),
-                        "no circle touches the sites of " + face_name(f) + " counterclockwise");
+                if (kernel_.hides(topology_.origin(h), topology_.target(h)) ||
+                    kernel_.hides(topology_.target(h), topology_.origin(h)))
+                    throw Invalid{face_name(f) + " joins a site to one it hides"};
+            } else if (!kernel_.exists(v[0], v[1], v[2])) {
+                throw Invalid{"no circle touches the sites of " + face_name(f) +
+                              " counterclockwise"};
             }
         }
     }
@@ -188,7 +107,7 @@ class AdditiveCheck : private ArraysCheck {
     /// between them the bisector does not pass through infinity.
     void check_edges() {
         for (Index f = 0; f < faces(); ++f)
-            for (unsigned side = 0; side < 3; ++side) {
+            for (unsigned side = 0; side < 3; ++side, advance()) {
                 const HalfEdge h = Topology::first_edge(f) + side;
                 const Index across = Topology::face(topology_.twin(h));
                 const Index i = topology_.origin(h);
@@ -196,12 +115,13 @@ class AdditiveCheck : private ArraysCheck {
                 const Index k = topology_.apex(h);
                 const Index l = topology_.apex(topology_.twin(h));
                 const bool apart =
-                    k == l || forbid([&] { return extended_.conflicts(i, j, k, l); },
-                                     name(l) + " is in conflict with " + face_name(f));
-                if (apart && i < j && i != infinite && k != infinite && l != infinite)
-                    require(runs_forward(i, j, k, l), "the edge of " + face_name(f) + " and " +
-                                                          face_name(across) +
-                                                          " would pass through infinity");
+                    k == l ||
+                    forbid([&] { return extended_.conflicts(i, j, k, l); },
+                           [&] { return name(l) + " is in conflict with " + face_name(f); });
+                if (apart && i < j && i != infinite && k != infinite && l != infinite &&
+                    !runs_forward(i, j, k, l))
+                    throw Invalid{"the edge of " + face_name(f) + " and " + face_name(across) +
+                                  " would pass through infinity"};
             }
     }
 
@@ -225,33 +145,34 @@ class AdditiveCheck : private ArraysCheck {
                     turns += static_cast<int>(kernel_.holds_first_direction(
                         topology_.apex(h), topology_.target(h), topology_.apex(topology_.twin(h))));
             }
-        require(turns == 1, "the hull turns " + std::to_string(turns) + " times");
+        if (turns != 1) throw Invalid{"the hull turns " + std::to_string(turns) + " times"};
     }
 
-    /// Every hidden site is hidden by the visible one nearest to its centre. Cells are star-shaped:
-    /// a site that has no nearer neighbour is the nearest.
+    /// Every hidden site is hidden by the visible one nearest to its centre.
     void check_hidden() {
         if (arrays_.hidden.empty()) return;
-        const std::vector<Index> face_of = faces_of_vertices(topology_, sites_);
+        const auto site_of = [this](Index i) -> const Site& { return kernel_.site(i); };
+        NearSites<Distance> visible(visible_sites(), site_of);
         for (const Hidden& hidden : arrays_.hidden) {
-            const Index q = hidden.site;
-            if (!kernel_.hides(hidden.by, q)) {
-                require(kernel_.hides_if_first(hidden.by, q),
-                        name(hidden.by) + " does not hide " + name(q));
-                note("by the tie rule " + name(hidden.by) + " does not hide " + name(q));
+            const auto [q, by] = hidden;
+            if (!kernel_.hides(by, q)) {
+                if (!kernel_.hides_if_first(by, q))
+                    throw Invalid{name(by) + " does not hide " + name(q)};
+                note("by the tie rule " + name(by) + " does not hide " + name(q));
             }
-            const Index f = face_of[at(hidden.by)];
-            if (f < 0) continue;
-            for (const HalfEdge h : topology_.fan(topology_.spoke(f, hidden.by))) {
-                const Index v = topology_.target(h);
-                if (v != infinite)
-                    forbid([&] { return kernel_.is_nearer(q, v, hidden.by); },
-                           name(v) + " is nearer to the centre of " + name(q) + " than " +
-                               name(hidden.by) + ", which is said to hide it");
-            }
+            intervals_ += visible.visit_near(kernel_.centre(q), site_of(by), [&](Index v) {
+                if (v != by)
+                    forbid([&] { return kernel_.is_nearer(q, v, by); },
+                           [&] {
+                               return name(v) + " is nearer to the centre of " + name(q) +
+                                      " than " + name(by) + ", which is said to hide it";
+                           });
+            });
+            advance();
         }
     }
 
+    std::uint64_t intervals_ = 0;  // questions that intervals decided
     std::vector<RankedSite> site_;
     Kernel kernel_{nullptr};
     ExtendedKernel<Kernel> extended_{kernel_};

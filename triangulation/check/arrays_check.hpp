@@ -5,10 +5,12 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "../../core/strided_sites.hpp"
 #include "../structure/topology.hpp"
+#include "../structure/watch.hpp"
 #include "../tessellation.hpp"
 #include "../validate.hpp"
 
@@ -44,18 +46,30 @@ template <class S>
 /// but not the canonical choice is noted.
 class ArraysCheck {
  protected:
-    ArraysCheck(const TessellationArrays& arrays, std::size_t sites)
-        : arrays_(arrays), sites_(sites) {}
+    /// Predicates are asked in `passes` of the faces, and once over the hidden sites.
+    ArraysCheck(const TessellationArrays& arrays, std::size_t sites,
+                const ValidationOptions& options, std::size_t passes)
+        : arrays_(arrays),
+          sites_(sites),
+          watch_(options.stop, options.progress,
+                 passes * arrays.faces.size() + arrays.hidden.size()) {}
+
+    /// One more face, or hidden site, is done.
+    void advance() { watch_.at(++done_); }
 
     /// The judgement of the checks that `all` makes.
     template <class Checks>
     [[nodiscard]] Validation judgement(Checks all) {
+        Validation result;
         try {
             all();
+            result.valid = true;
+            result.canonical = not_canonical_.empty();
+            result.message = not_canonical_;
         } catch (const Invalid& invalid) {
-            return {false, false, invalid.why};
+            result.message = invalid.why;
         }
-        return {true, not_canonical_.empty(), not_canonical_};
+        return result;
     }
 
     [[nodiscard]] static std::string face_name(Index f) { return "face " + std::to_string(f); }
@@ -112,11 +126,88 @@ class ArraysCheck {
                           std::to_string(expected) + " faces, not " + std::to_string(faces())};
     }
 
-    /// The number of half-edges out of the origin of h.
-    [[nodiscard]] Index degree_at(HalfEdge h) const {
-        Index count = 0;
-        for ([[maybe_unused]] const HalfEdge of : topology_.fan(h)) ++count;
-        return count;
+    /// Glues the faces as their neighbours say; two sites may share several edges.
+    void connect() {
+        topology_ = Topology(sites_);
+        for (const Face& v : arrays_.faces) topology_.add_face(v[0], v[1], v[2]);
+        if (arrays_.neighbours.size() != arrays_.faces.size())
+            throw Invalid{"there are " + std::to_string(arrays_.faces.size()) + " faces, but " +
+                          std::to_string(arrays_.neighbours.size()) + " triples of neighbours"};
+        for (Index f = 0; f < faces(); ++f)
+            for (unsigned k = 0; k < 3; ++k) {
+                const Index g = arrays_.neighbours[at(f)][k];
+                const HalfEdge h = Topology::first_edge(f) + (k + 1) % 3;
+                topology_.glue(h, edge_of_neighbour(f, k, g, h));
+            }
+    }
+
+    /// The sites that are not said to be hidden.
+    [[nodiscard]] std::vector<Index> visible_sites() const {
+        std::vector<char> is_hidden(sites_, 0);
+        for (const Hidden& hidden : arrays_.hidden) is_hidden[at(hidden.site)] = 1;
+        std::vector<Index> result;
+        for (std::size_t i = 0; i < sites_; ++i)
+            if (is_hidden[i] == 0) result.push_back(static_cast<Index>(i));
+        return result;
+    }
+
+    /// Whether the neighbours are missing, which is noted.
+    [[nodiscard]] bool must_find_neighbours() {
+        if (!arrays_.neighbours.empty() || faces() == 0) return false;
+        note("the neighbours are missing");
+        return true;
+    }
+
+    /// Glues faces without neighbours along those edges, each of which must be unique, that
+    /// `belongs` says.
+    template <class Belongs>
+    void connect_unique(Belongs belongs) {
+        topology_ = Topology(sites_);
+        for (const Face& v : arrays_.faces) topology_.add_face(v[0], v[1], v[2]);
+        std::vector<std::pair<Edge, HalfEdge>> edges;
+        for (Index f = 0; f < faces(); ++f)
+            for (unsigned k = 0; k < 3; ++k) {
+                const HalfEdge h = Topology::first_edge(f) + k;
+                const Edge edge = {topology_.origin(h), topology_.target(h)};
+                if (belongs(edge)) edges.push_back({edge, h});
+            }
+        std::sort(edges.begin(), edges.end());
+        for (std::size_t e = 0; e < edges.size(); ++e) {
+            const auto [from, to] = edges[e].first;
+            const auto which = [from = from, to = to] {
+                return "the edge from " + name(from) + " to " + name(to);
+            };
+            if (e > 0 && edges[e - 1].first == edges[e].first)
+                throw Invalid{which() + " occurs twice: only neighbours can tell which is which"};
+            const auto back = std::lower_bound(edges.begin(), edges.end(),
+                                               std::pair(Edge{to, from}, HalfEdge{0}));
+            if (back == edges.end() || back->first != Edge{to, from})
+                throw Invalid{face_name(Topology::face(edges[e].second)) + ": " + which() +
+                              " belongs to one face only"};
+            topology_.glue(edges[e].second, back->second);
+        }
+    }
+
+    /// The faces at infinity are one cycle.
+    ///
+    /// Together with Euler's count and what is shown of the faces in a metric, this makes them a
+    /// sphere. Think of a vertex where they were several cycles as of so many vertices. Then the
+    /// faces are closed surfaces, and each of them has infinity among its vertices: mapped to the
+    /// plane with every face in its orientation, a closed surface cannot leave infinity out. So
+    /// there is one surface. Its Euler characteristic, which is at most 2, is 2 and one more for
+    /// each vertex that was thought to be several: there are none.
+    void check_infinity() const {
+        Index degree = 0;
+        HalfEdge spoke = 0;
+        for (Index f = 0; f < faces(); ++f)
+            for (unsigned k = 0; k < 3; ++k)
+                if (face(f)[k] == infinite) {
+                    ++degree;
+                    spoke = Topology::first_edge(f) + k;
+                }
+        if (degree == 0) throw Invalid{"infinity is no vertex"};
+        for ([[maybe_unused]] const HalfEdge h : topology_.fan(spoke)) --degree;
+        if (degree != 0) throw Invalid{"the faces at infinity are not one cycle"};
     }
 
     /// The arrays as the library itself would write them.
@@ -138,6 +229,22 @@ class ArraysCheck {
     Index visible_ = 0;
 
  private:
+    /// The edge of face g that is h, backwards; g must say so too.
+    [[nodiscard]] HalfEdge edge_of_neighbour(Index f, unsigned k, Index g, HalfEdge h) const {
+        if (g >= 0 && g < faces())
+            for (unsigned m = 0; m < 3; ++m) {
+                const HalfEdge back = Topology::first_edge(g) + (m + 1) % 3;
+                if (arrays_.neighbours[at(g)][m] == f &&
+                    topology_.origin(back) == topology_.target(h) &&
+                    topology_.target(back) == topology_.origin(h))
+                    return back;
+            }
+        throw Invalid{face_name(f) + ": neighbour " + std::to_string(k) + " is given as " +
+                      std::to_string(g) + ", which does not share the edge"};
+    }
+
+    Watch watch_;
+    std::size_t done_ = 0;
     std::string not_canonical_;
 };
 

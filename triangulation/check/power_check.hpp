@@ -1,56 +1,56 @@
 #pragma once
-/// The check of power triangulations, with the multiprecision kernel alone.
+/// The check of power triangulations.
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
 #include <vector>
 
 #include "../insertion/hiders.hpp"
-#include "../kernels/power_kernel.hpp"
+#include "../structure/tie_order.hpp"
 #include "arrays_check.hpp"
+#include "judging.hpp"
+#include "near_sites.hpp"
 
 namespace signum::triangulation {
-
-/// A directed edge of a face, from its smaller to its larger end or back.
-struct DirectedEdge {
-    Index from;
-    Index to;
-    HalfEdge half_edge;
-    friend bool operator<(const DirectedEdge& a, const DirectedEdge& b) noexcept {
-        return std::pair(a.from, a.to) < std::pair(b.from, b.to);
-    }
-};
 
 /// The checks in their order; each may rely on those before.
 ///
 /// Why they suffice: counterclockwise faces whose interior stars wind once, inside a convex polygon
 /// that winds once, with Euler's count, cover the hull exactly once (the angles at the hull add up
-/// to those of the polygon only if every hull star winds as it should). A triangulation of the hull
-/// that is regular across each edge is regular. The cell of a site is bounded by its neighbours'
-/// alone, so that what is nearest among them is nearest of all.
-template <power::PowerSite S>
+/// to those of the polygon only if every hull star winds as it should). A closed surface without
+/// infinity would be made of counterclockwise faces alone, whose areas add up to 0: there is none.
+/// A triangulation of the hull that is regular across each edge is regular.
+/// Predicates: see judging::PowerPredicates. Distance: see near_sites.hpp.
+template <power::PowerSite S, class Predicates, class Distance>
 class PowerCheck : private ArraysCheck {
  public:
-    PowerCheck(const TessellationArrays& arrays, const StridedSites& sites)
-        : ArraysCheck(arrays, sites.size()), site_(load<S>(sites)), numbers_(sites.size()) {
-        for (std::size_t i = 0; i < numbers_.size(); ++i) numbers_[i] = static_cast<Index>(i);
+    PowerCheck(const TessellationArrays& arrays, const StridedSites& sites,
+               const ValidationOptions& options)
+        : ArraysCheck(arrays, sites.size(), options, 2), site_(load<S>(sites)) {
+        std::vector<RankedSite> ranked(site_.size());
+        std::vector<Index> numbers(site_.size());
+        for (std::size_t i = 0; i < site_.size(); ++i) {
+            ranked[i] = {{site_[i].x, site_[i].y, power::weight_key(site_[i])}, 0};
+            numbers[i] = static_cast<Index>(i);
+        }
+        rank(ranked, numbers);
+        for (const RankedSite& site : ranked) rank_.push_back(site.rank);
     }
 
     [[nodiscard]] Validation run() {
-        return judgement([this] {
+        Validation result = judgement([this] {
             check_sites();
+            is_line_ = std::all_of(arrays_.faces.begin(), arrays_.faces.end(), [](const Face& v) {
+                return v[0] == infinite || v[1] == infinite || v[2] == infinite;
+            });
+            glue();
             if (visible_ >= 2) {
-                is_line_ =
-                    std::all_of(arrays_.faces.begin(), arrays_.faces.end(), [](const Face& v) {
-                        return v[0] == infinite || v[1] == infinite || v[2] == infinite;
-                    });
-                connect();
-            }
-            check_neighbours();
-            if (visible_ >= 2) {
+                check_infinity();
                 if (is_line_) {
                     check_line();
                 } else {
-                    check_orientation();
                     check_stars();
                     check_hull();
                     check_edges();
@@ -59,39 +59,41 @@ class PowerCheck : private ArraysCheck {
             check_hidden();
             check_canonical_order();
         });
+        result.filtered = tally_.stages[static_cast<int>(Stage::filter)] + intervals_;
+        result.multiprecision = tally_.stages[static_cast<int>(Stage::multiprecision)];
+        return result;
     }
 
  private:
-    using Kernel = PowerKernel<S, Arithmetic::multiprecision, filters::NoTally>;
-
     [[nodiscard]] const S& site(Index i) const { return site_[at(i)]; }
+    /// The site's three numbers, whatever the third is.
+    [[nodiscard]] signum::Site plain(Index i) const {
+        const auto [x, y, third] = site(i);
+        return {x, y, third};
+    }
+    [[nodiscard]] Point centre(Index i) const { return power::centre(site(i)); }
+    [[nodiscard]] bool precedes(Index a, Index b) const { return rank_[at(a)] < rank_[at(b)]; }
 
-    /// Glues the faces along their edges. In the power metric an edge between two sites is unique;
-    /// only sites on a line have two edges to infinity, which neighbours along the line share in
-    /// pairs.
-    void connect() {
-        topology_ = Topology(sites_);
-        std::vector<DirectedEdge> edges;
-        for (Index f = 0; f < faces(); ++f) {
-            const Face& v = face(f);
-            topology_.add_face(v[0], v[1], v[2]);
-            for (unsigned k = 0; k < 3; ++k)
-                edges.push_back({v[k], v[(k + 1) % 3], Topology::first_edge(f) + k});
+    Sign count(const Decision& decision) {
+        tally_.count_stage(decision.stage);
+        return decision.sign;
+    }
+    [[nodiscard]] Sign ccw(Index a, Index b, Index c) {
+        return count(Predicates::ccw(site(a), site(b), site(c)));
+    }
+
+    /// Along the edges where there are no neighbours. In the power metric an edge between two sites
+    /// is unique; only sites on a line have two edges to infinity, which neighbours along the line
+    /// share in pairs.
+    void glue() {
+        if (!must_find_neighbours()) {
+            connect();
+        } else {
+            connect_unique([this](const Edge& edge) {
+                return !is_line_ || (edge[0] != infinite && edge[1] != infinite);
+            });
+            if (is_line_) connect_line_at_infinity();
         }
-        std::sort(edges.begin(), edges.end());
-        for (std::size_t i = 0; i < edges.size(); ++i) {
-            const DirectedEdge& edge = edges[i];
-            const auto [first, last] =
-                std::equal_range(edges.begin(), edges.end(), DirectedEdge{edge.to, edge.from, 0});
-            const bool multiple = i > 0 && !(edges[i - 1] < edge);
-            if (is_line_ && (edge.from == infinite || edge.to == infinite)) continue;
-            if (multiple || last - first != 1)
-                throw Invalid{face_name(Topology::face(edge.half_edge)) + ": the edge from " +
-                              name(edge.from) + " to " + name(edge.to) + " belongs to " +
-                              (first == last ? "one face only" : "more than two faces")};
-            topology_.glue(edge.half_edge, first->half_edge);
-        }
-        if (is_line_) connect_line_at_infinity();
     }
 
     /// Around a site inside the line: two faces on each side, glued where they meet; around an end:
@@ -117,77 +119,36 @@ class PowerCheck : private ArraysCheck {
             }
     }
 
-    /// The neighbours that the arrays give, where they give any, are those across the edges.
-    void check_neighbours() {
-        if (arrays_.neighbours.empty() && faces() > 0) {
-            note("the neighbours are missing");
-            return;
-        }
-        if (arrays_.neighbours.size() != arrays_.faces.size())
-            throw Invalid{"there are " + std::to_string(arrays_.faces.size()) + " faces, but " +
-                          std::to_string(arrays_.neighbours.size()) + " triples of neighbours"};
-        for (Index f = 0; f < faces(); ++f)
-            for (unsigned k = 0; k < 3; ++k) {
-                const HalfEdge opposite = Topology::first_edge(f) + (k + 1) % 3;
-                const Index across = Topology::face(topology_.twin(opposite));
-                if (arrays_.neighbours[at(f)][k] != across)
-                    throw Invalid{face_name(f) + ": neighbour " + std::to_string(k) +
-                                  " is given as " + std::to_string(arrays_.neighbours[at(f)][k]) +
-                                  ", but face " + std::to_string(across) + " shares the edge"};
-            }
-    }
-
-    /// Every finite face is counterclockwise.
-    void check_orientation() {
-        for (Index f = 0; f < faces(); ++f)
-            if (!topology_.is_infinite(f) && kernel_.ccw(face(f)[0], face(f)[1], face(f)[2]) <= 0)
-                throw Invalid{face_name(f) + " is not counterclockwise"};
-    }
-
-    /// The faces at each site form one cycle; where infinity is not among them they wind once.
+    /// Every finite face is counterclockwise, and where infinity is not among the faces at a site
+    /// they wind once: the spokes turn from below it to above it, counterclockwise, in one face.
+    /// The star of a site on the hull is checked with the hull.
     void check_stars() {
-        std::vector<Index> degree(sites_, 0);
-        std::vector<HalfEdge> spoke(sites_, 0);
-        Index hull_edges = 0;
-        HalfEdge hull_spoke = 0;
-        for (Index f = 0; f < faces(); ++f)
-            for (unsigned k = 0; k < 3; ++k) {
-                const HalfEdge h = Topology::first_edge(f) + k;
-                const Index v = topology_.origin(h);
-                if (v == infinite) {
-                    ++hull_edges;
-                    hull_spoke = h;
-                } else {
-                    ++degree[at(v)];
-                    spoke[at(v)] = h;
-                }
+        std::vector<Index> turns(sites_, 0);
+        std::vector<char> on_hull(sites_, 0);
+        for (Index f = 0; f < faces(); ++f, advance()) {
+            const Face& v = face(f);
+            if (topology_.is_infinite(f)) {
+                for (const Index i : v)
+                    if (i != infinite) on_hull[at(i)] = 1;
+                continue;
             }
-        if (hull_edges != degree_at(hull_spoke)) throw Invalid{"the hull is not one cycle"};
-        for (Index v = 0; v < static_cast<Index>(sites_); ++v) {
-            if (degree[at(v)] == 0) continue;
-            if (degree_at(spoke[at(v)]) != degree[at(v)])
-                throw Invalid{"the faces at " + name(v) + " are not one cycle"};
-            const int turns = winding(v, spoke[at(v)]);
-            if (turns != 1)
-                throw Invalid{"the faces at " + name(v) + " wind " + std::to_string(turns) +
-                              " times around it"};
+            if (ccw(v[0], v[1], v[2]) <= 0)
+                throw Invalid{face_name(f) + " is not counterclockwise"};
+            for (std::size_t k = 0; k < 3; ++k) {
+                const Index next = v[(k + 1) % 3];
+                turns[at(v[k])] +=
+                    static_cast<Index>(!rises(v[k], next) && rises(v[k], v[(k + 2) % 3]));
+            }
         }
+        for (std::size_t i = 0; i < sites_; ++i)
+            if (turns[i] > 1 && on_hull[i] == 0)
+                throw Invalid{"the faces at " + name(static_cast<Index>(i)) + " wind " +
+                              std::to_string(turns[i]) + " times around it"};
     }
 
-    /// How often the spokes of a site turn from below it to above it, counterclockwise; 1 for a
-    /// site on the hull, whose star is checked with the hull.
-    [[nodiscard]] int winding(Index v, HalfEdge first) const {
-        const auto above = [&](Index u) {
-            return site(u).y != site(v).y ? site(u).y > site(v).y : site(u).x > site(v).x;
-        };
-        int turns = 0;
-        for (const HalfEdge h : topology_.fan(first)) {
-            const Index u = topology_.target(h);
-            const Index w = topology_.apex(h);
-            if (u == infinite || w == infinite) return 1;
-            turns += static_cast<int>(!above(u) && above(w));
-        }
-        return turns;
+    /// Whether b lies above a, or as high and farther to the right.
+    [[nodiscard]] bool rises(Index a, Index b) const {
+        return site(b).y != site(a).y ? site(b).y > site(a).y : site(b).x > site(a).x;
     }
 
     /// The hull turns left or goes straight on everywhere, and around once; where it goes straight
@@ -202,11 +163,7 @@ class PowerCheck : private ArraysCheck {
             const Index b = topology_.origin(h);
             const HalfEdge spoke = topology_.around_origin(h);  // from b to infinity
             const Index c = topology_.apex(spoke);
-            const Sign side = kernel_.ccw(a, b, c);
-            const auto rises = [&](Index from, Index to) {
-                return site(to).y != site(from).y ? site(to).y > site(from).y
-                                                  : site(to).x > site(from).x;
-            };
+            const Sign side = ccw(a, b, c);
             if (side < 0 || (side == 0 && rises(a, b) != rises(b, c)))
                 throw Invalid{"the hull turns right at " + name(b)};
             turns += static_cast<int>(!rises(a, b) && rises(b, c));
@@ -217,7 +174,7 @@ class PowerCheck : private ArraysCheck {
 
     /// No site across an edge is in conflict with the face.
     void check_edges() {
-        for (Index f = 0; f < faces(); ++f) {
+        for (Index f = 0; f < faces(); ++f, advance()) {
             if (topology_.is_infinite(f)) continue;
             for (unsigned k = 0; k < 3; ++k) {
                 const HalfEdge across = topology_.twin(Topology::first_edge(f) + k);
@@ -240,14 +197,13 @@ class PowerCheck : private ArraysCheck {
             const Index a = topology_.target(h);
             const Index b = topology_.origin(h);
             const Index c = topology_.apex(topology_.around_origin(h));
-            if (kernel_.centre(a) == kernel_.centre(b))
+            if (centre(a) == centre(b))
                 throw Invalid{face_name(f) + " joins sites with equal centres"};
             if (c == a) {
                 ++ends;
                 continue;
             }
-            if (kernel_.ccw(a, b, c) != 0 || before(kernel_.centre(a), kernel_.centre(b)) !=
-                                                 before(kernel_.centre(b), kernel_.centre(c)))
+            if (ccw(a, b, c) != 0 || before(centre(a), centre(b)) != before(centre(b), centre(c)))
                 throw Invalid{face_name(f) + " is infinite, but its sites do not follow one line"};
             judge_on_line(a, b, c);
         }
@@ -256,44 +212,88 @@ class PowerCheck : private ArraysCheck {
             for (const Index v : face(f))
                 if (v != infinite) line_.push_back(v);
         std::sort(line_.begin(), line_.end(),
-                  [&](Index i, Index k) { return before(kernel_.centre(i), kernel_.centre(k)); });
+                  [&](Index i, Index k) { return before(centre(i), centre(k)); });
         line_.erase(std::unique(line_.begin(), line_.end()), line_.end());
     }
 
     void judge(Index f, Index q) {
         const Face& v = face(f);
-        const Sign sign =
-            power::multiprecision::in_circle(site(v[0]), site(v[1]), site(v[2]), site(q));
+        const Sign sign = count(Predicates::in_circle(site(v[0]), site(v[1]), site(v[2]), site(q)));
         if (sign > 0) throw Invalid{name(q) + " is in conflict with " + face_name(f)};
-        if (sign == 0 && kernel_.conflicts(v[0], v[1], v[2], q))
+        if (sign == 0 && conflicts_by_the_rule({v[0], v[1], v[2], q}))
             note("by the tie rule " + name(q) + " is in conflict with " + face_name(f));
     }
 
+    /// Whether the last of four sites that a circle touches is in conflict with the face of the
+    /// others. Reducing a site's weight raises the determinant by an orientation of the other
+    /// three; the last site in the order for which that is not 0 decides.
+    [[nodiscard]] bool conflicts_by_the_rule(const std::array<Index, 4>& sites) {
+        const auto [i, j, k, q] = sites;
+        std::array<std::size_t, 4> order = {0, 1, 2, 3};
+        std::sort(order.begin(), order.end(),
+                  [&](std::size_t a, std::size_t b) { return precedes(sites[b], sites[a]); });
+        for (const std::size_t m : order) {
+            const Sign sign = m == 0   ? ccw(j, k, q)
+                              : m == 1 ? ccw(k, i, q)
+                              : m == 2 ? ccw(i, j, q)
+                                       : -1;
+            if (sign != 0) return sign > 0;
+        }
+        return false;
+    }
+
     void judge_on_line(Index a, Index b, Index q) {
-        const Sign sign = power::multiprecision::in_segment(site(a), site(b), site(q));
+        const Sign sign = count(Predicates::in_segment(site(a), site(b), site(q)));
+        if (sign < 0) return;
         const std::string where = name(q) + " is in conflict with the edge from " + name(a) +
                                   " to " + name(b) + " on their line";
         if (sign > 0) throw Invalid{where};
-        if (sign == 0 && kernel_.conflicts_on_line(a, b, q)) note("by the tie rule " + where);
+        const std::array<Index, 3> ranks = {rank_[at(a)], rank_[at(b)], rank_[at(q)]};
+        if (power::in_segment_tie(centre(a), centre(b), centre(q), ranks) > 0)
+            note("by the tie rule " + where);
     }
 
     /// Every hidden site lies above the tessellation, and the site it names is nearest to its
     /// centre.
     void check_hidden() {
         if (arrays_.hidden.empty()) return;
-        const std::vector<Index> face_of =
-            visible_ < 2 ? std::vector<Index>(sites_, -1) : faces_of_vertices(topology_, sites_);
-        for (const Hidden& hidden : arrays_.hidden) {
-            const Index q = hidden.site;
-            check_nearest(q, hidden.by, face_of);
+        NearSites<Distance> visible(visible_sites(), [this](Index i) { return plain(i); });
+        const std::vector<Index> face_of = faces_of_vertices(topology_, sites_);
+        std::vector<Hidden> sorted = arrays_.hidden;
+        std::sort(sorted.begin(), sorted.end(),
+                  [](const Hidden& a, const Hidden& b) { return a.by < b.by; });
+        Index hub = infinite;
+        for (const auto& [q, by] : sorted) {
+            check_nearest(q, by, visible);
             if (visible_ < 2) {
-                check_hidden_by_one(q, hidden.by);
+                check_hidden_by_one(q, by);
             } else if (is_line_) {
                 check_hidden_on_line(q);
             } else {
-                judge(containing_face(q, face_of[at(hidden.by)]), q);
+                if (by != hub) sort_star(by, face_of[at(by)]);
+                hub = by;
+                judge(containing_face(q, face_toward(by, q)), q);
             }
+            advance();
         }
+    }
+
+    /// The directions of the spokes of a site, rounded, with the faces on their left: where a walk
+    /// from the site starts, which may start anywhere.
+    void sort_star(Index v, Index face_of_v) {
+        star_.clear();
+        for (const HalfEdge h : topology_.fan(topology_.spoke(face_of_v, v)))
+            if (topology_.target(h) != infinite)
+                star_.emplace_back(direction(v, topology_.target(h)), Topology::face(h));
+        std::sort(star_.begin(), star_.end());
+    }
+    [[nodiscard]] Index face_toward(Index v, Index q) const {
+        const auto after =
+            std::upper_bound(star_.begin(), star_.end(), std::pair(direction(v, q), faces()));
+        return (after == star_.begin() ? star_.back() : *(after - 1)).second;
+    }
+    [[nodiscard]] double direction(Index from, Index to) const {
+        return std::atan2(site(to).y - site(from).y, site(to).x - site(from).x);
     }
 
     /// A face that contains the centre of q. The walk may go in circles, for a triangulation that
@@ -317,53 +317,48 @@ class PowerCheck : private ArraysCheck {
     /// The first edge of a finite face with q strictly on its right, 3 where there is none.
     [[nodiscard]] unsigned separating_edge(const Face& v, Index q) {
         unsigned k = 0;
-        while (k < 3 && kernel_.ccw(v[k], v[(k + 1) % 3], q) >= 0) ++k;
+        while (k < 3 && ccw(v[k], v[(k + 1) % 3], q) >= 0) ++k;
         return k;
     }
 
-    void check_nearest(Index q, Index by, const std::vector<Index>& face_of) {
-        const Point centre = kernel_.centre(q);
-        const Index f = face_of[at(by)];
-        if (f < 0) return;
-        for (const HalfEdge h : topology_.fan(topology_.spoke(f, by))) {
-            const Index v = topology_.target(h);
-            if (v != infinite) {
-                if (power::multiprecision::nearer(centre, site(v), site(by)) > 0)
-                    throw Invalid{name(q) + " is said to be hidden by " + name(by) + ", but " +
-                                  name(v) + " is nearer"};
-                if (kernel_.nearer(centre, v, by))
-                    note("by the tie rule " + name(q) + " is hidden by " + name(v) + ", not " +
-                         name(by));
-            }
-        }
+    void check_nearest(Index q, Index by, NearSites<Distance>& visible) {
+        intervals_ += visible.visit_near(centre(q), plain(by), [&](Index v) {
+            if (v == by) return;
+            const Sign sign = count(Predicates::nearer(centre(q), site(v), site(by)));
+            if (sign > 0)
+                throw Invalid{name(q) + " is said to be hidden by " + name(by) + ", but " +
+                              name(v) + " is nearer"};
+            if (sign == 0 && precedes(v, by))
+                note("by the tie rule " + name(q) + " is hidden by " + name(v) + ", not " +
+                     name(by));
+        });
     }
 
     void check_hidden_by_one(Index q, Index by) {
-        if (kernel_.centre(q) != kernel_.centre(by) ||
-            power::multiprecision::nearer(kernel_.centre(q), site(q), site(by)) > 0)
+        if (centre(q) != centre(by) || count(Predicates::nearer(centre(q), site(q), site(by))) > 0)
             throw Invalid{name(by) + " does not hide " + name(q)};
-        if (kernel_.precedes(q, by)) note("by the tie rule " + name(q) + " hides " + name(by));
+        if (precedes(q, by)) note("by the tie rule " + name(q) + " hides " + name(by));
     }
 
     /// The line edge whose two ends enclose q, by bisection.
     void check_hidden_on_line(Index q) {
-        const auto first_after = std::partition_point(line_.begin(), line_.end(), [&](Index v) {
-            return before(kernel_.centre(v), kernel_.centre(q));
-        });
-        const bool at_site =
-            first_after != line_.end() && kernel_.centre(*first_after) == kernel_.centre(q);
+        const auto first_after = std::partition_point(
+            line_.begin(), line_.end(), [&](Index v) { return before(centre(v), centre(q)); });
+        const bool at_site = first_after != line_.end() && centre(*first_after) == centre(q);
         if (first_after == line_.end() || (first_after == line_.begin() && !at_site))
             throw Invalid{name(q) + " is said to be hidden, but lies outside the hull"};
         const Index b = first_after == line_.begin() ? line_[1] : *first_after;
         const Index a = first_after == line_.begin() ? line_[0] : *(first_after - 1);
-        if (kernel_.ccw(a, b, q) != 0)
+        if (ccw(a, b, q) != 0)
             throw Invalid{name(q) + " is said to be hidden, but lies outside the hull"};
         judge_on_line(a, b, q);
     }
 
     std::vector<S> site_;
-    std::vector<Index> numbers_;
-    Kernel kernel_{site_.data(), numbers_.data()};
+    std::vector<Index> rank_;  // places in the tie rule's order
+    filters::Tally tally_;
+    std::uint64_t intervals_ = 0;                 // questions that intervals decided
+    std::vector<std::pair<double, Index>> star_;  // of the site that hides
     std::vector<Index> line_;  // the visible sites of a line in their order along it
     bool is_line_ = false;     // infinite faces only: all sites are collinear
 };

@@ -22,6 +22,7 @@
 #include "../structure/assemble.hpp"
 #include "../structure/spatial_order.hpp"
 #include "../structure/tie_order.hpp"
+#include "../structure/watch.hpp"
 #include "../sweep/sweep.hpp"
 #include "construct.hpp"
 
@@ -32,24 +33,6 @@ inline bool equal_radii(const StridedSites& sites) noexcept {
         if (sites[i].r != sites[0].r) return false;
     return true;
 }
-
-/// Calls the user back every few thousand sites.
-class Watch {
- public:
-    Watch(const Options& options, std::size_t sites) noexcept : options_(options), sites_(sites) {}
-
-    void at(std::size_t done) const {
-        if (done % period != 0) return;
-        if (options_.stop.stop_requested()) throw Stopped();
-        if (options_.progress)
-            options_.progress(static_cast<double>(done) / static_cast<double>(sites_));
-    }
-
- private:
-    static constexpr std::size_t period = 4096;
-    const Options& options_;
-    std::size_t sites_;
-};
 
 template <class Kernel>
 LargeArray<typename Kernel::SiteType> in_order(const StridedSites& input,
@@ -145,7 +128,7 @@ Tessellation construct_with_kernel(Metric metric, const StridedSites& input,
     LargeArray<Index> hidden_by(n, -1);
     if (lead_with_triangle(kernel, sites, original)) {
         Insertion<Kernel> insertion(topology, kernel, hidden_by, 0, 1, 2);
-        const Watch watch(options, n);
+        const Watch watch(options.stop, options.progress, n);
         for (std::size_t i = 3; i < n; ++i) {
             insertion.insert(static_cast<Index>(i));
             watch.at(i);
@@ -185,7 +168,7 @@ Tessellation construct_additive_with_kernel(Metric metric, const StridedSites& i
         hidden_by[second] = 0;
     if (second < n) {
         Insertion<Kernel> insertion(topology, kernel, hidden_by, 0, static_cast<Index>(second));
-        const Watch watch(options, n);
+        const Watch watch(options.stop, options.progress, n);
         for (std::size_t i = second + 1; i < n; ++i) {
             insertion.insert(static_cast<Index>(i));
             watch.at(i);
@@ -219,7 +202,7 @@ Tessellation construct_by_sweep_with_kernel(Metric metric, const StridedSites& i
     Kernel kernel(sites.data());
     Topology topology(n);
     LargeArray<Index> hidden_by(n, -1);
-    const Watch watch(options, n);
+    const Watch watch(options.stop, options.progress, n);
     SweepOfKernel sweep(topology, kernel, hidden_by, exact_sums);
     sweep.run(n, [&](std::size_t reached) { watch.at(reached); });
     Statistics statistics;

@@ -68,7 +68,7 @@ Tessellation construct_by_flips_with_kernel(const StridedSites& input, const Opt
         using PointKernel = PowerKernel<Point, Arithmetic::exact, filters::NoTally>;
         PointKernel point_kernel(points.data(), original.data());
         Insertion<PointKernel> insertion(topology, point_kernel, hidden_by, 0, 1, 2);
-        const Watch watch(options, 2 * n);
+        const Watch watch(options.stop, options.progress, 2 * n);
         for (std::size_t i = 3; i < front; ++i) {
             insertion.insert(static_cast<Index>(i));
             watch.at(i);

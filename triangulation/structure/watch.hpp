@@ -1,0 +1,34 @@
+#pragma once
+/// Long work that its caller watches: it says how far it has come, and stops where it is asked to.
+
+#include <cstddef>
+#include <functional>
+#include <stop_token>
+
+#include "../triangulate.hpp"
+
+namespace signum::triangulation {
+
+/// Calls the user back every few thousand units of work.
+class Watch {
+ public:
+    /// Neither is copied.
+    Watch(const std::stop_token& stop, const std::function<void(double)>& progress,
+          std::size_t all) noexcept
+        : stop_(stop), progress_(progress), all_(all) {}
+
+    /// So many units are done. Throws Stopped.
+    void at(std::size_t done) const {
+        if (done % period != 0) return;
+        if (stop_.stop_requested()) throw Stopped();
+        if (progress_) progress_(static_cast<double>(done) / static_cast<double>(all_));
+    }
+
+ private:
+    static constexpr std::size_t period = 4096;
+    const std::stop_token& stop_;
+    const std::function<void(double)>& progress_;
+    std::size_t all_;
+};
+
+}  // namespace signum::triangulation
