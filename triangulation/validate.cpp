@@ -1,11 +1,9 @@
 #include "validate.hpp"
 
 #include "../exact/floating_environment.hpp"
-#include "../predicates/euclidean.hpp"
-#include "../predicates/manhattan.hpp"
-#include "../predicates/supremum.hpp"
 #include "check/additive_check.hpp"
 #include "check/power_check.hpp"
+#include "kernels/predicates_of.hpp"
 
 namespace signum {
 namespace {
@@ -56,8 +54,7 @@ Validation validate(const TessellationArrays& arrays, StridedSites sites,
         return invalid("the tessellation takes the third numbers of sites for " +
                        std::string(name_of(arrays.weight_is)) + "s, the input does not");
     if (sites.third_is_weight() && !traits_of(arrays.metric).has_weights)
-        return invalid("sites of the " + std::string(name_of(arrays.metric)) +
-                       " metric have radii, not weights");
+        return invalid(no_weights(arrays.metric));
     return with_metric(arrays.metric,
                        [&](auto metric) { return check(metric, arrays, sites, options); });
 }

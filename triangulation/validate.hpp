@@ -9,7 +9,7 @@
 #include <string>
 
 #include "../core/strided_sites.hpp"
-#include "tessellation.hpp"
+#include "arrays.hpp"
 
 namespace signum {
 

@@ -5,7 +5,7 @@
 #include <functional>
 #include <stop_token>
 
-#include "../triangulate.hpp"
+#include "../options.hpp"
 
 namespace signum::triangulation {
 
