@@ -13,9 +13,6 @@
 
 namespace signum::additive {
 
-/// The stages that a predicate has.
-using Stages = Arithmetic;
-
 /// How far a point is from a site, in doubles: for who compares many sites at one point.
 struct Distance {
     double to_centre;

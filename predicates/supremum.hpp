@@ -9,8 +9,8 @@
 namespace signum::supremum {
 
 /// The predicates under the tie rule.
-template <additive::Stages stages = additive::Stages::exact>
-using Perturbed = rectangular::Perturbed<rectangular::Supremum, stages>;
+template <Arithmetic arithmetic = Arithmetic::exact>
+using Perturbed = rectangular::Perturbed<rectangular::Supremum, arithmetic>;
 
 /// Whether a square touches i, j, k counterclockwise, ties decided by the tie rule.
 [[nodiscard]] inline bool exists(const Site& i, const Site& j, const Site& k) noexcept {

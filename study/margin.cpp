@@ -209,7 +209,7 @@ double rectangular_margin(const std::array<const Site*, 4>& sites,
                           const std::array<Index, 4>& ranks) {
     const auto& [i, j, k, q] = sites;
     if (rectangular::in_circle_decision<Directions>(*i, *j, *k, *q, ranks).sign == 0) return 0.0;
-    rectangular::Forms<Directions, rectangular::Sums::exact, 4> forms(sites, ranks);
+    rectangular::Forms<Directions, Arithmetic::exact, 4> forms(sites, ranks);
     const rectangular::Touching square = rectangular::touching(forms);
     const auto fast = rectangular_sum<Directions, double>(sites, square);
     return is_certain(fast) ? margin(fast)

@@ -19,7 +19,7 @@ Validation validate(const TessellationArrays& arrays, StridedSites sites) {
         return {false, false,
                 "sites of the " + std::string(name_of(arrays.metric)) +
                     " metric have radii, not weights"};
-    constexpr auto in_rationals = additive::Stages::multiprecision;
+    constexpr auto in_rationals = Arithmetic::multiprecision;
     switch (arrays.metric) {
         case Metric::manhattan:
             return AdditiveCheck<manhattan::Perturbed<in_rationals>>(arrays, sites).run();

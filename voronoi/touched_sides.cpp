@@ -9,7 +9,7 @@ namespace {
 
 template <class Directions>
 std::array<bool, 4> sides(const Site& a, const Site& b, const std::array<Index, 2>& ranks) {
-    rectangular::Forms<Directions, rectangular::Sums::exact, 2> forms({&a, &b}, ranks);
+    rectangular::Forms<Directions, Arithmetic::exact, 2> forms({&a, &b}, ranks);
     std::array<bool, 4> second{};
     for (int side = 0; side < 4; ++side)
         second[static_cast<std::size_t>(side)] = forms.compare(side, 1, 0) > 0;

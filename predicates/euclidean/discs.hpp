@@ -21,39 +21,41 @@
 
 namespace signum::euclidean {
 
-using additive::Stages;
-
-/// What stands behind the filters: with Stages::exact in exact arithmetic, with the others all
+/// What stands behind the filters: with Arithmetic::exact in exact arithmetic, with the others all
 /// that they have. Signs, preconditions and ranks are those of the functions of Perturbed.
 namespace cold {
 
 template <std::size_t n>
 using Ranks = std::array<Index, n>;
 
-[[nodiscard, gnu::cold, gnu::pure]] Decision hides(Stages stages, const Site& i, const Site& q,
-                                                   const Ranks<2>& ranks) noexcept;
-[[nodiscard, gnu::cold, gnu::pure]] Decision nearer(Stages stages, const Point& p, const Site& a,
-                                                    const Site& b, const Ranks<2>& ranks) noexcept;
-[[nodiscard, gnu::cold, gnu::pure]] Decision exists(Stages stages, const Site& i, const Site& j,
-                                                    const Site& k, const Ranks<3>& ranks) noexcept;
-[[nodiscard, gnu::cold, gnu::pure]] Decision exists_twice(Stages stages, const Site& i,
+[[nodiscard, gnu::cold, gnu::pure]] Decision hides(Arithmetic arithmetic, const Site& i,
+                                                   const Site& q, const Ranks<2>& ranks) noexcept;
+[[nodiscard, gnu::cold, gnu::pure]] Decision nearer(Arithmetic arithmetic, const Point& p,
+                                                    const Site& a, const Site& b,
+                                                    const Ranks<2>& ranks) noexcept;
+[[nodiscard, gnu::cold, gnu::pure]] Decision exists(Arithmetic arithmetic, const Site& i,
+                                                    const Site& j, const Site& k,
+                                                    const Ranks<3>& ranks) noexcept;
+[[nodiscard, gnu::cold, gnu::pure]] Decision exists_twice(Arithmetic arithmetic, const Site& i,
                                                           const Site& j, const Site& k,
                                                           const Ranks<3>& ranks) noexcept;
-[[nodiscard, gnu::cold, gnu::pure]] Decision precedes(Stages stages, const Site& i, const Site& j,
-                                                      const Site& q, const Site& k) noexcept;
-[[nodiscard, gnu::cold, gnu::pure]] Decision in_circle(Stages stages, const Site& i, const Site& j,
-                                                       const Site& k, const Site& q,
+[[nodiscard, gnu::cold, gnu::pure]] Decision precedes(Arithmetic arithmetic, const Site& i,
+                                                      const Site& j, const Site& q,
+                                                      const Site& k) noexcept;
+[[nodiscard, gnu::cold, gnu::pure]] Decision in_circle(Arithmetic arithmetic, const Site& i,
+                                                       const Site& j, const Site& k, const Site& q,
                                                        const Ranks<4>& ranks) noexcept;
-[[nodiscard, gnu::cold, gnu::pure]] Decision in_circle_infinite(Stages stages, const Site& a,
-                                                                const Site& b, const Site& q,
+[[nodiscard, gnu::cold, gnu::pure]] Decision in_circle_infinite(Arithmetic arithmetic,
+                                                                const Site& a, const Site& b,
+                                                                const Site& q,
                                                                 const Ranks<3>& ranks) noexcept;
 /// Whether a reaches farther in the direction of rising x than b, of which it is no equal in the
 /// tie rule's order.
-[[nodiscard, gnu::cold, gnu::pure]] Decision reaches_farther(Stages stages, const Site& a,
+[[nodiscard, gnu::cold, gnu::pure]] Decision reaches_farther(Arithmetic arithmetic, const Site& a,
                                                              const Site& b,
                                                              bool a_precedes_b) noexcept;
-[[nodiscard, gnu::cold, gnu::pure]] Decision turn(Stages stages, const Site& a, const Site& b,
-                                                  const Site& c) noexcept;
+[[nodiscard, gnu::cold, gnu::pure]] Decision turn(Arithmetic arithmetic, const Site& a,
+                                                  const Site& b, const Site& c) noexcept;
 
 }  // namespace cold
 
@@ -66,7 +68,7 @@ template <class... Others>
 /// The predicates under the tie rule: no answer is ever 0. `ranks` are the places of the sites in
 /// the rule's order (falling radius, rising x, y, index); only their order counts. Each is exact
 /// for all finite doubles, in every floating-point environment, and takes constant time.
-template <Stages stages = Stages::exact>
+template <Arithmetic arithmetic = Arithmetic::exact>
 struct Perturbed {
     /// Whether i hides q, |c_i - c_q| <= r_i - r_q: +1 or -1.
     [[nodiscard]] static Decision hides(const Site& i, const Site& q,
@@ -76,7 +78,7 @@ struct Perturbed {
             if (verdict.is_certain()) [[likely]]
                 return {verdict.sign(), Stage::filter};
         }
-        return cold::hides(stages, i, q, ranks);
+        return cold::hides(arithmetic, i, q, ranks);
     }
 
     /// Whether a circle touches i, j, k counterclockwise: +1 or -1.
@@ -87,7 +89,7 @@ struct Perturbed {
             if (verdict.is_certain()) [[likely]]
                 return {verdict.sign(), Stage::filter};
         }
-        return cold::exists(stages, i, j, k, ranks);
+        return cold::exists(arithmetic, i, j, k, ranks);
     }
 
     /// Whether a circle touches i, j, q counterclockwise and another one clockwise: +1 or -1. Then
@@ -102,11 +104,11 @@ struct Perturbed {
             if (verdict.is_certain()) [[likely]]
                 return {verdict.sign(), Stage::filter};
         }
-        if constexpr (!is_exact(stages)) {
+        if constexpr (!is_exact(arithmetic)) {
             const Sign sign = filter::rounded::exists_twice<Number>(i, j, q);
             if (sign != 0) return {sign, Stage::filter};
         }
-        return cold::exists_twice(stages, i, j, q, ranks);
+        return cold::exists_twice(arithmetic, i, j, q, ranks);
     }
 
     /// The order of two intervals on the bisector of i and j, walked with i on the left (in the
@@ -122,7 +124,7 @@ struct Perturbed {
             if (verdict.is_certain()) [[likely]]
                 return {verdict.sign(), Stage::filter};
         }
-        return cold::precedes(stages, i, j, q, k);
+        return cold::precedes(arithmetic, i, j, q, k);
     }
 
     /// Whether q conflicts with the vertex of i, j, k: +1 or -1. Precondition: exists(i,j,k).
@@ -135,11 +137,11 @@ struct Perturbed {
             if (verdict.is_certain()) [[likely]]
                 return {verdict.sign(), Stage::filter};
         }
-        if constexpr (!is_exact(stages)) {
+        if constexpr (!is_exact(arithmetic)) {
             const Sign sign = filter::rounded::in_circle<Number>(i, j, k, q);
             if (sign != 0) return {sign, Stage::filter};
         }
-        return cold::in_circle(stages, i, j, k, q, ranks);
+        return cold::in_circle(arithmetic, i, j, k, q, ranks);
     }
 
     /// The same where none of i, j, k hides q, which is not asked then.
@@ -166,11 +168,11 @@ struct Perturbed {
             if (verdict.is_certain()) [[likely]]
                 return {verdict.sign(), Stage::filter};
         }
-        if constexpr (!is_exact(stages)) {
+        if constexpr (!is_exact(arithmetic)) {
             const Sign sign = filter::rounded::in_circle_infinite<Number>(a, b, q);
             if (sign != 0) return {sign, Stage::filter};
         }
-        return cold::in_circle_infinite(stages, a, b, q, ranks);
+        return cold::in_circle_infinite(arithmetic, a, b, q, ranks);
     }
 
     /// The cyclic order of three arcs of directions around s: +1 where they come in the order k, q,
@@ -207,8 +209,8 @@ struct Perturbed {
             if (stage < decision.stage) stage = decision.stage;
             return decision.sign > 0;
         };
-        if (is_positive(cold::reaches_farther(stages, k, s, ranks[0] < ranks[1])) ||
-            is_positive(cold::reaches_farther(stages, l, s, ranks[2] < ranks[1])))
+        if (is_positive(cold::reaches_farther(arithmetic, k, s, ranks[0] < ranks[1])) ||
+            is_positive(cold::reaches_farther(arithmetic, l, s, ranks[2] < ranks[1])))
             return {-1, stage};
         if (ranks[0] == ranks[2] ||
             is_positive(in_circle_infinite(s, k, l, {ranks[1], ranks[0], ranks[2]})) ||
@@ -232,16 +234,16 @@ struct Perturbed {
             if (verdict.is_certain()) [[likely]]
                 return {verdict.sign(), Stage::filter};
         }
-        if constexpr (!is_exact(stages)) {
+        if constexpr (!is_exact(arithmetic)) {
             const Sign sign = filter::rounded::nearer<Number>(p, a, b);
             if (sign != 0) return {sign, Stage::filter};
         }
-        return cold::nearer(stages, p, a, b, ranks);
+        return cold::nearer(arithmetic, p, a, b, ranks);
     }
 
  private:
-    static constexpr bool is_filtered = stages == Stages::exact;
-    using Number = predicates::NumberOf<stages>;
+    static constexpr bool is_filtered = arithmetic == Arithmetic::exact;
+    using Number = predicates::NumberOf<arithmetic>;
 
     /// Of equal radii only equal sites hide one another, and the circle exists where ccw > 0.
     [[nodiscard]] static Decision in_circle_of_points(const Site& i, const Site& j, const Site& k,
@@ -278,7 +280,7 @@ struct Perturbed {
 
     [[nodiscard]] static Decision turn(const Site& a, const Site& b, const Site& c) noexcept {
         if constexpr (is_filtered) return ccw_decision(a, b, c);
-        return cold::turn(stages, a, b, c);
+        return cold::turn(arithmetic, a, b, c);
     }
 };
 

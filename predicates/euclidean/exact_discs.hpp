@@ -15,14 +15,16 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <compare>
+#include <cmath>
 #include <cstdint>
 
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include "../../core/contract.hpp"
 #include "../../core/site.hpp"
+#include "../../exact/floating_environment.hpp"
 #include "../../exact/multiprecision.hpp"
+#include "../../exact/sum.hpp"
 #include "../../filters/interval.hpp"
 #include "../../filters/tally.hpp"
 #include "polynomials.hpp"
@@ -52,6 +54,10 @@ namespace cold {
 inline constexpr int wide_bits = 120;
 /// Beyond this span most bits of the integers would be 0.
 inline constexpr int integer_bits = 400;
+/// Numbers of this span, moved to multiples of 2^-120 below 2^120, have differences below 2^121:
+/// the square in H stays below 2^976, and products of eight are multiples of 2^-960, so that sums
+/// of them neither over- nor underflow.
+inline constexpr int sum_bits = 240;
 
 /// ±significand · 2^exponent; the significand is odd, or 0.
 struct Parts {
@@ -102,7 +108,14 @@ class Numbers {
             static_cast<std::int64_t>(number.significand << (number.exponent - lowest_));
         return number.negative ? -result : result;
     }
-    /// The same for any span.
+    /// number / 2^(lowest + sum_bits / 2). Precondition: span() <= sum_bits.
+    [[nodiscard]] double centred(std::size_t at) const noexcept {
+        const Parts& number = numbers_[at];
+        const double result = std::ldexp(static_cast<double>(number.significand),
+                                         number.exponent - lowest_ - sum_bits / 2);
+        return number.negative ? -result : result;
+    }
+    /// number / 2^lowest for any span.
     template <class Integer>
     [[nodiscard]] Integer value(std::size_t at) const {
         const Parts& number = numbers_[at];
@@ -180,7 +193,7 @@ template <class Number, std::size_t n>
 
 /// An interval that compares as a number does, for polynomials that ask. Where it cannot tell it
 /// says anything, and that the answer is in doubt.
-class Enclosed {
+class Enclosed : public exact::ComparedBySign<Enclosed> {
  public:
     Enclosed() = default;
     Enclosed(double number, bool& doubt) noexcept : interval_(number), doubt_(&doubt) {}
@@ -197,27 +210,15 @@ class Enclosed {
     friend Enclosed operator*(int a, const Enclosed& b) noexcept {
         return {a * b.interval_, b.doubt_};
     }
-    friend bool operator==(const Enclosed& a, const Enclosed& b) noexcept {
-        return (a - b).sign() == 0;
-    }
-    friend std::weak_ordering operator<=>(const Enclosed& a, const Enclosed& b) noexcept {
-        return (a - b).sign() <=> 0;
-    }
-    /// With 0.
-    friend bool operator==(const Enclosed& a, int) noexcept { return a.sign() == 0; }
-    friend std::weak_ordering operator<=>(const Enclosed& a, int) noexcept {
-        return a.sign() <=> 0;
-    }
-
- private:
-    Enclosed(const filters::Interval& interval, bool* doubt) noexcept
-        : interval_(interval), doubt_(doubt) {}
-
     [[nodiscard]] Sign sign() const noexcept {
         const Sign least = sign_of(interval_.low);
         *doubt_ |= least != sign_of(interval_.high);
         return least;
     }
+
+ private:
+    Enclosed(const filters::Interval& interval, bool* doubt) noexcept
+        : interval_(interval), doubt_(doubt) {}
 
     filters::Interval interval_;
     bool* doubt_;
@@ -261,6 +262,25 @@ template <std::size_t n, class Question>
     };
     if (numbers.span() <= cold::wide_bits) return ask(std::array<Disc<Wide>, n>());
     return ask(std::array<Disc<Integers>, n>());
+}
+
+/// The same by the exact sign of a sum (ESSA), as far as doubles hold all terms.
+template <std::size_t n, class Question>
+[[nodiscard]] Decision decide_by_essa(const std::array<Site, n>& sites, const Question& question) {
+    const cold::Numbers<n> numbers(sites);
+    if (numbers.span() > cold::sum_bits) return decide_exactly(sites, question);
+    std::array<Site, n> centred;
+    for (std::size_t m = 0; m < n; ++m)
+        centred[m] = {numbers.centred(3 * m), numbers.centred(3 * m + 1),
+                      numbers.centred(3 * m + 2)};
+    return exact::in_ieee_environment(
+        [&](const std::array<Site, n>& given) {
+            std::array<Disc<Uniform<exact::Sum>>, n> discs;
+            for (std::size_t m = 0; m < n; ++m)
+                discs[m] = {exact::Sum(given[m].x), exact::Sum(given[m].y), exact::Sum(given[m].r)};
+            return at(Stage::essa, question(discs));
+        },
+        centred);
 }
 
 }  // namespace signum::euclidean

@@ -1,7 +1,8 @@
 #pragma once
 /// The polynomials that decide the Euclidean predicates, for exact numbers of any type, and the
 /// signs that follow from them without a square root: in integers and rationals the exact stages,
-/// in doubles the naive predicates where filter.hpp::rounded leaves a 0. Included by sources only.
+/// in sums of doubles ESSA, in doubles the naive predicates where filter.hpp::rounded leaves a 0.
+/// Included by sources only.
 ///
 /// With p_ab = |c_a - c_b|² - (r_a - r_b)² and the rows (x, y, r, p) of j, k and q relative to i,
 /// E_ab the 2x2 minors over j, k and D_abc the 3x3 minors over j, k, q:
@@ -66,7 +67,11 @@ template <class Wide, class Number>
 
 template <class Number>
 [[nodiscard]] Sign sign(const Number& number) {
-    return static_cast<int>(number > 0) - static_cast<int>(number < 0);
+    if constexpr (requires { number.sign(); }) {
+        return number.sign();
+    } else {
+        return static_cast<int>(number > 0) - static_cast<int>(number < 0);
+    }
 }
 
 /// a·b

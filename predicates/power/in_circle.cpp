@@ -205,14 +205,6 @@ template <PowerSite S>
     return {expand(i, j, k, q), Stage::exact};
 }
 
-template <PowerSite S>
-[[nodiscard]] Decision decide_exactly(const S& i, const S& j, const S& k, const S& q) noexcept {
-    if (!cold::in_window(i, j, k, q))
-        return {multiprecision::in_circle(i, j, k, q), Stage::multiprecision};
-    const Verdict verdict = IntegerRows(i, j, k, q).sign();
-    return {verdict.is_certain() ? verdict.sign() : expand(i, j, k, q), Stage::exact};
-}
-
 }  // namespace
 
 Decision in_circle_cold(const Point& i, const Point& j, const Point& k, const Point& q) noexcept {
@@ -225,15 +217,5 @@ Decision in_circle_cold(const signum::Site& i, const signum::Site& j, const sign
                         const signum::Site& q) noexcept {
     return exact::in_ieee_environment(decide<signum::Site>, i, j, k, q);
 }
-
-template <PowerSite S>
-Decision in_circle_exactly(const S& i, const S& j, const S& k, const S& q) noexcept {
-    return exact::in_ieee_environment(decide_exactly<S>, i, j, k, q);
-}
-template Decision in_circle_exactly(const Point&, const Point&, const Point&,
-                                    const Point&) noexcept;
-template Decision in_circle_exactly(const Site&, const Site&, const Site&, const Site&) noexcept;
-template Decision in_circle_exactly(const signum::Site&, const signum::Site&, const signum::Site&,
-                                    const signum::Site&) noexcept;
 
 }  // namespace signum::power
