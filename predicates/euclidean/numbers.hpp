@@ -1,6 +1,7 @@
 #pragma once
-/// The exact stages of the Euclidean predicates: sites as integers, as many bits wide as they need,
-/// and as rationals. Included by sources only, for it pulls in Boost and GMP.
+/// The numbers that the Euclidean predicates compute with behind their filters: sites as integers,
+/// as many bits wide as they need, as rationals, as sums for ESSA, as intervals and as rounded
+/// numbers. Included by sources only, for it pulls in Boost and GMP.
 ///
 /// All predicates are signs of homogeneous polynomials in differences of coordinates and radii, so
 /// every site may be moved by the same amounts and multiplied by the same power of two.
@@ -22,11 +23,9 @@
 
 #include "../../core/contract.hpp"
 #include "../../core/site.hpp"
-#include "../../exact/floating_environment.hpp"
 #include "../../exact/multiprecision.hpp"
 #include "../../exact/sum.hpp"
 #include "../../filters/interval.hpp"
-#include "../../filters/tally.hpp"
 #include "polynomials.hpp"
 
 namespace signum::euclidean {
@@ -49,7 +48,7 @@ using Wide = Uniform<boost::multiprecision::number<
 using Integers = Uniform<exact::Integer>;
 using Rationals = Uniform<exact::Rational>;
 
-namespace cold {
+namespace numbers {
 
 inline constexpr int wide_bits = 120;
 /// Beyond this span most bits of the integers would be 0.
@@ -170,7 +169,7 @@ class SmallDiscs {
     std::array<Disc<Narrow>, n> discs_;
 };
 
-}  // namespace cold
+}  // namespace numbers
 
 /// The sites in rationals.
 template <std::size_t n>
@@ -231,56 +230,6 @@ template <std::size_t n>
     for (std::size_t m = 0; m < n; ++m)
         result[m] = {{sites[m].x, doubt}, {sites[m].y, doubt}, {sites[m].r, doubt}};
     return result;
-}
-
-/// A question's answer with its stage.
-[[nodiscard]] inline Decision at(Stage stage, const Answer& answer) noexcept {
-    return {answer.sign, stage, answer.tied};
-}
-[[nodiscard]] inline Decision at(Stage stage, Sign sign) noexcept {
-    return {sign, stage};
-}
-
-/// The answer to a question about sites, any of those of polynomials.hpp, in the narrowest numbers
-/// that hold them.
-template <std::size_t n, class Question>
-[[nodiscard]] Decision decide_exactly(const std::array<Site, n>& sites, const Question& question) {
-    const cold::Numbers<n> numbers(sites);
-    if (numbers.span() > cold::integer_bits)
-        return at(Stage::multiprecision, question(rational_discs(sites)));
-    if (numbers.span() <= 62) {
-        const cold::SmallDiscs<n> small(numbers);
-        if (small.narrow()) return at(Stage::exact, question(small.discs()));
-    }
-    const auto ask = [&]<class D>(std::array<Disc<D>, n> discs) -> Decision {
-        using Integer = typename D::Linear;
-        for (std::size_t m = 0; m < n; ++m)
-            discs[m] = {numbers.template value<Integer>(3 * m),
-                        numbers.template value<Integer>(3 * m + 1),
-                        numbers.template value<Integer>(3 * m + 2)};
-        return at(Stage::exact, question(discs));
-    };
-    if (numbers.span() <= cold::wide_bits) return ask(std::array<Disc<Wide>, n>());
-    return ask(std::array<Disc<Integers>, n>());
-}
-
-/// The same by the exact sign of a sum (ESSA), as far as doubles hold all terms.
-template <std::size_t n, class Question>
-[[nodiscard]] Decision decide_by_essa(const std::array<Site, n>& sites, const Question& question) {
-    const cold::Numbers<n> numbers(sites);
-    if (numbers.span() > cold::sum_bits) return decide_exactly(sites, question);
-    std::array<Site, n> centred;
-    for (std::size_t m = 0; m < n; ++m)
-        centred[m] = {numbers.centred(3 * m), numbers.centred(3 * m + 1),
-                      numbers.centred(3 * m + 2)};
-    return exact::in_ieee_environment(
-        [&](const std::array<Site, n>& given) {
-            std::array<Disc<Uniform<exact::Sum>>, n> discs;
-            for (std::size_t m = 0; m < n; ++m)
-                discs[m] = {exact::Sum(given[m].x), exact::Sum(given[m].y), exact::Sum(given[m].r)};
-            return at(Stage::essa, question(discs));
-        },
-        centred);
 }
 
 }  // namespace signum::euclidean
