@@ -212,6 +212,7 @@ void put_table(TextWriter& text, const Report& report) {
     counter("in_circle", &Statistics::in_circle);
     counter("by the filter", &Statistics::filtered);
     counter("refined", &Statistics::refined);
+    counter("exactly", &Statistics::exact);
     counter("by ESSA", &Statistics::essa);
     counter("in multiprecision", &Statistics::multiprecision);
     counter("ties", &Statistics::ties);
@@ -248,12 +249,14 @@ void put_run(TextWriter& text, const Run& run) {
              edge_counts(run), quoted_or_null(run.broken));
     if (run.tessellation) {
         const Statistics& s = run.tessellation->statistics();
-        text.put(FMT_COMPILE(", \"seconds\": {}, \"seconds_low\": {}, \"seconds_high\": {}, "
-                             "\"rounds\": {}, \"ccw\": {}, \"in_circle\": {}, \"filtered\": {}, "
-                             "\"refined\": {}, \"essa\": {}, \"multiprecision\": {}, \"ties\": {}"),
-                 number_or_null(run.seconds.median), number_or_null(run.seconds.low),
-                 number_or_null(run.seconds.high), run.seconds.runs, s.ccw, s.in_circle, s.filtered,
-                 s.refined, s.essa, s.multiprecision, s.ties);
+        text.put(
+            FMT_COMPILE(", \"seconds\": {}, \"seconds_low\": {}, \"seconds_high\": {}, "
+                        "\"rounds\": {}, \"ccw\": {}, \"in_circle\": {}, \"filtered\": {}, "
+                        "\"refined\": {}, \"exact\": {}, \"essa\": {}, \"multiprecision\": {}, "
+                        "\"ties\": {}"),
+            number_or_null(run.seconds.median), number_or_null(run.seconds.low),
+            number_or_null(run.seconds.high), run.seconds.runs, s.ccw, s.in_circle, s.filtered,
+            s.refined, s.exact, s.essa, s.multiprecision, s.ties);
     }
     text.put("}");
 }

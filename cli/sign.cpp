@@ -43,13 +43,10 @@ struct Answer {
     std::vector<std::string> words;
 };
 
-constexpr std::string_view expansions = "expansions or integers, which do not round";
-
 /// What a metric with additive weights is asked. All but in_circle follow the tie rule and are
 /// never 0; `ranks` are places in its order.
 struct Predicates {
-    std::string_view circle;       ///< what its circles are
-    std::string_view exact_means;  ///< what decides where its filter does not
+    std::string_view circle;  ///< what its circles are
     Decision (*hides)(const Site& i, const Site& q, const std::array<Index, 2>& ranks) noexcept;
     Decision (*exists)(const Site& i, const Site& j, const Site& k,
                        const std::array<Index, 3>& ranks) noexcept;
@@ -62,12 +59,8 @@ struct Predicates {
 template <class Directions>
 Predicates rectangular_predicates(std::string_view circle) {
     using Perturbed = rectangular::Perturbed<Directions>;
-    return {circle,
-            "the exact sign of a sum",
-            Perturbed::hides,
-            Perturbed::exists,
-            rectangular::in_circle_decision<Directions>,
-            Perturbed::in_circle};
+    return {circle, Perturbed::hides, Perturbed::exists,
+            rectangular::in_circle_decision<Directions>, Perturbed::in_circle};
 }
 
 /// in_circle of discs for every q: one that i, j or k hides conflicts nowhere.
@@ -83,8 +76,8 @@ Decision in_circle_of_discs(const Site& i, const Site& j, const Site& k, const S
 
 Predicates predicates_in(Euclidean metric) {
     using Discs = euclidean::Perturbed<>;
-    return {metric.traits.circle, expansions,         Discs::hides,
-            Discs::exists,        in_circle_of_discs, Discs::in_circle};
+    return {metric.traits.circle, Discs::hides, Discs::exists, in_circle_of_discs,
+            Discs::in_circle};
 }
 
 template <triangulation::Rectangular M>
@@ -112,7 +105,7 @@ std::vector<double> numbers_of(const Call& call, std::size_t needed, std::string
 }
 
 /// Who decided, where it was not the filter.
-void explain_stage(Answer& answer, std::string_view exact_means) {
+void explain_stage(Answer& answer) {
     const auto decided_by = [&](std::string_view what) {
         answer.words.push_back(fmt::format("decided  not by the filter, but by {}", what));
     };
@@ -122,7 +115,9 @@ void explain_stage(Answer& answer, std::string_view exact_means) {
         case Stage::refine:
             return decided_by("a finer bound or double-doubles");
         case Stage::exact:
-            return decided_by(exact_means);
+            return decided_by("integers, expansions or sums that commit no rounding");
+        case Stage::essa:
+            return decided_by("the exact sign of a sum (ESSA)");
         case Stage::multiprecision:
             return decided_by("rationals");
     }
@@ -149,7 +144,7 @@ Answer decide_ccw(const Call& call) {
     if (answer.decision.sign == 0) {
         answer.words.emplace_back("tie      the points lie on a line; ccw has no tie rule");
     }
-    explain_stage(answer, expansions);
+    explain_stage(answer);
     return answer;
 }
 
@@ -193,7 +188,7 @@ Answer decide_in_power(const Call& call) {
         explain_tie(answer, "circle", "weight", ranks,
                     power::in_circle_perturbed(i, j, k, q, ranks));
     }
-    explain_stage(answer, expansions);
+    explain_stage(answer);
     return answer;
 }
 
@@ -236,7 +231,7 @@ Answer decide_additively(const Call& call, const Predicates& metric) {
         explain_tie(answer, metric.circle, "radius", ranks,
                     metric.in_circle_perturbed(i, j, k, q, ranks).sign);
     }
-    explain_stage(answer, metric.exact_means);
+    explain_stage(answer);
     return answer;
 }
 

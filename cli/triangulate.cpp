@@ -108,8 +108,8 @@ void summarize(const Tessellation& tessellation, const std::vector<std::string>&
 
 void summarize_statistics(const Statistics& s) {
     say("calls    {} ccw, {} in_circle, {} ties\n", s.ccw, s.in_circle, s.ties);
-    say("decided  {} by the filter, {} refined, {} by ESSA, {} in multiprecision\n", s.filtered,
-        s.refined, s.essa, s.multiprecision);
+    say("decided  {} by the filter, {} refined, {} exactly, {} by ESSA, {} in multiprecision\n",
+        s.filtered, s.refined, s.exact, s.essa, s.multiprecision);
 }
 
 /// Judges the tessellation from scratch. An exact one must be the canonical one, too.
@@ -172,8 +172,8 @@ void add_triangulate(CLI::App& tool) {
         ->add_option("--arithmetic", call->arithmetic,
                      "What decides signs. The first four never err:\n"
                      "exact           a filter, then ever dearer stages\n"
-                     "interval        intervals, then the exact stage at once\n"
-                     "sum             the exact stage alone\n"
+                     "interval        intervals, then the exact sign of a sum\n"
+                     "sum             the exact sign of a sum alone (ESSA)\n"
                      "multiprecision  rationals alone\n"
                      "naive           doubles, which round\n"
                      "single          floats, which round")

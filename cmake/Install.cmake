@@ -22,7 +22,7 @@ set(headers_behind
   filters/bounds.hpp filters/interval.hpp filters/rounding_count.hpp filters/tally.hpp
   filters/verdict.hpp
   predicates/additive.hpp
-  predicates/euclidean/discs.hpp predicates/euclidean/filter.hpp
+  predicates/euclidean/filter.hpp
   predicates/power/edge.hpp predicates/power/in_circle.hpp predicates/power/infinite.hpp
   predicates/power/ties.hpp predicates/power/weight.hpp
   predicates/rectangular/forms.hpp predicates/rectangular/squares.hpp

@@ -8,12 +8,19 @@
 
 namespace signum {
 
-/// The stages in the order in which they are asked; see ARCHITECTURE.md.
-enum class Stage : std::uint8_t { filter, refine, exact, multiprecision };
+/// The stages from the cheapest to the dearest; see ARCHITECTURE.md.
+enum class Stage : std::uint8_t {
+    filter,         ///< a rounded number and a bound on its error, or an interval
+    refine,         ///< the same in double-doubles
+    exact,          ///< expansions, integers, sums that commit no rounding
+    essa,           ///< the exact sign of a sum: sign_of_sum
+    multiprecision  ///< rationals
+};
+inline constexpr int stage_count = 5;
 
 /// The name of a stage, as the tool prints it.
 [[nodiscard]] constexpr const char* name_of(Stage stage) noexcept {
-    constexpr const char* names[] = {"filter", "refine", "exact", "multiprecision"};
+    constexpr const char* names[] = {"filter", "refine", "exact", "essa", "multiprecision"};
     return names[static_cast<int>(stage)];
 }
 
@@ -33,7 +40,7 @@ namespace signum::filters {
 struct Tally {
     std::uint64_t ccw = 0;
     std::uint64_t in_circle = 0;
-    std::uint64_t stages[4] = {0, 0, 0, 0};
+    std::uint64_t stages[stage_count] = {};
     std::uint64_t ties = 0;
 
     void count_ccw() noexcept { ++ccw; }

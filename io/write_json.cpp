@@ -37,6 +37,7 @@ void put_statistics(TextWriter& text, const Statistics& statistics) {
     put_counter("in_circle", statistics.in_circle);
     put_counter("filtered", statistics.filtered);
     put_counter("refined", statistics.refined);
+    put_counter("exact", statistics.exact);
     put_counter("essa", statistics.essa);
     put_counter("multiprecision", statistics.multiprecision);
     put_counter("ties", statistics.ties);

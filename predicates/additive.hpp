@@ -13,9 +13,6 @@
 
 namespace signum::additive {
 
-/// The stages that a predicate has.
-using Stages = Arithmetic;
-
 /// How far a point is from a site, in doubles: for who compares many sites at one point.
 struct Distance {
     double to_centre;
@@ -62,6 +59,60 @@ template <std::size_t n>
     std::array<Index, n> numbers{};
     for (std::size_t i = 0; i < n; ++i) numbers[i] = static_cast<Index>(i);
     return ranks_of(sites, numbers);
+}
+
+// ---- what users call ---------------------------------------------------------------------------
+// One text for the three metrics: each header names the functions over its own predicates. Circle
+// stands for the disc, diamond or square of the metric.
+
+/// Whether a circle touches i, j, k counterclockwise, ties decided by the tie rule.
+template <class Perturbed>
+[[nodiscard]] inline bool exists(const Site& i, const Site& j, const Site& k) noexcept {
+    return Perturbed::exists(i, j, k, ranks_of<3>({&i, &j, &k})).sign > 0;
+}
+
+/// +1 where q conflicts with the vertex of i, j, k (is nearer than they are), 0 where it touches,
+/// -1 otherwise. Preconditions: exists(i,j,k), q hidden by none of them, finite numbers.
+template <auto decision>
+[[nodiscard]] inline Sign in_circle(const Site& i, const Site& j, const Site& k,
+                                    const Site& q) noexcept {
+    return decision(i, j, k, q, ranks_of<4>({&i, &j, &k, &q})).sign;
+}
+
+/// The same at the hull edge a -> b, all other sites on its left. Preconditions: neither of a and b
+/// hides the other, finite numbers.
+template <auto decision>
+[[nodiscard]] inline Sign in_circle_infinite(const Site& a, const Site& b, const Site& q) noexcept {
+    return decision(a, b, q, ranks_of<3>({&a, &b, &q})).sign;
+}
+
+/// Whether i alone hides q: covers it, the same place and size included.
+template <class Perturbed>
+[[nodiscard]] inline bool hidden(const Site& q, const Site& i) noexcept {
+    return Perturbed::hides(i, q, {0, 1}).sign > 0;
+}
+
+/// Whether the point p is nearer to a than to b (+1) or not (-1), a coming first in the tie rule's
+/// order where both are as near.
+template <class Perturbed>
+[[nodiscard]] inline Sign nearer_site(Point p, const Site& a, const Site& b) noexcept {
+    return Perturbed::nearer(p, a, b, {0, 1}).sign;
+}
+
+/// in_circle under the tie rule, never 0; q may be hidden. `ranks` are the places of i, j, k and q
+/// in the rule's order (falling radius, rising x, y, index); only their order counts.
+template <class Perturbed>
+[[nodiscard]] inline Sign in_circle_perturbed(const Site& i, const Site& j, const Site& k,
+                                              const Site& q,
+                                              const std::array<Index, 4>& ranks) noexcept {
+    return Perturbed::in_circle(i, j, k, q, ranks).sign;
+}
+
+/// in_circle_infinite under the tie rule, never 0. `ranks` are the places of a, b and q.
+template <class Perturbed>
+[[nodiscard]] inline Sign in_circle_infinite_perturbed(const Site& a, const Site& b, const Site& q,
+                                                       const std::array<Index, 3>& ranks) noexcept {
+    return Perturbed::in_circle_infinite(a, b, q, ranks).sign;
 }
 
 }  // namespace signum::additive

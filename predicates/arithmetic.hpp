@@ -16,8 +16,8 @@ enum class Arithmetic : std::uint8_t {
     exact,          ///< a filter, then ever dearer stages; see ARCHITECTURE.md
     naive,          ///< doubles, whose word is taken for the truth
     single,         ///< the same in floats, to which the sites are rounded first
-    interval,       ///< intervals, and where 0 is inside the exact stage at once (thesis, 4.7)
-    sum,            ///< the exact stage alone: expansions, integers or ESSA
+    interval,       ///< intervals, and where 0 is inside ESSA at once (thesis, 4.7)
+    sum,            ///< ESSA alone: the exact sign of a sum
     multiprecision  ///< rationals alone
 };
 

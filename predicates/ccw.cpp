@@ -28,19 +28,10 @@ namespace {
     return {expand(a, b, c), Stage::exact};
 }
 
-[[nodiscard]] Decision decide_exactly(const Point& a, const Point& b, const Point& c) noexcept {
-    if (!in_window(a) || !in_window(b) || !in_window(c))
-        return {multiprecision::ccw(a, b, c), Stage::multiprecision};
-    return {expand(a, b, c), Stage::exact};
-}
-
 }  // namespace
 
 Decision ccw_cold(Point a, Point b, Point c) noexcept {
     return exact::in_ieee_environment(decide, a, b, c);
-}
-Decision ccw_exactly(Point a, Point b, Point c) noexcept {
-    return exact::in_ieee_environment(decide_exactly, a, b, c);
 }
 
 }  // namespace predicates

@@ -65,8 +65,6 @@ template <HasCentre S>
 
 /// The stages behind the filter.
 [[nodiscard, gnu::pure]] Decision ccw_cold(Point a, Point b, Point c) noexcept;
-/// The exact stage alone, or multiprecision outside its window.
-[[nodiscard]] Decision ccw_exactly(Point a, Point b, Point c) noexcept;
 
 /// Out of line and by reference: the filter need not keep copies of its operands for this call.
 template <HasCentre S>

@@ -362,10 +362,11 @@ Figure radii(const Results& results) {
 }
 
 /// The names of the stages in rows, and in words.
-const std::array<std::pair<std::string, std::string>, 4> stages = {
+const std::array<std::pair<std::string, std::string>, 5> stages = {
     {{"filter", "filter"},
      {"refine", "refined"},
      {"exact", "exact"},
+     {"essa", "ESSA"},
      {"multiprecision", "rationals"}}};
 
 Figure stage_shares(const Results& results) {
@@ -388,7 +389,7 @@ Figure stage_shares(const Results& results) {
             for (const auto& [stage, word] : stages) all[i] += calls(i, stage);
         int style = 0;
         for (const auto& [stage, word] : stages) {
-            constexpr std::array looks = {6, 4, 2, 5};
+            constexpr std::array looks = {6, 4, 2, 3, 5};
             Series series{word, looks[static_cast<std::size_t>(style++)], false, {}};
             for (std::size_t i = 0; i < eight.size(); ++i) {
                 const double y = all[i] > 0.0 ? 100.0 * calls(i, stage) / all[i] : 0.0;
@@ -398,15 +399,16 @@ Figure stage_shares(const Results& results) {
         }
         plot.panels.push_back(std::move(panel));
     }
-    return {std::move(plot), "Who decides?",
-            "<p>signum asks cheap arithmetic first, and that says whether it is certain. The "
-            "<em>filter</em> is a "
-            "plain evaluation with a bound on its error; what it leaves goes to a <em>refined</em> "
-            "one, "
-            "then to <em>exact</em> arithmetic without rounding, and in the extreme to "
-            "<em>rationals</em>. "
-            "The share of the calls that each decided, while a tessellation was built.</p>",
-            "Stacked bars: the share of calls that each stage decided, by distribution"};
+    return {
+        std::move(plot), "Who decides?",
+        "<p>signum asks cheap arithmetic first, and that says whether it is certain. The "
+        "<em>filter</em> is a "
+        "plain evaluation with a bound on its error; what it leaves goes to a <em>refined</em> "
+        "one, "
+        "then to <em>exact</em> arithmetic without rounding or to <em>ESSA</em>, the exact sign "
+        "of a sum, and in the extreme to <em>rationals</em>. "
+        "The share of the calls that each decided, while a tessellation was built.</p>",
+        "Stacked bars: the share of calls that each stage decided, by distribution"};
 }
 
 Figure stage_costs(const Results& results) {

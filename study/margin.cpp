@@ -6,6 +6,7 @@
 
 #include "../exact/multiprecision.hpp"
 #include "../predicates/additive.hpp"
+#include "../predicates/euclidean/polynomials.hpp"
 #include "../predicates/power.hpp"
 #include "../predicates/rectangular/squares.hpp"
 #include "../triangulation/kernels/predicates_of.hpp"
@@ -115,30 +116,15 @@ struct Apollonius {
 template <class Number>
 Apollonius<Number> apollonius(const std::array<const Site*, 4>& sites) {
     using T = Term<Number>;
-    struct Row {
-        T x, y, r, p;
+    using Degrees = euclidean::Uniform<T>;
+    const auto row = [](const Site& m, const Site& from) -> euclidean::polynomials::Row<Degrees> {
+        return {T(difference<Number>(m.x, from.x)), T(difference<Number>(m.y, from.y)),
+                T(difference<Number>(m.r, from.r))};
     };
-    const auto row = [](const Site& m, const Site& from) -> Row {
-        const T x(difference<Number>(m.x, from.x));
-        const T y(difference<Number>(m.y, from.y));
-        const T r(difference<Number>(m.r, from.r));
-        return {x, y, r, (x * x + y * y) - r * r};
-    };
-    const auto& [i, site_j, site_k, site_q] = sites;
-    const Row j = row(*site_j, *i);
-    const Row k = row(*site_k, *i);
-    const Row q = row(*site_q, *i);
-    const T xy = j.x * k.y - j.y * k.x;
-    const T xr = j.x * k.r - j.r * k.x;
-    const T yr = j.y * k.r - j.r * k.y;
-    const T xp = j.x * k.p - j.p * k.x;
-    const T yp = j.y * k.p - j.p * k.y;
-    const T rp = j.r * k.p - j.p * k.r;
-    const T xyp = q.x * yp - q.y * xp + q.p * xy;
-    const T xrp = q.x * rp - q.r * xp + q.p * xr;
-    const T yrp = q.y * rp - q.r * yp + q.p * yr;
-    return {xy * xyp - xr * xrp - yr * yrp, q.x * yr - q.y * xr + q.r * xy,
-            j.p * k.p * row(*site_k, *site_j).p};
+    const auto& [i, j, k, q] = sites;
+    const euclidean::polynomials::Minors<Degrees> minors(row(*j, *i), row(*k, *i));
+    const auto row_q = row(*q, *i);
+    return {minors.a(row_q), minors.l(row_q), minors.j.p * minors.k.p * row(*k, *j).p};
 }
 
 Sum<double> rounded_euclidean_sum(const std::array<const Site*, 4>& sites) {

@@ -53,6 +53,7 @@ void add(Counts& counts, const Tessellation& tessellation, const EdgeComparison&
     counts.calls.in_circle += calls.in_circle;
     counts.calls.filtered += calls.filtered;
     counts.calls.refined += calls.refined;
+    counts.calls.exact += calls.exact;
     counts.calls.essa += calls.essa;
     counts.calls.multiprecision += calls.multiprecision;
     counts.calls.ties += calls.ties;
@@ -86,7 +87,8 @@ std::vector<Row> rows_of(const Cell& cell, const std::string& name, Counts count
     put_mean("in_circle", counts.calls.in_circle);
     put_mean("calls_filter", counts.calls.filtered);
     put_mean("calls_refine", counts.calls.refined);
-    put_mean("calls_exact", counts.calls.essa);
+    put_mean("calls_exact", counts.calls.exact);
+    put_mean("calls_essa", counts.calls.essa);
     put_mean("calls_multiprecision", counts.calls.multiprecision);
     put_mean("ties", counts.calls.ties);
     put_mean("swaps", counts.calls.flips);

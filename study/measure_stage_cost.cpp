@@ -77,9 +77,9 @@ double ns_per_call(std::span<const Call> calls) {
 template <class M>
 std::vector<Row> measure_in(const Cell& cell, const Pass& pass, const std::vector<Call>& calls) {
     constexpr std::size_t few = 16;
-    constexpr std::array stages = {Stage::filter, Stage::refine, Stage::exact,
+    constexpr std::array stages = {Stage::filter, Stage::refine, Stage::exact, Stage::essa,
                                    Stage::multiprecision};
-    std::array<std::vector<Call>, 4> decided;
+    std::array<std::vector<Call>, stage_count> decided;
     for (const Call& call : calls)
         decided[static_cast<std::size_t>(decide<M>(call).stage)].push_back(call);
     std::vector<Contestant> contestants;

@@ -430,9 +430,9 @@ class Live {
     std::unique_ptr<Insertion<Kernel>> insertion_;
 };
 
-template <template <additive::Stages> class Predicates>
+template <template <Arithmetic> class Predicates>
 using LiveAdditive =
-    Live<AdditiveKernel<Predicates<additive::Stages::exact>, Arithmetic::exact, filters::NoTally>>;
+    Live<AdditiveKernel<Predicates<Arithmetic::exact>, Arithmetic::exact, filters::NoTally>>;
 template <class S>
 using LivePower = Live<PowerKernel<S, Arithmetic::exact, filters::NoTally>>;
 

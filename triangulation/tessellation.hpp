@@ -19,7 +19,8 @@ struct Statistics {
     std::uint64_t in_circle = 0;       ///< calls of in_circle, at infinity too
     std::uint64_t filtered = 0;        ///< calls decided by the floating-point filter
     std::uint64_t refined = 0;         ///< ... by double-double arithmetic
-    std::uint64_t essa = 0;            ///< ... by expansions and the exact sign of a sum
+    std::uint64_t exact = 0;           ///< ... by expansions, integers or sums without rounding
+    std::uint64_t essa = 0;            ///< ... by ESSA, the exact sign of a sum
     std::uint64_t multiprecision = 0;  ///< ... by rationals
     std::uint64_t ties = 0;            ///< exact zeros that the tie rule resolved
     std::uint64_t flips = 0;           ///< edges swapped

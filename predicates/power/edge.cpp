@@ -38,12 +38,6 @@ template <PowerSite S>
     return {expand(p, a, b), Stage::exact};
 }
 
-template <PowerSite S>
-[[nodiscard]] Decision decide_exactly(const Point& p, const S& a, const S& b) noexcept {
-    if (!cold::in_window(p, a, b)) return {multiprecision::nearer(p, a, b), Stage::multiprecision};
-    return {expand(p, a, b), Stage::exact};
-}
-
 }  // namespace
 
 Decision nearer_decision(Point p, const Point& a, const Point& b) noexcept {
@@ -55,13 +49,5 @@ Decision nearer_decision(Point p, const Site& a, const Site& b) noexcept {
 Decision nearer_decision(Point p, const signum::Site& a, const signum::Site& b) noexcept {
     return exact::in_ieee_environment(decide<signum::Site>, p, a, b);
 }
-
-template <PowerSite S>
-Decision nearer_exactly(Point p, const S& a, const S& b) noexcept {
-    return exact::in_ieee_environment(decide_exactly<S>, p, a, b);
-}
-template Decision nearer_exactly(Point, const Point&, const Point&) noexcept;
-template Decision nearer_exactly(Point, const Site&, const Site&) noexcept;
-template Decision nearer_exactly(Point, const signum::Site&, const signum::Site&) noexcept;
 
 }  // namespace signum::power

@@ -16,10 +16,6 @@ namespace signum::power {
 [[nodiscard]] Decision nearer_decision(Point p, const signum::Site& a,
                                        const signum::Site& b) noexcept;
 
-/// The exact stage alone, or multiprecision outside its window.
-template <PowerSite S>
-[[nodiscard]] Decision nearer_exactly(Point p, const S& a, const S& b) noexcept;
-
 /// The same number in any arithmetic that rounds.
 template <class Number, PowerSite S>
 [[nodiscard]] inline Number nearer_difference(Point p, const S& a, const S& b) noexcept {

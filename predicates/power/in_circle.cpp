@@ -53,39 +53,41 @@ class IntegerRows {
         // heights stay below 2^63, minors below 2^61, and the sum below 2^126.
         constexpr int narrow = 30;
         std::int64_t bits = 0;
-        Double weight_bits = 0;
+        Integer128 weight_bits = 0;
         for (const IntegerRow& row : rows_) {
             bits |= row.x | row.y;
             weight_bits |= row.weight;
         }
         constexpr std::int64_t low = (std::int64_t{1} << narrow) - 1;
-        constexpr Double weight_low = (Double{1} << 2 * narrow) - 1;
+        constexpr Integer128 weight_low = (Integer128{1} << 2 * narrow) - 1;
         if ((bits & low) == 0 && (weight_bits & weight_low) == 0) {
-            const Double determinant = product<Double>(a, b, c, narrow) +
-                                       product<Double>(b, c, a, narrow) +
-                                       product<Double>(c, a, b, narrow);
+            const Integer128 determinant = product<Integer128>(a, b, c, narrow) +
+                                           product<Integer128>(b, c, a, narrow) +
+                                           product<Integer128>(c, a, b, narrow);
             return Verdict::certain((determinant > 0) - (determinant < 0));
         }
-        const Wide determinant =
-            product<Wide>(a, b, c, 0) + product<Wide>(b, c, a, 0) + product<Wide>(c, a, b, 0);
+        const Integer256 determinant = product<Integer256>(a, b, c, 0) +
+                                       product<Integer256>(b, c, a, 0) +
+                                       product<Integer256>(c, a, b, 0);
         return Verdict::certain(determinant.sign());
     }
 
  private:
-    using Wide = boost::multiprecision::int256_t;
-    using Double = __int128;
+    using Integer256 = boost::multiprecision::int256_t;
+    using Integer128 = __int128;
     struct IntegerRow {
         std::int64_t x;
         std::int64_t y;
-        Double weight;
+        Integer128 weight;
     };
 
     /// The height of row a times the minor of rows b and c, all in multiples of 2^shift.
     template <class Product>
     [[nodiscard]] static Product product(const IntegerRow& a, const IntegerRow& b,
                                          const IntegerRow& c, int shift) noexcept {
-        const Double height = (Double{a.x} * a.x + Double{a.y} * a.y - a.weight) >> 2 * shift;
-        const Double minor = (Double{b.x} * c.y - Double{c.x} * b.y) >> 2 * shift;
+        const Integer128 height =
+            (Integer128{a.x} * a.x + Integer128{a.y} * a.y - a.weight) >> 2 * shift;
+        const Integer128 minor = (Integer128{b.x} * c.y - Integer128{c.x} * b.y) >> 2 * shift;
         return Product(height) * Product(minor);
     }
 
@@ -113,22 +115,22 @@ class IntegerRows {
         return std::max({magnitude(i.r), magnitude(j.r), magnitude(k.r), magnitude(q.r)});
     }
 
-    [[nodiscard]] Double weight(const Point&, const Point&, double) noexcept { return 0; }
-    [[nodiscard]] Double weight(const Site& m, const Site& q, double scale) noexcept {
+    [[nodiscard]] Integer128 weight(const Point&, const Point&, double) noexcept { return 0; }
+    [[nodiscard]] Integer128 weight(const Site& m, const Site& q, double scale) noexcept {
         const TwoTerms difference = two_difference(m.w, q.w);
         const double value = difference.high * scale * scale;
         if (difference.low != 0.0 || !(magnitude(value) < 0x1p122)) {
             exact_ = false;
             return 0;
         }
-        const auto result = static_cast<Double>(value);
+        const auto result = static_cast<Integer128>(value);
         exact_ &= static_cast<double>(result) == value;
         return result;
     }
-    [[nodiscard]] Double weight(const signum::Site& m, const signum::Site& q,
-                                double scale) noexcept {
-        const Double m_radius = integer(m.r * scale);
-        const Double q_radius = integer(q.r * scale);
+    [[nodiscard]] Integer128 weight(const signum::Site& m, const signum::Site& q,
+                                    double scale) noexcept {
+        const Integer128 m_radius = integer(m.r * scale);
+        const Integer128 q_radius = integer(q.r * scale);
         return (m_radius - q_radius) * (m_radius + q_radius);
     }
 
@@ -205,14 +207,6 @@ template <PowerSite S>
     return {expand(i, j, k, q), Stage::exact};
 }
 
-template <PowerSite S>
-[[nodiscard]] Decision decide_exactly(const S& i, const S& j, const S& k, const S& q) noexcept {
-    if (!cold::in_window(i, j, k, q))
-        return {multiprecision::in_circle(i, j, k, q), Stage::multiprecision};
-    const Verdict verdict = IntegerRows(i, j, k, q).sign();
-    return {verdict.is_certain() ? verdict.sign() : expand(i, j, k, q), Stage::exact};
-}
-
 }  // namespace
 
 Decision in_circle_cold(const Point& i, const Point& j, const Point& k, const Point& q) noexcept {
@@ -225,15 +219,5 @@ Decision in_circle_cold(const signum::Site& i, const signum::Site& j, const sign
                         const signum::Site& q) noexcept {
     return exact::in_ieee_environment(decide<signum::Site>, i, j, k, q);
 }
-
-template <PowerSite S>
-Decision in_circle_exactly(const S& i, const S& j, const S& k, const S& q) noexcept {
-    return exact::in_ieee_environment(decide_exactly<S>, i, j, k, q);
-}
-template Decision in_circle_exactly(const Point&, const Point&, const Point&,
-                                    const Point&) noexcept;
-template Decision in_circle_exactly(const Site&, const Site&, const Site&, const Site&) noexcept;
-template Decision in_circle_exactly(const signum::Site&, const signum::Site&, const signum::Site&,
-                                    const signum::Site&) noexcept;
 
 }  // namespace signum::power

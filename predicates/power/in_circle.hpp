@@ -90,10 +90,6 @@ template <PowerSite S>
                                                             const signum::Site& k,
                                                             const signum::Site& q) noexcept;
 
-/// The exact stage alone, or multiprecision outside its window.
-template <PowerSite S>
-[[nodiscard]] Decision in_circle_exactly(const S& i, const S& j, const S& k, const S& q) noexcept;
-
 /// The sign of in_circle with the stage that decided.
 /// Preconditions: finite numbers, ccw(i,j,k) > 0.
 template <PowerSite S>

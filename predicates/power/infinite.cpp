@@ -55,13 +55,6 @@ template <PowerSite S>
     return {expand(a, b, q), Stage::exact};
 }
 
-template <PowerSite S>
-[[nodiscard]] Decision decide_exactly(const S& a, const S& b, const S& q) noexcept {
-    if (!cold::in_window(a, b, q))
-        return {multiprecision::in_segment(a, b, q), Stage::multiprecision};
-    return {expand(a, b, q), Stage::exact};
-}
-
 }  // namespace
 
 Decision in_segment_decision(const Point& a, const Point& b, const Point& q) noexcept {
@@ -74,14 +67,5 @@ Decision in_segment_decision(const signum::Site& a, const signum::Site& b,
                              const signum::Site& q) noexcept {
     return exact::in_ieee_environment(decide<signum::Site>, a, b, q);
 }
-
-template <PowerSite S>
-Decision in_segment_exactly(const S& a, const S& b, const S& q) noexcept {
-    return exact::in_ieee_environment(decide_exactly<S>, a, b, q);
-}
-template Decision in_segment_exactly(const Point&, const Point&, const Point&) noexcept;
-template Decision in_segment_exactly(const Site&, const Site&, const Site&) noexcept;
-template Decision in_segment_exactly(const signum::Site&, const signum::Site&,
-                                     const signum::Site&) noexcept;
 
 }  // namespace signum::power

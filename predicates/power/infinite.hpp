@@ -28,8 +28,4 @@ template <class Number>
 [[nodiscard]] Decision in_segment_decision(const signum::Site& a, const signum::Site& b,
                                            const signum::Site& q) noexcept;
 
-/// The exact stage alone, or multiprecision outside its window.
-template <PowerSite S>
-[[nodiscard]] Decision in_segment_exactly(const S& a, const S& b, const S& q) noexcept;
-
 }  // namespace signum::power

@@ -41,8 +41,14 @@ void add(Terms& terms, const Site& site, int side, int factor) noexcept {
     terms.values[terms.count++] = -times * site.r;
 }
 
-/// On a grid every partial sum is a double: then the rounded sum is the sum. Otherwise ESSA.
-Sign sign_of_terms(const Terms& terms) noexcept {
+/// ESSA; in the arithmetic `exact` the rounded sum where it is the sum, as on grids, where every
+/// partial sum is a double.
+template <Arithmetic arithmetic>
+Decision decide_terms(const Terms& terms) noexcept {
+    const auto by_essa = [&]() -> Decision {
+        return {sign_of_sum({terms.values.data(), terms.count}), Stage::essa};
+    };
+    if constexpr (arithmetic != Arithmetic::exact) return by_essa();
     double sum = 0.0;
     bool rounded = false;
     for (std::size_t i = 0; i < terms.count; ++i) {
@@ -52,39 +58,11 @@ Sign sign_of_terms(const Terms& terms) noexcept {
         rounded |= !((sum - (next - shared)) + (terms.values[i] - shared) == 0.0);
         sum = next;
     }
-    return rounded ? sign_of_sum({terms.values.data(), terms.count}) : sign_of(sum);
-}
-
-}  // namespace
-
-template <class Directions>
-Sign sign_of_forms(const Addend* first, std::size_t count) noexcept {
-    SIGNUM_EXPECTS(count <= most_addends);
-    if (filters::environment_is_default()) [[likely]] {
-        Terms terms;
-        terms.count = 0;
-        for (std::size_t i = 0; i < count; ++i)
-            add<Directions>(terms, *first[i].site, first[i].side, first[i].factor);
-        return sign_of_terms(terms);
-    }
-    Operands operands;
-    operands.count = count;
-    for (std::size_t i = 0; i < count; ++i)
-        operands.addends[i] = {*first[i].site, first[i].side, first[i].factor};
-    return exact::in_ieee_environment(
-        [](const Operands& given) {
-            Terms terms;
-            terms.count = 0;
-            for (std::size_t i = 0; i < given.count; ++i)
-                add<Directions>(terms, given.addends[i].site, given.addends[i].side,
-                                given.addends[i].factor);
-            return sign_of_terms(terms);
-        },
-        operands);
+    return rounded ? by_essa() : Decision{sign_of(sum), Stage::exact};
 }
 
 template <class Directions>
-Sign sign_of_forms_in_rationals(const Addend* first, std::size_t count) noexcept {
+Sign sign_in_rationals(const Addend* first, std::size_t count) noexcept {
     exact::Rational sum = 0;
     for (const Addend* addend = first; addend != first + count; ++addend) {
         const auto add = [&](int factor, double value) {
@@ -97,15 +75,47 @@ Sign sign_of_forms_in_rationals(const Addend* first, std::size_t count) noexcept
     return exact::sign(sum);
 }
 
-template <class Directions, Sums sums>
-Sign compare_distances(const Point& p, const Site& a, const Site& b) noexcept {
+}  // namespace
+
+template <class Directions, Arithmetic arithmetic>
+Decision decide_forms(const Addend* first, std::size_t count) noexcept {
+    SIGNUM_EXPECTS(count <= most_addends);
+    if constexpr (arithmetic == Arithmetic::multiprecision)
+        return {sign_in_rationals<Directions>(first, count), Stage::multiprecision};
+    if (filters::environment_is_default()) [[likely]] {
+        Terms terms;
+        terms.count = 0;
+        for (std::size_t i = 0; i < count; ++i)
+            add<Directions>(terms, *first[i].site, first[i].side, first[i].factor);
+        return decide_terms<arithmetic>(terms);
+    }
+    Operands operands;
+    operands.count = count;
+    for (std::size_t i = 0; i < count; ++i)
+        operands.addends[i] = {*first[i].site, first[i].side, first[i].factor};
+    return exact::in_ieee_environment(
+        [](const Operands& given) {
+            Terms terms;
+            terms.count = 0;
+            for (std::size_t i = 0; i < given.count; ++i)
+                add<Directions>(terms, given.addends[i].site, given.addends[i].side,
+                                given.addends[i].factor);
+            return decide_terms<arithmetic>(terms);
+        },
+        operands);
+}
+
+template <class Directions, Arithmetic arithmetic>
+Decision compare_distances(const Point& p, const Site& a, const Site& b) noexcept {
     const Site point{p.x, p.y, 0.0};
+    Stage stage = Stage::exact;
     // (direction s)·(m - p) less (direction t)·(m' - p), radii included where the sites differ.
     const auto compare = [&](const Site& m, int s, const Site& other, int t) {
         const Addend addends[4] = {
             {&m, 0, s, 1}, {&point, 0, s, -1}, {&other, 0, t, -1}, {&point, 0, t, 1}};
-        return sums == Sums::multiprecision ? sign_of_forms_in_rationals<Directions>(addends, 4)
-                                            : sign_of_forms<Directions>(addends, 4);
+        const Decision decision = decide_forms<Directions, arithmetic>(addends, 4);
+        stage = std::max(stage, decision.stage);
+        return decision.sign;
     };
     const auto farthest = [&](const Site& m) {
         int side = 0;
@@ -113,7 +123,9 @@ Sign compare_distances(const Point& p, const Site& a, const Site& b) noexcept {
             if (compare(m, other, m, side) > 0) side = other;
         return side;
     };
-    return compare(b, farthest(b), a, farthest(a));
+    const int farthest_of_b = farthest(b);
+    const Sign sign = compare(b, farthest_of_b, a, farthest(a));
+    return {sign, stage};
 }
 
 Sign sign_of_infinitesimals(const Addend* first, std::size_t count) noexcept {
@@ -132,17 +144,18 @@ Sign sign_of_infinitesimals(const Addend* first, std::size_t count) noexcept {
     }
 }
 
-template Sign compare_distances<Supremum, Sums::exact>(const Point&, const Site&,
-                                                       const Site&) noexcept;
-template Sign compare_distances<Supremum, Sums::multiprecision>(const Point&, const Site&,
+#define SIGNUM_INSTANTIATE(Directions, arithmetic)                                               \
+    template Decision decide_forms<Directions, arithmetic>(const Addend*, std::size_t) noexcept; \
+    template Decision compare_distances<Directions, arithmetic>(const Point&, const Site&,       \
                                                                 const Site&) noexcept;
-template Sign compare_distances<Manhattan, Sums::exact>(const Point&, const Site&,
-                                                        const Site&) noexcept;
-template Sign compare_distances<Manhattan, Sums::multiprecision>(const Point&, const Site&,
-                                                                 const Site&) noexcept;
-template Sign sign_of_forms<Supremum>(const Addend*, std::size_t) noexcept;
-template Sign sign_of_forms<Manhattan>(const Addend*, std::size_t) noexcept;
-template Sign sign_of_forms_in_rationals<Supremum>(const Addend*, std::size_t) noexcept;
-template Sign sign_of_forms_in_rationals<Manhattan>(const Addend*, std::size_t) noexcept;
+SIGNUM_INSTANTIATE(Supremum, Arithmetic::exact)
+SIGNUM_INSTANTIATE(Supremum, Arithmetic::interval)
+SIGNUM_INSTANTIATE(Supremum, Arithmetic::sum)
+SIGNUM_INSTANTIATE(Supremum, Arithmetic::multiprecision)
+SIGNUM_INSTANTIATE(Manhattan, Arithmetic::exact)
+SIGNUM_INSTANTIATE(Manhattan, Arithmetic::interval)
+SIGNUM_INSTANTIATE(Manhattan, Arithmetic::sum)
+SIGNUM_INSTANTIATE(Manhattan, Arithmetic::multiprecision)
+#undef SIGNUM_INSTANTIATE
 
 }  // namespace signum::rectangular

@@ -52,22 +52,16 @@ struct Addend {
     int factor;
 };
 
-/// How a sum whose sign the filter leaves open is decided.
-using Sums = additive::Stages;
+/// The exact sign of a sum of forms (at most eight), 0 included, in every environment, by the last
+/// stages of an exact arithmetic: ESSA, which the arithmetic `exact` spares itself where the sum
+/// commits no rounding, or rationals.
+template <class Directions, Arithmetic arithmetic>
+[[nodiscard, gnu::cold]] Decision decide_forms(const Addend* first, std::size_t count) noexcept;
 
-/// The exact sign of a sum of forms (at most eight), 0 included. In every environment.
-template <class Directions>
-[[nodiscard, gnu::cold]] Sign sign_of_forms(const Addend* first, std::size_t count) noexcept;
-
-/// The same in rationals.
-template <class Directions>
-[[nodiscard, gnu::cold]] Sign sign_of_forms_in_rationals(const Addend* first,
-                                                         std::size_t count) noexcept;
-
-/// Which of a and b is nearer to p: +1 for a, 0 where both are as near. Exact.
-template <class Directions, Sums sums>
-[[nodiscard, gnu::cold]] Sign compare_distances(const Point& p, const Site& a,
-                                                const Site& b) noexcept;
+/// Which of a and b is nearer to p: +1 for a, 0 where both are as near. By the same stages.
+template <class Directions, Arithmetic arithmetic>
+[[nodiscard, gnu::cold]] Decision compare_distances(const Point& p, const Site& a,
+                                                    const Site& b) noexcept;
 
 /// The sign of the infinitesimals of a sum: of the last site in the order whose factors do not
 /// cancel; 0 where all do.
@@ -81,16 +75,17 @@ template <class Directions, class Number>
 
 /// The sign of a sum whose rounded value leaves it open, 0 included, and the stage that tells.
 /// `exact`: the value is not rounded.
-template <class Directions, Sums sums>
-[[nodiscard]] inline Decision decide_behind(const predicates::NumberOf<sums>& value,
+template <class Directions, Arithmetic arithmetic>
+[[nodiscard]] inline Decision decide_behind(const predicates::NumberOf<arithmetic>& value,
                                             [[maybe_unused]] bool exact, const Addend* first,
                                             std::size_t count) noexcept {
-    if constexpr (sums == Sums::multiprecision)
-        return {sign_of_forms_in_rationals<Directions>(first, count), Stage::multiprecision};
-    if constexpr (!is_exact(sums)) return {sign_of(value), Stage::filter};
-    if constexpr (sums == Sums::exact)
-        if (exact) return {sign_of(value), Stage::filter};
-    return {sign_of_forms<Directions>(first, count), Stage::exact};
+    if constexpr (!is_exact(arithmetic)) {
+        return {sign_of(value), Stage::filter};
+    } else {
+        if constexpr (arithmetic == Arithmetic::exact)
+            if (exact) return {sign_of(value), Stage::filter};
+        return decide_forms<Directions, arithmetic>(first, count);
+    }
 }
 
 /// The forms of n sites, rounded, and the comparisons that a predicate makes of them.
@@ -104,9 +99,9 @@ template <class Directions, Sums sums>
 /// Other arithmetics than doubles with a bound say themselves what they are worth: intervals, and
 /// numbers that are taken for the truth, have the bound 0; where no rounded number counts the bound
 /// is infinite.
-template <class Directions, Sums sums, std::size_t n>
+template <class Directions, Arithmetic arithmetic, std::size_t n>
 class Forms {
-    using Number = predicates::NumberOf<sums>;
+    using Number = predicates::NumberOf<arithmetic>;
 
  public:
     Forms(const std::array<const Site*, n>& sites, const std::array<Index, n>& ranks) noexcept
@@ -152,7 +147,7 @@ class Forms {
 
     /// The sign of a sum of at most eight forms; 0 only where the infinitesimals cancel.
     template <std::size_t count>
-    [[nodiscard]] Sign sign_of_sum(const std::array<Term, count>& terms) noexcept {
+    [[nodiscard]] Sign compare_sum(const std::array<Term, count>& terms) noexcept {
         static_assert(count <= 8);
         Number sum(0.0);
         Addend addends[count];
@@ -165,7 +160,7 @@ class Forms {
         return resolve(sum, addends);
     }
 
-    /// A sign with the coldest stage that was needed so far, and whether a sum was exactly 0.
+    /// A sign with the dearest stage that was needed so far, and whether a sum was exactly 0.
     [[nodiscard]] Decision decide(Sign sign) const noexcept { return {sign, stage_, tied_}; }
     /// From here on, ties count as met; those before only helped to find the square.
     void forget_ties() noexcept { tied_ = false; }
@@ -175,8 +170,9 @@ class Forms {
  private:
     [[nodiscard]] static double bound(double magnitude) noexcept {
         constexpr double everything = std::numeric_limits<double>::infinity();
-        if constexpr (!is_exact(sums) || sums == Sums::interval) return 0.0;
-        if constexpr (sums == Sums::sum || sums == Sums::multiprecision) return everything;
+        if constexpr (!is_exact(arithmetic) || arithmetic == Arithmetic::interval) return 0.0;
+        if constexpr (arithmetic == Arithmetic::sum || arithmetic == Arithmetic::multiprecision)
+            return everything;
         // Where additions may overflow, saturate or be flushed nothing is certain.
         return magnitude < 0x1p1000 && filters::environment_is_default()
                    ? 20 * filters::epsilon * magnitude
@@ -190,8 +186,9 @@ class Forms {
     template <std::size_t count>
     [[nodiscard, gnu::cold, gnu::noinline]] Sign resolve(const Number& rounded,
                                                          const Addend (&addends)[count]) noexcept {
-        const Decision decision = decide_behind<Directions, sums>(rounded, false, addends, count);
-        stage_ = decision.stage;
+        const Decision decision =
+            decide_behind<Directions, arithmetic>(rounded, false, addends, count);
+        if (stage_ < decision.stage) stage_ = decision.stage;
         if (decision.sign != 0) return decision.sign;
         tied_ = true;
         return perturbed_ ? sign_of_infinitesimals(addends, count) : 0;

@@ -37,18 +37,18 @@ namespace signum::rectangular {
 /// errors 8eS of its sites. Additions underflow exactly; near the greatest doubles nothing is
 /// certain. Where the sums are exact (sums_are_exact) there is no error.
 /// As for Forms, other arithmetics than doubles with a bound have the error 0 or an infinite one.
-template <class Directions, Sums sums>
+template <class Directions, Arithmetic arithmetic>
 struct RoundedForms {
-    using Number = predicates::NumberOf<sums>;
+    using Number = predicates::NumberOf<arithmetic>;
     Number g[4];
     double error;
 
     RoundedForms(const Site& m, bool exact) noexcept {
         for (int d = 0; d < 4; ++d) g[d] = rounded_form<Directions, Number>(m, d);
         constexpr double everything = std::numeric_limits<double>::infinity();
-        if constexpr (sums == Sums::sum || sums == Sums::multiprecision) {
+        if constexpr (arithmetic == Arithmetic::sum || arithmetic == Arithmetic::multiprecision) {
             error = everything;
-        } else if (!is_exact(sums) || sums == Sums::interval || exact) {
+        } else if (!is_exact(arithmetic) || arithmetic == Arithmetic::interval || exact) {
             error = 0.0;
         } else {
             const double size =
@@ -64,11 +64,12 @@ struct RoundedForms {
 
 /// The sign of a sum that its rounded value leaves open, under the tie rule; 0 only where the
 /// infinitesimals cancel. `exact`: the value is not rounded.
-template <class Directions, Sums sums, std::size_t count>
+template <class Directions, Arithmetic arithmetic, std::size_t count>
 [[nodiscard, gnu::cold, gnu::noinline]] Decision decide_sum(
-    const predicates::NumberOf<sums>& value, bool exact,
+    const predicates::NumberOf<arithmetic>& value, bool exact,
     const std::array<Addend, count>& addends) noexcept {
-    const Decision decision = decide_behind<Directions, sums>(value, exact, addends.data(), count);
+    const Decision decision =
+        decide_behind<Directions, arithmetic>(value, exact, addends.data(), count);
     if (decision.sign != 0) return decision;
     return {sign_of_infinitesimals(addends.data(), count), decision.stage, true};
 }

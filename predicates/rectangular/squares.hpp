@@ -101,7 +101,7 @@ template <class AnyForms>
             terms[count++] = {0, 0, 0};
         }
     }
-    return forms.sign_of_sum(terms);
+    return forms.compare_sum(terms);
 }
 
 /// The vertex at infinity of the hull edge a -> b: a quadrant between direction `side` and the next
@@ -128,7 +128,7 @@ template <class AnyForms>
     if (x.side != y.side) return x.side < y.side;
     const int opposite = (x.side + 2) & 3;
     const int next = (x.side + 3) & 3;
-    return forms.sign_of_sum(std::array<typename AnyForms::Term, 4>{
+    return forms.compare_sum(std::array<typename AnyForms::Term, 4>{
                {{next, x.a, 1}, {opposite, x.b, -1}, {next, y.a, -1}, {opposite, y.b, 1}}}) > 0;
 }
 
@@ -136,15 +136,15 @@ template <class AnyForms>
 /// the places of the sites in the rule's order (falling radius, rising x, y, index); only their
 /// order counts. Each is exact for all finite doubles and takes constant time. A conflict that is
 /// `tied` is a touch without the rule.
-template <class Directions, Sums sums = Sums::exact>
+template <class Directions, Arithmetic arithmetic = Arithmetic::exact>
 struct Perturbed {
     using DirectionsType = Directions;
-    static constexpr Sums sums_used = sums;
+    static constexpr Arithmetic arithmetic_used = arithmetic;
 
     /// Whether i hides q: +1 or -1.
     [[nodiscard]] static Decision hides(const Site& i, const Site& q,
                                         const std::array<Index, 2>& ranks) noexcept {
-        Forms<Directions, sums, 2> forms({&i, &q}, ranks);
+        Forms<Directions, arithmetic, 2> forms({&i, &q}, ranks);
         for (int side = 0; side < 4; ++side)
             if (forms.compare(side, 1, 0) < 0) return forms.decide(-1);
         return forms.decide(1);
@@ -153,7 +153,7 @@ struct Perturbed {
     /// Whether a square touches i, j, k counterclockwise: +1 or -1.
     [[nodiscard]] static Decision exists(const Site& i, const Site& j, const Site& k,
                                          const std::array<Index, 3>& ranks) noexcept {
-        Forms<Directions, sums, 3> forms({&i, &j, &k}, ranks);
+        Forms<Directions, arithmetic, 3> forms({&i, &j, &k}, ranks);
         return forms.decide(touching(forms).open >= 0 ? 1 : -1);
     }
 
@@ -161,9 +161,9 @@ struct Perturbed {
     [[nodiscard]] static Decision in_circle(const Site& i, const Site& j, const Site& k,
                                             const Site& q,
                                             const std::array<Index, 4>& ranks) noexcept {
-        Forms<Directions, sums, 4> forms({&i, &j, &k, &q}, ranks);
+        Forms<Directions, arithmetic, 4> forms({&i, &j, &k, &q}, ranks);
         const Touching square = touching(forms);
-        SIGNUM_EXPECTS(!is_exact(sums) || square.open >= 0);
+        SIGNUM_EXPECTS(!is_exact(arithmetic) || square.open >= 0);
         forms.forget_ties();
         return forms.decide(square.open < 0 ? -1 : meets(forms, square));
     }
@@ -179,9 +179,9 @@ struct Perturbed {
     /// hides the other.
     [[nodiscard]] static Decision in_circle_infinite(const Site& a, const Site& b, const Site& q,
                                                      const std::array<Index, 3>& ranks) noexcept {
-        Forms<Directions, sums, 3> forms({&a, &b, &q}, ranks);
+        Forms<Directions, arithmetic, 3> forms({&a, &b, &q}, ranks);
         const int side = quadrant(forms, 0, 1).side;
-        SIGNUM_EXPECTS(!is_exact(sums) || side >= 0);
+        SIGNUM_EXPECTS(!is_exact(arithmetic) || side >= 0);
         if (side < 0) return forms.decide(-1);
         forms.forget_ties();
         const bool conflict =
@@ -192,7 +192,7 @@ struct Perturbed {
     /// Whether squares touch i, j, k both counterclockwise and clockwise: +1 or -1.
     [[nodiscard]] static Decision exists_twice(const Site& i, const Site& j, const Site& k,
                                                const std::array<Index, 3>& ranks) noexcept {
-        Forms<Directions, sums, 3> forms({&i, &j, &k}, ranks);
+        Forms<Directions, arithmetic, 3> forms({&i, &j, &k}, ranks);
         const bool both = touching(forms).open >= 0 && touching(forms, {1, 0, 2}).open >= 0;
         return forms.decide(both ? 1 : -1);
     }
@@ -207,24 +207,24 @@ struct Perturbed {
     [[nodiscard]] static Decision precedes(const Site& i, const Site& j, const Site& q,
                                            const Site& k,
                                            const std::array<Index, 4>& ranks) noexcept {
-        Forms<Directions, sums, 4> forms({&i, &j, &q, &k}, ranks);
+        Forms<Directions, arithmetic, 4> forms({&i, &j, &q, &k}, ranks);
         const Touching of_q = touching(forms, {1, 0, 2});
         const Touching of_k = touching(forms, {1, 0, 3});
-        SIGNUM_EXPECTS(!is_exact(sums) || (of_q.open >= 0 && of_k.open >= 0));
+        SIGNUM_EXPECTS(!is_exact(arithmetic) || (of_q.open >= 0 && of_k.open >= 0));
         if (of_q.open < 0 || of_k.open < 0) return forms.decide(-1);
         // Twice the distance from i to j to the right and to the top; radii cancel.
-        using Term = typename Forms<Directions, sums, 4>::Term;
+        using Term = typename Forms<Directions, arithmetic, 4>::Term;
         const auto along = [](int side, int factor) {
             return std::array<Term, 4>{{{side, 1, factor},
                                         {side, 0, -factor},
                                         {side + 2, 1, -factor},
                                         {side + 2, 0, factor}}};
         };
-        const Sign right = forms.sign_of_sum(along(0, 1));
-        const Sign top = forms.sign_of_sum(along(1, 1));
+        const Sign right = forms.compare_sum(along(0, 1));
+        const Sign top = forms.compare_sum(along(1, 1));
         const auto width = along(0, right);
         const auto height = along(1, -top);
-        const Sign wide = forms.sign_of_sum(std::array<Term, 8>{
+        const Sign wide = forms.compare_sum(std::array<Term, 8>{
             width[0], width[1], width[2], width[3], height[0], height[1], height[2], height[3]});
         // Counterclockwise from the direction in which j lies.
         const int side = wide >= 0 ? (right >= 0 ? 1 : 3) : (top >= 0 ? 2 : 0);
@@ -237,7 +237,7 @@ struct Perturbed {
     [[nodiscard]] static Decision in_order_at_infinity(const Site& s, const Site& k, const Site& q,
                                                        const Site& l, bool /*rest*/,
                                                        const std::array<Index, 4>& ranks) noexcept {
-        Forms<Directions, sums, 4> forms({&s, &k, &q, &l}, ranks);
+        Forms<Directions, arithmetic, 4> forms({&s, &k, &q, &l}, ranks);
         // Where k's arc ends, and where those of q and l begin.
         const Quadrant first = quadrant(forms, 1, 0);
         const Quadrant second = quadrant(forms, 0, 2);
@@ -252,7 +252,7 @@ struct Perturbed {
     /// the hull edge k -> s to s -> l, contains direction 0: +1 or -1; k and l may be the same.
     [[nodiscard]] static Decision holds_first_direction(
         const Site& k, const Site& s, const Site& l, const std::array<Index, 3>& ranks) noexcept {
-        Forms<Directions, sums, 3> forms({&k, &s, &l}, ranks);
+        Forms<Directions, arithmetic, 3> forms({&k, &s, &l}, ranks);
         const Quadrant first = quadrant(forms, 0, 1);
         const Quadrant last = quadrant(forms, 1, 2);
         return forms.decide(stands_before(forms, last, first) ? 1 : -1);
@@ -271,26 +271,24 @@ struct Perturbed {
     /// Whether the point p is nearer to a than to b: +1 or -1.
     [[nodiscard]] static Decision nearer(const Point& p, const Site& a, const Site& b,
                                          const std::array<Index, 2>& ranks) noexcept {
-        if constexpr (sums == Sums::exact) {
+        if constexpr (arithmetic == Arithmetic::exact) {
             const filters::Verdict verdict = additive::nearer(distance(p, a), distance(p, b));
             if (verdict.is_certain()) [[likely]]
                 return {verdict.sign(), Stage::filter};
-        } else if constexpr (!is_exact(sums) || sums == Sums::interval) {
+        } else if constexpr (!is_exact(arithmetic) || arithmetic == Arithmetic::interval) {
             const auto difference = rounded_distance(p, b) - rounded_distance(p, a);
             if (filters::exceeds(difference, 0.0)) [[likely]]
                 return {filters::sign_of_nonzero(difference), Stage::filter};
         }
-        constexpr Sums behind = sums == Sums::multiprecision ? sums : Sums::exact;
-        constexpr Stage stage = !is_exact(sums)                ? Stage::filter
-                                : sums == Sums::multiprecision ? Stage::multiprecision
-                                                               : Stage::exact;
-        const Sign sign = is_exact(sums) ? compare_distances<Directions, behind>(p, a, b) : 0;
-        if (sign != 0) return {sign, stage};
-        return {ranks[0] < ranks[1] ? 1 : -1, stage, true};
+        Decision decision{0, Stage::filter};
+        if constexpr (is_exact(arithmetic))
+            decision = compare_distances<Directions, arithmetic>(p, a, b);
+        if (decision.sign != 0) return decision;
+        return {ranks[0] < ranks[1] ? 1 : -1, decision.stage, true};
     }
 
  private:
-    using Number = predicates::NumberOf<sums>;
+    using Number = predicates::NumberOf<arithmetic>;
 
     /// The distance itself, in an arithmetic that rounds.
     [[nodiscard]] static Number rounded_distance(const Point& p, const Site& m) noexcept {
@@ -310,7 +308,7 @@ template <class Directions>
 [[nodiscard]] inline Decision in_circle_decision(const Site& i, const Site& j, const Site& k,
                                                  const Site& q,
                                                  const std::array<Index, 4>& ranks) noexcept {
-    Forms<Directions, Sums::exact, 4> forms({&i, &j, &k, &q}, ranks);
+    Forms<Directions, Arithmetic::exact, 4> forms({&i, &j, &k, &q}, ranks);
     const Touching square = touching(forms);
     SIGNUM_EXPECTS(square.open >= 0);
     forms.leave_ties();
@@ -321,7 +319,7 @@ template <class Directions>
 template <class Directions>
 [[nodiscard]] inline Decision in_circle_infinite_decision(
     const Site& a, const Site& b, const Site& q, const std::array<Index, 3>& ranks) noexcept {
-    Forms<Directions, Sums::exact, 3> forms({&a, &b, &q}, ranks);
+    Forms<Directions, Arithmetic::exact, 3> forms({&a, &b, &q}, ranks);
     const int side = quadrant(forms, 0, 1).side;
     SIGNUM_EXPECTS(side >= 0);
     forms.leave_ties();

@@ -24,11 +24,11 @@
 
 namespace {
 
+using signum::Arithmetic;
 using signum::Decision;
 using signum::Index;
 using signum::Site;
 using signum::Stage;
-using signum::additive::Stages;
 using signum::brute_force::Degenerate;
 using signum::brute_force::expect_oracle;
 using signum::brute_force::ranks_of;
@@ -37,8 +37,8 @@ using signum::euclidean::Perturbed;
 using signum::oracle::ShrunkenDiscs;
 using signum::oracle::Spacing;
 using signum::reference::Random;
-using Exact = Perturbed<Stages::exact>;
-using Multiprecision = Perturbed<Stages::multiprecision>;
+using Exact = Perturbed<Arithmetic::exact>;
+using Multiprecision = Perturbed<Arithmetic::multiprecision>;
 
 #if defined(__SANITIZE_ADDRESS__) || !defined(__OPTIMIZE__)
 constexpr int share = 10;  // of the trials one in so many: rationals take long there
@@ -208,6 +208,16 @@ TEST(EuclideanPredicates, AgreeWithRationalsForEveryDoubleInEveryEnvironment) {
         ASSERT_EQ(given, expected) << trial << ": " << text(s, 4);
         // In the default one, too, where the filters decide.
         ASSERT_EQ(answers<Exact>(s, r), expected) << trial << ": " << text(s, 4);
+        if (trial % 8 != 0) continue;
+        const auto in_hostile = [&](auto question) {
+            return signum::reference::in_environment(trial / 8 % signum::reference::Hostile::modes,
+                                                     question);
+        };
+        ASSERT_EQ(in_hostile([&] { return answers<Perturbed<Arithmetic::sum>>(s, r); }), expected)
+            << trial << ": " << text(s, 4);
+        ASSERT_EQ(in_hostile([&] { return answers<Perturbed<Arithmetic::interval>>(s, r); }),
+                  expected)
+            << trial << ": " << text(s, 4);
         vertices += static_cast<int>(expected[4] != 0);
         twice += static_cast<int>(expected[2] > 0);
     }
@@ -220,7 +230,7 @@ TEST(EuclideanPredicates, NaiveOnesAlwaysReturn) {
     for (int trial = 0; trial < 20'000; ++trial) {
         Site s[4];
         hurt(degenerate, trial, s);
-        for (const int sign : answers<Perturbed<Stages::naive>>(s, ranks_of(s)))
+        for (const int sign : answers<Perturbed<Arithmetic::naive>>(s, ranks_of(s)))
             ASSERT_LE(std::abs(sign), 1);
     }
     // Integers are not rounded: nothing is wrong, ties included.
@@ -228,7 +238,7 @@ TEST(EuclideanPredicates, NaiveOnesAlwaysReturn) {
         Site s[4];
         degenerate.fill(trial % Degenerate::families, s, 4);
         const auto r = ranks_of(s);
-        ASSERT_EQ(answers<Perturbed<Stages::naive>>(s, r), answers<Multiprecision>(s, r))
+        ASSERT_EQ(answers<Perturbed<Arithmetic::naive>>(s, r), answers<Multiprecision>(s, r))
             << text(s, 4);
     }
 }
@@ -253,6 +263,19 @@ TEST(EuclideanPredicates, SayWhichStageAnsweredAndWhetherATieWasMet) {
     EXPECT_EQ(Multiprecision::in_circle({0, -5, 1}, {6, 0, 2}, {-3, 4, 1}, {-7, 0, 1}, {1, 0, 3, 2})
                   .stage,
               Stage::multiprecision);
+    // ESSA as far as doubles hold all terms: numbers of 240 bits; then integers, then rationals.
+    const auto sum = [](double bits) {
+        return Perturbed<Arithmetic::sum>::in_circle({0, -5, 1}, {6, 0, 2}, {-3, 4, 1},
+                                                     {-5, bits, 1}, {1, 0, 3, 2});
+    };
+    for (const double bits : {0.0, 0x1p-50, 0x1p-237}) EXPECT_EQ(sum(bits).stage, Stage::essa);
+    for (const double bits : {0x1p-238, 0x1p-397}) EXPECT_EQ(sum(bits).stage, Stage::exact);
+    EXPECT_EQ(sum(0x1p-398).stage, Stage::multiprecision);
+    EXPECT_TRUE(sum(0.0).tied);
+    for (const double bits : {0x1p-50, 0x1p-237, 0x1p-238, 0x1p-398}) {
+        EXPECT_EQ(sum(bits).sign, -1);
+        EXPECT_FALSE(sum(bits).tied);
+    }
 
     const Site equal{3, 4, 5};
     EXPECT_TRUE(Exact::hides(equal, equal, {0, 1}).tied);

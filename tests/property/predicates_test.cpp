@@ -20,7 +20,9 @@
 #include <immintrin.h>
 #endif
 
+#include "../../predicates/essa.hpp"
 #include "../../predicates/power.hpp"
+#include "../../predicates/power/essa.hpp"
 
 namespace signum {
 namespace {
@@ -467,6 +469,9 @@ TEST_P(Predicates, Ccw) {
         const auto e = exactly(p);
         ASSERT_TRUE(says(p, sgn(area(e[0], e[1], e[2])),
                          [](const auto& q) { return ccw_decision(q[0], q[1], q[2]); }));
+        if (trial % 8 != 0) continue;
+        ASSERT_TRUE(says(p, sgn(area(e[0], e[1], e[2])),
+                         [](const auto& q) { return essa::ccw(q[0], q[1], q[2]); }));
     }
 }
 
@@ -481,8 +486,13 @@ void test_in_circle(Random& random, const Family& family, int count) {
             std::swap(sites[0], sites[1]);
             std::swap(e[0], e[1]);
         }
-        ASSERT_TRUE(says(sites, sgn(below_plane(e[0], e[1], e[2], e[3])), [](const auto& s) {
+        const int expected = sgn(below_plane(e[0], e[1], e[2], e[3]));
+        ASSERT_TRUE(says(sites, expected, [](const auto& s) {
             return power::in_circle_decision(s[0], s[1], s[2], s[3]);
+        }));
+        if (trial % 8 != 0) continue;
+        ASSERT_TRUE(says(sites, expected, [](const auto& s) {
+            return power::essa::in_circle(s[0], s[1], s[2], s[3]);
         }));
     }
 }
@@ -528,6 +538,11 @@ void test_in_segment(Random& random, const Family& family) {
         ASSERT_TRUE(says(sites, expected, [](const auto& s) {
             return power::in_segment_decision(s[0], s[1], s[2]);
         }));
+        if (trial % 8 == 0) {
+            ASSERT_TRUE(says(sites, expected, [](const auto& s) {
+                return power::essa::in_segment(s[0], s[1], s[2]);
+            }));
+        }
         ASSERT_TRUE(says(sites, expected, [](const auto& s) {
             return Decision{power::in_circle_infinite(s[0], s[1], s[2]), Stage::exact};
         }));
@@ -551,6 +566,11 @@ void test_nearer(Random& random, const Family& family) {
         ASSERT_TRUE(says(sites, sign_nearer(e[0], e[1], e[2]), [](const auto& s) {
             return power::nearer_decision({s[0].x, s[0].y}, s[1], s[2]);
         }));
+        if (trial % 8 == 0) {
+            ASSERT_TRUE(says(sites, sign_nearer(e[0], e[1], e[2]), [](const auto& s) {
+                return power::essa::nearer({s[0].x, s[0].y}, s[1], s[2]);
+            }));
+        }
         if (kind == 0) {
             const bool same = e[1].x == e[2].x && e[1].y == e[2].y;
             ASSERT_TRUE(says(sites, same && e[2].w >= e[1].w ? 1 : 0, [](const auto& s) {

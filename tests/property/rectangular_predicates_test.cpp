@@ -15,6 +15,7 @@
 
 namespace {
 
+using signum::Arithmetic;
 using signum::Decision;
 using signum::Index;
 using signum::Site;
@@ -24,7 +25,6 @@ using signum::brute_force::ranks_of;
 using signum::brute_force::Sites;
 using signum::rectangular::Manhattan;
 using signum::rectangular::Perturbed;
-using signum::rectangular::Sums;
 using signum::rectangular::Supremum;
 
 #if defined(__SANITIZE_ADDRESS__) || !defined(__OPTIMIZE__)
@@ -94,11 +94,13 @@ TYPED_TEST(RectangularPredicates, AgreeWithRationalsForEveryDoubleInEveryEnviron
         };
         for (Site& site : s) site = {number(), number(), number()};
         const std::array<Index, 4> r = ranks_of(s);
-        const auto expected = answers<Perturbed<TypeParam, Sums::multiprecision>>(s, r);
+        const auto expected = answers<Perturbed<TypeParam, Arithmetic::multiprecision>>(s, r);
         const auto given =
             signum::reference::in_environment(trial % signum::reference::Hostile::modes,
                                               [&] { return answers<Perturbed<TypeParam>>(s, r); });
         ASSERT_EQ(given, expected) << trial;
+        ASSERT_EQ((answers<Perturbed<TypeParam, Arithmetic::sum>>(s, r)), expected) << trial;
+        ASSERT_EQ((answers<Perturbed<TypeParam, Arithmetic::interval>>(s, r)), expected) << trial;
         vertices += static_cast<int>(expected[3] != 0);
     }
     EXPECT_GT(vertices, 1000 / share);
@@ -111,8 +113,16 @@ TYPED_TEST(RectangularPredicates, SayWhichStageAnswered) {
             .stage;
     };
     EXPECT_EQ(stage({-7.125, 0.375, 1}), Stage::filter);
-    EXPECT_EQ(stage({0.3, -5.5, 1}), Stage::exact);
-    const Decision rational = Perturbed<TypeParam, Sums::multiprecision>::in_circle(
+    EXPECT_EQ(stage({0.3, -5.5, 1}), Stage::essa);
+    // A square of small integers: the sums commit no rounding, which is seen before ESSA is asked.
+    const auto tie = [](auto predicates) {
+        return decltype(predicates)::hides({0, 0, 2}, {1, 0, 1}, {0, 1});
+    };
+    EXPECT_EQ(tie(Perturbed<TypeParam>()).stage, Stage::exact);
+    EXPECT_TRUE(tie(Perturbed<TypeParam>()).tied);
+    EXPECT_EQ(tie(Perturbed<TypeParam, Arithmetic::sum>()).stage, Stage::essa);
+    EXPECT_EQ(tie(Perturbed<TypeParam, Arithmetic::interval>()).stage, Stage::essa);
+    const Decision rational = Perturbed<TypeParam, Arithmetic::multiprecision>::in_circle(
         {0, -5, 1}, {6, 0.5, 1}, {-1, 5.1, 1}, {-7, 0.25, 1}, {0, 1, 2, 3});
     EXPECT_EQ(rational.stage, Stage::multiprecision);
 }

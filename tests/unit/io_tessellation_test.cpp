@@ -85,7 +85,7 @@ TEST(WriteJson, WritesStatisticsOnRequest) {
     EXPECT_NE(
         json(tessellation(), options)
             .find(",\n\"statistics\": {\"ccw\": null, \"in_circle\": null, \"filtered\": null, "
-                  "\"refined\": null, \"essa\": null, \"multiprecision\": null, \"ties\": null, "
+                  "\"refined\": null, \"exact\": null, \"essa\": null, \"multiprecision\": null, \"ties\": null, "
                   "\"flips\": null, \"events\": null, \"seconds\": 0.5}}\n"),
         std::string::npos);
     Statistics counted;
@@ -95,7 +95,7 @@ TEST(WriteJson, WritesStatisticsOnRequest) {
     counted.seconds = 1e-7;
     EXPECT_NE(
         json(Tessellation(triangle(), std::vector<Site>(4), counted), options)
-            .find("{\"ccw\": 1, \"in_circle\": 0, \"filtered\": 0, \"refined\": 0, \"essa\": 0, "
+            .find("{\"ccw\": 1, \"in_circle\": 0, \"filtered\": 0, \"refined\": 0, \"exact\": 0, \"essa\": 0, "
                   "\"multiprecision\": 18446744073709551615, \"ties\": 0, \"flips\": 0, "
                   "\"events\": 0, "
                   "\"seconds\": 1e-07}}\n"),

@@ -226,7 +226,7 @@ TEST_F(RelaxedMath, InCircleInfiniteIsExact) {
 /// Discs that touch one circle, or one line.
 TEST_F(RelaxedMath, EuclideanPredicatesAreExact) {
     using Exact = signum::euclidean::Perturbed<>;
-    using Rational = signum::euclidean::Perturbed<signum::euclidean::Stages::multiprecision>;
+    using Rational = signum::euclidean::Perturbed<signum::Arithmetic::multiprecision>;
     for (int round = 0; round < rounds; ++round) {
         const Point centre = {in(-8, 8), in(-8, 8)};
         const double radius = in(0, 4);

@@ -531,7 +531,8 @@ TEST(TriangulateOptions, SeedChangesNothing) {
 TEST(TriangulateOptions, StatisticsAreZeroUnlessCounted) {
     const Statistics s = triangulate(many(500), Power{}).statistics();
     EXPECT_FALSE(s.counted);
-    EXPECT_EQ(s.ccw + s.in_circle + s.filtered + s.refined + s.essa + s.multiprecision + s.ties,
+    EXPECT_EQ(s.ccw + s.in_circle + s.filtered + s.refined + s.exact + s.essa + s.multiprecision +
+                  s.ties,
               0U);
     EXPECT_GE(s.seconds, 0.0);
 }
@@ -539,7 +540,9 @@ TEST(TriangulateOptions, StatisticsAreZeroUnlessCounted) {
 TEST(TriangulateOptions, StatisticsAddUp) {
     Random random(11);
     for (const Family& family : families)
-        for (const Arithmetic arithmetic : {Arithmetic::exact, Arithmetic::multiprecision}) {
+        for (const Arithmetic arithmetic :
+             {Arithmetic::exact, Arithmetic::interval, Arithmetic::sum,
+              Arithmetic::multiprecision}) {
             std::vector<Site> sites;
             for (int i = 0; i < 150; ++i) sites.push_back(family.draw(random));
             Options options;
@@ -548,7 +551,8 @@ TEST(TriangulateOptions, StatisticsAddUp) {
             const Tessellation t = triangulate(sites, Power{}, options);
             const Statistics& s = t.statistics();
             EXPECT_TRUE(s.counted);
-            EXPECT_EQ(s.filtered + s.refined + s.essa + s.multiprecision, s.ccw + s.in_circle)
+            EXPECT_EQ(s.filtered + s.refined + s.exact + s.essa + s.multiprecision,
+                      s.ccw + s.in_circle)
                 << family.name;
             EXPECT_LE(s.ties, s.in_circle);
             if (arithmetic == Arithmetic::multiprecision) {
@@ -564,7 +568,7 @@ TEST(TriangulateOptions, StatisticsAddUp) {
     Options options;
     options.count = true;
     const Statistics plain = triangulate(many(2000), Power{}, options).statistics();
-    EXPECT_GT(plain.filtered, 9 * (plain.refined + plain.essa + plain.multiprecision));
+    EXPECT_GT(plain.filtered, 9 * (plain.refined + plain.exact + plain.multiprecision));
     std::vector<Point> grid;
     for (int i = 0; i < 400; ++i) grid.push_back({1.0 * (i % 20), 1.0 * (i / 20)});
     EXPECT_GT(triangulate(grid, Power{}, options).statistics().ties, 100U);

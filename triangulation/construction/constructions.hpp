@@ -72,7 +72,8 @@ inline void fill(Statistics& statistics, const filters::Tally& tally) noexcept {
     const auto decided = [&](Stage stage) { return tally.stages[static_cast<int>(stage)]; };
     statistics.filtered = decided(Stage::filter);
     statistics.refined = decided(Stage::refine);
-    statistics.essa = decided(Stage::exact);
+    statistics.exact = decided(Stage::exact);
+    statistics.essa = decided(Stage::essa);
     statistics.multiprecision = decided(Stage::multiprecision);
     statistics.ties = tally.ties;
 }
@@ -185,7 +186,7 @@ Tessellation construct_by_sweep_with_kernel(Metric metric, const StridedSites& i
     const std::size_t n = input.size();
 
     const bool exact_sums =
-        SweepOfKernel::sums == Arithmetic::exact && rectangular::sums_are_exact(input);
+        SweepOfKernel::arithmetic == Arithmetic::exact && rectangular::sums_are_exact(input);
     LargeArray<Index> original(n);
     std::iota(original.begin(), original.end(), 0);
     LargeArray<RankedSite> sites(n);
@@ -193,7 +194,8 @@ Tessellation construct_by_sweep_with_kernel(Metric metric, const StridedSites& i
         LargeArray<RankedSite> given(n);
         for (std::size_t i = 0; i < n; ++i) given[i] = {Kernel::rounded(input[i]), 0};
         rank(given, original);
-        original = order_of_starts<typename SweepOfKernel::Directions, SweepOfKernel::sums>(given);
+        original =
+            order_of_starts<typename SweepOfKernel::Directions, SweepOfKernel::arithmetic>(given);
         for (std::size_t i = 0; i < n; ++i) sites[i] = given[static_cast<std::size_t>(original[i])];
     }
 

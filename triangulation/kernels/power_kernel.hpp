@@ -14,8 +14,10 @@
 
 #include "../../filters/interval.hpp"
 #include "../../predicates/arithmetic.hpp"
+#include "../../predicates/essa.hpp"
 #include "../../predicates/multiprecision.hpp"
 #include "../../predicates/power.hpp"
+#include "../../predicates/power/essa.hpp"
 #include "../../predicates/power/multiprecision.hpp"
 
 namespace signum::triangulation {
@@ -99,11 +101,9 @@ class PowerKernel {
             return count({multiprecision::ccw(power::centre(a), power::centre(b), power::centre(q)),
                           Stage::multiprecision});
         } else {
-            return count(decide([&] { return predicates::rounded_ccw<Number>(a, b, q); },
-                                [&] {
-                                    return predicates::ccw_exactly(
-                                        power::centre(a), power::centre(b), power::centre(q));
-                                }));
+            return count(decide(
+                [&] { return predicates::rounded_ccw<Number>(a, b, q); },
+                [&] { return essa::ccw(power::centre(a), power::centre(b), power::centre(q)); }));
         }
     }
 
@@ -119,7 +119,7 @@ class PowerKernel {
                                                         power::row<Number>(j, q),
                                                         power::row<Number>(k, q));
                 },
-                [&] { return power::in_circle_exactly(i, j, k, q); }));
+                [&] { return power::essa::in_circle(i, j, k, q); }));
         }
     }
 
@@ -140,7 +140,7 @@ class PowerKernel {
                         power::in_segment_determinant(row_a, row_b, t_a, t_b);
                     return (along_x ? a.x < b.x : a.y < b.y) ? determinant : -determinant;
                 },
-                [&] { return power::in_segment_exactly(a, b, q); }));
+                [&] { return power::essa::in_segment(a, b, q); }));
         }
     }
 
@@ -151,22 +151,22 @@ class PowerKernel {
             return power::multiprecision::nearer(p, a, b);
         } else {
             return decide([&] { return power::nearer_difference<Number>(p, a, b); },
-                          [&] { return power::nearer_exactly(p, a, b); })
+                          [&] { return power::essa::nearer(p, a, b); })
                 .sign;
         }
     }
 
     /// The sign of a number: rounded, and that is that; or in an interval, and where it contains 0
-    /// exactly; or exactly at once.
-    template <class Rounded, class Exactly>
-    [[nodiscard]] static Decision decide(Rounded rounded, Exactly exactly) noexcept {
+    /// by ESSA; or by ESSA at once.
+    template <class Rounded, class ByEssa>
+    [[nodiscard]] static Decision decide(Rounded rounded, ByEssa by_essa) noexcept {
         if constexpr (arithmetic != Arithmetic::sum) {
             const Number number = rounded();
             if (filters::exceeds(number, 0.0)) [[likely]]
                 return {filters::sign_of_nonzero(number), Stage::filter};
             if constexpr (!is_exact) return {0, Stage::filter};
         }
-        return exactly();
+        return by_essa();
     }
 
     [[nodiscard, gnu::noinline]] bool tie(Index i, Index j, Index k, Index q) const noexcept {

@@ -41,9 +41,9 @@ namespace signum::triangulation {
 
 /// The places of the sites in the order in which their waves start. Many may start at once, as
 /// those on an edge do: so the times are kept to twice the precision, where ties are seen as such.
-template <class Directions, rectangular::Sums sums>
+template <class Directions, Arithmetic arithmetic>
 [[nodiscard]] LargeArray<Index> order_of_starts(std::span<const RankedSite> sites) {
-    using Number = predicates::NumberOf<sums>;
+    using Number = predicates::NumberOf<arithmetic>;
     struct Start {
         Number twice_time;
         double rest;   ///< to be added
@@ -52,8 +52,8 @@ template <class Directions, rectangular::Sums sums>
     };
     const auto start_of = [&](Index place) -> Start {
         const RankedSite& site = sites[static_cast<std::size_t>(place)];
-        const rectangular::RoundedForms<Directions, sums> forms(site, false);
-        if (sums == rectangular::Sums::exact &&
+        const rectangular::RoundedForms<Directions, arithmetic> forms(site, false);
+        if (arithmetic == Arithmetic::exact &&
             forms.error < std::numeric_limits<double>::infinity()) {
             const TwoTerms centre = two_sum((Directions::x[0] + Directions::x[1]) * site.x,
                                             (Directions::y[0] + Directions::y[1]) * site.y);
@@ -66,7 +66,7 @@ template <class Directions, rectangular::Sums sums>
         }
         Number twice_time = forms.g[0] + forms.g[1];
         // No order has a place for a NaN.
-        if constexpr (!is_exact(sums))
+        if constexpr (!is_exact(arithmetic))
             if (twice_time != twice_time) twice_time = 0;
         return {twice_time, 0.0, forms.error, place};
     };
@@ -80,13 +80,13 @@ template <class Directions, rectangular::Sums sums>
         const RankedSite& of_a = sites[static_cast<std::size_t>(a.place)];
         const RankedSite& of_b = sites[static_cast<std::size_t>(b.place)];
         // Of equal times the later site's infinitesimal is the greater one.
-        if (error == 0.0 && sums != rectangular::Sums::interval)
+        if (error == 0.0 && arithmetic != Arithmetic::interval)
             return a.rest != b.rest ? a.rest < b.rest : of_a.rank < of_b.rank;
         if (a.place == b.place) return false;
         const auto addend = [](const RankedSite& site, int side, int factor) {
             return rectangular::Addend{&site, site.rank, side, factor};
         };
-        return rectangular::decide_sum<Directions, sums>(
+        return rectangular::decide_sum<Directions, arithmetic>(
                    difference, false,
                    std::array{addend(of_b, 0, 1), addend(of_b, 1, 1), addend(of_a, 0, -1),
                               addend(of_a, 1, -1)})
@@ -102,7 +102,7 @@ template <class Kernel>
 class Sweep {
  public:
     using Directions = typename Kernel::PredicatesType::DirectionsType;
-    static constexpr rectangular::Sums sums = Kernel::PredicatesType::sums_used;
+    static constexpr Arithmetic arithmetic = Kernel::PredicatesType::arithmetic_used;
 
     /// `exact_sums`: rectangular::sums_are_exact(sites), for the exact kernel alone.
     Sweep(Topology& topology, Kernel& kernel, std::span<Index> hidden_by, bool exact_sums)
@@ -143,7 +143,7 @@ class Sweep {
     [[nodiscard]] std::uint64_t events() const noexcept { return events_; }
 
  private:
-    using Forms = rectangular::RoundedForms<Directions, sums>;
+    using Forms = rectangular::RoundedForms<Directions, arithmetic>;
     using Number = typename Forms::Number;
     using Addend = rectangular::Addend;
     static constexpr HalfEdge none = ~HalfEdge{0};
@@ -227,7 +227,7 @@ class Sweep {
         if (filters::exceeds(rounded, error))
             return kernel_.count({filters::sign_of_nonzero(rounded), Stage::filter});
         return kernel_.count(
-            rectangular::decide_sum<Directions, sums>(rounded, exact_sums_, addends));
+            rectangular::decide_sum<Directions, arithmetic>(rounded, exact_sums_, addends));
     }
     /// The sign of g_side(a) - g_side(b).
     [[nodiscard]] Sign compare(int side, Index a, Index b) {

@@ -3,6 +3,7 @@
 #include "../../exact/multiprecision.hpp"
 #include "../../exact/surd.hpp"
 #include "../../filters/bounded.hpp"
+#include "../../predicates/euclidean/polynomials.hpp"
 #include "vertex_of_face.hpp"
 
 namespace signum::triangulation {
@@ -10,17 +11,8 @@ namespace {
 
 using exact::Rational;
 
-/// A site relative to another: p = x² + y² - r², positive where neither hides the other.
 template <class Number>
-struct Row {
-    Number x;
-    Number y;
-    Number r;
-    Number p;
-
-    Row(const Number& dx, const Number& dy, const Number& dr)
-        : x(dx), y(dy), r(dr), p(dx * dx + dy * dy - dr * dr) {}
-};
+using Row = euclidean::polynomials::Row<euclidean::Uniform<Number>>;
 
 Row<Bounded> bounded_row(const Site& m, const Site& origin) {
     const auto difference = [](double a, double b) {
@@ -59,14 +51,19 @@ struct Circle {
     Root<Number> distance, x, y;
 
     Circle(const Row<Number>& j, const Row<Number>& k, const Row<Number>& j_to_k)
-        : xy(j.x * k.y - j.y * k.x),
-          xr(j.x * k.r - j.r * k.x),
-          yr(j.y * k.r - j.r * k.y),
-          xp(j.x * k.p - j.p * k.x),
-          yp(j.y * k.p - j.p * k.y),
-          rp(j.r * k.p - j.p * k.r),
-          q(xr * xr + yr * yr - xy * xy),
-          gamma(j.p * k.p * j_to_k.p),
+        : Circle(euclidean::polynomials::Minors<euclidean::Uniform<Number>>(j, k),
+                 j.p * k.p * j_to_k.p) {}
+
+ private:
+    Circle(const euclidean::polynomials::Minors<euclidean::Uniform<Number>>& e, const Number& g)
+        : xy(e.xy),
+          xr(e.xr),
+          yr(e.yr),
+          xp(e.xp()),
+          yp(e.yp()),
+          rp(e.rp()),
+          q(e.q),
+          gamma(g),
           distance{xp * xr + yp * yr, xy, xp * xp + yp * yp},
           x{xy * yp - xr * rp, yr, (rp - yp) * (rp + yp)},
           y{-(xy * xp + yr * rp), -xr, (rp - xp) * (rp + xp)} {}

@@ -60,7 +60,7 @@ template <class Directions>
 DiagramVertex rectangular_vertex(const Site& i, const Site& j, const Site& k,
                                  const std::array<Index, 3>& ranks) {
     const std::array<const Site*, 3> sites = {&i, &j, &k};
-    rectangular::Forms<Directions, rectangular::Sums::exact, 3> forms(sites, ranks);
+    rectangular::Forms<Directions, Arithmetic::exact, 3> forms(sites, ranks);
     const rectangular::Touching touching = rectangular::touching(forms);
     if (touching.open < 0) return no_vertex();
 

@@ -1,6 +1,7 @@
 #pragma once
-/// The exact stages of the Euclidean predicates: sites as integers, as many bits wide as they need,
-/// and as rationals. Included by sources only, for it pulls in Boost and GMP.
+/// The numbers that the Euclidean predicates compute with behind their filters: sites as integers,
+/// as many bits wide as they need, as rationals, as sums for ESSA, as intervals and as rounded
+/// numbers. Included by sources only, for it pulls in Boost and GMP.
 ///
 /// All predicates are signs of homogeneous polynomials in differences of coordinates and radii, so
 /// every site may be moved by the same amounts and multiplied by the same power of two.
@@ -15,7 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <compare>
+#include <cmath>
 #include <cstdint>
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -23,8 +24,8 @@
 #include "../../core/contract.hpp"
 #include "../../core/site.hpp"
 #include "../../exact/multiprecision.hpp"
+#include "../../exact/sum.hpp"
 #include "../../filters/interval.hpp"
-#include "../../filters/tally.hpp"
 #include "polynomials.hpp"
 
 namespace signum::euclidean {
@@ -47,11 +48,15 @@ using Wide = Uniform<boost::multiprecision::number<
 using Integers = Uniform<exact::Integer>;
 using Rationals = Uniform<exact::Rational>;
 
-namespace cold {
+namespace numbers {
 
 inline constexpr int wide_bits = 120;
 /// Beyond this span most bits of the integers would be 0.
 inline constexpr int integer_bits = 400;
+/// Numbers of this span, moved to multiples of 2^-120 below 2^120, have differences below 2^121:
+/// the square in H stays below 2^976, and products of eight are multiples of 2^-960, so that sums
+/// of them neither over- nor underflow.
+inline constexpr int sum_bits = 240;
 
 /// ±significand · 2^exponent; the significand is odd, or 0.
 struct Parts {
@@ -102,7 +107,14 @@ class Numbers {
             static_cast<std::int64_t>(number.significand << (number.exponent - lowest_));
         return number.negative ? -result : result;
     }
-    /// The same for any span.
+    /// number / 2^(lowest + sum_bits / 2). Precondition: span() <= sum_bits.
+    [[nodiscard]] double centred(std::size_t at) const noexcept {
+        const Parts& number = numbers_[at];
+        const double result = std::ldexp(static_cast<double>(number.significand),
+                                         number.exponent - lowest_ - sum_bits / 2);
+        return number.negative ? -result : result;
+    }
+    /// number / 2^lowest for any span.
     template <class Integer>
     [[nodiscard]] Integer value(std::size_t at) const {
         const Parts& number = numbers_[at];
@@ -157,7 +169,7 @@ class SmallDiscs {
     std::array<Disc<Narrow>, n> discs_;
 };
 
-}  // namespace cold
+}  // namespace numbers
 
 /// The sites in rationals.
 template <std::size_t n>
@@ -180,7 +192,7 @@ template <class Number, std::size_t n>
 
 /// An interval that compares as a number does, for polynomials that ask. Where it cannot tell it
 /// says anything, and that the answer is in doubt.
-class Enclosed {
+class Enclosed : public exact::ComparedBySign<Enclosed> {
  public:
     Enclosed() = default;
     Enclosed(double number, bool& doubt) noexcept : interval_(number), doubt_(&doubt) {}
@@ -197,27 +209,15 @@ class Enclosed {
     friend Enclosed operator*(int a, const Enclosed& b) noexcept {
         return {a * b.interval_, b.doubt_};
     }
-    friend bool operator==(const Enclosed& a, const Enclosed& b) noexcept {
-        return (a - b).sign() == 0;
-    }
-    friend std::weak_ordering operator<=>(const Enclosed& a, const Enclosed& b) noexcept {
-        return (a - b).sign() <=> 0;
-    }
-    /// With 0.
-    friend bool operator==(const Enclosed& a, int) noexcept { return a.sign() == 0; }
-    friend std::weak_ordering operator<=>(const Enclosed& a, int) noexcept {
-        return a.sign() <=> 0;
-    }
-
- private:
-    Enclosed(const filters::Interval& interval, bool* doubt) noexcept
-        : interval_(interval), doubt_(doubt) {}
-
     [[nodiscard]] Sign sign() const noexcept {
         const Sign least = sign_of(interval_.low);
         *doubt_ |= least != sign_of(interval_.high);
         return least;
     }
+
+ private:
+    Enclosed(const filters::Interval& interval, bool* doubt) noexcept
+        : interval_(interval), doubt_(doubt) {}
 
     filters::Interval interval_;
     bool* doubt_;
@@ -230,37 +230,6 @@ template <std::size_t n>
     for (std::size_t m = 0; m < n; ++m)
         result[m] = {{sites[m].x, doubt}, {sites[m].y, doubt}, {sites[m].r, doubt}};
     return result;
-}
-
-/// A question's answer with its stage.
-[[nodiscard]] inline Decision at(Stage stage, const Answer& answer) noexcept {
-    return {answer.sign, stage, answer.tied};
-}
-[[nodiscard]] inline Decision at(Stage stage, Sign sign) noexcept {
-    return {sign, stage};
-}
-
-/// The answer to a question about sites, any of those of polynomials.hpp, in the narrowest numbers
-/// that hold them.
-template <std::size_t n, class Question>
-[[nodiscard]] Decision decide_exactly(const std::array<Site, n>& sites, const Question& question) {
-    const cold::Numbers<n> numbers(sites);
-    if (numbers.span() > cold::integer_bits)
-        return at(Stage::multiprecision, question(rational_discs(sites)));
-    if (numbers.span() <= 62) {
-        const cold::SmallDiscs<n> small(numbers);
-        if (small.narrow()) return at(Stage::exact, question(small.discs()));
-    }
-    const auto ask = [&]<class D>(std::array<Disc<D>, n> discs) -> Decision {
-        using Integer = typename D::Linear;
-        for (std::size_t m = 0; m < n; ++m)
-            discs[m] = {numbers.template value<Integer>(3 * m),
-                        numbers.template value<Integer>(3 * m + 1),
-                        numbers.template value<Integer>(3 * m + 2)};
-        return at(Stage::exact, question(discs));
-    };
-    if (numbers.span() <= cold::wide_bits) return ask(std::array<Disc<Wide>, n>());
-    return ask(std::array<Disc<Integers>, n>());
 }
 
 }  // namespace signum::euclidean
