@@ -4,7 +4,8 @@
 /// Laws, in rounding to nearest without flushing of denormals (see exact/floating_environment.hpp):
 ///  1. high + low equals the exact result of the operation;
 ///  2. high is the rounded result, |low| <= ulp(high) / 2.
-/// Sources: Dekker 1971, Knuth TAOCP 2 (4.2.2), Ogita, Rump and Oishi 2005.
+/// Always inlined, so that no other program's copy of them, compiled with other flags, takes the
+/// place of the library's. Sources: Dekker 1971, Knuth TAOCP 2 (4.2.2), Ogita, Rump and Oishi 2005.
 
 #include "contract.hpp"
 
@@ -18,7 +19,7 @@ struct TwoTerms {
 
 /// a + b, for |a| and |b| below the largest double (beside it b_virtual can overflow) whose sum
 /// does not overflow.
-[[nodiscard]] inline TwoTerms two_sum(double a, double b) noexcept {
+[[nodiscard, gnu::always_inline]] inline TwoTerms two_sum(double a, double b) noexcept {
     const double sum = a + b;
     const double b_virtual = sum - a;
     const double a_virtual = sum - b_virtual;
@@ -26,19 +27,19 @@ struct TwoTerms {
 }
 
 /// a + b where |a| >= |b| or a = 0.
-[[nodiscard]] inline TwoTerms quick_two_sum(double a, double b) noexcept {
+[[nodiscard, gnu::always_inline]] inline TwoTerms quick_two_sum(double a, double b) noexcept {
     const double sum = a + b;
     return {sum, b - (sum - a)};
 }
 
 /// a - b, for |a| and |b| below the largest double whose difference does not overflow.
-[[nodiscard]] inline TwoTerms two_difference(double a, double b) noexcept {
+[[nodiscard, gnu::always_inline]] inline TwoTerms two_difference(double a, double b) noexcept {
     return two_sum(a, -b);
 }
 
 /// a · b, where the product does not overflow and is 0 or at least 2^-968: below, the error
 /// would need bits under the smallest denormal.
-[[nodiscard]] inline TwoTerms two_product(double a, double b) noexcept {
+[[nodiscard, gnu::always_inline]] inline TwoTerms two_product(double a, double b) noexcept {
     const double product = a * b;
     return {product, __builtin_fma(a, b, -product)};
 }

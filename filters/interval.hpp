@@ -14,15 +14,17 @@
 
 #include "bounds.hpp"
 
+SIGNUM_IEEE_BEGIN
+
 namespace signum::filters {
 
 /// Of two rounded numbers.
 template <class Number>
-[[nodiscard]] inline Number min(Number a, Number b) noexcept {
+[[nodiscard]] constexpr Number min(Number a, Number b) noexcept {
     return a < b ? a : b;
 }
 template <class Number>
-[[nodiscard]] inline Number max(Number a, Number b) noexcept {
+[[nodiscard]] constexpr Number max(Number a, Number b) noexcept {
     return a < b ? b : a;
 }
 
@@ -99,3 +101,5 @@ struct Interval {
 }
 
 }  // namespace signum::filters
+
+SIGNUM_IEEE_END

@@ -13,18 +13,31 @@ namespace signum::filters {
 struct RoundingCount {
     int roundings = 0;
 
+    constexpr RoundingCount() = default;
+    /// An input number is exact, whatever it is.
+    explicit constexpr RoundingCount(double) noexcept {}
+    [[nodiscard]] static constexpr RoundingCount of(int roundings) noexcept {
+        RoundingCount result;
+        result.roundings = roundings;
+        return result;
+    }
+
     friend constexpr RoundingCount operator*(RoundingCount a, RoundingCount b) noexcept {
-        return {a.roundings + b.roundings + 1};
+        return of(a.roundings + b.roundings + 1);
     }
     friend constexpr RoundingCount operator+(RoundingCount a, RoundingCount b) noexcept {
-        return {(a.roundings > b.roundings ? a.roundings : b.roundings) + 1};
+        return of(max(a, b).roundings + 1);
     }
     friend constexpr RoundingCount operator-(RoundingCount a, RoundingCount b) noexcept {
         return a + b;
     }
+    friend constexpr RoundingCount max(RoundingCount a, RoundingCount b) noexcept {
+        return a.roundings > b.roundings ? a : b;
+    }
+    friend constexpr RoundingCount magnitude(RoundingCount a) noexcept { return a; }
 };
 
 /// An operand that is itself a rounded difference of two input numbers.
-inline constexpr RoundingCount rounded_difference{1};
+inline constexpr RoundingCount rounded_difference = RoundingCount(0.0) - RoundingCount(0.0);
 
 }  // namespace signum::filters

@@ -8,8 +8,11 @@
 #include "../core/sign.hpp"
 #include "../core/site.hpp"
 #include "../filters/bounds.hpp"
+#include "../filters/rounding_count.hpp"
 #include "../filters/verdict.hpp"
 #include "arithmetic.hpp"
+
+SIGNUM_IEEE_BEGIN
 
 namespace signum::additive {
 
@@ -20,13 +23,24 @@ struct Distance {
     double radius;
 };
 
-/// Which of two sites is nearer to the point: +1 for a, -1 for b. The difference of the centres'
-/// distances, that of the radii and the sum of both commit one rounding each.
+/// How much nearer a is than b, by the distances of their centres and their radii.
+template <class Number>
+[[nodiscard]] constexpr Number nearer_difference(Number to_a, Number to_b, Number radii) noexcept {
+    return (to_b - to_a) + radii;
+}
+
+/// Which of two sites is nearer to the point: +1 for a, -1 for b. Rounded distances of 3 roundings
+/// and the difference of the radii, of one, make a sum of 5 roundings at most; three more epsilons
+/// pay for second-order terms and for the roundings of the bound. Where the distances are those of
+/// two pinned sites and points, nothing between them and this may change the environment.
 [[nodiscard]] inline filters::Verdict nearer(const Distance& a, const Distance& b) noexcept {
     const double radii = a.radius - b.radius;
-    const double difference = (b.to_centre - a.to_centre) + radii;
+    const double difference = nearer_difference(a.to_centre, b.to_centre, radii);
     const double bound =
         8 * filters::epsilon * ((a.magnitude + b.magnitude) + filters::magnitude(radii));
+    static_assert(nearer_difference(filters::RoundingCount::of(3), filters::RoundingCount::of(3),
+                                    filters::rounded_difference)
+                      .roundings == 5);
     if (filters::magnitude(difference) > bound && filters::environment_is_default()) [[likely]]
         return filters::Verdict::certain(filters::sign_of_nonzero(difference));
     return filters::Verdict::uncertain();
@@ -116,3 +130,5 @@ template <class Perturbed>
 }
 
 }  // namespace signum::additive
+
+SIGNUM_IEEE_END

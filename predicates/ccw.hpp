@@ -2,10 +2,15 @@
 /// ccw: the orientation of three points, exact for all finite doubles.
 ///
 /// Laws:
-///  1. ccw(a,b,c) is the sign of (a-c) x (b-c): +1 where c lies left of the line from a to b, that
-///  is
-///     where a, b, c turn counterclockwise, 0 where they are collinear, -1 otherwise.
+///  1. ccw(a,b,c) is the sign of (a-c) x (b-c): +1 where c lies left of the line from a to b, which
+///     is where a, b, c turn counterclockwise, 0 where they are collinear, -1 otherwise.
 ///  2. It is exact and never perturbed.
+/// Laws of all predicates:
+///  3. Each is right in every rounding mode, with denormals flushed, also where the environment
+///     changes between two calls, and for operands that the caller computes on the spot.
+///  4. Where all numbers are at most 2^100 in magnitude no operation is invalid, divides by 0 or
+///     overflows, so that traps for these may be enabled. Greater ones raise the flags. A trap for
+///     underflow or inexact results will spring.
 
 #include <concepts>
 
@@ -16,6 +21,8 @@
 #include "../filters/rounding_count.hpp"
 #include "../filters/tally.hpp"
 #include "../filters/verdict.hpp"
+
+SIGNUM_IEEE_BEGIN
 
 namespace signum {
 /// A point, or a site of any kind: what has a centre.
@@ -31,7 +38,7 @@ template <class Number>
 }
 /// The same from the points, in any arithmetic that rounds.
 template <class Number, HasCentre S>
-[[nodiscard]] inline Number rounded_ccw(const S& a, const S& b, const S& c) noexcept {
+[[nodiscard]] constexpr Number rounded_ccw(const S& a, const S& b, const S& c) noexcept {
     return ccw_determinant<Number>(Number(a.x) - Number(c.x), Number(a.y) - Number(c.y),
                                    Number(b.x) - Number(c.x), Number(b.y) - Number(c.y));
 }
@@ -40,22 +47,23 @@ template <class Number, HasCentre S>
 /// The lemma of rounding_count.hpp gives (1+e)^4 - 1; one more e pays for the terms in e² and for
 /// the roundings of the bound itself, 4e(1 + 8e) < 5e.
 inline constexpr double ccw_error = 5 * filters::epsilon;
-static_assert(ccw_determinant(filters::rounded_difference, filters::rounded_difference,
-                              filters::rounded_difference, filters::rounded_difference)
-                  .roundings == 4);
+static_assert(rounded_ccw<filters::RoundingCount>(Point{}, Point{}, Point{}).roundings == 4);
 
-/// Decides almost every call. Where the two products have one sign, |left + right| is the sum of
-/// their magnitudes; where they have not, no cancellation happens and any bound below 1 would do.
-/// Underflow of a product costs at most 2^-1074 each, which 2^-1000 covers; underflow of a
-/// difference costs nothing where it is gradual. Overflow of a product or a difference gives
+/// Decides almost every call. Where the two products have one sign, the magnitude of their sum is
+/// the sum of their magnitudes; where they have not, no cancellation happens and any bound below 1
+/// would do. Underflow of a product costs at most 2^-1074 each, which 2^-1000 covers; underflow of
+/// a difference costs nothing where it is gradual. Overflow of a product or a difference gives
 /// infinity or NaN on the right, and the comparison fails, or two infinities of opposite sign,
 /// whose difference is certain.
 template <HasCentre S>
 [[nodiscard]] inline filters::Verdict ccw_filter(const S& a, const S& b, const S& c) noexcept {
-    const double left = (a.x - c.x) * (b.y - c.y);
-    const double right = (a.y - c.y) * (b.x - c.x);
-    const double determinant = left - right;
-    const double bound = ccw_error * filters::magnitude(left + right) + 0x1p-1000;
+    const Point origin = {filters::opaque(c.x), filters::opaque(c.y)};
+    const double ax = filters::pinned(a.x) - origin.x;
+    const double ay = filters::pinned(a.y) - origin.y;
+    const double bx = filters::pinned(b.x) - origin.x;
+    const double by = filters::pinned(b.y) - origin.y;
+    const double determinant = ccw_determinant(ax, ay, bx, by);
+    const double bound = ccw_error * filters::magnitude(ax * by + ay * bx) + 0x1p-1000;
     if (!filters::environment_is_default()) [[unlikely]]
         return filters::Verdict::uncertain();
     if (!(filters::magnitude(determinant) > bound)) [[unlikely]]
@@ -102,3 +110,5 @@ template <HasCentre S>
 }
 
 }  // namespace signum
+
+SIGNUM_IEEE_END

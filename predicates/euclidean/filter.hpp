@@ -8,14 +8,16 @@
 /// and E_rp together at most l_j l_k (l_j + l_k). Where every operation commits a relative error of
 /// at most e, a polynomial of at most n roundings on the way from input to result is off by at most
 /// ((1+e)^n - 1) times this product (the lemma of filters/rounding_count.hpp). The counts are given
-/// at each bound, checked below by machine; one to three units more pay for terms in e² and for the
-/// roundings of the bound itself. To sum in another order, or to multiply out, adds no rounding on
-/// any way.
+/// at each bound, and checked by machine beside the formulas; one to three units more pay for terms
+/// in e² and for the roundings of the bound itself.
 ///
-/// The window. All l lie in [2^-120, 2^120] (sites that coincide are left to the exact stages). No
-/// product has more than eight factors l: below 2^960 times a small number, nothing overflows.
+/// The window. All l lie in [2^-110, 2^110] (sites that coincide are left to the exact stages). No
+/// product has more than nine factors l: below 2^990 times a small number, nothing overflows.
 /// Underflow costs a product at most 2^-1074, at a place where the l that bound it multiply to
-/// 2^-960 or more: 2^-114 of the bound, and some hundred of them are nothing beside e.
+/// 2^-990 or more: 2^-84 of the bound, and some hundred of them are nothing beside e.
+///
+/// Nothing is divided, and no root is taken of a negative number: in the window no flag is raised
+/// but those of inexact and tiny results.
 
 #include <initializer_list>
 
@@ -29,6 +31,8 @@
 #if defined(__SSE2__)
 #include <emmintrin.h>
 #endif
+
+SIGNUM_IEEE_BEGIN
 
 namespace signum::euclidean::filter {
 
@@ -45,7 +49,7 @@ struct DifferenceOf {
     Number l;
     Number p;
 
-    DifferenceOf(const Site& m, const Site& i) noexcept
+    constexpr DifferenceOf(const Site& m, const Site& i) noexcept
         : x(Number(m.x) - Number(i.x)),
           y(Number(m.y) - Number(i.y)),
           r(Number(m.r) - Number(i.r)),
@@ -53,6 +57,11 @@ struct DifferenceOf {
           p((x * x + y * y) - r * r) {}
 };
 using Difference = DifferenceOf<double>;
+
+/// The rows of which the roundings are counted.
+using CountedDifference = DifferenceOf<filters::RoundingCount>;
+inline constexpr CountedDifference counted_difference(Site{}, Site{});
+static_assert(counted_difference.p.roundings == 5);
 
 template <class... Size>
 [[nodiscard]] inline bool in_window(double first, Size... others) noexcept {
@@ -62,7 +71,7 @@ template <class... Size>
     ((greatest = others > greatest ? others : greatest), ...);
     // An l that is not a number is not above the least and not below the greatest; the predicates
     // on finite sites make no other than inf - inf, of which inf itself is a summand: l is inf.
-    return least >= 0x1p-120 && greatest <= 0x1p120;
+    return least >= 0x1p-110 && greatest <= 0x1p110;
 }
 
 /// NaN for a negative number, without a word to errno.
@@ -82,33 +91,16 @@ template <class... Size>
 #endif
 }
 
+/// The root of a number that only its rounding can have made negative.
+[[nodiscard]] inline double root_of_positive(double value) noexcept {
+    return square_root(value > 0.0 ? value : 0.0);
+}
+
 [[nodiscard]] inline Verdict sign(double value, double bound) noexcept {
     if (magnitude(value) > bound) [[likely]]
         return Verdict::certain(filters::sign_of_nonzero(value));
     return Verdict::uncertain();
 }
-
-// ---- the counts --------------------------------------------------------------------------------
-
-namespace count {
-using filters::RoundingCount;
-inline constexpr RoundingCount d = filters::rounded_difference;
-inline constexpr RoundingCount p = (d * d + d * d) - d * d;
-inline constexpr RoundingCount e = d * d - d * d;
-inline constexpr RoundingCount e_p = d * p - d * p;
-inline constexpr RoundingCount q = (e * e + e * e) - e * e;
-inline constexpr RoundingCount twice_ab = e_p * e + e_p * e;
-inline constexpr RoundingCount gamma = p * p * p;
-inline constexpr RoundingCount a = (d * twice_ab + d * twice_ab) + (d * twice_ab - p * q);
-inline constexpr RoundingCount l = (d * e - d * e) + d * e;
-static_assert(p.roundings == 5 && e.roundings == 4 && q.roundings == 11);
-static_assert(twice_ab.roundings == 14 && gamma.roundings == 17);
-static_assert(a.roundings == 19 && l.roundings == 8);
-inline constexpr RoundingCount t = d * (d * d + d * d) - d * (d * d + d * d);
-static_assert(t.roundings == 7);
-inline constexpr RoundingCount middle = e * ((p - p) - p);
-static_assert((middle * q - middle * q).roundings == 25);
-}  // namespace count
 
 /// What i, j, k alone decide.
 template <class Number>
@@ -122,7 +114,7 @@ struct TripleOf {
     Number q;
     Number l_jk;  // l_j l_k
 
-    TripleOf(const Site& i, const Site& site_j, const Site& site_k) noexcept
+    constexpr TripleOf(const Site& i, const Site& site_j, const Site& site_k) noexcept
         : j(site_j, i),
           k(site_k, i),
           jk(site_k, site_j),
@@ -133,16 +125,21 @@ struct TripleOf {
           l_jk(j.l * k.l) {}
 
     [[nodiscard]] bool in_window() const noexcept { return filter::in_window(j.l, k.l, jk.l); }
-    [[nodiscard]] Number xp() const noexcept { return j.x * k.p - j.p * k.x; }
-    [[nodiscard]] Number yp() const noexcept { return j.y * k.p - j.p * k.y; }
-    [[nodiscard]] Number rp() const noexcept { return j.r * k.p - j.p * k.r; }
+    [[nodiscard]] constexpr Number xp() const noexcept { return j.x * k.p - j.p * k.x; }
+    [[nodiscard]] constexpr Number yp() const noexcept { return j.y * k.p - j.p * k.y; }
+    [[nodiscard]] constexpr Number rp() const noexcept { return j.r * k.p - j.p * k.r; }
+    /// The product of the three powers.
+    [[nodiscard]] constexpr Number gamma() const noexcept { return j.p * k.p * jk.p; }
+    [[nodiscard]] constexpr Number twice_ab() const noexcept { return xp() * xr + yp() * yr; }
+    /// Twice the middle of k's part of the bisector of i and j, times the size of Q.
+    [[nodiscard]] constexpr Number middle() const noexcept { return xy * ((j.p - k.p) - jk.p); }
 
     /// Whether no site hides another: +1 or -1.
     [[nodiscard]] Verdict apart() const noexcept;
 
     /// The sign of 2ab: 14 roundings of at most (l_j l_k)² (l_j + l_k).
     [[nodiscard]] Verdict sign_of_twice_ab() const noexcept {
-        return sign(xp() * xr + yp() * yr, 17 * epsilon * (l_jk * l_jk) * (j.l + k.l));
+        return sign(twice_ab(), 17 * epsilon * (l_jk * l_jk) * (j.l + k.l));
     }
     /// The sign of Q: 11 roundings of at most (l_j l_k)².
     [[nodiscard]] Verdict sign_of_q() const noexcept {
@@ -150,6 +147,10 @@ struct TripleOf {
     }
 };
 using Triple = TripleOf<double>;
+using CountedTriple = TripleOf<filters::RoundingCount>;
+inline constexpr CountedTriple counted_triple(Site{}, Site{}, Site{});
+static_assert(counted_triple.xy.roundings == 4 && counted_triple.q.roundings == 11);
+static_assert(counted_triple.twice_ab().roundings == 14 && counted_triple.gamma().roundings == 17);
 
 /// The sign of p, of 5 roundings of at most l².
 [[nodiscard]] inline Verdict sign_of_power(const Difference& m) noexcept {
@@ -180,14 +181,14 @@ inline Verdict TripleOf<Number>::apart() const noexcept {
 [[nodiscard]] inline Verdict hides(const Site& m, const Site& q) noexcept {
     if (!filters::environment_is_default()) [[unlikely]]
         return Verdict::uncertain();
-    return hides(Difference(q, m));
+    return hides(Difference(filters::pinned(q), filters::pinned(m)));
 }
 
 /// Whether a circle touches i, j, k counterclockwise: +1 or -1.
 [[nodiscard]] inline Verdict exists(const Site& i, const Site& j, const Site& k) noexcept {
     if (!filters::environment_is_default()) [[unlikely]]
         return Verdict::uncertain();
-    const Triple t(i, j, k);
+    const Triple t(filters::pinned(i), filters::pinned(j), filters::pinned(k));
     if (!t.in_window()) [[unlikely]]
         return Verdict::uncertain();
     const Verdict apart = t.apart();
@@ -206,7 +207,7 @@ inline Verdict TripleOf<Number>::apart() const noexcept {
 /// where the window is not asked for: E_xr² and so on underflow by less than 2^-1070 (1 + l_j l_k)
 /// together, and where a product overflows the bound does.
 [[nodiscard]] inline Verdict exists_twice(const Site& i, const Site& j, const Site& k) noexcept {
-    const Triple t(i, j, k);
+    const Triple t(filters::pinned(i), filters::pinned(j), filters::pinned(k));
     const double bound = 13 * epsilon * (t.l_jk * t.l_jk) + (0x1p-1000 * t.l_jk + 0x1p-1000);
     if (!filters::environment_is_default()) [[unlikely]]
         return Verdict::uncertain();
@@ -218,18 +219,27 @@ inline Verdict TripleOf<Number>::apart() const noexcept {
     return t.sign_of_twice_ab();
 }
 
+/// C_k e_k Q_q - C_q e_q Q_k, for the rows of q and those of k.
+template <class Number>
+[[nodiscard]] constexpr Number order_of_middles(const TripleOf<Number>& q,
+                                                const TripleOf<Number>& k) noexcept {
+    return k.middle() * q.q - q.middle() * k.q;
+}
+static_assert(order_of_middles(counted_triple, counted_triple).roundings == 25);
+
 /// The sign of C_k e_k Q_q - C_q e_q Q_k: 25 roundings. C and Q are at most l_j l_k and its square,
 /// e = p_ij - p_ik - p_jk is at most l_j² + l_k² + l_jk².
 [[nodiscard]] inline Verdict precedes(const Site& i, const Site& j, const Site& q,
                                       const Site& k) noexcept {
     if (!filters::environment_is_default()) [[unlikely]]
         return Verdict::uncertain();
-    const Triple first(i, j, q);
-    const Triple second(i, j, k);
+    const Site first_site = filters::pinned(i);
+    const Site second_site = filters::pinned(j);
+    const Triple first(first_site, second_site, filters::pinned(q));
+    const Triple second(first_site, second_site, filters::pinned(k));
     if (!in_window(first.j.l, first.k.l, first.jk.l, second.k.l, second.jk.l)) [[unlikely]]
         return Verdict::uncertain();
-    // Twice the middle of a part, and a bound of its magnitude.
-    const auto middle = [](const Triple& t) { return t.xy * ((t.j.p - t.k.p) - t.jk.p); };
+    // A bound of the magnitude of a middle.
     const auto size = [](const Triple& t) {
         return t.l_jk * (t.j.l * t.j.l + t.k.l * t.k.l + t.jk.l * t.jk.l);
     };
@@ -238,32 +248,30 @@ inline Verdict TripleOf<Number>::apart() const noexcept {
     const Verdict of_second = second.sign_of_q();
     if (!of_first.is_certain() || !of_second.is_certain()) [[unlikely]]
         return Verdict::uncertain();
-    return sign(
-        middle(second) * first.q - middle(first) * second.q,
-        29 * epsilon *
-            (size(second) * (first.l_jk * first.l_jk) + size(first) * (second.l_jk * second.l_jk)));
+    return sign(order_of_middles(first, second), 29 * epsilon *
+                                                     (size(second) * (first.l_jk * first.l_jk) +
+                                                      size(first) * (second.l_jk * second.l_jk)));
 }
 
 /// A - L √Γ, where A is put in the order of q's row:
 ///     A = x_q (E_xy E_yp - E_xr E_rp) - y_q (E_xy E_xp + E_yr E_rp) + r_q [2ab] - p_q Q.
 template <class Number>
 struct ConflictOf {
+    Number a;
     Number l;
-    Number root;
-    Number difference;
+    Number gamma;
 
     /// For the row of q relative to i.
-    ConflictOf(const TripleOf<Number>& t, const DifferenceOf<Number>& c) noexcept
-        : l((c.x * t.yr - c.y * t.xr) + c.r * t.xy), root(square_root(t.j.p * t.k.p * t.jk.p)) {
-        const Number xp = t.xp();
-        const Number yp = t.yp();
-        const Number rp = t.rp();
-        const Number a = (c.x * (t.xy * yp - t.xr * rp) - c.y * (t.xy * xp + t.yr * rp)) +
-                         (c.r * (xp * t.xr + yp * t.yr) - c.p * t.q);
-        difference = a - l * root;
-    }
+    constexpr ConflictOf(const TripleOf<Number>& t, const DifferenceOf<Number>& c) noexcept
+        : a((c.x * (t.xy * t.yp() - t.xr * t.rp()) - c.y * (t.xy * t.xp() + t.yr * t.rp())) +
+            (c.r * t.twice_ab() - c.p * t.q)),
+          l((c.x * t.yr - c.y * t.xr) + c.r * t.xy),
+          gamma(t.gamma()) {}
 };
 using Conflict = ConflictOf<double>;
+inline constexpr ConflictOf<filters::RoundingCount> counted_conflict(counted_triple,
+                                                                     counted_difference);
+static_assert(counted_conflict.a.roundings == 19 && counted_conflict.l.roundings == 8);
 
 /// The sign of Q (A - L √Γ). The magnitude of A is at most m = l_q (l_j l_k)² (l_j + l_k + l_q),
 /// that of L at most t = l_j l_k l_q, that of Γ at most g² for g = l_j l_k l_jk. The errors:
@@ -273,22 +281,24 @@ using Conflict = ConflictOf<double>;
 ///            18e g²/s and by its own rounding, e s <= e (1+18e) g²/s: together less than 20e g²/s
 ///     A - L s    19e m + 8e t s + |L| 20e g²/s, and 2e (|A| + |L| s) for product and difference.
 /// Now s <= g(1+9e), and t g <= m since l_jk <= l_j + l_k; so that all is at most
-/// (19 + 8 + 2 + 2) e m + 20e |L| g²/s, and some second-order terms. Where s is 0 or not a number
-/// neither is the bound smaller than anything.
+/// (19 + 8 + 2 + 2) e m + 20e |L| g²/s, and some second-order terms. Both sides are compared times
+/// s, of degree 9, without a division: where s is 0, nothing is certain.
 [[nodiscard]] inline Verdict in_circle_of_visible(const Site& i, const Site& j, const Site& k,
                                                   const Site& q) noexcept {
     if (!filters::environment_is_default()) [[unlikely]]
         return Verdict::uncertain();
-    const Triple t(i, j, k);
-    const Difference c(q, i);
+    const Site origin = filters::pinned(i);
+    const Triple t(origin, filters::pinned(j), filters::pinned(k));
+    const Difference c(filters::pinned(q), origin);
     if (!in_window(t.j.l, t.k.l, t.jk.l, c.l)) [[unlikely]]
         return Verdict::uncertain();
     const Conflict conflict(t, c);
-    const double difference = conflict.difference;
+    const double root = root_of_positive(conflict.gamma);
+    const double difference = conflict.a - conflict.l * root;
     const double g = t.l_jk * t.jk.l;
     const double m = c.l * (t.l_jk * t.l_jk) * (t.j.l + t.k.l + c.l);
-    const double bound = epsilon * (34 * m + 22 * magnitude(conflict.l) * g * (g / conflict.root));
-    if (!(magnitude(difference) > bound)) [[unlikely]]
+    const double bound = epsilon * (34 * m * root + 22 * magnitude(conflict.l) * g * g);
+    if (!(magnitude(difference) * root > bound)) [[unlikely]]
         return Verdict::uncertain();
     const Verdict of_q = t.sign_of_q();
     if (!of_q.is_certain()) [[unlikely]]
@@ -302,7 +312,7 @@ using Conflict = ConflictOf<double>;
     const Verdict verdict = in_circle_of_visible(i, j, k, q);
     if (!verdict.is_certain() || verdict.sign() < 0) return verdict;
     for (const Site* m : {&i, &j, &k}) {
-        const Verdict hidden = hides(Difference(q, *m));
+        const Verdict hidden = hides(*m, q);
         if (!hidden.is_certain()) [[unlikely]]
             return hidden;
         if (hidden.sign() > 0) return Verdict::certain(-1);
@@ -313,43 +323,55 @@ using Conflict = ConflictOf<double>;
 /// T - √p X with T = z|u|² - s u·w and X = u x w.
 template <class Number>
 struct InfiniteConflictOf {
-    Number root;
+    Number t;
     Number cross;
-    Number difference;
 
-    InfiniteConflictOf(const DifferenceOf<Number>& u, const DifferenceOf<Number>& w) noexcept
-        : root(square_root(u.p)),
-          cross(u.x * w.y - u.y * w.x),
-          difference((w.r * (u.x * u.x + u.y * u.y) - u.r * (u.x * w.x + u.y * w.y)) -
-                     root * cross) {}
+    constexpr InfiniteConflictOf(const DifferenceOf<Number>& u,
+                                 const DifferenceOf<Number>& w) noexcept
+        : t(w.r * (u.x * u.x + u.y * u.y) - u.r * (u.x * w.x + u.y * w.y)),
+          cross(u.x * w.y - u.y * w.x) {}
 };
 using InfiniteConflict = InfiniteConflictOf<double>;
+inline constexpr InfiniteConflictOf<filters::RoundingCount> counted_infinite_conflict(
+    counted_difference, counted_difference);
+static_assert(counted_infinite_conflict.t.roundings == 7 &&
+              counted_infinite_conflict.cross.roundings == 4);
 
 /// The sign of T - √p X: T of 7 roundings of at most l_u² l_w, X of 4 roundings of at most l_u l_w.
 /// As above the root s of p is off by less than 8e l_u²/s, and s <= l_u(1+3e): (7 + 4 + 4)e l_u²
-/// l_w + 8e |X| l_u²/s.
+/// l_w + 8e |X| l_u²/s, compared times s as above.
 [[nodiscard]] inline Verdict in_circle_infinite(const Site& a, const Site& b,
                                                 const Site& q) noexcept {
     if (!filters::environment_is_default()) [[unlikely]]
         return Verdict::uncertain();
-    const Difference u(b, a);
-    const Difference w(q, a);
+    const Site origin = filters::pinned(a);
+    const Difference u(filters::pinned(b), origin);
+    const Difference w(filters::pinned(q), origin);
     if (!in_window(u.l, w.l)) [[unlikely]]
         return Verdict::uncertain();
     const InfiniteConflict conflict(u, w);
-    const double bound = epsilon * (18 * (u.l * u.l * w.l) +
-                                    10 * magnitude(conflict.cross) * u.l * (u.l / conflict.root));
-    return sign(conflict.difference, bound);
+    const double root = root_of_positive(u.p);
+    const double square = u.l * u.l;
+    return sign((conflict.t - root * conflict.cross) * root,
+                epsilon * square * (18 * w.l * root + 10 * magnitude(conflict.cross)));
 }
+
+/// The square of the distance of two points.
+template <class Number>
+[[nodiscard]] constexpr Number square_of_distance(const Point& p, const Site& m) noexcept {
+    const Number x = Number(p.x) - Number(m.x);
+    const Number y = Number(p.y) - Number(m.y);
+    return x * x + y * y;
+}
+static_assert(square_of_distance<filters::RoundingCount>(Point{}, Site{}).roundings == 4);
 
 /// A square of a distance takes 4 roundings, its root half of that and one more: at most 3e. Where
 /// a square underflows, by 2^-1074 at most, the root is off by 2^-537; where it overflows, so does
 /// the magnitude.
 [[nodiscard]] inline additive::Distance distance(const Point& p, const Site& m) noexcept {
-    const double x = p.x - m.x;
-    const double y = p.y - m.y;
-    const double to_centre = square_root(x * x + y * y);
-    return {to_centre, to_centre + 0x1p-440, m.r};
+    const Site site = filters::pinned(m);
+    const double to_centre = square_root(square_of_distance<double>(filters::pinned(p), site));
+    return {to_centre, to_centre + 0x1p-440, site.r};
 }
 
 [[nodiscard]] inline Verdict nearer(const Point& p, const Site& a, const Site& b) noexcept {
@@ -365,7 +387,8 @@ template <class Number>
                                     const Site& q) noexcept {
     using Difference = DifferenceOf<Number>;
     const TripleOf<Number> t(i, j, k);
-    const Sign sign = sign_of(t.q) * sign_of(ConflictOf<Number>(t, Difference(q, i)).difference);
+    const ConflictOf<Number> conflict(t, Difference(q, i));
+    const Sign sign = sign_of(t.q) * sign_of(conflict.a - conflict.l * square_root(conflict.gamma));
     if (sign > 0)
         for (const Site* m : {&i, &j, &k}) {
             const Difference row(q, *m);
@@ -377,7 +400,9 @@ template <class Number>
 template <class Number>
 [[nodiscard]] inline Sign in_circle_infinite(const Site& a, const Site& b, const Site& q) noexcept {
     using Difference = DifferenceOf<Number>;
-    return sign_of(InfiniteConflictOf<Number>(Difference(b, a), Difference(q, a)).difference);
+    const Difference u(b, a);
+    const InfiniteConflictOf<Number> conflict(u, Difference(q, a));
+    return sign_of(conflict.t - square_root(u.p) * conflict.cross);
 }
 
 template <class Number>
@@ -388,9 +413,7 @@ template <class Number>
 template <class Number>
 [[nodiscard]] inline Sign nearer(const Point& p, const Site& a, const Site& b) noexcept {
     const auto distance = [&p](const Site& m) -> Number {
-        const Number x = Number(p.x) - Number(m.x);
-        const Number y = Number(p.y) - Number(m.y);
-        return square_root(x * x + y * y) - Number(m.r);
+        return square_root(square_of_distance<Number>(p, m)) - Number(m.r);
     };
     return sign_of(distance(b) - distance(a));
 }
@@ -398,3 +421,5 @@ template <class Number>
 }  // namespace rounded
 
 }  // namespace signum::euclidean::filter
+
+SIGNUM_IEEE_END

@@ -1,6 +1,7 @@
 #include "edge.hpp"
 
 #include "../../exact/floating_environment.hpp"
+#include "../../filters/rounding_count.hpp"
 #include "exact_rows.hpp"
 #include "multiprecision.hpp"
 
@@ -9,9 +10,11 @@ namespace {
 
 using filters::magnitude;
 
-/// |p-b|² - |p-a|² + w_a - w_b. The squares take 4 roundings, their difference 5, the weights at
-/// most 3, the last sum 6; one more e for second-order terms and the roundings of the bound.
+/// The error of the rounded difference as a multiple of its magnitude: (1+e)^6 - 1 by the lemma,
+/// one more e for second-order terms and the roundings of the bound.
 constexpr double nearer_error = 7 * filters::epsilon;
+static_assert(nearer_difference<filters::RoundingCount>(Point{}, signum::Site{}, signum::Site{})
+                  .roundings == 6);
 
 template <PowerSite S>
 [[nodiscard]] Sign expand(const Point& p, const S& a, const S& b) noexcept {
@@ -29,11 +32,10 @@ template <PowerSite S>
     const double ay = p.y - a.y;
     const double bx = p.x - b.x;
     const double by = p.y - b.y;
-    const double weight = weight_difference(a, b);
-    const double a_square = ax * ax + ay * ay;
-    const double b_square = bx * bx + by * by;
-    const double difference = (b_square - a_square) + weight;
-    if (magnitude(difference) > nearer_error * (a_square + b_square + magnitude(weight)))
+    const double size =
+        (ax * ax + ay * ay) + (bx * bx + by * by) + magnitude(weight_difference(a, b));
+    const double difference = nearer_difference<double>(p, a, b);
+    if (magnitude(difference) > nearer_error * size)
         return {filters::sign_of_nonzero(difference), Stage::filter};
     return {expand(p, a, b), Stage::exact};
 }

@@ -6,6 +6,8 @@
 #include "../../filters/tally.hpp"
 #include "weight.hpp"
 
+SIGNUM_IEEE_BEGIN
+
 namespace signum::power {
 
 /// +1 where the point p is nearer to a than to b, 0 where both are as near, -1 otherwise: the sign
@@ -18,7 +20,7 @@ namespace signum::power {
 
 /// The same number in any arithmetic that rounds.
 template <class Number, PowerSite S>
-[[nodiscard]] inline Number nearer_difference(Point p, const S& a, const S& b) noexcept {
+[[nodiscard]] constexpr Number nearer_difference(Point p, const S& a, const S& b) noexcept {
     const auto square = [&p](const S& s) {
         const Number x = Number(p.x) - Number(s.x);
         const Number y = Number(p.y) - Number(s.y);
@@ -28,3 +30,5 @@ template <class Number, PowerSite S>
 }
 
 }  // namespace signum::power
+
+SIGNUM_IEEE_END

@@ -169,7 +169,8 @@ class IntegerRows {
 /// The error of the determinant in double-doubles as a multiple of its magnitude: the lemma of
 /// rounding_count.hpp gives (1+d)^8 - 1; twice that covers the magnitude, rounded in doubles.
 constexpr double refined_error = 16 * filters::double_double_epsilon;
-constexpr Row<filters::RoundingCount> refined_row{{0}, {0}, {1}};
+constexpr Row<filters::RoundingCount> refined_row{
+    filters::RoundingCount(), filters::RoundingCount(), filters::RoundingCount::of(1)};
 static_assert(in_circle_determinant(refined_row, refined_row, refined_row).roundings == 8);
 
 [[nodiscard]] Verdict refine(const Row<DoubleDouble>& a, const Row<DoubleDouble>& b,

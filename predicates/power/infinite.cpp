@@ -22,7 +22,7 @@ template <PowerSite S>
                                       double t_b) noexcept {
     const double a_square = a.x * a.x + a.y * a.y;
     const double b_square = b.x * b.x + b.y * b.y;
-    const double determinant = (a_square - a.weight) * t_b - (b_square - b.weight) * t_a;
+    const double determinant = in_segment_determinant(a, b, t_a, t_b);
     const double bound = in_segment_error * ((a_square + magnitude(a.weight)) * magnitude(t_b) +
                                              (b_square + magnitude(b.weight)) * magnitude(t_a));
     if (magnitude(determinant) > bound)

@@ -12,6 +12,8 @@
 #include "../ccw.hpp"
 #include "in_circle.hpp"
 
+SIGNUM_IEEE_BEGIN
+
 namespace signum::power {
 
 /// (h_a t_b - h_b t_a), for any type of number; the caller multiplies by the sign of t_b - t_a.
@@ -29,3 +31,5 @@ template <class Number>
                                            const signum::Site& q) noexcept;
 
 }  // namespace signum::power
+
+SIGNUM_IEEE_END

@@ -8,7 +8,8 @@
 
 #include "../../core/site.hpp"
 #include "../../filters/bounds.hpp"
-#include "../../filters/rounding_count.hpp"
+
+SIGNUM_IEEE_BEGIN
 
 namespace signum::power {
 
@@ -18,22 +19,18 @@ concept PowerSite =
 
 /// w_i - w_q, in doubles with a relative error of at most three roundings.
 template <class Number = double>
-[[nodiscard]] inline Number weight_difference(const Point&, const Point&) noexcept {
+[[nodiscard]] constexpr Number weight_difference(const Point&, const Point&) noexcept {
     return Number(0.0);
 }
 template <class Number = double>
-[[nodiscard]] inline Number weight_difference(const Site& i, const Site& q) noexcept {
+[[nodiscard]] constexpr Number weight_difference(const Site& i, const Site& q) noexcept {
     return Number(i.w) - Number(q.w);
 }
 template <class Number = double>
-[[nodiscard]] inline Number weight_difference(const signum::Site& i,
-                                              const signum::Site& q) noexcept {
+[[nodiscard]] constexpr Number weight_difference(const signum::Site& i,
+                                                 const signum::Site& q) noexcept {
     return (Number(i.r) - Number(q.r)) * (Number(i.r) + Number(q.r));
 }
-
-/// The roundings of the costliest of the three.
-inline constexpr filters::RoundingCount rounded_weight_difference =
-    filters::rounded_difference * filters::rounded_difference;
 
 /// A number that orders sites of one kind by weight: w itself, or |r|, exactly.
 [[nodiscard]] inline double weight_key(const Point&) noexcept {
@@ -52,3 +49,5 @@ template <PowerSite S>
 }
 
 }  // namespace signum::power
+
+SIGNUM_IEEE_END

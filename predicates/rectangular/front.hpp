@@ -31,12 +31,12 @@ namespace signum::rectangular {
 
 /// The forms of one site, rounded.
 ///
-/// The error: with S = |x| + |y| + |r| a rounded form is off by 2eS and less than S(1+2e). A sum of
-/// forms of the sites a, b, ... (each taken at most twice, then alone in its site) commits three
-/// roundings more, of partial sums below the sum of all S. So it is off by less than the sum of the
-/// errors 8eS of its sites. Additions underflow exactly; near the greatest doubles nothing is
-/// certain. Where the sums are exact (sums_are_exact) there is no error.
-/// As for Forms, other arithmetics than doubles with a bound have the error 0 or an infinite one.
+/// The error: with S = |x| + |y| + |r| a rounded form is off by 2eS (counted in forms.hpp) and less
+/// than S(1+2e). A sum of forms of the sites a, b, ... (each taken at most twice, then alone in its
+/// site) commits three roundings more, of partial sums below the sum of all S. So it is off by less
+/// than the sum of the errors 8eS of its sites. Additions underflow exactly; near the greatest
+/// doubles nothing is certain. Where the sums are exact (sums_are_exact) there is no error. As for
+/// Forms, other arithmetics than doubles with a bound have the error 0 or an infinite one.
 template <class Directions, Arithmetic arithmetic>
 struct RoundedForms {
     using Number = predicates::NumberOf<arithmetic>;

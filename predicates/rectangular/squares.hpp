@@ -18,6 +18,8 @@
 #include "../additive.hpp"
 #include "forms.hpp"
 
+SIGNUM_IEEE_BEGIN
+
 namespace signum::rectangular {
 
 /// The side of an inscribed square that no site touches, and who touches the others (in the open
@@ -131,6 +133,21 @@ template <class AnyForms>
     return forms.compare_sum(std::array<typename AnyForms::Term, 4>{
                {{next, x.a, 1}, {opposite, x.b, -1}, {next, y.a, -1}, {opposite, y.b, 1}}}) > 0;
 }
+
+/// How far a point is from the centre of a site.
+template <class Directions, class Number>
+[[nodiscard]] constexpr Number distance_to_centre(const Point& p, const Site& m) noexcept {
+    using filters::magnitude;
+    using filters::max;
+    const Number x = Number(m.x) - Number(p.x);
+    const Number y = Number(m.y) - Number(p.y);
+    const auto along = [&](int side) {
+        return magnitude(Number(Directions::x[side]) * x + Number(Directions::y[side]) * y);
+    };
+    return max(along(0), along(1));
+}
+static_assert(distance_to_centre<Manhattan, filters::RoundingCount>(Point{}, Site{}).roundings ==
+              3);
 
 /// The predicates of one of the two metrics under the tie rule: no answer is ever 0. `ranks` are
 /// the places of the sites in the rule's order (falling radius, rising x, y, index); only their
@@ -260,12 +277,11 @@ struct Perturbed {
 
     /// How far the point p is from m, of three roundings, for additive::nearer.
     [[nodiscard]] static additive::Distance distance(const Point& p, const Site& m) noexcept {
-        const double x = m.x - p.x;
-        const double y = m.y - p.y;
-        const double first = filters::magnitude(Directions::x[0] * x + Directions::y[0] * y);
-        const double second = filters::magnitude(Directions::x[1] * x + Directions::y[1] * y);
-        return {first < second ? second : first, filters::magnitude(x) + filters::magnitude(y),
-                m.r};
+        const Site site = filters::pinned(m);
+        const Point point = filters::pinned(p);
+        const double size =
+            filters::magnitude(site.x - point.x) + filters::magnitude(site.y - point.y);
+        return {distance_to_centre<Directions, double>(point, site), size, site.r};
     }
 
     /// Whether the point p is nearer to a than to b: +1 or -1.
@@ -292,13 +308,7 @@ struct Perturbed {
 
     /// The distance itself, in an arithmetic that rounds.
     [[nodiscard]] static Number rounded_distance(const Point& p, const Site& m) noexcept {
-        const Number x = Number(m.x) - Number(p.x);
-        const Number y = Number(m.y) - Number(p.y);
-        const auto along = [&](int side) {
-            return filters::magnitude(Number(Directions::x[side]) * x +
-                                      Number(Directions::y[side]) * y);
-        };
-        return filters::max(along(0), along(1)) - Number(m.r);
+        return distance_to_centre<Directions, Number>(p, m) - Number(m.r);
     }
 };
 
@@ -329,3 +339,5 @@ template <class Directions>
 }
 
 }  // namespace signum::rectangular
+
+SIGNUM_IEEE_END

@@ -1,5 +1,5 @@
 /// This file is compiled as a careless user compiles: with every relaxation of IEEE arithmetic that
-/// no macro betrays, for the machine at hand, contraction included (tests/CMakeLists.txt). The
+/// is not refused, for the machine at hand, contraction included (tests/CMakeLists.txt). The
 /// filters that it inlines must still say nothing wrong, on input that nearly misses.
 
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "bounds.hpp"
+#include "environment.hpp"
 
 namespace signum::filters {
 

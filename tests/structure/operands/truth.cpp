@@ -1,0 +1,141 @@
+#include "truth.hpp"
+
+#include <gmpxx.h>
+
+#include "../../../predicates/euclidean.hpp"
+#include "../../../predicates/manhattan.hpp"
+#include "../../../predicates/power.hpp"
+#include "../../../predicates/power/multiprecision.hpp"
+#include "../../../predicates/supremum.hpp"
+
+namespace truth {
+namespace {
+
+mpq_class weight(const Point&) {
+    return 0;
+}
+mpq_class weight(const signum::power::Site& s) {
+    return s.w;
+}
+mpq_class weight(const Site& s) {
+    return mpq_class(s.r) * s.r;
+}
+
+/// Relative to q.
+struct Row {
+    mpq_class x;
+    mpq_class y;
+    mpq_class height;
+};
+template <class S>
+Row row_of(const S& m, const S& q) {
+    const mpq_class x = mpq_class(m.x) - q.x;
+    const mpq_class y = mpq_class(m.y) - q.y;
+    return {x, y, x * x + y * y - weight(m) + weight(q)};
+}
+
+/// The same predicates in rationals, of which there is one more for each metric.
+template <class Metric>
+struct Rational;
+template <>
+struct Rational<signum::euclidean::Perturbed<>> {
+    using Type = signum::euclidean::Perturbed<signum::Arithmetic::multiprecision>;
+};
+template <>
+struct Rational<signum::supremum::Perturbed<>> {
+    using Type = signum::supremum::Perturbed<signum::Arithmetic::multiprecision>;
+};
+template <>
+struct Rational<signum::manhattan::Perturbed<>> {
+    using Type = signum::manhattan::Perturbed<signum::Arithmetic::multiprecision>;
+};
+
+}  // namespace
+
+template <class S>
+Sign ccw(const S& a, const S& b, const S& c) {
+    const Row of_a = row_of(a, c);
+    const Row of_b = row_of(b, c);
+    return sgn(mpq_class(of_a.x * of_b.y - of_a.y * of_b.x));
+}
+
+template <class S>
+Sign in_circle(const S& i, const S& j, const S& k, const S& q) {
+    const Row a = row_of(i, q);
+    const Row b = row_of(j, q);
+    const Row c = row_of(k, q);
+    return sgn(mpq_class(a.height * (b.x * c.y - c.x * b.y) + b.height * (c.x * a.y - a.x * c.y) +
+                         c.height * (a.x * b.y - b.x * a.y)));
+}
+
+template <class S>
+Sign in_circle_infinite(const S& a, const S& b, const S& q) {
+    const Sign side = ccw(a, b, q);
+    if (side != 0) return -side;
+    const Row of_a = row_of(a, q);
+    const Row of_b = row_of(b, q);
+    const bool along_x = a.x != b.x;
+    const mpq_class t_a = along_x ? of_a.x : of_a.y;
+    const mpq_class t_b = along_x ? of_b.x : of_b.y;
+    return sgn(mpq_class(of_a.height * t_b - of_b.height * t_a)) * sgn(mpq_class(t_b - t_a));
+}
+
+template <class S>
+Sign nearer(const Point& p, const S& a, const S& b) {
+    const auto distance = [&p](const S& s) -> mpq_class {
+        const mpq_class x = mpq_class(s.x) - p.x;
+        const mpq_class y = mpq_class(s.y) - p.y;
+        return x * x + y * y - weight(s);
+    };
+    return sgn(mpq_class(distance(b) - distance(a)));
+}
+
+template <class Metric>
+bool Additive<Metric>::hides(const Site& i, const Site& q) {
+    return Rational<Metric>::Type::hides(i, q, {0, 1}).sign > 0;
+}
+template <class Metric>
+bool Additive<Metric>::nearer(const Point& p, const Site& a, const Site& b) {
+    return Rational<Metric>::Type::nearer(p, a, b, {0, 1}).sign > 0;
+}
+template <class Metric>
+bool Additive<Metric>::exists(const Site& i, const Site& j, const Site& k) {
+    return Rational<Metric>::Type::exists(i, j, k, {0, 1, 2}).sign > 0;
+}
+template <class Metric>
+bool Additive<Metric>::exists_twice(const Site& i, const Site& j, const Site& k) {
+    return Rational<Metric>::Type::exists_twice(i, j, k, {0, 1, 2}).sign > 0;
+}
+template <class Metric>
+bool Additive<Metric>::precedes(const Site& i, const Site& j, const Site& q, const Site& k) {
+    return Rational<Metric>::Type::precedes(i, j, q, k, {0, 1, 2, 3}).sign > 0;
+}
+template <class Metric>
+bool Additive<Metric>::in_circle(const Site& i, const Site& j, const Site& k, const Site& q) {
+    return Rational<Metric>::Type::in_circle(i, j, k, q, {0, 1, 2, 3}).sign > 0;
+}
+template <class Metric>
+bool Additive<Metric>::in_circle_infinite(const Site& a, const Site& b, const Site& q) {
+    return Rational<Metric>::Type::in_circle_infinite(a, b, q, {0, 1, 2}).sign > 0;
+}
+
+template Sign ccw(const Point&, const Point&, const Point&);
+template Sign ccw(const Site&, const Site&, const Site&);
+template Sign ccw(const signum::power::Site&, const signum::power::Site&,
+                  const signum::power::Site&);
+template Sign in_circle(const Point&, const Point&, const Point&, const Point&);
+template Sign in_circle(const Site&, const Site&, const Site&, const Site&);
+template Sign in_circle(const signum::power::Site&, const signum::power::Site&,
+                        const signum::power::Site&, const signum::power::Site&);
+template Sign in_circle_infinite(const Point&, const Point&, const Point&);
+template Sign in_circle_infinite(const Site&, const Site&, const Site&);
+template Sign in_circle_infinite(const signum::power::Site&, const signum::power::Site&,
+                                 const signum::power::Site&);
+template Sign nearer(const Point&, const Point&, const Point&);
+template Sign nearer(const Point&, const Site&, const Site&);
+template Sign nearer(const Point&, const signum::power::Site&, const signum::power::Site&);
+template struct Additive<signum::euclidean::Perturbed<>>;
+template struct Additive<signum::supremum::Perturbed<>>;
+template struct Additive<signum::manhattan::Perturbed<>>;
+
+}  // namespace truth
