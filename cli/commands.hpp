@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "../io/read_sites.hpp"
 #include "../triangulation/tessellation.hpp"
 
 namespace signum::cli {
@@ -32,7 +33,8 @@ class CheckFailure : public std::runtime_error {
 };
 
 /// Each adds its subcommand to the tool. The subcommand runs at the end of parsing, writes its
-/// result to standard output and throws CallError, InputError, MachineError or CheckFailure.
+/// result to standard output and throws CallError, InputError, NameError, MachineError or
+/// CheckFailure.
 void add_triangulate(CLI::App& tool);
 void add_voronoi(CLI::App& tool);
 void add_compare(CLI::App& tool);
@@ -51,6 +53,12 @@ CLI::Validator whole_number();
 CLI::Option* add_metric(CLI::App& command, std::string& metric);
 /// The metric of a name that add_metric() let through.
 Metric metric_of(const std::string& name);
+
+/// Adds the option --columns; empty when it is not given.
+CLI::Option* add_columns(CLI::App& command, std::string& columns);
+/// Reads the file with the columns that --columns names, and says so where a column was left out
+/// that may have been meant. Throws InputError, CallError and MachineError.
+SitesFile read_sites_by_columns(const std::string& path, const std::string& columns);
 
 /// Adds the option --weight-is; empty when it is not given.
 CLI::Option* add_weight_is(CLI::App& command, std::string& weight_is);

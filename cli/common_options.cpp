@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
+#include "sites_call.hpp"
 
 namespace signum::cli {
 
@@ -47,6 +48,39 @@ CLI::Option* add_metric(CLI::App& command, std::string& metric) {
 Metric metric_of(const std::string& name) {
     return *std::find_if(all_metrics.begin(), all_metrics.end(),
                          [&](Metric metric) { return name_of(metric) == name; });
+}
+
+CLI::Option* add_columns(CLI::App& command, std::string& columns) {
+    return command
+        .add_option("--columns", columns,
+                    "Which columns of FILE are x, y and, where there\n"
+                    "are three, r: by the header's names or by number,\n"
+                    "as in lon,lat or 2,3,5. Default: those that a\n"
+                    "header calls x, y, r (or radius, weight), else\n"
+                    "the first three without a header, two under one")
+        ->type_name("X,Y[,R]");
+}
+
+SitesFile read_sites_by_columns(const std::string& path, const std::string& columns) {
+    Columns chosen;
+    for (std::size_t start = 0; !columns.empty() && start <= columns.size();) {
+        const std::size_t end = std::min(columns.find(',', start), columns.size());
+        std::string_view column(columns.data() + start, end - start);
+        while (column.starts_with(' ')) column.remove_prefix(1);
+        while (column.ends_with(' ')) column.remove_suffix(1);
+        chosen.emplace_back(column);
+        start = end + 1;
+    }
+    const bool has_gap = std::ranges::count(chosen, std::string()) > 0;
+    if (!chosen.empty() && (chosen.size() < 2 || chosen.size() > 3 || has_gap)) {
+        throw CallError(
+            fmt::format("--columns {}: give two or three with commas between, by name or number, "
+                        "as in --columns lon,lat or --columns 2,3,5",
+                        columns));
+    }
+    SitesFile file = read_sites(path, chosen);
+    if (!file.note.empty()) say("signum: {}\n", file.note);
+    return file;
 }
 
 CLI::Option* add_weight_is(CLI::App& command, std::string& weight_is) {

@@ -115,6 +115,8 @@ int run_and_report(int count, char** words) noexcept {
         return wrong_input;
     } catch (const CallError& error) {
         return report(error.what(), wrong_input);
+    } catch (const NameError& error) {
+        return report(error.what(), wrong_input);
     } catch (const CheckFailure& error) {
         return report(error.what(), check_failed);
     } catch (const MachineError& error) {

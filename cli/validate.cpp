@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "../io/output_file.hpp"
-#include "../io/read_sites.hpp"
 #include "../io/read_tessellation.hpp"
 #include "../triangulation/validate.hpp"
 
@@ -18,6 +17,7 @@ namespace {
 struct Call {
     std::string tessellation;
     std::string sites;
+    std::string columns;
 };
 
 void run(const Call& call) {
@@ -25,7 +25,7 @@ void run(const Call& call) {
         throw CallError("only one of the two files can be standard input");
     }
     const TessellationArrays arrays = read_tessellation(call.tessellation);
-    const SitesFile file = read_sites(call.sites);
+    const SitesFile file = read_sites_by_columns(call.sites, call.columns);
     const Validation result = validate(arrays, strided_view(file.sites, arrays.weight_is));
     DescriptorStream out(1, "standard output");
     if (!result.valid) {
@@ -59,6 +59,7 @@ void add_validate(CLI::App& tool) {
                      "number is a weight")
         ->required()
         ->type_name("");
+    add_columns(*command, call->columns);
     command->footer(
         "Prints \"valid, canonical\", \"valid, not canonical: WHY\" or \"not valid: WHY\";\n"
         "exit 1 when it is not valid.\n\n"

@@ -78,7 +78,7 @@ Outcome run(const Words& words, const Circumstances& circumstances = {}) {
 class Tool : public testing::Test {
  protected:
     Scratch scratch;
-    std::string sites = scratch.file("sites.txt", "0 0 1\n4 0 1\n0 4 1\n1 1 -0.5\n1 1 0.5\n");
+    std::string sites = scratch.file("sites.txt", "0 0 1\n4 0 1\n0 4 1\n1 1 0.5\n1 1 0.25\n");
 
     [[nodiscard]] Words triangulate(const Words& more) const {
         Words words = {"triangulate", sites, "--metric", "power"};
@@ -314,6 +314,61 @@ TEST_F(Tool, WeighsAsAskedForAndAsTheHeaderSays) {
     EXPECT_EQ(run(radius).out.find("[3, 0]]"), std::string::npos);
 }
 
+TEST_F(Tool, WarnsOfNegativeRadiiThatWillBeSquared) {
+    const std::string negative = scratch.file("n.txt", "0 0 1\n9 0 -2\n0 9 -3\n");
+    const auto with = [&](const Words& more) {
+        Words words = {"triangulate", negative, "--quiet"};
+        words.insert(words.end(), more.begin(), more.end());
+        return run(words).err;
+    };
+    EXPECT_EQ(
+        with({"--metric", "power"}),
+        "signum: " + negative +
+            ":2:5: the radius -2 is negative, the first of 2, and the power metric squares "
+            "radii; say --weight-is weight if weights are meant, --weight-is radius if not\n");
+    EXPECT_EQ(with({"--metric", "power", "--weight-is", "radius"}), "");
+    EXPECT_EQ(with({"--metric", "power", "--weight-is", "weight"}), "");
+    EXPECT_EQ(with({"--metric", "supremum"}), "");
+}
+
+TEST_F(Tool, TakesTheColumnsThatAreNamed) {
+    const std::string cities =
+        scratch.file("c.csv", "name,lon,lat,height\na,0,0,1\nb,4,0,1\nc,0,4,1\nd,1,1,9\n");
+    const std::string plain = scratch.file("p.txt", "0 0\n4 0\n0 4\n1 1\n");
+    const std::string json = scratch.path("a.json");
+    const Outcome expected = run({"triangulate", plain, "--quiet"});
+    for (const char* columns : {"lon,lat", "2,3", "LON, Lat"}) {
+        const Outcome outcome = run({"triangulate", cities, "--columns", columns, "--quiet"});
+        EXPECT_EQ(outcome.code, 0);
+        EXPECT_EQ(outcome.err, "");
+        EXPECT_EQ(outcome.out, expected.out);
+    }
+    EXPECT_EQ(run({"voronoi", cities, "--columns", "lon,lat", "--quiet"}).out,
+              run({"voronoi", plain, "--quiet"}).out);
+    EXPECT_EQ(run({"compare", cities, "--columns", "lon,lat", "--seconds", "0"}).code, 0);
+    ASSERT_EQ(run({"triangulate", plain, "--quiet", "-o", json}).code, 0);
+    EXPECT_EQ(run({"validate", json, cities, "--columns", "lon,lat"}).out, "valid, canonical\n");
+    expect({"triangulate", cities, "--columns", "lon,lat,hight"}, 2,
+           cities +
+               ":1:1: no column is called 'hight', perhaps 'height' is meant; there are 'name', "
+               "'lon', 'lat', 'height'\n");
+    for (const char* columns : {"lon", "1,2,3,4", "lon,,lat", ","}) {
+        expect({"triangulate", cities, "--columns", columns}, 2,
+               std::string("signum: --columns ") + columns +
+                   ": give two or three with commas between, by name or number, as in --columns "
+                   "lon,lat or --columns 2,3,5\n");
+    }
+    // A third column that no header calls a radius is left out, with a word.
+    const std::string third = scratch.file("t.csv", "x,y,z\n0,0,5\n4,0,5\n0,4,5\n1,1,5\n");
+    const Outcome left_out = run({"triangulate", third, "--quiet"});
+    EXPECT_EQ(left_out.code, 0);
+    EXPECT_EQ(left_out.out, expected.out);
+    EXPECT_TRUE(left_out.err.starts_with("signum: " + third +
+                                         ":1: 'x' is x, 'y' is y, and 'z' is "
+                                         "left out: "))
+        << left_out.err;
+}
+
 TEST_F(Tool, RefusesWrongInputAndWritesNothing) {
     const std::string bad = scratch.file("bad.txt", "0 0 1\n4 zero 1\n");
     const std::size_t before = scratch.size();
@@ -328,7 +383,7 @@ TEST_F(Tool, RefusesWrongInputAndWritesNothing) {
     const std::string missing = scratch.path("missing");
     expect({"triangulate", missing, "--metric", "power"}, 2,
            missing +
-               ":1:1: cannot open it (No such file or directory); give a file of sites, or - "
+               ": cannot open it (No such file or directory); give a file of sites, or - "
                "for standard input\n");
     EXPECT_EQ(scratch.size(), before);
 }
@@ -348,8 +403,9 @@ TEST_F(Tool, RefusesOutputsThatCannotBeMeant) {
 
 TEST_F(Tool, ReportsAMachineThatFails) {
     const std::string nowhere = scratch.path("no/a.json");
-    expect(triangulate({"-o", nowhere}), 3,
-           "signum: cannot write " + nowhere + ": No such file or directory\n");
+    expect(triangulate({"-o", nowhere}), 2,
+           "signum: cannot write " + nowhere +
+               ": No such file or directory; give a file in a directory that is there\n");
     EXPECT_EQ(run(triangulate({"--quiet"}), {.out = "/dev/full"}).code, 3);
     expect({"generate", "random", "-n", "9", "-o", "/dev/full"}, 3,
            "signum: cannot write /dev/full: No space left on device\n");
