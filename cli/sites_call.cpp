@@ -15,7 +15,7 @@ void add_sites(CLI::App& command, SitesCall& call) {
         ->type_name("");
     add_columns(command, call.columns);
     add_metric(command, call.metric);
-    add_weight_is(command, call.weight_is);
+    add_weight_is(command, call.weight_is, "what a header of the file says, else\nradius");
     command
         .add_option("--seed", call.seed,
                     "Of the order of insertion; the result does not\ndepend on it")

@@ -241,8 +241,8 @@ class TextSites {
         std::string shown;
         for (std::size_t i = 0; i < std::min(names.size(), most_shown); ++i)
             shown += (i > 0 ? ", " : "") + in_quotes(names[i]);
-        return fmt::format("no column is called {}{}; there are {}{}", in_quotes(chosen),
-                           meant ? ", perhaps " + in_quotes(*meant) + " is meant" : "", shown,
+        return fmt::format("no column is called {}{} there are {}{}", in_quotes(chosen),
+                           meant ? "; did you mean " + in_quotes(*meant) + "?" : ";", shown,
                            names.size() > most_shown ? ", ..." : "");
     }
 

@@ -112,10 +112,39 @@ TEST_F(Tool, RefusesWrongCalls) {
     EXPECT_EQ(outcome.code, 2);
     EXPECT_TRUE(outcome.err.starts_with("Signs that are right")) << outcome.err;
     expect({"simplify"}, 2, "signum: 'simplify' is no subcommand; see signum --help\n");
-    expect({"triangulate"}, 2, "signum: FILE is required; see signum triangulate --help\n");
+    expect({"triangulate"}, 2,
+           "signum: FILE is missing; the least is signum triangulate FILE; see signum triangulate "
+           "--help\n");
+    const std::string help = "; see signum triangulate --help\n";
+    expect(triangulate({"--foo"}), 2, "signum: triangulate has no option '--foo'" + help);
+    expect({"triangulate", sites, "--meric", "power"}, 2,
+           "signum: triangulate has no option '--meric'; did you mean --metric? See signum "
+           "triangulate --help\n");
+    expect({"triangulat", sites}, 2,
+           "signum: 'triangulat' is no subcommand; did you mean triangulate? See signum --help\n");
+    expect({"--metric", "power", "triangulate", sites}, 2,
+           "signum: '--metric' stands before the subcommand; write signum SUBCOMMAND first, then "
+           "its options; see signum --help\n");
     expect(
-        triangulate({"--foo"}), 2,
-        "signum: The following argument was not expected: --foo; see signum triangulate --help\n");
+        {"voronoi", sites, "--vertices"}, 2,
+        "signum: voronoi has no option '--vertices'; it is one of triangulate; see signum voronoi "
+        "--help\n");
+    expect(triangulate({"--metric"}), 2,
+           "signum: --metric needs a word after it: --metric NAME" + help);
+    expect(triangulate({"--metric", "power"}), 2,
+           "signum: --metric is given 2 times; give it once" + help);
+    expect(triangulate({"more.txt"}), 2,
+           "signum: 'more.txt' is a word too many; the least is signum triangulate FILE" + help);
+    expect(triangulate({"--quiet=no"}), 2, "signum: --quiet takes no value" + help);
+    expect({"compare", sites, "--seconds", "-1"}, 2,
+           "signum: --seconds: '-1' is not from 0 to 86400; see signum compare --help\n");
+    expect({"voronoi", sites, "--clip", "1", "2", "3"}, 2,
+           "signum: --clip takes 4 words after it, X0 Y0 X1 Y1; 3 are given; see signum voronoi "
+           "--help\n");
+    expect({"triangulate", sites, "--metric", "euclidian"}, 2,
+           "signum: --metric: 'euclidian' is unknown; did you mean euclidean? it is one of power, "
+           "euclidean, manhattan, supremum" +
+               help);
     expect(triangulate({"--seed", "-1"}), 2,
            "signum: --seed: '-1' is no whole number from 0 to 2^64 - 1; see signum triangulate "
            "--help\n");
@@ -350,7 +379,7 @@ TEST_F(Tool, TakesTheColumnsThatAreNamed) {
     EXPECT_EQ(run({"validate", json, cities, "--columns", "lon,lat"}).out, "valid, canonical\n");
     expect({"triangulate", cities, "--columns", "lon,lat,hight"}, 2,
            cities +
-               ":1:1: no column is called 'hight', perhaps 'height' is meant; there are 'name', "
+               ":1:1: no column is called 'hight'; did you mean 'height'? there are 'name', "
                "'lon', 'lat', 'height'\n");
     for (const char* columns : {"lon", "1,2,3,4", "lon,,lat", ","}) {
         expect({"triangulate", cities, "--columns", columns}, 2,
@@ -388,9 +417,61 @@ TEST_F(Tool, RefusesWrongInputAndWritesNothing) {
     EXPECT_EQ(scratch.size(), before);
 }
 
+TEST_F(Tool, KnowsMetricsByOtherNames) {
+    const auto with = [&](const char* name) {
+        return run({"triangulate", sites, "--metric", name, "--quiet"}).out;
+    };
+    const std::string supremum = with("supremum");
+    EXPECT_NE(supremum.find("\"supremum\""), std::string::npos);
+    for (const char* name : {"Supremum", "LINF", "l-inf"}) EXPECT_EQ(with(name), supremum);
+    EXPECT_EQ(with("L1"), with("manhattan"));
+    EXPECT_EQ(with("Laguerre"), with("power"));
+}
+
+TEST_F(Tool, WritesEveryFormatToStandardOutput) {
+    const std::string file = scratch.path("a.data");
+    for (const Words& formats : {Words{"triangulate", "json", "svg", "csv", "obj"},
+                                 Words{"voronoi", "json", "svg", "geojson", "csv"}}) {
+        for (std::size_t i = 1; i < formats.size(); ++i) {
+            const auto with = [&](const Words& more) {
+                Words words = {formats[0], sites, "--quiet"};
+                words.insert(words.end(), more.begin(), more.end());
+                const Outcome outcome = run(words);
+                EXPECT_EQ(outcome.code, 0) << outcome.err;
+                return outcome.out;
+            };
+            const std::string path = scratch.path("b." + formats[i]);
+            EXPECT_EQ(with({"-o", path}), "");
+            const std::string expected = contents(path);
+            EXPECT_FALSE(expected.empty());
+            EXPECT_EQ(with({"--format", formats[i]}), expected);
+            EXPECT_EQ(with({"-o", "-", "--format", formats[i]}), expected);
+            EXPECT_EQ(with({"-o", file, "--format", formats[i]}), "");
+            EXPECT_EQ(contents(file), expected);
+        }
+    }
+    const Outcome both =
+        run(triangulate({"-o", scratch.path("c.csv"), "-o", "-", "--format", "obj"}));
+    EXPECT_TRUE(both.out.starts_with("# signum: "));
+    EXPECT_TRUE(contents(scratch.path("c.csv")).starts_with("a,b,c\n"));
+    EXPECT_NE(both.err.find("written  " + scratch.path("c.csv") + "\n"), std::string::npos);
+    expect(
+        triangulate({"-o", "a.json", "-o", "b.svg", "--format", "svg"}), 2,
+        "signum: --format svg and -o a.json: with several files either their endings say what to "
+        "write, or --format does; leave --format out, or name the file otherwise\n");
+    EXPECT_EQ(run({"generate", "grid", "-n", "4", "-o", "-", "--format", "json"}).out,
+              "[[0, 0, 0],\n[700, 0, 0],\n[0, 700, 0],\n[700, 700, 0]]\n");
+    const Outcome picture = run({"compare", sites, "--seconds", "0", "-o", "-"});
+    EXPECT_NE(picture.out.find("<svg"), std::string::npos);
+    EXPECT_NE(picture.err.find("exact / naive time: "), std::string::npos) << picture.err;
+    EXPECT_EQ(run({"compare", sites, "--json", "-o", "-"}).code, 2);
+}
+
 TEST_F(Tool, RefusesOutputsThatCannotBeMeant) {
     expect(triangulate({"-o", "a.txt"}), 2,
-           "signum: -o a.txt: the ending says what to write; give it .json, .svg, .csv or .obj\n");
+           "signum: -o a.txt: the ending says what to write; give it .json, .svg, .csv or .obj, or "
+           "say "
+           "it with --format\n");
     expect(triangulate({"-o", "a.json", "-o", "a.json"}), 2,
            "signum: -o a.json is given twice; give it once\n");
     const std::string csv = scratch.file("sites.csv", "0,0\n");
@@ -772,8 +853,9 @@ TEST_F(Tool, RefusesWrongCallsOfVoronoi) {
     refused({"--clip", "5", "0", "1", "1"},
             "signum: --clip 5 0 1 1: the lower left corner comes first, x0 < x1 and y0 < y1\n");
     refused({"--clip", "nan", "0", "1", "1"},
-            "signum: --clip: its four numbers are to be finite\n");
-    refused({"--tolerance", "0"}, "signum: --tolerance: it is to be above 0 and finite\n");
+            "signum: --clip: 'nan' is not a finite number; write a finite one; see signum voronoi "
+            "--help\n");
+    refused({"--tolerance", "0"}, "signum: --tolerance: give a number above 0\n");
     for (const char* name : {"a.json", "a.svg", "a.csv"})
         refused(
             {"--clip", "-1e308", "-1e308", "1e308", "1e308", "-o", scratch.path(name)},
@@ -784,10 +866,10 @@ TEST_F(Tool, RefusesWrongCallsOfVoronoi) {
             "have more points than anybody wants; give at least 4.8e-09\n");
     refused({"--clip", "0", "0", "1e-6", "1", "-o", "a.svg"},
             "signum: --clip: a picture of a box more than a thousand times as long as wide shows "
-            "nothing; give another box, or leave the .svg out\n");
+            "nothing; give another box, or leave the picture out\n");
     refused({"-o", "a.obj"},
             "signum: -o a.obj: the ending says what to write; give it .json, .svg, .geojson or "
-            ".csv\n");
+            ".csv, or say it with --format\n");
     EXPECT_EQ(run({"voronoi", sites, "--clip", "1", "2", "3"}).code, 2);
     EXPECT_EQ(run({"voronoi", sites, "--clip", "1", "2", "3", "x"}).code, 2);
     EXPECT_EQ(run({"voronoi", scratch.path("none.txt")}).code, 2);
@@ -818,7 +900,7 @@ TEST_F(Tool, DrawsAPartOfATessellation) {
             "coordinates and radii of the sites; cut the cells to another one with --clip\n");
     refused({"0", "0", "1e-6", "1", "-o", svg},
             "signum: --clip: a picture of a box more than a thousand times as long as wide shows "
-            "nothing; give another box, or leave the .svg out\n");
+            "nothing; give another box, or leave the picture out\n");
 }
 
 TEST_F(Tool, TakesEuclideanWhereNoMetricIsGiven) {

@@ -112,7 +112,7 @@ TEST(TextSites, TakesTheColumnsThatAreChosen) {
     EXPECT_EQ(read("a,b,weight\n1,2,3\n", {"1", "2"}).third, std::nullopt);
 
     EXPECT_EQ(error(cities, {"lom", "lat"}),
-              "1:1: no column is called 'lom', perhaps 'Lon' is meant; there are 'id', 'name', "
+              "1:1: no column is called 'lom'; did you mean 'Lon'? there are 'id', 'name', "
               "'Lon', 'Lat', 'height; m', 'r'");
     EXPECT_EQ(error(cities, {"1", "7"}),
               "1:1: there is no column 7; columns count from 1, and this line has 6");
