@@ -1,25 +1,23 @@
 #include "clip.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
 #include "commands.hpp"
-#include "outputs.hpp"
 
 namespace signum::cli {
 
 void add_clip(CLI::App& command, std::vector<double>& clip, const std::string& description) {
-    command.add_option("--clip", clip, description)->type_name("X0 Y0 X1 Y1")->expected(4);
+    command.add_option("--clip", clip, description)
+        ->check(finite_number())
+        ->type_name("X0 Y0 X1 Y1")
+        ->expected(4);
 }
 
-std::optional<Box> box_of(const std::vector<double>& clip,
-                          const std::vector<std::string>& outputs) {
+std::optional<Box> box_of(const std::vector<double>& clip, std::span<const Target> targets) {
     if (clip.empty()) return std::nullopt;
     const Box box = {clip[0], clip[1], clip[2], clip[3]};
-    for (const double side : clip)
-        if (!std::isfinite(side)) throw CallError("--clip: its four numbers are to be finite");
     if (!(box.x0 < box.x1 && box.y0 < box.y1)) {
         throw CallError(
             fmt::format("--clip {} {} {} {}: the lower left corner comes first, x0 < x1 and "
@@ -28,13 +26,11 @@ std::optional<Box> box_of(const std::vector<double>& clip,
     }
     // A picture is some hundred pixels wide.
     constexpr double slimmest = 1e-3;
-    const bool is_drawn = std::ranges::any_of(
-        outputs, [](const std::string& path) { return ending_of(path) == ".svg"; });
     const auto [shorter, longer] = std::minmax({box.x1 / 2 - box.x0 / 2, box.y1 / 2 - box.y0 / 2});
-    if (is_drawn && shorter < slimmest * longer) {
+    if (is_written(targets, "svg") && shorter < slimmest * longer) {
         throw CallError(
             "--clip: a picture of a box more than a thousand times as long as wide shows nothing; "
-            "give another box, or leave the .svg out");
+            "give another box, or leave the picture out");
     }
     return box;
 }

@@ -1,37 +1,71 @@
 #include <algorithm>
-#include <charconv>
-#include <cstdint>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "../io/nearest_word.hpp"
+#include "../io/number.hpp"
+
 #include "commands.hpp"
+#include "sites_call.hpp"
 
 namespace signum::cli {
 
 CLI::Validator one_of(std::vector<std::string> words) {
-    const auto check = [words = std::move(words)](const std::string& word) {
-        if (std::find(words.begin(), words.end(), word) != words.end()) return std::string();
-        return fmt::format("'{}' is unknown; it is one of {}", word, fmt::join(words, ", "));
+    const auto find = [words = std::move(words)](std::string& word) {
+        for (const std::string& each : words) {
+            if (in_small_letters(each) != in_small_letters(word)) continue;
+            word = each;
+            return std::string();
+        }
+        const auto meant = nearest_word(word, words);
+        return fmt::format("{} is unknown; {}it is one of {}", in_quotes(word),
+                           meant ? fmt::format("did you mean {}? ", *meant) : "",
+                           fmt::join(words, ", "));
     };
-    return {check, ""};
+    return {find, ""};
 }
 
 CLI::Validator whole_number() {
     const auto check = [](const std::string& word) {
-        std::uint64_t value = 0;
-        const char* end = word.data() + word.size();
-        const auto result = std::from_chars(word.data(), end, value);
-        if (result.ec == std::errc{} && result.ptr == end) return std::string();
-        return fmt::format("'{}' is no whole number from 0 to 2^64 - 1", word);
+        if (parse_whole_number(word)) return std::string();
+        return fmt::format("{} is no whole number from 0 to 2^64 - 1", in_quotes(word));
     };
     return {check, ""};
 }
 
+CLI::Validator number_from(double least, double most) {
+    const auto check = [=](const std::string& word) {
+        const Number number = parse_number(word);
+        if (number.fault != NumberFault::none) return explain(number.fault, word);
+        if (least <= number.value && number.value <= most) return std::string();
+        return fmt::format("{} is not from {} to {}", in_quotes(word), least, most);
+    };
+    return {check, ""};
+}
+
+CLI::Validator finite_number() {
+    constexpr double largest = std::numeric_limits<double>::max();
+    return number_from(-largest, largest);
+}
+
+CLI::Validator name_of_metric() {
+    const auto find = [](std::string& word) {
+        if (const std::optional<Metric> metric = metric_named(word)) {
+            word = name_of(*metric);
+            return std::string();
+        }
+        // Whatever the word, this says what is wrong with it.
+        std::vector<std::string> names;
+        for (const Metric each : all_metrics) names.emplace_back(name_of(each));
+        return one_of(names)(word);
+    };
+    return {find, ""};
+}
+
 CLI::Option* add_metric(CLI::App& command, std::string& metric) {
     metric = name_of(Metric::euclidean);
-    std::vector<std::string> names;
-    for (const Metric each : all_metrics) names.emplace_back(name_of(each));
     return command
         .add_option("--metric", metric,
                     "The distance of a point p from a site (c, r):\n"
@@ -39,24 +73,56 @@ CLI::Option* add_metric(CLI::App& command, std::string& metric) {
                     "euclidean  |p - c| - r, sites are discs\n"
                     "manhattan  the same with |x| + |y|: diamonds\n"
                     "supremum   the same with max(|x|, |y|): squares")
-        ->check(one_of(names))
+        ->transform(name_of_metric())
         ->type_name("NAME")
         ->capture_default_str();
 }
 
 Metric metric_of(const std::string& name) {
-    return *std::find_if(all_metrics.begin(), all_metrics.end(),
-                         [&](Metric metric) { return name_of(metric) == name; });
+    return metric_named(name).value();
 }
 
-CLI::Option* add_weight_is(CLI::App& command, std::string& weight_is) {
+CLI::Option* add_columns(CLI::App& command, std::string& columns) {
+    return command
+        .add_option("--columns", columns,
+                    "Which columns of FILE are x, y and, where there\n"
+                    "are three, r: by the header's names or by number,\n"
+                    "as in lon,lat or 2,3,5. Default: those that a\n"
+                    "header calls x, y, r (or radius, weight), else\n"
+                    "the first three without a header, two under one")
+        ->type_name("X,Y[,R]");
+}
+
+SitesFile read_sites_by_columns(const std::string& path, const std::string& columns) {
+    Columns chosen;
+    for (std::size_t start = 0; !columns.empty() && start <= columns.size();) {
+        const std::size_t end = std::min(columns.find(',', start), columns.size());
+        std::string_view column(columns.data() + start, end - start);
+        while (column.starts_with(' ')) column.remove_prefix(1);
+        while (column.ends_with(' ')) column.remove_suffix(1);
+        chosen.emplace_back(column);
+        start = end + 1;
+    }
+    const bool has_gap = std::ranges::count(chosen, std::string()) > 0;
+    if (!chosen.empty() && (chosen.size() < 2 || chosen.size() > 3 || has_gap)) {
+        throw CallError(
+            fmt::format("--columns {}: give two or three with commas between, by name or number, "
+                        "as in --columns lon,lat or --columns 2,3,5",
+                        columns));
+    }
+    SitesFile file = read_sites(path, chosen);
+    if (!file.note.empty()) say("signum: {}\n", file.note);
+    return file;
+}
+
+CLI::Option* add_weight_is(CLI::App& command, std::string& weight_is, std::string_view otherwise) {
     return command
         .add_option("--weight-is", weight_is,
-                    "Power metric only: the third number of a site is\n"
-                    "its radius or its weight; a radius r weighs r^2.\n"
-                    "Default: what a header of the file says, else\n"
-                    "radius")
-        ->check(one_of({"radius", "weight"}))
+                    fmt::format("Power metric only: the third number of a site is\n"
+                                "its radius or its weight; a radius r weighs r^2.\n"
+                                "Default: {}",
+                                otherwise))
+        ->transform(one_of({"radius", "weight"}))
         ->type_name("radius|weight");
 }
 

@@ -1,6 +1,7 @@
 /// signum compare: what another arithmetic makes of the same sites, edge by edge, and what it
 /// costs.
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <memory>
@@ -28,9 +29,8 @@ namespace signum::cli {
 namespace {
 
 /// The call as it was typed; SitesCall::arithmetic is the one that is judged.
-struct Call : SitesCall {
+struct Call : SitesCall, OutputsCall {
     std::string against = "exact";
-    std::vector<std::string> outputs;
     double seconds = 1.0;
     bool json = false;
 };
@@ -274,19 +274,29 @@ void put_json(TextWriter& text, const Report& report) {
     text.put("}\n");
 }
 
+constexpr std::array<Format, 1> formats = {{{"svg", "the judged tessellation, wrong edges thick"}}};
+
 // ---- the call ----------------------------------------------------------------------------------
 
 void run(const Call& call) {
     if (arithmetic_of(call.arithmetic) == arithmetic_of(call.against))
         throw CallError(
             fmt::format("--arithmetic and --against are both {}; name two", call.against));
-    check_outputs(call.outputs, call.input, {".svg"});
+    // Without -o and --format nothing is drawn.
+    std::vector<Target> targets;
+    if (!call.outputs.empty() || !call.format.empty())
+        targets = targets_of(call, call.input, formats);
+    const bool is_drawn_there = std::ranges::count(targets, "-", &Target::path) > 0;
+    if (call.json && is_drawn_there) {
+        throw CallError(
+            "--json and the picture would both go to standard output; give the picture a file, as "
+            "in -o wrong.svg");
+    }
     const InputSites sites = read_input(call);
-    // Without -o nothing is drawn; Outputs would turn to standard output.
-    std::optional<Outputs> outputs;
-    if (!call.outputs.empty()) outputs.emplace(call.outputs);
+    const Outputs outputs(targets);
     const Report report = compare(call, sites);
-    DescriptorStream out(1, "standard output");
+    DescriptorStream out(is_drawn_there ? 2 : 1,
+                         is_drawn_there ? "standard error" : "standard output");
     TextWriter text(out);
     if (call.json) {
         put_json(text, report);
@@ -295,20 +305,18 @@ void run(const Call& call) {
     }
     text.flush();
     out.flush();
-    if (!outputs) return;
+    if (targets.empty()) return;
     const Run& judged = report.judged();
     if (!judged.tessellation)
         throw CheckFailure(
             fmt::format("{} arithmetic broke the structure, so that there is "
                         "nothing to draw; nothing is written",
                         call.arithmetic));
-    outputs->write(
-        [&](std::ostream& picture, const std::string&) {
-            write_svg(picture, *judged.tessellation,
-                      {.wrong = judged.edges.wrong, .different = judged.edges.different});
-        },
-        ".svg");
-    if (!call.quiet) say("written  {}\n", fmt::join(call.outputs, ", "));
+    outputs.write([&](std::ostream& picture, std::string_view) {
+        write_svg(picture, *judged.tessellation,
+                  {.wrong = judged.edges.wrong, .different = judged.edges.different});
+    });
+    if (!call.quiet) say("{}", written(targets));
 }
 
 }  // namespace
@@ -322,19 +330,20 @@ void add_compare(CLI::App& tool) {
     command
         ->add_option("--arithmetic", call->arithmetic,
                      "The one that is judged, a name that triangulate\n--arithmetic knows")
-        ->check(name_of_arithmetic())
+        ->transform(name_of_arithmetic())
         ->type_name("NAME")
         ->capture_default_str();
     command->add_option("--against", call->against, "The one whose time it is compared with")
-        ->check(name_of_arithmetic())
+        ->transform(name_of_arithmetic())
         ->type_name("NAME")
         ->capture_default_str();
     command->add_option("--seconds", call->seconds, "For the timing, three rounds at least")
-        ->check(CLI::Range(0.0, 86400.0))
+        ->check(number_from(0.0, 86400.0))
         ->type_name("T")
         ->capture_default_str();
     command->add_flag("--json", call->json, "The same as JSON");
-    add_output(*command, call->outputs, ".svg   the judged tessellation, wrong edges thick\n");
+    add_outputs(*command, *call, formats,
+                "the table goes to standard error then. Without it\nnothing is drawn");
     command->footer(
         "An edge is wrong when no tessellation of the sites, however ties are decided,\n"
         "has it, and different when it is not the canonical choice; a run that lost its\n"

@@ -13,6 +13,7 @@
 #include "../io/write_sites.hpp"
 
 #include "commands.hpp"
+#include "outputs.hpp"
 
 namespace signum::cli {
 namespace {
@@ -24,7 +25,8 @@ struct Call {
     std::string radius = "0";
     std::string perturb = "0";
     std::uint64_t seed = 1;
-    std::string output;
+    std::string output{"-"};
+    std::string format;
 };
 
 Distribution distribution_of(const std::string& name) {
@@ -38,9 +40,13 @@ double number_of(const std::string& option, std::string_view text) {
     throw CallError(fmt::format("{}: {}", option, explain(number.fault, text)));
 }
 
-SitesFormat format_of(std::string_view path) {
-    if (path.ends_with(".csv")) return SitesFormat::csv;
-    if (path.ends_with(".json")) return SitesFormat::json;
+constexpr std::string_view standard_output = "-";
+
+/// By --format, else by the ending, where it says anything.
+SitesFormat format_of(const Call& call) {
+    const std::string name = call.format.empty() ? ending_of(call.output) : call.format;
+    if (name == "csv") return SitesFormat::csv;
+    if (name == "json") return SitesFormat::json;
     return SitesFormat::text;
 }
 
@@ -66,7 +72,7 @@ void run(const Call& call) {
             fmt::format("--perturb {}: give a number that is not negative", call.perturb));
     }
     std::optional<OutputFile> file;
-    if (!call.output.empty() && call.output != "-") file.emplace(call.output);
+    if (call.output != standard_output) file.emplace(call.output);
     std::vector<Site> sites;
     try {
         sites = generate(distribution_of(call.distribution), options);
@@ -74,11 +80,11 @@ void run(const Call& call) {
         throw CallError(error.what());
     }
     if (file) {
-        write_sites(file->stream(), sites, format_of(call.output));
+        write_sites(file->stream(), sites, format_of(call));
         file->publish();
     } else {
         DescriptorStream out(1, "standard output");
-        write_sites(out, sites, SitesFormat::text);
+        write_sites(out, sites, format_of(call));
         out.flush();
     }
 }
@@ -103,7 +109,7 @@ void add_generate(CLI::App& tool) {
                      "tangent  discs that touch circles, 192 on each,\n"
                      "         exactly")
         ->required()
-        ->check(one_of(names))
+        ->transform(one_of(names))
         ->type_name("");
     command->add_option("-n", call->count, "How many sites")
         ->required()
@@ -124,8 +130,14 @@ void add_generate(CLI::App& tool) {
     command
         ->add_option("-o,--output", call->output,
                      "Where the sites go: CSV or JSON by the ending,\n"
-                     "else lines x y r; without it standard output")
-        ->type_name("FILE");
+                     "else lines x y r; - is standard output")
+        ->type_name("FILE")
+        ->capture_default_str();
+    command
+        ->add_option("--format", call->format,
+                     "What is written, whatever the ending: text, csv,\njson")
+        ->transform(one_of({"text", "csv", "json"}))
+        ->type_name("NAME");
     command->footer(
         "Example:\n  signum generate random -n 1000 --radius 1:20 --seed 7 -o sites.txt");
     command->callback([call] { run(*call); });

@@ -14,6 +14,7 @@
 #include "../io/output_file.hpp"
 
 #include "commands.hpp"
+#include "parse_errors.hpp"
 
 namespace signum::cli {
 namespace {
@@ -56,10 +57,8 @@ int report(const char* message, ExitCode code) noexcept {
     return code;
 }
 
-/// Help and version are no errors; everything else about the call is one line and where to look.
+/// Help and version are no errors.
 int report_parse_error(const CLI::App& tool, const CLI::ParseError& error, const char* first_word) {
-    const auto chosen = tool.get_subcommands();
-    const CLI::App& command = chosen.empty() ? tool : *chosen.front();
     if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
         DescriptorStream out(1, "standard output");
         const bool is_version = error.get_name() == "CallForVersion";
@@ -68,19 +67,20 @@ int report_parse_error(const CLI::App& tool, const CLI::ParseError& error, const
         out.flush();
         return done;
     }
-    if (chosen.empty() && first_word == nullptr) {
+    if (first_word == nullptr) {
         std::fputs(tool.help().c_str(), stderr);
         return wrong_input;
     }
-    std::string message = error.what();
-    if (chosen.empty()) message = "'" + std::string(first_word) + "' is no subcommand";
-    for (char& c : message) {
-        if (c == '\n') c = ' ';
+    return report(explain_parse_error(tool, error, first_word).c_str(), wrong_input);
+}
+
+/// --quiet=no would be taken for a number of times that --quiet stands there.
+void refuse_values_of_flags(CLI::App& tool) {
+    for (CLI::App* command : tool.get_subcommands([](CLI::App*) { return true; })) {
+        for (CLI::Option* option : command->get_options()) {
+            if (option->get_items_expected_max() == 0) option->disable_flag_override();
+        }
     }
-    std::string hint = "signum --help";
-    if (!chosen.empty()) hint = "signum " + command.get_name() + " --help";
-    if (!chosen.empty() && command.get_name() == "sign") hint += " (numbers stand after --)";
-    return report((message + "; see " + hint).c_str(), wrong_input);
 }
 
 int run(int count, char** words) {
@@ -99,6 +99,7 @@ int run(int count, char** words) {
     add_generate(tool);
     add_validate(tool);
     add_study(tool);
+    refuse_values_of_flags(tool);
     try {
         tool.parse(count, words);
         return done;
@@ -114,6 +115,8 @@ int run_and_report(int count, char** words) noexcept {
         std::fprintf(stderr, "%s\n", error.what());
         return wrong_input;
     } catch (const CallError& error) {
+        return report(error.what(), wrong_input);
+    } catch (const NameError& error) {
         return report(error.what(), wrong_input);
     } catch (const CheckFailure& error) {
         return report(error.what(), check_failed);

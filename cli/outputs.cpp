@@ -3,14 +3,18 @@
 #include <sys/stat.h>
 
 #include <algorithm>
-#include <cctype>
+#include <filesystem>
 
 #include <fmt/format.h>
+
+#include "../io/nearest_word.hpp"
 
 #include "commands.hpp"
 
 namespace signum::cli {
 namespace {
+
+constexpr std::string_view standard_output = "-";
 
 bool is_same_file(const std::string& a, const std::string& b) {
     struct stat first = {};
@@ -19,71 +23,145 @@ bool is_same_file(const std::string& a, const std::string& b) {
            S_ISREG(first.st_mode) && first.st_dev == second.st_dev && first.st_ino == second.st_ino;
 }
 
+bool is_same_path(const std::string& a, const std::string& b) {
+    std::error_code ignored;
+    return a == b || (std::filesystem::weakly_canonical(a, ignored) ==
+                      std::filesystem::weakly_canonical(b, ignored));
+}
+
 /// ".a, .b or .c"
-std::string listed(const std::vector<std::string_view>& endings) {
+std::string listed(std::span<const Format> formats) {
     std::string text;
-    for (std::size_t i = 0; i < endings.size(); ++i) {
-        if (i > 0) text += i + 1 < endings.size() ? ", " : " or ";
-        text += endings[i];
+    for (std::size_t i = 0; i < formats.size(); ++i) {
+        if (i > 0) text += i + 1 < formats.size() ? ", " : " or ";
+        text += fmt::format(".{}", formats[i].name);
     }
     return text;
 }
 
+bool has_format(std::span<const Format> formats, std::string_view name) {
+    return std::ranges::find(formats, name, &Format::name) != formats.end();
+}
+
+/// Precondition: where --format is given and standard output is no target, --format is for the
+/// file.
+std::string format_of_file(const OutputsCall& call, const std::string& path,
+                           std::span<const Format> formats) {
+    const std::string ending = ending_of(path);
+    const bool is_for_files =
+        !call.format.empty() && std::ranges::count(call.outputs, standard_output) == 0;
+    if (!is_for_files) {
+        if (has_format(formats, ending)) return ending;
+        throw CallError(
+            fmt::format("-o {}: the ending says what to write; give it {}, or say it with --format",
+                        path, listed(formats)));
+    }
+    if (call.outputs.size() > 1 && ending != call.format && has_format(formats, ending)) {
+        throw CallError(fmt::format(
+            "--format {} and -o {}: with several files either their endings say what "
+            "to write, or --format does; leave --format out, or name the file otherwise",
+            call.format, path));
+    }
+    return call.format;
+}
+
 }  // namespace
 
-void add_output(CLI::App& command, std::vector<std::string>& paths, const std::string& formats) {
+void add_outputs(CLI::App& command, OutputsCall& call, std::span<const Format> formats,
+                 std::string_view without) {
+    std::size_t width = 0;
+    for (const Format& format : formats) width = std::max(width, format.name.size());
+    std::string description = "Where the result goes, by its ending:\n";
+    std::vector<std::string> names;
+    for (const auto& [name, writes] : formats) {
+        names.emplace_back(name);
+        description += fmt::format(".{:<{}}  ", name, width);
+        for (const char c : writes) {
+            description += c;
+            if (c == '\n') description += std::string(width + 3, ' ');
+        }
+        description += "\n";
+    }
     command
-        .add_option("-o,--output", paths,
-                    "Where the result goes, by its ending:\n" + formats +
-                        "Several are allowed; without it JSON goes to\nstandard output")
+        .add_option(
+            "-o,--output", call.outputs,
+            fmt::format("{}Several are allowed, - is standard output;\n{}", description, without))
         ->type_name("FILE")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->allow_extra_args(false);
+    command
+        .add_option("--format", call.format,
+                    fmt::format("What goes to standard output, or to files whatever\n"
+                                "their ending: {}",
+                                fmt::join(names, ", ")))
+        ->transform(one_of(names))
+        ->type_name("NAME");
 }
 
 std::string ending_of(const std::string& path) {
     const std::size_t point = path.rfind('.');
     if (point == std::string::npos || path.find('/', point) != std::string::npos) return "";
-    std::string ending = path.substr(point);
-    for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return ending;
+    return in_small_letters(path.substr(point + 1));
 }
 
-void check_outputs(const std::vector<std::string>& paths, const std::string& input,
-                   const std::vector<std::string_view>& endings) {
-    for (auto path = paths.begin(); path != paths.end(); ++path) {
-        if (std::find(endings.begin(), endings.end(), ending_of(*path)) == endings.end()) {
-            throw CallError(fmt::format("-o {}: the ending says what to write; give it {}", *path,
-                                        listed(endings)));
+std::vector<Target> targets_of(const OutputsCall& call, const std::string& input,
+                               std::span<const Format> formats) {
+    const std::string first = call.format.empty() ? std::string(formats[0].name) : call.format;
+    if (call.outputs.empty()) return {{std::string(standard_output), first}};
+    std::vector<Target> targets;
+    for (const std::string& path : call.outputs) {
+        for (const Target& target : targets) {
+            if (!is_same_path(target.path, path)) continue;
+            throw CallError(fmt::format("-o {} is given twice; give it once", path));
         }
-        if (std::find(paths.begin(), path, *path) != path) {
-            throw CallError(fmt::format("-o {} is given twice; give it once", *path));
+        if (path == standard_output) {
+            targets.push_back({path, first});
+            continue;
         }
-        if (is_same_file(input, *path)) {
+        targets.push_back({path, format_of_file(call, path, formats)});
+        if (is_same_file(input, path)) {
             throw CallError(
-                fmt::format("-o {} would overwrite the input; give another name", *path));
+                fmt::format("-o {} would overwrite the input; give another name", path));
         }
     }
+    return targets;
 }
 
-Outputs::Outputs(const std::vector<std::string>& paths) {
-    for (const std::string& path : paths) files_.push_back(std::make_unique<OutputFile>(path));
+bool is_written(std::span<const Target> targets, std::string_view format) {
+    return std::ranges::find(targets, format, &Target::format) != targets.end();
+}
+
+std::string written(std::span<const Target> targets) {
+    std::string text;
+    for (const Target& target : targets) {
+        if (target.path == standard_output) continue;
+        text += (text.empty() ? "written  " : ", ") + target.path;
+    }
+    return text.empty() ? text : text + "\n";
+}
+
+Outputs::Outputs(std::span<const Target> targets) : targets_(targets) {
+    for (const Target& target : targets) {
+        files_.push_back(
+            target.path == standard_output ? nullptr : std::make_unique<OutputFile>(target.path));
+    }
 }
 
 void Outputs::write(
-    const std::function<void(std::ostream& out, const std::string& ending)>& write_one,
-    const std::string& fallback) const {
-    for (const auto& file : files_) {
-        write_one(file->stream(), ending_of(file->path()));
-        file->finish();
+    const std::function<void(std::ostream& out, std::string_view format)>& write_one) const {
+    for (std::size_t i = 0; i < targets_.size(); ++i) {
+        if (files_[i]) {
+            write_one(files_[i]->stream(), targets_[i].format);
+            files_[i]->finish();
+        } else {
+            DescriptorStream out(1, "standard output");
+            write_one(out, targets_[i].format);
+            out.flush();
+        }
     }
-    for (const auto& file : files_) file->publish();
-    if (files_.empty()) {
-        DescriptorStream out(1, "standard output");
-        write_one(out, fallback);
-        out.flush();
-    }
+    for (const auto& file : files_)
+        if (file) file->publish();
 }
 
 }  // namespace signum::cli

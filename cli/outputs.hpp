@@ -1,9 +1,10 @@
 #pragma once
-/// The files of -o: checked, opened before the work, complete or not there.
+/// Where results go, by -o and --format: checked, opened before the work, complete or not there.
 
 #include <functional>
 #include <memory>
 #include <ostream>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,28 +15,59 @@
 
 namespace signum::cli {
 
-/// Adds the option -o, which may be given several times. `formats` says what each ending writes.
-void add_output(CLI::App& command, std::vector<std::string>& paths, const std::string& formats);
+/// A format that a subcommand writes. Its name is that of --format and, after a point, the ending
+/// of its files.
+struct Format {
+    std::string_view name;
+    std::string_view writes;  ///< for the help; lines end with \n
+};
 
-/// The ending of a path with its point, in small letters; empty where there is none.
+/// The part of a call that says where its results go.
+struct OutputsCall {
+    std::vector<std::string> outputs;
+    std::string format;
+};
+
+/// A place that a result goes to.
+struct Target {
+    std::string path;    ///< "-" is standard output
+    std::string format;  ///< the name of one of the formats
+};
+
+/// Adds the options -o, which may be given several times, and --format. `without` says what happens
+/// without -o.
+void add_outputs(CLI::App& command, OutputsCall& call, std::span<const Format> formats,
+                 std::string_view without);
+
+/// The ending of a path without its point, in small letters; empty where there is none.
 std::string ending_of(const std::string& path);
 
-/// Throws CallError where an ending is none of `endings`, a file is named twice, or is the input.
-void check_outputs(const std::vector<std::string>& paths, const std::string& input,
-                   const std::vector<std::string_view>& endings);
+/// The targets of a call, at least one: without -o it is standard output, and without --format
+/// either the first of the formats. Files have the format that their ending names; --format is that
+/// of standard output and, where nothing goes there, of all files.
+/// Throws CallError where a file has no format, is named twice, or is the input.
+std::vector<Target> targets_of(const OutputsCall& call, const std::string& input,
+                               std::span<const Format> formats);
+
+/// Whether anything is written in that format.
+bool is_written(std::span<const Target> targets, std::string_view format);
+
+/// "written  a.json, b.svg\n" for the summary; empty where everything goes to standard output.
+std::string written(std::span<const Target> targets);
 
 class Outputs {
  public:
-    /// Opens them all: a directory that cannot be written should not cost minutes.
-    explicit Outputs(const std::vector<std::string>& paths);
+    /// Opens all files: a directory that cannot be written should not cost minutes. The targets
+    /// must outlive the object.
+    explicit Outputs(std::span<const Target> targets);
 
-    /// Writes and publishes each; to standard output where there is none, as what `fallback` ends
-    /// with.
-    void write(const std::function<void(std::ostream& out, const std::string& ending)>& write_one,
-               const std::string& fallback) const;
+    /// Writes every target; files appear under their names when all are complete.
+    void write(
+        const std::function<void(std::ostream& out, std::string_view format)>& write_one) const;
 
  private:
-    std::vector<std::unique_ptr<OutputFile>> files_;
+    std::span<const Target> targets_;
+    std::vector<std::unique_ptr<OutputFile>> files_;  ///< one a target; null for standard output
 };
 
 }  // namespace signum::cli

@@ -283,14 +283,14 @@ void add_sign(CLI::App& tool) {
                      "           or on (0) the circle (diamond, square) that\n"
                      "           touches the others counterclockwise")
         ->required()
-        ->check(one_of({"ccw", "in_circle"}))
+        ->transform(one_of({"ccw", "in_circle"}))
         ->type_name("");
     command
         ->add_option("NUMBER", call->numbers,
                      "After --: x y of each point for ccw, x y r of each\nsite for in_circle")
         ->type_name("");
     add_metric(*command, call->metric);
-    add_weight_is(*command, call->weight_is);
+    add_weight_is(*command, call->weight_is, "radius");
     command->add_flag("--json", call->json,
                       "Prints {\"sign\": S, \"stage\": NAME}; where in_circle\n"
                       "is 0 also \"tie\": {\"last\": SITE, \"conflict\": BOOL}");

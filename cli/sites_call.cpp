@@ -1,5 +1,6 @@
 #include "sites_call.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <stdexcept>
 
@@ -12,8 +13,9 @@ void add_sites(CLI::App& command, SitesCall& call) {
     command.add_option("FILE", call.input, "Sites, one a line: x y [r]; - for standard input")
         ->required()
         ->type_name("");
+    add_columns(command, call.columns);
     add_metric(command, call.metric);
-    add_weight_is(command, call.weight_is);
+    add_weight_is(command, call.weight_is, "what a header of the file says, else\nradius");
     command
         .add_option("--seed", call.seed,
                     "Of the order of insertion; the result does not\ndepend on it")
@@ -36,10 +38,26 @@ Arithmetic arithmetic_of(const std::string& name) {
     throw CallError(fmt::format("--arithmetic {} is unknown", name));
 }
 
+namespace {
+
+/// In the power metric a radius counts by its square, which has lost the sign.
+void warn_of_negative_radii(const std::string& path, const SitesFile& file) {
+    if (!file.first_negative) return;
+    const auto count =
+        std::ranges::count_if(file.sites, [](const Site& site) { return site.r < 0.0; });
+    const auto& first = *std::ranges::find_if(file.sites, [](const Site& s) { return s.r < 0.0; });
+    say("signum: {}:{}:{}: the radius {} is negative, {}, and the power metric squares radii; say "
+        "--weight-is weight if weights are meant, --weight-is radius if not\n",
+        path, file.first_negative->line, file.first_negative->column, first.r,
+        count == 1 ? "the only one of the file" : fmt::format("the first of {}", count));
+}
+
+}  // namespace
+
 InputSites read_input(const SitesCall& call) {
     const Metric metric = metric_of(call.metric);
     check_weight_is(call.weight_is, metric);
-    InputSites sites = {read_sites(call.input), WeightIs::radius};
+    InputSites sites = {read_sites_by_columns(call.input, call.columns), WeightIs::radius};
     sites.third = sites.file.third.value_or(WeightIs::radius);
     if (sites.third == WeightIs::weight && !traits_of(metric).has_weights) {
         throw CallError(
@@ -49,6 +67,8 @@ InputSites read_input(const SitesCall& call) {
     }
     if (!call.weight_is.empty()) {
         sites.third = call.weight_is == "weight" ? WeightIs::weight : WeightIs::radius;
+    } else if (metric == Metric::power && sites.third == WeightIs::radius) {
+        warn_of_negative_radii(call.input, sites.file);
     }
     return sites;
 }

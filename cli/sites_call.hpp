@@ -17,6 +17,7 @@ namespace signum::cli {
 /// The part of a call that says what to tessellate.
 struct SitesCall {
     std::string input;
+    std::string columns;
     std::string metric;
     std::string weight_is;
     std::string arithmetic = "exact";
@@ -25,7 +26,7 @@ struct SitesCall {
     bool quiet = false;
 };
 
-/// Adds FILE, --metric, --weight-is, --seed and --quiet.
+/// Adds FILE, --columns, --metric, --weight-is, --seed and --quiet.
 void add_sites(CLI::App& command, SitesCall& call);
 
 /// Accepts the name of an arithmetic.
@@ -39,7 +40,8 @@ struct InputSites {
     WeightIs third;  ///< what the third numbers are
 };
 
-/// Reads the file. Throws InputError, or CallError where metric and weights do not fit.
+/// Reads the file, and warns of negative radii where they will be squared and nobody has said that
+/// they are radii. Throws InputError, or CallError where metric and weights do not fit.
 InputSites read_input(const SitesCall& call);
 
 /// With a progress bar unless quiet. Throws CheckFailure where inexact arithmetic broke the

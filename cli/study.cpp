@@ -218,6 +218,8 @@ void write_report(const fs::path& directory, const study::Account& account,
 }
 
 void run(const Call& call) {
+    if (call.directory == "-")
+        throw CallError("-o -: a study is a directory of files; give its name");
     const study::Scope scope = scope_of(call);
     const fs::path directory = call.directory;
     const std::vector<study::Cell> cells = study::plan(scope);
@@ -299,17 +301,15 @@ void add_study(CLI::App& tool) {
         ->type_name("DIR")
         ->capture_default_str();
     command->add_flag("--quick", call->quick, "Every figure with fewer points: minutes");
-    std::vector<std::string> names;
-    for (const Metric each : all_metrics) names.emplace_back(name_of(each));
     command->add_option("--metric", call->metrics, "These metrics alone; all without it")
-        ->check(one_of(names))
+        ->transform(name_of_metric())
         ->type_name("NAME ...");
     command->add_option("--sites", call->sites, "Leaves out experiments on fewer or more sites")
         ->type_name("A:B");
     command
         ->add_option("--seconds", call->seconds,
                      "Begins nothing new after so long; the same\ncommand goes on later")
-        ->check(CLI::PositiveNumber)
+        ->check(number_from(0.0, 1e9))
         ->type_name("N");
     command->add_flag("--fresh", call->fresh, "Throws away the results that DIR holds");
     command->add_flag("--no-report", call->no_report, "Numbers alone; the report needs gnuplot");

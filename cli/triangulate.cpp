@@ -1,9 +1,11 @@
 /// signum triangulate: from a file of sites to files of the tessellation.
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,10 +29,9 @@ namespace signum::cli {
 namespace {
 
 /// The call as it was typed.
-struct Call : SitesCall {
+struct Call : SitesCall, OutputsCall {
     std::string method = "incremental";
     std::vector<double> clip;
-    std::vector<std::string> outputs;
     bool vertices = false;
     bool check = false;
 };
@@ -49,16 +50,16 @@ Method method_of(const std::string& name, Metric metric) {
                     name, fmt::join(built, " and "), name_of(metric), built.back()));
 }
 
-bool is_written(const Call& call, std::string_view ending) {
-    return std::ranges::any_of(call.outputs,
-                               [&](const std::string& path) { return ending_of(path) == ending; });
-}
+constexpr std::array<Format, 4> formats = {{{"json", "faces, neighbours, hidden sites"},
+                                            {"svg", "a picture"},
+                                            {"csv", "a table a,b,c of faces, -1 is infinity"},
+                                            {"obj", "a mesh of the finite faces"}}};
 
-/// Options that one kind of file alone heeds.
-void require_files_for_options(const Call& call) {
-    if (call.vertices && !call.outputs.empty() && !is_written(call, ".json"))
+/// Options that one format alone heeds.
+void require_formats_for_options(const Call& call, std::span<const Target> targets) {
+    if (call.vertices && !is_written(targets, "json"))
         throw CallError("--vertices goes into JSON alone; add -o FILE.json");
-    if (!call.clip.empty() && !is_written(call, ".svg"))
+    if (!call.clip.empty() && !is_written(targets, "svg"))
         throw CallError("--clip is what a picture shows; add -o FILE.svg");
 }
 
@@ -73,22 +74,22 @@ std::vector<Edge> flipped_edges(const Tessellation& tessellation) {
     return flipped;
 }
 
-void write(std::ostream& out, const std::string& ending, const Tessellation& tessellation,
+void write(std::ostream& out, std::string_view format, const Tessellation& tessellation,
            const JsonOptions& options, const std::optional<Box>& clip, Method method) {
-    if (ending == ".svg") {
+    if (format == "svg") {
         const std::vector<Edge> flipped =
             method == Method::flips ? flipped_edges(tessellation) : std::vector<Edge>{};
         write_svg(out, tessellation, {.box = clip, .flipped = flipped});
-    } else if (ending == ".csv") {
+    } else if (format == "csv") {
         write_csv(out, tessellation);
-    } else if (ending == ".obj") {
+    } else if (format == "obj") {
         write_obj(out, tessellation);
     } else {
         write_json(out, tessellation, options);
     }
 }
 
-void summarize(const Tessellation& tessellation, const std::vector<std::string>& outputs) {
+void summarize(const Tessellation& tessellation, std::span<const Target> targets) {
     const auto faces = tessellation.faces();
     const std::size_t sites = tessellation.sites().size();
     const std::size_t hidden = tessellation.hidden().size();
@@ -103,7 +104,7 @@ void summarize(const Tessellation& tessellation, const std::vector<std::string>&
     if (tessellation.statistics().events > 0)
         say("events   {}\n", tessellation.statistics().events);
     say("seconds  {:.3g}\n", tessellation.statistics().seconds);
-    if (!outputs.empty()) say("written  {}\n", fmt::join(outputs, ", "));
+    say("{}", written(targets));
 }
 
 void summarize_statistics(const Statistics& s) {
@@ -132,23 +133,21 @@ void run(const Call& call) {
             fmt::format("--method flips has exact arithmetic alone; leave --arithmetic {} out",
                         call.arithmetic));
     }
-    check_outputs(call.outputs, call.input, {".json", ".svg", ".csv", ".obj"});
-    require_files_for_options(call);
-    const std::optional<Box> clip = box_of(call.clip, call.outputs);
+    const std::vector<Target> targets = targets_of(call, call.input, formats);
+    require_formats_for_options(call, targets);
+    const std::optional<Box> clip = box_of(call.clip, targets);
     const InputSites sites = read_input(call);
-    const Outputs outputs(call.outputs);
+    const Outputs outputs(targets);
     const Tessellation tessellation = construct(call, sites, method);
     if (clip) require_fit(*clip, Voronoi(tessellation));
     // Before anything is written: what fails its check is not left under the name asked for.
     std::optional<Validation> checked;
     if (call.check) checked = check(call, tessellation);
-    outputs.write(
-        [&](std::ostream& out, const std::string& ending) {
-            write(out, ending, tessellation, {call.vertices, call.statistics}, clip, method);
-        },
-        ".json");
+    outputs.write([&](std::ostream& out, std::string_view format) {
+        write(out, format, tessellation, {call.vertices, call.statistics}, clip, method);
+    });
     if (!call.quiet) {
-        summarize(tessellation, call.outputs);
+        summarize(tessellation, targets);
         if (call.statistics) summarize_statistics(tessellation.statistics());
         if (checked) say("check    valid, {}canonical\n", checked->canonical ? "" : "not ");
     }
@@ -165,7 +164,7 @@ void add_triangulate(CLI::App& tool) {
                      "incremental: site by site; flips: from Delaunay's\n"
                      "triangulation, power metric only; sweep: a line\n"
                      "over the plane, manhattan and supremum only; the\nresult is the same")
-        ->check(one_of({"incremental", "flips", "sweep"}))
+        ->transform(one_of({"incremental", "flips", "sweep"}))
         ->type_name("NAME")
         ->capture_default_str();
     command
@@ -177,14 +176,10 @@ void add_triangulate(CLI::App& tool) {
                      "multiprecision  rationals alone\n"
                      "naive           doubles, which round\n"
                      "single          floats, which round")
-        ->check(name_of_arithmetic())
+        ->transform(name_of_arithmetic())
         ->type_name("NAME")
         ->capture_default_str();
-    add_output(*command, call->outputs,
-               ".json  faces, neighbours, hidden sites\n"
-               ".svg   a picture\n"
-               ".csv   a table a,b,c of faces, -1 is infinity\n"
-               ".obj   a mesh of the finite faces\n");
+    add_outputs(*command, *call, formats, "without it the result goes there, as JSON");
     add_clip(*command, call->clip,
              "The box that a picture shows. Default: all sites\nwith some room around them");
     command->add_flag("--vertices", call->vertices,

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "../io/output_file.hpp"
-#include "../io/read_sites.hpp"
 #include "../io/read_tessellation.hpp"
 
 #include "commands.hpp"
@@ -18,6 +17,7 @@ namespace {
 struct Call {
     std::string tessellation;
     std::string sites;
+    std::string columns;
     bool quiet = false;
 };
 
@@ -26,7 +26,7 @@ void run(const Call& call) {
         throw CallError("only one of the two files can be standard input");
     }
     const TessellationArrays arrays = read_tessellation(call.tessellation);
-    const SitesFile file = read_sites(call.sites);
+    const SitesFile file = read_sites_by_columns(call.sites, call.columns);
     const Validation result =
         validate_with_progress(arrays, strided_view(file.sites, arrays.weight_is), call.quiet);
     DescriptorStream out(1, "standard output");
@@ -61,6 +61,7 @@ void add_validate(CLI::App& tool) {
                      "number is a weight")
         ->required()
         ->type_name("");
+    add_columns(*command, call->columns);
     command->add_flag("--quiet", call->quiet, "No progress on standard error");
     command->footer(
         "Prints \"valid, canonical\", \"valid, not canonical: WHY\" or \"not valid: WHY\";\n"

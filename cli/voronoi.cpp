@@ -1,9 +1,10 @@
 /// signum voronoi: from a file of sites to files of the diagram.
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,23 +23,19 @@ namespace signum::cli {
 namespace {
 
 /// The call as it was typed.
-struct Call : SitesCall {
+struct Call : SitesCall, OutputsCall {
     std::vector<double> clip;
     std::optional<double> tolerance;
-    std::vector<std::string> outputs;
     bool merge = false;
 };
 
-/// Throws CallError where doubles cannot compute with the box that an output is cut to.
-void check_box(const Call& call, const Box& box, const Voronoi& diagram) {
-    const bool is_used =
-        !call.clip.empty() || std::ranges::any_of(call.outputs, [](const std::string& path) {
-            return ending_of(path) == ".geojson" || ending_of(path) == ".csv";
-        });
-    if (is_used) require_fit(box, diagram);
-}
+constexpr std::array<Format, 4> formats = {
+    {{"json", "vertices, edges with their curves,\ncells with their measures"},
+     {"svg", "a picture with true arcs"},
+     {"geojson", "the cells as polygons"},
+     {"csv", "the cells as a table, polygons as WKT"}}};
 
-void summarize(const Voronoi& voronoi, const std::vector<std::string>& outputs) {
+void summarize(const Voronoi& voronoi, std::span<const Target> targets) {
     const std::size_t sites = voronoi.tessellation().sites().size();
     const std::size_t hidden = voronoi.tessellation().hidden().size();
     std::size_t unbounded = 0;
@@ -49,20 +46,21 @@ void summarize(const Voronoi& voronoi, const std::vector<std::string>& outputs) 
     say("hidden   {}\n", hidden);
     say("vertices {}\n", voronoi.vertices().size());
     say("edges    {}\n", voronoi.edges().size());
-    if (!outputs.empty()) say("written  {}\n", fmt::join(outputs, ", "));
+    say("{}", written(targets));
 }
 
 void run(const Call& call) {
-    check_outputs(call.outputs, call.input, {".json", ".svg", ".geojson", ".csv"});
-    const std::optional<Box> clip = box_of(call.clip, call.outputs);
-    if (call.tolerance && !(*call.tolerance > 0 && std::isfinite(*call.tolerance)))
-        throw CallError("--tolerance: it is to be above 0 and finite");
+    const std::vector<Target> targets = targets_of(call, call.input, formats);
+    const std::optional<Box> clip = box_of(call.clip, targets);
+    if (call.tolerance && !(*call.tolerance > 0))
+        throw CallError("--tolerance: give a number above 0");
     const InputSites sites = read_input(call);
-    const Outputs outputs(call.outputs);
+    const Outputs outputs(targets);
     const Voronoi diagram(construct(call, sites), {call.merge});
 
     const Box box = clip.value_or(default_box(diagram.tessellation().sites()));
-    check_box(call, box, diagram);
+    const bool is_used = clip || is_written(targets, "geojson") || is_written(targets, "csv");
+    if (is_used) require_fit(box, diagram);
     const double longer = std::max(box.x1 / 2 - box.x0 / 2, box.y1 / 2 - box.y0 / 2);
     const double tolerance = call.tolerance.value_or(longer / 5'000);
     if (tolerance < longer * 2e-9) {
@@ -71,21 +69,19 @@ void run(const Call& call) {
                         "have more points than anybody wants; give at least {:.3g}",
                         tolerance, longer * 2e-9));
     }
-    outputs.write(
-        [&](std::ostream& out, const std::string& ending) {
-            if (ending == ".json") {
-                const Box cut = clip.value_or(no_box);
-                write_voronoi_json(out, ClippedVoronoi(diagram, cut), cut);
-            } else if (ending == ".svg") {
-                write_voronoi_svg(out, diagram, clip);
-            } else if (ending == ".geojson") {
-                write_voronoi_geojson(out, ClippedVoronoi(diagram, box), box, tolerance);
-            } else {
-                write_voronoi_csv(out, ClippedVoronoi(diagram, box), tolerance);
-            }
-        },
-        ".json");
-    if (!call.quiet) summarize(diagram, call.outputs);
+    outputs.write([&](std::ostream& out, std::string_view format) {
+        if (format == "json") {
+            const Box cut = clip.value_or(no_box);
+            write_voronoi_json(out, ClippedVoronoi(diagram, cut), cut);
+        } else if (format == "svg") {
+            write_voronoi_svg(out, diagram, clip);
+        } else if (format == "geojson") {
+            write_voronoi_geojson(out, ClippedVoronoi(diagram, box), box, tolerance);
+        } else {
+            write_voronoi_csv(out, ClippedVoronoi(diagram, box), tolerance);
+        }
+    });
+    if (!call.quiet) summarize(diagram, targets);
 }
 
 }  // namespace
@@ -105,16 +101,12 @@ void add_voronoi(CLI::App& tool) {
                      "How far the polygons of tables and GeoJSON may be\n"
                      "from the arcs they stand for. Default: the longer\n"
                      "side of the box / 10000")
+        ->check(finite_number())
         ->type_name("T");
     command->add_flag("--merge", call->merge,
                       "One vertex where several faces have the same\n"
                       "circle, without edges of no length");
-    add_output(*command, call->outputs,
-               ".json     vertices, edges with their curves,\n"
-               "          cells with their measures\n"
-               ".svg      a picture with true arcs\n"
-               ".geojson  the cells as polygons\n"
-               ".csv      the cells as a table, polygons as WKT\n");
+    add_outputs(*command, *call, formats, "without it the result goes there, as JSON");
     command->footer(
         "Examples:\n"
         "  signum voronoi sites.txt -o cells.svg -o cells.geojson\n"

@@ -8,6 +8,9 @@ InputError::InputError(std::string_view file, Position position, std::string_vie
     : std::runtime_error(
           fmt::format("{}:{}:{}: {}", file, position.line, position.column, message)) {}
 
+InputError::InputError(std::string_view file, std::string_view message)
+    : std::runtime_error(fmt::format("{}: {}", file, message)) {}
+
 std::string in_quotes(std::string_view text) {
     constexpr std::size_t longest = 40;
     std::string result = "'";

@@ -1,5 +1,5 @@
 #pragma once
-/// The two ways in which a file fails us: its contents are wrong, or the machine is.
+/// The ways in which a file fails us: its contents are wrong, or its name, or the machine is.
 
 #include <cstdint>
 #include <stdexcept>
@@ -15,10 +15,18 @@ struct Position {
     std::int64_t column = 1;
 };
 
-/// The input is wrong. what() is "FILE:LINE:COLUMN: what is wrong, and what would be right".
+/// The input is wrong. what() is "FILE:LINE:COLUMN: what is wrong, and what would be right", or
+/// "FILE: ..." where the file has no lines that could be wrong, since it is not there.
 class InputError : public std::runtime_error {
  public:
     InputError(std::string_view file, Position position, std::string_view message);
+    InputError(std::string_view file, std::string_view message);
+};
+
+/// A result cannot have this name: there is no such directory, or the name is a directory's own.
+class NameError : public std::runtime_error {
+ public:
+    using std::runtime_error::runtime_error;
 };
 
 /// The machine failed: a full disk, a directory that cannot be written.

@@ -47,8 +47,9 @@ InputFile::InputFile(std::string path, std::string_view kind)
             if (is_failure_of_machine(error)) {
                 throw MachineError(fmt::format("cannot open {}: {}", path_, std::strerror(error)));
             }
-            fail({}, fmt::format("cannot open it ({}); give {}, or - for standard input",
-                                 std::strerror(error), kind_));
+            throw InputError(path_.empty() ? "''" : path_,
+                             fmt::format("cannot open it ({}); give {}, or - for standard input",
+                                         std::strerror(error), kind_));
         }
     }
     // No destructor runs for a constructor that throws.

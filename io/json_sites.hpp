@@ -7,6 +7,6 @@
 namespace signum {
 
 /// Reads all sites of an open file. Throws InputError.
-[[nodiscard]] SitesFile read_json_sites(InputFile& file);
+[[nodiscard]] SitesFile read_json_sites(InputFile& file, const Columns& columns);
 
 }  // namespace signum

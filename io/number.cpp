@@ -65,6 +65,26 @@ Number parse_number(std::string_view text) noexcept {
     return {negative ? -value : value, NumberFault::none};
 }
 
+std::optional<std::uint64_t> parse_whole_number(std::string_view text) noexcept {
+    std::uint64_t value = 0;
+    const char* end = text.data() + text.size();
+    const auto result = std::from_chars(text.data(), end, value);
+    if (result.ec != std::errc{} || result.ptr != end) return std::nullopt;
+    return value;
+}
+
+namespace {
+
+bool is_number_but_for_a_comma(std::string_view text) {
+    std::string pointed(text);
+    const std::size_t comma = pointed.find(',');
+    if (comma == std::string::npos) return false;
+    pointed[comma] = '.';
+    return parse_number(pointed).fault == NumberFault::none;
+}
+
+}  // namespace
+
 std::string explain(NumberFault fault, std::string_view text) {
     SIGNUM_EXPECTS(fault != NumberFault::none);
     switch (fault) {
@@ -74,6 +94,8 @@ std::string explain(NumberFault fault, std::string_view text) {
             return in_quotes(text) +
                    " is beyond the range of a double; the largest is about 1.797e308";
         default:
+            if (is_number_but_for_a_comma(text))
+                return in_quotes(text) + " has a decimal comma; write a point in its place";
             return in_quotes(text) +
                    " is not a number; write a decimal or hexadecimal float, such as 1.5, -2e-3 or "
                    "0x1.8p-3";

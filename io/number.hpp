@@ -7,6 +7,7 @@
 ///  3. A number too large, infinity and NaN are faults.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -22,6 +23,9 @@ struct Number {
 };
 
 [[nodiscard]] Number parse_number(std::string_view text) noexcept;
+
+/// Digits and nothing else, with a value that fits into 64 bits.
+[[nodiscard]] std::optional<std::uint64_t> parse_whole_number(std::string_view text) noexcept;
 
 /// What is wrong with the text, and what would be right. Precondition: fault != none.
 [[nodiscard]] std::string explain(NumberFault fault, std::string_view text);

@@ -34,7 +34,17 @@ void unprotect(std::size_t slot) noexcept {
     if (slot < unfinished_files.size()) unfinished_files[slot] = nullptr;
 }
 
+/// Another name cures what one of these is about.
+bool is_failure_of_name(int error) noexcept {
+    return error == ENOENT || error == ENOTDIR || error == EISDIR || error == ENAMETOOLONG ||
+           error == ELOOP;
+}
+
 [[noreturn]] void fail(std::string_view name, int error) {
+    if (is_failure_of_name(error)) {
+        throw NameError(fmt::format("cannot write {}: {}; give a file in a directory that is there",
+                                    name, std::strerror(error)));
+    }
     throw MachineError(fmt::format("cannot write {}: {}", name, std::strerror(error)));
 }
 

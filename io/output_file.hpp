@@ -5,7 +5,8 @@
 ///  1. Under its name there is never a part of a file: the old contents, none, or all of the new.
 ///  2. A file that is not published leaves nothing behind, after an exception or, when the program
 ///     calls remove_unfinished_files() from its signal handlers, after a signal.
-///  3. Every failure to write is a MachineError that names the file and the reason.
+///  3. Every failure to write is a MachineError that names the file and the reason, or a NameError
+///     where the file cannot have its name.
 /// What is no regular file (a device, a pipe) cannot be renamed into and is written directly.
 
 #include <memory>

@@ -8,10 +8,11 @@
 
 namespace signum {
 
-SitesFile read_sites(const std::string& path) {
+SitesFile read_sites(const std::string& path, const Columns& columns) {
     InputFile file(path, "a file of sites");
     const char first = file.first_character();
-    SitesFile result = first == '[' || first == '{' ? read_json_sites(file) : read_text_sites(file);
+    SitesFile result = first == '[' || first == '{' ? read_json_sites(file, columns)
+                                                    : read_text_sites(file, columns);
     if (static_cast<std::int64_t>(result.sites.size()) > max_sites) {
         file.fail({}, fmt::format("{} sites; {} is the most that 32-bit indices allow",
                                   result.sites.size(), max_sites));

@@ -15,19 +15,29 @@
 #include "../core/site.hpp"
 #include "../core/strided_sites.hpp"
 #include "../triangulation/tessellation.hpp"
+#include "errors.hpp"
 
 namespace signum {
+
+/// The columns that are x, y and, where there are three, r. Each is the name that a header gives
+/// it, in any case, or its number from 1. Empty: what the header says, else the first three.
+using Columns = std::vector<std::string>;
 
 /// At least one site, all numbers finite; r is a radius or a weight, as the user of the file says.
 struct SitesFile {
     std::vector<Site> sites;
     /// What a header calls the third column, where there is a header that says radius or weight.
     std::optional<WeightIs> third;
+    /// Where the first third number below 0 stands.
+    std::optional<Position> first_negative;
+    /// Which columns were taken, in a sentence, where a header left a column out that it does not
+    /// call x, y, r, radius or weight, and nobody had said so; else empty.
+    std::string note;
 };
 
 /// Reads the file `path`, or standard input for "-". Throws InputError, and MachineError where it
 /// is the machine that fails. O(bytes).
-[[nodiscard]] SitesFile read_sites(const std::string& path);
+[[nodiscard]] SitesFile read_sites(const std::string& path, const Columns& columns = {});
 
 /// A view of sites whose third number is a radius or a weight, as triangulate() and validate() want
 /// it.

@@ -78,7 +78,7 @@ Outcome run(const Words& words, const Circumstances& circumstances = {}) {
 class Tool : public testing::Test {
  protected:
     Scratch scratch;
-    std::string sites = scratch.file("sites.txt", "0 0 1\n4 0 1\n0 4 1\n1 1 -0.5\n1 1 0.5\n");
+    std::string sites = scratch.file("sites.txt", "0 0 1\n4 0 1\n0 4 1\n1 1 0.5\n1 1 0.25\n");
 
     [[nodiscard]] Words triangulate(const Words& more) const {
         Words words = {"triangulate", sites, "--metric", "power"};
@@ -112,10 +112,39 @@ TEST_F(Tool, RefusesWrongCalls) {
     EXPECT_EQ(outcome.code, 2);
     EXPECT_TRUE(outcome.err.starts_with("Signs that are right")) << outcome.err;
     expect({"simplify"}, 2, "signum: 'simplify' is no subcommand; see signum --help\n");
-    expect({"triangulate"}, 2, "signum: FILE is required; see signum triangulate --help\n");
+    expect({"triangulate"}, 2,
+           "signum: FILE is missing; the least is signum triangulate FILE; see signum triangulate "
+           "--help\n");
+    const std::string help = "; see signum triangulate --help\n";
+    expect(triangulate({"--foo"}), 2, "signum: triangulate has no option '--foo'" + help);
+    expect({"triangulate", sites, "--meric", "power"}, 2,
+           "signum: triangulate has no option '--meric'; did you mean --metric? See signum "
+           "triangulate --help\n");
+    expect({"triangulat", sites}, 2,
+           "signum: 'triangulat' is no subcommand; did you mean triangulate? See signum --help\n");
+    expect({"--metric", "power", "triangulate", sites}, 2,
+           "signum: '--metric' stands before the subcommand; write signum SUBCOMMAND first, then "
+           "its options; see signum --help\n");
     expect(
-        triangulate({"--foo"}), 2,
-        "signum: The following argument was not expected: --foo; see signum triangulate --help\n");
+        {"voronoi", sites, "--vertices"}, 2,
+        "signum: voronoi has no option '--vertices'; it is one of triangulate; see signum voronoi "
+        "--help\n");
+    expect(triangulate({"--metric"}), 2,
+           "signum: --metric needs a word after it: --metric NAME" + help);
+    expect(triangulate({"--metric", "power"}), 2,
+           "signum: --metric is given 2 times; give it once" + help);
+    expect(triangulate({"more.txt"}), 2,
+           "signum: 'more.txt' is a word too many; the least is signum triangulate FILE" + help);
+    expect(triangulate({"--quiet=no"}), 2, "signum: --quiet takes no value" + help);
+    expect({"compare", sites, "--seconds", "-1"}, 2,
+           "signum: --seconds: '-1' is not from 0 to 86400; see signum compare --help\n");
+    expect({"voronoi", sites, "--clip", "1", "2", "3"}, 2,
+           "signum: --clip takes 4 words after it, X0 Y0 X1 Y1; 3 are given; see signum voronoi "
+           "--help\n");
+    expect({"triangulate", sites, "--metric", "euclidian"}, 2,
+           "signum: --metric: 'euclidian' is unknown; did you mean euclidean? it is one of power, "
+           "euclidean, manhattan, supremum" +
+               help);
     expect(triangulate({"--seed", "-1"}), 2,
            "signum: --seed: '-1' is no whole number from 0 to 2^64 - 1; see signum triangulate "
            "--help\n");
@@ -313,6 +342,61 @@ TEST_F(Tool, WeighsAsAskedForAndAsTheHeaderSays) {
     EXPECT_EQ(run(radius).out.find("[3, 0]]"), std::string::npos);
 }
 
+TEST_F(Tool, WarnsOfNegativeRadiiThatWillBeSquared) {
+    const std::string negative = scratch.file("n.txt", "0 0 1\n9 0 -2\n0 9 -3\n");
+    const auto with = [&](const Words& more) {
+        Words words = {"triangulate", negative, "--quiet"};
+        words.insert(words.end(), more.begin(), more.end());
+        return run(words).err;
+    };
+    EXPECT_EQ(
+        with({"--metric", "power"}),
+        "signum: " + negative +
+            ":2:5: the radius -2 is negative, the first of 2, and the power metric squares "
+            "radii; say --weight-is weight if weights are meant, --weight-is radius if not\n");
+    EXPECT_EQ(with({"--metric", "power", "--weight-is", "radius"}), "");
+    EXPECT_EQ(with({"--metric", "power", "--weight-is", "weight"}), "");
+    EXPECT_EQ(with({"--metric", "supremum"}), "");
+}
+
+TEST_F(Tool, TakesTheColumnsThatAreNamed) {
+    const std::string cities =
+        scratch.file("c.csv", "name,lon,lat,height\na,0,0,1\nb,4,0,1\nc,0,4,1\nd,1,1,9\n");
+    const std::string plain = scratch.file("p.txt", "0 0\n4 0\n0 4\n1 1\n");
+    const std::string json = scratch.path("a.json");
+    const Outcome expected = run({"triangulate", plain, "--quiet"});
+    for (const char* columns : {"lon,lat", "2,3", "LON, Lat"}) {
+        const Outcome outcome = run({"triangulate", cities, "--columns", columns, "--quiet"});
+        EXPECT_EQ(outcome.code, 0);
+        EXPECT_EQ(outcome.err, "");
+        EXPECT_EQ(outcome.out, expected.out);
+    }
+    EXPECT_EQ(run({"voronoi", cities, "--columns", "lon,lat", "--quiet"}).out,
+              run({"voronoi", plain, "--quiet"}).out);
+    EXPECT_EQ(run({"compare", cities, "--columns", "lon,lat", "--seconds", "0"}).code, 0);
+    ASSERT_EQ(run({"triangulate", plain, "--quiet", "-o", json}).code, 0);
+    EXPECT_EQ(run({"validate", json, cities, "--columns", "lon,lat"}).out, "valid, canonical\n");
+    expect({"triangulate", cities, "--columns", "lon,lat,hight"}, 2,
+           cities +
+               ":1:1: no column is called 'hight'; did you mean 'height'? there are 'name', "
+               "'lon', 'lat', 'height'\n");
+    for (const char* columns : {"lon", "1,2,3,4", "lon,,lat", ","}) {
+        expect({"triangulate", cities, "--columns", columns}, 2,
+               std::string("signum: --columns ") + columns +
+                   ": give two or three with commas between, by name or number, as in --columns "
+                   "lon,lat or --columns 2,3,5\n");
+    }
+    // A third column that no header calls a radius is left out, with a word.
+    const std::string third = scratch.file("t.csv", "x,y,z\n0,0,5\n4,0,5\n0,4,5\n1,1,5\n");
+    const Outcome left_out = run({"triangulate", third, "--quiet"});
+    EXPECT_EQ(left_out.code, 0);
+    EXPECT_EQ(left_out.out, expected.out);
+    EXPECT_TRUE(left_out.err.starts_with("signum: " + third +
+                                         ":1: 'x' is x, 'y' is y, and 'z' is "
+                                         "left out: "))
+        << left_out.err;
+}
+
 TEST_F(Tool, RefusesWrongInputAndWritesNothing) {
     const std::string bad = scratch.file("bad.txt", "0 0 1\n4 zero 1\n");
     const std::size_t before = scratch.size();
@@ -327,14 +411,66 @@ TEST_F(Tool, RefusesWrongInputAndWritesNothing) {
     const std::string missing = scratch.path("missing");
     expect({"triangulate", missing, "--metric", "power"}, 2,
            missing +
-               ":1:1: cannot open it (No such file or directory); give a file of sites, or - "
+               ": cannot open it (No such file or directory); give a file of sites, or - "
                "for standard input\n");
     EXPECT_EQ(scratch.size(), before);
 }
 
+TEST_F(Tool, KnowsMetricsByOtherNames) {
+    const auto with = [&](const char* name) {
+        return run({"triangulate", sites, "--metric", name, "--quiet"}).out;
+    };
+    const std::string supremum = with("supremum");
+    EXPECT_NE(supremum.find("\"supremum\""), std::string::npos);
+    for (const char* name : {"Supremum", "LINF", "l-inf"}) EXPECT_EQ(with(name), supremum);
+    EXPECT_EQ(with("L1"), with("manhattan"));
+    EXPECT_EQ(with("Laguerre"), with("power"));
+}
+
+TEST_F(Tool, WritesEveryFormatToStandardOutput) {
+    const std::string file = scratch.path("a.data");
+    for (const Words& formats : {Words{"triangulate", "json", "svg", "csv", "obj"},
+                                 Words{"voronoi", "json", "svg", "geojson", "csv"}}) {
+        for (std::size_t i = 1; i < formats.size(); ++i) {
+            const auto with = [&](const Words& more) {
+                Words words = {formats[0], sites, "--quiet"};
+                words.insert(words.end(), more.begin(), more.end());
+                const Outcome outcome = run(words);
+                EXPECT_EQ(outcome.code, 0) << outcome.err;
+                return outcome.out;
+            };
+            const std::string path = scratch.path("b." + formats[i]);
+            EXPECT_EQ(with({"-o", path}), "");
+            const std::string expected = contents(path);
+            EXPECT_FALSE(expected.empty());
+            EXPECT_EQ(with({"--format", formats[i]}), expected);
+            EXPECT_EQ(with({"-o", "-", "--format", formats[i]}), expected);
+            EXPECT_EQ(with({"-o", file, "--format", formats[i]}), "");
+            EXPECT_EQ(contents(file), expected);
+        }
+    }
+    const Outcome both =
+        run(triangulate({"-o", scratch.path("c.csv"), "-o", "-", "--format", "obj"}));
+    EXPECT_TRUE(both.out.starts_with("# signum: "));
+    EXPECT_TRUE(contents(scratch.path("c.csv")).starts_with("a,b,c\n"));
+    EXPECT_NE(both.err.find("written  " + scratch.path("c.csv") + "\n"), std::string::npos);
+    expect(
+        triangulate({"-o", "a.json", "-o", "b.svg", "--format", "svg"}), 2,
+        "signum: --format svg and -o a.json: with several files either their endings say what to "
+        "write, or --format does; leave --format out, or name the file otherwise\n");
+    EXPECT_EQ(run({"generate", "grid", "-n", "4", "-o", "-", "--format", "json"}).out,
+              "[[0, 0, 0],\n[700, 0, 0],\n[0, 700, 0],\n[700, 700, 0]]\n");
+    const Outcome picture = run({"compare", sites, "--seconds", "0", "-o", "-"});
+    EXPECT_NE(picture.out.find("<svg"), std::string::npos);
+    EXPECT_NE(picture.err.find("exact / naive time: "), std::string::npos) << picture.err;
+    EXPECT_EQ(run({"compare", sites, "--json", "-o", "-"}).code, 2);
+}
+
 TEST_F(Tool, RefusesOutputsThatCannotBeMeant) {
     expect(triangulate({"-o", "a.txt"}), 2,
-           "signum: -o a.txt: the ending says what to write; give it .json, .svg, .csv or .obj\n");
+           "signum: -o a.txt: the ending says what to write; give it .json, .svg, .csv or .obj, or "
+           "say "
+           "it with --format\n");
     expect(triangulate({"-o", "a.json", "-o", "a.json"}), 2,
            "signum: -o a.json is given twice; give it once\n");
     const std::string csv = scratch.file("sites.csv", "0,0\n");
@@ -347,8 +483,9 @@ TEST_F(Tool, RefusesOutputsThatCannotBeMeant) {
 
 TEST_F(Tool, ReportsAMachineThatFails) {
     const std::string nowhere = scratch.path("no/a.json");
-    expect(triangulate({"-o", nowhere}), 3,
-           "signum: cannot write " + nowhere + ": No such file or directory\n");
+    expect(triangulate({"-o", nowhere}), 2,
+           "signum: cannot write " + nowhere +
+               ": No such file or directory; give a file in a directory that is there\n");
     EXPECT_EQ(run(triangulate({"--quiet"}), {.out = "/dev/full"}).code, 3);
     expect({"generate", "random", "-n", "9", "-o", "/dev/full"}, 3,
            "signum: cannot write /dev/full: No space left on device\n");
@@ -738,8 +875,9 @@ TEST_F(Tool, RefusesWrongCallsOfVoronoi) {
     refused({"--clip", "5", "0", "1", "1"},
             "signum: --clip 5 0 1 1: the lower left corner comes first, x0 < x1 and y0 < y1\n");
     refused({"--clip", "nan", "0", "1", "1"},
-            "signum: --clip: its four numbers are to be finite\n");
-    refused({"--tolerance", "0"}, "signum: --tolerance: it is to be above 0 and finite\n");
+            "signum: --clip: 'nan' is not a finite number; write a finite one; see signum voronoi "
+            "--help\n");
+    refused({"--tolerance", "0"}, "signum: --tolerance: give a number above 0\n");
     for (const char* name : {"a.json", "a.svg", "a.csv"})
         refused(
             {"--clip", "-1e308", "-1e308", "1e308", "1e308", "-o", scratch.path(name)},
@@ -750,10 +888,10 @@ TEST_F(Tool, RefusesWrongCallsOfVoronoi) {
             "have more points than anybody wants; give at least 4.8e-09\n");
     refused({"--clip", "0", "0", "1e-6", "1", "-o", "a.svg"},
             "signum: --clip: a picture of a box more than a thousand times as long as wide shows "
-            "nothing; give another box, or leave the .svg out\n");
+            "nothing; give another box, or leave the picture out\n");
     refused({"-o", "a.obj"},
             "signum: -o a.obj: the ending says what to write; give it .json, .svg, .geojson or "
-            ".csv\n");
+            ".csv, or say it with --format\n");
     EXPECT_EQ(run({"voronoi", sites, "--clip", "1", "2", "3"}).code, 2);
     EXPECT_EQ(run({"voronoi", sites, "--clip", "1", "2", "3", "x"}).code, 2);
     EXPECT_EQ(run({"voronoi", scratch.path("none.txt")}).code, 2);
@@ -784,7 +922,7 @@ TEST_F(Tool, DrawsAPartOfATessellation) {
             "coordinates and radii of the sites; cut the cells to another one with --clip\n");
     refused({"0", "0", "1e-6", "1", "-o", svg},
             "signum: --clip: a picture of a box more than a thousand times as long as wide shows "
-            "nothing; give another box, or leave the .svg out\n");
+            "nothing; give another box, or leave the picture out\n");
 }
 
 TEST_F(Tool, TakesEuclideanWhereNoMetricIsGiven) {

@@ -23,6 +23,8 @@ std::string failure(const std::string& path, std::size_t size) {
         file.publish();
     } catch (const MachineError& error) {
         return error.what();
+    } catch (const NameError& error) {
+        return error.what();
     }
     return "no error";
 }
@@ -73,12 +75,14 @@ TEST(OutputFile, WritesDevicesDirectly) {
 
 TEST(OutputFile, SaysWhatFailed) {
     const Scratch scratch;
+    const std::string other = "; give a file in a directory that is there";
     const std::string nowhere = scratch.path("no/such");
-    EXPECT_EQ(failure(nowhere, 1), "cannot write " + nowhere + ": No such file or directory");
+    EXPECT_EQ(failure(nowhere, 1),
+              "cannot write " + nowhere + ": No such file or directory" + other);
     const std::string directory = scratch.path("");
-    EXPECT_EQ(failure(directory, 1), "cannot write " + directory + ": Is a directory");
+    EXPECT_EQ(failure(directory, 1), "cannot write " + directory + ": Is a directory" + other);
     const std::string below = scratch.file("file", "") + "/out";
-    EXPECT_EQ(failure(below, 1), "cannot write " + below + ": Not a directory");
+    EXPECT_EQ(failure(below, 1), "cannot write " + below + ": Not a directory" + other);
     EXPECT_EQ(failure("/dev/full", 1), "cannot write /dev/full: No space left on device");
     EXPECT_EQ(failure("/dev/full", 1'000'000), "cannot write /dev/full: No space left on device");
     EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));

@@ -17,17 +17,17 @@ namespace {
 using namespace std::string_literals;
 using Sites = std::vector<Site>;
 
-SitesFile read(std::string_view contents) {
+SitesFile read(std::string_view contents, const Columns& columns = {}) {
     const test::Scratch scratch;
-    return read_sites(scratch.file("f", contents));
+    return read_sites(scratch.file("f", contents), columns);
 }
 
 /// The error message that the contents give, without the path.
-std::string error(std::string_view contents) {
+std::string error(std::string_view contents, const Columns& columns = {}) {
     const test::Scratch scratch;
     const std::string path = scratch.file("f", contents);
     try {
-        static_cast<void>(read_sites(path));
+        static_cast<void>(read_sites(path, columns));
     } catch (const InputError& error) {
         const std::string message = error.what();
         EXPECT_TRUE(message.starts_with(path + ":")) << message;
@@ -65,7 +65,7 @@ TEST(TextSites, SkipsMarkCommentsAndHeader) {
     EXPECT_EQ(read("\xEF\xBB\xBF# made by hand\n1 2 3# here\n#\n4 5 6 # there\n").sites,
               (Sites{{1, 2, 3}, {4, 5, 6}}));
     EXPECT_EQ(read("\xEF\xBB\xBFx y r\n1 2 3\n").sites, (Sites{{1, 2, 3}}));
-    EXPECT_EQ(read("# comment\nlongitude latitude size\n1 2 3\n").sites, (Sites{{1, 2, 3}}));
+    EXPECT_EQ(read("# comment\nlongitude latitude\n1 2\n").sites, (Sites{{1, 2, 0}}));
 }
 
 TEST(TextSites, PicksNamedColumns) {
@@ -78,6 +78,69 @@ TEST(TextSites, PicksNamedColumns) {
     EXPECT_EQ(read("n x y r\n7 1 2 3\n").sites, (Sites{{1, 2, 3}}));
     EXPECT_EQ(read("x,y,r\n1,2\n").sites, (Sites{{1, 2, 0}}));
     EXPECT_EQ(read("x y r\n1,2,3\n").sites, (Sites{{1, 2, 3}}));
+}
+
+TEST(TextSites, TakesNoColumnForARadiusBecauseItIsThird) {
+    for (const char* text : {"lon,lat,elevation\n1,2,3\n", "lon lat elevation\n1 2 3\n",
+                             "x;y;name\n1;2;a, b\n", "id,X,Y\n3,1,2\n", "x\ty\tn\n1\t2\n"}) {
+        const SitesFile file = read(text);
+        EXPECT_EQ(file.sites, (Sites{{1, 2, 0}})) << text;
+        EXPECT_NE(file.note.find("is left out"), std::string::npos) << text;
+    }
+    EXPECT_NE(
+        read("\"where, north\",x,y\n3,1,2\n")
+            .note.find(
+                "/f:1: 'x' is x, 'y' is y, and 'where, north' is left out: no radius, or it would "
+                "be called r, radius or weight. --columns 2,3,1 takes it for one, --columns 2,3 "
+                "leaves it out without a word"),
+        std::string::npos);
+    const SitesFile named = read("Radius,lon,lat\n3,1,2\n");
+    EXPECT_EQ(named.sites, (Sites{{1, 2, 3}}));
+    EXPECT_EQ(named.note, "");
+}
+
+TEST(TextSites, TakesTheColumnsThatAreChosen) {
+    const char* cities = "id;name;Lon;Lat;\"height; m\";r\n7;a, b;1;2;3;4\n";
+    EXPECT_EQ(read(cities, {"lon", "LAT"}).sites, (Sites{{1, 2, 0}}));
+    EXPECT_EQ(read(cities, {"lon", "lat", "Height; m"}).sites, (Sites{{1, 2, 3}}));
+    EXPECT_EQ(read(cities, {"3", "4", "r"}).sites, (Sites{{1, 2, 4}}));
+    EXPECT_EQ(read("1,2,3\n4,5,6\n", {"2", "3"}).sites, (Sites{{2, 3, 0}, {5, 6, 0}}));
+    EXPECT_EQ(read("\"1\",\"2\",\"3\"\n").sites, (Sites{{1, 2, 3}}));
+    EXPECT_EQ(read("7 1 2 3 x\n", {"2", "3", "4"}).sites, (Sites{{1, 2, 3}}));
+    EXPECT_EQ(read("lon,lat,height\n1,2,3\n", {"1", "2"}).note, "");
+    EXPECT_EQ(read("a,b,weight\n1,2,3\n", {"1", "2", "3"}).third, WeightIs::weight);
+    EXPECT_EQ(read("a,b,weight\n1,2,3\n", {"1", "2"}).third, std::nullopt);
+
+    EXPECT_EQ(error(cities, {"lom", "lat"}),
+              "1:1: no column is called 'lom'; did you mean 'Lon'? there are 'id', 'name', "
+              "'Lon', 'Lat', 'height; m', 'r'");
+    EXPECT_EQ(error(cities, {"1", "7"}),
+              "1:1: there is no column 7; columns count from 1, and this line has 6");
+    EXPECT_EQ(error(cities, {"0", "1"}),
+              "1:1: there is no column 0; columns count from 1, and this line has 6");
+    EXPECT_EQ(error(cities, {"lon", "3"}),
+              "1:1: column 3 is chosen twice; x, y and r are different columns");
+    EXPECT_EQ(error("a,b,a\n1,2,3\n", {"a", "b"}),
+              "1:1: several columns are called 'a'; choose by number");
+    EXPECT_EQ(
+        error("\n1,2,3\n", {"x", "y"}),
+        "2:1: column 'x' is chosen by name, and the first line is no header; choose by number, "
+        "from 1 to 3");
+    EXPECT_EQ(error("n;x;y\n1;2,5;3\n", {"x", "y"}),
+              "2:3: '2,5' has a decimal comma; write a point in its place");
+    EXPECT_EQ(error("n;x;y\n1;2\n", {"x", "y"}),
+              "2:4: the line ends before the columns x and y; write both");
+}
+
+TEST(TextSites, SaysWhereTheFirstNegativeThirdNumberStands) {
+    EXPECT_FALSE(read("1 2 -0\n-1 -2 3\n").first_negative);
+    const auto text = read("x y r\n1 2 3\n1 2 -3\n1 2 -4\n").first_negative;
+    ASSERT_TRUE(text);
+    EXPECT_EQ(text->line, 3);
+    EXPECT_EQ(text->column, 5);
+    const auto json = read("[[1,2,3],\n[1,2,-3]]").first_negative;
+    ASSERT_TRUE(json);
+    EXPECT_EQ(json->line, 2);
 }
 
 TEST(TextSites, SaysWhatTheHeaderSays) {
@@ -106,7 +169,12 @@ TEST(TextSites, RefusesWrongColumns) {
     EXPECT_EQ(error("1 2\n3\n"), "2:2: one column; a site has at least two: x y [r]");
     EXPECT_EQ(error("1 2 3 4\n"),
               "1:7: more than three columns; a site is x y [r], or name the columns x, y and r (or "
-              "radius, weight) in a first line");
+              "radius, weight) in a first line, or choose with --columns, as in --columns 1,2");
+    EXPECT_EQ(
+        error("1,5 2,5\n"),
+        "1:7: more than three columns; a site is x y [r], a fraction has a point, or name the "
+        "columns x, y and r (or radius, weight) in a first line, or choose with --columns, as "
+        "in --columns 1,2");
     const std::string empty = "an empty column; write a number or remove the separator";
     EXPECT_EQ(error("1,,2\n"), "1:3: " + empty);
     EXPECT_EQ(error("1,2,\n"), "1:5: " + empty);
@@ -120,9 +188,12 @@ TEST(TextSites, RefusesWrongColumns) {
 
 TEST(TextSites, RefusesHeadersThatLeaveADoubt) {
     EXPECT_EQ(
-        error("x y z\n1 2 3\n"),
-        "1:1: the header names x and y and other columns, but no r; name one column r, radius or "
-        "weight, or leave only x and y");
+        error("n x y z\n1 2 3 4\n"),
+        "1:1: the header names x and y and several other columns, but no r; name one column r, "
+        "radius or weight, or choose with --columns, as in --columns x,y");
+    EXPECT_EQ(error("id,lon,lat,pop\n1,2,3,4\n"),
+              "1:1: a header of more than three columns, and none is called x or y; choose them "
+              "with --columns, as in --columns 1,2");
     EXPECT_EQ(error("x z\n1 2\n"),
               "1:1: the header does not name both x and y; name the columns x, y and r (or radius, "
               "weight)");
@@ -130,8 +201,12 @@ TEST(TextSites, RefusesHeadersThatLeaveADoubt) {
     EXPECT_EQ(error("x y r weight\n1 2 3 4\n"),
               "1:7: a second column of radii or weights; name one column r, radius or weight");
     EXPECT_EQ(error("n,x,y,r\n1,2\n"), "2:4: the line ends before the columns x and y; write both");
-    EXPECT_EQ(error("n,x,y,r\n1,2,3,4,5\n"),
-              "2:9: 5 columns, but the header names 4; write as many");
+    EXPECT_EQ(
+        error("n,x,y,r\n1,2,3,4,5\n"),
+        "2:9: 5 columns, but the header names 4; write as many, or choose with --columns, as in "
+        "--columns 1,2");
+    EXPECT_EQ(error("x,y,\"name\n1,2,3\n"),
+              "1:5: a quotation mark that nothing on this line closes; close it");
     EXPECT_EQ(error("x y r\nx y r\n1 2 3\n"), "2:1: 'x'" + word);
 }
 
@@ -183,6 +258,18 @@ TEST(JsonSites, Reads) {
               (Sites{{1, 2, 3}, {4, 5, 0}}));
     EXPECT_EQ(read("[[0.1,1e-999],[9007199254740993,123456789012345678901234567890]]").sites,
               (Sites{{0.1, 0, 0}, {9007199254740992.0, 123456789012345678901234567890.0, 0}}));
+}
+
+TEST(JsonSites, TakesTheNumbersThatAreChosen) {
+    const char* rows = "[[\"a\",1,null,2,3],\n[true,4,5,6]]";
+    EXPECT_EQ(read(rows, {"2", "4", "5"}).sites, (Sites{{1, 2, 3}, {4, 6, 0}}));
+    EXPECT_EQ(error(rows, {"2", "3"}), "1:9: null cannot stand here" + json);
+    EXPECT_EQ(error(rows, {"2", "5"}), "2:1: a site that ends before x and y" + json);
+    EXPECT_EQ(error(rows, {"2", "2"}),
+              "1:1: number 2 is chosen twice; x, y and r are different numbers");
+    EXPECT_EQ(error(rows, {"x", "2"}),
+              "1:1: 'x' is chosen, and the numbers of a site in JSON have no names; choose by "
+              "number, from 1");
 }
 
 TEST(JsonSites, RefusesWhatIsNoListOfSites) {
@@ -244,7 +331,7 @@ TEST(SitesFile, RefusesWhatCannotBeRead) {
     EXPECT_EQ(message(directory), directory + ":1:1: this is a directory; give a file of sites");
     const std::string missing = scratch.path("missing");
     EXPECT_EQ(message(missing), missing +
-                                    ":1:1: cannot open it (No such file or directory); give a "
+                                    ": cannot open it (No such file or directory); give a "
                                     "file of sites, or - for standard input");
 }
 
