@@ -61,7 +61,7 @@ void run(const Call& call) {
     const Outputs outputs(call.outputs);
     const Voronoi diagram(construct(call, sites), {call.merge});
 
-    const Box box = clip.value_or(default_box(diagram.tessellation().sites()));
+    const Box box = clip.value_or(default_box(diagram.tessellation().sites(), diagram.exponent()));
     check_box(call, box, diagram);
     const double longer = std::max(box.x1 / 2 - box.x0 / 2, box.y1 / 2 - box.y0 / 2);
     const double tolerance = call.tolerance.value_or(longer / 5'000);
