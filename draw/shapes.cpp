@@ -6,16 +6,6 @@
 namespace signum {
 namespace {
 
-double euclidean_norm(Point v) {
-    return std::hypot(v.x, v.y);
-}
-double manhattan_norm(Point v) {
-    return std::abs(v.x) + std::abs(v.y);
-}
-double supremum_norm(Point v) {
-    return std::max(std::abs(v.x), std::abs(v.y));
-}
-
 double power_radius(const Site& site, WeightIs weight_is) {
     if (weight_is == WeightIs::radius)
         return std::abs(site.r);  // the weight is r², whatever its sign
@@ -29,14 +19,13 @@ double additive_radius(const Site& site, WeightIs /*weight_is*/) {
 }  // namespace
 
 const Shapes& shapes_of(Metric metric) noexcept {
-    static const Shapes power_shapes = {"disc", "power cells", disc_outline(), euclidean_norm,
-                                        power_radius};
+    static const Shapes power_shapes = {"disc", "power cells", disc_outline(), power_radius};
     static const Shapes euclidean_shapes = {"disc", "Euclidean cells", disc_outline(),
-                                            euclidean_norm, additive_radius};
+                                            additive_radius};
     static const Shapes manhattan_shapes = {"diamond", "Manhattan cells", diamond_outline(),
-                                            manhattan_norm, additive_radius};
+                                            additive_radius};
     static const Shapes supremum_shapes = {"square", "supremum cells", square_outline(),
-                                           supremum_norm, additive_radius};
+                                           additive_radius};
     switch (metric) {
         case Metric::euclidean:
             return euclidean_shapes;
