@@ -58,7 +58,7 @@ void run(const Call& call) {
     const Outputs outputs(targets);
     const Voronoi diagram(construct(call, sites), {call.merge});
 
-    const Box box = clip.value_or(default_box(diagram.tessellation().sites()));
+    const Box box = clip.value_or(default_box(diagram.tessellation().sites(), diagram.exponent()));
     const bool is_used = clip || is_written(targets, "geojson") || is_written(targets, "csv");
     if (is_used) require_fit(box, diagram);
     const double longer = std::max(box.x1 / 2 - box.x0 / 2, box.y1 / 2 - box.y0 / 2);

@@ -11,10 +11,12 @@
 
 namespace signum {
 
-inline constexpr double picture_width = 900.0;
+/// The width of a file, and of the frame in it, which leaves room for the numbers of the axes.
+inline constexpr double document_width = 900.0;
+inline constexpr double picture_width = 788.0;
 
-/// Writes head, style, the drawing cut off at the frame, and the legend below it.
+/// Writes head, style, the drawing cut off at the frame, the axes around it and the legend below.
 void write_document(std::ostream& out, std::string_view title, const Frame& frame, const Pens& pens,
-                    const Legend& legend, const SvgText& drawing);
+                    Legend& legend, const SvgText& drawing);
 
 }  // namespace signum

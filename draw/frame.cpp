@@ -70,7 +70,8 @@ Frame::Frame(std::span<const Site> discs, double width) : width_(width), height_
 
     const double room = width_ * (1 - 2 * margin);
     const double extent = std::max(x.length(), y.length());
-    scale_ = extent > 0 ? std::min(room / extent, largest_scale) : 1.0;
+    // Around a point alone: as far as it is from the origin, at least.
+    scale_ = std::min(room / (extent > 0 ? extent : 2), largest_scale);
     height_ = std::max(lowest * width_, y.length() * scale_ + 2 * margin * width_);
 }
 
@@ -88,12 +89,21 @@ Frame::Frame(const Box& box, double width) : width_(width) {
     height_ = box_height * scale_;
 }
 
+double Frame::rounding() const noexcept {
+    return 0x1p-52 * std::max(std::abs(middle_.x) * scale_ + width_ / 2,
+                              std::abs(middle_.y) * scale_ + height_ / 2);
+}
+
 Point Frame::at(Point point) const noexcept {
     return at(point, 0);
 }
 
 double Frame::length(double in_plane) const noexcept {
     return std::ldexp(in_plane, -exponent_) * scale_;
+}
+
+double Frame::log10_of_pixel() const noexcept {
+    return exponent_ * std::log10(2.0) - std::log10(scale_);
 }
 
 Point Frame::at(Point divided, int exponent) const noexcept {

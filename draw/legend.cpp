@@ -1,14 +1,16 @@
 #include "legend.hpp"
+#include "paths.hpp"
+#include "style.hpp"
 
 namespace signum {
 namespace {
 
-// Pixels, for text of 13 pixels.
-constexpr double margin = 20.0;
-constexpr double row_height = 22.0;
-constexpr double swatch = 30.0;  // from a sample's left to its label
-constexpr double letter = 6.4;   // a little more than the average
-constexpr double gap = 26.0;
+// Pixels.
+constexpr double margin = 24.0;
+constexpr double row_height = 1.5 * font_size;
+constexpr double swatch = 44.0;              // from a sample's left to its label
+constexpr double letter = 0.48 * font_size;  // a little more than the average
+constexpr double gap = 24.0;
 
 }  // namespace
 
@@ -30,29 +32,43 @@ void Legend::place(bool is_site, std::string_view kind, std::string label) {
     left_ += width;
 }
 
+void Legend::break_into_rows(std::string_view note) {
+    const auto longest = static_cast<std::size_t>((width_ - 2 * margin) / (0.5 * font_size));
+    while (note.size() > longest) {
+        const std::size_t end = note.rfind(' ', longest);
+        if (end == note.npos) break;
+        notes_.emplace_back(note.substr(0, end));
+        note.remove_prefix(end + 1);
+    }
+    notes_.emplace_back(note);
+}
+
 double Legend::height() const {
     return row_height * (row_ + 1 + static_cast<double>(notes_.size())) + margin;
 }
 
 void Legend::write(SvgText& text, double top) const {
-    text.add(
-        "<g class=\"legend\" pointer-events=\"none\">\n<path d=\"M0 {}h{}\" stroke=\"#999\"/>\n",
-        Px{top}, Px{width_});
-    const auto baseline = [&](double row) { return top + row_height * (row + 1) + 4; };
+    text.add("<g class=\"legend\" pointer-events=\"none\">\n");
+    const auto baseline = [&](double row) { return top + row_height * (row + 1); };
     for (const auto& [is_site, kind, label, left, row] : samples_) {
-        const double middle = baseline(row) - 4.5;
+        const double middle = baseline(row) - 0.36 * font_size;
         if (is_site) {
             text.add(R"(<{} class="{}" )", outline_.element, kind);
-            outline_.write_geometry(text, {left + 12, middle}, 8);
+            outline_.write_geometry(text, {left + 17, middle}, 13);
             text.add("/>");
+            if (kind == "hidden")
+                Paths(text, "crosses").cross({left + 17, middle}, 5);
+            else
+                text.add(R"(<circle class="dot" cx="{}" cy="{}" r="3.5"/>)", Px{left + 17},
+                         Px{middle});
         } else {
-            text.add(R"(<path class="{}" d="M{} {}h24"/>)", kind, Px{left}, Px{middle});
+            text.add(R"(<path class="{}" d="M{} {}h34"/>)", kind, Px{left}, Px{middle});
         }
         text.add("<text x=\"{}\" y=\"{}\">{}</text>\n", Px{left + swatch}, Px{baseline(row)},
                  label);
     }
     for (std::size_t i = 0; i < notes_.size(); ++i)
-        text.add("<text x=\"{}\" y=\"{}\" fill=\"#555\">{}</text>\n", Px{margin},
+        text.add("<text x=\"{}\" y=\"{}\" fill=\"#333\">{}</text>\n", Px{margin},
                  Px{baseline(row_ + 1 + static_cast<double>(i))}, notes_[i]);
     text.add("</g>\n");
 }

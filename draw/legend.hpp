@@ -1,5 +1,5 @@
 #pragma once
-/// The legend below a picture: one row of samples (more where they do not fit), then notes.
+/// The legend below a picture: samples in a row, then notes; in more rows where they do not fit.
 
 #include "outline.hpp"
 #include "svg_text.hpp"
@@ -23,7 +23,7 @@ class Legend {
 
     template <typename... Values>
     void note(fmt::format_string<Values...> format, Values&&... values) {
-        notes_.push_back(fmt::format(format, std::forward<Values>(values)...));
+        break_into_rows(fmt::format(format, std::forward<Values>(values)...));
     }
 
     [[nodiscard]] double height() const;
@@ -39,12 +39,13 @@ class Legend {
         int row;
     };
     void place(bool is_site, std::string_view kind, std::string label);
+    void break_into_rows(std::string_view note);
 
     double width_;
     const Outline& outline_;
     std::vector<Sample> samples_;
-    std::vector<std::string> notes_;
-    double left_ = 0.0;  // where the next sample goes, before the margin
+    std::vector<std::string> notes_;  // a row each
+    double left_ = 0.0;               // where the next sample goes, before the margin
     int row_ = 0;
 };
 

@@ -10,6 +10,7 @@ namespace signum {
 namespace {
 
 constexpr double invisible = 0.01;  // pixels: shorter lines are points
+constexpr double coarse = 20;       // pixels between doubles: cells would be nonsense
 constexpr double flat = 0.05;       // pixels from an arc to the parabola that is drawn
 
 double length(const Conic& line) {
@@ -32,8 +33,16 @@ Conic in_pixels(const Conic& divided, int exponent, const Frame& frame) noexcept
 
 std::optional<ClippedVoronoi> clipped_to(const Frame& frame, const Voronoi& voronoi) {
     const Box box = frame.box(voronoi.exponent());
-    if (!(box.x0 < box.x1 && box.y0 < box.y1) || !is_of_usual_size(box)) return std::nullopt;
+    if (frame.rounding() > coarse || !is_of_usual_size(box)) return std::nullopt;
     return ClippedVoronoi(voronoi, box, Lengths::divided);
+}
+
+void note_rounding(Legend& legend, const Frame& frame) {
+    if (frame.rounding() > coarse)
+        legend.note("cells are not drawn: doubles are too coarse beside such coordinates");
+    else if (frame.rounding() > 0.5)
+        legend.note("cells are up to {} px off: doubles are no finer beside such coordinates",
+                    Px{std::ceil(frame.rounding())});
 }
 
 std::vector<Conic> cell_edges(const Voronoi& voronoi, const Frame& frame) {

@@ -14,9 +14,8 @@
 
 namespace signum {
 
-/// The diagram in what the picture shows, lengths divided by its exponent. Nothing where the
-/// picture is so small, and so far from the origin, that doubles do not tell its sides apart, or
-/// not of usual size beside a site out of it.
+/// The diagram in what the picture shows, lengths divided by its exponent. Nothing where doubles
+/// are too coarse for it, see note_rounding(), or not of usual size beside a site out of it.
 [[nodiscard]] std::optional<ClippedVoronoi> clipped_to(const Frame& frame, const Voronoi& voronoi);
 
 /// The edges of the diagram that lie in the picture, in pixels.
@@ -24,6 +23,10 @@ namespace signum {
 /// The same of what clipped_to() gave.
 [[nodiscard]] std::vector<Conic> cell_edges(const std::optional<ClippedVoronoi>& clipped,
                                             const Frame& frame);
+
+/// Says how far off cells are, or that they are not drawn, where the picture is so small and so far
+/// from the origin that neighbouring doubles are pixels apart.
+void note_rounding(Legend& legend, const Frame& frame);
 
 /// A conic with its points in pixels instead of what `clipped` divided.
 [[nodiscard]] Conic in_pixels(const Conic& divided, int exponent, const Frame& frame) noexcept;

@@ -27,6 +27,12 @@ class Paths {
         begin();
         text_.add("M{} {}h0", Px{at.x}, Px{at.y});
     }
+    /// An x, `arm` to each side.
+    void cross(Point at, double arm) {
+        begin();
+        text_.add("M{0} {1}l{2} {2}m0 {3}l{3} {2}", Px{at.x - arm}, Px{at.y - arm}, Px{2 * arm},
+                  Px{-2 * arm});
+    }
     [[nodiscard]] std::size_t drawn() const noexcept { return drawn_; }
 
  private:

@@ -12,9 +12,6 @@ struct Shapes {
     std::string_view site;   ///< what a site is called in the legend
     std::string_view cells;  ///< and its cells
     Outline outline;
-    /// The length of a vector in the metric: an outline of radius r whose centre lies in a picture
-    /// covers it all where r is at least the length of the picture's diagonal.
-    double (*norm)(Point vector);
     /// How large a site is drawn, in units of the plane; 0 means a dot.
     double (*radius)(const Site& site, WeightIs weight_is);
 };

@@ -1,5 +1,6 @@
 #pragma once
-/// The sites of a picture: outlines in true size with a number of their own, dots, crowds.
+/// The sites of a picture: outlines in true size with a number of their own under the pointer, dots
+/// for centres and crosses for those of hidden sites, crowds.
 
 #include "../triangulation/tessellation.hpp"
 #include "frame.hpp"
@@ -25,9 +26,11 @@ class DrawnSites {
 
     /// The outlines, the largest first, so that every site can be reached by the pointer.
     void write_outlines(SvgText& text) const;
-    /// Centres of visible sites, and the sites too small for an outline.
+    /// Centres, and the sites too small for an outline.
     void write_dots(SvgText& text) const;
     void describe(Legend& legend) const;
+    /// The sites whose centres are in the picture.
+    [[nodiscard]] std::vector<Index> centred_in_picture() const;
 
     [[nodiscard]] bool is_hidden(std::size_t site) const { return hidden_by_[site] != infinite; }
     [[nodiscard]] Point centre(Index site) const {
@@ -37,8 +40,11 @@ class DrawnSites {
 
  private:
     void write_crowd(SvgText& text, bool hidden) const;
-    void write_site(SvgText& text, const Outline& outline, std::string_view kind, std::size_t site,
-                    double radius) const;
+    void write_outline(SvgText& text, std::size_t site) const;
+    void write_title(SvgText& text, std::size_t site) const;
+    /// How far a site's centre is from the nearest point of the picture, and from the farthest.
+    [[nodiscard]] double nearest(std::size_t site) const;
+    [[nodiscard]] double farthest(std::size_t site) const;
     [[nodiscard]] bool is_in_picture(std::size_t site) const;
 
     const Tessellation& tessellation_;

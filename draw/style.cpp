@@ -5,24 +5,25 @@
 namespace signum {
 
 Pens::Pens(double spacing)
-    : cell(std::clamp(spacing / 32, 0.3, 2.2)),
-      edge(std::clamp(spacing / 60, 0.2, 1.1)),
-      wrong(std::max(3 * edge, 1.5)),
-      dot(std::clamp(spacing / 32, 0.4, 2.5)),
-      hatch(std::clamp(spacing / 8, 1.5, 5.0)) {}
+    : cell(std::clamp(spacing / 32, 0.4, 2.2)),
+      edge(std::clamp(spacing / 60, 0.3, 1.1)),
+      wrong(std::max(3 * edge, 2.5)),
+      dot(std::clamp(spacing / 32, 0.4, 3.2)),
+      hatch(std::clamp(spacing / 8, 1.5, 6.0)) {}
 
-// Okabe and Ito's colours, which colour blindness keeps apart; layers that cross differ in
-// lightness too, for print. In the legend lines are never too thin to show their colour.
+// Okabe and Ito's colours, which colour blindness keeps apart, and a magenta for what is wrong.
+// What crosses differs in lightness or width too, what is hidden is hatched, and what is different
+// is dashed, for print in grey. In the legend lines are never too thin to show their colour.
 void write_style(SvgText& text, const Pens& pens) {
     text.add(R"svg(<style>
 * {{ vector-effect: non-scaling-stroke; }}
 path {{ fill: none; pointer-events: none; stroke-linecap: round; stroke-linejoin: round; }}
-.site {{ fill: #56b4e9; fill-opacity: 0.35; stroke: #0072b2; }}
-.hidden {{ fill: url(#hatch); stroke: #a03a78; }}
+.site {{ fill: #56b4e9; fill-opacity: 0.35; stroke: #0072b2; pointer-events: auto; }}
+.hidden {{ fill: url(#hatch); stroke: #444; stroke-dasharray: 5 3; pointer-events: auto; }}
 .dot {{ fill: #000; stroke: none; }}
-.hidden-dot {{ fill: #cc79a7; stroke: #a03a78; }}
+.hidden-dot {{ fill: #fff; fill-opacity: 0; stroke: none; }}
 .site:hover, .hidden:hover, .dot:hover, .hidden-dot:hover {{ fill: #f0e442; fill-opacity: 0.8; }}
-.site, .hidden, .hidden-dot, .edge {{ stroke-width: {0}; }}
+.site, .hidden, .edge {{ stroke-width: {0}; }}
 .edge {{ stroke: #000; }}
 .cell {{ stroke: #e69f00; stroke-width: {1}; }}
 .border {{ stroke: #333; stroke-width: {1}; }}
@@ -34,24 +35,27 @@ path {{ fill: none; pointer-events: none; stroke-linecap: round; stroke-linejoin
 .tint4 {{ fill: #fbf8cf; }}
 .tint5 {{ fill: #e9e9ee; }}
 .tint:hover {{ fill: #f0e442; }}
-.wrong, .flipped {{ stroke: #d55e00; stroke-width: {2}; }}
+.wrong, .flipped {{ stroke: #d0007f; stroke-width: {2}; }}
 .flipped {{ stroke: #009e73; }}
-.different {{ stroke: #009e73; stroke-width: {8}; }}
-.dots, .hidden-dots {{ stroke: #000; stroke-width: {3}; }}
-.hidden-dots {{ stroke: #cc79a7; }}
+.different {{ stroke: #009e73; stroke-width: {8}; stroke-dasharray: 7 5; }}
+.dots {{ stroke: #000; stroke-width: {3}; }}
+.crosses {{ stroke: #000; stroke-width: {9}; }}
+.number, .hidden-number {{ pointer-events: none; text-anchor: middle; vector-effect: none; stroke: #fff; stroke-width: 4; stroke-linejoin: round; paint-order: stroke; }}
+.hidden-number {{ fill: #333; font-style: italic; }}
+.axes path {{ stroke: #555; stroke-width: 1; }}
 .legend .site, .legend .hidden, .legend .edge {{ stroke-width: {4}; }}
 .legend .cell, .legend .border {{ stroke-width: {5}; }}
 </style>
 <defs>
 <pattern id="hatch" width="{6}" height="{6}" patternUnits="userSpaceOnUse" patternTransform="rotate(45)">
 <rect width="{6}" height="{6}" fill="#fff" fill-opacity="0.35"/>
-<rect width="{7}" height="{6}" fill="#a03a78"/>
+<rect width="{7}" height="{6}" fill="#444"/>
 </pattern>
 </defs>
 )svg",
              Px{pens.edge}, Px{pens.cell}, Px{pens.wrong}, Px{2 * pens.dot},
-             Px{std::max(pens.edge, 0.9)}, Px{std::max(pens.cell, 1.8)}, Px{pens.hatch},
-             Px{pens.hatch / 4}, Px{std::max(2 * pens.edge, 0.9)});
+             Px{std::max(pens.edge, 1.1)}, Px{std::max(pens.cell, 2.2)}, Px{pens.hatch},
+             Px{pens.hatch / 5}, Px{std::max(2 * pens.edge, 1.5)}, Px{std::max(pens.dot / 2, 0.4)});
 }
 
 }  // namespace signum

@@ -7,6 +7,9 @@
 
 namespace signum {
 
+/// Pixels: in a picture printed 8 cm wide it is five points high.
+inline constexpr double font_size = 20.0;
+
 /// In pixels: thinner where sites crowd.
 struct Pens {
     double cell;
@@ -17,11 +20,13 @@ struct Pens {
 
     /// `spacing` is the typical distance of neighbours.
     explicit Pens(double spacing);
+    /// Half the side of the x at a hidden centre.
+    [[nodiscard]] double cross() const noexcept { return 1.5 * dot; }
 };
 
 /// The classes of style are site, hidden, dot, hidden-dot for elements, and for paths cell, edge,
-/// wrong, different, flipped, dots, hidden-dots, border (of the cells of a diagram) and tint with
-/// tint0 to tint5.
+/// wrong, different, flipped, dots, crosses, border (of the cells of a diagram) and tint with
+/// tint0 to tint5; number and hidden-number for text; axes and legend for groups.
 void write_style(SvgText& text, const Pens& pens);
 
 }  // namespace signum

@@ -1,9 +1,11 @@
 #include "svg.hpp"
 #include "document.hpp"
 #include "lines.hpp"
+#include "numbers.hpp"
 #include "shapes.hpp"
 #include "sites.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,6 +35,20 @@ std::vector<Conic> straight(std::span<const Edge> edges, const Tessellation& tes
     return lines;
 }
 
+// Where radii differ, an edge of an additive metric may bend around a site between its ends, and
+// two sites may share several. Edges between equal sites are straight, and so are all in the power
+// metric.
+bool may_be_curved(const Tessellation& tessellation) {
+    if (tessellation.metric() == Metric::power) return false;
+    const auto sites = tessellation.sites();
+    const auto faces = tessellation.faces();
+    const auto radius = [&](Index i) { return sites[static_cast<std::size_t>(i)].r; };
+    return std::ranges::any_of(faces, [&](const Face& face) {
+        return radius(face[1]) != radius(face[2]) ||
+               (face[0] != infinite && radius(face[0]) != radius(face[1]));
+    });
+}
+
 }  // namespace
 
 void write_svg(std::ostream& out, const Tessellation& tessellation, const SvgOptions& options) {
@@ -43,20 +59,25 @@ void write_svg(std::ostream& out, const Tessellation& tessellation, const SvgOpt
     const DrawnSites sites(tessellation, frame, pens, options.site_limit);
     const Shapes& shapes = shapes_of(tessellation.metric());
 
-    Legend legend(frame.width(), shapes.outline);
+    Legend legend(document_width, shapes.outline);
     sites.describe(legend);
+    note_rounding(legend, frame);
     SvgText drawing;
     sites.write_outlines(drawing);
     const auto write = [&](std::string_view kind, std::string_view label,
                            std::span<const Conic> lines) {
         write_lines(drawing, legend, kind, label, lines, frame, options.line_limit);
     };
-    write("cell", shapes.cells, cell_edges(Voronoi(tessellation), frame));
+    const std::vector<Conic> cells = cell_edges(Voronoi(tessellation), frame);
+    write("cell", shapes.cells, cells);
     write("edge", "tessellation", edges);
     write("flipped", "flipped edges", straight(options.flipped, tessellation, frame));
     write("different", "different edges", straight(options.different, tessellation, frame));
     write("wrong", "wrong edges", straight(options.wrong, tessellation, frame));
     sites.write_dots(drawing);
+    write_numbers(drawing, legend, sites, frame, pens, {cells, edges});
+    if (may_be_curved(tessellation))
+        legend.note("edges are drawn straight; the true ones are curved and do not cross");
     write_document(out,
                    fmt::format("{} tessellation of {} sites", name_of(tessellation.metric()),
                                tessellation.sites().size()),

@@ -1,6 +1,7 @@
 #include "voronoi_svg.hpp"
 #include "document.hpp"
 #include "lines.hpp"
+#include "numbers.hpp"
 #include "shapes.hpp"
 #include "sites.hpp"
 
@@ -104,16 +105,20 @@ void write_voronoi_svg(std::ostream& out, const Voronoi& voronoi, const std::opt
     const DrawnSites sites(tessellation, frame, pens, options.site_limit);
     const Shapes& shapes = shapes_of(tessellation.metric());
 
-    Legend legend(frame.width(), shapes.outline);
+    Legend legend(document_width, shapes.outline);
     sites.describe(legend);
+    note_rounding(legend, frame);
     SvgText drawing;
     if (cells_in(edges) > options.cell_limit)
         legend.note("more than {} cells, drawn without tints", options.cell_limit);
-    else if (clipped)
+    else if (clipped) {
         write_cells(drawing, *clipped, frame);
+        legend.note("tints tell cells that meet apart and mean nothing else");
+    }
     sites.write_outlines(drawing);
     write_lines(drawing, legend, "border", shapes.cells, edges, frame, options.line_limit);
     sites.write_dots(drawing);
+    write_numbers(drawing, legend, sites, frame, pens, {edges});
     write_document(out,
                    fmt::format("{} Voronoi diagram of {} sites", name_of(tessellation.metric()),
                                tessellation.sites().size()),

@@ -6,11 +6,13 @@ usage() {
   cat <<'USAGE'
 Draws the pictures of docs/pictures/ again.
 
-  scripts/draw_pictures.sh          builds the tool and draws with it
-  scripts/draw_pictures.sh TOOL     draws with this one
+  scripts/draw_pictures.sh              builds the tool and draws with it
+  scripts/draw_pictures.sh TOOL         draws with this one
+  scripts/draw_pictures.sh TOOL DIR     the same into DIR, without the animations
 
-The animation of docs/flips.md comes from examples/path_animation.cpp, which is built in either case.
-The same tool draws the same bytes. Only docs/pictures/ changes.
+The pictures of the tool are drawn by the commands of the pages, as they stand there: the lines that
+write files, which later lines read. The animations come from examples/, which is built for them.
+The same tool draws the same bytes. Only docs/pictures/, or DIR, changes.
 USAGE
 }
 
@@ -18,53 +20,30 @@ case ${1:-} in
   -h | --help) usage && exit 0 ;;
 esac
 tool=$(readlink -f "${1:-$root/run}")
+out=$(readlink -f "${2:-$root/docs/pictures}")
 cd "$root"
-out=docs/pictures
-sites=$(mktemp -d)
-trap 'rm -rf "$sites"' EXIT
+pages=(README.md docs/gallery.md docs/metrics.md docs/compare.md docs/flips.md)
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+mkdir "$scratch/bin"
+ln -s "$tool" "$scratch/bin/signum"
 
-# draw NAME METRIC FILE: every picture is checked from scratch before it counts.
-draw() {
-  "$tool" triangulate "$3" --metric "$2" --check --quiet -o "$out/$1.svg"
-}
-
-"$tool" generate random -n 18 --radius 10:110 --seed 148 -o "$sites/few.txt"
-"$tool" generate random -n 60 --radius 5:60 --seed 6 -o "$sites/sixty.txt"
-# diagram NAME METRIC FILE OPTION...
-diagram() {
-  "$tool" voronoi "$3" --metric "$2" --quiet -o "$out/$1.svg" "${@:4}"
-}
-"$tool" generate grid -n 36 --radius 20 -o "$sites/grid.txt"
-"$tool" generate random -n 20000 --radius 0:4 --seed 3 -o "$sites/many.txt"
-
-for metric in power euclidean manhattan supremum; do
-  draw "few_$metric" "$metric" "$sites/few.txt"
-  draw "sixty_$metric" "$metric" "$sites/sixty.txt"
-  diagram "diagram_$metric" "$metric" "$sites/sixty.txt"
+# Every page in a directory of its own: names of files are those of the page.
+for page in "${pages[@]}"; do
+  directory=$(mktemp -d "$scratch/page.XXXXXX")
+  ln -s "$root/examples" "$directory/examples"
+  grep -E '^    (\$ )?(signum (generate|triangulate|voronoi|compare) .*-o |awk .* > )' "$page" |
+    sed -E 's/^    (\$ )?//' > "$directory/commands.sh" || continue
+  (cd "$directory" && PATH=$scratch/bin:$PATH bash -euo pipefail commands.sh > printed.txt 2>&1) ||
+    { cat "$directory/printed.txt" >&2 && exit 1; }
+  for picture in $(grep -oE 'pictures/[a-z_]+\.svg' "$page" | sort -u); do
+    name=${picture#pictures/}
+    if [ -f "$directory/$name" ]; then cp "$directory/$name" "$out/$name"; fi
+  done
 done
-
-draw nested euclidean examples/nested.txt
-
-# The thousand most populous cities, and all of the 4000 around India; the header comes along.
-awk -F, '/^(#|x,)/ || n++ < 1000' examples/cities.csv > "$sites/world.csv"
-draw cities euclidean "$sites/world.csv"
-awk -F, '/^(#|x,)/ || (5800 < $1 && $1 < 9800 && 800 < $2 && $2 < 4200)' examples/cities.csv \
-  > "$sites/india.csv"
-draw cities_of_india euclidean "$sites/india.csv"
-
-diagram diagram_nested euclidean examples/nested.txt
-diagram diagram_chains euclidean examples/chains.txt
-diagram diagram_grid supremum "$sites/grid.txt" --merge
-diagram diagram_many euclidean "$sites/many.txt" --clip 300 300 380 360
-diagram diagram_cities euclidean "$sites/india.csv"
-
-"$tool" generate circle -n 300 -o "$sites/circle.txt"
-"$tool" compare "$sites/circle.txt" --metric power --seconds 0 --quiet -o "$out/wrong_edges.svg" > "$sites/table.txt"
-
-"$tool" generate random -n 80 --radius 5:70 --seed 3 -o "$sites/eighty.txt"
-"$tool" triangulate "$sites/eighty.txt" --metric power --method flips --check --quiet -o "$out/flips.svg"
+[ $# -lt 2 ] || exit 0
 
 scripts/build.sh build/run examples -DSIGNUM_BUILD_TESTS=OFF
-build/run/examples/path_animation > "$out/path.svg"
-build/run/examples/sweep_animation > "$out/sweep.svg"
-build/run/examples/dynamic_animation > "$out/dynamic.svg"
+for name in path sweep dynamic; do
+  "build/run/examples/${name}_animation" > "$out/$name.svg"
+done

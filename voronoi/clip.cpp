@@ -68,15 +68,17 @@ Measure measure(const CellShape& shape) {
             scaled(centroid, exponent)};
 }
 
-Box default_box(std::span<const Site> sites) {
+Box default_box(std::span<const Site> sites, int exponent) {
     Box box = {sites[0].x, sites[0].y, sites[0].x, sites[0].y};
     for (const Site& s : sites)
         box = {std::min(box.x0, s.x), std::min(box.y0, s.y), std::max(box.x1, s.x),
                std::max(box.y1, s.y)};
     const double longer = std::max(box.x1 / 2 - box.x0 / 2, box.y1 / 2 - box.y0 / 2);
     // Doubles are to tell its sides apart.
-    const double least = 0x1p-50 * extent_of(box);
-    const double margin = std::max(longer > 0 ? longer / 5 : 1.0, least);
+    const double least =
+        std::max(0x1p-50 * extent_of(box), std::numeric_limits<double>::denorm_min());
+    const double of_a_point = std::ldexp(1.0, std::min(exponent, 0));
+    const double margin = std::max(longer > 0 ? longer / 5 : of_a_point, least);
     constexpr double largest = std::numeric_limits<double>::max();
     return {std::max(box.x0 - margin, -largest), std::max(box.y0 - margin, -largest),
             std::min(box.x1 + margin, largest), std::min(box.y1 + margin, largest)};

@@ -39,10 +39,10 @@ struct Measure {
 };
 [[nodiscard]] Measure measure(const CellShape& shape);
 
-/// The smallest box around all centres, wider by a tenth of its longer side on each side, and by 1
-/// where all centres are the same; by more where doubles would not tell its sides apart.
-/// Precondition: there are sites.
-[[nodiscard]] Box default_box(std::span<const Site> sites);
+/// The smallest box around all centres, wider by a tenth of its longer side on each side, and where
+/// all centres are the same by 1, or 2^exponent of their diagram where that is less; by more where
+/// doubles would not tell its sides apart. Precondition: there are sites.
+[[nodiscard]] Box default_box(std::span<const Site> sites, int exponent = 0);
 
 /// Whether doubles can compute with a box, its lengths divided by 2^exponent of the diagram: no
 /// corner is beyond 2^500, no side shorter than 2^-500.

@@ -28,6 +28,18 @@ bool touches(const Tessellation& t, const Face& face, Index q) {
     return triangulation::touches(t.metric(), t.weight_is(), sites, numbers);
 }
 
+/// The same tessellation, its lengths divided by 2^exponent, which is to be below 0: so nothing is
+/// rounded. Nothing where a weight leaves the doubles.
+std::optional<Tessellation> divided(const Tessellation& t, int exponent) {
+    std::vector<Site> sites(t.sites().begin(), t.sites().end());
+    const int of_weights = t.weight_is() == WeightIs::weight ? 2 * exponent : exponent;
+    for (Site& s : sites) {
+        s = {std::ldexp(s.x, -exponent), std::ldexp(s.y, -exponent), std::ldexp(s.r, -of_weights)};
+        if (!std::isfinite(s.r)) return std::nullopt;
+    }
+    return Tessellation(t.arrays(), std::move(sites), {});
+}
+
 }  // namespace
 
 std::string_view name_of(EdgeKind kind) noexcept {
@@ -56,6 +68,12 @@ Voronoi::Voronoi(Tessellation tessellation, const VoronoiOptions& options)
 void Voronoi::number_vertices(bool merge) {
     const auto faces = tessellation_.faces();
     const std::vector<DiagramVertex> of_face = signum::vertices(tessellation_);
+    // Where coordinates are denormal, vertices rounded to doubles may lie anywhere between sites.
+    constexpr int nearly_denormal = -900;
+    std::vector<DiagramVertex> divided_of_face;
+    if (exponent_ < nearly_denormal)
+        if (const auto t = divided(tessellation_, exponent_))
+            divided_of_face = signum::vertices(*t);
     // The first face of those that share a vertex stands for them.
     std::vector<Index> first(faces.size());
     std::iota(first.begin(), first.end(), 0);
@@ -90,6 +108,8 @@ void Voronoi::number_vertices(bool merge) {
         if (of == f) {
             vertex_of_face_[f] = static_cast<Index>(vertices_.size());
             vertices_.push_back(of_face[f]);
+            if (!divided_of_face.empty())
+                divided_vertices_.push_back({divided_of_face[f].x, divided_of_face[f].y});
         } else {
             vertex_of_face_[f] = vertex_of_face_[of];
         }
@@ -236,6 +256,7 @@ std::optional<EdgeGeometry> Voronoi::geometry(Index index, std::optional<Point> 
     };
     const auto vertex = [&](Index v) -> Point {
         if (v == at_infinity) return {unbounded, unbounded};
+        if (!divided_vertices_.empty()) return divided_vertices_[static_cast<std::size_t>(v)];
         const DiagramVertex& at = vertices_[static_cast<std::size_t>(v)];
         return divided({at.x, at.y});
     };

@@ -117,6 +117,8 @@ class Voronoi {
 
     Tessellation tessellation_;
     std::vector<DiagramVertex> vertices_;
+    /// The same divided by 2^exponent_, where that is more than the plane's denormals can tell.
+    std::vector<Point> divided_vertices_;
     std::vector<Index> vertex_of_face_;
     std::vector<VoronoiEdge> edges_;
     std::vector<Index> edge_of_;  ///< of every face and the corner it lies across from; -1: none

@@ -703,6 +703,47 @@ TEST(Voronoi, DefaultBoxesHaveAnInside) {
             EXPECT_TRUE(of_line.x0 < x && x < of_line.x1) << x << ", " << y;
         }
     EXPECT_EQ(default_box(std::vector<Site>{{3, 4, 1}}), (Box{2, 3, 4, 5}));
+    for (const auto& sites : {std::vector<Site>{{0, 0, 5e-324}},
+                              {{5e-324, 0, 0}},
+                              {{5e-324, 0, 0}, {0, 0, 0}},
+                              {{0, 0, 0}, {1e-323, 0, 0}}}) {
+        const Voronoi diagram = voronoi(triangulate(sites, Euclidean{}));
+        const Box box = default_box(sites, diagram.exponent());
+        EXPECT_TRUE(box.x0 < sites[0].x && sites[0].x < box.x1);
+        EXPECT_TRUE(fits(box, diagram));
+    }
+}
+
+/// Lengths that are divided are those of the same sites enlarged, whose doubles tell more points
+/// apart: a vertex is not rounded to a denormal on the way.
+TEST_P(VoronoiCells, EdgesOfDenormalSitesAreThoseOfUsualOnes) {
+    for (int round = 0; round < 60; ++round) {
+        const int range = round % 2 == 0 ? 300 : 4;
+        std::vector<Site> usual(12);
+        std::vector<Site> denormal(12);
+        for (std::size_t i = 0; i < 12; ++i) {
+            usual[i] = {1.0 * below(range), 1.0 * below(range), 1.0 * below(1 + range / 8)};
+            denormal[i] = {usual[i].x * 0x1p-1074, usual[i].y * 0x1p-1074, usual[i].r * 0x1p-1074};
+        }
+        const Voronoi large = build(usual);
+        const Voronoi small = build(denormal);
+        ASSERT_EQ(large.edges().size(), small.edges().size());
+        const double unit = std::ldexp(1.0, small.exponent() + 1074);
+        for (Index e = 0; e < static_cast<Index>(large.edges().size()); ++e) {
+            const auto expected = large.geometry(e);
+            const auto found = small.geometry(e);
+            ASSERT_EQ(expected.has_value(), found.has_value());
+            if (!found) continue;
+            EXPECT_EQ(found->kind, expected->kind);
+            for (const auto end : {&EdgeGeometry::start, &EdgeGeometry::end}) {
+                const Point p = (*found).*end;
+                const Point q = (*expected).*end;
+                if (!std::isfinite(q.x)) continue;
+                EXPECT_EQ(p.x * unit, q.x);
+                EXPECT_EQ(p.y * unit, q.y);
+            }
+        }
+    }
 }
 
 TEST(Voronoi, RefusesBoxesOfAnotherSizeThanItsSites) {

@@ -5,6 +5,7 @@
 #include "../../draw/svg.hpp"
 #include "../../draw/frame.hpp"
 #include "../../draw/lines.hpp"
+#include "../../draw/outline.hpp"
 #include "../../draw/shapes.hpp"
 #include "../../draw/thinning.hpp"
 #include "../../triangulation/triangulate.hpp"
@@ -92,6 +93,52 @@ std::size_t lines(std::string_view svg, std::string_view kind) {
         found += count(svg.substr(begin, svg.find('"', begin) - begin), "L");
     }
     return found;
+}
+
+/// What lies in the frame, without axes and legend.
+std::string picture(const std::string& svg) {
+    const auto begin = svg.find("<g clip-path");
+    return svg.substr(begin, svg.find("<g class=\"axes\"") - begin);
+}
+
+/// The words of the legend, rows joined by blanks.
+std::string legend(const std::string& svg) {
+    std::string words;
+    for (auto at = svg.find("<text", svg.find("<g class=\"legend\"")); at != svg.npos;
+         at = svg.find("<text", at + 1)) {
+        const auto begin = svg.find('>', at) + 1;
+        words += svg.substr(begin, svg.find('<', begin) - begin) + " ";
+    }
+    return words;
+}
+
+/// The numbers along an axis, `x` or `y`, and where they stand, with ticks there.
+std::vector<std::pair<std::string, double>> ticks(const std::string& svg, char axis) {
+    const auto axes = svg.find("<g class=\"axes\"");
+    const auto group =
+        svg.find(axis == 'x' ? "<g text-anchor=\"middle\"" : "<g text-anchor=\"end\"", axes);
+    const std::string texts = svg.substr(group, svg.find("</g>", group) - group);
+    std::vector<std::pair<std::string, double>> found;
+    for (auto at = texts.find("<text"); at != texts.npos; at = texts.find("<text", at + 1)) {
+        const auto begin = texts.find('>', at) + 1;
+        const std::string number = texts.substr(begin, texts.find('<', begin) - begin);
+        const std::string attribute = std::string(1, axis) + "=\"";
+        const double place = std::stod(texts.substr(texts.find(attribute, at) + 3));
+        if (number != "x" && number != "y")
+            found.emplace_back(number, axis == 'x' ? place : place - 6);
+    }
+    return found;
+}
+
+/// The degrees of a colour of the style on the circle of hues.
+double hue(const std::string& svg, const std::string& kind) {
+    const auto rule = svg.find("." + kind);
+    const auto colour = svg.find("stroke: #", rule) + 9;
+    double rgb[3];
+    for (std::size_t i = 0; i < 3; ++i)
+        rgb[i] = std::stoi(svg.substr(colour + 2 * i, 2), nullptr, 16);
+    return std::atan2(std::sqrt(3.0) * (rgb[1] - rgb[2]), 2 * rgb[0] - rgb[1] - rgb[2]) * 180 /
+           3.141592653589793;
 }
 
 /// Empty when every element is closed by its own name and every attribute quoted, else what is not.
@@ -216,8 +263,8 @@ TEST(Svg, EqualSites) {
 TEST(Svg, ScaleDoesNotMatter) {
     const std::string svg = drawn(few_sites(1));
     expect_drawable(svg);
-    EXPECT_EQ(drawn(few_sites(0x1p990)), svg);
-    EXPECT_EQ(drawn(few_sites(0x1p-990)), svg);
+    for (const double scale : {0x1p990, 0x1p-990, 0x1p-1060})
+        EXPECT_EQ(picture(drawn(few_sites(scale))), picture(svg)) << scale;
     expect_drawable(drawn(few_sites(1e300)));
     expect_drawable(drawn(few_sites(1e-300)));
     expect_drawable(drawn(few_sites(0x1p-1074)));
@@ -249,6 +296,165 @@ TEST(Svg, ShowsABoxAndCutsEdgesThere) {
     expect_drawable(drawn(few_sites(1e300), {.box = Box{0, 0, 1e160, 1e160}}));
 }
 
+/// A planet, of which the box shows a stretch of the rim.
+TEST(Svg, ShowsTheSitesThatReachIntoABox) {
+    const std::vector<Site> sites = {{0, 0, 1e6}, {1'000'001, 0, 1}, {1'000'002, -5, 2}, {0, 5, 3}};
+    const Box box = {999'990, -10, 1'000'010, 10};
+    for (const Metric metric : all_metrics) {
+        const std::string svg = drawn(triangulate(sites, metric), {.box = box});
+        expect_drawable(svg);
+        EXPECT_EQ(count(svg, "<path class=\"site\" d=\"M"), 1U);
+        EXPECT_EQ(count(svg, "<title>0</title>"), 1U);
+        EXPECT_NE(legend(svg).find("visible sites: 3"), svg.npos);
+    }
+}
+
+TEST(Svg, PartsOfLargeOutlinesAreThoseNearTheCentre) {
+    std::mt19937_64 random(5);
+    const auto uniform = [&](double from, double to) {
+        return from + (to - from) * static_cast<double>(random() >> 11) * 0x1p-53;
+    };
+    const Box box = {-20, -20, 920, 620};
+    const double diagonal = std::hypot(940.0, 640.0);
+    for (const Outline& outline : {disc_outline(), square_outline(), diamond_outline()})
+        for (int round = 0; round < 60; ++round) {
+            const double radius = diagonal * std::pow(10, uniform(0.61, 6));
+            // On the outline somewhere in the box, mostly.
+            const double angle = uniform(0, 6.3);
+            const Point to = {std::cos(angle), std::sin(angle)};
+            const double away = radius / outline.norm(to);
+            const Point centre = {uniform(-200, 1100) - away * to.x,
+                                  uniform(-200, 800) - away * to.y};
+            const auto part = part_inside(outline, centre, radius, box);
+            const auto depth = [&](Point p) {  // in the polygon, which is convex
+                double least = part.empty() ? -1 : 1e9;
+                for (std::size_t i = 0; i < part.size(); ++i) {
+                    const Point a = part[i];
+                    const Point b = part[(i + 1) % part.size()];
+                    const double length = std::hypot(b.x - a.x, b.y - a.y);
+                    if (length < 1e-9) continue;
+                    least = std::min(
+                        least, ((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x)) / length);
+                }
+                return least;
+            };
+            for (int i = 0; i < 200; ++i) {
+                const Point p = {uniform(-20, 920), uniform(-20, 620)};
+                const double inside = radius - outline.norm({p.x - centre.x, p.y - centre.y});
+                EXPECT_TRUE(std::abs(inside) < 0.2 || (depth(p) > 0) == (inside > 0)) << radius;
+            }
+        }
+}
+
+TEST(Svg, NumbersTheSitesOfASmallSet) {
+    const auto sites = random_sites(60, 100, 9);
+    const auto tessellation = triangulate(sites, Power{});
+    const std::string svg = drawn(tessellation);
+    EXPECT_EQ(count(svg, "<text class=\"number\"") + count(svg, "<text class=\"hidden-number\""),
+              60U);
+    EXPECT_EQ(count(svg, "<text class=\"hidden-number\""), tessellation.hidden().size());
+    EXPECT_EQ(count(drawn(random_sites(61, 100, 9)), "<text class=\"number\""), 0U);
+    // In a part of many, too.
+    const std::string part = drawn(random_sites(1000, 100, 0), {.box = Box{40, 40, 55, 55}});
+    EXPECT_GT(count(part, "<text class=\"number\""), 10U);
+    // Equal sites leave room for eight at most.
+    const std::string equal = drawn(std::vector<Site>(20, {1, 1, 1}));
+    const auto numbers = count(equal, "number\" x=");
+    EXPECT_TRUE(4 <= numbers && numbers <= 8);
+    EXPECT_NE(legend(equal).find("numbers of " + std::to_string(numbers) + " sites"), svg.npos);
+}
+
+TEST(Svg, CrossesTheCentresOfHiddenSites) {
+    EXPECT_EQ(count(drawn(triangulate(few_sites(1), Euclidean{})), "<path class=\"crosses\" d=\"M"),
+              2U);
+    EXPECT_EQ(count(drawn(std::vector<Site>{{0, 0, 1}, {5, 0, 1}}), "<path class=\"crosses\""), 0U);
+    // A site too small for an outline: a cross and no dot.
+    const std::vector<Site> sites = {{0, 0, 3}, {0.5, 0, 0}, {9, 9, 1}};
+    const std::string svg = drawn(triangulate(sites, Euclidean{}));
+    EXPECT_EQ(numbered(svg, "hidden-dot"), 1U);
+    EXPECT_EQ(numbered(svg, "dot"), 0U);
+    EXPECT_EQ(count(picture(svg), "m0 "), 1U);
+}
+
+TEST(Svg, SaysWhereStraightEdgesStandForCurvedOnes) {
+    const std::vector<Site> equal = {{0, 0, 1}, {5, 0, 1}, {2, 6, 1}, {0.2, 0, 0.2}};
+    const std::vector<Site> unequal = {{0, 0, 1}, {5, 0, 1}, {2, 6, 2}};
+    for (const Metric metric : all_metrics) {
+        const auto says = [&](const std::vector<Site>& sites) {
+            return legend(drawn(triangulate(sites, metric))).find("drawn straight") !=
+                   std::string::npos;
+        };
+        EXPECT_EQ(says(unequal), metric != Metric::power);
+        EXPECT_FALSE(says(equal));  // the smaller one is hidden
+    }
+}
+
+TEST(Axes, NameRoundNumbersWhereTheyAre) {
+    const std::vector<Site> sites = {{0, 0, 0}, {1, 1, 0}};
+    using Ticks = std::vector<std::pair<std::string, double>>;
+    EXPECT_EQ(
+        ticks(drawn(sites, {.box = Box{0, 0, 10, 5}}), 'x'),
+        (Ticks{{"0", 0}, {"2", 157.6}, {"4", 315.2}, {"6", 472.8}, {"8", 630.4}, {"10", 788}}));
+    EXPECT_EQ(ticks(drawn(sites, {.box = Box{0, 0, 10, 5}}), 'y'),
+              (Ticks{{"0", 394}, {"2", 236.4}, {"4", 78.8}}));
+    EXPECT_EQ(ticks(drawn(sites, {.box = Box{-0.3, -0.3, 0.3, 0}}), 'y'),
+              (Ticks{{"-0.3", 394}, {"-0.2", 262.67}, {"-0.1", 131.33}, {"0.0", 0}}));
+    // Neither the smallest nor the largest doubles, nor those far from 0, make them long.
+    const std::string tiny = drawn(std::vector<Site>{{0, 0, 0}, {5e-324, 0, 0}, {0, 1e-323, 0}});
+    EXPECT_EQ(ticks(tiny, 'y').size(), 3U);
+    EXPECT_EQ(ticks(tiny, 'y')[1].first, "0.5");
+    EXPECT_NE(legend(tiny).find("axes × 1e-323 "), tiny.npos);
+    const std::string huge = drawn(std::vector<Site>{{-1.7e308, 0, 0}, {1.7e308, 0, 0}});
+    EXPECT_EQ(ticks(huge, 'x').size(), 7U);
+    EXPECT_EQ(ticks(huge, 'x')[6].first, "1.5");
+    EXPECT_NE(legend(huge).find("axes × 1e308 "), huge.npos);
+    const double far = 0x1p52;
+    const std::string shifted = drawn(std::vector<Site>{{far, 3, 0}, {far + 1000, 500, 0}});
+    EXPECT_EQ(ticks(shifted, 'x')[0].first, "600");
+    EXPECT_NE(legend(shifted).find(" x = 4503599627370000 + axis "), shifted.npos);
+    EXPECT_EQ(legend(shifted).find(" y = "), shifted.npos);
+    // A site at the double nearest to 1.000001e-200 lies where the tick of that name does.
+    const std::string small = drawn(std::vector<Site>{{1e-200, 0, 0}, {1.000002e-200, 0, 0}});
+    EXPECT_NE(legend(small).find(" x = 1e-200 + axis × 1e-206 y = axis × 1e-206"), small.npos)
+        << legend(small);
+}
+
+/// Whatever the picture shows: from two numbers on, none long, evenly spaced.
+TEST(Axes, HaveAFewNumbersOfAnySize) {
+    std::mt19937_64 random(11);
+    for (int round = 0; round < 300; ++round) {
+        const double size = std::ldexp(1 + static_cast<double>(random() >> 11) * 0x1p-53,
+                                       static_cast<int>(random() % 2090) - 1070);
+        const double shift = round % 3 == 0 ? 0 : std::ldexp(size, static_cast<int>(random() % 50));
+        const Box box = {shift, -size / 2, shift + size, size / 2};
+        if (!(box.x0 < box.x1 && box.y0 < 0 && std::isfinite(box.x1))) continue;
+        const Frame frame(box, 788);
+        std::vector<Site> sites = {{box.x0, box.y0, 0}, {box.x1, box.y1, 0}};
+        const std::string svg = drawn(sites, {.box = box});
+        expect_drawable(svg);
+        for (const char axis : {'x', 'y'}) {
+            const auto found = ticks(svg, axis);
+            const bool coarse = size < 1e-322 || shift > std::ldexp(size, 48);
+            EXPECT_TRUE(coarse || found.size() >= 2) << axis << ": " << size << " at " << shift;
+            EXPECT_LE(found.size(), 10U);
+            for (const auto& [number, place] : found) EXPECT_LE(number.size(), 6U) << number;
+        }
+    }
+}
+
+TEST(Svg, SaysWhereDoublesAreTooCoarseForCells) {
+    const auto note = [](double shift) {
+        std::vector<Site> sites = random_sites(30, 100, 0);
+        for (Site& s : sites) s = {std::floor(s.x) + shift, std::floor(s.y) + shift, 0};
+        return legend(drawn(sites));
+    };
+    EXPECT_EQ(note(0x1p40).find("doubles"), std::string::npos);
+    EXPECT_NE(note(0x1p52).find("cells are up to 7 px off: doubles are no finer"),
+              std::string::npos)
+        << note(0x1p52);
+    EXPECT_NE(note(0x1p56).find("cells are not drawn: doubles are too coarse"), std::string::npos);
+}
+
 TEST(Svg, WeightsBelowZeroAreDots) {
     const std::string svg = drawn(std::vector<power::Site>{{0, 0, -1}, {5, 0, 4}, {2, 6, 0}});
     expect_drawable(svg);
@@ -261,7 +467,7 @@ TEST(Svg, AnEnormousDiscIsCutOff) {
     sites.push_back({5, 5, 1e9});
     const std::string svg = drawn(sites);
     expect_drawable(svg);
-    EXPECT_NE(svg.find("covers the whole picture: 1"), svg.npos);
+    EXPECT_NE(legend(svg).find("covers the whole picture: 1"), svg.npos);
 }
 
 TEST(Svg, MarksEdgesOnRequest) {
@@ -276,6 +482,7 @@ TEST(Svg, MarksEdgesOnRequest) {
     EXPECT_EQ(lines(svg, "different"), 1U);
     EXPECT_NE(svg.find(">wrong edges<"), svg.npos);
     EXPECT_NE(svg.find(">different edges<"), svg.npos);
+    EXPECT_GT(std::abs(hue(svg, "cell") - hue(svg, "wrong")), 60);
 }
 
 TEST(Svg, ThinsOutAndSaysSo) {
@@ -289,8 +496,8 @@ TEST(Svg, ThinsOutAndSaysSo) {
         EXPECT_LE(lines(svg, kind), 1000U);
         EXPECT_GT(lines(svg, kind), 500U);
     }
-    EXPECT_EQ(count(svg, "left out"), 2U);
-    EXPECT_NE(svg.find("dots without a number"), svg.npos);
+    EXPECT_EQ(count(legend(svg), "left out"), 2U);
+    EXPECT_NE(legend(svg).find("dots without a number"), svg.npos);
 }
 
 TEST(Svg, AHundredThousandSitesAreBounded) {
@@ -400,14 +607,11 @@ TEST(Svg, AdditiveMetricsAtTheExtremesOfADouble) {
 }
 
 TEST(Svg, ScaleDoesNotMatterInTheAdditiveMetrics) {
-    for (const double scale : {0x1p990, 0x1p-990}) {
-        EXPECT_EQ(drawn(triangulate(few_sites(scale), Supremum{})),
-                  drawn(triangulate(few_sites(1), Supremum{})));
-        EXPECT_EQ(drawn(triangulate(few_sites(scale), Manhattan{})),
-                  drawn(triangulate(few_sites(1), Manhattan{})));
-        EXPECT_EQ(drawn(euclidean({{0, 0, scale}, {3 * scale, scale, 2 * scale}})),
-                  drawn(euclidean({{0, 0, 1}, {3, 1, 2}})));
-    }
+    for (const double scale : {0x1p990, 0x1p-990, 0x1p-1060})
+        for (const Metric metric : all_metrics)
+            EXPECT_EQ(picture(drawn(triangulate(few_sites(scale), metric))),
+                      picture(drawn(triangulate(few_sites(1), metric))))
+                << scale << name_of(metric);
 }
 
 TEST(Svg, ALineOfArcsIsSmooth) {
