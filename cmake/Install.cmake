@@ -18,8 +18,9 @@ set(public_headers
   voronoi/contacts.hpp voronoi/compare.hpp)
 # What these include in their turn: the filters, which are inline. Nobody includes them by name.
 set(headers_behind
-  core/contract.hpp
-  filters/bounds.hpp filters/environment.hpp filters/interval.hpp filters/rounding_count.hpp filters/tally.hpp
+  core/contract.hpp core/handle.hpp
+  filters/bounds.hpp filters/environment.hpp filters/interval.hpp filters/rounding_count.hpp
+  filters/tally.hpp
   filters/verdict.hpp
   predicates/additive.hpp
   predicates/euclidean/filter.hpp

@@ -3,6 +3,7 @@
 /// the sites that are there.
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 
 #include "../core/index.hpp"
@@ -20,35 +21,45 @@ class DynamicTessellation {
  public:
     /// Weights instead of radii exist in the power metric alone (std::invalid_argument).
     explicit DynamicTessellation(Metric metric, WeightIs weight_is = WeightIs::radius);
+    /// What was moved from is empty.
     DynamicTessellation(DynamicTessellation&&) noexcept;
     DynamicTessellation& operator=(DynamicTessellation&&) noexcept;
     ~DynamicTessellation();
 
     /// Adds a site and gives its handle, the least that is free. Throws std::invalid_argument
     /// unless its numbers are finite. Expected O(√n) for sites in no order, and less near the last
-    /// change.
+    /// change; beside it, in the power metric, a test of each hidden site that the new one's
+    /// neighbours keep. Where all is on one line (power metric), or one site hides all the others,
+    /// O(log n).
     Index insert(const Site& site);
-    /// Takes a site away. Precondition: contains(handle). O(degree²) and the sites it hid, each as
-    /// an insertion.
+    /// Takes a site away. Throws std::out_of_range unless contains(handle). O(degree²) at most, and
+    /// an insertion for each site that it hid and that nobody else is known to hide.
     void erase(Index handle);
     /// Gives a site another radius (or weight), and keeps its handle. As erase and insert.
     void change(Index handle, double third);
 
     [[nodiscard]] bool contains(Index handle) const noexcept;
     [[nodiscard]] std::size_t size() const noexcept;
-    /// Precondition: contains(handle).
-    [[nodiscard]] Site site(Index handle) const noexcept;
+    /// Throws std::out_of_range unless contains(handle).
+    [[nodiscard]] Site site(Index handle) const;
 
     /// The result of the live sites, numbered from 0 in the order of their handles. O(n log n).
     [[nodiscard]] Tessellation tessellation() const;
 
-    /// How often all had to be built anew: for growth of the memory, and where what is left has no
-    /// structure to change (all on one line in the power metric, two visible sites).
+    /// How many insertions all changes took up to now: one each, and one for each hidden site that
+    /// had to be looked at again.
+    [[nodiscard]] std::uint64_t insertions() const noexcept;
+    /// How often all had to be built anew: where a gap that a site left could be closed in more
+    /// ways than one. No input is known that does it.
     [[nodiscard]] std::size_t rebuilds() const noexcept;
 
  private:
     class State;
-    std::unique_ptr<State> state_;
+    void require(Index handle) const;
+
+    Metric metric_;
+    WeightIs weight_is_;
+    std::unique_ptr<State> state_;  ///< none before the first site
 };
 
 }  // namespace signum

@@ -17,13 +17,16 @@
 #include <span>
 #include <vector>
 
-#include "../core/contract.hpp"
+#include "../core/handle.hpp"
 #include "../core/index.hpp"
 #include "tessellation.hpp"
 
 namespace signum {
 
 class EdgeList {
+    struct AroundCell;
+    struct AroundVertex;
+
  public:
     struct HalfEdge {
         Index origin;    ///< a vertex
@@ -60,17 +63,56 @@ class EdgeList {
             bool round_ = false;
         };
 
-        Loop(const EdgeList& list, Index first) noexcept : list_(&list), first_(first) {}
         [[nodiscard]] Iterator begin() const noexcept { return {*this}; }
         [[nodiscard]] std::default_sentinel_t end() const noexcept { return {}; }
 
      private:
+        friend EdgeList;
+        Loop(const EdgeList& list, Index first) noexcept : list_(&list), first_(first) {}
+
         const EdgeList* list_;
         Index first_;
     };
+    EdgeList() = default;
+    /// From the arrays of a tessellation, whoever made it. Throws std::invalid_argument where the
+    /// neighbours do not fit the faces. O(n).
+    explicit EdgeList(const TessellationArrays& arrays);
+
+    [[nodiscard]] std::span<const HalfEdge> half_edges() const noexcept { return half_edges_; }
+    /// This and what follows throws std::out_of_range for a number that names nothing.
+    [[nodiscard]] const HalfEdge& operator[](Index h) const {
+        return half_edges_[checked("half-edge", h, half_edges_.size())];
+    }
+    [[nodiscard]] Index vertices() const noexcept {
+        return static_cast<Index>(half_edges_.size() / 3);
+    }
+    /// Where a half-edge ends.
+    [[nodiscard]] Index target(Index h) const { return at((*this)[h].twin).origin; }
+    /// The first half-edge around the cell of a site, or of infinity (-1); -1 where the site is
+    /// hidden or alone.
+    [[nodiscard]] Index edge_of_cell(Index site) const {
+        if (half_edges_.empty() && site == infinite) return -1;
+        const std::size_t sites = edge_of_cell_.empty() ? 0 : edge_of_cell_.size() - 1;
+        return edge_of_cell_[site == infinite ? 0 : checked("cell", site, sites) + 1];
+    }
+
+    /// The half-edges around a cell (-1: infinity), counterclockwise; none for a hidden site.
+    [[nodiscard]] Loop<AroundCell> around_cell(Index site) const {
+        return {*this, edge_of_cell(site)};
+    }
+    /// The three half-edges out of a vertex, counterclockwise.
+    [[nodiscard]] Loop<AroundVertex> around_vertex(Index vertex) const {
+        const std::size_t count = half_edges_.size() / 3;
+        return {*this, static_cast<Index>(3 * checked("vertex", vertex, count))};
+    }
+
+    /// The tessellation that this is the dual of: the arrays it came from. O(n).
+    [[nodiscard]] TessellationArrays arrays() const;
+
+ private:
     struct AroundCell {
         [[nodiscard]] static Index from(const EdgeList& list, Index h) noexcept {
-            return list[h].next;
+            return list.at(h).next;
         }
     };
     struct AroundVertex {
@@ -79,40 +121,10 @@ class EdgeList {
         }
     };
 
-    EdgeList() = default;
-    /// From the arrays of a tessellation, whoever made it. Throws std::invalid_argument where the
-    /// neighbours do not fit the faces. O(n).
-    explicit EdgeList(const TessellationArrays& arrays);
-
-    [[nodiscard]] std::span<const HalfEdge> half_edges() const noexcept { return half_edges_; }
-    [[nodiscard]] const HalfEdge& operator[](Index h) const noexcept {
-        SIGNUM_EXPECTS(h >= 0 && static_cast<std::size_t>(h) < half_edges_.size());
+    [[nodiscard]] const HalfEdge& at(Index h) const noexcept {
         return half_edges_[static_cast<std::size_t>(h)];
     }
-    [[nodiscard]] Index vertices() const noexcept {
-        return static_cast<Index>(half_edges_.size() / 3);
-    }
-    /// Where a half-edge ends.
-    [[nodiscard]] Index target(Index h) const noexcept { return (*this)[(*this)[h].twin].origin; }
-    /// The first half-edge around the cell of a site, or of infinity (-1); -1 where the site is
-    /// hidden or alone.
-    [[nodiscard]] Index edge_of_cell(Index site) const noexcept {
-        return edge_of_cell_[static_cast<std::size_t>(site + 1)];
-    }
 
-    /// The half-edges around a cell (-1: infinity), counterclockwise; none for a hidden site.
-    [[nodiscard]] Loop<AroundCell> around_cell(Index site) const noexcept {
-        return {*this, edge_of_cell(site)};
-    }
-    /// The three half-edges out of a vertex, counterclockwise.
-    [[nodiscard]] Loop<AroundVertex> around_vertex(Index vertex) const noexcept {
-        return {*this, 3 * vertex};
-    }
-
-    /// The tessellation that this is the dual of: the arrays it came from. O(n).
-    [[nodiscard]] TessellationArrays arrays() const;
-
- private:
     TessellationArrays rest_;  ///< all but faces and neighbours
     std::vector<HalfEdge> half_edges_;
     std::vector<Index> edge_of_cell_ = {-1};

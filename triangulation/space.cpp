@@ -47,27 +47,27 @@ ExtendedTessellation::ExtendedTessellation(const TessellationArrays& arrays) : o
     }
 }
 
-Edge ExtendedTessellation::ends(Index e) const noexcept {
-    const Half h = half_of_[static_cast<std::size_t>(e)];
+Edge ExtendedTessellation::ends(Index e) const {
+    const Half h = half_of(e);
     return {corner_[next(h)], corner_[previous(h)]};
 }
 
-Edge ExtendedTessellation::corners(Index e) const noexcept {
-    const Half h = half_of_[static_cast<std::size_t>(e)];
+Edge ExtendedTessellation::corners(Index e) const {
+    const Half h = half_of(e);
     return {corner_[h], corner_[twin_[h]]};
 }
 
-Face ExtendedTessellation::corners_of(Index f) const noexcept {
-    const Half h = 3 * static_cast<Half>(f);
+Face ExtendedTessellation::corners_of(Index f) const {
+    const Half h = first_of(f);
     return {corner_[h], corner_[h + 1], corner_[h + 2]};
 }
 
-Face ExtendedTessellation::edges_of(Index f) const noexcept {
-    const Half h = 3 * static_cast<Half>(f);
+Face ExtendedTessellation::edges_of(Index f) const {
+    const Half h = first_of(f);
     return {edge_[h], edge_[h + 1], edge_[h + 2]};
 }
 
-bool ExtendedTessellation::can_swap(Index e) const noexcept {
+bool ExtendedTessellation::can_swap(Index e) const {
     const auto [a, d] = corners(e);
     return a != d;
 }
@@ -83,7 +83,7 @@ void ExtendedTessellation::put(Half h, Index corner, Half twin, Index edge) noex
 /// Of the faces (a, b, c) and (d, c, b) become (a, b, d) and (d, c, a).
 void ExtendedTessellation::swap(Index e) {
     if (!can_swap(e)) refuse("swapping this edge would join a vertex to itself");
-    const Half h = half_of_[static_cast<std::size_t>(e)];
+    const Half h = half_of(e);
     const Half t = twin_[h];
     const Index a = corner_[h];
     const Index b = corner_[next(h)];

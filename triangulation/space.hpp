@@ -22,6 +22,7 @@
 #include <span>
 #include <vector>
 
+#include "../core/handle.hpp"
 #include "../core/index.hpp"
 #include "tessellation.hpp"
 
@@ -36,18 +37,19 @@ class ExtendedTessellation {
 
     /// 3n - 3 of n >= 2 visible sites.
     [[nodiscard]] Index edges() const noexcept { return static_cast<Index>(half_of_.size()); }
-    /// The vertices that edge e joins, -1 for infinity.
-    [[nodiscard]] Edge ends(Index e) const noexcept;
+    /// The vertices that edge e joins, -1 for infinity. This and what follows throws
+    /// std::out_of_range for a number that names no edge or face.
+    [[nodiscard]] Edge ends(Index e) const;
     /// The vertices across from it on both sides, which swapping joins instead.
-    [[nodiscard]] Edge corners(Index e) const noexcept;
+    [[nodiscard]] Edge corners(Index e) const;
 
     /// 2n - 2, each in its place; a swap changes two of them.
     [[nodiscard]] Index faces() const noexcept { return static_cast<Index>(corner_.size() / 3); }
     /// Three vertices counterclockwise, and the edges across from them.
-    [[nodiscard]] Face corners_of(Index f) const noexcept;
-    [[nodiscard]] Face edges_of(Index f) const noexcept;
+    [[nodiscard]] Face corners_of(Index f) const;
+    [[nodiscard]] Face edges_of(Index f) const;
 
-    [[nodiscard]] bool can_swap(Index e) const noexcept;
+    [[nodiscard]] bool can_swap(Index e) const;
     /// Replaces edge e by the other diagonal of its two faces. Throws std::invalid_argument unless
     /// can_swap(e). O(1).
     void swap(Index e);
@@ -61,6 +63,12 @@ class ExtendedTessellation {
 
     /// 3f + k is the side of face f that lies across from its corner k.
     using Half = std::size_t;
+    [[nodiscard]] Half half_of(Index e) const {
+        return half_of_[checked("edge", e, half_of_.size())];
+    }
+    [[nodiscard]] Half first_of(Index f) const {
+        return 3 * checked("face", f, corner_.size() / 3);
+    }
     static Half next(Half h) noexcept { return h % 3 == 2 ? h - 2 : h + 1; }
     static Half previous(Half h) noexcept { return h % 3 == 0 ? h + 2 : h - 1; }
     void put(Half h, Index corner, Half twin, Index edge) noexcept;
@@ -82,7 +90,7 @@ std::vector<Index> reduced_form(ExtendedTessellation& tessellation);
 /// O(n²).
 [[nodiscard]] std::vector<Index> path(const TessellationArrays& from, const TessellationArrays& to);
 
-/// What `from` becomes by swapping edges in order.
+/// What `from` becomes by swapping edges in order. Throws as swap() does.
 [[nodiscard]] TessellationArrays replay(const TessellationArrays& from,
                                         std::span<const Index> swaps);
 

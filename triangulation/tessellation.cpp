@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 #include <utility>
 
-#include "../core/contract.hpp"
+#include "../core/handle.hpp"
 #include "../exact/floating_environment.hpp"
 #include "../predicates/ccw.hpp"
 #include "kernels/predicates_of.hpp"
@@ -31,9 +32,24 @@ Tessellation::Tessellation(TessellationArrays arrays, std::vector<Site> sites,
       sites_(std::move(sites)),
       face_of_site_(sites_.size(), -1),
       statistics_(statistics) {
-    for (std::size_t f = arrays_.faces.size(); f-- > 0;)
-        for (const Index v : arrays_.faces[f])
-            if (v != infinite) face_of_site_[at(v)] = static_cast<Index>(f);
+    const auto require = [](bool holds, const char* otherwise) {
+        if (!holds) throw std::invalid_argument(otherwise);
+    };
+    const std::size_t faces = arrays_.faces.size();
+    require(arrays_.neighbours.size() == faces, "there are as many neighbours as faces");
+    for (std::size_t f = faces; f-- > 0;)
+        for (const Index v : arrays_.faces[f]) {
+            if (v == infinite) continue;
+            require(at(v) < sites_.size(), "a vertex of a face is no site");
+            face_of_site_[at(v)] = static_cast<Index>(f);
+        }
+    std::uint32_t last = 0;  // a negative number is huge
+    for (const Face& across : arrays_.neighbours)
+        for (const Index g : across) last = std::max(last, static_cast<std::uint32_t>(g));
+    require(faces == 0 || last < faces, "a neighbour is no face");
+    for (const Hidden& hidden : arrays_.hidden)
+        require(at(hidden.site) < sites_.size() && at(hidden.by) < sites_.size(),
+                "a hidden site, or who hides it, is no site");
 }
 
 std::vector<Edge> Tessellation::edges() const {
@@ -51,9 +67,8 @@ std::vector<Edge> Tessellation::edges() const {
 }
 
 std::vector<Index> Tessellation::neighbours(Index site) const {
-    SIGNUM_EXPECTS(site >= 0 && at(site) < sites_.size());
     std::vector<Index> result;
-    const Index first = face_of_site_[at(site)];
+    const Index first = face_of_site_[checked("site", site, sites_.size())];
     if (first < 0) return result;
     for (const auto corner : triangulation::fan(arrays_, first, site))
         result.push_back(arrays_.faces[at(corner.face)][corner.next()]);

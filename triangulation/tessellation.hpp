@@ -32,7 +32,9 @@ struct Statistics {
 class Tessellation {
  public:
     Tessellation() = default;
-    /// Takes over a result; the third numbers of `sites` are what arrays.weight_is says.
+    /// Takes over a result; the third numbers of `sites` are what arrays.weight_is says. Throws
+    /// std::invalid_argument where a number in the arrays names no site or face. Precondition: the
+    /// neighbours fit the faces, which EdgeList and validate() find out.
     Tessellation(TessellationArrays arrays, std::vector<Site> sites, Statistics statistics);
 
     [[nodiscard]] Metric metric() const noexcept { return arrays_.metric; }
@@ -53,7 +55,8 @@ class Tessellation {
     [[nodiscard]] std::vector<Edge> edges() const;
 
     /// The vertices joined to a site, counterclockwise from the smallest, -1 where infinity is
-    /// among them; empty for a hidden site. Precondition: 0 <= site < sites().size(). O(degree).
+    /// among them; empty for a hidden site. Throws std::out_of_range where there is no such site.
+    /// O(degree).
     [[nodiscard]] std::vector<Index> neighbours(Index site) const;
 
     /// In the power metric, whose edges are straight, a face whose closure contains the point: a

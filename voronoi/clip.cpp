@@ -69,10 +69,13 @@ Measure measure(const CellShape& shape) {
 }
 
 Box default_box(std::span<const Site> sites, int exponent) {
+    if (sites.empty()) throw std::invalid_argument("no site, no box");
     Box box = {sites[0].x, sites[0].y, sites[0].x, sites[0].y};
-    for (const Site& s : sites)
+    for (const Site& s : sites) {
+        if (!is_finite({s.x, s.y})) throw std::invalid_argument("a centre is not finite");
         box = {std::min(box.x0, s.x), std::min(box.y0, s.y), std::max(box.x1, s.x),
                std::max(box.y1, s.y)};
+    }
     const double longer = std::max(box.x1 / 2 - box.x0 / 2, box.y1 / 2 - box.y0 / 2);
     // Doubles are to tell its sides apart.
     const double least =
@@ -200,7 +203,7 @@ void ClippedVoronoi::cut(Index index) {
 
 std::vector<Conic> ClippedVoronoi::edge(Index index) const {
     std::vector<Conic> parts;
-    const auto e = static_cast<std::size_t>(index);
+    const std::size_t e = checked("edge", index, voronoi_.edges().size());
     for (std::size_t r = first_run_[e]; r < first_run_[e + 1]; ++r)
         for (std::size_t i = runs_[r].first; i < runs_[r].last; ++i)
             parts.push_back(scaled(conics_[i], exponent_));

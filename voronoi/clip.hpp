@@ -41,7 +41,8 @@ struct Measure {
 
 /// The smallest box around all centres, wider by a tenth of its longer side on each side, and where
 /// all centres are the same by 1, or 2^exponent of their diagram where that is less; by more where
-/// doubles would not tell its sides apart. Precondition: there are sites.
+/// doubles would not tell its sides apart. Throws std::invalid_argument without sites, and where a
+/// centre is not finite.
 [[nodiscard]] Box default_box(std::span<const Site> sites, int exponent = 0);
 
 /// Whether doubles can compute with a box, its lengths divided by 2^exponent of the diagram: no
@@ -65,9 +66,10 @@ class ClippedVoronoi {
 
     [[nodiscard]] const Voronoi& voronoi() const noexcept { return voronoi_; }
     /// The parts of an edge in the box, in its direction, each the continuation of the one before
-    /// or behind a gap.
+    /// or behind a gap. Throws std::out_of_range where there is no such edge.
     [[nodiscard]] std::vector<Conic> edge(Index edge) const;
-    /// A visible site's cell. O(its edges).
+    /// A site's cell, empty where it is hidden. Throws std::out_of_range where there is no such
+    /// site. O(its edges).
     [[nodiscard]] CellShape cell(Index site) const;
 
  private:

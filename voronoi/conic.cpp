@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 
@@ -237,13 +238,23 @@ void split(const Conic& conic, int halvings, const IsFine& is_fine, const Take& 
 
 }  // namespace
 
+namespace {
+
+void require_positive(double tolerance) {
+    if (!(tolerance > 0)) throw std::invalid_argument("a tolerance is positive");
+}
+
+}  // namespace
+
 void sample(const Conic& conic, double tolerance, std::vector<Point>& points) {
+    require_positive(tolerance);
     split(
         conic, most_halvings, [&](const Conic& part) { return part.bulge() <= tolerance; },
         [&](const Conic& part) { points.push_back(part.to); });
 }
 
 std::vector<Conic> parabolas(const Conic& conic, double tolerance) {
+    require_positive(tolerance);
     std::vector<Conic> parts;
     split(
         conic, most_halvings,

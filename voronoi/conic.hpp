@@ -76,6 +76,7 @@ struct Inside {
 
 /// Appends points of the curve, without its first one and with its last one, so that the polygon
 /// through them and the first is nowhere farther than `tolerance` from the curve. At most 2^16.
+/// Throws std::invalid_argument unless the tolerance is positive, as parabolas() does.
 void sample(const Conic& conic, double tolerance, std::vector<Point>& points);
 
 /// Splits the curve into parts each of which a plain quadratic Bézier curve follows to `tolerance`.

@@ -10,42 +10,45 @@
 #include <functional>
 #include <vector>
 
+#include "../core/handle.hpp"
 #include "../core/index.hpp"
 #include "../triangulation/structure/corners.hpp"
 #include "../triangulation/tessellation.hpp"
 
 namespace signum {
 
-/// The canonical tessellation, ready for questions about one site. It must outlive this.
+/// The canonical tessellation, ready for questions about one site. It must outlive this. A number
+/// that names no site or face is std::out_of_range.
 class Canonical {
  public:
     /// O(n).
     explicit Canonical(const Tessellation& tessellation);
 
     [[nodiscard]] const Tessellation& tessellation() const noexcept { return tessellation_; }
-    [[nodiscard]] const Site& site(Index i) const noexcept {
-        return tessellation_.sites()[static_cast<std::size_t>(i)];
+    [[nodiscard]] const Site& site(Index i) const {
+        return tessellation_.sites()[checked("site", i, face_at_.size())];
     }
-    [[nodiscard]] const Face& face(Index f) const noexcept {
-        return tessellation_.faces()[static_cast<std::size_t>(f)];
+    [[nodiscard]] const Face& face(Index f) const {
+        return tessellation_.faces()[checked("face", f, tessellation_.faces().size())];
     }
     /// The site that hides i; -1 for a visible one.
-    [[nodiscard]] Index hidden_by(Index i) const noexcept {
-        return hidden_by_[static_cast<std::size_t>(i)];
+    [[nodiscard]] Index hidden_by(Index i) const {
+        return hidden_by_[checked("site", i, hidden_by_.size())];
     }
     /// i itself where it is visible, otherwise the site that hides it.
-    [[nodiscard]] Index shown_for(Index i) const noexcept {
-        return hidden_by(i) < 0 ? i : hidden_by(i);
-    }
+    [[nodiscard]] Index shown_for(Index i) const { return hidden_by(i) < 0 ? i : hidden_by(i); }
     /// Of two visible sites the one with fewer faces.
-    [[nodiscard]] Index lesser(Index i, Index j) const noexcept {
-        return degree_[static_cast<std::size_t>(i)] <= degree_[static_cast<std::size_t>(j)] ? i : j;
+    [[nodiscard]] Index lesser(Index i, Index j) const {
+        return degree_[checked("site", i, degree_.size())] <=
+                       degree_[checked("site", j, degree_.size())]
+                   ? i
+                   : j;
     }
 
     /// Whether `holds` is true of a face at a visible site. O(degree).
     template <class Predicate>
     [[nodiscard]] bool any_face_at(Index i, Predicate holds) const {
-        const Index first = face_at_[static_cast<std::size_t>(i)];
+        const Index first = face_at_[checked("site", i, face_at_.size())];
         if (first < 0) return false;
         for (const auto corner : triangulation::fan(tessellation_.arrays(), first, i))
             if (holds(face(corner.face))) return true;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <stdexcept>
 #include <utility>
 
 #include "../triangulation/kernels/predicates_of.hpp"
@@ -166,7 +167,7 @@ void Voronoi::collect_cells() {
     }
 }
 
-bool Voronoi::is_unbounded(Index site) const noexcept {
+bool Voronoi::is_unbounded(Index site) const {
     if (is_hidden(site)) return false;
     const auto steps = cell(site);
     // Alone it has all the plane.
@@ -243,7 +244,8 @@ EdgeKind kind_of(const EdgeGeometry& g, const VoronoiEdge& edge) {
 }  // namespace
 
 std::optional<EdgeGeometry> Voronoi::geometry(Index index, std::optional<Point> focus) const {
-    const VoronoiEdge& edge = edges_[static_cast<std::size_t>(index)];
+    const VoronoiEdge& edge = edges_[checked("edge", index, edges_.size())];
+    if (focus && !is_finite(*focus)) throw std::invalid_argument("the focus is not finite");
     const auto site = [&](Index i) -> const Site& {
         return tessellation_.sites()[static_cast<std::size_t>(i)];
     };

@@ -22,6 +22,7 @@
 #include <utility>
 #include <vector>
 
+#include "../core/handle.hpp"
 #include "../core/index.hpp"
 #include "../core/site.hpp"
 #include "../triangulation/tessellation.hpp"
@@ -91,18 +92,20 @@ class Voronoi {
     [[nodiscard]] std::span<const VoronoiEdge> edges() const noexcept { return edges_; }
 
     /// The boundary of a site's cell, counterclockwise; it begins behind infinity where the cell is
-    /// unbounded. Empty for a hidden site, and for one that is alone.
-    [[nodiscard]] std::span<const VoronoiStep> cell(Index site) const noexcept {
-        const auto s = static_cast<std::size_t>(site);
+    /// unbounded. Empty for a hidden site, and for one that is alone. This and what follows throws
+    /// std::out_of_range where there is no such site or edge.
+    [[nodiscard]] std::span<const VoronoiStep> cell(Index site) const {
+        const std::size_t s = checked("site", site, hidden_.size());
         return {steps_.data() + first_step_[s], first_step_[s + 1] - first_step_[s]};
     }
-    [[nodiscard]] bool is_hidden(Index site) const noexcept {
-        return hidden_[static_cast<std::size_t>(site)];
+    [[nodiscard]] bool is_hidden(Index site) const {
+        return hidden_[checked("site", site, hidden_.size())];
     }
-    [[nodiscard]] bool is_unbounded(Index site) const noexcept;
+    [[nodiscard]] bool is_unbounded(Index site) const;
 
     /// The geometry of an edge; nothing where its sites lie too near to each other for a direction.
-    /// Near `focus` the least is lost; without one near the edge's own ends.
+    /// Near `focus` the least is lost; without one near the edge's own ends. It must be finite
+    /// (std::invalid_argument).
     [[nodiscard]] std::optional<EdgeGeometry> geometry(
         Index edge, std::optional<Point> focus = std::nullopt) const;
 

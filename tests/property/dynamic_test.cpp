@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <functional>
 #include <limits>
 #include <map>
 #include <random>
@@ -177,6 +179,91 @@ TEST_P(Dynamic, StructureIsChangedAndNotBuiltAnew) {
         dynamic.change(handles[static_cast<std::size_t>(500 + i)], 0.02 * real());
     }
     EXPECT_EQ(dynamic.rebuilds(), before);
+}
+
+/// Sets in which hardly a site is visible, or all are on one line: there is no structure to change,
+/// and yet nothing is built anew. What is counted is insertions, of hidden sites looked at again
+/// too.
+TEST_P(Dynamic, NorWhereThereIsNoStructure) {
+    constexpr int count = 1250 * thoroughness;
+    using Make = std::function<Site(int)>;
+    struct Family {
+        std::string name;
+        Make make;
+    };
+    const std::vector<Family> families = {
+        {"identical",
+         [](int) {
+             return Site{1, 2, 3};
+         }},
+        {"concentric, growing",
+         [](int i) {
+             return Site{1, 2, 1.0 + i};
+         }},
+        {"concentric, shrinking",
+         [](int i) {
+             return Site{1, 2, 1.0 * count - i};
+         }},
+        {"collinear",
+         [](int i) {
+             return Site{1.0 * i, 2.0 * i, 0};
+         }},
+        {"collinear in no order, with weights",
+         [&](int) {
+             const double t = below(1 << 20);
+             return Site{t, 2 * t, 1000 * real()};
+         }},
+        {"collinear, most of them hidden",
+         [&](int) {
+             const double t = below(1 << 20);
+             return Site{t, 2 * t, 0x1p20 * real()};
+         }},
+        {"within one", [&](int i) {
+             return i == 0 ? Site{0.5, 0.5, 10} : Site{real(), real(), 0.01 * real()};
+         }}};
+    for (const auto& [name, make] : families) {
+        DynamicTessellation dynamic(GetParam());
+        std::map<Index, Site> sites;
+        const auto insert = [&](int i) {
+            const Site site = make(i);
+            sites.emplace(dynamic.insert(site), site);
+        };
+        const auto erase = [&](Index handle) {
+            dynamic.erase(handle);
+            sites.erase(handle);
+        };
+        for (int i = 0; i < count; ++i) insert(i);
+        EXPECT_LE(dynamic.insertions(), 1U * count) << name;
+        ASSERT_NO_FATAL_FAILURE(expect_canonical(dynamic, sites)) << name;
+        // The one that came last goes and comes; then any; in the end those that came first go.
+        std::uint64_t before = dynamic.insertions();
+        for (int i = 0; i < count; ++i) {
+            erase(count - 1);
+            insert(count - 1);
+        }
+        for (int i = 0; i < count; ++i) {
+            const Index any = 1 + below(count - 1);
+            erase(any);
+            insert(any);
+        }
+        EXPECT_LE(dynamic.insertions() - before, 12U * count) << name;
+        ASSERT_NO_FATAL_FAILURE(expect_canonical(dynamic, sites)) << name;
+        before = dynamic.insertions();
+        for (Index handle = 0; handle + 20 < count; ++handle) erase(handle);
+        EXPECT_LE(dynamic.insertions() - before, 12U * count) << name;
+        ASSERT_NO_FATAL_FAILURE(expect_canonical(dynamic, sites)) << name;
+        EXPECT_EQ(dynamic.rebuilds(), 0U) << name;
+    }
+}
+
+/// From one dimension to two and back.
+TEST_P(Dynamic, OnALineAndBesideIt) {
+    for (int round = 0; round < 20 * thoroughness; ++round)
+        ASSERT_NO_FATAL_FAILURE(run(10, 40, 1, [&] {
+            const double t = below(8);
+            const bool beside = below(6) == 0;
+            return Site{t, 2 * t + (beside ? below(5) - 2 : 0), 1.0 * below(5)};
+        }));
 }
 
 /// On a convex curve and on a grid there are sites with neighbours on one line, or with one alone.

@@ -8,14 +8,15 @@
 ///
 /// Laws:
 ///  1. The boundary of the region and the ring around the site are the same cyclic sequence of
-///     vertices. Where it agrees with itself in more than one position, or the neighbours have no
-///     tessellation of their own, nothing is done and false returned: the caller builds anew.
-///     Neighbours that have none because they are on one line (power metric) or because there is
-///     but one see the site go that stood between them and infinity, unless nothing else is left.
+///     vertices. Where it agrees with itself in more than one position nothing is done.
+///     Neighbours that have no tessellation of their own because they are on one line (power
+///     metric) or because there is but one see the site go that stood between them and infinity,
+///     unless nothing else is left: then nothing is done, either.
 ///  2. Sites that the deleted one hid are not looked at.
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <utility>
@@ -27,6 +28,13 @@
 
 namespace signum::triangulation {
 
+/// What became of the gap that a site leaves.
+enum class Gap : std::uint8_t {
+    closed,
+    open,      ///< not closed: without the site there are only its neighbours, and no structure
+    ambiguous  ///< not closed: the boundary fits in more than one position
+};
+
 template <class Kernel>
 class Deletion {
  public:
@@ -36,7 +44,7 @@ class Deletion {
 
     /// Deletes the origin of h; see law 1. O(degree) expected, and O(degree²) at most, apart from
     /// the predicates.
-    [[nodiscard]] bool erase(HalfEdge h) {
+    [[nodiscard]] Gap erase(HalfEdge h) {
         const Index v = topology_.origin(h);
         ring_.clear();
         neighbours_.clear();
@@ -50,13 +58,13 @@ class Deletion {
 
         Topology patch(neighbours_.size() + 1);
         std::optional<Insertion<Kernel>> apart = start(patch);
-        if (!apart) return lay_bare();
+        if (!apart) return lay_bare() ? Gap::closed : Gap::open;
         for (const Index site : neighbours_) apart->insert(site);
-        if (!apart->find_conflicts(v)) return false;
+        if (!apart->find_conflicts(v)) return Gap::ambiguous;
         const auto turn = position(*apart);
-        if (!turn) return false;
+        if (!turn) return Gap::ambiguous;
         replace(*apart, patch, *turn);
-        return true;
+        return Gap::closed;
     }
 
  private:

@@ -37,8 +37,12 @@ class Topology {
     };
 
     /// Room for the faces of `sites` sites and no more; vertices never exceed sites + 1.
-    explicit Topology(std::size_t sites)
-        : capacity_(sites < 2 ? 0 : 2 * sites - 2), records_(capacity_) {}
+    explicit Topology(std::size_t sites) { make_room(sites); }
+    /// The same; the faces that are there stay.
+    void make_room(std::size_t sites) {
+        capacity_ = sites < 2 ? 0 : 2 * sites - 2;
+        records_.resize(capacity_);
+    }
 
     [[nodiscard]] static Index face(HalfEdge h) noexcept { return static_cast<Index>(h >> 2); }
     [[nodiscard]] static HalfEdge first_edge(Index f) noexcept {
@@ -112,7 +116,7 @@ class Topology {
         return const_cast<Record&>(std::as_const(*this).at(h));
     }
 
-    std::size_t capacity_;
+    std::size_t capacity_ = 0;
     std::size_t faces_ = 0;
     LargeArray<Record> records_;
 };

@@ -1,0 +1,501 @@
+#pragma once
+/// Sites of one metric that come and go, and their tessellation.
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <limits>
+#include <memory>
+#include <numeric>
+#include <set>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "../../core/index.hpp"
+#include "../../core/site.hpp"
+#include "../insertion/collinear.hpp"
+#include "../insertion/delete.hpp"
+#include "../insertion/hiders.hpp"
+#include "../insertion/insert.hpp"
+#include "../structure/assemble.hpp"
+#include "../structure/topology.hpp"
+#include "../triangulate.hpp"
+#include "lists.hpp"
+#include "ranks.hpp"
+
+namespace signum::triangulation {
+
+/// Laws:
+///  1. Where the visible sites have a structure, topology_ is their tessellation (is_built_), and
+///     line_ is empty. Where they have none, all centres on one line in the power metric, one
+///     visible site or none in the others, they stand in line_, in order.
+///  2. hidden_by_ is -1 for visible sites alone. face_of_ is a face at a visible site of the
+///     structure, and -1 for every other handle.
+///  3. A hidden site is kept by one that hides it alone, whether that is visible itself or not: in
+///     the power metric one with the same centre. Or, in the power metric, by a visible corner of
+///     a face, or end of a stretch of the line, that contains its centre. So it can reappear only
+///     where the one that keeps it goes, or, in the latter case, that face.
+template <class Kernel>
+class Live {
+ public:
+    using S = typename Kernel::SiteType;
+    static constexpr bool is_straight = Kernel::is_straight;
+
+    explicit Live(Metric metric) : metric_(metric), ranks_(sites_), line_(Along{&sites_}) {
+        grow(16);
+    }
+    Live(const Live&) = delete;
+    Live& operator=(const Live&) = delete;
+
+    [[nodiscard]] bool contains(Index h) const noexcept {
+        return h >= 0 && at(h) < live_.size() && live_[at(h)];
+    }
+    [[nodiscard]] std::size_t size() const noexcept { return count_; }
+    [[nodiscard]] std::size_t rebuilds() const noexcept { return rebuilds_; }
+    [[nodiscard]] std::uint64_t insertions() const noexcept { return insertions_; }
+    [[nodiscard]] Site site(Index h) const noexcept {
+        const S& s = sites_[at(h)];
+        if constexpr (requires { s.w; })
+            return {s.x, s.y, s.w};
+        else
+            return {s.x, s.y, s.r};
+    }
+
+    Index insert(const Site& site) {
+        Index h = 0;
+        if (free_.empty()) {
+            h = static_cast<Index>(count_);
+        } else {
+            h = *free_.begin();
+            free_.erase(free_.begin());
+        }
+        if (at(h) == live_.size()) grow(2 * live_.size());
+        put(h, site);
+        add(h);
+        return h;
+    }
+
+    void erase(Index h) {
+        take(h);
+        free_.insert(h);
+    }
+
+    void change(Index h, double third) {
+        Site site = this->site(h);
+        site.r = third;
+        take(h);
+        put(h, site);
+        add(h);
+    }
+
+    [[nodiscard]] Tessellation tessellation() const {
+        std::vector<Site> live;
+        std::vector<Index> number(live_.size(), -1);
+        for (Index h = 0; at(h) < live_.size(); ++h)
+            if (live_[at(h)]) {
+                number[at(h)] = static_cast<Index>(live.size());
+                live.push_back(site(h));
+            }
+        constexpr bool weighted = requires(S s) {
+            s.w;
+        };
+        const WeightIs weight_is = weighted ? WeightIs::weight : WeightIs::radius;
+        if (live.empty()) return triangulate(StridedSites{}, metric_);
+        if (!is_built_) {
+            const Site* first = live.data();
+            return triangulate(
+                StridedSites(live.size(), sizeof(Site), &first->x, &first->y, &first->r, weighted),
+                metric_);
+        }
+        std::vector<Index> hidden_by = hidden_by_;
+        // Who hides may be hidden in its turn, and so on: one in two is passed over, time and
+        // again.
+        for (Index h = 0; at(h) < live_.size(); ++h)
+            for (Index by = hidden_by[at(h)]; by >= 0 && hidden_by[at(by)] >= 0;
+                 by = hidden_by[at(h)])
+                hidden_by[at(h)] = hidden_by[at(by)];
+        settle_hiders(*topology_, *kernel_, hidden_by);
+        TessellationArrays arrays;
+        arrays.metric = metric_;
+        arrays.weight_is = weight_is;
+        arrays.sites = static_cast<std::int64_t>(live.size());
+        for (Index h = 0; at(h) < live_.size(); ++h)
+            if (live_[at(h)] && hidden_by[at(h)] >= 0)
+                arrays.hidden.push_back({number[at(h)], number[at(hidden_by[at(h)])]});
+        assemble(Topology(*topology_), number, arrays);
+        return {std::move(arrays), std::move(live), {}};
+    }
+
+ private:
+    void put(Index h, const Site& site) {
+        if constexpr (is_straight) {
+            sites_[at(h)] = S{site.x, site.y, site.r};
+        } else {
+            sites_[at(h)] = {site, 0};
+            ranks_.insert(h);
+        }
+        live_[at(h)] = true;
+        hidden_by_[at(h)] = -1;
+        face_of_[at(h)] = -1;
+        ++count_;
+    }
+
+    void grow(std::size_t capacity) {
+        sites_.resize(capacity);
+        live_.resize(capacity, false);
+        hidden_by_.resize(capacity, -1);
+        none_hidden_.resize(capacity, -1);
+        face_of_.resize(capacity, -1);
+        kept_.make_room(2 * capacity, capacity);
+        numbers_.resize(capacity);
+        std::iota(numbers_.begin(), numbers_.end(), 0);
+        if constexpr (is_straight)
+            kernel_ = std::make_unique<Kernel>(sites_.data(), numbers_.data());
+        else
+            kernel_ = std::make_unique<Kernel>(sites_.data());
+        if (!is_built_) return;
+        topology_->make_room(capacity);
+        const Index recent = insertion_->recent();
+        insertion_ = std::make_unique<Insertion<Kernel>>(*topology_, *kernel_, hidden_by_, recent);
+    }
+
+    /// From scratch.
+    void build() {
+        ++rebuilds_;
+        is_built_ = false;
+        line_.clear();
+        kept_.clear();
+        std::fill(hidden_by_.begin(), hidden_by_.end(), -1);
+        std::fill(face_of_.begin(), face_of_.end(), -1);
+        for (Index h = 0; at(h) < live_.size(); ++h)
+            if (live_[at(h)]) add(h);
+    }
+
+    /// From the line, of two sites at least, to a structure: the same sites, tied to infinity.
+    void leave_line() {
+        const std::vector<Index> chain(line_.begin(), line_.end());
+        line_.clear();
+        topology_ = std::make_unique<Topology>(live_.size());
+        connect_line(*topology_, chain);
+        insertion_ = std::make_unique<Insertion<Kernel>>(*topology_, *kernel_, hidden_by_, 0);
+        is_built_ = true;
+        for (Index f = 0; f < topology_->faces(); ++f) note_face(f);
+    }
+
+    /// And back, when the sites that stay visible have no structure any more.
+    void return_to_line(const std::vector<Index>& visible) {
+        is_built_ = false;
+        for (const Index v : visible) {
+            face_of_[at(v)] = -1;
+            line_.insert(v);
+        }
+    }
+
+    void note_face(Index f) {
+        for (const Index v : topology_->vertices(f))
+            if (v >= 0) face_of_[at(v)] = f;
+    }
+
+    [[nodiscard]] HalfEdge spoke_of(Index v) const { return topology_->spoke(face_of_[at(v)], v); }
+
+    /// The two lists of those that u keeps: by itself, and with others.
+    [[nodiscard]] static Index alone(Index u) noexcept { return 2 * u; }
+    [[nodiscard]] static Index with_others(Index u) noexcept { return 2 * u + 1; }
+
+    /// `by` comes before `hidden` in the tie rule's order, or hides it with others.
+    void keep(Index by, Index hidden) {
+        hidden_by_[at(hidden)] = by;
+        face_of_[at(hidden)] = -1;
+        const bool is_alone = !is_straight || kernel_->centre(by) == kernel_->centre(hidden);
+        kept_.add(is_alone ? alone(by) : with_others(by), hidden);
+    }
+
+    /// A visible site vanishes behind h. What it keeps with others lies in faces that h has now.
+    void hide(Index v, Index h) {
+        keep(h, v);
+        for (const Index of_v : kept_.release(with_others(v))) keep(h, of_v);
+    }
+
+    /// A face from which it is not far to a new site: that of the nearest of some 2n^(1/3) sites,
+    /// or of the site changed last. From there a walk takes O(n^(1/3)) steps on uniform sites
+    /// (Mücke, Saias and Zhu 1999), from a face anywhere O(n^(1/2)), and O(n) where sites lie on
+    /// curves.
+    [[nodiscard]] Index face_near(const S& site) const noexcept {
+        const auto distance = [&](Index v) {
+            const double x = sites_[at(v)].x - site.x;
+            const double y = sites_[at(v)].y - site.y;
+            return x * x + y * y;
+        };
+        Index best = insertion_->recent();
+        double least = std::numeric_limits<double>::infinity();
+        for (int k = 0; k < 3; ++k)
+            if (const Index v = topology_->vertices(best)[k]; v != infinite)
+                least = std::min(least, distance(v));
+        const std::uint64_t handles = count_ + free_.size();
+        const auto samples =
+            static_cast<std::uint64_t>(2.0 * std::cbrt(static_cast<double>(handles)));
+        for (std::uint64_t i = 0; i < samples; ++i) {
+            // Multiples of the golden section are spread evenly.
+            const std::uint64_t fraction = i * 0x9E37'79B9'7F4A'7C15U >> 32;
+            const auto v = static_cast<Index>(fraction * handles >> 32);
+            if (face_of_[at(v)] < 0) continue;
+            const double d = distance(v);
+            if (d < least) {
+                least = d;
+                best = face_of_[at(v)];
+            }
+        }
+        return best;
+    }
+
+    /// Inserts a live site that is in no list.
+    void add(Index h) {
+        ++insertions_;
+        hidden_by_[at(h)] = -1;
+        if (!is_built_) return add_to_line(h);
+        insertion_->start_from(face_near(sites_[at(h)]));
+        if (!insertion_->insert(h)) return add_above_all(h);
+        if (Index by = hidden_by_[at(h)]; by >= 0) {
+            if constexpr (is_straight)
+                for (const Index v : topology_->vertices(insertion_->recent()))
+                    if (v != infinite && kernel_->centre(v) == kernel_->centre(h)) by = v;
+            keep(by, h);
+            return;
+        }
+        for (const Index v : insertion_->enclosed()) hide(v, h);
+        face_of_[at(h)] = insertion_->recent();
+        for (const HalfEdge of : topology_->fan(spoke_of(h))) note_face(Topology::face(of));
+        if constexpr (is_straight)
+            for (const Index hidden : taken_from_star(h)) keep(h, hidden);
+    }
+
+    /// h hides all others.
+    void add_above_all(Index h) {
+        for (Index f = 0; f < topology_->faces(); ++f)
+            for (const Index v : topology_->vertices(f))
+                if (v >= 0 && face_of_[at(v)] >= 0) hide(v, h);
+        return_to_line({h});
+    }
+
+    /// The same as long as the visible sites have no structure.
+    void add_to_line(Index h) {
+        if (line_.empty()) {
+            line_.insert(h);
+        } else if constexpr (is_straight) {
+            if (line_.size() > 1 && kernel_->ccw(*line_.begin(), *line_.rbegin(), h) != 0) {
+                --insertions_;
+                leave_line();
+                return add(h);
+            }
+            add_on_line(h);
+        } else {
+            const Index other = *line_.begin();
+            if (kernel_->hides(other, h)) {
+                keep(other, h);
+                return;
+            }
+            const bool hides_other = kernel_->hides(h, other);
+            if (hides_other) {
+                line_.clear();
+                keep(h, other);
+            }
+            line_.insert(h);
+            if (!hides_other) leave_line();
+        }
+    }
+
+    /// One step of a lower hull that is kept in order (power metric).
+    void add_on_line(Index h) {
+        auto after = line_.lower_bound(h);
+        if (after != line_.end() && kernel_->centre(*after) == kernel_->centre(h)) {
+            if (precedes(*after, h)) {
+                keep(*after, h);
+                return;
+            }
+            hide(*after, h);
+            after = line_.erase(after);
+        } else if (after != line_.begin() && after != line_.end() &&
+                   !kernel_->conflicts_on_line(*std::prev(after), *after, h)) {
+            keep(*after, h);
+            return;
+        }
+        const auto place = line_.insert(after, h);
+        // Out of two neighbours on one side the nearer one vanishes above h and the farther one.
+        while (place != line_.begin() && std::prev(place) != line_.begin()) {
+            const auto near = std::prev(place);
+            if (kernel_->conflicts_on_line(*std::prev(near), h, *near)) break;
+            hide(*near, h);
+            line_.erase(near);
+        }
+        while (std::next(place) != line_.end() && std::next(place, 2) != line_.end()) {
+            const auto near = std::next(place);
+            if (kernel_->conflicts_on_line(h, *std::next(near), *near)) break;
+            hide(*near, h);
+            line_.erase(near);
+        }
+        for (const Index hidden : taken_from_line(place)) keep(h, hidden);
+    }
+
+    /// The hidden sites on the two stretches at a place of the line, out of those that the ends of
+    /// these keep and one of them would not keep without that place.
+    template <class Place>
+    [[nodiscard]] std::vector<Index> taken_from_line(Place place) {
+        std::vector<Index> taken;
+        const auto before = line_.key_comp();
+        if (place != line_.begin())
+            kept_.extract(with_others(*std::prev(place)), taken,
+                          [&](Index hidden) { return before(*std::prev(place), hidden); });
+        if (std::next(place) != line_.end())
+            kept_.extract(with_others(*std::next(place)), taken,
+                          [&](Index hidden) { return before(hidden, *std::next(place)); });
+        return taken;
+    }
+
+    /// The hidden sites whose centres lie in the star of h, out of those that its neighbours keep.
+    [[nodiscard]] std::vector<Index> taken_from_star(Index h) {
+        std::vector<Index> taken;
+        const HalfEdge spoke = spoke_of(h);
+        const auto in_star = [&](Index hidden) {
+            for (const HalfEdge face : topology_->fan(spoke)) {
+                const Index a = topology_->target(face);
+                const Index b = topology_->apex(face);
+                if (a != infinite && b != infinite && kernel_->ccw(h, a, hidden) >= 0 &&
+                    kernel_->ccw(a, b, hidden) >= 0 && kernel_->ccw(b, h, hidden) >= 0)
+                    return true;
+            }
+            return false;
+        };
+        for (const HalfEdge of : topology_->fan(spoke)) {
+            const Index u = topology_->target(of);
+            if (u == infinite || kept_.is_empty(with_others(u))) continue;
+            kept_.extract(with_others(u), taken, in_star);
+        }
+        return taken;
+    }
+
+    /// Out of the sites and out of what is built.
+    void take(Index h) {
+        std::vector<Index> freed = kept_.release(alone(h));
+        pair_off(freed);
+        bool is_whole = true;
+        if (hidden_by_[at(h)] >= 0) {
+            kept_.remove(h);
+        } else {
+            const std::vector<Index> others = kept_.release(with_others(h));
+            freed.insert(freed.end(), others.begin(), others.end());
+            is_whole = is_built_ ? take_from_structure(h, freed) : take_from_line(h, freed);
+        }
+        live_[at(h)] = false;
+        hidden_by_[at(h)] = -1;
+        face_of_[at(h)] = -1;
+        if constexpr (!is_straight) ranks_.erase(h);
+        --count_;
+        if (!is_whole) return build();
+        // The earlier in the rule's order, the less often a site is hidden again.
+        std::ranges::sort(freed, [&](Index a, Index b) { return precedes(a, b); });
+        for (const Index site : freed) add(site);
+    }
+
+    /// Of sites that one alone hid many may hide one another. In pairs, one keeps the other: half
+    /// of them are left for the next time, instead of all for every one that goes.
+    void pair_off(std::vector<Index>& sites) {
+        std::ranges::sort(sites, [&](Index a, Index b) { return precedes(a, b); });
+        std::vector<Index> left;
+        for (std::size_t i = 0; i < sites.size(); ++i) {
+            left.push_back(sites[i]);
+            if (i + 1 < sites.size() && hides_alone(sites[i], sites[i + 1])) {
+                keep(sites[i], sites[i + 1]);
+                ++i;
+            }
+        }
+        sites = std::move(left);
+    }
+
+    /// Whether a alone hides b, which comes behind it in the tie rule's order.
+    [[nodiscard]] bool hides_alone(Index a, Index b) {
+        if constexpr (is_straight)
+            return kernel_->centre(a) == kernel_->centre(b);
+        else
+            return kernel_->hides(a, b);
+    }
+
+    bool take_from_line(Index h, std::vector<Index>& freed) {
+        const auto place = line_.find(h);
+        const std::vector<Index> taken = taken_from_line(place);
+        freed.insert(freed.end(), taken.begin(), taken.end());
+        line_.erase(place);
+        return true;
+    }
+
+    /// False where all has to be built anew.
+    bool take_from_structure(Index h, std::vector<Index>& freed) {
+        const HalfEdge spoke = spoke_of(h);
+        if constexpr (is_straight)
+            for (const Index hidden : taken_from_star(h)) freed.push_back(hidden);
+        std::vector<Index> ring;
+        std::vector<Index> faces;
+        for (const HalfEdge of : topology_->fan(spoke)) {
+            if (const Index v = topology_->target(of); v != infinite) ring.push_back(v);
+            faces.push_back(Topology::face(of));
+            faces.push_back(Topology::face(topology_->twin(Topology::next(of))));
+        }
+        switch (Deletion<Kernel>(*insertion_, none_hidden_).erase(spoke)) {
+            case Gap::closed:
+                break;
+            case Gap::open:
+                return_to_line(ring);
+                return true;
+            case Gap::ambiguous:
+                return false;
+        }
+        // The faces of the patch take places of the star's.
+        for (const Index f : faces)
+            if (!topology_->is_vacant(f)) note_face(f);
+        return true;
+    }
+
+    [[nodiscard]] bool precedes(Index a, Index b) const {
+        if constexpr (is_straight)
+            return a != b && kernel_->precedes(a, b);
+        else
+            return sites_[at(a)].rank < sites_[at(b)].rank;
+    }
+
+    [[nodiscard]] static std::size_t at(Index i) noexcept { return static_cast<std::size_t>(i); }
+    /// The order of centres along any line.
+    struct Along {
+        const std::vector<S>* sites;
+        bool operator()(Index a, Index b) const {
+            const S& p = (*sites)[at(a)];
+            const S& q = (*sites)[at(b)];
+            return p.x != q.x ? p.x < q.x : p.y < q.y;
+        }
+    };
+    struct NoRanks {
+        explicit NoRanks(std::vector<S>&) {}
+    };
+
+    Metric metric_;
+    std::vector<S> sites_;
+    std::vector<bool> live_;
+    std::vector<Index> hidden_by_;
+    std::vector<Index> none_hidden_;
+    std::vector<Index> face_of_;
+    Lists kept_;
+    std::vector<Index> numbers_;
+    std::set<Index> free_;
+    std::size_t count_ = 0;
+    std::size_t rebuilds_ = 0;
+    std::uint64_t insertions_ = 0;
+    bool is_built_ = false;
+    [[no_unique_address]] std::conditional_t<is_straight, NoRanks, Ranks> ranks_;
+    std::set<Index, Along> line_;
+    std::unique_ptr<Kernel> kernel_;
+    std::unique_ptr<Topology> topology_;
+    std::unique_ptr<Insertion<Kernel>> insertion_;
+};
+
+}  // namespace signum::triangulation
