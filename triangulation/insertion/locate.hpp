@@ -35,11 +35,22 @@ template <class Kernel>
     throw BrokenStructure("the walk to a site went in circles");
 }
 
-/// A half-edge out of the site nearest to the centre of q, leading to the neighbour that comes
-/// next, roughly; from a face where the walk starts. As cells are star-shaped, every site but the
-/// nearest has a neighbour that is nearer: the one whose cell the segment to q's centre enters.
+/// Where a walk to the site nearest to a centre came to.
+struct Approach {
+    HalfEdge spoke;   ///< out of the site reached, to the neighbour that comes next, roughly
+    bool is_nearest;  ///< all neighbours were asked: none is nearer
+};
+
+/// How many neighbours of a site are asked before other means are tried. On random sites hardly one
+/// in a million has more, and asking them all is the cheapest; but a giant among small sites has
+/// nearly all of them for neighbours.
+inline constexpr int few_neighbours = 24;
+
+/// Walks toward the site nearest to the centre of q, from a face; as far as asking few neighbours
+/// of each site on the way leads. As cells are star-shaped, every site but the nearest has a
+/// neighbour that is nearer: the one whose cell the segment to q's centre enters.
 template <class Kernel>
-[[nodiscard]] HalfEdge locate_nearest(const Topology& topology, Kernel& kernel, Index start,
+[[nodiscard]] Approach locate_nearest(const Topology& topology, Kernel& kernel, Index start,
                                       Index q) {
     // From the nearest corner of the face, roughly: cells may be long and thin, and a neighbour of
     // the site inserted last then be a thousand sites away.
@@ -59,7 +70,10 @@ template <class Kernel>
     double to_next = std::numeric_limits<double>::infinity();
     for (Index steps = topology.faces(); Kernel::is_exact || steps >= 0; --steps) {
         const Index start = nearest;
+        int asked = 0;
         for (const HalfEdge h : topology.fan(first)) {
+            if (asked++ == few_neighbours) [[unlikely]]
+                return {next, false};
             const Index v = topology.target(h);
             if (v == infinite || v == before) continue;
             const auto distance = kernel.distance(q, v);
@@ -75,7 +89,7 @@ template <class Kernel>
                 next = h;
             }
         }
-        if (nearest == start) return next;
+        if (nearest == start) return {next, true};
     }
     throw BrokenStructure("the walk to a site went in circles");
 }
