@@ -171,21 +171,24 @@ class Insertion {
             hide_in(start, q);
             return false;
         } else {
-            for (;;) {
-                const Approach approach = locate_nearest(topology_, kernel_, recent_, q);
+            HalfEdge from = nearest_corner(topology_, kernel_, recent_, q);
+            for (Index steps = topology_.faces(); Kernel::is_exact || steps >= 0; --steps) {
+                const Approach approach = locate_nearest(topology_, kernel_, from, q);
                 recent_ = Topology::face(approach.spoke);
                 const Index site = topology_.origin(approach.spoke);
                 if (kernel_.hides(site, q)) {
                     hidden_by_[static_cast<std::size_t>(q)] = site;
                     return false;
                 }
-                if (find_conflicts_around(approach, q)) return true;
+                if (find_conflicts_around(approach, q, from)) return true;
             }
+            throw BrokenStructure("the walk to a site went in circles");
         }
     }
 
-    /// Finds the conflicts of q at the border of the cell of a site that does not hide it; or a
-    /// nearer site, where the walk is to go on: then it returns false, and a face there is recent_.
+    /// Finds the conflicts of q at the border of the cell of a site that does not hide it. Or else
+    /// a nearer site, out of which the half-edge `nearer` is, for the walk to go on; and returns
+    /// false.
     ///
     /// Let v be the site, d its distance less its radius, c the centre of q. The ray from v's
     /// centre through c leaves v's cell in a point x of an edge, perhaps at infinity, by which
@@ -199,17 +202,18 @@ class Insertion {
     /// from: the search goes from there to both sides at once, and a giant with a thousand
     /// neighbours costs no more than the few between one insertion and the next along the curve.
     /// A site that q's conflict is asked with is not nearer than v; so it does not hide q either.
-    [[nodiscard]] bool find_conflicts_around(const Approach& approach, Index q) {
+    [[nodiscard]] bool find_conflicts_around(const Approach& approach, Index q, HalfEdge& nearer) {
         const HalfEdge first = approach.spoke;
-        const Index site = topology_.origin(first);
         bool found = false;
         // Whether the search is at its end with the face of h, of which the apex is new.
         const auto ends_at = [&](HalfEdge h) {
             const Index f = Topology::face(h);
-            const Index apex = topology_.apex(h);
-            if (!approach.is_nearest && apex != infinite && kernel_.is_nearer(q, apex, site)) {
-                recent_ = f;
-                return true;
+            if (!approach.is_nearest) [[unlikely]] {
+                const Index apex = topology_.apex(h);
+                if (apex != infinite && kernel_.is_nearer(q, apex, topology_.origin(first))) {
+                    nearer = Topology::previous(h);
+                    return true;
+                }
             }
             if (!conflicts(f, q)) return false;
             collect(f, q);
