@@ -40,11 +40,13 @@ namespace signum::filters {
 struct Tally {
     std::uint64_t ccw = 0;
     std::uint64_t in_circle = 0;
+    std::uint64_t nearer = 0;
     std::uint64_t stages[stage_count] = {};
     std::uint64_t ties = 0;
 
     void count_ccw() noexcept { ++ccw; }
     void count_in_circle() noexcept { ++in_circle; }
+    void count_nearer() noexcept { ++nearer; }
     void count_stage(Stage stage) noexcept { ++stages[static_cast<int>(stage)]; }
     void count_tie() noexcept { ++ties; }
 };
@@ -53,6 +55,7 @@ struct Tally {
 struct NoTally {
     static void count_ccw() noexcept {}
     static void count_in_circle() noexcept {}
+    static void count_nearer() noexcept {}
     static void count_stage(Stage) noexcept {}
     static void count_tie() noexcept {}
 };

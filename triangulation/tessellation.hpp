@@ -17,6 +17,7 @@ struct Statistics {
     bool counted = false;
     std::uint64_t ccw = 0;             ///< calls of ccw
     std::uint64_t in_circle = 0;       ///< calls of in_circle, at infinity too
+    std::uint64_t nearer = 0;          ///< comparisons of two sites' distances from a point
     std::uint64_t filtered = 0;        ///< calls decided by the floating-point filter
     std::uint64_t refined = 0;         ///< ... by double-double arithmetic
     std::uint64_t exact = 0;           ///< ... by expansions, integers or sums without rounding

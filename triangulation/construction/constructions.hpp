@@ -69,6 +69,7 @@ inline void fill(Statistics& statistics, const filters::Tally& tally) noexcept {
     statistics.counted = true;
     statistics.ccw = tally.ccw;
     statistics.in_circle = tally.in_circle;
+    statistics.nearer = tally.nearer;
     const auto decided = [&](Stage stage) { return tally.stages[static_cast<int>(stage)]; };
     statistics.filtered = decided(Stage::filter);
     statistics.refined = decided(Stage::refine);
@@ -82,7 +83,7 @@ inline void fill(Statistics&, const filters::NoTally&) noexcept {}
 /// The arrays of the result, from a construction that is done.
 template <class Kernel>
 Tessellation finish(Metric metric, WeightIs weight_is, const StridedSites& input,
-                    std::chrono::steady_clock::time_point start, const Kernel& kernel,
+                    std::chrono::steady_clock::time_point start, Kernel& kernel,
                     LargeArray<typename Kernel::SiteType> sites, Topology topology,
                     LargeArray<Index> original, LargeArray<Index> hidden_by,
                     Statistics statistics = {}) {

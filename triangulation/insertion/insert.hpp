@@ -171,32 +171,74 @@ class Insertion {
             hide_in(start, q);
             return false;
         } else {
-            // q's cell contains its centre, which lies in the cell of the nearest site; so it
-            // reaches the border of that cell, at a vertex or between two.
-            const HalfEdge first = locate_nearest(topology_, kernel_, recent_, q);
-            const Index nearest = topology_.origin(first);
-            recent_ = Topology::face(first);
-            if (kernel_.hides(nearest, q)) {
-                hidden_by_[static_cast<std::size_t>(q)] = nearest;
-                return false;
-            }
-            // The likeliest are the faces on both sides of that edge, and the edge itself.
-            if (const Index right = Topology::face(topology_.twin(first)); conflicts(right, q)) {
-                collect(right, q);
-                return true;
-            }
-            for (const HalfEdge h : topology_.fan(first)) {
-                if (const Index left = Topology::face(h); conflicts(left, q)) {
-                    collect(left, q);
-                    return true;
+            HalfEdge from = nearest_corner(topology_, kernel_, recent_, q);
+            for (Index steps = topology_.faces(); Kernel::is_exact || steps >= 0; --steps) {
+                const Approach approach = locate_nearest(topology_, kernel_, from, q);
+                recent_ = Topology::face(approach.spoke);
+                const Index site = topology_.origin(approach.spoke);
+                if (kernel_.hides(site, q)) {
+                    hidden_by_[static_cast<std::size_t>(q)] = site;
+                    return false;
                 }
-                if (ends_within(topology_, kernel_, h, q, false)) {
-                    cut(h);
-                    return true;
-                }
+                if (find_conflicts_around(approach, q, from)) return true;
             }
-            throw BrokenStructure("a site that is not hidden conflicts with nothing");
+            throw BrokenStructure("the walk to a site went in circles");
         }
+    }
+
+    /// Finds the conflicts of q at the border of the cell of a site that does not hide it. Or else
+    /// a nearer site, out of which the half-edge `nearer` is, for the walk to go on; and returns
+    /// false.
+    ///
+    /// Let v be the site, d its distance less its radius, c the centre of q. The ray from v's
+    /// centre through c leaves v's cell in a point x of an edge, perhaps at infinity, by which
+    /// either
+    ///  - x lies before c. Beyond x, v's distance grows as fast as any can, so that at c the site
+    ///    across the edge is nearer. Or
+    ///  - x lies beyond c. As v does not hide q, d of q at c is less than that of v; and from c to
+    ///    x that of v grows as fast as any can: q takes x, and so an end of the edge, or its
+    ///    middle.
+    /// So it suffices to look at that edge. It is not known, but not far from where the walk came
+    /// from: the search goes from there to both sides at once, and a giant with a thousand
+    /// neighbours costs no more than the few between one insertion and the next along the curve.
+    /// A site that q's conflict is asked with is not nearer than v; so it does not hide q either.
+    [[nodiscard]] bool find_conflicts_around(const Approach& approach, Index q, HalfEdge& nearer) {
+        const HalfEdge first = approach.spoke;
+        bool found = false;
+        // Whether the search is at its end with the face of h, of which the apex is new.
+        const auto ends_at = [&](HalfEdge h) {
+            const Index f = Topology::face(h);
+            if (!approach.is_nearest) [[unlikely]] {
+                const Index apex = topology_.apex(h);
+                if (apex != infinite && kernel_.is_nearer(q, apex, topology_.origin(first))) {
+                    nearer = Topology::previous(h);
+                    return true;
+                }
+            }
+            if (!conflicts(f, q)) return false;
+            collect(f, q);
+            return found = true;
+        };
+        // The same with the middle of an edge between two faces not in conflict.
+        const auto ends_within_edge = [&](HalfEdge h) {
+            if (!ends_within(topology_, kernel_, h, q, false)) return false;
+            cut(h);
+            return found = true;
+        };
+        if (ends_at(topology_.twin(first)) || ends_at(first) || ends_within_edge(first))
+            return found;
+        HalfEdge left = first;
+        HalfEdge right = first;
+        for (;;) {
+            left = topology_.around_origin(left);
+            if (left == right) break;
+            if (ends_at(left) || ends_within_edge(left)) return found;
+            if (approach.is_nearest) continue;
+            right = Topology::next(topology_.twin(right));
+            if (right == left) break;
+            if (ends_at(topology_.twin(right)) || ends_within_edge(right)) return found;
+        }
+        throw BrokenStructure("a site that is not hidden conflicts with nothing");
     }
 
     /// The conflict region is a piece inside one edge: no face goes, q comes between the two.
@@ -267,21 +309,25 @@ class Insertion {
     }
 
     /// Where the middle of an edge survives between two removed faces, the boundary runs along it
-    /// on both sides: those new faces will be glued to each other. Such an edge is rare.
+    /// on both sides: those new faces will be glued to each other. As the region stays a disc, two
+    /// such pairs never cross along the boundary, and the side met last is paired first.
     void find_seams() {
         seams_.clear();
-        for (std::size_t a = 0; a < boundary_.size(); ++a) {
-            if (boundary_[a].outside == seam) continue;
-            if (topology_.record(Topology::face(boundary_[a].outside)).mark != in_conflict)
-                continue;
-            const HalfEdge opposite = topology_.twin(boundary_[a].outside);
-            std::size_t b = a + 1;
-            while (b < boundary_.size() && boundary_[b].outside != opposite) ++b;
-            if (b == boundary_.size())
-                throw BrokenStructure("an edge survives on one side and not on the other");
-            boundary_[a].outside = boundary_[b].outside = seam;
-            seams_.emplace_back(a, b);
+        open_seams_.clear();
+        for (std::size_t i = 0; i < boundary_.size(); ++i) {
+            const HalfEdge outside = boundary_[i].outside;
+            if (topology_.record(Topology::face(outside)).mark != in_conflict) continue;
+            if (!open_seams_.empty() &&
+                boundary_[open_seams_.back()].outside == topology_.twin(outside)) {
+                seams_.emplace_back(open_seams_.back(), i);
+                open_seams_.pop_back();
+            } else {
+                open_seams_.push_back(i);
+            }
         }
+        if (!open_seams_.empty())
+            throw BrokenStructure("an edge survives on one side and not on the other");
+        for (const auto& [a, b] : seams_) boundary_[a].outside = boundary_[b].outside = seam;
     }
 
     /// Joins q to every edge of the boundary, reusing the slots of the removed faces.
@@ -354,6 +400,7 @@ class Insertion {
     Stack<Index> vacant_;
     std::vector<Index> enclosed_;
     std::vector<std::pair<std::size_t, std::size_t>> seams_;
+    std::vector<std::size_t> open_seams_;  ///< one side of each was met
 };
 
 }  // namespace signum::triangulation

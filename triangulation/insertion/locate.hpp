@@ -35,31 +35,52 @@ template <class Kernel>
     throw BrokenStructure("the walk to a site went in circles");
 }
 
-/// A half-edge out of the site nearest to the centre of q, leading to the neighbour that comes
-/// next, roughly; from a face where the walk starts. As cells are star-shaped, every site but the
-/// nearest has a neighbour that is nearer: the one whose cell the segment to q's centre enters.
+/// Where a walk to the site nearest to a centre came to.
+struct Approach {
+    HalfEdge spoke;   ///< out of the site reached, to the neighbour that comes next, roughly
+    bool is_nearest;  ///< all neighbours were asked: none is nearer
+};
+
+/// How many neighbours of a site are asked before other means are tried. On random sites hardly one
+/// in a million has more, and asking them all is the cheapest; but a giant among small sites has
+/// nearly all of them for neighbours.
+inline constexpr int few_neighbours = 24;
+
+/// A half-edge of a face out of the corner nearest to the centre of q, roughly: where a walk best
+/// begins, for cells may be long and thin, and another corner be a thousand sites away.
 template <class Kernel>
-[[nodiscard]] HalfEdge locate_nearest(const Topology& topology, Kernel& kernel, Index start,
+[[nodiscard]] HalfEdge nearest_corner(const Topology& topology, const Kernel& kernel, Index face,
                                       Index q) {
-    // From the nearest corner of the face, roughly: cells may be long and thin, and a neighbour of
-    // the site inserted last then be a thousand sites away.
-    HalfEdge first = Topology::first_edge(start);
-    if (topology.origin(first) == infinite) first = Topology::next(first);
-    auto least = kernel.distance(q, topology.origin(first));
-    for (const HalfEdge corner : {Topology::next(first), Topology::previous(first)}) {
+    HalfEdge nearest = Topology::first_edge(face);
+    double least = std::numeric_limits<double>::infinity();
+    for (const HalfEdge corner : {nearest, Topology::next(nearest), Topology::previous(nearest)}) {
         if (topology.origin(corner) == infinite) continue;
         const auto distance = kernel.distance(q, topology.origin(corner));
-        if (distance.to_centre - distance.radius >= least.to_centre - least.radius) continue;
-        first = corner;
-        least = distance;
+        if (distance.to_centre - distance.radius >= least) continue;
+        nearest = corner;
+        least = distance.to_centre - distance.radius;
     }
+    return topology.origin(nearest) == infinite ? Topology::next(nearest) : nearest;
+}
+
+/// Walks toward the site nearest to the centre of q, from the origin of a half-edge; as far as
+/// asking few neighbours of each site on the way leads. As cells are star-shaped, every site but
+/// the nearest has a neighbour that is nearer: the one whose cell the segment to q's centre enters.
+template <class Kernel>
+[[nodiscard]] Approach locate_nearest(const Topology& topology, Kernel& kernel, HalfEdge from,
+                                      Index q) {
+    HalfEdge first = from;
     Index nearest = topology.origin(first);
+    auto least = kernel.distance(q, nearest);
     Index before = infinite;
     HalfEdge next = first;
     double to_next = std::numeric_limits<double>::infinity();
     for (Index steps = topology.faces(); Kernel::is_exact || steps >= 0; --steps) {
         const Index start = nearest;
+        int asked = 0;
         for (const HalfEdge h : topology.fan(first)) {
+            if (asked++ == few_neighbours) [[unlikely]]
+                return {next, false};
             const Index v = topology.target(h);
             if (v == infinite || v == before) continue;
             const auto distance = kernel.distance(q, v);
@@ -75,7 +96,7 @@ template <class Kernel>
                 next = h;
             }
         }
-        if (nearest == start) return next;
+        if (nearest == start) return {next, true};
     }
     throw BrokenStructure("the walk to a site went in circles");
 }

@@ -102,20 +102,31 @@ class AdditiveKernel {
                                  const additive::Distance& to_b) noexcept {
         if constexpr (arithmetic == Arithmetic::exact) {
             const filters::Verdict verdict = additive::nearer(to_a, to_b);
-            if (verdict.is_certain()) [[likely]]
+            if (verdict.is_certain()) [[likely]] {
+                tally_.count_nearer();
                 return decide({verdict.sign(), Stage::filter});
+            }
         }
         return is_nearer(q, a, b);
     }
     /// Whether the centre of q is nearer to a than to b.
     [[nodiscard]] bool is_nearer(Index q, Index a, Index b) noexcept {
+        tally_.count_nearer();
         return decide(
             Predicates::nearer(centre(q), site(a), site(b), {site(a).rank, site(b).rank}));
     }
     /// Whether the point is nearer to a than to b, ties going to the earlier site.
-    [[nodiscard]] bool nearer(Point point, Index a, Index b) const noexcept {
+    [[nodiscard]] bool nearer(Point point, Index a, Index b) noexcept {
+        tally_.count_nearer();
         return Predicates::nearer(point, site(a), site(b), {site(a).rank, site(b).rank}).sign > 0;
     }
+    /// The same where a is no site of the tessellation, and first in the tie rule's order.
+    [[nodiscard]] bool would_be_nearer(Point point, const Site& a, Index b) noexcept {
+        tally_.count_nearer();
+        return Predicates::nearer(point, a, site(b), {0, 1}).sign > 0;
+    }
+    /// The third number of a site: the greater, the nearer it is to everything.
+    [[nodiscard]] double weight(Index i) const noexcept { return site(i).r; }
 
     [[nodiscard]] const RankedSite& site(Index i) const noexcept { return sites_[i]; }
     [[nodiscard]] Point centre(Index i) const noexcept { return {sites_[i].x, sites_[i].y}; }

@@ -33,12 +33,7 @@ class PowerKernel {
 
     /// The site that the kernel takes for this one.
     [[nodiscard]] static S rounded(const Site& given) noexcept {
-        const Site site = predicates::rounded<arithmetic>(given);
-        if constexpr (std::is_same_v<S, Point>) {
-            return {site.x, site.y};
-        } else {
-            return {site.x, site.y, site.r};
-        }
+        return made_of(predicates::rounded<arithmetic>(given));
     }
 
     /// Neither array is copied.
@@ -81,10 +76,20 @@ class PowerKernel {
     }
 
     /// Whether the point is nearer to a than to b, ties going to the earlier site.
-    [[nodiscard]] bool nearer(Point point, Index a, Index b) const noexcept {
+    [[nodiscard]] bool nearer(Point point, Index a, Index b) noexcept {
+        tally_.count_nearer();
         const Sign sign = nearer_sign(point, site(a), site(b));
         return sign != 0 ? sign > 0 : precedes(a, b);
     }
+    /// The same where a is no site of the tessellation, and first in the tie rule's order. Its
+    /// third number is what weight() says of a site.
+    [[nodiscard]] bool would_be_nearer(Point point, const Site& a, Index b) noexcept {
+        tally_.count_nearer();
+        return nearer_sign(point, made_of(a), site(b)) >= 0;
+    }
+    /// The third number of a site, without its sign where that does not matter: the greater, the
+    /// nearer the site is to everything.
+    [[nodiscard]] double weight(Index i) const noexcept { return power::weight_key(site(i)); }
 
     [[nodiscard]] const S& site(Index i) const noexcept { return sites_[i]; }
     [[nodiscard]] Point centre(Index i) const noexcept { return power::centre(sites_[i]); }
@@ -92,6 +97,14 @@ class PowerKernel {
 
  private:
     using Number = predicates::NumberOf<arithmetic>;
+
+    [[nodiscard]] static S made_of(const Site& site) noexcept {
+        if constexpr (std::is_same_v<S, Point>) {
+            return {site.x, site.y};
+        } else {
+            return {site.x, site.y, site.r};
+        }
+    }
 
     [[nodiscard]] Sign orientation(const S& a, const S& b, const S& q) noexcept {
         tally_.count_ccw();
