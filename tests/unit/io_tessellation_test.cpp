@@ -85,7 +85,8 @@ TEST(WriteJson, WritesStatisticsOnRequest) {
     EXPECT_NE(
         json(tessellation(), options)
             .find(",\n\"statistics\": {\"ccw\": null, \"in_circle\": null, \"filtered\": null, "
-                  "\"refined\": null, \"exact\": null, \"essa\": null, \"multiprecision\": null, \"ties\": null, "
+                  "\"refined\": null, \"exact\": null, \"essa\": null, \"multiprecision\": null, "
+                  "\"ties\": null, "
                   "\"flips\": null, \"events\": null, \"seconds\": 0.5}}\n"),
         std::string::npos);
     Statistics counted;
@@ -93,13 +94,13 @@ TEST(WriteJson, WritesStatisticsOnRequest) {
     counted.ccw = 1;
     counted.multiprecision = std::numeric_limits<std::uint64_t>::max();
     counted.seconds = 1e-7;
-    EXPECT_NE(
-        json(Tessellation(triangle(), std::vector<Site>(4), counted), options)
-            .find("{\"ccw\": 1, \"in_circle\": 0, \"filtered\": 0, \"refined\": 0, \"exact\": 0, \"essa\": 0, "
-                  "\"multiprecision\": 18446744073709551615, \"ties\": 0, \"flips\": 0, "
-                  "\"events\": 0, "
-                  "\"seconds\": 1e-07}}\n"),
-        std::string::npos);
+    EXPECT_NE(json(Tessellation(triangle(), std::vector<Site>(4), counted), options)
+                  .find("{\"ccw\": 1, \"in_circle\": 0, \"filtered\": 0, \"refined\": 0, "
+                        "\"exact\": 0, \"essa\": 0, "
+                        "\"multiprecision\": 18446744073709551615, \"ties\": 0, \"flips\": 0, "
+                        "\"events\": 0, "
+                        "\"seconds\": 1e-07}}\n"),
+              std::string::npos);
 }
 
 TEST(WriteJson, WritesVerticesOnRequest) {

@@ -531,18 +531,17 @@ TEST(TriangulateOptions, SeedChangesNothing) {
 TEST(TriangulateOptions, StatisticsAreZeroUnlessCounted) {
     const Statistics s = triangulate(many(500), Power{}).statistics();
     EXPECT_FALSE(s.counted);
-    EXPECT_EQ(s.ccw + s.in_circle + s.filtered + s.refined + s.exact + s.essa + s.multiprecision +
-                  s.ties,
-              0U);
+    EXPECT_EQ(
+        s.ccw + s.in_circle + s.filtered + s.refined + s.exact + s.essa + s.multiprecision + s.ties,
+        0U);
     EXPECT_GE(s.seconds, 0.0);
 }
 
 TEST(TriangulateOptions, StatisticsAddUp) {
     Random random(11);
     for (const Family& family : families)
-        for (const Arithmetic arithmetic :
-             {Arithmetic::exact, Arithmetic::interval, Arithmetic::sum,
-              Arithmetic::multiprecision}) {
+        for (const Arithmetic arithmetic : {Arithmetic::exact, Arithmetic::interval,
+                                            Arithmetic::sum, Arithmetic::multiprecision}) {
             std::vector<Site> sites;
             for (int i = 0; i < 150; ++i) sites.push_back(family.draw(random));
             Options options;
