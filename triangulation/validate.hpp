@@ -43,7 +43,8 @@ struct ValidationOptions {
 ///
 /// O(n log n) where few sites are as near to a hidden one's centre as the site that hides it. Sites
 /// in general position take no longer than their construction; ties are decided in rationals, and a
-/// grid takes some ten (power) to a hundred times as long. Source: the heads of check/*.hpp.
+/// grid of points takes some five times as long (power, Euclidean), thirty (supremum) or seventy
+/// (Manhattan). Source: the heads of check/*.hpp.
 [[nodiscard]] Validation validate(const TessellationArrays& arrays, StridedSites sites,
                                   const ValidationOptions& options = {});
 

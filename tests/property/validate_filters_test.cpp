@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -69,6 +70,9 @@ Validation in_rationals(const TessellationArrays& arrays, const Sites& sites) {
     const exact::IeeeEnvironment environment;
     switch (arrays.metric) {
         case Metric::euclidean:
+            if (std::all_of(sites.begin(), sites.end(),
+                            [&](const Site& site) { return site.r == sites[0].r; }))
+                return PowerCheck<power::Site, PowerInRationals, Anywhere>(arrays, sites, {}).run();
             return AdditiveCheck<euclidean::Perturbed<rationals>, Anywhere>(arrays, sites, {})
                 .run();
         case Metric::manhattan:
