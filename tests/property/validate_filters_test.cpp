@@ -137,7 +137,7 @@ const std::array kinds = {
                          any_double(from.random())};
          }}};
 
-/// Changes one number, or the order of two.
+/// Changes a number or an order.
 void corrupt(TessellationArrays& arrays, Random& random) {
     const auto any_of = [&](auto& list) -> auto& {
         return list[at(random.below(static_cast<int>(list.size())))];
@@ -156,8 +156,11 @@ void corrupt(TessellationArrays& arrays, Random& random) {
         case 3:
             arrays.neighbours.clear();
             break;
-        default:
-            break;
+        default:  // no error, but not the order of the library's own arrays
+            if (arrays.faces.empty()) break;
+            const std::size_t f = at(random.below(static_cast<int>(arrays.faces.size())));
+            for (Face* face : {&arrays.faces[f], &arrays.neighbours[f]})
+                std::rotate(face->begin(), face->begin() + 1, face->end());
     }
 }
 
