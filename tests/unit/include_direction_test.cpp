@@ -178,9 +178,10 @@ TEST(IncludeDirection, DrawingsHaveNoCircle) {
 
 TEST(IncludeDirection, EveryRoomOfTriangulationIsDrawn) {
     for (const auto& entry : fs::directory_iterator(root / "triangulation"))
-        if (entry.is_directory())
+        if (entry.is_directory()) {
             EXPECT_TRUE(allowed_in_triangulation().contains(entry.path().filename().string()))
                 << entry.path();
+        }
 }
 
 TEST(IncludeDirection, EveryFolderWithAHeaderIsKnown) {
