@@ -61,7 +61,7 @@ CLI::Option* add_weight_is(CLI::App& command, std::string& weight_is) {
 }
 
 void check_weight_is(const std::string& weight_is, Metric metric) {
-    if (weight_is.empty() || metric == Metric::power) return;
+    if (weight_is.empty() || traits_of(metric).has_weights) return;
     throw CallError(
         fmt::format("--weight-is {}: only the power metric has weights, and this is --metric {}; "
                     "leave --weight-is out, or add --metric power",

@@ -12,12 +12,8 @@
 
 #include "../io/number.hpp"
 #include "../io/output_file.hpp"
-#include "../predicates/additive.hpp"
 #include "../predicates/ccw.hpp"
-#include "../predicates/euclidean.hpp"
-#include "../predicates/manhattan.hpp"
-#include "../predicates/power.hpp"
-#include "../predicates/supremum.hpp"
+#include "../triangulation/kernels/predicates_of.hpp"
 
 #include "commands.hpp"
 
@@ -85,21 +81,16 @@ Decision in_circle_of_discs(const Site& i, const Site& j, const Site& k, const S
                      : euclidean::in_circle_decision(i, j, k, q, ranks);
 }
 
-/// Precondition: not power, whose sites are of other types.
-Predicates predicates_of(Metric metric) {
+Predicates predicates_in(Euclidean metric) {
     using Discs = euclidean::Perturbed<>;
-    switch (metric) {
-        case Metric::euclidean:
-            return {"circle",      expansions,         Discs::hides,
-                    Discs::exists, in_circle_of_discs, Discs::in_circle};
-        case Metric::manhattan:
-            return rectangular_predicates<rectangular::Manhattan>("diamond");
-        case Metric::supremum:
-            return rectangular_predicates<rectangular::Supremum>("square");
-        case Metric::power:
-            break;
-    }
-    throw CallError("no such metric");
+    return {metric.traits.circle, expansions,         Discs::hides,
+            Discs::exists,        in_circle_of_discs, Discs::in_circle};
+}
+
+template <triangulation::Rectangular M>
+Predicates predicates_in(M metric) {
+    using Directions = typename triangulation::PredicatesOf<M>::Directions;
+    return rectangular_predicates<Directions>(metric.traits.circle);
 }
 
 std::vector<double> numbers_of(const Call& call, std::size_t needed, std::string_view meaning) {
@@ -254,9 +245,14 @@ Answer decide(const Call& call) {
     if (call.predicate == "ccw") return decide_ccw(call);
     const Metric metric = metric_of(call.metric);
     check_weight_is(call.weight_is, metric);
-    if (metric != Metric::power) return decide_additively(call, predicates_of(metric));
-    return call.weight_is == "weight" ? decide_in_power<power::Site>(call)
-                                      : decide_in_power<Site>(call);
+    return with_metric(metric, [&]<class M>(M each) {
+        if constexpr (M::traits.edges_are_straight) {
+            return call.weight_is == name_of(WeightIs::weight) ? decide_in_power<power::Site>(call)
+                                                               : decide_in_power<Site>(call);
+        } else {
+            return decide_additively(call, predicates_in(each));
+        }
+    });
 }
 
 /// The sign and the stage to standard output, words about them to standard error.

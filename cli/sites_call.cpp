@@ -41,7 +41,7 @@ InputSites read_input(const SitesCall& call) {
     check_weight_is(call.weight_is, metric);
     InputSites sites = {read_sites(call.input), WeightIs::radius};
     sites.third = sites.file.third.value_or(WeightIs::radius);
-    if (sites.third == WeightIs::weight && metric != Metric::power) {
+    if (sites.third == WeightIs::weight && !traits_of(metric).has_weights) {
         throw CallError(
             fmt::format("{}: its header says weight, and the {} metric has radii alone; name the "
                         "column radius, or add --metric power",

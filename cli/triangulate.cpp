@@ -35,22 +35,17 @@ struct Call : SitesCall {
 };
 
 Method method_of(const std::string& name, Metric metric) {
-    if (name == name_of(Method::flips)) {
-        if (metric == Metric::power) return Method::flips;
-        throw CallError(
-            fmt::format("--method flips: only the power metric is built by flips, and this is "
-                        "--metric {}; leave --method out, or add --metric power",
-                        name_of(metric)));
+    const Method method =
+        *std::ranges::find_if(all_methods, [&](Method each) { return name_of(each) == name; });
+    if (builds(method, metric)) return method;
+    std::vector<std::string_view> built;
+    for (const Metric other : all_metrics) {
+        if (builds(method, other)) built.push_back(name_of(other));
     }
-    if (name == name_of(Method::sweep)) {
-        if (metric == Metric::manhattan || metric == Metric::supremum) return Method::sweep;
-        throw CallError(
-            fmt::format("--method sweep: only the manhattan and supremum metrics are built by a "
-                        "sweep, and this is --metric {}; leave --method out, or add --metric "
-                        "supremum",
-                        name_of(metric)));
-    }
-    return Method::incremental;
+    throw CallError(
+        fmt::format("--method {} builds only {}, and this is --metric {}; leave --method out, or "
+                    "add --metric {}",
+                    name, fmt::join(built, " and "), name_of(metric), built.back()));
 }
 
 bool is_written(const Call& call, std::string_view ending) {

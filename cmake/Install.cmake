@@ -10,7 +10,8 @@ set(public_headers
   exact/sign_of_sum.hpp
   predicates/ccw.hpp predicates/power.hpp predicates/euclidean.hpp predicates/manhattan.hpp
   predicates/supremum.hpp predicates/arithmetic.hpp
-  triangulation/metric.hpp triangulation/tessellation.hpp triangulation/triangulate.hpp
+  triangulation/metric.hpp triangulation/arrays.hpp triangulation/options.hpp
+  triangulation/tessellation.hpp triangulation/triangulate.hpp
   triangulation/validate.hpp triangulation/vertices.hpp triangulation/dynamic.hpp
   triangulation/edge_list.hpp triangulation/space.hpp
   voronoi/voronoi.hpp voronoi/curve.hpp voronoi/conic.hpp voronoi/clip.hpp voronoi/polygon.hpp
@@ -24,7 +25,8 @@ set(headers_behind
   predicates/euclidean/discs.hpp predicates/euclidean/filter.hpp
   predicates/power/edge.hpp predicates/power/in_circle.hpp predicates/power/infinite.hpp
   predicates/power/ties.hpp predicates/power/weight.hpp
-  predicates/rectangular/forms.hpp predicates/rectangular/squares.hpp)
+  predicates/rectangular/forms.hpp predicates/rectangular/squares.hpp
+  triangulation/structure/corners.hpp triangulation/structure/cycle.hpp)
 foreach(header IN LISTS public_headers headers_behind)
   cmake_path(GET header PARENT_PATH folder)
   install(FILES "${header}" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/signum/${folder}")

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace signum {
 namespace {
@@ -26,28 +27,35 @@ double additive_radius(const Site& site, WeightIs /*weight_is*/) {
     return std::max(site.r, 0.0);
 }
 
+/// An outline and the norm in which it is one.
+struct Unit {
+    Outline outline;
+    double (*norm)(Point vector);
+};
+
+Unit unit_in(Power /*metric*/) {
+    return {disc_outline(), euclidean_norm};
+}
+Unit unit_in(Euclidean /*metric*/) {
+    return {disc_outline(), euclidean_norm};
+}
+Unit unit_in(Manhattan /*metric*/) {
+    return {diamond_outline(), manhattan_norm};
+}
+Unit unit_in(Supremum /*metric*/) {
+    return {square_outline(), supremum_norm};
+}
+
 }  // namespace
 
 const Shapes& shapes_of(Metric metric) noexcept {
-    static const Shapes power_shapes = {"disc", "power cells", disc_outline(), euclidean_norm,
-                                        power_radius};
-    static const Shapes euclidean_shapes = {"disc", "Euclidean cells", disc_outline(),
-                                            euclidean_norm, additive_radius};
-    static const Shapes manhattan_shapes = {"diamond", "Manhattan cells", diamond_outline(),
-                                            manhattan_norm, additive_radius};
-    static const Shapes supremum_shapes = {"square", "supremum cells", square_outline(),
-                                           supremum_norm, additive_radius};
-    switch (metric) {
-        case Metric::euclidean:
-            return euclidean_shapes;
-        case Metric::manhattan:
-            return manhattan_shapes;
-        case Metric::supremum:
-            return supremum_shapes;
-        case Metric::power:
-            break;
-    }
-    return power_shapes;
+    return with_metric(metric, []<class M>(M each) -> const Shapes& {
+        static const std::string cells = std::string(M::traits.title) + " cells";
+        static const Shapes shapes = {M::traits.site, cells, unit_in(each).outline,
+                                      unit_in(each).norm,
+                                      M::traits.has_weights ? power_radius : additive_radius};
+        return shapes;
+    });
 }
 
 }  // namespace signum

@@ -5,12 +5,10 @@
 /// under the denormals (the caller checks the window):
 ///  1. results are normalized, |low| <= u |high|;
 ///  2. |x + y - exact| <= 4 u² (|x| + |y|): fl(xl + yl) errs by u (|xl| + |yl|) <= u² (|x| + |y|),
-///  the
-///     next sum by u (|error of xh + yh| + |xl + yl|) <= 2u² (|x| + |y|), terms in u³ fill the
+///     the next sum by u (|error of xh + yh| + |xl + yl|) <= 2u² (|x| + |y|), terms in u³ fill the
 ///     rest;
 ///  3. |x · y - exact| <= 9 u² |x y|: the dropped xl·yl is u², the two cross products err by u²
-///  each,
-///     their sum by 2u², the last addition by 3u², terms in u³ fill the rest.
+///     each, their sum by 2u², the last addition by 3u², terms in u³ fill the rest.
 /// So every operation commits a relative error of at most double_double_epsilon against the
 /// magnitudes of its operands.
 

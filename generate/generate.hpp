@@ -5,8 +5,7 @@
 /// Laws:
 ///  1. The same options give the same doubles on every platform and with every standard library.
 ///  2. Centres, radii and perturbations of one seed do not depend on one another: other radii leave
-///  the
-///     centres as they are.
+///     the centres as they are.
 /// The square is [0, 700]²; everything random comes from std::mt19937_64 and is mapped to doubles
 /// here.
 ///

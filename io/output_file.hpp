@@ -2,8 +2,7 @@
 /// A file that is written beside its place and renamed into it when it is complete.
 ///
 /// Laws:
-///  1. Under its name there is never a part of a file: the old contents, or none, or all of the
-///  new.
+///  1. Under its name there is never a part of a file: the old contents, none, or all of the new.
 ///  2. A file that is not published leaves nothing behind, after an exception or, when the program
 ///     calls remove_unfinished_files() from its signal handlers, after a signal.
 ///  3. Every failure to write is a MachineError that names the file and the reason.

@@ -4,8 +4,7 @@
 /// Laws:
 ///  1. Without statistics the bytes depend on the tessellation alone.
 ///  2. Numbers are written so that reading them gives the same double; what is beyond a double's
-///  range
-///     and what was not counted is null.
+///     range and what was not counted is null.
 
 #include <ostream>
 

@@ -7,7 +7,7 @@ void write_obj(std::ostream& out, const Tessellation& tessellation) {
     TextWriter text(out);
     text.put(FMT_COMPILE("# signum: {} tessellation, a vertex a site\n"),
              name_of(tessellation.metric()));
-    if (tessellation.metric() != Metric::power) {
+    if (!traits_of(tessellation.metric()).edges_are_straight) {
         text.put("# edges are curved in this metric; drawn straight, faces may overlap or turn\n");
     }
     for (const Site& site : tessellation.sites()) {

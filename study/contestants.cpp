@@ -31,7 +31,7 @@ std::vector<Site> sites_of(const Setting& setting, std::size_t seed) {
 
 std::optional<Options> options_named(const std::string& name) {
     Options options;
-    for (const Method method : {Method::incremental, Method::flips, Method::sweep})
+    for (const Method method : all_methods)
         if (name_of(method) == name) {
             options.method = method;
             return options;

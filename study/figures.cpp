@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include "../triangulation/metric.hpp"
+
 namespace signum::study {
 namespace {
 
@@ -18,12 +20,16 @@ using Names = std::vector<std::string>;
 const Names four = {"random", "circle", "square", "grid"};
 const Names eight = {"random", "circle", "square", "grid", "lattice", "rings", "offset", "tangent"};
 const Names hard = {"random", "circle", "rings", "lattice", "offset", "tangent"};
+const Names metrics = [] {
+    Names names;
+    for (const Metric metric : all_metrics) names.emplace_back(name_of(metric));
+    return names;
+}();
 
 /// A distribution, a metric and an arithmetic look the same in all figures.
 int style_of(const std::string& name) {
     static const std::array<Names, 3> families = {
-        eight, Names{"power", "euclidean", "manhattan", "supremum"},
-        Names{"exact", "naive", "single", "interval", "sum", "multiprecision"}};
+        eight, metrics, Names{"exact", "naive", "single", "interval", "sum", "multiprecision"}};
     for (const Names& family : families) {
         const auto found = std::find(family.begin(), family.end(), name);
         if (found != family.end()) return static_cast<int>(found - family.begin()) + 1;
@@ -107,8 +113,6 @@ class Results {
  private:
     const std::vector<Row>& rows_;
 };
-
-const Names metrics = {"power", "euclidean", "manhattan", "supremum"};
 
 std::string capital(std::string name) {
     if (!name.empty()) name[0] = static_cast<char>(std::toupper(name[0]));

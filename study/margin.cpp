@@ -6,9 +6,10 @@
 
 #include "../exact/multiprecision.hpp"
 #include "../predicates/additive.hpp"
-#include "../predicates/euclidean.hpp"
 #include "../predicates/power.hpp"
 #include "../predicates/rectangular/squares.hpp"
+#include "../triangulation/kernels/predicates_of.hpp"
+#include "inner_edges.hpp"
 
 namespace signum::study {
 namespace {
@@ -79,14 +80,6 @@ Sum<Number> power_sum(const std::array<const Site*, 4>& sites, WeightIs weight_i
         magnitude += height * (absolute(Number(b.x * c.y)) + absolute(Number(c.x * b.y)));
     }
     return {absolute(Number(power::in_circle_determinant(row[0], row[1], row[2]))), magnitude};
-}
-
-bool is_power_tie(const std::array<const Site*, 4>& sites, WeightIs weight_is) {
-    const auto& [i, j, k, q] = sites;
-    if (weight_is == WeightIs::radius) return power::in_circle_decision(*i, *j, *k, *q).sign == 0;
-    const auto weighted = [](const Site& s) { return power::Site{s.x, s.y, s.r}; };
-    return power::in_circle_decision(weighted(*i), weighted(*j), weighted(*k), weighted(*q)).sign ==
-           0;
 }
 
 // ---- Euclidean ---------------------------------------------------------------------------------
@@ -172,11 +165,6 @@ double euclidean_margin(const std::array<const Site*, 4>& sites) {
            ((std::abs(a) + root) * whole);
 }
 
-bool is_euclidean_tie(const std::array<const Site*, 4>& sites, const std::array<Index, 4>& ranks) {
-    const auto& [i, j, k, q] = sites;
-    return euclidean::in_circle_decision(*i, *j, *k, *q, ranks).sign == 0;
-}
-
 // ---- supremum and Manhattan --------------------------------------------------------------------
 
 /// How far q, the last of the four, stays outside the square of the others, at the side where it
@@ -204,43 +192,57 @@ Sum<Number> rectangular_sum(const std::array<const Site*, 4>& sites,
     return {absolute(gap), magnitude};
 }
 
-template <class Directions>
-double rectangular_margin(const std::array<const Site*, 4>& sites,
-                          const std::array<Index, 4>& ranks) {
-    const auto& [i, j, k, q] = sites;
-    if (rectangular::in_circle_decision<Directions>(*i, *j, *k, *q, ranks).sign == 0) return 0.0;
-    rectangular::Forms<Directions, rectangular::Sums::exact, 4> forms(sites, ranks);
-    const rectangular::Touching square = rectangular::touching(forms);
-    const auto fast = rectangular_sum<Directions, double>(sites, square);
-    return is_certain(fast) ? margin(fast)
-                            : margin(rectangular_sum<Directions, Rational>(sites, square));
+// ---- all ---------------------------------------------------------------------------------------
+
+/// A call of in_circle: the sites of a face and the one across an edge.
+struct Call {
+    const Tessellation& tessellation;
+    std::array<Index, 4> numbers;
+    std::array<const Site*, 4> sites;
+};
+
+bool is_tie(const Call& call) {
+    return triangulation::touches(call.tessellation.metric(), call.tessellation.weight_is(),
+                                  call.sites, call.numbers);
 }
 
-// ------------------------------------------------------------------------------------------------
+double margin_in(Power /*metric*/, const Call& call) {
+    const WeightIs weight_is = call.tessellation.weight_is();
+    const auto fast = power_sum<double>(call.sites, weight_is);
+    if (is_certain(fast)) return margin(fast);
+    return is_tie(call) ? 0.0 : margin(power_sum<Rational>(call.sites, weight_is));
+}
+
+double margin_in(Euclidean /*metric*/, const Call& call) {
+    const auto fast = rounded_euclidean_sum(call.sites);
+    if (is_certain(fast)) return margin(fast);
+    return is_tie(call) ? 0.0 : euclidean_margin(call.sites);
+}
+
+template <triangulation::Rectangular M>
+double margin_in(M /*metric*/, const Call& call) {
+    using Directions = typename triangulation::PredicatesOf<M>::Directions;
+    if (is_tie(call)) return 0.0;
+    rectangular::Forms<Directions, Arithmetic::exact, 4> forms(
+        call.sites, additive::ranks_of<4>(call.sites, call.numbers));
+    const rectangular::Touching square = rectangular::touching(forms);
+    const auto fast = rectangular_sum<Directions, double>(call.sites, square);
+    return is_certain(fast) ? margin(fast)
+                            : margin(rectangular_sum<Directions, Rational>(call.sites, square));
+}
 
 /// The margin of the last of the four against the face of the others.
 double margin_of(const Tessellation& t, const std::array<Index, 4>& numbers) {
-    std::array<const Site*, 4> sites{};
-    for (std::size_t m = 0; m < 4; ++m) sites[m] = &t.sites()[static_cast<std::size_t>(numbers[m])];
-    const auto same_radius = [&] {
-        return std::all_of(sites.begin(), sites.end(),
-                           [&](const Site* s) { return s->r == sites[0]->r; });
-    };
-    // Of equal radii the Euclidean metric asks what the power metric does.
-    if (t.metric() == Metric::power || (t.metric() == Metric::euclidean && same_radius())) {
-        const auto fast = power_sum<double>(sites, t.weight_is());
-        if (is_certain(fast)) return margin(fast);
-        if (is_power_tie(sites, t.weight_is())) return 0.0;
-        return margin(power_sum<Rational>(sites, t.weight_is()));
-    }
-    const auto ranks = additive::ranks_of<4>(sites, numbers);
-    if (t.metric() == Metric::manhattan)
-        return rectangular_margin<rectangular::Manhattan>(sites, ranks);
-    if (t.metric() == Metric::supremum)
-        return rectangular_margin<rectangular::Supremum>(sites, ranks);
-    const auto fast = rounded_euclidean_sum(sites);
-    if (is_certain(fast)) return margin(fast);
-    return is_euclidean_tie(sites, ranks) ? 0.0 : euclidean_margin(sites);
+    Call call = {t, numbers, {}};
+    for (std::size_t m = 0; m < 4; ++m)
+        call.sites[m] = &t.sites()[static_cast<std::size_t>(numbers[m])];
+    return with_metric(t.metric(), [&]<class M>(M metric) {
+        // Of equal radii such a metric asks what the power metric does.
+        if constexpr (M::traits.is_delaunay_for_equal_radii)
+            if (std::ranges::all_of(call.sites, [&](auto* s) { return s->r == call.sites[0]->r; }))
+                return margin_in(Power{}, call);
+        return margin_in(metric, call);
+    });
 }
 
 void add(Margins& margins, double margin) {
@@ -259,24 +261,8 @@ void add(Margins& margins, double margin) {
 
 Margins margins_of(const Tessellation& canonical) {
     Margins margins;
-    const auto faces = canonical.faces();
-    for (std::size_t f = 0; f < faces.size(); ++f) {
-        if (faces[f][0] == infinite) continue;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto g = static_cast<std::size_t>(canonical.neighbours()[f][k]);
-            if (g < f || faces[g][0] == infinite) continue;
-            // The corner of g that is not on the edge.
-            std::size_t across = 0;
-            while (canonical.neighbours()[g][across] != static_cast<Index>(f) ||
-                   faces[g][(across + 1) % 3] != faces[f][(k + 2) % 3])
-                ++across;
-            // Two sites with two edges and one site between them: nothing is asked.
-            if (std::find(faces[f].begin(), faces[f].end(), faces[g][across]) != faces[f].end())
-                continue;
-            add(margins,
-                margin_of(canonical, {faces[f][0], faces[f][1], faces[f][2], faces[g][across]}));
-        }
-    }
+    for (const std::array<Index, 4>& numbers : inner_edges(canonical))
+        add(margins, margin_of(canonical, numbers));
     return margins;
 }
 

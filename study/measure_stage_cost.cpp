@@ -8,13 +8,11 @@
 #include <string>
 #include <utility>
 
-#include "../predicates/euclidean.hpp"
-#include "../predicates/manhattan.hpp"
-#include "../predicates/power.hpp"
 #include "../predicates/power/multiprecision.hpp"
-#include "../predicates/supremum.hpp"
+#include "../triangulation/kernels/predicates_of.hpp"
 
 #include "contestants.hpp"
+#include "inner_edges.hpp"
 #include "work.hpp"
 
 namespace signum::study {
@@ -25,60 +23,33 @@ struct Call {
     std::array<Index, 4> ranks;
 };
 
-struct InPower {
-    static Decision decide(const Call& call) noexcept {
-        const auto& [i, j, k, q] = call.sites;
-        return power::in_circle_decision(i, j, k, q);
-    }
-    static Decision in_rationals(const Call& call) noexcept {
-        const auto& [i, j, k, q] = call.sites;
+template <class M>
+Decision decide(const Call& call) noexcept {
+    const auto& [i, j, k, q] = call.sites;
+    return triangulation::PredicatesOf<M>::in_circle(i, j, k, q, call.ranks);
+}
+
+template <class M>
+Decision decide_in_rationals(const Call& call) noexcept {
+    const auto& [i, j, k, q] = call.sites;
+    if constexpr (M::traits.edges_are_straight) {
         return {power::multiprecision::in_circle(i, j, k, q), Stage::multiprecision};
+    } else {
+        using Predicates =
+            typename triangulation::PredicatesOf<M>::template Perturbed<Arithmetic::multiprecision>;
+        return Predicates::in_circle(i, j, k, q, call.ranks);
     }
-};
-struct InEuclidean {
-    static Decision decide(const Call& call) noexcept {
-        const auto& [i, j, k, q] = call.sites;
-        return euclidean::in_circle_decision(i, j, k, q, call.ranks);
-    }
-    static Decision in_rationals(const Call& call) noexcept {
-        const auto& [i, j, k, q] = call.sites;
-        return euclidean::Perturbed<Arithmetic::multiprecision>::in_circle(i, j, k, q, call.ranks);
-    }
-};
-template <class Directions>
-struct InSquares {
-    static Decision decide(const Call& call) noexcept {
-        const auto& [i, j, k, q] = call.sites;
-        return rectangular::in_circle_decision<Directions>(i, j, k, q, call.ranks);
-    }
-    static Decision in_rationals(const Call& call) noexcept {
-        const auto& [i, j, k, q] = call.sites;
-        return rectangular::Perturbed<Directions, Arithmetic::multiprecision>::in_circle(
-            i, j, k, q, call.ranks);
-    }
-};
+}
 
 std::vector<Call> calls_of(const Tessellation& tessellation) {
     std::vector<Call> calls;
-    const auto faces = tessellation.faces();
-    const auto is_finite = [](const Face& face) { return face[0] >= 0; };
-    for (std::size_t f = 0; f < faces.size(); ++f) {
-        if (!is_finite(faces[f])) continue;
-        for (const Index neighbour : tessellation.neighbours()[f]) {
-            const auto g = static_cast<std::size_t>(neighbour);
-            if (!is_finite(faces[g]) || g < f) continue;
-            const auto* across = std::find_if(faces[g].begin(), faces[g].end(), [&](Index site) {
-                return std::find(faces[f].begin(), faces[f].end(), site) == faces[f].end();
-            });
-            if (across == faces[g].end()) continue;  // the same three sites the other way round
-            const std::array<Index, 4> numbers = {faces[f][0], faces[f][1], faces[f][2], *across};
-            Call call;
-            for (std::size_t m = 0; m < 4; ++m)
-                call.sites[m] = tessellation.sites()[static_cast<std::size_t>(numbers[m])];
-            const auto& [i, j, k, q] = call.sites;
-            call.ranks = additive::ranks_of<4>({&i, &j, &k, &q}, numbers);
-            calls.push_back(call);
-        }
+    for (const std::array<Index, 4>& numbers : inner_edges(tessellation)) {
+        Call call;
+        for (std::size_t m = 0; m < 4; ++m)
+            call.sites[m] = tessellation.sites()[static_cast<std::size_t>(numbers[m])];
+        const auto& [i, j, k, q] = call.sites;
+        call.ranks = additive::ranks_of<4>({&i, &j, &k, &q}, numbers);
+        calls.push_back(call);
     }
     return calls;
 }
@@ -86,7 +57,7 @@ std::vector<Call> calls_of(const Tessellation& tessellation) {
 using Decide = Decision (*)(const Call&) noexcept;
 
 /// Nanoseconds a call, in a loop of two milliseconds or more.
-template <Decide decide>
+template <Decide question>
 double ns_per_call(std::span<const Call> calls) {
     constexpr double long_enough = 2e-3;
     Sign sum = 0;
@@ -94,7 +65,7 @@ double ns_per_call(std::span<const Call> calls) {
     double seconds = 0.0;
     while (seconds < long_enough) {
         seconds += seconds_of([&] {
-            for (const Call& call : calls) sum += decide(call).sign;
+            for (const Call& call : calls) sum += question(call).sign;
         });
         ++passes;
     }
@@ -103,21 +74,21 @@ double ns_per_call(std::span<const Call> calls) {
     return 1e9 * seconds / (static_cast<double>(passes) * static_cast<double>(calls.size()));
 }
 
-template <class Metric>
+template <class M>
 std::vector<Row> measure_in(const Cell& cell, const Pass& pass, const std::vector<Call>& calls) {
     constexpr std::size_t few = 16;
     constexpr std::array stages = {Stage::filter, Stage::refine, Stage::exact,
                                    Stage::multiprecision};
     std::array<std::vector<Call>, 4> decided;
     for (const Call& call : calls)
-        decided[static_cast<std::size_t>(Metric::decide(call).stage)].push_back(call);
+        decided[static_cast<std::size_t>(decide<M>(call).stage)].push_back(call);
     std::vector<Contestant> contestants;
     std::vector<std::pair<Stage, const char*>> names;
     for (const Stage stage : stages) {
         const std::vector<Call>& group = decided[static_cast<std::size_t>(stage)];
         if (group.size() < few) continue;
         names.emplace_back(stage, "ns_per_call");
-        contestants.emplace_back([&group] { return ns_per_call<Metric::decide>(group); });
+        contestants.emplace_back([&group] { return ns_per_call<decide<M>>(group); });
     }
     std::vector<Row> rows;
     if (contestants.empty()) return rows;
@@ -127,7 +98,7 @@ std::vector<Row> measure_in(const Cell& cell, const Pass& pass, const std::vecto
         const std::vector<Call>& last = decided[static_cast<std::size_t>(names.back().first)];
         const std::span<const Call> group(last.data(), std::min(last.size(), enough));
         names.emplace_back(Stage::multiprecision, "ns_per_call_forced");
-        contestants.emplace_back([group] { return ns_per_call<Metric::in_rationals>(group); });
+        contestants.emplace_back([group] { return ns_per_call<decide_in_rationals<M>>(group); });
     }
     const Race race = race_of(contestants, cell, pass);
     for (std::size_t i = 0; i < names.size(); ++i)
@@ -140,17 +111,7 @@ std::vector<Row> measure_in(const Cell& cell, const Pass& pass, const std::vecto
 std::vector<Row> measure_stage_cost(const Cell& cell, const Pass& pass) {
     const Metric metric = metric_named(cell.setting.metric).value();
     const std::vector<Call> calls = calls_of(triangulate(sites_of(cell.setting, 1), metric));
-    switch (metric) {
-        case Metric::power:
-            return measure_in<InPower>(cell, pass, calls);
-        case Metric::euclidean:
-            return measure_in<InEuclidean>(cell, pass, calls);
-        case Metric::manhattan:
-            return measure_in<InSquares<rectangular::Manhattan>>(cell, pass, calls);
-        case Metric::supremum:
-            return measure_in<InSquares<rectangular::Supremum>>(cell, pass, calls);
-    }
-    return {};
+    return with_metric(metric, [&]<class M>(M) { return measure_in<M>(cell, pass, calls); });
 }
 
 }  // namespace signum::study

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "../generate/generate.hpp"
+#include "../triangulation/options.hpp"
 
 namespace signum::study {
 namespace {
@@ -73,8 +74,10 @@ std::vector<Cell> plan(const Scope& scope) {
     const auto pick = [&](const Counts& quick, const Counts& full) {
         return scope.quick ? quick : full;
     };
-    const auto has = [&](Metric metric) {
-        return std::find(scope.metrics.begin(), scope.metrics.end(), metric) != scope.metrics.end();
+    const auto built_by = [&](Method method) {
+        std::vector<Metric> metrics = scope.metrics;
+        std::erase_if(metrics, [&](Metric metric) { return !builds(method, metric); });
+        return metrics;
     };
     // The thesis's radii: 1 to 10 for random sites, the same for all where all is degenerate.
     const auto radii_of = [](Distribution distribution) {
@@ -127,29 +130,27 @@ std::vector<Cell> plan(const Scope& scope) {
                       radii_of(distribution), {});
 
     // Figures 6.7.1 and 6.7.2: from Delaunay to power by flips.
-    if (has(Metric::power))
+    for (const Metric metric : built_by(Method::flips))
         for (const Distribution distribution : four)
             for (const std::int64_t sites :
                  pick({100, 300, 1000, 3000}, {100, 200, 500, 1000, 2000, 3000, 10000, 100000}))
-                cells.add("flips", Work::construction, Metric::power, distribution, sites, 0.0,
-                          small, {"incremental", "flips"});
+                cells.add("flips", Work::construction, metric, distribution, sites, 0.0, small,
+                          {"incremental", "flips"});
 
     // The same where radii shrink with the distances, so that the discs intersect no more often.
-    if (has(Metric::power))
+    for (const Metric metric : built_by(Method::flips))
         for (const std::int64_t sites : pick({100, 300, 1000, 3000}, {100, 300, 1000, 3000, 10000}))
-            cells.add("flips_scaled", Work::construction, Metric::power, Distribution::random,
-                      sites, 0.0, {0.01, 100.0 / std::sqrt(static_cast<double>(sites))},
+            cells.add("flips_scaled", Work::construction, metric, Distribution::random, sites, 0.0,
+                      {0.01, 100.0 / std::sqrt(static_cast<double>(sites))},
                       {"incremental", "flips"});
 
     // Figure 5.7.2: the sweep.
-    for (const Metric metric : {Metric::manhattan, Metric::supremum})
-        if (has(metric))
-            for (const Distribution distribution : four)
-                for (const std::int64_t sites :
-                     pick({1000, 3000, 10000},
-                          {1000, 2000, 4000, 6000, 8000, 10000, 100000, 1000000}))
-                    cells.add("sweep", Work::construction, metric, distribution, sites, 0.0, small,
-                              {"incremental", "sweep"});
+    for (const Metric metric : built_by(Method::sweep))
+        for (const Distribution distribution : four)
+            for (const std::int64_t sites :
+                 pick({1000, 3000, 10000}, {1000, 2000, 4000, 6000, 8000, 10000, 100000, 1000000}))
+                cells.add("sweep", Work::construction, metric, distribution, sites, 0.0, small,
+                          {"incremental", "sweep"});
 
     for (const Metric metric : scope.metrics)
         for (const std::int64_t sites : pick({1000, 10000}, {1000, 10000, 100000}))
@@ -169,7 +170,7 @@ std::vector<Cell> plan(const Scope& scope) {
               {100, 200, 300, 500, 700, 1000, 3000, 10000, 30000, 100000, 300000, 1000000}))
         for (const Metric metric : scope.metrics)
             for (const Distribution distribution : four) {
-                if (scope.quick && sites > 10000 && metric != Metric::power) continue;
+                if (scope.quick && sites > 10000 && !traits_of(metric).edges_are_straight) continue;
                 cells.add("sites", Work::construction, metric, distribution, sites, 0.0,
                           radii_of(distribution), {"naive", "exact", "interval", "single"});
             }

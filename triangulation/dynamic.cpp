@@ -22,6 +22,7 @@
 #include "insertion/insert.hpp"
 #include "kernels/additive_kernel.hpp"
 #include "kernels/power_kernel.hpp"
+#include "kernels/predicates_of.hpp"
 #include "structure/assemble.hpp"
 #include "triangulate.hpp"
 
@@ -442,23 +443,14 @@ class DynamicTessellation::State {
  public:
     State(Metric metric, WeightIs weight_is) {
         using namespace triangulation;
-        switch (metric) {
-            case Metric::euclidean:
-                live_ = std::make_unique<LiveAdditive<euclidean::Perturbed>>(metric);
-                return;
-            case Metric::manhattan:
-                live_ = std::make_unique<LiveAdditive<manhattan::Perturbed>>(metric);
-                return;
-            case Metric::supremum:
-                live_ = std::make_unique<LiveAdditive<supremum::Perturbed>>(metric);
-                return;
-            case Metric::power:
-                break;
-        }
-        if (weight_is == WeightIs::weight)
-            live_ = std::make_unique<LivePower<power::Site>>(metric);
-        else
-            live_ = std::make_unique<LivePower<signum::Site>>(metric);
+        with_metric(metric, [&]<class M>(M) {
+            if constexpr (!M::traits.edges_are_straight)
+                live_ = std::make_unique<LiveAdditive<PredicatesOf<M>::template Perturbed>>(metric);
+            else if (weight_is == WeightIs::weight)
+                live_ = std::make_unique<LivePower<power::Site>>(metric);
+            else
+                live_ = std::make_unique<LivePower<signum::Site>>(metric);
+        });
     }
 
     template <class Visit>
@@ -486,9 +478,8 @@ void check(double value) {
 }  // namespace
 
 DynamicTessellation::DynamicTessellation(Metric metric, WeightIs weight_is) {
-    if (metric != Metric::power && weight_is == WeightIs::weight)
-        throw std::invalid_argument("sites of the " + std::string(name_of(metric)) +
-                                    " metric have radii, not weights");
+    if (weight_is == WeightIs::weight && !traits_of(metric).has_weights)
+        throw std::invalid_argument(no_weights(metric));
     state_ = std::make_unique<State>(metric, weight_is);
 }
 DynamicTessellation::DynamicTessellation(DynamicTessellation&&) noexcept = default;

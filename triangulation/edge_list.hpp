@@ -6,9 +6,8 @@
 /// is face v of the tessellation, cell s is site s; the cell of -1 is what lies at infinity, and
 /// the vertices of infinite faces lie there. Laws:
 ///  1. A half-edge leads from its origin to that of its twin, its cell on its left, and the next
-///  one
-///     goes on around that cell. With those at infinity they cover the sphere: 2n-2 vertices, 3n-3
-///     edges and n+1 cells for n >= 2 visible sites; none for fewer.
+///     one goes on around that cell. With those at infinity they cover the sphere: 2n-2 vertices,
+///     3n-3 edges and n+1 cells for n >= 2 visible sites; none for fewer.
 ///  2. Half-edges 3v, 3v+1 and 3v+2 leave vertex v, counterclockwise; every vertex has three, also
 ///     where sites are cocircular and vertices coincide.
 ///  3. A walk around a cell is counterclockwise, around infinity too, as seen from there.

@@ -1,7 +1,6 @@
 #include "metric.hpp"
 
 #include <algorithm>
-#include <string>
 
 namespace signum {
 namespace {
@@ -24,6 +23,11 @@ std::optional<Metric> metric_named(std::string_view name) {
         if (traits.name == sought || (is_alias && !sought.empty())) return traits.metric;
     }
     return std::nullopt;
+}
+
+std::string no_weights(Metric metric) {
+    return "sites of the " + std::string(traits_of(metric).title) +
+           " metric have radii, not weights";
 }
 
 }  // namespace signum

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -88,13 +89,15 @@ inline constexpr auto all_metrics = [] {
     return metrics;
 }();
 
-/// A metric as a type: chooses the metric of triangulate(), and the code of the library that is
-/// another one for each.
+/// A metric as a type, for code that is another one in each. It converts to its enumerator, so that
+/// triangulate(sites, Euclidean{}) says what it means.
 template <Metric which>
 struct MetricType {
     static constexpr Metric metric = which;
     static constexpr const MetricTraits& traits = traits_of(which);
     static_assert(traits.metric == which, "the rows follow the enumerators");
+    // NOLINTNEXTLINE(google-explicit-constructor): for the sake of calls
+    constexpr operator Metric() const noexcept { return which; }
 };
 struct Power : MetricType<Metric::power> {};
 struct Euclidean : MetricType<Metric::euclidean> {};
@@ -128,5 +131,8 @@ decltype(auto) with_metric(Metric metric, Visit&& visit) {
 
 /// The metric of that name or alias, in capitals or not, with hyphens and underscores or not.
 [[nodiscard]] std::optional<Metric> metric_named(std::string_view name);
+
+/// What to say where sites of a metric come with weights, and it has none.
+[[nodiscard]] std::string no_weights(Metric metric);
 
 }  // namespace signum

@@ -5,8 +5,7 @@
 ///
 /// Laws:
 ///  1. No edge joins a vertex to itself; two vertices may share several edges, a vertex may have
-///  two
-///     neighbours only. A swap keeps that: one that would join a vertex to itself is refused.
+///     two neighbours only. A swap keeps that: one that would join a vertex to itself is refused.
 ///  2. Edges keep their numbers when they are swapped. Swapping the same edge twice restores the
 ///     tessellation.
 ///  3. Any tessellation of n sites reaches its reduced form in O(n) swaps, any other in O(n²).

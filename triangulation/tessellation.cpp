@@ -7,11 +7,8 @@
 
 #include "../core/contract.hpp"
 #include "../exact/floating_environment.hpp"
-#include "../predicates/additive.hpp"
-#include "../predicates/euclidean.hpp"
-#include "../predicates/manhattan.hpp"
-#include "../predicates/power.hpp"
-#include "../predicates/supremum.hpp"
+#include "../predicates/ccw.hpp"
+#include "kernels/predicates_of.hpp"
 #include "structure/corners.hpp"
 
 namespace signum {
@@ -19,40 +16,6 @@ namespace {
 
 std::size_t at(Index i) noexcept {
     return static_cast<std::size_t>(i);
-}
-
-/// Whether the point is nearer to site a than to site b, ties going to the first in the tie rule's
-/// order.
-using Nearer = bool (*)(Point point, const Site& a, Index a_index, const Site& b, Index b_index);
-
-template <power::PowerSite S>
-bool nearer_in_power(Point point, const Site& a, Index a_index, const Site& b, Index b_index) {
-    const S sa{a.x, a.y, a.r};
-    const S sb{b.x, b.y, b.r};
-    const Sign sign = power::nearer(point, sa, sb);
-    return sign != 0 ? sign > 0 : power::precedes(sa, a_index, sb, b_index);
-}
-
-/// Predicates: those of a metric with additive weights under the tie rule.
-template <class Predicates>
-bool nearer_additively(Point point, const Site& a, Index a_index, const Site& b, Index b_index) {
-    const auto ranks = additive::ranks_of<2>({&a, &b}, {a_index, b_index});
-    return Predicates::nearer(point, a, b, ranks).sign > 0;
-}
-
-Nearer nearer_of(Metric metric, WeightIs weight_is) {
-    switch (metric) {
-        case Metric::power:
-            return weight_is == WeightIs::weight ? nearer_in_power<power::Site>
-                                                 : nearer_in_power<Site>;
-        case Metric::euclidean:
-            return nearer_additively<euclidean::Perturbed<>>;
-        case Metric::manhattan:
-            return nearer_additively<manhattan::Perturbed<>>;
-        case Metric::supremum:
-            return nearer_additively<supremum::Perturbed<>>;
-    }
-    throw std::invalid_argument("no such metric");
 }
 
 void expect_finite(Point point) {
@@ -102,7 +65,8 @@ Index Tessellation::locate(Point point) const {
     expect_finite(point);
     const exact::IeeeEnvironment environment;
     if (arrays_.faces.empty()) return -1;
-    return metric() == Metric::power ? locate_straight(point) : face_of_site_[at(nearest(point))];
+    return traits_of(metric()).edges_are_straight ? locate_straight(point)
+                                                  : face_of_site_[at(nearest(point))];
 }
 
 Index Tessellation::locate_straight(Point point) const noexcept {
@@ -133,10 +97,12 @@ Index Tessellation::nearest(Point point) const {
             visible += static_cast<Index>(hidden.site == visible);
         return visible;
     }
-    const Nearer nearer = nearer_of(metric(), weight_is());
+    const auto nearer = triangulation::with_predicates(
+        metric(), weight_is(), []<class Predicates>(Predicates) { return &Predicates::nearer; });
     const auto site = [&](Index i) -> const Site& { return sites_[at(i)]; };
-    Index nearest = metric() == Metric::power ? arrays_.faces[at(locate_straight(point))][1]
-                                              : visible_sample(point);
+    Index nearest = traits_of(metric()).edges_are_straight
+                        ? arrays_.faces[at(locate_straight(point))][1]
+                        : visible_sample(point);
     // Cells are star-shaped: every site but the nearest has a neighbour that is nearer, the one
     // whose cell the segment to the point enters.
     for (Index start = -1; start != nearest;) {

@@ -29,26 +29,18 @@ void check_sites(const StridedSites& sites, const Options& options) {
 }
 
 void check_method(const StridedSites& sites, Metric metric, const Options& options) {
-    if (options.method == Method::flips && metric != Metric::power)
-        throw std::invalid_argument("flips build tessellations of the power metric alone");
+    if (!builds(options.method, metric))
+        throw std::invalid_argument("the method " + std::string(name_of(options.method)) +
+                                    " does not build tessellations of the " +
+                                    std::string(traits_of(metric).title) + " metric");
     if (options.method == Method::flips && options.arithmetic != Arithmetic::exact)
         throw std::invalid_argument("flips have exact arithmetic alone");
-    if (options.method == Method::sweep && metric != Metric::manhattan &&
-        metric != Metric::supremum)
-        throw std::invalid_argument(
-            "the sweep builds tessellations of the Manhattan and supremum metrics alone");
-    if (sites.third_is_weight() && metric != Metric::power)
-        throw std::invalid_argument("sites of the " + std::string(name_of(metric)) +
-                                    " metric have radii, not weights");
+    if (sites.third_is_weight() && !traits_of(metric).has_weights)
+        throw std::invalid_argument(no_weights(metric));
 }
 
 }  // namespace
 }  // namespace triangulation
-
-std::string_view name_of(Method method) noexcept {
-    constexpr std::string_view names[] = {"incremental", "flips", "sweep"};
-    return names[static_cast<int>(method)];
-}
 
 FlipOutcome flip_from_delaunay(StridedSites sites, const Options& options) {
     const exact::IeeeEnvironment environment;
@@ -82,19 +74,6 @@ Tessellation triangulate(StridedSites sites, Metric metric, const Options& optio
             return construct<Arithmetic::multiprecision>(metric, sites, options);
     }
     throw std::invalid_argument("no such arithmetic");
-}
-
-Tessellation triangulate(StridedSites sites, Euclidean /*metric*/, const Options& options) {
-    return triangulate(sites, Metric::euclidean, options);
-}
-Tessellation triangulate(StridedSites sites, Manhattan /*metric*/, const Options& options) {
-    return triangulate(sites, Metric::manhattan, options);
-}
-Tessellation triangulate(StridedSites sites, Supremum /*metric*/, const Options& options) {
-    return triangulate(sites, Metric::supremum, options);
-}
-Tessellation triangulate(StridedSites sites, Power /*metric*/, const Options& options) {
-    return triangulate(sites, Metric::power, options);
 }
 
 }  // namespace signum

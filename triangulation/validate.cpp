@@ -1,11 +1,9 @@
 #include "validate.hpp"
 
 #include "../exact/floating_environment.hpp"
-#include "../predicates/euclidean.hpp"
-#include "../predicates/manhattan.hpp"
-#include "../predicates/supremum.hpp"
 #include "check/additive_check.hpp"
 #include "check/power_check.hpp"
+#include "kernels/predicates_of.hpp"
 
 namespace signum {
 Validation validate(const TessellationArrays& arrays, StridedSites sites) {
@@ -15,23 +13,18 @@ Validation validate(const TessellationArrays& arrays, StridedSites sites) {
         return {false, false,
                 "the tessellation takes the third numbers of sites for " +
                     std::string(name_of(arrays.weight_is)) + "s, the input does not"};
-    if (arrays.metric != Metric::power && sites.third_is_weight())
-        return {false, false,
-                "sites of the " + std::string(name_of(arrays.metric)) +
-                    " metric have radii, not weights"};
-    constexpr auto in_rationals = additive::Stages::multiprecision;
-    switch (arrays.metric) {
-        case Metric::manhattan:
-            return AdditiveCheck<manhattan::Perturbed<in_rationals>>(arrays, sites).run();
-        case Metric::supremum:
-            return AdditiveCheck<supremum::Perturbed<in_rationals>>(arrays, sites).run();
-        case Metric::euclidean:
-            return AdditiveCheck<euclidean::Perturbed<in_rationals>>(arrays, sites).run();
-        case Metric::power:
-            break;
-    }
-    if (sites.third_is_weight()) return PowerCheck<power::Site>(arrays, sites).run();
-    return PowerCheck<Site>(arrays, sites).run();
+    if (sites.third_is_weight() && !traits_of(arrays.metric).has_weights)
+        return {false, false, no_weights(arrays.metric)};
+    return with_metric(arrays.metric, [&]<class M>(M) {
+        if constexpr (M::traits.edges_are_straight) {
+            if (sites.third_is_weight()) return PowerCheck<power::Site>(arrays, sites).run();
+            return PowerCheck<Site>(arrays, sites).run();
+        } else {
+            using Predicates =
+                typename PredicatesOf<M>::template Perturbed<Arithmetic::multiprecision>;
+            return AdditiveCheck<Predicates>(arrays, sites).run();
+        }
+    });
 }
 
 }  // namespace signum

@@ -1,10 +1,10 @@
 #include "vertices.hpp"
 
+#include <array>
 #include <limits>
 
 #include "../exact/floating_environment.hpp"
-#include "../predicates/additive.hpp"
-#include "../predicates/rectangular/forms.hpp"
+#include "kernels/predicates_of.hpp"
 #include "vertices/vertex_of_face.hpp"
 
 namespace signum {
@@ -17,28 +17,25 @@ DiagramVertex no_vertex() noexcept {
 
 namespace {
 
-DiagramVertex vertex_of(const Tessellation& t, const Face& face) {
-    const auto site = [&](std::size_t m) -> const Site& {
-        return t.sites()[static_cast<std::size_t>(face[m])];
-    };
-    const Site& i = site(0);
-    const Site& j = site(1);
-    const Site& k = site(2);
-    switch (t.metric()) {
-        case Metric::euclidean:
-            return euclidean_vertex(i, j, k);
-        case Metric::manhattan:
-            return rectangular_vertex<rectangular::Manhattan>(
-                i, j, k, additive::ranks_of<3>({&i, &j, &k}, face));
-        case Metric::supremum:
-            return rectangular_vertex<rectangular::Supremum>(
-                i, j, k, additive::ranks_of<3>({&i, &j, &k}, face));
-        case Metric::power:
-            break;
-    }
-    if (t.weight_is() == WeightIs::radius) return power_vertex(i, j, k);
-    const auto weighted = [](const Site& s) { return power::Site{s.x, s.y, s.r}; };
-    return power_vertex(weighted(i), weighted(j), weighted(k));
+using Sites = std::array<const Site*, 3>;
+
+template <class S>
+DiagramVertex vertex_in(PowerPredicates<S> metric, const Sites& sites, const Face& /*face*/) {
+    const auto& [i, j, k] = sites;
+    return power_vertex(metric.site(*i), metric.site(*j), metric.site(*k));
+}
+
+DiagramVertex vertex_in(PredicatesOf<Euclidean> /*metric*/, const Sites& sites,
+                        const Face& /*face*/) {
+    const auto& [i, j, k] = sites;
+    return euclidean_vertex(*i, *j, *k);
+}
+
+template <class Directions>
+DiagramVertex vertex_in(RectangularPredicates<Directions> /*metric*/, const Sites& sites,
+                        const Face& face) {
+    const auto& [i, j, k] = sites;
+    return rectangular_vertex<Directions>(*i, *j, *k, additive::ranks_of<3>(sites, face));
 }
 
 }  // namespace
@@ -46,12 +43,21 @@ DiagramVertex vertex_of(const Tessellation& t, const Face& face) {
 
 std::vector<DiagramVertex> vertices(const Tessellation& tessellation) {
     const exact::IeeeEnvironment environment;
-    std::vector<DiagramVertex> result;
-    result.reserve(tessellation.faces().size());
-    for (const Face& face : tessellation.faces())
-        result.push_back(face[0] == infinite ? triangulation::no_vertex()
-                                             : triangulation::vertex_of(tessellation, face));
-    return result;
+    return triangulation::with_predicates(
+        tessellation.metric(), tessellation.weight_is(), [&](auto metric) {
+            std::vector<DiagramVertex> result;
+            result.reserve(tessellation.faces().size());
+            for (const Face& face : tessellation.faces()) {
+                const auto site = [&](std::size_t m) {
+                    return &tessellation.sites()[static_cast<std::size_t>(face[m])];
+                };
+                result.push_back(
+                    face[0] == infinite
+                        ? triangulation::no_vertex()
+                        : triangulation::vertex_in(metric, {site(0), site(1), site(2)}, face));
+            }
+            return result;
+        });
 }
 
 }  // namespace signum

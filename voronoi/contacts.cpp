@@ -1,7 +1,5 @@
 #include "contacts.hpp"
 
-#include <stdexcept>
-
 namespace signum {
 
 Canonical::Canonical(const Tessellation& tessellation)
@@ -21,16 +19,8 @@ Canonical::Canonical(const Tessellation& tessellation)
 }
 
 Contacts contacts_of(const Canonical& canonical) {
-    switch (canonical.tessellation().metric()) {
-        case Metric::power:
-            return power_contacts(canonical);
-        case Metric::euclidean:
-            return euclidean_contacts(canonical);
-        case Metric::manhattan:
-        case Metric::supremum:
-            return rectangular_contacts(canonical);
-    }
-    throw std::invalid_argument("no such metric");
+    return with_metric(canonical.tessellation().metric(),
+                       [&](auto metric) { return contacts_in(metric, canonical); });
 }
 
 }  // namespace signum

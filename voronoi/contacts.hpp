@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "../core/index.hpp"
+#include "../triangulation/structure/corners.hpp"
 #include "../triangulation/tessellation.hpp"
 
 namespace signum {
@@ -46,13 +47,8 @@ class Canonical {
     [[nodiscard]] bool any_face_at(Index i, Predicate holds) const {
         const Index first = face_at_[static_cast<std::size_t>(i)];
         if (first < 0) return false;
-        Index f = first;
-        do {
-            if (holds(face(f))) return true;
-            std::size_t k = 0;
-            while (face(f)[k] != i) ++k;
-            f = tessellation_.neighbours()[static_cast<std::size_t>(f)][(k + 1) % 3];
-        } while (f != first);
+        for (const auto corner : triangulation::fan(tessellation_.arrays(), first, i))
+            if (holds(face(corner.face))) return true;
         return false;
     }
 
@@ -70,9 +66,10 @@ using Contacts = std::function<bool(Index, Index)>;
 
 [[nodiscard]] Contacts contacts_of(const Canonical& canonical);
 
-/// Its three kinds; the tessellation is of that metric.
-[[nodiscard]] Contacts power_contacts(const Canonical& canonical);
-[[nodiscard]] Contacts euclidean_contacts(const Canonical& canonical);
-[[nodiscard]] Contacts rectangular_contacts(const Canonical& canonical);
+/// The same where the metric is known.
+[[nodiscard]] Contacts contacts_in(Power metric, const Canonical& canonical);
+[[nodiscard]] Contacts contacts_in(Euclidean metric, const Canonical& canonical);
+[[nodiscard]] Contacts contacts_in(Manhattan metric, const Canonical& canonical);
+[[nodiscard]] Contacts contacts_in(Supremum metric, const Canonical& canonical);
 
 }  // namespace signum

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "touched_sides.hpp"
+#include "../predicates/additive.hpp"
+#include "../predicates/rectangular/forms.hpp"
+#include "../triangulation/kernels/predicates_of.hpp"
 #include "vector.hpp"
 
 namespace signum {
@@ -38,20 +40,30 @@ std::optional<Curve> hyperbola(const Site& a, const Site& b) {
                           std::sqrt((1 - slant) * (1 + slant)) * (distance / 2)};
 }
 
-/// Towards the right, top, left and bottom side of a square or diamond.
-using Directions = std::array<Point, 4>;
-constexpr Directions square_sides = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
-constexpr Directions diamond_sides = {{{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
+/// For each side of a square (diamond) whether b touches it first, and not a, as squares shrink
+/// onto the two. Exact, by the tie rule where both do.
+template <class Directions>
+std::array<bool, 4> sides_touched_by_second(const NumberedSite& a, const NumberedSite& b) {
+    const std::array<const Site*, 2> sites = {&a.site, &b.site};
+    rectangular::Forms<Directions, Arithmetic::exact, 2> forms(
+        sites, additive::ranks_of<2>(sites, {a.index, b.index}));
+    std::array<bool, 4> second{};
+    for (int side = 0; side < 4; ++side)
+        second[static_cast<std::size_t>(side)] = forms.compare(side, 1, 0) > 0;
+    return second;
+}
 
 /// The centres of the squares that touch a and b: while a touches the left side and b the right
 /// one, a line upwards, and beyond it, where the one that is in the way above or below holds the
 /// corner of growing squares, a diagonal ray on either side. "Right" is the direction from a to b
 /// in which they lie farther apart.
-StraightCurve rectangular_bisector(Metric metric, const Site& a, const Site& b,
+template <class Directions>
+StraightCurve rectangular_bisector(const Site& a, const Site& b,
                                    const std::array<bool, 4>& b_touches) {
-    const Directions& directions = metric == Metric::supremum ? square_sides : diamond_sides;
     const auto at = [](int side) { return static_cast<std::size_t>(side & 3); };
-    const auto direction = [&](int side) { return directions[at(side)]; };
+    const auto direction = [&](int side) -> Point {
+        return {Directions::x[at(side)], Directions::y[at(side)]};
+    };
 
     const Point to_b = {b.x - a.x, b.y - a.y};
     double farthest = -1.0;
@@ -77,6 +89,38 @@ StraightCurve rectangular_bisector(Metric metric, const Site& a, const Site& b,
             {lowest, highest},
             rho,
             {b_touches[at(right + 1)] ? 1.0 : -1.0, b_touches[at(right + 3)] ? 1.0 : -1.0}};
+}
+
+/// What bisector() is asked for.
+struct Pair {
+    const NumberedSite& first;
+    const NumberedSite& second;
+    Site a;  ///< the first, divided by 2^exponent
+    Site b;  ///< the second, likewise
+    WeightIs weight_is;
+    int exponent;
+    Point focus;
+};
+
+std::optional<Curve> bisector_in(Power /*metric*/, const Pair& pair) {
+    const Site& a = pair.a;
+    const Site& b = pair.b;
+    const double excess = pair.weight_is == WeightIs::weight ? std::ldexp(a.r - b.r, -pair.exponent)
+                                                             : (a.r - b.r) * (a.r + b.r);
+    return straight_bisector(a, b, excess, pair.focus);
+}
+
+std::optional<Curve> bisector_in(Euclidean /*metric*/, const Pair& pair) {
+    if (pair.first.site.r == pair.second.site.r)
+        return straight_bisector(pair.a, pair.b, 0, pair.focus);
+    return hyperbola(pair.a, pair.b);
+}
+
+template <triangulation::Rectangular M>
+std::optional<Curve> bisector_in(M /*metric*/, const Pair& pair) {
+    using Directions = typename triangulation::PredicatesOf<M>::Directions;
+    return rectangular_bisector<Directions>(
+        pair.a, pair.b, sides_touched_by_second<Directions>(pair.first, pair.second));
 }
 
 /// Half the range of the parameter of an arc: its weight is at most cosh 3, about 10.
@@ -161,28 +205,13 @@ double HyperbolaCurve::beyond(double reach) const noexcept {
     return std::asinh(reach / std::hypot(a, b));
 }
 
-std::optional<Curve> bisector(Metric metric, WeightIs weight_is, const NumberedSite& first,
-                              const NumberedSite& second, int exponent, Point focus) {
+std::optional<Curve> bisector(Metric metric, WeightIs weight_is, const NumberedSite& a,
+                              const NumberedSite& b, int exponent, Point focus) {
     const auto divided = [exponent](const Site& s) -> Site {
         return {std::ldexp(s.x, -exponent), std::ldexp(s.y, -exponent), std::ldexp(s.r, -exponent)};
     };
-    const Site a = divided(first.site);
-    const Site b = divided(second.site);
-    switch (metric) {
-        case Metric::euclidean:
-            if (first.site.r == second.site.r) return straight_bisector(a, b, 0, focus);
-            return hyperbola(a, b);
-        case Metric::manhattan:
-        case Metric::supremum:
-            return rectangular_bisector(metric, a, b,
-                                        sides_touched_by_second(metric, first.site, first.index,
-                                                                second.site, second.index));
-        case Metric::power:
-            break;
-    }
-    if (weight_is == WeightIs::weight)
-        return straight_bisector(a, b, std::ldexp(a.r - b.r, -exponent), focus);
-    return straight_bisector(a, b, (a.r - b.r) * (a.r + b.r), focus);
+    const Pair pair = {a, b, divided(a.site), divided(b.site), weight_is, exponent, focus};
+    return with_metric(metric, [&](auto each) { return bisector_in(each, pair); });
 }
 
 std::vector<Conic> stretch(const Curve& curve, double from, Point start, double to, Point end) {

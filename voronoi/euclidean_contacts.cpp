@@ -141,7 +141,7 @@ class EuclideanContacts {
 
 }  // namespace
 
-Contacts euclidean_contacts(const Canonical& canonical) {
+Contacts contacts_in(Euclidean /*metric*/, const Canonical& canonical) {
     return EuclideanContacts(canonical);
 }
 

@@ -63,7 +63,7 @@ class PowerContacts {
 
 }  // namespace
 
-Contacts power_contacts(const Canonical& canonical) {
+Contacts contacts_in(Power /*metric*/, const Canonical& canonical) {
     if (canonical.tessellation().weight_is() == WeightIs::weight)
         return PowerContacts<power::Site>(canonical);
     return PowerContacts<Site>(canonical);

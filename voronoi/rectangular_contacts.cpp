@@ -173,10 +173,11 @@ Contacts contacts_along(const Canonical& canonical) {
 
 }  // namespace
 
-Contacts rectangular_contacts(const Canonical& canonical) {
-    if (canonical.tessellation().metric() == Metric::supremum)
-        return contacts_along<rectangular::Supremum>(canonical);
+Contacts contacts_in(Manhattan /*metric*/, const Canonical& canonical) {
     return contacts_along<rectangular::Manhattan>(canonical);
+}
+Contacts contacts_in(Supremum /*metric*/, const Canonical& canonical) {
+    return contacts_along<rectangular::Supremum>(canonical);
 }
 
 }  // namespace signum

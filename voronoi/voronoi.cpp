@@ -1,16 +1,13 @@
 #include "voronoi.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <utility>
 
-#include "../predicates/additive.hpp"
-#include "../predicates/euclidean.hpp"
-#include "../predicates/manhattan.hpp"
-#include "../predicates/power.hpp"
-#include "../predicates/supremum.hpp"
+#include "../triangulation/kernels/predicates_of.hpp"
 #include "../triangulation/structure/corners.hpp"
 #include "vector.hpp"
 
@@ -24,41 +21,11 @@ bool is_finite(const DiagramVertex& v) {
 }
 
 /// Whether q touches the circle of a face, exactly.
-bool touches(const Tessellation& t, const Face& face, Index q_index) {
-    const auto site = [&](Index m) -> const Site& {
-        return t.sites()[static_cast<std::size_t>(m)];
-    };
-    const Site& i = site(face[0]);
-    const Site& j = site(face[1]);
-    const Site& k = site(face[2]);
-    const Site& q = site(q_index);
-    const auto ranks = [&] {
-        return additive::ranks_of<4>({&i, &j, &k, &q}, {face[0], face[1], face[2], q_index});
-    };
-    switch (t.metric()) {
-        case Metric::euclidean:
-            return euclidean::in_circle_decision(i, j, k, q, ranks()).sign == 0;
-        case Metric::manhattan:
-            return rectangular::in_circle_decision<rectangular::Manhattan>(i, j, k, q, ranks())
-                       .sign == 0;
-        case Metric::supremum:
-            return rectangular::in_circle_decision<rectangular::Supremum>(i, j, k, q, ranks())
-                       .sign == 0;
-        case Metric::power:
-            break;
-    }
-    if (t.weight_is() == WeightIs::radius) return power::in_circle_decision(i, j, k, q).sign == 0;
-    const auto weighted = [](const Site& s) { return power::Site{s.x, s.y, s.r}; };
-    return power::in_circle_decision(weighted(i), weighted(j), weighted(k), weighted(q)).sign == 0;
-}
-
-/// The corner of face g that lies across from face f over the edge a -> b of f.
-std::size_t corner_across(const Tessellation& t, std::size_t g, Index f, Index a, Index b) {
-    for (std::size_t k = 0; k < 3; ++k)
-        if (t.neighbours()[g][k] == f && t.faces()[g][(k + 1) % 3] == b &&
-            t.faces()[g][(k + 2) % 3] == a)
-            return k;
-    return 3;
+bool touches(const Tessellation& t, const Face& face, Index q) {
+    const std::array<Index, 4> numbers = {face[0], face[1], face[2], q};
+    std::array<const Site*, 4> sites{};
+    for (std::size_t m = 0; m < 4; ++m) sites[m] = &t.sites()[static_cast<std::size_t>(numbers[m])];
+    return triangulation::touches(t.metric(), t.weight_is(), sites, numbers);
 }
 
 }  // namespace
@@ -105,11 +72,11 @@ void Voronoi::number_vertices(bool merge) {
         for (std::size_t k = 0; k < 3; ++k) {
             const auto g = static_cast<std::size_t>(tessellation_.neighbours()[f][k]);
             if (g < f || !is_finite(of_face[g])) continue;
-            const std::size_t across = corner_across(tessellation_, g, static_cast<Index>(f),
-                                                     faces[f][(k + 1) % 3], faces[f][(k + 2) % 3]);
+            const auto corner =
+                triangulation::across(tessellation_.arrays(), {static_cast<Index>(f), k});
             // Where many squares touch, those of two faces may differ.
             const bool same = of_face[f].x == of_face[g].x && of_face[f].y == of_face[g].y &&
-                              touches(tessellation_, faces[f], faces[g][across]);
+                              touches(tessellation_, faces[f], faces[g][corner.place]);
             if (!same) continue;
             const Index one = root(static_cast<Index>(f));
             const Index other = root(static_cast<Index>(g));
@@ -138,8 +105,10 @@ void Voronoi::number_edges() {
             const Index a = faces[f][(k + 1) % 3];
             const Index b = faces[f][(k + 2) % 3];
             if (g < f || a == infinite || b == infinite) continue;
-            const std::size_t across = corner_across(tessellation_, g, static_cast<Index>(f), a, b);
-            edge_of_[3 * f + k] = edge_of_[3 * g + across] = static_cast<Index>(edges_.size());
+            const auto corner =
+                triangulation::across(tessellation_.arrays(), {static_cast<Index>(f), k});
+            edge_of_[3 * f + k] = edge_of_[3 * g + corner.place] =
+                static_cast<Index>(edges_.size());
             // f lies on the left of a -> b, so that the edge, with a on its left, leads to it.
             edges_.push_back({a, b, vertex_of_face_[g], vertex_of_face_[f], static_cast<Index>(g),
                               static_cast<Index>(f)});
@@ -189,9 +158,30 @@ bool Voronoi::is_unbounded(Index site) const noexcept {
 
 namespace {
 
-/// The end of the bisector of discs a and b at which a third one touches their common tangent line,
-/// too.
-double end_on_tangent(const Curve& curve, const Site& a, const Site& apex) {
+/// Where an edge ends beyond the doubles: which end of the curve is meant, the third site tells.
+struct FarEnd {
+    const Curve& curve;
+    Site a;       ///< on the left of the edge
+    Site apex;    ///< the third site
+    double rise;  ///< by how much the weight of the apex is greater than that of a
+    double expected;
+};
+
+/// Beyond it, or up to it, the apex is nearer: where the two lines of equal power cross.
+double far_end(Power /*metric*/, const FarEnd& end) {
+    const auto& [curve, a, apex, rise, expected] = end;
+    const auto& line = std::get<StraightCurve>(curve);
+    const Point to_apex = minus({apex.x, apex.y}, {a.x, a.y});
+    const Point from_both = {(line.origin.x - a.x) + (line.origin.x - apex.x),
+                             (line.origin.y - a.y) + (line.origin.y - apex.y)};
+    // The apex' power minus a's at the origin, and how fast it falls.
+    const double difference = -dot(to_apex, from_both) - rise;
+    return (difference > 0) == (dot(line.upward, to_apex) > 0) ? unbounded : -unbounded;
+}
+
+/// The apex touches the common tangent line of the two discs, too.
+double far_end(Euclidean /*metric*/, const FarEnd& end) {
+    const auto& [curve, a, apex, rise, expected] = end;
     Point forward = {1, 0};
     Point upward = {0, 1};
     double slant = 0;
@@ -207,20 +197,14 @@ double end_on_tangent(const Curve& curve, const Site& a, const Site& apex) {
     }
     const Point to_apex = minus({apex.x, apex.y}, {a.x, a.y});
     const double excess = slant * dot(to_apex, forward) - (a.r - apex.r);
-    const double rise = steepness * dot(to_apex, upward);
-    return std::abs(excess + rise) < std::abs(excess - rise) ? unbounded : -unbounded;
+    const double height = steepness * dot(to_apex, upward);
+    return std::abs(excess + height) < std::abs(excess - height) ? unbounded : -unbounded;
 }
 
-/// The end of the line of equal power of a and b beyond which a third site is nearer, or up to
-/// which it is: where the two cross beyond the doubles.
-double end_of_power(const StraightCurve& line, double weight_a, const Site& a, double weight_apex,
-                    const Site& apex) {
-    const Point to_apex = minus({apex.x, apex.y}, {a.x, a.y});
-    const Point from_both = {(line.origin.x - a.x) + (line.origin.x - apex.x),
-                             (line.origin.y - a.y) + (line.origin.y - apex.y)};
-    // The apex' power minus a's at the origin, and how fast it falls.
-    const double difference = -dot(to_apex, from_both) - (weight_apex - weight_a);
-    return (difference > 0) == (dot(line.upward, to_apex) > 0) ? unbounded : -unbounded;
+/// Squares have no vertex at infinity but those of infinite faces.
+template <triangulation::Rectangular M>
+double far_end(M /*metric*/, const FarEnd& end) {
+    return end.expected;
 }
 
 EdgeKind kind_of(const EdgeGeometry& g, const VoronoiEdge& edge) {
@@ -286,14 +270,13 @@ std::optional<EdgeGeometry> Voronoi::geometry(Index index, std::optional<Point> 
         }
         const Site from = divided_site(a);
         const Site third = divided_site(site(apex));
-        if (tessellation_.metric() == Metric::euclidean) return end_on_tangent(*curve, from, third);
-        if (tessellation_.metric() != Metric::power) return expected;
         const auto weight = [this](const Site& s) {
             return tessellation_.weight_is() == WeightIs::weight ? std::ldexp(s.r, -exponent_)
                                                                  : s.r * s.r;
         };
-        return end_of_power(std::get<StraightCurve>(*curve), weight(from), from, weight(third),
-                            third);
+        const FarEnd end = {*curve, from, third, weight(third) - weight(from), expected};
+        return with_metric(tessellation_.metric(),
+                           [&](auto metric) { return far_end(metric, end); });
     };
     EdgeGeometry result = {EdgeKind::point,
                            *curve,

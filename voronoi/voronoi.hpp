@@ -10,8 +10,7 @@
 ///  2. Every visible site has a cell. Its boundary, walked counterclockwise, is a cyclic
 ///     sequence of steps along edges. Where one step ends at infinity the next one begins there.
 ///  3. Faces whose circles are the same (degenerate input: grids, circles) have vertices at the
-///  same
-///     place, joined by edges of no length. They stay apart unless they are merged.
+///     same place, joined by edges of no length. They stay apart unless they are merged.
 /// Source: thesis, chapter 3; geometry of the curves: curve.hpp.
 
 #include <array>

@@ -127,13 +127,12 @@ TEST_F(Tool, SaysWhatThisVersionDoesNotHave) {
         "signum: --metric: 'taxi' is unknown; it is one of power, euclidean, manhattan, supremum; "
         "see signum triangulate --help\n");
     EXPECT_EQ(run({"sign", "in_circle", "--metric", "taxi", "--", "1"}).code, 2);
-    expect(
-        triangulate({"--method", "sweep"}), 2,
-        "signum: --method sweep: only the manhattan and supremum metrics are built by a sweep, and "
-        "this is --metric power; leave --method out, or add --metric supremum\n");
+    expect(triangulate({"--method", "sweep"}), 2,
+           "signum: --method sweep builds only manhattan and supremum, and this is --metric power; "
+           "leave --method out, or add --metric supremum\n");
     expect({"triangulate", sites, "--method", "flips"}, 2,
-           "signum: --method flips: only the power metric is built by flips, and this is --metric "
-           "euclidean; leave --method out, or add --metric power\n");
+           "signum: --method flips builds only power, and this is --metric euclidean; leave "
+           "--method out, or add --metric power\n");
     for (const std::string arithmetic : {"naive", "single", "interval", "sum", "multiprecision"}) {
         expect(triangulate({"--method", "flips", "--arithmetic", arithmetic.c_str()}), 2,
                "signum: --method flips has exact arithmetic alone; leave --arithmetic " +

@@ -1,5 +1,5 @@
 /// Imports point one way only: reads every include of the project and compares it with the arrows
-/// that ARCHITECTURE.md allows.
+/// that are drawn in ARCHITECTURE.md.
 
 #include <algorithm>
 #include <filesystem>
@@ -19,26 +19,50 @@ namespace {
 namespace fs = std::filesystem;
 using Layers = std::set<std::string>;
 
+const fs::path root = SIGNUM_SOURCES;
+
+using Arrows = std::map<std::string, Layers>;
+
+/// The arrows of a drawing of ARCHITECTURE.md, counted from 0: to each room from those that it may
+/// include, at once or by way of others.
+Arrows drawn(std::size_t number) {
+    std::ifstream page(root / "ARCHITECTURE.md");
+    Arrows arrows;
+    std::string line;
+    for (std::size_t skipped = 0; skipped <= number && std::getline(page, line);)
+        skipped += static_cast<std::size_t>(line == "```mermaid");
+    std::getline(page, line);  // flowchart BT
+    while (std::getline(page, line) && line != "```") {
+        std::istringstream words(line);
+        std::string from, arrow, to;
+        words >> from >> arrow >> to;
+        arrows[from];
+        if (arrow == "-->") arrows[to].insert(from);
+    }
+    for (std::size_t steps = 0; steps < arrows.size(); ++steps)
+        for (auto& [room, targets] : arrows)
+            for (const std::string& target : Layers(targets))
+                targets.insert(arrows[target].begin(), arrows[target].end());
+    return arrows;
+}
+
 /// Which layers each layer may include beside itself.
-const std::map<std::string, Layers>& allowed() {
-    static const std::map<std::string, Layers> arrows = [] {
-        std::map<std::string, Layers> table;
-        table["core"] = {};
-        table["exact"] = {"core"};
-        table["filters"] = {"core"};
-        table["predicates"] = {"core", "exact", "filters"};
-        table["triangulation"] = {"core", "exact", "filters", "predicates"};
-        table["voronoi"] = {"core", "exact", "filters", "predicates", "triangulation"};
-        table["generate"] = {"core", "triangulation"};
-        for (const char* layer : {"io", "draw"}) {
-            table[layer] = {"core", "triangulation", "voronoi"};
-        }
-        table["study"] = {"core",          "exact",   "filters", "predicates",
-                          "triangulation", "voronoi", "draw",    "generate"};
-        table["cli"] = {"core",    "exact", "filters", "predicates", "triangulation",
-                        "voronoi", "io",    "draw",    "generate",   "study"};
+const Arrows& allowed() {
+    static const Arrows arrows = [] {
+        Arrows table = drawn(0);
+        // What these two see are results.
+        for (const char* layer : {"io", "draw"})
+            for (const char* hidden : {"exact", "filters", "predicates"})
+                table.at(layer).erase(hidden);
         return table;
     }();
+    return arrows;
+}
+
+/// The same within triangulation/, whose rooms stand between two halves of the folder itself: they
+/// all may include its headers, which include none of them; its sources include what they like.
+const Arrows& allowed_in_triangulation() {
+    static const Arrows arrows = drawn(1);
     return arrows;
 }
 
@@ -69,6 +93,22 @@ std::optional<Include> included(std::string_view line) {
     return Include{std::string(line.substr(1, end - 1)), quoted};
 }
 
+/// What is wrong with an include from one file of triangulation/ to another; empty when nothing is.
+std::string complaint_within_triangulation(const fs::path& file, const fs::path& target) {
+    const auto room_of = [](const fs::path& path) {
+        return path.parent_path().filename().string();
+    };
+    const std::string from = room_of(file);
+    const std::string to = room_of(target);
+    if (from == to || to == "triangulation") return {};
+    if (from == "triangulation")
+        return file.extension() == ".cpp" ? ""
+                                          : "a header of the folder includes none of its rooms";
+    const auto arrows = allowed_in_triangulation().find(from);
+    if (arrows == allowed_in_triangulation().end()) return from + " is no room";
+    return arrows->second.contains(to) ? "" : "no arrow from " + from + " to " + to;
+}
+
 /// What is wrong with the includes of a file; its path is relative to the root, as are those that
 /// `exists` knows. Inside the project files name one another by relative paths, so that whoever
 /// reads them, human or tool, follows an arrow without configuring anything; <signum/...> is for
@@ -95,6 +135,9 @@ std::vector<std::string> complaints(const fs::path& file, std::istream& text, Ex
             result.push_back("\"" + path + "\": " + to + " is no layer");
         } else if (to != layer && !allowed().at(layer).contains(to)) {
             result.push_back("\"" + path + "\": no arrow from " + layer + " to " + to);
+        } else if (to == "triangulation" && layer == to) {
+            const std::string complaint = complaint_within_triangulation(file, target);
+            if (!complaint.empty()) result.push_back("\"" + path + "\": " + complaint);
         }
     }
     return result;
@@ -112,8 +155,6 @@ std::vector<fs::path> sources_in(const fs::path& folder) {
     return result;
 }
 
-const fs::path root = SIGNUM_SOURCES;
-
 TEST(IncludeDirection, OfEveryLayerFollowsTheTable) {
     const auto exists = [](const fs::path& path) { return fs::exists(root / path); };
     for (const auto& [layer, targets] : allowed()) {
@@ -128,18 +169,19 @@ TEST(IncludeDirection, OfEveryLayerFollowsTheTable) {
     }
 }
 
-TEST(IncludeDirection, TableIsTransitive) {
-    for (const auto& [layer, targets] : allowed()) {
-        EXPECT_FALSE(targets.contains(layer)) << layer;
-        for (const std::string& target : targets) {
-            EXPECT_FALSE(allowed().at(target).contains(layer)) << layer << " and " << target;
-            // What io, draw and generate see of these two are results, not predicates.
-            if (target == "triangulation" || target == "voronoi") continue;
-            for (const std::string& next : allowed().at(target)) {
-                EXPECT_TRUE(targets.contains(next)) << layer << " to " << next;
-            }
-        }
+TEST(IncludeDirection, DrawingsHaveNoCircle) {
+    for (const Arrows* arrows : {&allowed(), &allowed_in_triangulation()}) {
+        EXPECT_GT(arrows->size(), 5);
+        for (const auto& [room, targets] : *arrows) EXPECT_FALSE(targets.contains(room)) << room;
     }
+}
+
+TEST(IncludeDirection, EveryRoomOfTriangulationIsDrawn) {
+    for (const auto& entry : fs::directory_iterator(root / "triangulation"))
+        if (entry.is_directory()) {
+            EXPECT_TRUE(allowed_in_triangulation().contains(entry.path().filename().string()))
+                << entry.path();
+        }
 }
 
 TEST(IncludeDirection, EveryFolderWithAHeaderIsKnown) {
@@ -207,6 +249,11 @@ TEST(IncludeDirection, WrongArrowsAreFound) {
                     "#include \"../structure/topology.hpp\"\n"
                     "#include <vector>\n// #include \"../../io/number.hpp\"\n"),
               0);
+    EXPECT_EQ(count("triangulation/structure/a.hpp", "#include \"../flips/b.hpp\""), 1);
+    EXPECT_EQ(count("triangulation/arrays.hpp", "#include \"structure/topology.hpp\""), 1);
+    EXPECT_EQ(count("triangulation/attic/a.hpp", "#include \"../flips/b.hpp\""), 1);
+    EXPECT_EQ(count("triangulation/validate.cpp", "#include \"check/power_check.hpp\""), 0);
+    EXPECT_EQ(count("triangulation/structure/a.hpp", "#include \"../arrays.hpp\""), 0);
 }
 
 }  // namespace

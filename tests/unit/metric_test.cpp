@@ -2,7 +2,12 @@
 
 #include "../../triangulation/metric.hpp"
 
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -10,6 +15,37 @@
 
 namespace signum {
 namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path root = SIGNUM_SOURCES;
+
+std::string text_of(const fs::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file).rdbuf();
+    return text.str();
+}
+
+/// Of the sources above the predicates, by path from the root, what is neither comment nor string.
+std::map<std::string, std::string> code() {
+    static const std::regex words_for_readers("//[^\n]*|\"[^\"\n]*\"");
+    std::map<std::string, std::string> result;
+    for (const char* room : {"triangulation", "voronoi", "io", "draw", "generate", "study", "cli"})
+        for (const auto& entry : fs::recursive_directory_iterator(root / room))
+            if (entry.path().extension() == ".hpp" || entry.path().extension() == ".cpp")
+                result[entry.path().lexically_relative(root).string()] =
+                    std::regex_replace(text_of(entry.path()), words_for_readers, "");
+    return result;
+}
+
+/// The places at which metrics are told apart by their enumerators.
+std::size_t distinctions(const std::string& text) {
+    static const std::regex distinction(
+        "case Metric::|[!=]= ?Metric::|Metric::[a-z]+ ?[!=]=|"
+        "is_same_v<[^;{]*(Perturbed|Manhattan|Supremum|Euclidean)");
+    return static_cast<std::size_t>(std::distance(
+        std::sregex_iterator(text.begin(), text.end(), distinction), std::sregex_iterator()));
+}
 
 TEST(Metric, IsFoundByItsNamesHoweverWritten) {
     EXPECT_EQ(metric_named("power"), Metric::power);
@@ -47,6 +83,40 @@ TEST(Metric, BecomesTheTypeOfItsRow) {
         });
     EXPECT_THROW(with_metric(static_cast<Metric>(all_metrics.size()), [](auto) {}),
                  std::invalid_argument);
+}
+
+TEST(Metric, IsToldApartInOneFile) {
+    for (const auto& [file, text] : code())
+        EXPECT_EQ(distinctions(text), file == "triangulation/metric.hpp" ? all_metrics.size() : 0)
+            << file;
+}
+
+TEST(Metric, DistinctionsAreFound) {
+    EXPECT_EQ(distinctions("switch (m) { case Metric::power: return 1; }"), 1);
+    EXPECT_EQ(distinctions("if (metric == Metric::power || Metric::euclidean != metric) f();"), 2);
+    EXPECT_EQ(distinctions("if constexpr (std::is_same_v<D, rectangular::Supremum>) f();"), 1);
+    EXPECT_EQ(distinctions("Metric metric = Metric::power; f(Metric::euclidean);"), 0);
+}
+
+/// The recipe for another metric in CONTRIBUTING.md names every file that has code for one alone:
+/// those that name the type of the Euclidean metric, or its predicates.
+TEST(Metric, RecipeNamesEveryPlace) {
+    static const std::regex type(
+        "[(<]Euclidean\\b|struct Euclidean\\b|Euclidean\\{|\\beuclidean::");
+    std::set<std::string> places;
+    for (const auto& [file, text] : code())
+        if (std::regex_search(text, type)) places.insert(file);
+
+    const std::string page = text_of(root / "CONTRIBUTING.md");
+    const std::size_t begin = page.find("## Add a metric");
+    ASSERT_NE(begin, std::string::npos);
+    const std::string recipe = page.substr(begin, page.find("\n## ", begin) - begin);
+    static const std::regex path(
+        "`((?:triangulation|voronoi|io|draw|generate|study|cli)/[a-z_/]+\\.[ch]pp)`");
+    std::set<std::string> named;
+    for (std::sregex_iterator match(recipe.begin(), recipe.end(), path), end; match != end; ++match)
+        named.insert((*match)[1]);
+    EXPECT_EQ(named, places);
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "../../core/strided_sites.hpp"
+#include "../arrays.hpp"
 #include "../structure/topology.hpp"
-#include "../tessellation.hpp"
 #include "../validate.hpp"
 
 namespace signum::triangulation {

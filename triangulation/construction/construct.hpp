@@ -5,7 +5,8 @@
 #include <optional>
 
 #include "../../core/strided_sites.hpp"
-#include "../triangulate.hpp"
+#include "../options.hpp"
+#include "../tessellation.hpp"
 
 namespace signum::triangulation {
 

@@ -11,14 +11,12 @@
 #include <vector>
 
 #include "../../filters/tally.hpp"
-#include "../../predicates/euclidean.hpp"
-#include "../../predicates/manhattan.hpp"
-#include "../../predicates/supremum.hpp"
 #include "../insertion/collinear.hpp"
 #include "../insertion/hiders.hpp"
 #include "../insertion/insert.hpp"
 #include "../kernels/additive_kernel.hpp"
 #include "../kernels/power_kernel.hpp"
+#include "../kernels/predicates_of.hpp"
 #include "../structure/assemble.hpp"
 #include "../structure/spatial_order.hpp"
 #include "../structure/tie_order.hpp"
@@ -242,40 +240,36 @@ Tessellation construct_power(Metric metric, const StridedSites& input, const Opt
     });
 }
 
-template <class Predicates, Arithmetic arithmetic>
-Tessellation construct_additive(Metric metric, const StridedSites& input, const Options& options) {
+/// M: a metric with additive weights.
+template <class M, Arithmetic arithmetic>
+Tessellation construct_additive(const StridedSites& input, const Options& options) {
     return with_tally(options, [&]<class Tally>() {
+        using Predicates = typename PredicatesOf<M>::template Perturbed<arithmetic>;
         using Kernel = AdditiveKernel<Predicates, arithmetic, Tally>;
-        if constexpr (!std::is_same_v<Predicates, euclidean::Perturbed<arithmetic>>)
+        if constexpr (M::traits.has_sweep)
             if (options.method == Method::sweep)
-                return construct_by_sweep_with_kernel<Kernel>(metric, input, options);
-        return construct_additive_with_kernel<Kernel>(metric, input, options);
+                return construct_by_sweep_with_kernel<Kernel>(M::metric, input, options);
+        return construct_additive_with_kernel<Kernel>(M::metric, input, options);
     });
 }
 
 template <Arithmetic arithmetic>
 Tessellation construct(Metric metric, const StridedSites& input, const Options& options) {
-    switch (metric) {
-        case Metric::power:
+    return with_metric(metric, [&]<class M>(M) {
+        if constexpr (M::traits.edges_are_straight) {
             if (equal_weights(input))
                 return construct_power<Point, arithmetic>(metric, input, options);
             if (input.third_is_weight())
                 return construct_power<power::Site, arithmetic>(metric, input, options);
             return construct_power<Site, arithmetic>(metric, input, options);
-        case Metric::euclidean:
-            // Of equal radii the tessellation is Delaunay's, ties included.
-            if (equal_radii(input))
-                return construct_power<Point, arithmetic>(metric, input, options);
-            return construct_additive<euclidean::Perturbed<arithmetic>, arithmetic>(metric, input,
-                                                                                    options);
-        case Metric::manhattan:
-            return construct_additive<manhattan::Perturbed<arithmetic>, arithmetic>(metric, input,
-                                                                                    options);
-        case Metric::supremum:
-            return construct_additive<supremum::Perturbed<arithmetic>, arithmetic>(metric, input,
-                                                                                   options);
-    }
-    throw std::invalid_argument("no such metric");
+        } else {
+            // Ties included.
+            if constexpr (M::traits.is_delaunay_for_equal_radii)
+                if (equal_radii(input))
+                    return construct_power<Point, arithmetic>(metric, input, options);
+            return construct_additive<M, arithmetic>(input, options);
+        }
+    });
 }
 
 }  // namespace signum::triangulation

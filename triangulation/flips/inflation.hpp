@@ -34,8 +34,8 @@
 #include "../../core/index.hpp"
 #include "../../exact/multiprecision.hpp"
 #include "../../filters/bounded.hpp"
+#include "../options.hpp"
 #include "../structure/topology.hpp"
-#include "../triangulate.hpp"
 
 namespace signum::triangulation {
 

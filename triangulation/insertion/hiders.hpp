@@ -7,8 +7,8 @@
 
 #include "../../core/index.hpp"
 #include "../../core/site.hpp"
+#include "../options.hpp"
 #include "../structure/topology.hpp"
-#include "../triangulate.hpp"
 
 namespace signum::triangulation {
 

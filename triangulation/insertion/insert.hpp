@@ -18,8 +18,8 @@
 #include <vector>
 
 #include "../../core/index.hpp"
+#include "../options.hpp"
 #include "../structure/topology.hpp"
-#include "../triangulate.hpp"
 #include "edge_interior.hpp"
 #include "locate.hpp"
 

@@ -6,8 +6,8 @@
 
 #include "../../core/index.hpp"
 #include "../../core/sign.hpp"
+#include "../options.hpp"
 #include "../structure/topology.hpp"
-#include "../triangulate.hpp"
 
 namespace signum::triangulation {
 

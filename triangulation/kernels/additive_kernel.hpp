@@ -10,8 +10,8 @@
 #include "../../core/site.hpp"
 #include "../../filters/tally.hpp"
 #include "../../predicates/additive.hpp"
+#include "../../predicates/arithmetic.hpp"
 #include "../structure/tie_order.hpp"
-#include "../triangulate.hpp"
 
 namespace signum::triangulation {
 

@@ -17,7 +17,6 @@
 #include "../../predicates/multiprecision.hpp"
 #include "../../predicates/power.hpp"
 #include "../../predicates/power/multiprecision.hpp"
-#include "../triangulate.hpp"
 
 namespace signum::triangulation {
 

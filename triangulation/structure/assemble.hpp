@@ -4,7 +4,7 @@
 #include <span>
 
 #include "../../core/index.hpp"
-#include "../tessellation.hpp"
+#include "../arrays.hpp"
 #include "topology.hpp"
 
 namespace signum::triangulation {

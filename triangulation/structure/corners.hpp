@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "../../core/index.hpp"
-#include "../tessellation.hpp"
+#include "../arrays.hpp"
 #include "cycle.hpp"
 
 namespace signum::triangulation {
@@ -26,6 +26,19 @@ struct Corner {
                                       Index vertex) noexcept {
     const Face& v = arrays.faces[static_cast<std::size_t>(face)];
     return {face, v[0] == vertex ? 0U : v[1] == vertex ? 1U : 2U};
+}
+
+/// The corner across from a corner, over the edge opposite to it: of the face there and over that
+/// edge, for two faces may share several. Precondition: the arrays are those of a tessellation.
+[[nodiscard]] inline Corner across(const TessellationArrays& arrays, Corner corner) noexcept {
+    const auto at = [](Index f) { return static_cast<std::size_t>(f); };
+    const Index end = arrays.faces[at(corner.face)][(corner.place + 2) % 3];
+    const Index g = arrays.neighbours[at(corner.face)][corner.place];
+    std::size_t place = 0;
+    while (place < 2 && (arrays.neighbours[at(g)][place] != corner.face ||
+                         arrays.faces[at(g)][(place + 1) % 3] != end))
+        ++place;
+    return {g, place};
 }
 
 /// The corners at a vertex, counterclockwise from that of a face that has it: a range.

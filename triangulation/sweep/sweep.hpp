@@ -32,10 +32,10 @@
 #include "../../core/error_free.hpp"
 #include "../../core/index.hpp"
 #include "../../predicates/rectangular/front.hpp"
+#include "../options.hpp"
 #include "../structure/large_array.hpp"
 #include "../structure/tie_order.hpp"
 #include "../structure/topology.hpp"
-#include "../triangulate.hpp"
 
 namespace signum::triangulation {
 

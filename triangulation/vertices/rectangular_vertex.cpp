@@ -42,7 +42,8 @@ struct Square {
         const Number half = number<Number>(0.5);
         const Number first = (g[0] - g[2]) * half;   // along direction 0
         const Number second = (g[1] - g[3]) * half;  // along direction 1
-        if constexpr (std::is_same_v<Directions, rectangular::Supremum>) {
+        constexpr bool is_upright = Directions::x[1] == 0;
+        if constexpr (is_upright) {
             x = first;
             y = second;
         } else {  // u = x + y and v = y - x

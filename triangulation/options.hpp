@@ -1,0 +1,66 @@
+#pragma once
+/// How a construction is asked for, and how it may end without a tessellation.
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <stdexcept>
+#include <stop_token>
+#include <string_view>
+
+#include "../predicates/arithmetic.hpp"
+#include "metric.hpp"
+
+namespace signum {
+
+/// How a tessellation is built; the result is the same.
+enum class Method : std::uint8_t {
+    incremental,  ///< site by site
+    flips,        ///< power metric: from the Delaunay triangulation of the centres, by flips
+    sweep         ///< Manhattan and supremum: a line sweeps the plane
+};
+
+inline constexpr std::array all_methods = {Method::incremental, Method::flips, Method::sweep};
+
+[[nodiscard]] constexpr std::string_view name_of(Method method) noexcept {
+    constexpr std::string_view names[] = {"incremental", "flips", "sweep"};
+    return names[static_cast<int>(method)];
+}
+
+/// Whether the method builds tessellations of the metric.
+[[nodiscard]] constexpr bool builds(Method method, Metric metric) noexcept {
+    return method == Method::incremental ||
+           (method == Method::flips ? traits_of(metric).has_flips : traits_of(metric).has_sweep);
+}
+
+struct Options {
+    /// The single kernel takes the sites rounded to floats: std::invalid_argument, naming the site,
+    /// for a number beyond 3.4e38.
+    Arithmetic arithmetic = Arithmetic::exact;
+    /// std::invalid_argument with a metric that the method does not build, and for flips with any
+    /// arithmetic but the exact one.
+    Method method = Method::incremental;
+    /// Seeds the random insertion order. The result does not depend on it.
+    std::uint64_t seed = 1;
+    /// Fill the counters of Statistics; costs a few per cent of the time.
+    bool count = false;
+    /// Checked every few thousand sites; a stopped construction throws Stopped.
+    std::stop_token stop = {};
+    /// Called now and then with the share of the work done, from 0 to 1, by the calling thread.
+    std::function<void(double)> progress = {};
+};
+
+/// Thrown when Options::stop asked for it.
+class Stopped : public std::runtime_error {
+ public:
+    Stopped() : std::runtime_error("the construction was stopped") {}
+};
+
+/// Thrown when inexact arithmetic led the construction astray: a walk without end, a conflict
+/// region that is no disc. Exact kernels never throw it.
+class BrokenStructure : public std::runtime_error {
+ public:
+    using std::runtime_error::runtime_error;
+};
+
+}  // namespace signum
