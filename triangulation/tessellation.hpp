@@ -66,12 +66,14 @@ class Tessellation {
     /// the point if any does). In the other metrics edges are curved, and faces have no shape of
     /// their own: there it is the first face at the site nearest(point). -1 where there is no face
     /// (fewer than two visible sites). Exact. The point must be finite (std::invalid_argument).
-    /// Expected O(n^(1/3)) on uniform sites.
+    /// Expected O(n^(1/3)) on uniform sites; O(n) in the worst case, as nearest() and where all
+    /// sites are collinear.
     [[nodiscard]] Index locate(Point point) const;
 
     /// The site whose cell contains the point, ties going to the first in the tie rule's order; -1
     /// without sites. Exact. The point must be finite (std::invalid_argument). Expected O(n^(1/3))
-    /// on uniform sites.
+    /// on uniform sites. It asks all neighbours of every site on its way: O(n) where one of them
+    /// has nearly all others for neighbours, a giant among small ones.
     [[nodiscard]] Index nearest(Point point) const;
 
  private:

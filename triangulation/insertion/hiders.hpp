@@ -133,17 +133,14 @@ class NearestVisible {
             const Index f = face_of_[static_cast<std::size_t>(nearest)];
             if (f < 0) break;  // the only visible site
             for (const HalfEdge h : topology_.fan(topology_.spoke(f, nearest))) {
-                Index v = topology_.target(h);
-                if (++asked % many == 0) [[unlikely]] {
-                    if (found_last_ < 0 || !kernel_.nearer(point, found_last_, nearest))
-                        return in_boxes(point, nearest);
-                    v = found_last_;
-                }
-                if (v != infinite && kernel_.nearer(point, v, nearest)) {
+                const bool is_long = ++asked % many == 0;
+                const Index v = is_long ? found_last_ : topology_.target(h);
+                if (v >= 0 && kernel_.nearer(point, v, nearest)) {
                     nearest = v;
                     improved = true;
                     break;
                 }
+                if (is_long) return in_boxes(point, nearest);
             }
         }
         return nearest;
@@ -161,13 +158,13 @@ class NearestVisible {
     std::optional<Boxes<Kernel>> boxes_;
 };
 
-/// The visible site at the end of the chain of hiders of a hidden one: hiders become hidden in
-/// their turn. The chain is shortened for those who come after.
+/// The visible site at the end of the chain of hiders, which become hidden in their turn. The chain
+/// is shortened for those who come after. Precondition: the site is hidden.
 inline Index end_of_chain(std::span<Index> hidden_by, Index hidden) {
     const auto by = [&](Index i) -> Index& { return hidden_by[static_cast<std::size_t>(i)]; };
     Index end = hidden;
     while (by(end) >= 0) end = by(end);
-    while (by(hidden) >= 0) hidden = std::exchange(by(hidden), end);
+    while (by(hidden) != end) hidden = std::exchange(by(hidden), end);
     return end;
 }
 
