@@ -1,11 +1,10 @@
 #pragma once
-/// The working arrays of a construction: std::vector with pages that fit and without needless
-/// zeros.
+/// The working arrays of a construction: std::vector without needless zeros.
 ///
-/// An insertion touches memory all over; with pages of 4 KiB a tenth of its time goes into page
-/// tables. Linux gives pages of 2 MiB to those who ask. And an array that is filled at once need
-/// not be zeroed before: elements of trivial type made without a value have none. Results are plain
-/// vectors, which may wish for such pages too.
+/// An array that is filled at once need not be zeroed before, and of one that is filled in part only
+/// that part is to be touched: elements of trivial type made without a value have none. Pages are
+/// those that the system gives: asked for huge ones it may stop to collect them, and a construction
+/// take twice its time by luck.
 
 #include <cstddef>
 #include <new>
@@ -15,22 +14,10 @@
 
 namespace signum::triangulation {
 
-/// Memory for an array, on huge pages where it is large and the system has them. Throws
-/// std::bad_alloc.
-[[nodiscard]] void* allocate_pages(std::size_t bytes);
-void free_pages(void* memory) noexcept;
-
-/// Asks the system for huge pages within memory that nobody has touched yet.
-void prefer_huge_pages(void* memory, std::size_t bytes) noexcept;
-
-/// A vector of `count` elements on huge pages, if the system has them.
+/// A plain vector, for results.
 template <class T>
 [[nodiscard]] std::vector<T> large_vector(std::size_t count) {
-    std::vector<T> result;
-    result.reserve(count);
-    prefer_huge_pages(result.data(), count * sizeof(T));
-    result.resize(count);
-    return result;
+    return std::vector<T>(count);
 }
 
 template <class T>
@@ -44,9 +31,11 @@ class LargeAllocator {
 
     [[nodiscard]] T* allocate(std::size_t count) {
         if (count > static_cast<std::size_t>(-1) / 2 / sizeof(T)) throw std::bad_array_new_length();
-        return static_cast<T*>(allocate_pages(count * sizeof(T)));
+        return static_cast<T*>(::operator new(count * sizeof(T), alignment));
     }
-    void deallocate(T* memory, std::size_t) noexcept { free_pages(memory); }
+    void deallocate(T* memory, std::size_t /*count*/) noexcept {
+        ::operator delete(memory, alignment);
+    }
 
     template <class U>
     void construct(U* place) noexcept(std::is_nothrow_default_constructible_v<U>) {
@@ -61,6 +50,10 @@ class LargeAllocator {
     friend bool operator==(const LargeAllocator&, const LargeAllocator<U>&) noexcept {
         return true;
     }
+
+ private:
+    /// Of a cache line, which a face is then never across.
+    static constexpr std::align_val_t alignment{64};
 };
 
 template <class T>
