@@ -106,7 +106,7 @@ Tessellation finish(Metric metric, WeightIs weight_is, const StridedSites& input
     original = {};
 
     fill(statistics, kernel.tally());
-    std::vector<Site> copy = large_vector<Site>(n);
+    std::vector<Site> copy(n);
     for (std::size_t i = 0; i < n; ++i) copy[i] = input[i];
     statistics.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

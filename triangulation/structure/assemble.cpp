@@ -133,8 +133,8 @@ void assemble(Topology topology, std::span<const Index> original, TessellationAr
 
     // The neighbours are faces of the topology until the place of every face is known.
     const std::size_t count = starts.back();
-    result.faces = large_vector<Face>(count);
-    result.neighbours = large_vector<Face>(count);
+    result.faces = std::vector<Face>(count);
+    result.neighbours = std::vector<Face>(count);
     LargeArray<Index> from(count);
     std::vector<std::size_t> ends = starts;
     for (Index f = 0; f < slots; ++f) {

@@ -1,10 +1,10 @@
 #pragma once
 /// The working arrays of a construction: std::vector without needless zeros.
 ///
-/// An array that is filled at once need not be zeroed before, and of one that is filled in part only
-/// that part is to be touched: elements of trivial type made without a value have none. Pages are
-/// those that the system gives: asked for huge ones it may stop to collect them, and a construction
-/// take twice its time by luck.
+/// An array that is filled at once need not be zeroed before, and of one that is filled in part
+/// only that part is to be touched: elements of trivial type made without a value have none. Pages
+/// are those that the system gives: asked for huge ones it may stop to collect them, and a
+/// construction take twice its time by luck.
 
 #include <cstddef>
 #include <new>
@@ -13,12 +13,6 @@
 #include <vector>
 
 namespace signum::triangulation {
-
-/// A plain vector, for results.
-template <class T>
-[[nodiscard]] std::vector<T> large_vector(std::size_t count) {
-    return std::vector<T>(count);
-}
 
 template <class T>
 class LargeAllocator {
