@@ -67,7 +67,7 @@ InputSites read_input(const SitesCall& call) {
     }
     if (!call.weight_is.empty()) {
         sites.third = call.weight_is == "weight" ? WeightIs::weight : WeightIs::radius;
-    } else if (metric == Metric::power && sites.third == WeightIs::radius) {
+    } else if (traits_of(metric).has_weights && sites.third == WeightIs::radius) {
         warn_of_negative_radii(call.input, sites.file);
     }
     return sites;

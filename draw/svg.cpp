@@ -39,7 +39,7 @@ std::vector<Conic> straight(std::span<const Edge> edges, const Tessellation& tes
 // two sites may share several. Edges between equal sites are straight, and so are all in the power
 // metric.
 bool may_be_curved(const Tessellation& tessellation) {
-    if (tessellation.metric() == Metric::power) return false;
+    if (traits_of(tessellation.metric()).edges_are_straight) return false;
     const auto sites = tessellation.sites();
     const auto faces = tessellation.faces();
     const auto radius = [&](Index i) { return sites[static_cast<std::size_t>(i)].r; };

@@ -36,7 +36,8 @@ Tessellation::Tessellation(TessellationArrays arrays, std::vector<Site> sites,
         if (!holds) throw std::invalid_argument(otherwise);
     };
     const std::size_t faces = arrays_.faces.size();
-    require(arrays_.neighbours.size() == faces, "there are as many neighbours as faces");
+    require(arrays_.neighbours.size() == faces || arrays_.neighbours.empty(),
+            "the neighbours are not those of as many faces");
     for (std::size_t f = faces; f-- > 0;)
         for (const Index v : arrays_.faces[f]) {
             if (v == infinite) continue;
@@ -50,6 +51,11 @@ Tessellation::Tessellation(TessellationArrays arrays, std::vector<Site> sites,
     for (const Hidden& hidden : arrays_.hidden)
         require(at(hidden.site) < sites_.size() && at(hidden.by) < sites_.size(),
                 "a hidden site, or who hides it, is no site");
+}
+
+void Tessellation::expect_neighbours() const {
+    if (arrays_.neighbours.size() != arrays_.faces.size())
+        throw std::invalid_argument("the tessellation was made without its neighbours");
 }
 
 std::vector<Edge> Tessellation::edges() const {
@@ -67,6 +73,7 @@ std::vector<Edge> Tessellation::edges() const {
 }
 
 std::vector<Index> Tessellation::neighbours(Index site) const {
+    expect_neighbours();
     std::vector<Index> result;
     const Index first = face_of_site_[checked("site", site, sites_.size())];
     if (first < 0) return result;
@@ -78,6 +85,7 @@ std::vector<Index> Tessellation::neighbours(Index site) const {
 
 Index Tessellation::locate(Point point) const {
     expect_finite(point);
+    expect_neighbours();
     const exact::IeeeEnvironment environment;
     if (arrays_.faces.empty()) return -1;
     return traits_of(metric()).edges_are_straight ? locate_straight(point)
@@ -103,6 +111,7 @@ Index Tessellation::locate_straight(Point point) const noexcept {
 
 Index Tessellation::nearest(Point point) const {
     expect_finite(point);
+    expect_neighbours();
     const exact::IeeeEnvironment environment;
     if (sites_.empty()) return -1;
     if (arrays_.faces.empty()) {

@@ -35,8 +35,12 @@ class Tessellation {
     Tessellation() = default;
     /// Takes over a result; the third numbers of `sites` are what arrays.weight_is says. Throws
     /// std::invalid_argument where a number in the arrays names no site or face. Precondition: the
-    /// neighbours fit the faces, which EdgeList and validate() find out.
+    /// neighbours fit the faces, which EdgeList and validate() find out; they may be missing.
     Tessellation(TessellationArrays arrays, std::vector<Site> sites, Statistics statistics);
+
+    /// Throws std::invalid_argument for a tessellation that was made without its neighbours, which
+    /// whoever walks around sites asks for.
+    void expect_neighbours() const;
 
     [[nodiscard]] Metric metric() const noexcept { return arrays_.metric; }
     [[nodiscard]] WeightIs weight_is() const noexcept { return arrays_.weight_is; }

@@ -7,6 +7,7 @@ Canonical::Canonical(const Tessellation& tessellation)
       face_at_(tessellation.sites().size(), -1),
       degree_(tessellation.sites().size(), 0),
       hidden_by_(tessellation.sites().size(), -1) {
+    tessellation.expect_neighbours();
     const auto faces = tessellation.faces();
     for (std::size_t f = 0; f < faces.size(); ++f)
         for (const Index v : faces[f]) {

@@ -51,6 +51,7 @@ std::string_view name_of(EdgeKind kind) noexcept {
 
 Voronoi::Voronoi(Tessellation tessellation, const VoronoiOptions& options)
     : tessellation_(std::move(tessellation)), hidden_(tessellation_.sites().size(), false) {
+    tessellation_.expect_neighbours();
     for (const Hidden& hidden : tessellation_.hidden())
         hidden_[static_cast<std::size_t>(hidden.site)] = true;
     // Products of up to four lengths are to stay within a double's range.

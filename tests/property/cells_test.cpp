@@ -44,7 +44,7 @@ class Cells : public testing::TestWithParam<Metric> {
     /// the other site were as far as the picture is wide.
     static double distance(const Frame& frame, Point pixel, const Site& site) {
         const Point at = frame.at({site.x, site.y});
-        const double length = shapes_of(GetParam()).norm({pixel.x - at.x, pixel.y - at.y});
+        const double length = shapes_of(GetParam()).outline.norm({pixel.x - at.x, pixel.y - at.y});
         const double r = frame.length(site.r);
         return GetParam() == Metric::power ? (length * length - r * r) / frame.width() : length - r;
     }

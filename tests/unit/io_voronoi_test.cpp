@@ -238,7 +238,7 @@ TEST_P(VoronoiFiles, PicturesHaveACellForEachSite) {
     EXPECT_EQ(svg.find('Q') != svg.npos, GetParam() == Metric::euclidean);
     std::ostringstream part;
     write_voronoi_svg(part, diagram, Box{100, 100, 300, 200});
-    EXPECT_NE(part.str().find("viewBox=\"0 0 900 4"), std::string::npos);  // 450 and the legend
+    EXPECT_NE(part.str().find("viewBox=\"0 0 900 5"), std::string::npos);  // 450, axis and legend
     std::ostringstream again;
     write_voronoi_svg(again, diagram);
     EXPECT_EQ(again.str(), svg);

@@ -115,10 +115,10 @@ class NearestVisible {
 
     /// The visible site nearest to a point, from any visible one: the distance has no local minimum
     /// on the tessellation but the global one, so going to a nearer neighbour as long as there is
-    /// one suffices. A walk that takes long goes on from the site found last, if that is nearer: of
-    /// points that follow one another along a curve the sites are seldom far apart. It is given up
-    /// where that does not help, as it does not around a giant; rounded distances, which may lead
-    /// around in circles, end there, too.
+    /// one suffices. A walk that takes long goes on from the site found last, once and if that is
+    /// nearer: of points that follow one another along a curve the sites are seldom far apart. It
+    /// is given up where that does not help, as it does not around a giant; rounded distances,
+    /// which may lead around in circles, end there, too.
     [[nodiscard]] Index operator()(Point point, Index start) {
         return found_last_ = walk(point, start);
     }
@@ -127,6 +127,7 @@ class NearestVisible {
     [[nodiscard]] Index walk(Point point, Index start) {
         constexpr int many = 64;
         int asked = 0;
+        Index elsewhere = found_last_;
         Index nearest = start;
         for (bool improved = true; improved;) {
             improved = false;
@@ -134,7 +135,7 @@ class NearestVisible {
             if (f < 0) break;  // the only visible site
             for (const HalfEdge h : topology_.fan(topology_.spoke(f, nearest))) {
                 const bool is_long = ++asked % many == 0;
-                const Index v = is_long ? found_last_ : topology_.target(h);
+                const Index v = is_long ? std::exchange(elsewhere, -1) : topology_.target(h);
                 if (v >= 0 && kernel_.nearer(point, v, nearest)) {
                     nearest = v;
                     improved = true;
