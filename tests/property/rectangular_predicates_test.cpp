@@ -7,6 +7,8 @@
 #include <cmath>
 #include <random>
 
+#include <tuple>
+
 #include <gtest/gtest.h>
 
 #include "../oracle/rectangular.hpp"
@@ -113,7 +115,13 @@ TYPED_TEST(RectangularPredicates, SayWhichStageAnswered) {
             .stage;
     };
     EXPECT_EQ(stage({-7.125, 0.375, 1}), Stage::filter);
-    EXPECT_EQ(stage({0.3, -5.5, 1}), Stage::essa);
+    // 0.3 + 0.7 is less than 1 by less than doubles tell; 0.1 + 0.9 is more.
+    for (const auto& [x, r, sign] : {std::tuple(0.3, 0.7, 1), std::tuple(0.1, 0.9, -1)}) {
+        const Decision rounds = Perturbed<TypeParam>::hides({0, 0, 1}, {x, 0, r}, {0, 1});
+        EXPECT_EQ(rounds.stage, Stage::essa);
+        EXPECT_EQ(rounds.sign, sign);
+        EXPECT_FALSE(rounds.tied);
+    }
     // A square of small integers: the sums commit no rounding, which is seen before ESSA is asked.
     const auto tie = [](auto predicates) {
         return decltype(predicates)::hides({0, 0, 2}, {1, 0, 1}, {0, 1});

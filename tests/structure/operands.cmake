@@ -1,6 +1,6 @@
 # operands/operands.cpp as careless users compile it, with both compilers where they are there and
 # with every liberty that is not refused: all its answers must be right.
-set(scratch "${BUILD}/Testing/operands")
+set(scratch "${BUILD}/Testing/operands${ALONE}")
 file(REMOVE_RECURSE "${scratch}")
 file(MAKE_DIRECTORY "${scratch}")
 set(folder "${SOURCES}/tests/structure/operands")
@@ -19,7 +19,7 @@ endfunction()
 must(${COMPILER} ${FLAGS} -std=c++20 -O1 -ffp-contract=off -DNDEBUG -c "${folder}/truth.cpp" -o
      "${scratch}/truth.o")
 
-# Each liberty alone, then all of them. What g++ betrays by a macro is refused, clang++ has none.
+# All liberties at once, or each alone. What g++ betrays by a macro is refused, clang++ has none.
 set(alone -fno-signed-zeros -fno-trapping-math -freciprocal-math -fno-math-errno -ffp-contract=fast)
 set(all -O3 -march=native ${alone})
 list(TRANSFORM alone PREPEND "-O2 ")
@@ -31,12 +31,18 @@ foreach(program IN ITEMS g++ clang++-14)
     message(STATUS "no ${program}: not tried")
     continue()
   endif()
-  set(liberties -O1 "-O2 -march=native" "-O2 -frounding-math" ${alone})
+  # With ALONE the others; they take minutes and are slow tests.
+  set(liberties "-O2 -march=native")
+  set(others -O1 "-O2 -frounding-math" ${alone})
   if(program MATCHES "clang")
-    list(APPEND liberties "-O2 -march=native -ffp-contract=fast" "${all_of_clang}"
-         "-O3 -fassociative-math -fno-signed-zeros -fno-trapping-math" "-O2 -funsafe-math-optimizations")
+    list(APPEND liberties "${all_of_clang}")
+    list(APPEND others "-O2 -march=native -ffp-contract=fast" "-O2 -funsafe-math-optimizations"
+         "-O3 -fassociative-math -fno-signed-zeros -fno-trapping-math")
   else()
     list(APPEND liberties "${all}")
+  endif()
+  if(ALONE)
+    set(liberties ${others})
   endif()
   foreach(flags IN LISTS liberties)
     separate_arguments(options UNIX_COMMAND "${flags}")

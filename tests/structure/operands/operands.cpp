@@ -512,7 +512,10 @@ void euclidean_filters_under_traps() {
         certain += static_cast<int>(filter::in_circle_infinite(i, j, q).is_certain());
         Trapping::leave();
     }
-    expect("the Euclidean filters are certain of something", static_cast<int>(certain > 0), 1);
+    // Linked with -funsafe-math-optimizations a program may begin with denormals flushed, where
+    // filters decline.
+    if (signum::filters::environment_is_default())
+        expect("the Euclidean filters are certain of something", static_cast<int>(certain > 0), 1);
 }
 
 /// What was seen to go wrong before operands were pinned.
