@@ -1,26 +1,16 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <random>
 #include <stdexcept>
 
 #include "../core/index.hpp"
 #include "generate.hpp"
+#include "uniform.hpp"
 
 namespace signum {
 namespace {
 
 constexpr double side = 700.0;
-
-/// Uniform doubles from [0, 1), multiples of 2^-53: the upper bits of the generator.
-class Uniform {
- public:
-    explicit Uniform(std::uint64_t seed) : bits_(seed) {}
-    double operator()() { return static_cast<double>(bits_() >> 11) * 0x1p-53; }
-
- private:
-    std::mt19937_64 bits_;
-};
 
 Point random_point(Uniform& uniform) {
     const double x = side * uniform();

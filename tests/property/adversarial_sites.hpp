@@ -6,22 +6,13 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
-#include <random>
 #include <string_view>
 #include <vector>
 
 #include "../../core/site.hpp"
+#include "../../generate/uniform.hpp"
 
 namespace signum::adversarial {
-
-class Uniform {
- public:
-    explicit Uniform(std::uint64_t seed) : bits_(seed) {}
-    double operator()() { return static_cast<double>(bits_() >> 11) * 0x1p-53; }
-
- private:
-    std::mt19937_64 bits_;
-};
 
 using Sites = std::vector<Site>;
 

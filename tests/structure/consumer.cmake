@@ -3,15 +3,7 @@
 set(scratch "${BUILD}/Testing/consumer")
 file(REMOVE_RECURSE "${scratch}")
 
-# Runs a command; its output in the variable `output`.
-function(must)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE error)
-  if(NOT code EQUAL 0)
-    list(JOIN ARGN " " command)
-    message(FATAL_ERROR "${command}\n${out}${error}")
-  endif()
-  set(output "${out}" PARENT_SCOPE)
-endfunction()
+include("${CMAKE_CURRENT_LIST_DIR}/must.cmake")
 
 must("${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${scratch}/first")
 # A package says where it lies relative to itself.

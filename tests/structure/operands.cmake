@@ -7,14 +7,7 @@ set(folder "${SOURCES}/tests/structure/operands")
 list(GET LIBRARIES 0 library)
 get_filename_component(directory "${library}" DIRECTORY)
 
-function(must)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE error)
-  if(NOT code EQUAL 0)
-    list(JOIN ARGN " " command)
-    message(FATAL_ERROR "${command}\n${out}${error}")
-  endif()
-  set(output "${out}" PARENT_SCOPE)
-endfunction()
+include("${CMAKE_CURRENT_LIST_DIR}/must.cmake")
 
 must(${COMPILER} ${FLAGS} -std=c++20 -O1 -ffp-contract=off -DNDEBUG -c "${folder}/truth.cpp" -o
      "${scratch}/truth.o")

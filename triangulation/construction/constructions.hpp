@@ -82,7 +82,7 @@ inline void fill(Statistics&, const filters::NoTally&) noexcept {}
 
 /// The arrays of the result, from a construction that is done.
 template <class Kernel>
-Tessellation finish(Metric metric, WeightIs weight_is, const StridedSites& input,
+Tessellation finish(Metric metric, const StridedSites& input,
                     std::chrono::steady_clock::time_point start, Kernel& kernel,
                     LargeArray<typename Kernel::SiteType> sites, Topology topology,
                     LargeArray<Index> original, LargeArray<Index> hidden_by,
@@ -92,7 +92,7 @@ Tessellation finish(Metric metric, WeightIs weight_is, const StridedSites& input
 
     TessellationArrays arrays;
     arrays.metric = metric;
-    arrays.weight_is = weight_is;
+    arrays.weight_is = input.third_is_weight() ? WeightIs::weight : WeightIs::radius;
     arrays.sites = static_cast<std::int64_t>(n);
     for (std::size_t i = 0; i < n; ++i)
         if (hidden_by[i] >= 0)
@@ -136,8 +136,7 @@ Tessellation construct_with_kernel(Metric metric, const StridedSites& input,
     } else {
         connect_line(topology, visible_on_line(kernel, n, hidden_by));
     }
-    const WeightIs weight_is = input.third_is_weight() ? WeightIs::weight : WeightIs::radius;
-    return finish(metric, weight_is, input, start, kernel, std::move(sites), std::move(topology),
+    return finish(metric, input, start, kernel, std::move(sites), std::move(topology),
                   std::move(original), std::move(hidden_by));
 }
 
@@ -174,8 +173,8 @@ Tessellation construct_additive_with_kernel(Metric metric, const StridedSites& i
             watch.at(i);
         }
     }
-    return finish(metric, WeightIs::radius, input, start, kernel, std::move(sites),
-                  std::move(topology), std::move(original), std::move(hidden_by));
+    return finish(metric, input, start, kernel, std::move(sites), std::move(topology),
+                  std::move(original), std::move(hidden_by));
 }
 
 /// The same, for squares, by a sweep.
@@ -208,8 +207,8 @@ Tessellation construct_by_sweep_with_kernel(Metric metric, const StridedSites& i
     sweep.run(n, [&](std::size_t reached) { watch.at(reached); });
     Statistics statistics;
     statistics.events = sweep.events();
-    return finish(metric, WeightIs::radius, input, start, kernel, std::move(sites),
-                  std::move(topology), std::move(original), std::move(hidden_by), statistics);
+    return finish(metric, input, start, kernel, std::move(sites), std::move(topology),
+                  std::move(original), std::move(hidden_by), statistics);
 }
 
 /// construct<Tally>() for what the options ask.

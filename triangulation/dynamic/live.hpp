@@ -111,12 +111,6 @@ class Live {
                 metric_);
         }
         std::vector<Index> hidden_by = hidden_by_;
-        // Who hides may be hidden in its turn, and so on: one in two is passed over, time and
-        // again.
-        for (Index h = 0; at(h) < live_.size(); ++h)
-            for (Index by = hidden_by[at(h)]; by >= 0 && hidden_by[at(by)] >= 0;
-                 by = hidden_by[at(h)])
-                hidden_by[at(h)] = hidden_by[at(by)];
         settle_hiders(*topology_, *kernel_, hidden_by);
         TessellationArrays arrays;
         arrays.metric = metric_;

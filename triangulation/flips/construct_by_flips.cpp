@@ -97,9 +97,8 @@ Tessellation construct_by_flips_with_kernel(const StridedSites& input, const Opt
     } else {
         connect_line(topology, visible_on_line(kernel, n, hidden_by));
     }
-    const WeightIs weight_is = input.third_is_weight() ? WeightIs::weight : WeightIs::radius;
-    return finish(Metric::power, weight_is, input, start, kernel, std::move(sites),
-                  std::move(topology), std::move(original), std::move(hidden_by), statistics);
+    return finish(Metric::power, input, start, kernel, std::move(sites), std::move(topology),
+                  std::move(original), std::move(hidden_by), statistics);
 }
 
 template <class S>

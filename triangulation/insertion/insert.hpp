@@ -171,7 +171,7 @@ class Insertion {
             hide_in(start, q);
             return false;
         } else {
-            HalfEdge from = nearest_corner(topology_, kernel_, recent_, q);
+            WalkStart from = nearest_corner(topology_, kernel_, recent_, q);
             for (Index steps = topology_.faces(); Kernel::is_exact || steps >= 0; --steps) {
                 const Approach approach = locate_nearest(topology_, kernel_, from, q);
                 recent_ = Topology::face(approach.spoke);
@@ -186,9 +186,8 @@ class Insertion {
         }
     }
 
-    /// Finds the conflicts of q at the border of the cell of a site that does not hide it. Or else
-    /// a nearer site, out of which the half-edge `nearer` is, for the walk to go on; and returns
-    /// false.
+    /// Finds the conflicts of q at the border of the cell of a site that does not hide it. Otherwise
+    /// `nearer` becomes a site that is nearer, from which the walk is to go on: false.
     ///
     /// Let v be the site, d its distance less its radius, c the centre of q. The ray from v's
     /// centre through c leaves v's cell in a point x of an edge, perhaps at infinity, by which
@@ -202,7 +201,7 @@ class Insertion {
     /// from: the search goes from there to both sides at once, and a giant with a thousand
     /// neighbours costs no more than the few between one insertion and the next along the curve.
     /// A site that q's conflict is asked with is not nearer than v; so it does not hide q either.
-    [[nodiscard]] bool find_conflicts_around(const Approach& approach, Index q, HalfEdge& nearer) {
+    [[nodiscard]] bool find_conflicts_around(const Approach& approach, Index q, WalkStart& nearer) {
         const HalfEdge first = approach.spoke;
         bool found = false;
         // Whether the search is at its end with the face of h, of which the apex is new.
@@ -211,7 +210,7 @@ class Insertion {
             if (!approach.is_nearest) [[unlikely]] {
                 const Index apex = topology_.apex(h);
                 if (apex != infinite && kernel_.is_nearer(q, apex, topology_.origin(first))) {
-                    nearer = Topology::previous(h);
+                    nearer = {Topology::previous(h), kernel_.distance(q, apex)};
                     return true;
                 }
             }

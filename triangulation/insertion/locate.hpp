@@ -6,6 +6,7 @@
 
 #include "../../core/index.hpp"
 #include "../../core/sign.hpp"
+#include "../../predicates/additive.hpp"
 #include "../options.hpp"
 #include "../structure/topology.hpp"
 
@@ -46,32 +47,39 @@ struct Approach {
 /// nearly all of them for neighbours.
 inline constexpr int few_neighbours = 24;
 
-/// A half-edge of a face out of the corner nearest to the centre of q, roughly: where a walk best
-/// begins, for cells may be long and thin, and another corner be a thousand sites away.
+/// Where a walk begins: a half-edge out of a site, and how far that is from the centre of q.
+struct WalkStart {
+    HalfEdge spoke;
+    additive::Distance distance;
+};
+
+/// The corner of a face nearest to the centre of q, roughly: where a walk best begins, for cells
+/// may be long and thin, and another corner be a thousand sites away.
 template <class Kernel>
-[[nodiscard]] HalfEdge nearest_corner(const Topology& topology, const Kernel& kernel, Index face,
-                                      Index q) {
-    HalfEdge nearest = Topology::first_edge(face);
-    double least = std::numeric_limits<double>::infinity();
-    for (const HalfEdge corner : {nearest, Topology::next(nearest), Topology::previous(nearest)}) {
+[[nodiscard]] WalkStart nearest_corner(const Topology& topology, const Kernel& kernel, Index face,
+                                       Index q) {
+    HalfEdge first = Topology::first_edge(face);
+    if (topology.origin(first) == infinite) first = Topology::next(first);
+    WalkStart nearest = {first, kernel.distance(q, topology.origin(first))};
+    for (const HalfEdge corner : {Topology::next(first), Topology::previous(first)}) {
         if (topology.origin(corner) == infinite) continue;
-        const auto distance = kernel.distance(q, topology.origin(corner));
-        if (distance.to_centre - distance.radius >= least) continue;
-        nearest = corner;
-        least = distance.to_centre - distance.radius;
+        const additive::Distance distance = kernel.distance(q, topology.origin(corner));
+        if (distance.to_centre - distance.radius <
+            nearest.distance.to_centre - nearest.distance.radius)
+            nearest = {corner, distance};
     }
-    return topology.origin(nearest) == infinite ? Topology::next(nearest) : nearest;
+    return nearest;
 }
 
-/// Walks toward the site nearest to the centre of q, from the origin of a half-edge; as far as
-/// asking few neighbours of each site on the way leads. As cells are star-shaped, every site but
-/// the nearest has a neighbour that is nearer: the one whose cell the segment to q's centre enters.
+/// Walks toward the site nearest to the centre of q; as far as asking few neighbours of each site
+/// on the way leads. As cells are star-shaped, every site but the nearest has a neighbour that is
+/// nearer: the one whose cell the segment to q's centre enters.
 template <class Kernel>
-[[nodiscard]] Approach locate_nearest(const Topology& topology, Kernel& kernel, HalfEdge from,
-                                      Index q) {
-    HalfEdge first = from;
+[[nodiscard]] Approach locate_nearest(const Topology& topology, Kernel& kernel,
+                                      const WalkStart& from, Index q) {
+    HalfEdge first = from.spoke;
     Index nearest = topology.origin(first);
-    auto least = kernel.distance(q, nearest);
+    additive::Distance least = from.distance;
     Index before = infinite;
     HalfEdge next = first;
     double to_next = std::numeric_limits<double>::infinity();
