@@ -16,14 +16,13 @@
 ///  2. A² - L² Γ = Q H / 4, so that A, L, Q and H, of degree 8 at most, have all the signs needed;
 ///  3. H = 0 is Casey's theorem: one circle touches all four. H(p_ij, p_ik, p_jk) = 4Q: one line
 ///     touches all three.
-///  4. |c_j - c_i|² Q = W² - p_ij C² with W = |c_j - c_i|² r_k - r_j (c_j - c_i)·(c_k - c_i), so
-///  that
+///  4. |c_j - c_i|² Q = W² - p_ij C² with W = |c_j - c_i|² r_k - r_j (c_j - c_i)·(c_k - c_i); so
 ///     Q = 0 and C = 0 only together with W;
 ///  5. along the bisector of i and j, walked with i on the left, the coordinate
 ///     t = (c_j - c_i) x (X - c_i) rises. The part nearer to k runs, cyclically through infinity,
 ///     from vertex (i,j,k), at t = M + N, to vertex (j,i,k), at t = M - N, with
 ///     M = p_ij C e / 4Q,  e = p_ij - p_ik - p_jk,  N = W √Γ / 2Q.
-/// Proved by tests/unit/apollonius_identities_test.cpp on all kinds of degenerate configurations;
+/// Proved by tests/oracle/apollonius_identities_test.cpp on all kinds of degenerate configurations;
 /// law 5 by tests/property/euclidean_predicates_test.cpp.
 
 #include <array>

@@ -4,8 +4,8 @@
 /// centre another site is nearer to) and throws otherwise.
 
 #include <gtest/gtest.h>
-#include "../oracle/rectangular.hpp"
 #include "oracle_test_support.hpp"
+#include "rectangular.hpp"
 
 #include <cmath>
 #include <limits>

@@ -1,7 +1,7 @@
 // The brute-force Apollonius graph: small cases by hand, counts, symmetries, and what a grid of
 // points sees of the cells.
 #include <gtest/gtest.h>
-#include "../oracle/euclidean.hpp"
+#include "euclidean.hpp"
 
 #include <algorithm>
 #include <array>

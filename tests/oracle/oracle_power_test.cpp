@@ -3,8 +3,8 @@
 /// matched edges, hidden sites are those below which another simplex passes) and throws otherwise.
 
 #include <gtest/gtest.h>
-#include "../oracle/power.hpp"
 #include "oracle_test_support.hpp"
+#include "power.hpp"
 
 #include <cmath>
 #include <limits>

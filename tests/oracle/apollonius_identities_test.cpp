@@ -2,7 +2,7 @@
 // in rationals against a direct solution: intersect a line with a cone, and look at what comes out.
 #include <gtest/gtest.h>
 #include <boost/multiprecision/gmp.hpp>
-#include "../oracle/euclidean.hpp"
+#include "euclidean.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 /// What the tests of the oracles share: little random inputs, canonical identities of sites, and
 /// diagrams looked at with nothing but distances.
 
-#include "../oracle/oracle.hpp"
+#include "oracle.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,0 +1,1 @@
+// What is compiled for the precompiled headers of the tests: nothing.
