@@ -66,13 +66,10 @@ CLI::Validator name_of_metric() {
 
 CLI::Option* add_metric(CLI::App& command, std::string& metric) {
     metric = name_of(Metric::euclidean);
-    return command
-        .add_option("--metric", metric,
-                    "The distance of a point p from a site (c, r):\n"
-                    "power      |p - c|^2 - r^2\n"
-                    "euclidean  |p - c| - r, sites are discs\n"
-                    "manhattan  the same with |x| + |y|: diamonds\n"
-                    "supremum   the same with max(|x|, |y|): squares")
+    std::string distances = "The distance of a point p from a site (c, r):";
+    for (const MetricTraits& traits : metric_table)
+        distances += fmt::format("\n{:<9}  {}: {}s", traits.name, traits.distance, traits.site);
+    return command.add_option("--metric", metric, distances)
         ->transform(name_of_metric())
         ->type_name("NAME")
         ->capture_default_str();

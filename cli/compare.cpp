@@ -29,7 +29,7 @@ namespace signum::cli {
 namespace {
 
 /// The call as it was typed; SitesCall::arithmetic is the one that is judged.
-struct Call : SitesCall, OutputsCall {
+struct CompareCall : SitesCall, OutputsCall {
     std::string against = "exact";
     double seconds = 1.0;
     bool json = false;
@@ -60,7 +60,7 @@ struct Report {
 
 class Builder {
  public:
-    Builder(const Call& call, const InputSites& sites)
+    Builder(const CompareCall& call, const InputSites& sites)
         : call_(call), sites_(sites), metric_(metric_of(call.metric)) {}
 
     /// Throws BrokenStructure.
@@ -90,7 +90,7 @@ class Builder {
     }
 
  private:
-    const Call& call_;
+    const CompareCall& call_;
     const InputSites& sites_;
     Metric metric_;
 };
@@ -113,7 +113,7 @@ void measure(Report& report, const Builder& builder, double seconds) {
     if (contesting.size() == 2) report.ratio = race.ratios[1];
 }
 
-Report compare(const Call& call, const InputSites& sites) {
+Report compare(const CompareCall& call, const InputSites& sites) {
     std::optional<Progress> bar;
     if (!call.quiet) bar.emplace();
     double done = 0.0;
@@ -274,18 +274,19 @@ void put_json(TextWriter& text, const Report& report) {
     text.put("}\n");
 }
 
-constexpr std::array<Format, 1> formats = {{{"svg", "the judged tessellation, wrong edges thick"}}};
+constexpr std::array<Format, 1> compare_formats = {
+    {{"svg", "the judged tessellation, wrong edges thick"}}};
 
 // ---- the call ----------------------------------------------------------------------------------
 
-void run(const Call& call) {
+void run(const CompareCall& call) {
     if (arithmetic_of(call.arithmetic) == arithmetic_of(call.against))
         throw CallError(
             fmt::format("--arithmetic and --against are both {}; name two", call.against));
     // Without -o and --format nothing is drawn.
     std::vector<Target> targets;
     if (!call.outputs.empty() || !call.format.empty())
-        targets = targets_of(call, call.input, formats);
+        targets = targets_of(call, call.input, compare_formats);
     const bool is_drawn_there = std::ranges::count(targets, "-", &Target::path) > 0;
     if (call.json && is_drawn_there) {
         throw CallError(
@@ -322,7 +323,7 @@ void run(const Call& call) {
 }  // namespace
 
 void add_compare(CLI::App& tool) {
-    auto call = std::make_shared<Call>();
+    auto call = std::make_shared<CompareCall>();
     call->arithmetic = name_of(Arithmetic::naive);
     CLI::App* command = tool.add_subcommand(
         "compare", "Says what rounded arithmetic gets wrong, and what exactness costs");
@@ -342,7 +343,7 @@ void add_compare(CLI::App& tool) {
         ->type_name("T")
         ->capture_default_str();
     command->add_flag("--json", call->json, "The same as JSON");
-    add_outputs(*command, *call, formats,
+    add_outputs(*command, *call, compare_formats,
                 "the table goes to standard error then. Without it\nnothing is drawn");
     command->footer(
         "An edge is wrong when no tessellation of the sites, however ties are decided,\n"

@@ -19,7 +19,7 @@ namespace signum::cli {
 namespace {
 
 /// The call as it was typed.
-struct Call {
+struct GenerateCall {
     std::string distribution;
     std::int64_t count = 0;
     std::string radius = "0";
@@ -40,17 +40,15 @@ double number_of(const std::string& option, std::string_view text) {
     throw CallError(fmt::format("{}: {}", option, explain(number.fault, text)));
 }
 
-constexpr std::string_view standard_output = "-";
-
 /// By --format, else by the ending, where it says anything.
-SitesFormat format_of(const Call& call) {
+SitesFormat format_of(const GenerateCall& call) {
     const std::string name = call.format.empty() ? ending_of(call.output) : call.format;
     if (name == "csv") return SitesFormat::csv;
     if (name == "json") return SitesFormat::json;
     return SitesFormat::text;
 }
 
-void run(const Call& call) {
+void run(const GenerateCall& call) {
     if (call.count < 1 || call.count > max_sites) {
         throw CallError(
             fmt::format("-n {}: give a number of sites from 1 to {}", call.count, max_sites));
@@ -92,7 +90,7 @@ void run(const Call& call) {
 }  // namespace
 
 void add_generate(CLI::App& tool) {
-    auto call = std::make_shared<Call>();
+    auto call = std::make_shared<GenerateCall>();
     std::vector<std::string> names;
     for (const Distribution each : all_distributions) names.emplace_back(name_of(each));
     CLI::App* command =

@@ -14,8 +14,6 @@
 namespace signum::cli {
 namespace {
 
-constexpr std::string_view standard_output = "-";
-
 bool is_same_file(const std::string& a, const std::string& b) {
     struct stat first = {};
     struct stat second = {};

@@ -15,6 +15,9 @@
 
 namespace signum::cli {
 
+/// The path of standard output.
+inline constexpr std::string_view standard_output = "-";
+
 /// A format that a subcommand writes. Its name is that of --format and, after a point, the ending
 /// of its files.
 struct Format {
@@ -30,7 +33,7 @@ struct OutputsCall {
 
 /// A place that a result goes to.
 struct Target {
-    std::string path;    ///< "-" is standard output
+    std::string path;    ///< or standard_output
     std::string format;  ///< the name of one of the formats
 };
 

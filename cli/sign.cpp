@@ -21,7 +21,7 @@ namespace signum::cli {
 namespace {
 
 /// The call as it was typed.
-struct Call {
+struct SignCall {
     std::string predicate;
     std::string metric;
     std::string weight_is;
@@ -86,7 +86,7 @@ Predicates predicates_in(M metric) {
     return rectangular_predicates<Directions>(metric.traits.circle);
 }
 
-std::vector<double> numbers_of(const Call& call, std::size_t needed, std::string_view meaning) {
+std::vector<double> numbers_of(const SignCall& call, std::size_t needed, std::string_view meaning) {
     if (call.numbers.size() != needed) {
         throw CallError(fmt::format("sign {} needs {} numbers after --, {}; {} {} given",
                                     call.predicate, needed, meaning, call.numbers.size(),
@@ -138,7 +138,7 @@ void explain_tie(Answer& answer, std::string_view circle, std::string_view third
                     third, names[last], perturbed > 0 ? "conflicts" : "does not conflict"));
 }
 
-Answer decide_ccw(const Call& call) {
+Answer decide_ccw(const SignCall& call) {
     const std::vector<double> v = numbers_of(call, 6, "x y of each of three points");
     Answer answer = {ccw_decision({v[0], v[1]}, {v[2], v[3]}, {v[4], v[5]}), {}, {}};
     if (answer.decision.sign == 0) {
@@ -153,7 +153,7 @@ template <class S>
 using Sites = std::array<S, 4>;
 
 template <class S>
-Sites<S> sites_of(const Call& call) {
+Sites<S> sites_of(const SignCall& call) {
     const std::vector<double> v =
         numbers_of(call, 12, "x y r of each of the sites i, j, k and of the query");
     Sites<S> sites;
@@ -162,7 +162,7 @@ Sites<S> sites_of(const Call& call) {
 }
 
 template <class S>
-Answer decide_in_power(const Call& call) {
+Answer decide_in_power(const SignCall& call) {
     const auto sites = sites_of<S>(call);
     const auto& [i, j, k, q] = sites;
     const Sign turn = ccw_decision(i, j, k).sign;
@@ -215,7 +215,7 @@ void check_existence(const Predicates& metric, const Sites<Site>& sites,
                                   : "none touches them clockwise either: give three other sites"));
 }
 
-Answer decide_additively(const Call& call, const Predicates& metric) {
+Answer decide_additively(const SignCall& call, const Predicates& metric) {
     const auto sites = sites_of<Site>(call);
     const auto& [i, j, k, q] = sites;
     const auto ranks = additive::ranks_of<4>({&i, &j, &k, &q});
@@ -235,7 +235,7 @@ Answer decide_additively(const Call& call, const Predicates& metric) {
     return answer;
 }
 
-Answer decide(const Call& call) {
+Answer decide(const SignCall& call) {
     // ccw is the same in every metric.
     if (call.predicate == "ccw") return decide_ccw(call);
     const Metric metric = metric_of(call.metric);
@@ -272,7 +272,7 @@ void print(const Answer& answer, bool json) {
 }  // namespace
 
 void add_sign(CLI::App& tool) {
-    auto call = std::make_shared<Call>();
+    auto call = std::make_shared<SignCall>();
     CLI::App* command = tool.add_subcommand(
         "sign", "Prints the exact sign of a predicate, and the stage that decided it");
     command

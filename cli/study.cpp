@@ -37,7 +37,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The call as it was typed.
-struct Call {
+struct StudyCall {
     std::string directory = "signum-study";
     bool quick = false;
     std::vector<std::string> metrics;
@@ -48,7 +48,7 @@ struct Call {
     bool quiet = false;
 };
 
-study::Scope scope_of(const Call& call) {
+study::Scope scope_of(const StudyCall& call) {
     study::Scope scope;
     scope.quick = call.quick;
     if (!call.metrics.empty()) {
@@ -75,7 +75,7 @@ study::Scope scope_of(const Call& call) {
 }
 
 /// The command that makes the same study.
-std::string command_of(const Call& call, const study::Scope& scope) {
+std::string command_of(const StudyCall& call, const study::Scope& scope) {
     std::string command = "signum study";
     if (call.quick) command += " --quick";
     if (scope.metrics.size() < all_metrics.size())
@@ -217,7 +217,7 @@ void write_report(const fs::path& directory, const study::Account& account,
                                                              study::beside_the_thesis(rows)));
 }
 
-void run(const Call& call) {
+void run(const StudyCall& call) {
     if (call.directory == "-")
         throw CallError("-o -: a study is a directory of files; give its name");
     const study::Scope scope = scope_of(call);
@@ -292,7 +292,7 @@ void run(const Call& call) {
 }  // namespace
 
 void add_study(CLI::App& tool) {
-    auto call = std::make_shared<Call>();
+    auto call = std::make_shared<StudyCall>();
     CLI::App* command = tool.add_subcommand(
         "study", "Measures what accuracy costs, and what goes wrong without it: a report");
     command

@@ -29,7 +29,7 @@ namespace signum::cli {
 namespace {
 
 /// The call as it was typed.
-struct Call : SitesCall, OutputsCall {
+struct TriangulateCall : SitesCall, OutputsCall {
     std::string method = "incremental";
     std::vector<double> clip;
     bool vertices = false;
@@ -50,13 +50,14 @@ Method method_of(const std::string& name, Metric metric) {
                     name, fmt::join(built, " and "), name_of(metric), built.back()));
 }
 
-constexpr std::array<Format, 4> formats = {{{"json", "faces, neighbours, hidden sites"},
-                                            {"svg", "a picture"},
-                                            {"csv", "a table a,b,c of faces, -1 is infinity"},
-                                            {"obj", "a mesh of the finite faces"}}};
+constexpr std::array<Format, 4> triangulate_formats = {
+    {{"json", "faces, neighbours, hidden sites"},
+     {"svg", "a picture"},
+     {"csv", "a table a,b,c of faces, -1 is infinity"},
+     {"obj", "a mesh of the finite faces"}}};
 
 /// Options that one format alone heeds.
-void require_formats_for_options(const Call& call, std::span<const Target> targets) {
+void require_formats_for_options(const TriangulateCall& call, std::span<const Target> targets) {
     if (call.vertices && !is_written(targets, "json"))
         throw CallError("--vertices goes into JSON alone; add -o FILE.json");
     if (!call.clip.empty() && !is_written(targets, "svg"))
@@ -114,7 +115,7 @@ void summarize_statistics(const Statistics& s) {
 }
 
 /// Judges the tessellation from scratch. An exact one must be the canonical one, too.
-Validation check(const Call& call, const Tessellation& tessellation) {
+Validation check(const TriangulateCall& call, const Tessellation& tessellation) {
     const Validation result = validate_with_progress(
         tessellation.arrays(), strided_view(tessellation.sites(), tessellation.weight_is()),
         call.quiet);
@@ -126,14 +127,14 @@ Validation check(const Call& call, const Tessellation& tessellation) {
     return result;
 }
 
-void run(const Call& call) {
+void run(const TriangulateCall& call) {
     const Method method = method_of(call.method, metric_of(call.metric));
     if (method == Method::flips && arithmetic_of(call.arithmetic) != Arithmetic::exact) {
         throw CallError(
             fmt::format("--method flips has exact arithmetic alone; leave --arithmetic {} out",
                         call.arithmetic));
     }
-    const std::vector<Target> targets = targets_of(call, call.input, formats);
+    const std::vector<Target> targets = targets_of(call, call.input, triangulate_formats);
     require_formats_for_options(call, targets);
     const std::optional<Box> clip = box_of(call.clip, targets);
     const InputSites sites = read_input(call);
@@ -156,7 +157,7 @@ void run(const Call& call) {
 }  // namespace
 
 void add_triangulate(CLI::App& tool) {
-    auto call = std::make_shared<Call>();
+    auto call = std::make_shared<TriangulateCall>();
     CLI::App* command = tool.add_subcommand("triangulate", "Computes the tessellation of sites");
     add_sites(*command, *call);
     command
@@ -179,7 +180,7 @@ void add_triangulate(CLI::App& tool) {
         ->transform(name_of_arithmetic())
         ->type_name("NAME")
         ->capture_default_str();
-    add_outputs(*command, *call, formats, "without it the result goes there, as JSON");
+    add_outputs(*command, *call, triangulate_formats, "without it the result goes there, as JSON");
     add_clip(*command, call->clip,
              "The box that a picture shows. Default: all sites\nwith some room around them");
     command->add_flag("--vertices", call->vertices,

@@ -14,14 +14,14 @@ namespace signum::cli {
 namespace {
 
 /// The call as it was typed.
-struct Call {
+struct ValidateCall {
     std::string tessellation;
     std::string sites;
     std::string columns;
     bool quiet = false;
 };
 
-void run(const Call& call) {
+void run(const ValidateCall& call) {
     if (call.tessellation == "-" && call.sites == "-") {
         throw CallError("only one of the two files can be standard input");
     }
@@ -47,7 +47,7 @@ void run(const Call& call) {
 }  // namespace
 
 void add_validate(CLI::App& tool) {
-    auto call = std::make_shared<Call>();
+    auto call = std::make_shared<ValidateCall>();
     CLI::App* command =
         tool.add_subcommand("validate", "Judges a tessellation from scratch, whoever made it");
     command

@@ -23,13 +23,13 @@ namespace signum::cli {
 namespace {
 
 /// The call as it was typed.
-struct Call : SitesCall, OutputsCall {
+struct VoronoiCall : SitesCall, OutputsCall {
     std::vector<double> clip;
     std::optional<double> tolerance;
     bool merge = false;
 };
 
-constexpr std::array<Format, 4> formats = {
+constexpr std::array<Format, 4> voronoi_formats = {
     {{"json", "vertices, edges with their curves,\ncells with their measures"},
      {"svg", "a picture with true arcs"},
      {"geojson", "the cells as polygons"},
@@ -49,8 +49,8 @@ void summarize(const Voronoi& voronoi, std::span<const Target> targets) {
     say("{}", written(targets));
 }
 
-void run(const Call& call) {
-    const std::vector<Target> targets = targets_of(call, call.input, formats);
+void run(const VoronoiCall& call) {
+    const std::vector<Target> targets = targets_of(call, call.input, voronoi_formats);
     const std::optional<Box> clip = box_of(call.clip, targets);
     if (call.tolerance && !(*call.tolerance > 0))
         throw CallError("--tolerance: give a number above 0");
@@ -87,7 +87,7 @@ void run(const Call& call) {
 }  // namespace
 
 void add_voronoi(CLI::App& tool) {
-    auto call = std::make_shared<Call>();
+    auto call = std::make_shared<VoronoiCall>();
     CLI::App* command =
         tool.add_subcommand("voronoi", "Computes the diagram of sites: vertices, edges, cells");
     add_sites(*command, *call);
@@ -106,7 +106,7 @@ void add_voronoi(CLI::App& tool) {
     command->add_flag("--merge", call->merge,
                       "One vertex where several faces have the same\n"
                       "circle, without edges of no length");
-    add_outputs(*command, *call, formats, "without it the result goes there, as JSON");
+    add_outputs(*command, *call, voronoi_formats, "without it the result goes there, as JSON");
     command->footer(
         "Examples:\n"
         "  signum voronoi sites.txt -o cells.svg -o cells.geojson\n"

@@ -9,7 +9,7 @@
 namespace signum {
 namespace {
 
-constexpr double margin = 0.07;          // of the width, on every side: room for unbounded cells
+constexpr double frame_margin = 0.07;    // of the width, on every side: room for unbounded cells
 constexpr double lowest = 0.4;           // height over width
 constexpr double far_larger = 8.0;       // than the centres' extent and the median radius: cut off
 constexpr double largest_scale = 1e200;  // its square is finite; only denormal extents reach it
@@ -68,11 +68,11 @@ Frame::Frame(std::span<const Site> discs, double width) : width_(width), height_
     }
     middle_ = {x.middle(), y.middle()};
 
-    const double room = width_ * (1 - 2 * margin);
+    const double room = width_ * (1 - 2 * frame_margin);
     const double extent = std::max(x.length(), y.length());
     // Around a point alone: as far as it is from the origin, at least.
     scale_ = std::min(room / (extent > 0 ? extent : 2), largest_scale);
-    height_ = std::max(lowest * width_, y.length() * scale_ + 2 * margin * width_);
+    height_ = std::max(lowest * width_, y.length() * scale_ + 2 * frame_margin * width_);
 }
 
 Frame::Frame(const Box& box, double width) : width_(width) {

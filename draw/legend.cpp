@@ -6,7 +6,7 @@ namespace signum {
 namespace {
 
 // Pixels.
-constexpr double margin = 24.0;
+constexpr double legend_margin = 24.0;
 constexpr double row_height = 1.5 * font_size;
 constexpr double swatch = 44.0;              // from a sample's left to its label
 constexpr double letter = 0.48 * font_size;  // a little more than the average
@@ -24,16 +24,16 @@ void Legend::line(std::string_view kind, std::string_view label) {
 
 void Legend::place(bool is_site, std::string_view kind, std::string label) {
     const double width = swatch + letter * static_cast<double>(label.size()) + gap;
-    if (left_ > 0 && left_ + width - gap > width_ - 2 * margin) {
+    if (left_ > 0 && left_ + width - gap > width_ - 2 * legend_margin) {
         left_ = 0;
         ++row_;
     }
-    samples_.push_back({is_site, std::string(kind), std::move(label), margin + left_, row_});
+    samples_.push_back({is_site, std::string(kind), std::move(label), legend_margin + left_, row_});
     left_ += width;
 }
 
 void Legend::break_into_rows(std::string_view note) {
-    const auto longest = static_cast<std::size_t>((width_ - 2 * margin) / (0.5 * font_size));
+    const auto longest = static_cast<std::size_t>((width_ - 2 * legend_margin) / (0.5 * font_size));
     while (note.size() > longest) {
         const std::size_t end = note.rfind(' ', longest);
         if (end == note.npos) break;
@@ -44,7 +44,7 @@ void Legend::break_into_rows(std::string_view note) {
 }
 
 double Legend::height() const {
-    return row_height * (row_ + 1 + static_cast<double>(notes_.size())) + margin;
+    return row_height * (row_ + 1 + static_cast<double>(notes_.size())) + legend_margin;
 }
 
 void Legend::write(SvgText& text, double top) const {
@@ -68,7 +68,7 @@ void Legend::write(SvgText& text, double top) const {
                  label);
     }
     for (std::size_t i = 0; i < notes_.size(); ++i)
-        text.add("<text x=\"{}\" y=\"{}\" fill=\"#333\">{}</text>\n", Px{margin},
+        text.add("<text x=\"{}\" y=\"{}\" fill=\"#333\">{}</text>\n", Px{legend_margin},
                  Px{baseline(row_ + 1 + static_cast<double>(i))}, notes_[i]);
     text.add("</g>\n");
 }

@@ -28,7 +28,7 @@ if [ -z "${CXX:-}" ]; then
   command -v g++ >/dev/null || CXX=clang++
 fi
 export CXX
-options=(-G Ninja "-DCMAKE_CXX_COMPILER=$CXX" "$@")
+options=(-G Ninja "-DCMAKE_CXX_COMPILER=$CXX" -DSIGNUM_UNITY_BUILD=ON "$@")
 
 mkdir -p "$build"
 # Two callers at once would build over each other.

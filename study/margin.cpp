@@ -181,32 +181,32 @@ Sum<Number> rectangular_sum(const std::array<const Site*, 4>& sites,
 // ---- all ---------------------------------------------------------------------------------------
 
 /// A call of in_circle: the sites of a face and the one across an edge.
-struct Call {
+struct CallInCircle {
     const Tessellation& tessellation;
     std::array<Index, 4> numbers;
     std::array<const Site*, 4> sites;
 };
 
-bool is_tie(const Call& call) {
+bool is_tie(const CallInCircle& call) {
     return triangulation::touches(call.tessellation.metric(), call.tessellation.weight_is(),
                                   call.sites, call.numbers);
 }
 
-double margin_in(Power /*metric*/, const Call& call) {
+double margin_in(Power /*metric*/, const CallInCircle& call) {
     const WeightIs weight_is = call.tessellation.weight_is();
     const auto fast = power_sum<double>(call.sites, weight_is);
     if (is_certain(fast)) return margin(fast);
     return is_tie(call) ? 0.0 : margin(power_sum<Rational>(call.sites, weight_is));
 }
 
-double margin_in(Euclidean /*metric*/, const Call& call) {
+double margin_in(Euclidean /*metric*/, const CallInCircle& call) {
     const auto fast = rounded_euclidean_sum(call.sites);
     if (is_certain(fast)) return margin(fast);
     return is_tie(call) ? 0.0 : euclidean_margin(call.sites);
 }
 
 template <triangulation::Rectangular M>
-double margin_in(M /*metric*/, const Call& call) {
+double margin_in(M /*metric*/, const CallInCircle& call) {
     using Directions = typename triangulation::PredicatesOf<M>::Directions;
     if (is_tie(call)) return 0.0;
     rectangular::Forms<Directions, Arithmetic::exact, 4> forms(
@@ -219,7 +219,7 @@ double margin_in(M /*metric*/, const Call& call) {
 
 /// The margin of the last of the four against the face of the others.
 double margin_of(const Tessellation& t, const std::array<Index, 4>& numbers) {
-    Call call = {t, numbers, {}};
+    CallInCircle call = {t, numbers, {}};
     for (std::size_t m = 0; m < 4; ++m)
         call.sites[m] = &t.sites()[static_cast<std::size_t>(numbers[m])];
     return with_metric(t.metric(), [&]<class M>(M metric) {

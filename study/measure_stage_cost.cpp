@@ -18,19 +18,19 @@
 namespace signum::study {
 namespace {
 
-struct Call {
+struct RankedCall {
     std::array<Site, 4> sites;
     std::array<Index, 4> ranks;
 };
 
 template <class M>
-Decision decide(const Call& call) noexcept {
+Decision decide(const RankedCall& call) noexcept {
     const auto& [i, j, k, q] = call.sites;
     return triangulation::PredicatesOf<M>::in_circle(i, j, k, q, call.ranks);
 }
 
 template <class M>
-Decision decide_in_rationals(const Call& call) noexcept {
+Decision decide_in_rationals(const RankedCall& call) noexcept {
     const auto& [i, j, k, q] = call.sites;
     if constexpr (M::traits.edges_are_straight) {
         return {power::multiprecision::in_circle(i, j, k, q), Stage::multiprecision};
@@ -41,10 +41,10 @@ Decision decide_in_rationals(const Call& call) noexcept {
     }
 }
 
-std::vector<Call> calls_of(const Tessellation& tessellation) {
-    std::vector<Call> calls;
+std::vector<RankedCall> calls_of(const Tessellation& tessellation) {
+    std::vector<RankedCall> calls;
     for (const std::array<Index, 4>& numbers : inner_edges(tessellation)) {
-        Call call;
+        RankedCall call;
         for (std::size_t m = 0; m < 4; ++m)
             call.sites[m] = tessellation.sites()[static_cast<std::size_t>(numbers[m])];
         const auto& [i, j, k, q] = call.sites;
@@ -54,18 +54,18 @@ std::vector<Call> calls_of(const Tessellation& tessellation) {
     return calls;
 }
 
-using Decide = Decision (*)(const Call&) noexcept;
+using Decide = Decision (*)(const RankedCall&) noexcept;
 
 /// Nanoseconds a call, in a loop of two milliseconds or more.
 template <Decide question>
-double ns_per_call(std::span<const Call> calls) {
+double ns_per_call(std::span<const RankedCall> calls) {
     constexpr double long_enough = 2e-3;
     Sign sum = 0;
     std::size_t passes = 0;
     double seconds = 0.0;
     while (seconds < long_enough) {
         seconds += seconds_of([&] {
-            for (const Call& call : calls) sum += question(call).sign;
+            for (const RankedCall& call : calls) sum += question(call).sign;
         });
         ++passes;
     }
@@ -75,17 +75,18 @@ double ns_per_call(std::span<const Call> calls) {
 }
 
 template <class M>
-std::vector<Row> measure_in(const Cell& cell, const Pass& pass, const std::vector<Call>& calls) {
+std::vector<Row> measure_in(const Cell& cell, const Pass& pass,
+                            const std::vector<RankedCall>& calls) {
     constexpr std::size_t few = 16;
     constexpr std::array stages = {Stage::filter, Stage::refine, Stage::exact, Stage::essa,
                                    Stage::multiprecision};
-    std::array<std::vector<Call>, stage_count> decided;
-    for (const Call& call : calls)
+    std::array<std::vector<RankedCall>, stage_count> decided;
+    for (const RankedCall& call : calls)
         decided[static_cast<std::size_t>(decide<M>(call).stage)].push_back(call);
     std::vector<Contestant> contestants;
     std::vector<std::pair<Stage, const char*>> names;
     for (const Stage stage : stages) {
-        const std::vector<Call>& group = decided[static_cast<std::size_t>(stage)];
+        const std::vector<RankedCall>& group = decided[static_cast<std::size_t>(stage)];
         if (group.size() < few) continue;
         names.emplace_back(stage, "ns_per_call");
         contestants.emplace_back([&group] { return ns_per_call<decide<M>>(group); });
@@ -95,8 +96,8 @@ std::vector<Row> measure_in(const Cell& cell, const Pass& pass, const std::vecto
     if (names.back().first != Stage::multiprecision) {
         // The calls of the last stage that has any, as they are nearest to what needs rationals.
         constexpr std::size_t enough = 100;
-        const std::vector<Call>& last = decided[static_cast<std::size_t>(names.back().first)];
-        const std::span<const Call> group(last.data(), std::min(last.size(), enough));
+        const std::vector<RankedCall>& last = decided[static_cast<std::size_t>(names.back().first)];
+        const std::span<const RankedCall> group(last.data(), std::min(last.size(), enough));
         names.emplace_back(Stage::multiprecision, "ns_per_call_forced");
         contestants.emplace_back([group] { return ns_per_call<decide_in_rationals<M>>(group); });
     }
@@ -110,7 +111,7 @@ std::vector<Row> measure_in(const Cell& cell, const Pass& pass, const std::vecto
 
 std::vector<Row> measure_stage_cost(const Cell& cell, const Pass& pass) {
     const Metric metric = metric_named(cell.setting.metric).value();
-    const std::vector<Call> calls = calls_of(triangulate(sites_of(cell.setting, 1), metric));
+    const std::vector<RankedCall> calls = calls_of(triangulate(sites_of(cell.setting, 1), metric));
     return with_metric(metric, [&]<class M>(M) { return measure_in<M>(cell, pass, calls); });
 }
 
