@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -17,6 +18,19 @@ namespace {
 
 std::size_t at(Index i) noexcept {
     return static_cast<std::size_t>(i);
+}
+
+/// Whether all numbers are `least` or more and less than `end`: the signs of two differences, put
+/// together without a branch, for every construction asks.
+bool are_within(std::span<const Face> triples, Index least, std::size_t end) noexcept {
+    const auto first = static_cast<std::uint32_t>(least);
+    const std::uint32_t last = static_cast<std::uint32_t>(end) - 1;
+    std::uint32_t signs = 0;
+    for (const Face& triple : triples)
+        for (const Index i : triple)
+            signs |=
+                (static_cast<std::uint32_t>(i) - first) | (last - static_cast<std::uint32_t>(i));
+    return signs >> 31 == 0;
 }
 
 void expect_finite(Point point) {
@@ -38,16 +52,11 @@ Tessellation::Tessellation(TessellationArrays arrays, std::vector<Site> sites,
     const std::size_t faces = arrays_.faces.size();
     require(arrays_.neighbours.size() == faces || arrays_.neighbours.empty(),
             "the neighbours are not those of as many faces");
+    require(are_within(arrays_.faces, infinite, sites_.size()), "a vertex of a face is no site");
+    require(are_within(arrays_.neighbours, 0, faces), "a neighbour is no face");
     for (std::size_t f = faces; f-- > 0;)
-        for (const Index v : arrays_.faces[f]) {
-            if (v == infinite) continue;
-            require(at(v) < sites_.size(), "a vertex of a face is no site");
-            face_of_site_[at(v)] = static_cast<Index>(f);
-        }
-    std::uint32_t last = 0;  // a negative number is huge
-    for (const Face& across : arrays_.neighbours)
-        for (const Index g : across) last = std::max(last, static_cast<std::uint32_t>(g));
-    require(faces == 0 || last < faces, "a neighbour is no face");
+        for (const Index v : arrays_.faces[f])
+            if (v != infinite) face_of_site_[at(v)] = static_cast<Index>(f);
     for (const Hidden& hidden : arrays_.hidden)
         require(at(hidden.site) < sites_.size() && at(hidden.by) < sites_.size(),
                 "a hidden site, or who hides it, is no site");

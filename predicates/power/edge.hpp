@@ -11,8 +11,7 @@ SIGNUM_IEEE_BEGIN
 namespace signum::power {
 
 /// +1 where the point p is nearer to a than to b, 0 where both are as near, -1 otherwise: the sign
-/// of
-/// (|p-b|² - w_b) - (|p-a|² - w_a). Exact. Precondition: finite numbers.
+/// of (|p-b|² - w_b) - (|p-a|² - w_a). Exact. Precondition: finite numbers.
 [[nodiscard]] Decision nearer_decision(Point p, const Point& a, const Point& b) noexcept;
 [[nodiscard]] Decision nearer_decision(Point p, const Site& a, const Site& b) noexcept;
 [[nodiscard]] Decision nearer_decision(Point p, const signum::Site& a,

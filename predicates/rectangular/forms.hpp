@@ -120,10 +120,9 @@ template <class Directions, Arithmetic arithmetic>
 ///
 /// The bound: with S the greatest |x| + |y| + |r| of the sites, the magnitude of a sum of four
 /// forms is 4S at most, and that of eight 8S. By the lemma of rounding_count.hpp the former is off
-/// by
-/// ((1+e)^4 - 1) 4S < 17eS, e = 2^-52, the latter by ((1+e)^11 - 1) 8S < 89eS; of what remains to
-/// 20e and to 100e the roundings of S and of the bound take a few e². Comparing two forms commits
-/// less. Additions underflow exactly; where one could overflow the bound is infinite.
+/// by ((1+e)^4 - 1) 4S < 17eS, e = 2^-52, the latter by ((1+e)^11 - 1) 8S < 89eS; of what remains
+/// to 20e and to 100e the roundings of S and of the bound take a few e². Comparing two forms
+/// commits less. Additions underflow exactly; where one could overflow the bound is infinite.
 ///
 /// Other arithmetics than doubles with a bound say themselves what they are worth: intervals, and
 /// numbers that are taken for the truth, have the bound 0; where no rounded number counts the bound

@@ -186,12 +186,11 @@ class Insertion {
         }
     }
 
-    /// Finds the conflicts of q at the border of the cell of a site that does not hide it. Otherwise
-    /// `nearer` becomes a site that is nearer, from which the walk is to go on: false.
+    /// Finds the conflicts of q at the border of the cell of a site that does not hide it.
+    /// Otherwise `nearer` becomes a site that is nearer, from which the walk is to go on: false.
     ///
     /// Let v be the site, d its distance less its radius, c the centre of q. The ray from v's
-    /// centre through c leaves v's cell in a point x of an edge, perhaps at infinity, by which
-    /// either
+    /// centre through c leaves v's cell in a point x of an edge, perhaps at infinity. Either
     ///  - x lies before c. Beyond x, v's distance grows as fast as any can, so that at c the site
     ///    across the edge is nearer. Or
     ///  - x lies beyond c. As v does not hide q, d of q at c is less than that of v; and from c to
