@@ -264,7 +264,7 @@ template <std::size_t n, class Question>
 [[nodiscard]] Decision decide_exactly(const std::array<Site, n>& sites, const Question& question) {
     const numbers::Numbers<n> parts(sites);
     if (parts.span() > numbers::integer_bits)
-        return at(Stage::multiprecision, question(rational_discs(sites)));
+        return at(Stage::multiprecision, question(exact_discs(sites)));
     if (parts.span() <= 62) {
         const numbers::SmallDiscs<n> small(parts);
         if (small.narrow()) return at(Stage::exact, question(small.discs()));
@@ -314,9 +314,11 @@ template <class Filter, class Question, class... Sites>
 [[nodiscard]] Decision decide(Arithmetic arithmetic, Filter filter, Question question,
                               const Sites&... sites) noexcept {
     const std::array array{sites...};
+    if (arithmetic == predicates::judging)
+        return at(Stage::multiprecision, question(exact_discs<predicates::judging>(array)));
     switch (arithmetic) {
         case Arithmetic::multiprecision:
-            return at(Stage::multiprecision, question(rational_discs(array)));
+            return at(Stage::multiprecision, question(exact_discs(array)));
         case Arithmetic::naive:
             return at(Stage::filter, question(rounded_discs<double>(array)));
         case Arithmetic::single:
@@ -416,12 +418,17 @@ Decision reaches_farther(Arithmetic arithmetic, const Site& a, const Site& b,
             return (Number(a.x) + Number(a.r)) - (Number(b.x) + Number(b.r));
         },
         [&]() -> Decision {
-            if (arithmetic == Arithmetic::multiprecision) {
-                using exact::to_rational;
-                return {exact::sign((to_rational(a.x) + to_rational(a.r)) -
-                                    (to_rational(b.x) + to_rational(b.r))),
+            const auto difference = [&]<Arithmetic exact_one>() -> Decision {
+                using predicates::exactly;
+                return {((exactly<exact_one>(a.x) + exactly<exact_one>(a.r)) -
+                         (exactly<exact_one>(b.x) + exactly<exact_one>(b.r)))
+                            .sign(),
                         Stage::multiprecision};
-            }
+            };
+            if (arithmetic == predicates::judging)
+                return difference.template operator()<predicates::judging>();
+            if (arithmetic == Arithmetic::multiprecision)
+                return difference.template operator()<Arithmetic::multiprecision>();
             const double terms[] = {a.x, a.r, -b.x, -b.r};
             return {sign_of_sum(terms), Stage::essa};
         });
@@ -433,6 +440,9 @@ Decision turn(Arithmetic arithmetic, const Site& a, const Site& b, const Site& c
     if (arithmetic == Arithmetic::exact) return ccw_decision(a, b, c);
     if (arithmetic == Arithmetic::multiprecision)
         return {multiprecision::ccw({a.x, a.y}, {b.x, b.y}, {c.x, c.y}), Stage::multiprecision};
+    if (arithmetic == predicates::judging)
+        return {multiprecision::ccw<predicates::judging>({a.x, a.y}, {b.x, b.y}, {c.x, c.y}),
+                Stage::multiprecision};
     return decide_number(
         arithmetic, [&]<class Number>(Number) { return predicates::rounded_ccw<Number>(a, b, c); },
         [&] {
