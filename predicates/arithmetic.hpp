@@ -39,7 +39,7 @@ inline constexpr std::array all_arithmetics = {Arithmetic::exact,  Arithmetic::n
 namespace predicates {
 
 /// How a judge decides: by the filters of `exact`, and where they leave a sign open in exact
-/// numbers of its own (exact/dyadic.hpp), never in what `exact` has behind the filters, so that an
+/// numbers of its own (exact/dyadic.hpp), never in those that `exact` has behind them, so that an
 /// error there cannot confirm itself. No arithmetic of constructions, and so none of the list.
 inline constexpr Arithmetic judging{0xFF};
 

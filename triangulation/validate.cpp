@@ -17,7 +17,7 @@ bool equal_radii(const StridedSites& sites) {
 }
 
 /// Discs of one radius are ordered about every point as equal weights are, ties too: predicates of
-/// half the degree tell, and rationals are quicker by a power of ten.
+/// half the degree tell.
 Validation check(Euclidean, const TessellationArrays& arrays, const StridedSites& sites,
                  const ValidationOptions& options) {
     if (equal_radii(sites)) {

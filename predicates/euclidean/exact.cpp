@@ -3,8 +3,8 @@
 /// The first part are the questions: signs that follow from the polynomials of polynomials.hpp
 /// without a square root, one text for numbers of any type. The second part chooses the numbers by
 /// the arithmetic and, in the exact one, by how many bits the sites need; so a question is answered
-/// in integers, in rationals, in sums by ESSA, in intervals or, where filter.hpp::rounded leaves a
-/// 0, in doubles. The third part puts questions and numbers together.
+/// in integers, in rationals, in a judge's dyadic numbers, in sums by ESSA, in intervals or, where
+/// filter.hpp::rounded leaves a 0, in doubles. The third part puts questions and numbers together.
 
 #include "../euclidean.hpp"
 
@@ -418,17 +418,13 @@ Decision reaches_farther(Arithmetic arithmetic, const Site& a, const Site& b,
             return (Number(a.x) + Number(a.r)) - (Number(b.x) + Number(b.r));
         },
         [&]() -> Decision {
-            const auto difference = [&]<Arithmetic exact_one>() -> Decision {
-                using predicates::exactly;
-                return {((exactly<exact_one>(a.x) + exactly<exact_one>(a.r)) -
-                         (exactly<exact_one>(b.x) + exactly<exact_one>(b.r)))
-                            .sign(),
-                        Stage::multiprecision};
+            const auto farther = [](const auto& d) -> Decision {
+                return at(Stage::multiprecision, ((d[0].x + d[0].r) - (d[1].x + d[1].r)).sign());
             };
             if (arithmetic == predicates::judging)
-                return difference.template operator()<predicates::judging>();
+                return farther(exact_discs<predicates::judging>(std::array{a, b}));
             if (arithmetic == Arithmetic::multiprecision)
-                return difference.template operator()<Arithmetic::multiprecision>();
+                return farther(exact_discs(std::array{a, b}));
             const double terms[] = {a.x, a.r, -b.x, -b.r};
             return {sign_of_sum(terms), Stage::essa};
         });
