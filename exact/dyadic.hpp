@@ -58,6 +58,7 @@ class Dyadic : public ComparedBySign<Dyadic> {
         return sum_of_large(coarse, fine);
     }
     friend Dyadic operator-(const Dyadic& a, const Dyadic& b) { return a + -b; }
+    Dyadic& operator+=(const Dyadic& other) { return *this = *this + other; }
     friend Dyadic operator*(const Dyadic& a, const Dyadic& b) {
         if (a.bits() + b.bits() <= most_bits) [[likely]]
             return {a.small_ * b.small_, a.exponent_ + b.exponent_};

@@ -66,7 +66,7 @@ Sign sign_of_exact_numbers(const Addend* first, std::size_t count) noexcept {
     predicates::ExactNumber<arithmetic> sum;
     for (const Addend* addend = first; addend != first + count; ++addend) {
         const auto add = [&](int factor, double value) {
-            if (factor != 0) sum = sum + factor * predicates::exactly<arithmetic>(value);
+            if (factor != 0) sum += factor * predicates::exactly<arithmetic>(value);
         };
         add(addend->factor * static_cast<int>(Directions::x[addend->side]), addend->site->x);
         add(addend->factor * static_cast<int>(Directions::y[addend->side]), addend->site->y);
