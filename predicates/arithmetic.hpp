@@ -38,6 +38,16 @@ inline constexpr std::array all_arithmetics = {Arithmetic::exact,  Arithmetic::n
 
 namespace predicates {
 
+/// How a judge decides: by the filters of `exact`, and where they leave a sign open in exact
+/// numbers of its own (exact/dyadic.hpp), never in those that `exact` has behind them, so that an
+/// error there cannot confirm itself. No arithmetic of constructions, and so none of the list.
+inline constexpr Arithmetic judging{0xFF};
+
+/// Whether filters are asked whose verdicts stand on a counted bound.
+[[nodiscard]] constexpr bool is_filtered(Arithmetic arithmetic) noexcept {
+    return arithmetic == Arithmetic::exact || arithmetic == judging;
+}
+
 /// What a formula is evaluated in before, or instead of, the exact stage.
 template <Arithmetic arithmetic>
 using NumberOf = std::conditional_t<

@@ -136,7 +136,8 @@ struct Perturbed {
                                             const Site& q,
                                             const std::array<Index, 4>& ranks) noexcept {
         if constexpr (is_filtered) {
-            if (same_radius(i, j, k, q)) return in_circle_of_points(i, j, k, q, ranks);
+            if (asks_points && same_radius(i, j, k, q))
+                return in_circle_of_points(i, j, k, q, ranks);
             const auto verdict = filter::in_circle(i, j, k, q);
             if (verdict.is_certain()) [[likely]]
                 return {verdict.sign(), Stage::filter};
@@ -153,7 +154,8 @@ struct Perturbed {
                                                        const Site& q,
                                                        const std::array<Index, 4>& ranks) noexcept {
         if constexpr (is_filtered) {
-            if (same_radius(i, j, k, q)) return in_circle_of_points(i, j, k, q, ranks);
+            if (asks_points && same_radius(i, j, k, q))
+                return in_circle_of_points(i, j, k, q, ranks);
             const auto verdict = filter::in_circle_of_visible(i, j, k, q);
             if (verdict.is_certain()) [[likely]]
                 return {verdict.sign(), Stage::filter};
@@ -167,7 +169,8 @@ struct Perturbed {
     [[nodiscard]] static Decision in_circle_infinite(const Site& a, const Site& b, const Site& q,
                                                      const std::array<Index, 3>& ranks) noexcept {
         if constexpr (is_filtered) {
-            if (same_radius(a, b, q)) return in_circle_infinite_of_points(a, b, q, ranks);
+            if (asks_points && same_radius(a, b, q))
+                return in_circle_infinite_of_points(a, b, q, ranks);
             const auto verdict = filter::in_circle_infinite(a, b, q);
             if (verdict.is_certain()) [[likely]]
                 return {verdict.sign(), Stage::filter};
@@ -246,7 +249,9 @@ struct Perturbed {
     }
 
  private:
-    static constexpr bool is_filtered = arithmetic == Arithmetic::exact;
+    static constexpr bool is_filtered = predicates::is_filtered(arithmetic);
+    /// Predicates of points have exact stages of their own, which a judge does not believe.
+    static constexpr bool asks_points = arithmetic == Arithmetic::exact;
     using Number = predicates::NumberOf<arithmetic>;
 
     /// Of equal radii only equal sites hide one another, and the circle exists where ccw > 0.
@@ -283,7 +288,12 @@ struct Perturbed {
     }
 
     [[nodiscard]] static Decision turn(const Site& a, const Site& b, const Site& c) noexcept {
-        if constexpr (is_filtered) return ccw_decision(a, b, c);
+        if constexpr (arithmetic == Arithmetic::exact) return ccw_decision(a, b, c);
+        if constexpr (is_filtered) {
+            const auto verdict = predicates::ccw_filter(a, b, c);
+            if (verdict.is_certain()) [[likely]]
+                return {verdict.sign(), Stage::filter};
+        }
         return cold::turn(arithmetic, a, b, c);
     }
 };

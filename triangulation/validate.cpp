@@ -10,14 +10,6 @@ namespace {
 
 using namespace triangulation;
 
-template <template <Arithmetic> class Perturbed, class Distance>
-Validation check_additive(const TessellationArrays& arrays, const StridedSites& sites,
-                          const ValidationOptions& options) {
-    using Predicates = judging::AdditivePredicates<Perturbed<Arithmetic::exact>,
-                                                   Perturbed<Arithmetic::multiprecision>>;
-    return AdditiveCheck<Predicates, Distance>(arrays, sites, options).run();
-}
-
 bool equal_radii(const StridedSites& sites) {
     for (std::size_t i = 1; i < sites.size(); ++i)
         if (sites[i].r != sites[0].r) return false;
@@ -25,30 +17,34 @@ bool equal_radii(const StridedSites& sites) {
 }
 
 /// Discs of one radius are ordered about every point as equal weights are, ties too: predicates of
-/// half the degree tell, and rationals are quicker by a power of ten.
+/// half the degree tell.
 Validation check(Euclidean, const TessellationArrays& arrays, const StridedSites& sites,
                  const ValidationOptions& options) {
     if (equal_radii(sites)) {
         using Weighted = power::Site;
-        return PowerCheck<Weighted, judging::PowerPredicates, PowerDistance<Weighted>>(
-                   arrays, sites, options)
+        return PowerCheck<Weighted, JudgingPower, PowerDistance<Weighted>>(arrays, sites, options)
             .run();
     }
-    return check_additive<euclidean::Perturbed, EuclideanDistance>(arrays, sites, options);
+    return AdditiveCheck<euclidean::Perturbed<predicates::judging>, EuclideanDistance>(
+               arrays, sites, options)
+        .run();
 }
 Validation check(Manhattan, const TessellationArrays& arrays, const StridedSites& sites,
                  const ValidationOptions& options) {
-    return check_additive<manhattan::Perturbed, ManhattanDistance>(arrays, sites, options);
+    return AdditiveCheck<manhattan::Perturbed<predicates::judging>, ManhattanDistance>(
+               arrays, sites, options)
+        .run();
 }
 Validation check(Supremum, const TessellationArrays& arrays, const StridedSites& sites,
                  const ValidationOptions& options) {
-    return check_additive<supremum::Perturbed, SupremumDistance>(arrays, sites, options);
+    return AdditiveCheck<supremum::Perturbed<predicates::judging>, SupremumDistance>(arrays, sites,
+                                                                                     options)
+        .run();
 }
 Validation check(Power, const TessellationArrays& arrays, const StridedSites& sites,
                  const ValidationOptions& options) {
     const auto with = [&]<class S>(S) {
-        return PowerCheck<S, judging::PowerPredicates, PowerDistance<S>>(arrays, sites, options)
-            .run();
+        return PowerCheck<S, JudgingPower, PowerDistance<S>>(arrays, sites, options).run();
     };
     return sites.third_is_weight() ? with(power::Site()) : with(Site());
 }

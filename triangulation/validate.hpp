@@ -1,7 +1,7 @@
 #pragma once
 /// Certifies a tessellation from scratch, whoever made it. Signs are believed where a
-/// floating-point filter proves them, otherwise in rationals; no stage between on which
-/// constructions rely is.
+/// floating-point filter proves them, otherwise in exact numbers that are the judge's own; the
+/// numbers that constructions have behind the filters are never asked.
 
 #include <cstdint>
 #include <functional>
@@ -23,7 +23,7 @@ struct Validation {
     /// valid, otherwise the reason for not being canonical.
     std::string message;
     std::uint64_t filtered = 0;        ///< questions that floating-point filters decided
-    std::uint64_t multiprecision = 0;  ///< questions that took rationals
+    std::uint64_t multiprecision = 0;  ///< questions that took exact numbers
 };
 
 struct ValidationOptions {
@@ -42,9 +42,8 @@ struct ValidationOptions {
 /// std::invalid_argument for a site that is not finite.
 ///
 /// O(n log n) where few sites are as near to a hidden one's centre as the site that hides it.
-/// Random sites, 100 000 and a million, take one to two times as long as their construction. Ties
-/// are decided in rationals: a grid of 5000 points takes some five times as long (power,
-/// Euclidean), thirty (supremum) or seventy (Manhattan). Source: the heads of check/*.hpp.
+/// Grids, lattices, circles and random sites take between a quarter and twice the time of their
+/// construction; three times in the power metric where most sites are hidden. Source: the heads of check/*.hpp.
 [[nodiscard]] Validation validate(const TessellationArrays& arrays, StridedSites sites,
                                   const ValidationOptions& options = {});
 

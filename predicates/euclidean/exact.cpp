@@ -3,8 +3,8 @@
 /// The first part are the questions: signs that follow from the polynomials of polynomials.hpp
 /// without a square root, one text for numbers of any type. The second part chooses the numbers by
 /// the arithmetic and, in the exact one, by how many bits the sites need; so a question is answered
-/// in integers, in rationals, in sums by ESSA, in intervals or, where filter.hpp::rounded leaves a
-/// 0, in doubles. The third part puts questions and numbers together.
+/// in integers, in rationals, in a judge's dyadic numbers, in sums by ESSA, in intervals or, where
+/// filter.hpp::rounded leaves a 0, in doubles. The third part puts questions and numbers together.
 
 #include "../euclidean.hpp"
 
@@ -264,7 +264,7 @@ template <std::size_t n, class Question>
 [[nodiscard]] Decision decide_exactly(const std::array<Site, n>& sites, const Question& question) {
     const numbers::Numbers<n> parts(sites);
     if (parts.span() > numbers::integer_bits)
-        return at(Stage::multiprecision, question(rational_discs(sites)));
+        return at(Stage::multiprecision, question(exact_discs(sites)));
     if (parts.span() <= 62) {
         const numbers::SmallDiscs<n> small(parts);
         if (small.narrow()) return at(Stage::exact, question(small.discs()));
@@ -314,9 +314,11 @@ template <class Filter, class Question, class... Sites>
 [[nodiscard]] Decision decide(Arithmetic arithmetic, Filter filter, Question question,
                               const Sites&... sites) noexcept {
     const std::array array{sites...};
+    if (arithmetic == predicates::judging)
+        return at(Stage::multiprecision, question(exact_discs<predicates::judging>(array)));
     switch (arithmetic) {
         case Arithmetic::multiprecision:
-            return at(Stage::multiprecision, question(rational_discs(array)));
+            return at(Stage::multiprecision, question(exact_discs(array)));
         case Arithmetic::naive:
             return at(Stage::filter, question(rounded_discs<double>(array)));
         case Arithmetic::single:
@@ -416,12 +418,13 @@ Decision reaches_farther(Arithmetic arithmetic, const Site& a, const Site& b,
             return (Number(a.x) + Number(a.r)) - (Number(b.x) + Number(b.r));
         },
         [&]() -> Decision {
-            if (arithmetic == Arithmetic::multiprecision) {
-                using exact::to_rational;
-                return {exact::sign((to_rational(a.x) + to_rational(a.r)) -
-                                    (to_rational(b.x) + to_rational(b.r))),
-                        Stage::multiprecision};
-            }
+            const auto farther = [](const auto& d) -> Decision {
+                return at(Stage::multiprecision, ((d[0].x + d[0].r) - (d[1].x + d[1].r)).sign());
+            };
+            if (arithmetic == predicates::judging)
+                return farther(exact_discs<predicates::judging>(std::array{a, b}));
+            if (arithmetic == Arithmetic::multiprecision)
+                return farther(exact_discs(std::array{a, b}));
             const double terms[] = {a.x, a.r, -b.x, -b.r};
             return {sign_of_sum(terms), Stage::essa};
         });
@@ -433,6 +436,9 @@ Decision turn(Arithmetic arithmetic, const Site& a, const Site& b, const Site& c
     if (arithmetic == Arithmetic::exact) return ccw_decision(a, b, c);
     if (arithmetic == Arithmetic::multiprecision)
         return {multiprecision::ccw({a.x, a.y}, {b.x, b.y}, {c.x, c.y}), Stage::multiprecision};
+    if (arithmetic == predicates::judging)
+        return {multiprecision::ccw<predicates::judging>({a.x, a.y}, {b.x, b.y}, {c.x, c.y}),
+                Stage::multiprecision};
     return decide_number(
         arithmetic, [&]<class Number>(Number) { return predicates::rounded_ccw<Number>(a, b, c); },
         [&] {

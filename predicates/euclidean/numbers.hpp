@@ -1,7 +1,7 @@
 #pragma once
 /// The numbers that the Euclidean predicates compute with behind their filters: sites as integers,
-/// as many bits wide as they need, as rationals, as sums for ESSA, as intervals and as rounded
-/// numbers. Included by sources only, for it pulls in Boost and GMP.
+/// as many bits wide as they need, as rationals, as dyadic numbers, as sums for ESSA, as intervals
+/// and as rounded numbers. Included by sources only, for it pulls in Boost and GMP.
 ///
 /// All predicates are signs of homogeneous polynomials in differences of coordinates and radii, so
 /// every site may be moved by the same amounts and multiplied by the same power of two.
@@ -26,6 +26,7 @@
 #include "../../exact/multiprecision.hpp"
 #include "../../exact/sum.hpp"
 #include "../../filters/interval.hpp"
+#include "../exact_number.hpp"
 #include "polynomials.hpp"
 
 namespace signum::euclidean {
@@ -46,7 +47,6 @@ using Wide = Uniform<boost::multiprecision::number<
                                            boost::multiprecision::unchecked, void>,
     boost::multiprecision::et_off>>;
 using Integers = Uniform<exact::Integer>;
-using Rationals = Uniform<exact::Rational>;
 
 namespace numbers {
 
@@ -171,13 +171,14 @@ class SmallDiscs {
 
 }  // namespace numbers
 
-/// The sites in rationals.
-template <std::size_t n>
-[[nodiscard]] std::array<Disc<Rationals>, n> rational_discs(const std::array<Site, n>& sites) {
-    std::array<Disc<Rationals>, n> result;
+/// The sites in rationals or, for a judge, in dyadic numbers.
+template <Arithmetic arithmetic = Arithmetic::multiprecision, std::size_t n>
+[[nodiscard]] auto exact_discs(const std::array<Site, n>& sites) {
+    using predicates::exactly;
+    std::array<Disc<Uniform<predicates::ExactNumber<arithmetic>>>, n> result;
     for (std::size_t m = 0; m < n; ++m)
-        result[m] = {exact::to_rational(sites[m].x), exact::to_rational(sites[m].y),
-                     exact::to_rational(sites[m].r)};
+        result[m] = {exactly<arithmetic>(sites[m].x), exactly<arithmetic>(sites[m].y),
+                     exactly<arithmetic>(sites[m].r)};
     return result;
 }
 

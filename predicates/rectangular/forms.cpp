@@ -6,8 +6,8 @@
 #include "../../core/contract.hpp"
 #include "../../core/error_free.hpp"
 #include "../../exact/floating_environment.hpp"
-#include "../../exact/multiprecision.hpp"
 #include "../../exact/sign_of_sum.hpp"
+#include "../exact_number.hpp"
 
 namespace signum::rectangular {
 namespace {
@@ -61,18 +61,18 @@ Decision decide_terms(const Terms& terms) noexcept {
     return rounded ? by_essa() : Decision{sign_of(sum), Stage::exact};
 }
 
-template <class Directions>
-Sign sign_in_rationals(const Addend* first, std::size_t count) noexcept {
-    exact::Rational sum = 0;
+template <class Directions, Arithmetic arithmetic>
+Sign sign_of_exact_numbers(const Addend* first, std::size_t count) noexcept {
+    predicates::ExactNumber<arithmetic> sum;
     for (const Addend* addend = first; addend != first + count; ++addend) {
         const auto add = [&](int factor, double value) {
-            if (factor != 0) sum += factor * exact::to_rational(value);
+            if (factor != 0) sum += factor * predicates::exactly<arithmetic>(value);
         };
         add(addend->factor * static_cast<int>(Directions::x[addend->side]), addend->site->x);
         add(addend->factor * static_cast<int>(Directions::y[addend->side]), addend->site->y);
         add(-addend->factor, addend->site->r);
     }
-    return exact::sign(sum);
+    return sum.sign();
 }
 
 }  // namespace
@@ -80,8 +80,8 @@ Sign sign_in_rationals(const Addend* first, std::size_t count) noexcept {
 template <class Directions, Arithmetic arithmetic>
 Decision decide_forms(const Addend* first, std::size_t count) noexcept {
     SIGNUM_EXPECTS(count <= most_addends);
-    if constexpr (arithmetic == Arithmetic::multiprecision)
-        return {sign_in_rationals<Directions>(first, count), Stage::multiprecision};
+    if constexpr (arithmetic == Arithmetic::multiprecision || arithmetic == predicates::judging)
+        return {sign_of_exact_numbers<Directions, arithmetic>(first, count), Stage::multiprecision};
     if (filters::environment_is_default()) [[likely]] {
         Terms terms;
         terms.count = 0;
@@ -152,10 +152,12 @@ SIGNUM_INSTANTIATE(Supremum, Arithmetic::exact)
 SIGNUM_INSTANTIATE(Supremum, Arithmetic::interval)
 SIGNUM_INSTANTIATE(Supremum, Arithmetic::sum)
 SIGNUM_INSTANTIATE(Supremum, Arithmetic::multiprecision)
+SIGNUM_INSTANTIATE(Supremum, predicates::judging)
 SIGNUM_INSTANTIATE(Manhattan, Arithmetic::exact)
 SIGNUM_INSTANTIATE(Manhattan, Arithmetic::interval)
 SIGNUM_INSTANTIATE(Manhattan, Arithmetic::sum)
 SIGNUM_INSTANTIATE(Manhattan, Arithmetic::multiprecision)
+SIGNUM_INSTANTIATE(Manhattan, predicates::judging)
 #undef SIGNUM_INSTANTIATE
 
 }  // namespace signum::rectangular

@@ -57,7 +57,7 @@ struct Addend {
 
 /// The exact sign of a sum of forms (at most eight), 0 included, in every environment, by the last
 /// stages of an exact arithmetic: ESSA, which the arithmetic `exact` spares itself where the sum
-/// commits no rounding, or rationals.
+/// commits no rounding, rationals, or a judge's exact numbers.
 template <class Directions, Arithmetic arithmetic>
 [[nodiscard, gnu::cold]] Decision decide_forms(const Addend* first, std::size_t count) noexcept;
 

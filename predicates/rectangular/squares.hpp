@@ -287,7 +287,7 @@ struct Perturbed {
     /// Whether the point p is nearer to a than to b: +1 or -1.
     [[nodiscard]] static Decision nearer(const Point& p, const Site& a, const Site& b,
                                          const std::array<Index, 2>& ranks) noexcept {
-        if constexpr (arithmetic == Arithmetic::exact) {
+        if constexpr (predicates::is_filtered(arithmetic)) {
             const filters::Verdict verdict = additive::nearer(distance(p, a), distance(p, b));
             if (verdict.is_certain()) [[likely]]
                 return {verdict.sign(), Stage::filter};

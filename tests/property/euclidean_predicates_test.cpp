@@ -39,6 +39,7 @@ using signum::oracle::Spacing;
 using signum::reference::Random;
 using Exact = Perturbed<Arithmetic::exact>;
 using Multiprecision = Perturbed<Arithmetic::multiprecision>;
+using Judging = Perturbed<signum::predicates::judging>;
 
 #if defined(__SANITIZE_ADDRESS__) || !defined(__OPTIMIZE__)
 constexpr int share = 10;  // of the trials one in so many: rationals take long there
@@ -208,6 +209,10 @@ TEST(EuclideanPredicates, AgreeWithRationalsForEveryDoubleInEveryEnvironment) {
         ASSERT_EQ(given, expected) << trial << ": " << text(s, 4);
         // In the default one, too, where the filters decide.
         ASSERT_EQ(answers<Exact>(s, r), expected) << trial << ": " << text(s, 4);
+        const auto judged = signum::reference::in_environment(
+            trial % signum::reference::Hostile::modes, [&] { return answers<Judging>(s, r); });
+        ASSERT_EQ(judged, expected) << trial << ": " << text(s, 4);
+        ASSERT_EQ(answers<Judging>(s, r), expected) << trial << ": " << text(s, 4);
         vertices += static_cast<int>(expected[4] != 0);
         twice += static_cast<int>(expected[2] > 0);
         // Sums are slow: one in eight.

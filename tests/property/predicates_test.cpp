@@ -23,9 +23,12 @@
 #include "../../predicates/essa.hpp"
 #include "../../predicates/power.hpp"
 #include "../../predicates/power/essa.hpp"
+#include "../../triangulation/check/judging.hpp"
 
 namespace signum {
 namespace {
+
+using Judging = triangulation::JudgingPower;
 
 // ---- environments ------------------------------------------------------------------------------
 
@@ -472,6 +475,8 @@ TEST_P(Predicates, Ccw) {
         if (trial % 8 != 0) continue;
         ASSERT_TRUE(says(p, sgn(area(e[0], e[1], e[2])),
                          [](const auto& q) { return essa::ccw(q[0], q[1], q[2]); }));
+        ASSERT_TRUE(says(p, sgn(area(e[0], e[1], e[2])),
+                         [](const auto& q) { return Judging::ccw(q[0], q[1], q[2]); }));
     }
 }
 
@@ -494,6 +499,8 @@ void test_in_circle(Random& random, const Family& family, int count) {
         ASSERT_TRUE(says(sites, expected, [](const auto& s) {
             return power::essa::in_circle(s[0], s[1], s[2], s[3]);
         }));
+        ASSERT_TRUE(says(sites, expected,
+                         [](const auto& s) { return Judging::in_circle(s[0], s[1], s[2], s[3]); }));
     }
 }
 
@@ -542,6 +549,8 @@ void test_in_segment(Random& random, const Family& family) {
             ASSERT_TRUE(says(sites, expected, [](const auto& s) {
                 return power::essa::in_segment(s[0], s[1], s[2]);
             }));
+            ASSERT_TRUE(says(sites, expected,
+                             [](const auto& s) { return Judging::in_segment(s[0], s[1], s[2]); }));
         }
         ASSERT_TRUE(says(sites, expected, [](const auto& s) {
             return Decision{power::in_circle_infinite(s[0], s[1], s[2]), Stage::exact};
@@ -569,6 +578,9 @@ void test_nearer(Random& random, const Family& family) {
         if (trial % 8 == 0) {
             ASSERT_TRUE(says(sites, sign_nearer(e[0], e[1], e[2]), [](const auto& s) {
                 return power::essa::nearer({s[0].x, s[0].y}, s[1], s[2]);
+            }));
+            ASSERT_TRUE(says(sites, sign_nearer(e[0], e[1], e[2]), [](const auto& s) {
+                return Judging::nearer(Point{s[0].x, s[0].y}, s[1], s[2]);
             }));
         }
         if (kind == 0) {

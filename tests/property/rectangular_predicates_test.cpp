@@ -14,6 +14,7 @@
 #include "../oracle/rectangular.hpp"
 #include "../unit/exact_reference.hpp"
 #include "additive_brute_force.hpp"
+#include "degenerate_sites.hpp"
 
 namespace {
 
@@ -25,6 +26,7 @@ using signum::Stage;
 using signum::brute_force::expect_oracle;
 using signum::brute_force::ranks_of;
 using signum::brute_force::Sites;
+using signum::predicates::judging;
 using signum::rectangular::Manhattan;
 using signum::rectangular::Perturbed;
 using signum::rectangular::Supremum;
@@ -73,20 +75,36 @@ TYPED_TEST(RectangularPredicates, ChooseTheTessellationOfTheOracle) {
 
 /// All answers about four sites; 0 where a precondition fails.
 template <class Predicates>
-std::array<int, 5> answers(const Site (&s)[4], const std::array<Index, 4>& r) {
-    const int hides = Predicates::hides(s[0], s[1], {r[0], r[1]}).sign;
-    const int exists = Predicates::exists(s[0], s[1], s[2], {r[0], r[1], r[2]}).sign;
-    const bool apart = hides < 0 && Predicates::hides(s[1], s[0], {r[1], r[0]}).sign < 0;
-    return {hides, exists, exists > 0 ? Predicates::in_circle(s[0], s[1], s[2], s[3], r).sign : 0,
-            apart ? Predicates::in_circle_infinite(s[0], s[1], s[2], {r[0], r[1], r[2]}).sign : 0};
+std::array<int, 8> answers(const Site (&s)[4], const std::array<Index, 4>& r) {
+    const std::array<Index, 3> first = {r[0], r[1], r[2]};
+    const auto apart = [&](std::size_t a, std::size_t b) {
+        return Predicates::hides(s[a], s[b], {r[a], r[b]}).sign < 0 &&
+               Predicates::hides(s[b], s[a], {r[b], r[a]}).sign < 0;
+    };
+    const int exists = Predicates::exists(s[0], s[1], s[2], first).sign;
+    const int twice = Predicates::exists_twice(s[0], s[1], s[2], first).sign;
+    const bool both =
+        twice > 0 && Predicates::exists_twice(s[0], s[1], s[3], {r[0], r[1], r[3]}).sign > 0;
+    return {Predicates::hides(s[0], s[1], {r[0], r[1]}).sign,
+            exists,
+            exists > 0 ? Predicates::in_circle(s[0], s[1], s[2], s[3], r).sign : 0,
+            apart(0, 1) ? Predicates::in_circle_infinite(s[0], s[1], s[2], first).sign : 0,
+            twice,
+            both ? Predicates::precedes(s[0], s[1], s[2], s[3], r).sign : 0,
+            apart(0, 1) && apart(1, 2)
+                ? Predicates::holds_first_direction(s[0], s[1], s[2], first).sign
+                : 0,
+            Predicates::nearer({s[0].x, s[0].y}, s[1], s[2], {r[1], r[2]}).sign};
 }
 
 TYPED_TEST(RectangularPredicates, AgreeWithRationalsForEveryDoubleInEveryEnvironment) {
-    signum::reference::Random random(11);
+    signum::brute_force::Degenerate degenerate(11);
+    signum::reference::Random& random = degenerate.random();
     int vertices = 0;
     for (int trial = 0; trial < 60'000 / share; ++trial) {
         Site s[4];
-        // Any doubles; a few of them again and again; rounding errors beside a common square.
+        // Any doubles; a few of them again and again; rounding errors beside a common square; small
+        // integers in degenerate positions, some of them scaled up or down as far as doubles go.
         const double some[4] = {random.finite(), random.finite(), random.finite(), 0.0};
         const auto number = [&]() -> double {
             if (trial % 3 == 0) return random.finite();
@@ -95,12 +113,22 @@ TYPED_TEST(RectangularPredicates, AgreeWithRationalsForEveryDoubleInEveryEnviron
             return std::nextafter(1.0 + random.between(0, 3), random.between(-9, 9));
         };
         for (Site& site : s) site = {number(), number(), number()};
+        if (trial % 4 == 3) {
+            degenerate.fill(trial / 4 % signum::brute_force::Degenerate::families, s, 4);
+            const double scale = some[0] < 0 ? 1.0 : some[1] < 0 ? 0x1p-1074 : 0x1p1015;
+            for (Site& site : s) site = {site.x * scale, site.y * scale, site.r * scale};
+        }
         const std::array<Index, 4> r = ranks_of(s);
         const auto expected = answers<Perturbed<TypeParam, Arithmetic::multiprecision>>(s, r);
         const auto given =
             signum::reference::in_environment(trial % signum::reference::Hostile::modes,
                                               [&] { return answers<Perturbed<TypeParam>>(s, r); });
         ASSERT_EQ(given, expected) << trial;
+        const auto judged = signum::reference::in_environment(
+            trial % signum::reference::Hostile::modes,
+            [&] { return answers<Perturbed<TypeParam, judging>>(s, r); });
+        ASSERT_EQ(judged, expected) << trial;
+        ASSERT_EQ((answers<Perturbed<TypeParam, judging>>(s, r)), expected) << trial;
         ASSERT_EQ((answers<Perturbed<TypeParam, Arithmetic::sum>>(s, r)), expected) << trial;
         ASSERT_EQ((answers<Perturbed<TypeParam, Arithmetic::interval>>(s, r)), expected) << trial;
         vertices += static_cast<int>(expected[3] != 0);

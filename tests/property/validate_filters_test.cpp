@@ -1,5 +1,6 @@
-// The judge's filters never change a judgement: with them and in rationals alone the same is said,
-// of right results and wrong ones, of sites in degenerate position and of any doubles.
+// The judge's filters and dyadic numbers never change a judgement: with them and in rationals alone
+// the same is said, of right results and wrong ones, of sites in degenerate position and of any
+// doubles.
 
 #include <gtest/gtest.h>
 

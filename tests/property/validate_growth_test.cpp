@@ -17,7 +17,7 @@
 namespace signum {
 namespace {
 
-// Rationals take their time under the sanitizers.
+// Exact numbers take their time under the sanitizers.
 #if defined(__SANITIZE_ADDRESS__) || !defined(__OPTIMIZE__)
 constexpr int most_sites = 1000;
 #else
@@ -112,7 +112,7 @@ INSTANTIATE_TEST_SUITE_P(, ValidateDistribution,
                                     std::string(name_of(std::get<1>(info.param)));
                          });
 
-TEST(ValidateRandom, FiltersLeaveNothingToTheRationals) {
+TEST(ValidateRandom, FiltersLeaveNothingToExactNumbers) {
     for (const Metric metric : all_metrics)
         for (const double largest : {0.0, 3.0}) {
             const std::vector<Site> sites =

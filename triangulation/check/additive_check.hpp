@@ -29,7 +29,6 @@
 #include "../kernels/additive_kernel.hpp"
 #include "../structure/tie_order.hpp"
 #include "arrays_check.hpp"
-#include "judging.hpp"
 #include "near_sites.hpp"
 
 namespace signum::triangulation {
@@ -72,7 +71,7 @@ class AdditiveCheck : private ArraysCheck {
     }
 
  private:
-    using Kernel = AdditiveKernel<Predicates, Arithmetic::multiprecision, filters::Tally>;
+    using Kernel = AdditiveKernel<Predicates, predicates::judging, filters::Tally>;
 
     /// Throws if the question is answered yes; where nothing but the tie rule does so, notes it.
     /// Whether the answer is no. Reasons are given by a function, for they are seldom needed.

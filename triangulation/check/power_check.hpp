@@ -22,7 +22,7 @@ namespace signum::triangulation {
 /// to those of the polygon only if every hull star winds as it should). A closed surface without
 /// infinity would be made of counterclockwise faces alone, whose areas add up to 0: there is none.
 /// A triangulation of the hull that is regular across each edge is regular.
-/// Predicates: see judging::PowerPredicates. Distance: see near_sites.hpp.
+/// Predicates: see JudgingPower. Distance: see near_sites.hpp.
 template <power::PowerSite S, class Predicates, class Distance>
 class PowerCheck : private ArraysCheck {
  public:

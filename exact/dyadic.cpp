@@ -1,0 +1,24 @@
+#include "dyadic.hpp"
+
+namespace signum::exact {
+
+Integer Dyadic::any_size() const {
+    if (large_) return *large_;
+    Integer result = static_cast<std::int64_t>(small_ >> 64);
+    result <<= 64;
+    result += static_cast<std::uint64_t>(small_);
+    return result;
+}
+
+Dyadic Dyadic::sum_of_large(const Dyadic& coarse, const Dyadic& fine) {
+    Integer sum = coarse.any_size();
+    sum <<= coarse.exponent_ - fine.exponent_;
+    sum += fine.any_size();
+    return {std::move(sum), fine.exponent_};
+}
+
+Dyadic Dyadic::product_of_large(const Dyadic& a, const Dyadic& b) {
+    return {Integer(a.any_size() * b.any_size()), a.exponent_ + b.exponent_};
+}
+
+}  // namespace signum::exact
