@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <ranges>
+#include <span>
 #include <type_traits>
 
 #include "site.hpp"
@@ -37,6 +38,11 @@ class StridedSites {
         }
     }
 
+    /// Sites of which the call says what their third number is.
+    StridedSites(std::span<const Site> sites, bool third_is_weight) noexcept : StridedSites(sites) {
+        third_is_weight_ = third_is_weight;
+    }
+
     /// `size` sites whose numbers stand `stride` bytes apart; third may be null, which means 0.
     StridedSites(std::size_t size, std::ptrdiff_t stride, const double* x, const double* y,
                  const double* third = nullptr, bool third_is_weight = false) noexcept
@@ -67,5 +73,12 @@ class StridedSites {
     std::size_t size_ = 0;
     bool third_is_weight_ = false;
 };
+
+/// Whether all third numbers are the same. O(n).
+[[nodiscard]] inline bool equal_radii(const StridedSites& sites) noexcept {
+    for (std::size_t i = 1; i < sites.size(); ++i)
+        if (sites[i].r != sites[0].r) return false;
+    return true;
+}
 
 }  // namespace signum

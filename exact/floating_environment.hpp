@@ -8,8 +8,9 @@
 ///  3. a thread that is in the default environment pays one read and one comparison.
 ///
 /// A compiler knows nothing of law 1: to it, additions have no side effects and may move across the
-/// guard. So do not write arithmetic beside a guard; call in_ieee_environment(function,
-/// operands...).
+/// guard. So no arithmetic of which a sign depends is written beside a guard; call
+/// in_ieee_environment(function, operands...). A guard around whole constructions spares their
+/// predicates, each of which looks at the environment by itself, the change of it.
 
 #include "../core/contract.hpp"
 

@@ -10,10 +10,10 @@ namespace signum {
 
 /// The stages from the cheapest to the dearest; see ARCHITECTURE.md.
 enum class Stage : std::uint8_t {
-    filter,         ///< a rounded number and a bound on its error, or an interval
-    refine,         ///< the same in double-doubles
-    exact,          ///< expansions, integers, sums that commit no rounding
-    essa,           ///< the exact sign of a sum: sign_of_sum
+    filter,  ///< a rounded number and a bound on its error, an interval, a sum without rounding
+    refine,  ///< the same in double-doubles
+    exact,   ///< expansions, integers
+    essa,    ///< the exact sign of a sum: sign_of_sum
     multiprecision  ///< rationals; those of a judge: dyadic numbers
 };
 inline constexpr int stage_count = 5;

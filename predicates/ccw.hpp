@@ -11,6 +11,8 @@
 ///  4. Where all numbers are at most 2^100 in magnitude no operation is invalid, divides by 0 or
 ///     overflows, so that traps for these may be enabled. Greater ones raise the flags. A trap for
 ///     underflow or inexact results will spring.
+///  5. No call throws. The last stages claim memory, a few kilobytes at most; where there is none
+///     the program ends.
 
 #include <concepts>
 
@@ -53,8 +55,7 @@ static_assert(rounded_ccw<filters::RoundingCount>(Point{}, Point{}, Point{}).rou
 /// the sum of their magnitudes; where they have not, no cancellation happens and any bound below 1
 /// would do. Underflow of a product costs at most 2^-1074 each, which 2^-1000 covers; underflow of
 /// a difference costs nothing where it is gradual. Overflow of a product or a difference gives
-/// infinity or NaN on the right, and the comparison fails, or two infinities of opposite sign,
-/// whose difference is certain.
+/// infinity or NaN on the right, and the comparison fails.
 template <HasCentre S>
 [[nodiscard]] inline filters::Verdict ccw_filter(const S& a, const S& b, const S& c) noexcept {
     const Point origin = {filters::opaque(c.x), filters::opaque(c.y)};

@@ -6,8 +6,8 @@
 /// radii matter. They may intersect, touch, nest and coincide.
 ///
 /// Each predicate asks a filter first (euclidean/filter.hpp). Behind it stand exact numbers and
-/// polynomials without a square root (euclidean/exact.cpp). Where all radii are the same the metric
-/// orders sites as Delaunay does, and the predicates of points, of lower degree, decide.
+/// polynomials without a square root (euclidean/exact.cpp). Sites of the same radius the metric
+/// orders as Delaunay does: under the tie rule their in_circle is that of points, of lower degree.
 /// Source: the identities of euclidean/polynomials.hpp; the tie rule is decided at first order.
 
 #include <array>

@@ -115,7 +115,7 @@ Site DynamicTessellation::site(Index handle) const {
 }
 
 Tessellation DynamicTessellation::tessellation() const {
-    if (state_ == nullptr) return triangulate(StridedSites{}, metric_);
+    if (state_ == nullptr) return triangulate({{}, weight_is_ == WeightIs::weight}, metric_);
     const exact::IeeeEnvironment environment;
     return state_->visit([](auto& live) { return live.tessellation(); });
 }

@@ -49,8 +49,8 @@ class DynamicTessellation {
     /// How many insertions all changes took up to now: one each, and one for each hidden site that
     /// had to be looked at again.
     [[nodiscard]] std::uint64_t insertions() const noexcept;
-    /// How often all had to be built anew: where a gap that a site left could be closed in more
-    /// ways than one. No input is known that does it.
+    /// How often all had to be built anew: where a gap that a site left could not be closed in
+    /// one way alone. No input is known that does it.
     [[nodiscard]] std::size_t rebuilds() const noexcept;
 
  private:

@@ -78,7 +78,7 @@ inline constexpr std::array<MetricTraits, 4> metric_table = {{
      .has_sweep = true},
 }};
 
-/// The row of a metric.
+/// The row of a metric. Precondition: one of the enumerators.
 [[nodiscard]] constexpr const MetricTraits& traits_of(Metric metric) noexcept {
     return metric_table[static_cast<std::size_t>(metric)];
 }

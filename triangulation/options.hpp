@@ -29,8 +29,15 @@ inline constexpr std::array all_methods = {Method::incremental, Method::flips, M
 
 /// Whether the method builds tessellations of the metric.
 [[nodiscard]] constexpr bool builds(Method method, Metric metric) noexcept {
-    return method == Method::incremental ||
-           (method == Method::flips ? traits_of(metric).has_flips : traits_of(metric).has_sweep);
+    switch (method) {
+        case Method::incremental:
+            return true;
+        case Method::flips:
+            return traits_of(metric).has_flips;
+        case Method::sweep:
+            return traits_of(metric).has_sweep;
+    }
+    return false;
 }
 
 struct Options {

@@ -53,6 +53,9 @@ Tessellation::Tessellation(TessellationArrays arrays, std::vector<Site> sites,
     require(arrays_.neighbours.size() == faces || arrays_.neighbours.empty(),
             "the neighbours are not those of as many faces");
     require(are_within(arrays_.faces, infinite, sites_.size()), "a vertex of a face is no site");
+    Index signs = 0;
+    for (const Face& face : arrays_.faces) signs |= face[1] | face[2];
+    require(signs >= 0, "infinity is not the first vertex of its face");
     require(are_within(arrays_.neighbours, 0, faces), "a neighbour is no face");
     for (std::size_t f = faces; f-- > 0;)
         for (const Index v : arrays_.faces[f])

@@ -20,7 +20,7 @@ struct Statistics {
     std::uint64_t nearer = 0;          ///< comparisons of two sites' distances from a point
     std::uint64_t filtered = 0;        ///< calls decided by the floating-point filter
     std::uint64_t refined = 0;         ///< ... by double-double arithmetic
-    std::uint64_t exact = 0;           ///< ... by expansions, integers or sums without rounding
+    std::uint64_t exact = 0;           ///< ... by expansions or integers
     std::uint64_t essa = 0;            ///< ... by ESSA, the exact sign of a sum
     std::uint64_t multiprecision = 0;  ///< ... by rationals
     std::uint64_t ties = 0;            ///< exact zeros that the tie rule resolved

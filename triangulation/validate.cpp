@@ -10,12 +10,6 @@ namespace {
 
 using namespace triangulation;
 
-bool equal_radii(const StridedSites& sites) {
-    for (std::size_t i = 1; i < sites.size(); ++i)
-        if (sites[i].r != sites[0].r) return false;
-    return true;
-}
-
 /// Discs of one radius are ordered about every point as equal weights are, ties too: predicates of
 /// half the degree tell.
 Validation check(Euclidean, const TessellationArrays& arrays, const StridedSites& sites,
@@ -61,8 +55,9 @@ Validation validate(const TessellationArrays& arrays, StridedSites sites,
                     const ValidationOptions& options) {
     const exact::IeeeEnvironment environment;
     if (sites.third_is_weight() != (arrays.weight_is == WeightIs::weight))
-        return invalid("the tessellation takes the third numbers of sites for " +
-                       std::string(name_of(arrays.weight_is)) + "s, the input does not");
+        return invalid("the third numbers of sites are each a " +
+                       std::string(name_of(arrays.weight_is)) +
+                       " in the tessellation, and not in the input");
     if (sites.third_is_weight() && !traits_of(arrays.metric).has_weights)
         return invalid(no_weights(arrays.metric));
     return with_metric(arrays.metric,

@@ -11,7 +11,7 @@
 ///     (integers and grids, where ties abound); numbers that span at most wide_bits bits, in
 ///     integers of a fixed size (most other doubles); at most integer_bits, in integers of any
 ///     size; all others in rationals, the multiprecision stage;
-///  2. doubles are taken apart by their bits: no floating-point operation, no environment.
+///  2. doubles are taken apart by their bits: no rounding, no environment.
 
 #include <algorithm>
 #include <array>

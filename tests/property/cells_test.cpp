@@ -134,19 +134,11 @@ class Cells : public testing::TestWithParam<Metric> {
                                                << text(sites);
         }
     }
-
-    /// The oracle of the Euclidean metric takes its time.
-    [[nodiscard]] static int rounds(int count) {
-        return GetParam() == Metric::euclidean ? count / 2 : count;
-    }
-    [[nodiscard]] static std::size_t size(std::size_t count) {
-        return GetParam() == Metric::euclidean ? std::min<std::size_t>(count, 9) : count;
-    }
 };
 
 TEST_P(Cells, OfRandomSites) {
-    for (int round = 0; round < rounds(60); ++round) {
-        std::vector<Site> sites(size(2 + static_cast<std::size_t>(below(60))));
+    for (int round = 0; round < 60; ++round) {
+        std::vector<Site> sites(2 + static_cast<std::size_t>(below(60)));
         const double largest = std::ldexp(64.0, -below(6));
         for (Site& s : sites) s = {100 * real(), 100 * real(), largest * real()};
         ASSERT_NO_FATAL_FAILURE(check(sites));
@@ -156,8 +148,8 @@ TEST_P(Cells, OfRandomSites) {
 }
 
 TEST_P(Cells, OfIntegers) {
-    for (int round = 0; round < rounds(120); ++round) {
-        std::vector<Site> sites(size(2 + static_cast<std::size_t>(below(12))));
+    for (int round = 0; round < 120; ++round) {
+        std::vector<Site> sites(2 + static_cast<std::size_t>(below(12)));
         const int extent = 3 + below(8);
         const int largest = 1 + below(4);
         for (Site& s : sites) s = {1.0 * below(extent), 1.0 * below(extent), 1.0 * below(largest)};
@@ -169,7 +161,7 @@ TEST_P(Cells, OfIntegers) {
 
 /// One size of radii many times the others: most cells are slivers around its border.
 TEST_P(Cells, OfTinySitesAroundALargeOne) {
-    for (int round = 0; round < rounds(40); ++round) {
+    for (int round = 0; round < 40; ++round) {
         std::vector<Site> sites = {{0, 0, 30}};
         for (int i = 0; i < 7; ++i) {
             const double angle = 6.3 * real();
@@ -182,7 +174,7 @@ TEST_P(Cells, OfTinySitesAroundALargeOne) {
 }
 
 TEST_P(Cells, OfCollinearSites) {
-    for (int round = 0; round < rounds(40); ++round) {
+    for (int round = 0; round < 40; ++round) {
         std::vector<Site> sites(2 + static_cast<std::size_t>(below(6)));
         const int dx = below(3) - 1;
         const int dy = dx == 0 ? 1 : below(3) - 1;
@@ -196,9 +188,7 @@ TEST_P(Cells, OfCollinearSites) {
     EXPECT_GT(segments_, 20);
 }
 
-INSTANTIATE_TEST_SUITE_P(Metrics, Cells,
-                         testing::Values(Metric::power, Metric::euclidean, Metric::manhattan,
-                                         Metric::supremum),
+INSTANTIATE_TEST_SUITE_P(Metrics, Cells, testing::ValuesIn(all_metrics),
                          [](const auto& metric) { return std::string(name_of(metric.param)); });
 
 }  // namespace

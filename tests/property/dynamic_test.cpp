@@ -331,5 +331,14 @@ TEST(DynamicPower, TakesWeights) {
     }
 }
 
+TEST(DynamicOfWeights, SaysSoWithAndWithoutSites) {
+    DynamicTessellation dynamic(Metric::power, WeightIs::weight);
+    EXPECT_EQ(dynamic.tessellation().weight_is(), WeightIs::weight);
+    const Index handle = dynamic.insert({0, 0, -1});
+    EXPECT_EQ(dynamic.tessellation().weight_is(), WeightIs::weight);
+    dynamic.erase(handle);
+    EXPECT_EQ(dynamic.tessellation().weight_is(), WeightIs::weight);
+}
+
 }  // namespace
 }  // namespace signum

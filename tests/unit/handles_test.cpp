@@ -71,6 +71,7 @@ TEST_P(Handles, InTheArraysOfATessellation) {
         EXPECT_THROW(Tessellation(arrays, sites_, {}), std::invalid_argument);
     };
     for (const Index wrong : {-2, 5, 1000}) {
+        expect_refused([&](TessellationArrays& arrays) { arrays.faces[1][0] = wrong; });
         expect_refused([&](TessellationArrays& arrays) { arrays.faces[1][1] = wrong; });
         expect_refused([&](TessellationArrays& arrays) { arrays.hidden = {{wrong, 0}}; });
         expect_refused([&](TessellationArrays& arrays) { arrays.hidden = {{0, wrong}}; });
@@ -78,6 +79,9 @@ TEST_P(Handles, InTheArraysOfATessellation) {
     for (const Index wrong : {-1, static_cast<Index>(tessellation_.faces().size()), 1000})
         expect_refused([&](TessellationArrays& arrays) { arrays.neighbours[1][1] = wrong; });
     expect_refused([&](TessellationArrays& arrays) { arrays.neighbours.pop_back(); });
+    // Infinity stands first in a face.
+    expect_refused([&](TessellationArrays& arrays) { arrays.faces.back()[1] = infinite; });
+    expect_refused([&](TessellationArrays& arrays) { arrays.faces.back()[2] = infinite; });
 }
 
 TEST_P(Handles, OfADynamicTessellation) {

@@ -1,6 +1,6 @@
 #pragma once
 /// Incremental insertion and the sweep, from checked sites to a tessellation: the text of
-/// construct(), which each construct_*.cpp compiles for one arithmetic or two. For sources only.
+/// construct(), which each source beside it compiles for one arithmetic or two. For sources only.
 
 #include <algorithm>
 #include <chrono>
@@ -25,12 +25,6 @@
 #include "construct.hpp"
 
 namespace signum::triangulation {
-
-inline bool equal_radii(const StridedSites& sites) noexcept {
-    for (std::size_t i = 1; i < sites.size(); ++i)
-        if (sites[i].r != sites[0].r) return false;
-    return true;
-}
 
 template <class Kernel>
 LargeArray<typename Kernel::SiteType> in_order(const StridedSites& input,

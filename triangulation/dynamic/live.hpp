@@ -99,17 +99,9 @@ class Live {
                 number[at(h)] = static_cast<Index>(live.size());
                 live.push_back(site(h));
             }
-        constexpr bool weighted = requires(S s) {
-            s.w;
-        };
-        const WeightIs weight_is = weighted ? WeightIs::weight : WeightIs::radius;
-        if (live.empty()) return triangulate(StridedSites{}, metric_);
-        if (!is_built_) {
-            const Site* first = live.data();
-            return triangulate(
-                StridedSites(live.size(), sizeof(Site), &first->x, &first->y, &first->r, weighted),
-                metric_);
-        }
+        constexpr WeightIs weight_is =
+            std::is_same_v<S, power::Site> ? WeightIs::weight : WeightIs::radius;
+        if (!is_built_) return triangulate({live, weight_is == WeightIs::weight}, metric_);
         std::vector<Index> hidden_by = hidden_by_;
         settle_hiders(*topology_, *kernel_, hidden_by);
         TessellationArrays arrays;

@@ -32,7 +32,7 @@ namespace signum::triangulation {
 enum class Gap : std::uint8_t {
     closed,
     open,      ///< not closed: without the site there are only its neighbours, and no structure
-    ambiguous  ///< not closed: the boundary fits in more than one position
+    ambiguous  ///< not closed: the boundary fits in no position, or in more than one
 };
 
 template <class Kernel>

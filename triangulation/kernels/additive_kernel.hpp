@@ -1,8 +1,8 @@
 #pragma once
 /// The kernel of the metrics with additive weights, over the predicates of one of them.
 ///
-/// Laws: those of kernel.hpp, and: all answers are perturbed, so that none is undecided; the naive
-/// kernel and the single one too follow the tie rule where rounded numbers agree.
+/// Laws: those of power_kernel.hpp, and: all answers are perturbed, so that none is undecided; the
+/// naive kernel and the single one too follow the tie rule where rounded numbers agree.
 
 #include <array>
 
