@@ -43,9 +43,10 @@ using Ranks = std::array<Index, n>;
 [[nodiscard, gnu::cold, gnu::pure]] Decision exists_twice(Arithmetic arithmetic, const Site& i,
                                                           const Site& j, const Site& k,
                                                           const Ranks<3>& ranks) noexcept;
-[[nodiscard, gnu::cold, gnu::pure]] Decision precedes(Arithmetic arithmetic, const Site& i,
-                                                      const Site& j, const Site& q,
-                                                      const Site& k) noexcept;
+[[nodiscard, gnu::cold, gnu::pure]] Decision precedes_on_bisector(Arithmetic arithmetic,
+                                                                  const Site& i, const Site& j,
+                                                                  const Site& q,
+                                                                  const Site& k) noexcept;
 [[nodiscard, gnu::cold, gnu::pure]] Decision in_circle(Arithmetic arithmetic, const Site& i,
                                                        const Site& j, const Site& k, const Site& q,
                                                        const Ranks<4>& ranks) noexcept;
@@ -120,15 +121,15 @@ struct Perturbed {
     /// before that of k, otherwise -1. The interval of k is the part that is nearer to k; that of q
     /// is the part that is nearer to q or, where that goes through infinity, the rest.
     /// Preconditions: exists_twice(i,j,q) and (i,j,k), k's part is an interval, both are disjoint.
-    [[nodiscard]] static Decision precedes(const Site& i, const Site& j, const Site& q,
-                                           const Site& k,
-                                           const std::array<Index, 4>& /*ranks*/) noexcept {
+    [[nodiscard]] static Decision precedes_on_bisector(
+        const Site& i, const Site& j, const Site& q, const Site& k,
+        const std::array<Index, 4>& /*ranks*/) noexcept {
         if constexpr (is_filtered) {
-            const auto verdict = filter::precedes(i, j, q, k);
+            const auto verdict = filter::precedes_on_bisector(i, j, q, k);
             if (verdict.is_certain()) [[likely]]
                 return {verdict.sign(), Stage::filter};
         }
-        return cold::precedes(arithmetic, i, j, q, k);
+        return cold::precedes_on_bisector(arithmetic, i, j, q, k);
     }
 
     /// Whether q conflicts with the vertex of i, j, k: +1 or -1. Precondition: exists(i,j,k).

@@ -142,7 +142,7 @@ template <class D>
 /// Disjoint intervals are ordered as their middles M. Under the tie rule Q = 0 is positive, but
 /// infinitely small, and C and e are not 0.
 template <class D>
-[[nodiscard]] Answer precedes(const std::array<Disc<D>, 4>& d) {
+[[nodiscard]] Answer precedes_on_bisector(const std::array<Disc<D>, 4>& d) {
     using Quartic = typename D::Quartic;
     using Octic = typename D::Octic;
     const Triple<D> q(d[0], d[1], d[2]);
@@ -389,11 +389,11 @@ Decision exists_twice(Arithmetic arithmetic, const Site& i, const Site& j, const
         [&](const auto& d) { return polynomials::exists_twice(d, ranks); }, i, j, k);
 }
 
-Decision precedes(Arithmetic arithmetic, const Site& i, const Site& j, const Site& q,
-                  const Site& k) noexcept {
+Decision precedes_on_bisector(Arithmetic arithmetic, const Site& i, const Site& j, const Site& q,
+                              const Site& k) noexcept {
     return decide(
-        arithmetic, filter::precedes, [](const auto& d) { return polynomials::precedes(d); }, i, j,
-        q, k);
+        arithmetic, filter::precedes_on_bisector,
+        [](const auto& d) { return polynomials::precedes_on_bisector(d); }, i, j, q, k);
 }
 
 Decision in_circle(Arithmetic arithmetic, const Site& i, const Site& j, const Site& k,

@@ -229,8 +229,8 @@ static_assert(order_of_middles(counted_triple, counted_triple).roundings == 25);
 
 /// The sign of C_k e_k Q_q - C_q e_q Q_k: 25 roundings. C and Q are at most l_j l_k and its square,
 /// e = p_ij - p_ik - p_jk is at most l_j² + l_k² + l_jk².
-[[nodiscard]] inline Verdict precedes(const Site& i, const Site& j, const Site& q,
-                                      const Site& k) noexcept {
+[[nodiscard]] inline Verdict precedes_on_bisector(const Site& i, const Site& j, const Site& q,
+                                                  const Site& k) noexcept {
     if (!filters::environment_is_default()) [[unlikely]]
         return Verdict::uncertain();
     const Site first_site = filters::pinned(i);

@@ -221,9 +221,9 @@ struct Perturbed {
     /// Along the bisector of sites that lie farther apart from left to right than in height, with i
     /// on the left, the centres of the circles rise (on its diagonal rays too); otherwise a quarter
     /// turn makes it so.
-    [[nodiscard]] static Decision precedes(const Site& i, const Site& j, const Site& q,
-                                           const Site& k,
-                                           const std::array<Index, 4>& ranks) noexcept {
+    [[nodiscard]] static Decision precedes_on_bisector(const Site& i, const Site& j, const Site& q,
+                                                       const Site& k,
+                                                       const std::array<Index, 4>& ranks) noexcept {
         Forms<Directions, arithmetic, 4> forms({&i, &j, &q, &k}, ranks);
         const Touching of_q = touching(forms, {1, 0, 2});
         const Touching of_k = touching(forms, {1, 0, 3});

@@ -136,7 +136,7 @@ std::array<int, 10> answers(const Site (&s)[4], const std::array<Index, 4>& r) {
     return {hides,
             exists,
             Predicates::exists_twice(s[0], s[1], s[2], first).sign,
-            Predicates::precedes(s[0], s[1], s[2], s[3], r).sign,
+            Predicates::precedes_on_bisector(s[0], s[1], s[2], s[3], r).sign,
             exists > 0 ? Predicates::in_circle(s[0], s[1], s[2], s[3], r).sign : 0,
             apart ? Predicates::in_circle_infinite(s[0], s[1], s[2], first).sign : 0,
             Predicates::nearer({s[0].x, s[0].y}, s[1], s[2], {r[1], r[2]}).sign,
@@ -491,7 +491,7 @@ TEST(EuclideanPredicates, OrderIntervalsOnABisectorAsTheirEnds) {
         if (rest) std::swap((*q)[0], (*q)[1]);
         const bool before = (*q)[1] <= (*k)[0];
         if (!before && (*k)[1] > (*q)[0]) continue;
-        const Decision given = Exact::precedes(s[0], s[1], s[2], s[3], r);
+        const Decision given = Exact::precedes_on_bisector(s[0], s[1], s[2], s[3], r);
         ASSERT_EQ(given.sign, before ? 1 : -1) << text(s, 4);
         ++rests[rest ? 1 : 0];
         ++ties[(of_q.tied ? 1U : 0U) + (of_k.tied ? 1U : 0U)];

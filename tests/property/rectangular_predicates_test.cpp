@@ -90,7 +90,7 @@ std::array<int, 8> answers(const Site (&s)[4], const std::array<Index, 4>& r) {
             exists > 0 ? Predicates::in_circle(s[0], s[1], s[2], s[3], r).sign : 0,
             apart(0, 1) ? Predicates::in_circle_infinite(s[0], s[1], s[2], first).sign : 0,
             twice,
-            both ? Predicates::precedes(s[0], s[1], s[2], s[3], r).sign : 0,
+            both ? Predicates::precedes_on_bisector(s[0], s[1], s[2], s[3], r).sign : 0,
             apart(0, 1) && apart(1, 2)
                 ? Predicates::holds_first_direction(s[0], s[1], s[2], first).sign
                 : 0,

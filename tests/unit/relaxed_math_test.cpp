@@ -252,8 +252,8 @@ TEST_F(RelaxedMath, EuclideanPredicatesAreExact) {
         const Decision exists = Exact::exists(i, j, k, {0, 1, 2});
         expect(exists, Rational::exists(i, j, k, {0, 1, 2}));
         expect(Exact::exists_twice(i, j, k, {0, 1, 2}), Rational::exists_twice(i, j, k, {0, 1, 2}));
-        expect(Exact::precedes(i, j, k, q, {0, 1, 2, 3}),
-               Rational::precedes(i, j, k, q, {0, 1, 2, 3}));
+        expect(Exact::precedes_on_bisector(i, j, k, q, {0, 1, 2, 3}),
+               Rational::precedes_on_bisector(i, j, k, q, {0, 1, 2, 3}));
         expect(Exact::nearer(centre, i, j, {0, 1}), Rational::nearer(centre, i, j, {0, 1}));
         expect(Exact::hides(i, j, {0, 1}), Rational::hides(i, j, {0, 1}));
         if (Exact::hides(i, j, {0, 1}).sign < 0 && Exact::hides(j, i, {1, 0}).sign < 0)

@@ -131,7 +131,7 @@ class AdditiveCheck : private ArraysCheck {
         for (const Index side : {k, l})
             if (kernel_.conflicts_infinite(j, i, side) || kernel_.conflicts_infinite(i, j, side))
                 return true;
-        return k != l && kernel_.precedes(i, j, l, k);
+        return k != l && kernel_.precedes_on_bisector(i, j, l, k);
     }
 
     /// The hull turns once: one of its arcs of directions contains the first direction.

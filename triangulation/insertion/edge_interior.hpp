@@ -77,14 +77,16 @@ template <class Kernel>
     if (i == infinite) return exact.in_order_at_infinity(j, k, q, l, taken);
     if (j == infinite) return exact.in_order_at_infinity(i, l, q, k, taken);
     // Infinity is in K_k, in K_l or on the other stretch, and the intervals that do not hold it are
-    // ordered. Of k and l one at most is infinity, which no rounded answer may bring into precedes.
+    // ordered. Of k and l one at most is infinity, which no rounded answer may bring into
+    // precedes_on_bisector.
     const auto holds_infinity = [&](Index m) {
         return m == infinite || kernel.conflicts(i, j, infinite, m) ||
                kernel.conflicts(j, i, infinite, m);
     };
-    if (l != infinite && holds_infinity(k)) return exact.precedes(i, j, l, q);
-    if (holds_infinity(l)) return exact.precedes(i, j, q, k);
-    return holds_infinity(q) == taken && exact.precedes(i, j, l, q) && exact.precedes(i, j, q, k);
+    if (l != infinite && holds_infinity(k)) return exact.precedes_on_bisector(i, j, l, q);
+    if (holds_infinity(l)) return exact.precedes_on_bisector(i, j, q, k);
+    return holds_infinity(q) == taken && exact.precedes_on_bisector(i, j, l, q) &&
+           exact.precedes_on_bisector(i, j, q, k);
 }
 
 }  // namespace signum::triangulation

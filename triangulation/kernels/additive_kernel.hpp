@@ -53,10 +53,10 @@ class AdditiveKernel {
     }
     /// Whether q's part of the bisector of i and j, or what it leaves, comes before k's; see
     /// Predicates.
-    [[nodiscard]] bool precedes(Index i, Index j, Index q, Index k) noexcept {
-        return decide(
-            Predicates::precedes(site(i), site(j), site(q), site(k),
-                                 {site(i).rank, site(j).rank, site(q).rank, site(k).rank}));
+    [[nodiscard]] bool precedes_on_bisector(Index i, Index j, Index q, Index k) noexcept {
+        return decide(Predicates::precedes_on_bisector(
+            site(i), site(j), site(q), site(k),
+            {site(i).rank, site(j).rank, site(q).rank, site(k).rank}));
     }
     /// Whether k, q (or, with `rest`, what it leaves) and l follow one another counterclockwise
     /// around the horizon of s; see Predicates.

@@ -238,13 +238,14 @@ void additive_of_computed() {
                computed, j, near),
            Truth::exists_twice(c, j, near));
     if (Truth::exists_twice(c, j, near) && Truth::exists_twice(c, j, k))
-        expect("precedes",
+        expect("precedes_on_bisector",
                answer(
                    [](const Site& a, const Site& b, const Site& q, const Site& m) {
-                       return static_cast<int>(Metric::precedes(a, b, q, m, {0, 1, 2, 3}).sign > 0);
+                       return static_cast<int>(
+                           Metric::precedes_on_bisector(a, b, q, m, {0, 1, 2, 3}).sign > 0);
                    },
                    computed, j, near, k),
-               Truth::precedes(c, j, near, k));
+               Truth::precedes_on_bisector(c, j, near, k));
     const auto conflict = [](const Site& a, const Site& b, const Site& m, const Site& q) {
         return static_cast<int>(Metric::in_circle(a, b, m, q, {0, 1, 2, 3}).sign > 0);
     };
@@ -295,11 +296,12 @@ void euclidean_filters_of_computed() {
                              computed, j, near),
                       sign(Truth::exists_twice(c, j, near)));
     if (Truth::exists_twice(c, j, near) && Truth::exists_twice(c, j, k))
-        expect_if_certain("filter::precedes",
-                          answer([](const Site& a, const Site& b, const Site& q,
-                                    const Site& m) { return said(filter::precedes(a, b, q, m)); },
-                                 computed, j, near, k),
-                          sign(Truth::precedes(c, j, near, k)));
+        expect_if_certain(
+            "filter::precedes_on_bisector",
+            answer([](const Site& a, const Site& b, const Site& q,
+                      const Site& m) { return said(filter::precedes_on_bisector(a, b, q, m)); },
+                   computed, j, near, k),
+            sign(Truth::precedes_on_bisector(c, j, near, k)));
     if (Truth::exists(c, j, k))
         expect_if_certain("filter::in_circle",
                           answer([](const Site& a, const Site& b, const Site& m,
@@ -476,9 +478,9 @@ void additive_around() {
         i, j, k);
     if (Truth::exists_twice(i, j, k) && Truth::exists_twice(i, j, q))
         ask(
-            "precedes around a change", Truth::precedes(i, j, q, k),
+            "precedes_on_bisector around a change", Truth::precedes_on_bisector(i, j, q, k),
             [](const Site& a, const Site& b, const Site& c, const Site& d) {
-                return Metric::precedes(a, b, c, d, {0, 1, 2, 3}).sign > 0;
+                return Metric::precedes_on_bisector(a, b, c, d, {0, 1, 2, 3}).sign > 0;
             },
             i, j, q, k);
     if (Truth::exists(i, j, k))

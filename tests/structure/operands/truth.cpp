@@ -107,8 +107,9 @@ bool Additive<Metric>::exists_twice(const Site& i, const Site& j, const Site& k)
     return Rational<Metric>::Type::exists_twice(i, j, k, {0, 1, 2}).sign > 0;
 }
 template <class Metric>
-bool Additive<Metric>::precedes(const Site& i, const Site& j, const Site& q, const Site& k) {
-    return Rational<Metric>::Type::precedes(i, j, q, k, {0, 1, 2, 3}).sign > 0;
+bool Additive<Metric>::precedes_on_bisector(const Site& i, const Site& j, const Site& q,
+                                            const Site& k) {
+    return Rational<Metric>::Type::precedes_on_bisector(i, j, q, k, {0, 1, 2, 3}).sign > 0;
 }
 template <class Metric>
 bool Additive<Metric>::in_circle(const Site& i, const Site& j, const Site& k, const Site& q) {

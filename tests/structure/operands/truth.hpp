@@ -29,7 +29,7 @@ struct Additive {
     static bool nearer(const Point& p, const Site& a, const Site& b);
     static bool exists(const Site& i, const Site& j, const Site& k);
     static bool exists_twice(const Site& i, const Site& j, const Site& k);
-    static bool precedes(const Site& i, const Site& j, const Site& q, const Site& k);
+    static bool precedes_on_bisector(const Site& i, const Site& j, const Site& q, const Site& k);
     static bool in_circle(const Site& i, const Site& j, const Site& k, const Site& q);
     static bool in_circle_infinite(const Site& a, const Site& b, const Site& q);
 };
