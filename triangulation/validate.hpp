@@ -42,8 +42,8 @@ struct ValidationOptions {
 /// std::invalid_argument for a site that is not finite.
 ///
 /// O(n log n) where few sites are as near to a hidden one's centre as the site that hides it.
-/// Grids, lattices, circles and random sites take between a quarter and twice the time of their
-/// construction; three times in the power metric where most sites are hidden. Source: the heads of check/*.hpp.
+/// Random sites, grids and other sets full of ties take from a quarter to some three times as long
+/// as their construction, mostly about as long. Source: the heads of check/*.hpp.
 [[nodiscard]] Validation validate(const TessellationArrays& arrays, StridedSites sites,
                                   const ValidationOptions& options = {});
 
