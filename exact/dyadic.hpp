@@ -1,0 +1,114 @@
+#pragma once
+/// Dyadic numbers: integers times powers of two, which sums, differences and products of doubles
+/// are. For sources only.
+///
+/// Laws:
+///  1. Dyadic<> is exact, for every finite double, in any floating-point environment. No common
+///     factor is looked for, which in rationals takes most of the time.
+///  2. Dyadic<bits> is cut to so many bits after every operation, and is off by less than
+///     2^error: where doubles of all sizes meet, the exact numbers have thousands of bits, of which
+///     the first few hundred tell most signs.
+///
+/// The bound. What is cut off is less than one unit of what is left, and an operand that is off by
+/// less than 2^e leaves a sum off by less than that. A product a·b of numbers below 2^s and 2^t in
+/// magnitude that are off by less than 2^d and 2^e is off by less than 2^(s+e) + 2^(t+d) + 2^(d+e).
+/// A sum of two such bounds is below twice the greater, one of three below four times the greatest.
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+#include "multiprecision.hpp"
+#include "sum.hpp"
+
+namespace signum::exact {
+
+inline constexpr std::int64_t all_bits = std::numeric_limits<std::int64_t>::max();
+
+template <std::int64_t most_bits = all_bits>
+class Dyadic : public ComparedBySign<Dyadic<most_bits>> {
+ public:
+    /// 0.
+    Dyadic() = default;
+    explicit Dyadic(double value) {
+        const Parts number = parts(value);
+        significand_ = number.significand;
+        exponent_ = number.exponent;
+        if (number.negative) significand_.backend().negate();
+    }
+
+    /// Whether what was cut off leaves the sign as it is.
+    [[nodiscard]] bool is_certain() const { return error_ == none || size() > error_; }
+    /// Precondition: is_certain().
+    [[nodiscard]] Sign sign() const { return significand_.sign(); }
+    /// The number is significand · 2^exponent.
+    [[nodiscard]] const Integer& significand() const noexcept { return significand_; }
+    [[nodiscard]] std::int64_t exponent() const noexcept { return exponent_; }
+
+    friend Dyadic operator-(Dyadic a) {
+        a.significand_.backend().negate();
+        return a;
+    }
+    friend Dyadic operator+(Dyadic a, Dyadic b) {
+        if (a.exponent_ < b.exponent_) std::swap(a, b);
+        const std::int64_t error = sum_of_bounds(a.error_, b.error_);
+        // 0 has no bits that need a place.
+        if (a.significand_.is_zero()) std::swap(a, b);
+        a.error_ = error;
+        if (b.significand_.is_zero()) return a;
+        if (most_bits != all_bits && a.size() - b.size() > most_bits) {
+            // All of b would be cut off.
+            a.error_ = sum_of_bounds(error, b.size());
+            return a;
+        }
+        a.significand_ <<= a.exponent_ - b.exponent_;
+        a.significand_ += b.significand_;
+        a.exponent_ = b.exponent_;
+        return std::move(a).cut();
+    }
+    friend Dyadic operator-(Dyadic a, Dyadic b) { return std::move(a) + -std::move(b); }
+    friend Dyadic operator*(const Dyadic& a, const Dyadic& b) {
+        Dyadic product;
+        product.significand_ = a.significand_ * b.significand_;
+        product.exponent_ = a.exponent_ + b.exponent_;
+        if constexpr (most_bits != all_bits)
+            product.error_ = product_of_bounds(a, b);
+        return std::move(product).cut();
+    }
+
+ private:
+    /// The error of exact numbers, and the size of 0: far below those of others.
+    static constexpr std::int64_t none = std::numeric_limits<std::int64_t>::min() / 4;
+
+    [[nodiscard]] static std::int64_t sum_of_bounds(std::int64_t a, std::int64_t b) noexcept {
+        return std::min(a, b) == none ? std::max(a, b) : std::max(a, b) + 1;
+    }
+    [[nodiscard]] static std::int64_t product_of_bounds(const Dyadic& a, const Dyadic& b) {
+        const std::int64_t bound =
+            std::max({a.size() + b.error_, b.size() + a.error_, a.error_ + b.error_});
+        return bound < none / 2 ? none : bound + 2;
+    }
+    /// The magnitude is below 2^size, and where it is not 0 at least half of that.
+    [[nodiscard]] std::int64_t size() const {
+        if (significand_.is_zero()) return none;
+        return exponent_ + static_cast<std::int64_t>(mpz_sizeinbase(significand_.backend().data(), 2));
+    }
+    [[nodiscard]] Dyadic cut() && {
+        if constexpr (most_bits != all_bits) {
+            const std::int64_t surplus = size() - exponent_ - most_bits;
+            if (surplus > 0) {
+                significand_ >>= surplus;
+                exponent_ += surplus;
+                error_ = sum_of_bounds(error_, exponent_);
+            }
+        }
+        return std::move(*this);
+    }
+
+    Integer significand_;
+    std::int64_t exponent_ = 0;
+    std::int64_t error_ = none;
+};
+
+}  // namespace signum::exact
