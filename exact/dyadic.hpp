@@ -72,8 +72,7 @@ class Dyadic : public ComparedBySign<Dyadic<most_bits>> {
         Dyadic product;
         product.significand_ = a.significand_ * b.significand_;
         product.exponent_ = a.exponent_ + b.exponent_;
-        if constexpr (most_bits != all_bits)
-            product.error_ = product_of_bounds(a, b);
+        if constexpr (most_bits != all_bits) product.error_ = product_of_bounds(a, b);
         return std::move(product).cut();
     }
 
@@ -92,7 +91,8 @@ class Dyadic : public ComparedBySign<Dyadic<most_bits>> {
     /// The magnitude is below 2^size, and where it is not 0 at least half of that.
     [[nodiscard]] std::int64_t size() const {
         if (significand_.is_zero()) return none;
-        return exponent_ + static_cast<std::int64_t>(mpz_sizeinbase(significand_.backend().data(), 2));
+        return exponent_ +
+               static_cast<std::int64_t>(mpz_sizeinbase(significand_.backend().data(), 2));
     }
     [[nodiscard]] Dyadic cut() && {
         if constexpr (most_bits != all_bits) {

@@ -81,8 +81,7 @@ TEST(CcwStages, BeyondTheWindow) {
     EXPECT_EQ(decide_ccw({0, 0}, {denormal, denormal}, {3 * denormal, 3 * denormal}),
               multiprecision(0));
     EXPECT_EQ(decide_ccw({0, 0}, {1e-308, 0}, {0, -1e-308}), filter(-1));
-    EXPECT_EQ(decide_ccw({-largest, -largest}, {largest, -largest}, {0, largest}),
-              filter(+1));
+    EXPECT_EQ(decide_ccw({-largest, -largest}, {largest, -largest}, {0, largest}), filter(+1));
     EXPECT_EQ(decide_ccw({-largest, -largest}, {largest, largest}, {0, 0}), multiprecision(0));
     EXPECT_EQ(decide_ccw({-largest, -largest}, {largest, largest}, {0, denormal}),
               multiprecision(+1));
@@ -184,8 +183,7 @@ TYPED_TEST(InCircleStages, BeyondTheWindow) {
     EXPECT_EQ(this->decide({m, 0}, {0, m}, {-m, 0}, {0, -m}), multiprecision(0));
     EXPECT_EQ(this->decide({m, 0}, {0, m}, {-m, 0}, {d, -m}), multiprecision(-1));
     EXPECT_EQ(this->decide({m, 0}, {0, m}, {-m, 0}, {d, 0}), filter(+1));
-    EXPECT_EQ(this->decide({1e308, 0}, {0, 1e308}, {-1e308, 0}, {0, -1.01e308}),
-              filter(-1));
+    EXPECT_EQ(this->decide({1e308, 0}, {0, 1e308}, {-1e308, 0}, {0, -1.01e308}), filter(-1));
     EXPECT_EQ(this->decide({1e-308, 0}, {0, 1e-308}, {-1e-308, 0}, {0, 0}), filter(+1));
     const double out = 0x1p201;
     EXPECT_EQ(this->decide({out, 0}, {0, out}, {-out, 0}, {0, -out}), multiprecision(0));

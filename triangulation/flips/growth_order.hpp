@@ -62,18 +62,11 @@ class GrowthOrder {
 
     /// For an edge that is not regular in the end. Where it is not regular at the start, either, it
     /// fails before all times.
-    [[nodiscard]] Failure failure(const Quad& quad) const {
+    [[nodiscard, gnu::flatten]] Failure failure(const Quad& quad) const {
         // Near ties the 100 bits of double-doubles, beyond their range the exponents of long
         // doubles.
         if (const auto haste = haste_of(bounds(motion_of<Bounded>(quad)))) return {*haste, quad};
-        if (const auto haste = haste_of(bounds(motion_of<filters::Wide>(quad))))
-            return {*haste, quad};
-        const auto m = motion_of<Exact>(quad);
-        if (m.start > 0 || (m.start == 0 && first_sign(quad, m.coefficients) > 0))
-            return {before_all, quad};
-        constexpr long double largest = std::numeric_limits<long double>::max();
-        if (m.start == 0) return {{largest, largest}, quad};
-        return {haste_of(bounds(m)).value_or(Haste{0, largest}), quad};
+        return failure_beyond_doubles(quad);
     }
 
     /// Below 0 where the first fails first, 0 where that makes no difference.
@@ -85,6 +78,17 @@ class GrowthOrder {
     }
 
  private:
+    [[nodiscard, gnu::noinline]] Failure failure_beyond_doubles(const Quad& quad) const {
+        if (const auto haste = haste_of(bounds(motion_of<filters::Wide>(quad))))
+            return {*haste, quad};
+        const auto m = motion_of<Exact>(quad);
+        if (m.start > 0 || (m.start == 0 && first_sign(quad, m.coefficients) > 0))
+            return {before_all, quad};
+        constexpr long double largest = std::numeric_limits<long double>::max();
+        if (m.start == 0) return {{largest, largest}, quad};
+        return {haste_of(bounds(m)).value_or(Haste{0, largest}), quad};
+    }
+
     using Exact = exact::Dyadic<>;
     /// Between raw doubles times are often the same in their first hundreds of bits.
     using Cut = exact::Dyadic<1152>;
@@ -118,7 +122,8 @@ class GrowthOrder {
         const auto leading = [](const Exact& number) -> filters::Wide {
             if (number.sign() == 0) return filters::Wide(0.0);
             exact::Integer significand = abs(number.significand());
-            const auto rest = std::max<std::int64_t>(static_cast<std::int64_t>(msb(significand)) - 63, 0);
+            const auto rest =
+                std::max<std::int64_t>(static_cast<std::int64_t>(msb(significand)) - 63, 0);
             significand >>= rest;
             const long double size =
                 std::ldexp(static_cast<long double>(significand.convert_to<std::uint64_t>()),
@@ -203,8 +208,7 @@ class GrowthOrder {
     }
 
     /// The sign of a sum of infinitesimals.
-    [[nodiscard]] int first_sign(const Quad& quad,
-                                 const std::array<Exact, 4>& coefficients) const {
+    [[nodiscard]] int first_sign(const Quad& quad, const std::array<Exact, 4>& coefficients) const {
         std::array<std::size_t, 4> order = {0, 1, 2, 3};
         std::ranges::sort(order, [&](std::size_t a, std::size_t b) {
             return quad.sites[a] != quad.sites[b] && kernel_.precedes(quad.sites[b], quad.sites[a]);
