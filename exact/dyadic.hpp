@@ -5,12 +5,13 @@
 /// Laws:
 ///  1. Dyadic<> is exact, for every finite double, in any floating-point environment. No common
 ///     factor is looked for, which in rationals takes most of the time.
-///  2. Dyadic<bits> is cut to so many bits after every operation, and is off by less than
-///     2^error: where doubles of all sizes meet, the exact numbers have thousands of bits, of which
-///     the first few hundred tell most signs.
+///  2. Dyadic<bits> is cut to about so many bits after every operation and knows how far it may be
+///     off: where doubles of all sizes meet, exact numbers have thousands of bits, of which the
+///     first few hundred tell most signs. What needed no cut is exact.
 ///
-/// The bound. What is cut off is less than one unit of what is left, and an operand that is off by
-/// less than 2^e leaves a sum off by less than that. A product a·b of numbers below 2^s and 2^t in
+/// The bound. What is cut off is less than one unit of what is left, or less than 2^s where a
+/// number below 2^s is left out of a sum; an operand that is off by less than 2^e leaves a sum off
+/// by less than that. A product a·b of numbers below 2^s and 2^t in
 /// magnitude that are off by less than 2^d and 2^e is off by less than 2^(s+e) + 2^(t+d) + 2^(d+e).
 /// A sum of two such bounds is below twice the greater, one of three below four times the greatest.
 

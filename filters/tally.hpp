@@ -14,7 +14,7 @@ enum class Stage : std::uint8_t {
     refine,         ///< the same in double-doubles
     exact,          ///< expansions, integers, sums that commit no rounding
     essa,           ///< the exact sign of a sum: sign_of_sum
-    multiprecision  ///< rationals
+    multiprecision  ///< rationals, dyadic or not
 };
 inline constexpr int stage_count = 5;
 

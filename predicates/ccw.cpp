@@ -21,6 +21,8 @@ namespace {
     return (ax * by - ay * bx).sign();
 }
 
+/// Where expansions might over- or underflow. The origin may be any of the three: to exchange two
+/// of them is to turn the other way.
 [[nodiscard]] Decision decide_beyond_window(const Point& a, const Point& b,
                                             const Point& c) noexcept {
     std::array points = {&a, &b, &c};

@@ -1,5 +1,5 @@
 #pragma once
-/// ccw in rationals: the last stage of the exact kernel, and the multiprecision kernel's own.
+/// ccw in dyadic numbers: the last stage of the exact kernel, and the multiprecision kernel's own.
 
 #include "../core/sign.hpp"
 #include "../core/site.hpp"

@@ -26,6 +26,7 @@ template <PowerSite S>
     return (square(b) - square(a) + cold::expansion_weight(a, b)).sign();
 }
 
+/// Where expansions might over- or underflow.
 template <PowerSite S>
 [[nodiscard]] Decision decide_beyond_window(const Point& p, const S& a, const S& b) noexcept {
     const auto verdict = nearer_difference<filters::Wide>(p, a, b).sign();

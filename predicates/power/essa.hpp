@@ -1,7 +1,7 @@
 #pragma once
 /// The power predicates by the exact sign of a sum (ESSA): the whole of the sum kernel, and what
 /// stands behind the intervals of the interval kernel. Right for all finite doubles, in any
-/// environment: in rationals where a product could over- or underflow.
+/// environment: in dyadic numbers where a product could over- or underflow.
 /// Source: Gavrilova 1998, section 4.7.2.
 
 #include "../../core/site.hpp"

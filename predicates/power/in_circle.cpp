@@ -193,6 +193,8 @@ template <PowerSite S>
         .sign();
 }
 
+/// Where expansions might over- or underflow. The origin may be any of the four: the determinant is
+/// that of four rows (1, x, y, height), of which exchanging two turns the sign.
 template <PowerSite S>
 [[nodiscard]] Decision decide_beyond_window(const S& i, const S& j, const S& k,
                                             const S& q) noexcept {

@@ -1,5 +1,5 @@
 #pragma once
-/// The power predicates in rationals: the last stage of the exact kernel, and the whole of the
+/// The power predicates in dyadic numbers: the last stage of the exact kernel, and the whole of the
 /// multiprecision kernel that judges the others. Right for every finite double, in any environment.
 
 #include "../../core/sign.hpp"

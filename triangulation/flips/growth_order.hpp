@@ -61,7 +61,7 @@ class GrowthOrder {
     explicit GrowthOrder(const Kernel& kernel) noexcept : kernel_(kernel) {}
 
     /// For an edge that is not regular in the end. Where it is not regular at the start, either, it
-    /// fails before all times.
+    /// fails before all times. What almost every edge asks is inlined, the rest is not.
     [[nodiscard, gnu::flatten]] Failure failure(const Quad& quad) const {
         // Near ties the 100 bits of double-doubles, beyond their range the exponents of long
         // doubles.
@@ -86,11 +86,13 @@ class GrowthOrder {
             return {before_all, quad};
         constexpr long double largest = std::numeric_limits<long double>::max();
         if (m.start == 0) return {{largest, largest}, quad};
+        if (m.end == 0) return {{0, 0}, quad};
         return {haste_of(bounds(m)).value_or(Haste{0, largest}), quad};
     }
 
     using Exact = exact::Dyadic<>;
-    /// Between raw doubles times are often the same in their first hundreds of bits.
+    /// Between raw doubles times are often the same in their first hundreds of bits; of random bit
+    /// patterns one comparison in a hundred needs more than these.
     using Cut = exact::Dyadic<1152>;
 
     /// D0, D1, and the coefficients of the sites' infinitesimals.
