@@ -2,7 +2,7 @@
 
 namespace signum::exact {
 
-Integer Dyadic::any_size() const {
+Integer Dyadic::significand() const {
     if (large_) return *large_;
     Integer result = static_cast<std::int64_t>(small_ >> 64);
     result <<= 64;
@@ -11,14 +11,14 @@ Integer Dyadic::any_size() const {
 }
 
 Dyadic Dyadic::sum_of_large(const Dyadic& coarse, const Dyadic& fine) {
-    Integer sum = coarse.any_size();
+    Integer sum = coarse.significand();
     sum <<= coarse.exponent_ - fine.exponent_;
-    sum += fine.any_size();
+    sum += fine.significand();
     return {std::move(sum), fine.exponent_};
 }
 
 Dyadic Dyadic::product_of_large(const Dyadic& a, const Dyadic& b) {
-    return {Integer(a.any_size() * b.any_size()), a.exponent_ + b.exponent_};
+    return {Integer(a.significand() * b.significand()), a.exponent_ + b.exponent_};
 }
 
 }  // namespace signum::exact

@@ -9,14 +9,14 @@
 /// Laws:
 ///  1. every operation is exact;
 ///  2. all is done in integers: no rounding mode, no flushing of denormals;
-///  3. nothing of this is used by an arithmetic that constructs, so that a judge may rely on it.
+///  3. no predicate of a construction computes in it, so that a judge may rely on it: but for the
+///     order of flips, what it decides is what a judge asks.
 
 #include <bit>
 #include <cstdint>
 #include <optional>
 #include <utility>
 
-#include "../core/contract.hpp"
 #include "../core/sign.hpp"
 #include "multiprecision.hpp"
 #include "sum.hpp"
@@ -29,16 +29,10 @@ class Dyadic : public ComparedBySign<Dyadic> {
     Dyadic() = default;
     /// Precondition: the number is finite.
     explicit Dyadic(double number) noexcept {
-        const auto bits = std::bit_cast<std::uint64_t>(number);
-        const std::uint64_t fraction = bits & ((std::uint64_t{1} << 52) - 1);
-        const int biased = static_cast<int>(bits >> 52 & 0x7FF);
-        SIGNUM_EXPECTS(biased != 0x7FF);
-        const std::uint64_t significand = fraction | std::uint64_t{biased != 0} << 52;
-        if (significand == 0) return;
-        const int zeros = std::countr_zero(significand);
-        small_ = static_cast<Small>(significand >> zeros);
-        if (bits >> 63 != 0) small_ = -small_;
-        exponent_ = (biased == 0 ? 1 : biased) - 1075 + zeros;
+        const Parts of_number = parts(number);
+        small_ = static_cast<Small>(of_number.significand);
+        if (of_number.negative) small_ = -small_;
+        exponent_ = of_number.exponent;
     }
 
     friend Dyadic operator-(Dyadic a) {
@@ -71,6 +65,11 @@ class Dyadic : public ComparedBySign<Dyadic> {
         return large_ ? large_->sign()
                       : static_cast<int>(small_ > 0) - static_cast<int>(small_ < 0);
     }
+    /// As of a CutDyadic.
+    [[nodiscard]] static constexpr bool is_certain() noexcept { return true; }
+    /// m and e.
+    [[nodiscard]] Integer significand() const;
+    [[nodiscard]] int exponent() const noexcept { return exponent_; }
 
  private:
     using Small = __int128;
@@ -89,8 +88,6 @@ class Dyadic : public ComparedBySign<Dyadic> {
         return static_cast<int>(high != 0 ? 64 + std::bit_width(high)
                                           : std::bit_width(static_cast<std::uint64_t>(magnitude)));
     }
-    /// m, whatever its size.
-    [[nodiscard]] Integer any_size() const;
 
     [[gnu::cold]] static Dyadic sum_of_large(const Dyadic& coarse, const Dyadic& fine);
     [[gnu::cold]] static Dyadic product_of_large(const Dyadic& a, const Dyadic& b);

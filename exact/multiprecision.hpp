@@ -30,16 +30,30 @@ using Rational = boost::multiprecision::number<boost::multiprecision::gmp_ration
     return value.sign();
 }
 
-/// The same number. (Rational's own conversion compares with 0.0 and loses denormals where they are
-/// flushed.) Precondition: value is finite.
-[[nodiscard]] inline Rational to_rational(double value) {
+/// ±significand · 2^exponent; the significand is odd, or 0.
+struct Parts {
+    std::uint64_t significand;
+    int exponent;
+    bool negative;
+};
+
+/// Of a double, by its bits: no floating-point operation, no environment. Precondition: value is
+/// finite.
+[[nodiscard]] inline Parts parts(double value) noexcept {
     const auto bits = std::bit_cast<std::uint64_t>(value);
     const std::uint64_t fraction = bits & ((std::uint64_t{1} << 52) - 1);
     const int biased = static_cast<int>(bits >> 52 & 0x7FF);
     SIGNUM_EXPECTS(biased != 0x7FF);
     const std::uint64_t significand = fraction | std::uint64_t{biased != 0} << 52;
-    const int exponent = (biased == 0 ? 1 : biased) - 1075;
+    if (significand == 0) return {0, 0, false};
+    const int zeros = std::countr_zero(significand);
+    return {significand >> zeros, (biased == 0 ? 1 : biased) - 1075 + zeros, bits >> 63 != 0};
+}
 
+/// The same number. (Rational's own conversion compares with 0.0 and loses denormals where they are
+/// flushed.) Precondition: value is finite.
+[[nodiscard]] inline Rational to_rational(double value) {
+    const auto [significand, exponent, negative] = parts(value);
     Rational result = significand;
     const mpq_ptr number = result.backend().data();
     if (exponent < 0) {
@@ -47,7 +61,7 @@ using Rational = boost::multiprecision::number<boost::multiprecision::gmp_ration
     } else {
         mpq_mul_2exp(number, number, static_cast<mp_bitcnt_t>(exponent));
     }
-    if (bits >> 63 != 0) mpq_neg(number, number);
+    if (negative) mpq_neg(number, number);
     return result;
 }
 

@@ -2,7 +2,13 @@
 /// Numbers with a bound on their error whose exponents go far beyond those of doubles, for products
 /// of several raw doubles. For sources only.
 
+#include <algorithm>
+#include <array>
 #include <limits>
+#include <utility>
+
+#include "bounds.hpp"
+#include "verdict.hpp"
 
 namespace signum::filters {
 
@@ -27,12 +33,16 @@ struct Wide {
     [[nodiscard]] static long double size(long double number) noexcept {
         return number < 0 ? -number : number;
     }
-    [[nodiscard]] static Wide difference(double a, double b) noexcept {
-        const long double value = static_cast<long double>(a) - static_cast<long double>(b);
-        return {value, slack * u * size(value)};
-    }
+    Wide(long double number, long double bound) noexcept : value(number), error(bound) {}
+    /// The number itself.
+    explicit Wide(double number) noexcept : value(number), error(0) {}
+
     /// Certainly above 0.
     [[nodiscard]] bool is_positive() const noexcept { return value > error; }
+    [[nodiscard]] Verdict sign() const noexcept {
+        if (is_positive()) return Verdict::certain(1);
+        return -value > error ? Verdict::certain(-1) : Verdict::uncertain();
+    }
 
     friend Wide operator-(const Wide& a) noexcept { return {-a.value, a.error}; }
     friend Wide operator+(const Wide& a, const Wide& b) noexcept {
@@ -47,5 +57,22 @@ struct Wide {
                            underflow};
     }
 };
+
+/// Brings the site of the least coordinates to the end, where determinants of differences have
+/// their origin; -1 where that turns the sign of a determinant, and else +1.
+///
+/// Why: differences to a far site lose what tells the others apart, and raw doubles are of all
+/// sizes at once. Every other site has a coordinate no smaller than both of this one.
+template <class S, std::size_t n>
+[[nodiscard]] int base_on_least(std::array<const S*, n>& sites) noexcept {
+    const auto reach = [](const S* site) {
+        return std::max(magnitude(site->x), magnitude(site->y));
+    };
+    const auto least = std::min_element(
+        sites.begin(), sites.end(), [&](const S* a, const S* b) { return reach(a) < reach(b); });
+    if (least == sites.end() - 1) return 1;
+    std::swap(*least, sites.back());
+    return -1;
+}
 
 }  // namespace signum::filters

@@ -38,7 +38,7 @@ template <class Number>
 [[nodiscard]] constexpr Number ccw_determinant(Number ax, Number ay, Number bx, Number by) {
     return ax * by - ay * bx;
 }
-/// The same from the points, in any arithmetic that rounds.
+/// The same from the points.
 template <class Number, HasCentre S>
 [[nodiscard]] constexpr Number rounded_ccw(const S& a, const S& b, const S& c) noexcept {
     return ccw_determinant<Number>(Number(a.x) - Number(c.x), Number(a.y) - Number(c.y),

@@ -58,23 +58,7 @@ inline constexpr int integer_bits = 400;
 /// of them neither over- nor underflow.
 inline constexpr int sum_bits = 240;
 
-/// ±significand · 2^exponent; the significand is odd, or 0.
-struct Parts {
-    std::uint64_t significand;
-    int exponent;
-    bool negative;
-};
-
-[[nodiscard]] inline Parts parts(double value) noexcept {
-    const auto bits = std::bit_cast<std::uint64_t>(value);
-    const std::uint64_t fraction = bits & ((std::uint64_t{1} << 52) - 1);
-    const int biased = static_cast<int>(bits >> 52 & 0x7FF);
-    SIGNUM_EXPECTS(biased != 0x7FF);
-    const std::uint64_t significand = fraction | std::uint64_t{biased != 0} << 52;
-    if (significand == 0) return {0, 0, false};
-    const int zeros = std::countr_zero(significand);
-    return {significand >> zeros, (biased == 0 ? 1 : biased) - 1075 + zeros, bits >> 63 != 0};
-}
+using exact::Parts;
 
 /// The numbers of n sites in the order x, y, r.
 template <std::size_t n>
@@ -85,7 +69,7 @@ class Numbers {
         for (std::size_t m = 0; m < n; ++m) {
             const double values[] = {sites[m].x, sites[m].y, sites[m].r};
             for (std::size_t column = 0; column < 3; ++column) {
-                const Parts& number = numbers_[3 * m + column] = parts(values[column]);
+                const Parts& number = numbers_[3 * m + column] = exact::parts(values[column]);
                 if (number.significand == 0) continue;
                 const int end =
                     number.exponent + static_cast<int>(std::bit_width(number.significand));

@@ -2,6 +2,7 @@
 
 #include "../../exact/floating_environment.hpp"
 #include "../../filters/rounding_count.hpp"
+#include "../../filters/wide.hpp"
 #include "exact_rows.hpp"
 #include "multiprecision.hpp"
 
@@ -25,9 +26,17 @@ template <PowerSite S>
     return (square(b) - square(a) + cold::expansion_weight(a, b)).sign();
 }
 
+/// Where expansions might over- or underflow.
+template <PowerSite S>
+[[nodiscard]] Decision decide_beyond_window(const Point& p, const S& a, const S& b) noexcept {
+    const auto verdict = nearer_difference<filters::Wide>(p, a, b).sign();
+    if (verdict.is_certain()) return {verdict.sign(), Stage::filter};
+    return {multiprecision::nearer(p, a, b), Stage::multiprecision};
+}
+
 template <PowerSite S>
 [[nodiscard]] Decision decide(const Point& p, const S& a, const S& b) noexcept {
-    if (!cold::in_window(p, a, b)) return {multiprecision::nearer(p, a, b), Stage::multiprecision};
+    if (!cold::in_window(p, a, b)) return decide_beyond_window(p, a, b);
     const double ax = p.x - a.x;
     const double ay = p.y - a.y;
     const double bx = p.x - b.x;

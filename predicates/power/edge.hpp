@@ -17,7 +17,7 @@ namespace signum::power {
 [[nodiscard]] Decision nearer_decision(Point p, const signum::Site& a,
                                        const signum::Site& b) noexcept;
 
-/// The same number in any arithmetic that rounds.
+/// The same number in any arithmetic.
 template <class Number, PowerSite S>
 [[nodiscard]] constexpr Number nearer_difference(Point p, const S& a, const S& b) noexcept {
     const auto square = [&p](const S& s) {

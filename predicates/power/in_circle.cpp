@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "../../exact/floating_environment.hpp"
+#include "../../filters/wide.hpp"
 #include "exact_rows.hpp"
 #include "multiprecision.hpp"
 
@@ -192,10 +193,25 @@ template <PowerSite S>
         .sign();
 }
 
+/// Where expansions might over- or underflow. The origin may be any of the four: the determinant is
+/// that of four rows (1, x, y, height), of which exchanging two turns the sign.
+template <PowerSite S>
+[[nodiscard]] Decision decide_beyond_window(const S& i, const S& j, const S& k,
+                                            const S& q) noexcept {
+    std::array sites = {&i, &j, &k, &q};
+    const Sign turn = filters::base_on_least(sites);
+    const S& origin = *sites[3];
+    const Verdict verdict = in_circle_determinant(row<filters::Wide>(*sites[0], origin),
+                                                  row<filters::Wide>(*sites[1], origin),
+                                                  row<filters::Wide>(*sites[2], origin))
+                                .sign();
+    if (verdict.is_certain()) return {turn * verdict.sign(), Stage::filter};
+    return {multiprecision::in_circle(i, j, k, q), Stage::multiprecision};
+}
+
 template <PowerSite S>
 [[nodiscard]] Decision decide(const S& i, const S& j, const S& k, const S& q) noexcept {
-    if (!cold::in_window(i, j, k, q))
-        return {multiprecision::in_circle(i, j, k, q), Stage::multiprecision};
+    if (!cold::in_window(i, j, k, q)) return decide_beyond_window(i, j, k, q);
     if (const Verdict verdict = filter(row(i, q), row(j, q), row(k, q)); verdict.is_certain())
         return {verdict.sign(), Stage::filter};
     if (const Verdict verdict = IntegerRows(i, j, k, q).sign(); verdict.is_certain())

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <random>
 #include <stdexcept>
@@ -114,6 +115,27 @@ TEST_F(Flips, ExtremesOfADouble) {
     std::vector<Site> mixed = {{0, 0, 1},     {1e300, 1, 1e200},  {1e-300, 1e-300, 2},
                                {5, 1e150, 3}, {-1e300, 4, 1e299}, {7, -1e-200, 0}};
     expect_same(mixed);
+}
+
+/// Bit patterns: numbers of all sizes at once, whose times agree in hundreds of bits.
+TEST_F(Flips, RawDoubles) {
+    const auto raw = [&] {
+        for (;;) {
+            const auto value = std::bit_cast<double>(random_());
+            if (std::isfinite(value)) return value;
+        }
+    };
+    std::uint64_t flips = 0;
+    for (int round = 0; round < 20 * thoroughness; ++round) {
+        const auto count = static_cast<std::size_t>(1 + below(100));
+        std::vector<Site> discs(count);
+        std::vector<power::Site> weighted(count);
+        for (Site& s : discs) s = {raw(), raw(), raw()};
+        for (power::Site& s : weighted) s = {raw(), raw(), raw()};
+        flips += expect_same(discs) + expect_same(weighted);
+        ASSERT_FALSE(HasFailure());
+    }
+    EXPECT_GT(flips, 1000U * thoroughness);
 }
 
 TEST_F(Flips, AreLinearInTheSites) {

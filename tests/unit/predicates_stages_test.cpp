@@ -76,17 +76,16 @@ TEST(CcwStages, ExactNearTies) {
     EXPECT_EQ(decide_ccw({2, 2}, {1, 1}, {-0x1p-60, 0}), exact(-1));
 }
 
-TEST(CcwStages, Multiprecision) {
-    EXPECT_EQ(decide_ccw({0, 0}, {denormal, 0}, {0, denormal}), multiprecision(+1));
+TEST(CcwStages, BeyondTheWindow) {
+    EXPECT_EQ(decide_ccw({0, 0}, {denormal, 0}, {0, denormal}), filter(+1));
     EXPECT_EQ(decide_ccw({0, 0}, {denormal, denormal}, {3 * denormal, 3 * denormal}),
               multiprecision(0));
-    EXPECT_EQ(decide_ccw({0, 0}, {1e-308, 0}, {0, -1e-308}), multiprecision(-1));
-    EXPECT_EQ(decide_ccw({-largest, -largest}, {largest, -largest}, {0, largest}),
-              multiprecision(+1));
+    EXPECT_EQ(decide_ccw({0, 0}, {1e-308, 0}, {0, -1e-308}), filter(-1));
+    EXPECT_EQ(decide_ccw({-largest, -largest}, {largest, -largest}, {0, largest}), filter(+1));
     EXPECT_EQ(decide_ccw({-largest, -largest}, {largest, largest}, {0, 0}), multiprecision(0));
     EXPECT_EQ(decide_ccw({-largest, -largest}, {largest, largest}, {0, denormal}),
               multiprecision(+1));
-    EXPECT_EQ(decide_ccw({1e308, 0}, {-1e308, 0}, {-1e308, 1e-308}), multiprecision(-1));
+    EXPECT_EQ(decide_ccw({1e308, 0}, {-1e308, 0}, {-1e308, 1e-308}), filter(-1));
     EXPECT_EQ(decide_ccw({0, 0}, {0x1p201, 0x1p201}, {1, 1}), multiprecision(0));
     EXPECT_EQ(decide_ccw({0, 0}, {0x1p-201, 0x1p-201}, {1, 1}), multiprecision(0));
 }
@@ -175,18 +174,17 @@ TYPED_TEST(InCircleStages, ExactDecidesWhatDoubleDoublesCannot) {
     EXPECT_EQ(this->decide({1, 0}, {0, 1}, {-1, -e}, {0, -1}), exact(+1));
 }
 
-TYPED_TEST(InCircleStages, Multiprecision) {
+TYPED_TEST(InCircleStages, BeyondTheWindow) {
     const double d = denormal;
-    EXPECT_EQ(this->decide({d, 0}, {0, d}, {-d, 0}, {0, 0}), multiprecision(+1));
+    EXPECT_EQ(this->decide({d, 0}, {0, d}, {-d, 0}, {0, 0}), filter(+1));
     EXPECT_EQ(this->decide({d, 0}, {0, d}, {-d, 0}, {0, -d}), multiprecision(0));
-    EXPECT_EQ(this->decide({d, 0}, {0, d}, {-d, 0}, {0, -2 * d}), multiprecision(-1));
+    EXPECT_EQ(this->decide({d, 0}, {0, d}, {-d, 0}, {0, -2 * d}), filter(-1));
     const double m = largest;
     EXPECT_EQ(this->decide({m, 0}, {0, m}, {-m, 0}, {0, -m}), multiprecision(0));
     EXPECT_EQ(this->decide({m, 0}, {0, m}, {-m, 0}, {d, -m}), multiprecision(-1));
-    EXPECT_EQ(this->decide({m, 0}, {0, m}, {-m, 0}, {d, 0}), multiprecision(+1));
-    EXPECT_EQ(this->decide({1e308, 0}, {0, 1e308}, {-1e308, 0}, {0, -1.01e308}),
-              multiprecision(-1));
-    EXPECT_EQ(this->decide({1e-308, 0}, {0, 1e-308}, {-1e-308, 0}, {0, 0}), multiprecision(+1));
+    EXPECT_EQ(this->decide({m, 0}, {0, m}, {-m, 0}, {d, 0}), filter(+1));
+    EXPECT_EQ(this->decide({1e308, 0}, {0, 1e308}, {-1e308, 0}, {0, -1.01e308}), filter(-1));
+    EXPECT_EQ(this->decide({1e-308, 0}, {0, 1e-308}, {-1e-308, 0}, {0, 0}), filter(+1));
     const double out = 0x1p201;
     EXPECT_EQ(this->decide({out, 0}, {0, out}, {-out, 0}, {0, -out}), multiprecision(0));
     EXPECT_EQ(this->decide({1 / out, 0}, {0, 1 / out}, {-1 / out, 0}, {0, -1 / out}),
@@ -224,7 +222,7 @@ TEST(InCircleWeightStages, Weights) {
     EXPECT_EQ(decide(1, 1, 1, -denormal), multiprecision(-1));
     EXPECT_EQ(decide(1, 1, 1 + denormal, 0), exact(0));
     EXPECT_EQ(decide(0x1p400, 0x1p400, 0x1p400, 0x1p400), filter(+1));
-    EXPECT_EQ(decide(1e308, 1e308, 1e308, -1e308), multiprecision(-1));
+    EXPECT_EQ(decide(1e308, 1e308, 1e308, -1e308), filter(-1));
 }
 
 /// The difference of two squares is not the rounded one, though its last terms cancel.
@@ -318,7 +316,7 @@ TYPED_TEST(InCircleStages, Nearer) {
     EXPECT_EQ(decide({0x1p-150, 0}, s(1, 0), s(-1, 0)), exact(+1));
     EXPECT_EQ(decide({denormal, 0}, s(1, 0), s(-1, 0)), multiprecision(+1));
     EXPECT_EQ(decide({-denormal, 0}, s(largest, 0), s(-largest, 0)), multiprecision(-1));
-    EXPECT_EQ(decide({0, 0}, s(1e-308, 0), s(0, 2e-308)), multiprecision(+1));
+    EXPECT_EQ(decide({0, 0}, s(1e-308, 0), s(0, 2e-308)), filter(+1));
     EXPECT_EQ(decide({1, 1}, s(1, 1), s(1, 1)), exact(0));
 }
 

@@ -15,15 +15,19 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <type_traits>
 #include <vector>
 
 #include "../../core/index.hpp"
+#include "../../core/sign.hpp"
 #include "../../core/site.hpp"
-#include "../../exact/multiprecision.hpp"
+#include "../../exact/cut_dyadic.hpp"
+#include "../../exact/dyadic.hpp"
 #include "../../filters/bounded.hpp"
 #include "../../filters/wide.hpp"
 
@@ -58,17 +62,12 @@ class GrowthOrder {
     explicit GrowthOrder(const Kernel& kernel) noexcept : kernel_(kernel) {}
 
     /// For an edge that is not regular in the end. Where it is not regular at the start, either, it
-    /// fails before all times.
-    [[nodiscard]] Failure failure(const Quad& quad) const {
+    /// fails before all times. What almost every edge asks is inlined, the rest is not.
+    [[nodiscard, gnu::flatten]] Failure failure(const Quad& quad) const {
         // Near ties the 100 bits of double-doubles, beyond their range the exponents of long
         // doubles.
         if (const auto haste = haste_of(bounds(motion_of<Bounded>(quad)))) return {*haste, quad};
-        if (const auto haste = haste_of(bounds(motion_of<filters::Wide>(quad))))
-            return {*haste, quad};
-        const auto m = motion_of<Rational>(quad);
-        if (m.start > 0 || (m.start == 0 && first_sign(quad, m.coefficients) > 0))
-            return {before_all, quad};
-        return {{0, std::numeric_limits<long double>::max()}, quad};
+        return failure_beyond_doubles(quad);
     }
 
     /// Below 0 where the first fails first, 0 where that makes no difference.
@@ -80,7 +79,22 @@ class GrowthOrder {
     }
 
  private:
-    using Rational = exact::Rational;
+    [[nodiscard, gnu::noinline]] Failure failure_beyond_doubles(const Quad& quad) const {
+        if (const auto haste = haste_of(bounds(motion_of<filters::Wide>(quad))))
+            return {*haste, quad};
+        const auto m = motion_of<Exact>(quad);
+        if (m.start > 0 || (m.start == 0 && first_sign(quad, m.coefficients) > 0))
+            return {before_all, quad};
+        constexpr long double largest = std::numeric_limits<long double>::max();
+        if (m.start == 0) return {{largest, largest}, quad};
+        if (m.end == 0) return {{0, 0}, quad};
+        return {haste_of(bounds(m)).value_or(Haste{0, largest}), quad};
+    }
+
+    using Exact = exact::Dyadic;
+    /// Between raw doubles times are often the same in their first hundreds of bits; of random bit
+    /// patterns one comparison in a hundred needs more than these.
+    using Cut = exact::CutDyadic<1152>;
 
     /// D0, D1, and the coefficients of the sites' infinitesimals.
     template <class Number>
@@ -106,6 +120,22 @@ class GrowthOrder {
     [[nodiscard]] static Bounds bounds(const Motion<filters::Wide>& m) noexcept {
         return {m.start, m.end};
     }
+    [[nodiscard]] static Bounds bounds(const Motion<Exact>& m) {
+        // The first 64 bits of a number, and what lies behind them.
+        const auto leading = [](const Exact& number) -> filters::Wide {
+            if (number.sign() == 0) return filters::Wide(0.0);
+            exact::Integer significand = abs(number.significand());
+            const auto rest =
+                std::max<std::int64_t>(static_cast<std::int64_t>(msb(significand)) - 63, 0);
+            significand >>= rest;
+            const long double size =
+                std::ldexp(static_cast<long double>(significand.convert_to<std::uint64_t>()),
+                           static_cast<int>(number.exponent() + rest));
+            return {static_cast<long double>(number.sign()) * size,
+                    filters::Wide::slack * filters::Wide::u * size + filters::Wide::underflow};
+        };
+        return {leading(m.start), leading(m.end)};
+    }
 
     /// Nothing where the signs of D0 and D1 are uncertain. Sums, quotient and factor round by 2^-52
     /// each, in any mode.
@@ -125,12 +155,10 @@ class GrowthOrder {
 
     template <class Number>
     [[nodiscard]] static Number difference(double a, double b) {
-        if constexpr (std::is_same_v<Number, Rational>)
-            return exact::to_rational(a) - exact::to_rational(b);
-        else if constexpr (std::is_same_v<Number, filters::Wide>)
-            return filters::Wide::difference(a, b);
-        else
+        if constexpr (std::is_same_v<Number, Bounded>)
             return Bounded::exactly(filters::exact_difference(a, b));
+        else
+            return Number(a) - Number(b);
     }
     /// The difference of two weights.
     template <class Number>
@@ -183,8 +211,7 @@ class GrowthOrder {
     }
 
     /// The sign of a sum of infinitesimals.
-    [[nodiscard]] int first_sign(const Quad& quad,
-                                 const std::array<Rational, 4>& coefficients) const {
+    [[nodiscard]] int first_sign(const Quad& quad, const std::array<Exact, 4>& coefficients) const {
         std::array<std::size_t, 4> order = {0, 1, 2, 3};
         std::ranges::sort(order, [&](std::size_t a, std::size_t b) {
             return quad.sites[a] != quad.sites[b] && kernel_.precedes(quad.sites[b], quad.sites[a]);
@@ -198,29 +225,38 @@ class GrowthOrder {
     [[nodiscard]] int compare(const Quad& one, const Quad& other) const {
         // The three edges of a site that sinks have the same sites around them.
         if (std::is_permutation(one.sites.begin(), one.sites.end(), other.sites.begin())) return 0;
-        const Motion<Rational> a = motion_of<Rational>(one);
-        const Motion<Rational> b = motion_of<Rational>(other);
+        if (const auto order = compare_in<Cut>(one, other)) return *order;
+        return *compare_in<Exact>(one, other);
+    }
+
+    /// Nothing where what was cut off from the numbers might matter.
+    template <class Number>
+    [[nodiscard]] std::optional<int> compare_in(const Quad& one, const Quad& other) const {
+        const Motion<Number> a = motion_of<Number>(one);
+        const Motion<Number> b = motion_of<Number>(other);
         // The earlier one has the larger quotient of end and -start.
-        const Rational difference = b.end * a.start - a.end * b.start;
+        const Number difference = b.end * a.start - a.end * b.start;
+        if (!difference.is_certain()) return std::nullopt;
         if (difference != 0) return difference > 0 ? -1 : 1;
         // P_a (b.end - b.start) - P_b (a.end - a.start), the last site's infinitesimal first.
-        const Rational of_a = b.end - b.start;
-        const Rational of_b = a.end - a.start;
+        const Number of_a = b.end - b.start;
+        const Number of_b = a.end - a.start;
         std::vector<Index> sites(one.sites.begin(), one.sites.end());
         sites.insert(sites.end(), other.sites.begin(), other.sites.end());
         std::ranges::sort(sites);
         sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
         std::ranges::sort(sites,
                           [&](Index m, Index n) { return m != n && kernel_.precedes(n, m); });
-        const auto coefficient = [](const Quad& quad, const Motion<Rational>& motion, Index site) {
-            Rational sum = 0;
+        const auto coefficient = [](const Quad& quad, const Motion<Number>& motion, Index site) {
+            Number sum;
             for (std::size_t k = 0; k < 4; ++k)
-                if (quad.sites[k] == site) sum += motion.coefficients[k];
+                if (quad.sites[k] == site) sum = sum + motion.coefficients[k];
             return sum;
         };
         for (const Index site : sites) {
-            const Rational sum =
+            const Number sum =
                 coefficient(one, a, site) * of_a - coefficient(other, b, site) * of_b;
+            if (!sum.is_certain()) return std::nullopt;
             if (sum != 0) return sum > 0 ? -1 : 1;
         }
         return 0;
