@@ -9,7 +9,7 @@
 #include "bounds.hpp"
 #include "double_double.hpp"
 
-namespace signum::triangulation {
+namespace signum::filters {
 
 /// A number in double-double and a bound on its error.
 ///
@@ -21,7 +21,7 @@ namespace signum::triangulation {
 ///     product's parts and each part of its bound.
 ///  3. Where something overflows, value or error is NaN or infinite, and nothing is rounded.
 struct Bounded {
-    filters::DoubleDouble value;
+    DoubleDouble value;
     double error;
 
     static constexpr double slack = 0x1.01p0;
@@ -29,11 +29,11 @@ struct Bounded {
 
     /// Of a double and of a double-double that are exact.
     [[nodiscard]] static Bounded exactly(double value) noexcept { return {{value, 0.0}, 0.0}; }
-    [[nodiscard]] static Bounded exactly(const filters::DoubleDouble& value) noexcept {
+    [[nodiscard]] static Bounded exactly(const DoubleDouble& value) noexcept {
         return {value, 0.0};
     }
 
-    [[nodiscard]] double size() const noexcept { return filters::magnitude(value.high); }
+    [[nodiscard]] double size() const noexcept { return magnitude(value.high); }
     /// Certainly above 0.
     [[nodiscard]] bool is_positive() const noexcept {
         return value.high * (1.0 - 0x1p-50) - error > 0.0;
@@ -56,9 +56,9 @@ struct Bounded {
         const double least = b.size() * (1.0 - 0x1p-50) - b.error;
         if (!(least > 0.0)) return {{0.0, 0.0}, std::numeric_limits<double>::infinity()};
         const double first = a.value.high / b.value.high;
-        const filters::DoubleDouble rest = a.value - filters::DoubleDouble{first, 0.0} * b.value;
+        const DoubleDouble rest = a.value - DoubleDouble{first, 0.0} * b.value;
         const TwoTerms sum = two_sum(first, rest.high / b.value.high);
-        const double quotient = filters::magnitude(sum.high);
+        const double quotient = magnitude(sum.high);
         return {{sum.high, sum.low},
                 slack * ((a.error + underflow + quotient * b.error) / least + 0x1p-100 * quotient) +
                     underflow};
@@ -82,11 +82,11 @@ struct Bounded {
         const double below = value.high + (value.low - 2.0 * error);
         const double above = value.high + (value.low + 2.0 * error);
         // The inner sums may err by an ulp of the tail, less than the error again unless that is 0.
-        const double size = filters::magnitude(below);
+        const double size = magnitude(below);
         const bool in_range = 0x1p-900 < size && size <= std::numeric_limits<double>::max();
         if (below != above || !(in_range || (below == 0.0 && error == 0.0))) return std::nullopt;
         return below;
     }
 };
 
-}  // namespace signum::triangulation
+}  // namespace signum::filters

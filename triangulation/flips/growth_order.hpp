@@ -66,7 +66,8 @@ class GrowthOrder {
     [[nodiscard, gnu::flatten]] Failure failure(const Quad& quad) const {
         // Near ties the 100 bits of double-doubles, beyond their range the exponents of long
         // doubles.
-        if (const auto haste = haste_of(bounds(motion_of<Bounded>(quad)))) return {*haste, quad};
+        if (const auto haste = haste_of(bounds(motion_of<filters::Bounded>(quad))))
+            return {*haste, quad};
         return failure_beyond_doubles(quad);
     }
 
@@ -109,9 +110,9 @@ class GrowthOrder {
         filters::Wide start;
         filters::Wide end;
     };
-    [[nodiscard]] static Bounds bounds(const Motion<Bounded>& m) noexcept {
+    [[nodiscard]] static Bounds bounds(const Motion<filters::Bounded>& m) noexcept {
         // Of a double-double the high part is off by 2^-53 of itself.
-        const auto high = [](const Bounded& number) -> filters::Wide {
+        const auto high = [](const filters::Bounded& number) -> filters::Wide {
             return {number.value.high,
                     filters::Wide::slack * number.error + filters::Wide::u * number.size()};
         };
@@ -155,8 +156,8 @@ class GrowthOrder {
 
     template <class Number>
     [[nodiscard]] static Number difference(double a, double b) {
-        if constexpr (std::is_same_v<Number, Bounded>)
-            return Bounded::exactly(filters::exact_difference(a, b));
+        if constexpr (std::is_same_v<Number, filters::Bounded>)
+            return filters::Bounded::exactly(filters::exact_difference(a, b));
         else
             return Number(a) - Number(b);
     }

@@ -14,9 +14,9 @@ using exact::Rational;
 template <class Number>
 using Row = euclidean::polynomials::Row<euclidean::Uniform<Number>>;
 
-Row<Bounded> bounded_row(const Site& m, const Site& origin) {
+Row<filters::Bounded> bounded_row(const Site& m, const Site& origin) {
     const auto difference = [](double a, double b) {
-        return Bounded::exactly(filters::exact_difference(a, b));
+        return filters::Bounded::exactly(filters::exact_difference(a, b));
     };
     return {difference(m.x, origin.x), difference(m.y, origin.y), difference(m.r, origin.r)};
 }
@@ -70,29 +70,32 @@ struct Circle {
 };
 
 /// Of the two forms of a root the one without cancellation.
-Bounded value_of(const Root<Bounded>& root, const Bounded& sqrt_gamma, const Bounded& q) {
-    const Bounded surd = root.beta * sqrt_gamma;
+filters::Bounded value_of(const Root<filters::Bounded>& root, const filters::Bounded& sqrt_gamma,
+                          const filters::Bounded& q) {
+    const filters::Bounded surd = root.beta * sqrt_gamma;
     if ((root.alpha.value.high > 0.0) != (surd.value.high > 0.0))
         return (root.alpha - surd) / (q + q);
-    const Bounded sum = root.alpha + surd;
+    const filters::Bounded sum = root.alpha + surd;
     return root.conjugate / (sum + sum);
 }
 
 std::optional<DiagramVertex> fast_vertex(const Site& i, const Site& j, const Site& k) {
-    const Row<Bounded> to_j = bounded_row(j, i);
-    const Row<Bounded> to_k = bounded_row(k, i);
-    const Row<Bounded> j_to_k = bounded_row(k, j);
+    const Row<filters::Bounded> to_j = bounded_row(j, i);
+    const Row<filters::Bounded> to_k = bounded_row(k, i);
+    const Row<filters::Bounded> j_to_k = bounded_row(k, j);
     if (!to_j.p.is_positive() || !to_k.p.is_positive() || !j_to_k.p.is_positive())
         return std::nullopt;
-    const Circle<Bounded> circle(to_j, to_k, j_to_k);
-    const Bounded sqrt_gamma = sqrt(circle.gamma);
+    const Circle<filters::Bounded> circle(to_j, to_k, j_to_k);
+    const filters::Bounded sqrt_gamma = sqrt(circle.gamma);
     // The vertex exists where the distance is positive.
-    const Bounded distance = value_of(circle.distance, sqrt_gamma, circle.q);
+    const filters::Bounded distance = value_of(circle.distance, sqrt_gamma, circle.q);
     if (!distance.is_positive()) return std::nullopt;
-    const auto rho = (distance - Bounded::exactly(i.r)).rounded();
+    const auto rho = (distance - filters::Bounded::exactly(i.r)).rounded();
     if (!rho) return std::nullopt;
-    const auto x = (value_of(circle.x, sqrt_gamma, circle.q) + Bounded::exactly(i.x)).rounded();
-    const auto y = (value_of(circle.y, sqrt_gamma, circle.q) + Bounded::exactly(i.y)).rounded();
+    const auto x =
+        (value_of(circle.x, sqrt_gamma, circle.q) + filters::Bounded::exactly(i.x)).rounded();
+    const auto y =
+        (value_of(circle.y, sqrt_gamma, circle.q) + filters::Bounded::exactly(i.y)).rounded();
     if (!x || !y) return std::nullopt;
     return DiagramVertex{*x, *y, *rho};
 }

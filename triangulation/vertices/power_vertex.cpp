@@ -30,19 +30,19 @@ struct Centre {
 };
 
 template <power::PowerSite S>
-power::Row<Bounded> bounded_row(const S& m, const S& origin) {
+power::Row<filters::Bounded> bounded_row(const S& m, const S& origin) {
     const auto row = power::cold::double_double_row(m, origin);
     // The product of a radius row commits one rounding.
-    return {Bounded::exactly(row.x),
-            Bounded::exactly(row.y),
+    return {filters::Bounded::exactly(row.x),
+            filters::Bounded::exactly(row.y),
             {row.weight, 0x1p-101 * magnitude(row.weight.high)}};
 }
 
-Bounded weight_of(const power::Site& s) {
-    return Bounded::exactly(s.w);
+filters::Bounded weight_of(const power::Site& s) {
+    return filters::Bounded::exactly(s.w);
 }
-Bounded weight_of(const Site& s) {
-    return Bounded::exactly(s.r) * Bounded::exactly(s.r);
+filters::Bounded weight_of(const Site& s) {
+    return filters::Bounded::exactly(s.r) * filters::Bounded::exactly(s.r);
 }
 Rational rational_weight(const power::Site& s) {
     return to_rational(s.w);
@@ -71,9 +71,9 @@ DiagramVertex exact_vertex(const S& i, const S& j, const S& k) {
 template <class S>
 DiagramVertex power_vertex(const S& i, const S& j, const S& k) {
     if (power::cold::in_window(i, j, k)) {
-        const Centre<Bounded> centre(bounded_row(j, i), bounded_row(k, i));
-        const auto x = (centre.x + Bounded::exactly(i.x)).rounded();
-        const auto y = (centre.y + Bounded::exactly(i.y)).rounded();
+        const Centre<filters::Bounded> centre(bounded_row(j, i), bounded_row(k, i));
+        const auto x = (centre.x + filters::Bounded::exactly(i.x)).rounded();
+        const auto y = (centre.y + filters::Bounded::exactly(i.y)).rounded();
         const auto rho = (centre.square - weight_of(i)).rounded();
         if (x && y && rho) return {*x, *y, *rho};
     }

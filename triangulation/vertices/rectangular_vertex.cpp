@@ -16,7 +16,7 @@ Number number(double value) {
     if constexpr (std::is_same_v<Number, Rational>) {
         return exact::to_rational(value);
     } else {
-        return Bounded::exactly(value);
+        return filters::Bounded::exactly(value);
     }
 }
 
@@ -64,7 +64,7 @@ DiagramVertex rectangular_vertex(const Site& i, const Site& j, const Site& k,
     const rectangular::Touching touching = rectangular::touching(forms);
     if (touching.open < 0) return no_vertex();
 
-    const Square<Directions, Bounded> fast(touching, sites);
+    const Square<Directions, filters::Bounded> fast(touching, sites);
     const auto x = fast.x.rounded();
     const auto y = fast.y.rounded();
     const auto rho = fast.rho.rounded();
