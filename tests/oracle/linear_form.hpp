@@ -60,6 +60,8 @@ class LinearForm {
     friend LinearForm operator-(LinearForm a, const LinearForm& b) { return std::move(a -= b); }
     friend LinearForm operator*(LinearForm a, const Rational& b) { return std::move(a *= b); }
 
+    const Rational& value() const { return value_; }
+
     /// The value decides, then the coefficient of the largest infinitesimal, and so on; 0 only when
     /// all of them are 0.
     int sign() const {

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -15,28 +17,34 @@ namespace {
 /// The four sides of a square, counterclockwise; also the four directions.
 enum Side : std::size_t { right = 0, top = 1, left = 2, bottom = 3 };
 
-/// A site of the supremum metric, its radius reduced by its infinitesimal.
-struct Square {
-    LinearForm x;
-    LinearForm y;
-    LinearForm r;
+/// A site of the supremum metric, its radius reduced by its infinitesimal; or, in rationals,
+/// without.
+template <class Number>
+struct SquareOf {
+    Number x;
+    Number y;
+    Number r;
 };
+using Square = SquareOf<LinearForm>;
 
 /// A point of the plane and a distance.
+template <class Number>
 struct Circle {
-    LinearForm x;
-    LinearForm y;
-    LinearForm rho;
+    Number x;
+    Number y;
+    Number rho;
 };
 
 /// max(|x - X|, |y - Y|) - r
-LinearForm distance(const Square& site, const LinearForm& x, const LinearForm& y) {
-    return std::max({x - site.x, site.x - x, y - site.y, site.y - y}) - site.r;
+template <class Number>
+Number distance(const SquareOf<Number>& site, const Number& x, const Number& y) {
+    return std::max<Number>({x - site.x, site.x - x, y - site.y, site.y - y}) - site.r;
 }
 
 /// Where a side of the inscribed circle lies that the site touches from outside:
 /// right is X + rho, top is Y + rho, left is X - rho, bottom is Y - rho.
-LinearForm pinned(const Square& site, std::size_t side) {
+template <class Number>
+Number pinned(const SquareOf<Number>& site, std::size_t side) {
     if (side == right) return site.x - site.r;
     if (side == top) return site.y - site.r;
     if (side == left) return site.x + site.r;
@@ -44,13 +52,14 @@ LinearForm pinned(const Square& site, std::size_t side) {
 }
 
 /// The circle with three of its sides where they are given: all but `open`.
-Circle solve(const std::array<LinearForm, 4>& at, std::size_t open) {
+template <class Number>
+Circle<Number> solve(const std::array<Number, 4>& at, std::size_t open) {
     const Rational half(1, 2);
     if (open == top || open == bottom) {
-        const LinearForm rho = (at[right] - at[left]) * half;
+        const Number rho = (at[right] - at[left]) * half;
         return {(at[right] + at[left]) * half, open == top ? at[bottom] + rho : at[top] - rho, rho};
     }
-    const LinearForm rho = (at[top] - at[bottom]) * half;
+    const Number rho = (at[top] - at[bottom]) * half;
     return {open == right ? at[left] + rho : at[right] - rho, (at[top] + at[bottom]) * half, rho};
 }
 
@@ -80,6 +89,33 @@ bool is_hull_edge(const std::vector<Square>& sites, std::size_t a, std::size_t b
     return true;
 }
 
+/// Whether the sites i, j, k touch a circle, each on its side and counterclockwise from the one
+/// that is open, and no other site is as near. In rationals, without infinitesimals, as near is
+/// allowed.
+template <class Number>
+bool is_face(const std::vector<SquareOf<Number>>& sites, std::size_t open, std::size_t i,
+             std::size_t j, std::size_t k) {
+    const std::size_t first = (open + 1) % 4, second = (open + 2) % 4, third = (open + 3) % 4;
+    std::array<Number, 4> at;
+    at[first] = pinned(sites[i], first);
+    at[second] = pinned(sites[j], second);
+    at[third] = pinned(sites[k], third);
+    const Circle<Number> circle = solve(at, open);
+    const auto farther = [&](std::size_t q) {
+        return (distance(sites[q], circle.x, circle.y) - circle.rho).sign();
+    };
+    if (farther(i) != 0 || farther(j) != 0 || farther(k) != 0) return false;
+    for (std::size_t q = 0; q < sites.size(); ++q) {
+        if (q == i || q == j || q == k) continue;
+        const int sign = farther(q);
+        if (std::is_same_v<Number, Rational> ? sign < 0 : sign <= 0) {
+            if (sign == 0) throw std::logic_error("oracle: the tie rule does not decide");
+            return false;
+        }
+    }
+    return true;
+}
+
 Tessellation tessellate(const std::vector<Square>& sites) {
     const auto number = [](std::size_t i) { return static_cast<std::int32_t>(i); };
     const std::size_t n = sites.size();
@@ -93,28 +129,20 @@ Tessellation tessellate(const std::vector<Square>& sites) {
                                distance(sites[q], sites[q].x, sites[q].y)))
                 visible[q] = false;
 
+    std::vector<SquareOf<Rational>> values;
+    for (const Square& site : sites)
+        values.push_back({site.x.value(), site.y.value(), site.r.value()});
+
     // Finite faces: i, j, k touch three different sides, counterclockwise, and no other site is as
     // near. That the sides are different is no restriction: two sites on one side would be a tie.
     for (std::size_t open = 0; open < 4; ++open) {
-        const std::size_t first = (open + 1) % 4, second = (open + 2) % 4, third = (open + 3) % 4;
         for (std::size_t i = 0; i < n; ++i) {
             for (std::size_t j = 0; j < n; ++j) {
                 for (std::size_t k = 0; k < n; ++k) {
                     if (i == j || j == k || k == i) continue;
-                    std::array<LinearForm, 4> at;
-                    at[first] = pinned(sites[i], first);
-                    at[second] = pinned(sites[j], second);
-                    at[third] = pinned(sites[k], third);
-                    const Circle circle = solve(at, open);
-                    const auto nearer = [&](std::size_t q) {
-                        return (distance(sites[q], circle.x, circle.y) - circle.rho).sign();
-                    };
-                    if (nearer(i) != 0 || nearer(j) != 0 || nearer(k) != 0) continue;
-                    bool empty = true;
-                    for (std::size_t q = 0; q < n && empty; ++q)
-                        if (q != i && q != j && q != k)
-                            empty = less(circle.rho, distance(sites[q], circle.x, circle.y));
-                    if (empty) result.faces.push_back(canonical({number(i), number(j), number(k)}));
+                    // Forms take long, and their values alone tell most triples apart.
+                    if (is_face(values, open, i, j, k) && is_face(sites, open, i, j, k))
+                        result.faces.push_back(canonical({number(i), number(j), number(k)}));
                 }
             }
         }
