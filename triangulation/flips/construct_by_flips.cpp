@@ -104,7 +104,7 @@ Tessellation construct_by_flips_with_kernel(const StridedSites& input, const Opt
 template <class S>
 Tessellation construct_by_flips_of(const StridedSites& input, const Options& options,
                                    std::optional<Edge>* obstruction) {
-    return with_tally(options, [&]<class Tally>() {
+    return with_tally<Arithmetic::exact>(options, [&]<class Tally>() {
         return construct_by_flips_with_kernel<PowerKernel<S, Arithmetic::exact, Tally>>(
             input, options, obstruction);
     });
