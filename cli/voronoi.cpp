@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -62,7 +63,8 @@ void run(const VoronoiCall& call) {
     const bool is_used = clip || is_written(targets, "geojson") || is_written(targets, "csv");
     if (is_used) require_fit(box, diagram);
     const double longer = std::max(box.x1 / 2 - box.x0 / 2, box.y1 / 2 - box.y0 / 2);
-    const double tolerance = call.tolerance.value_or(longer / 5'000);
+    const double tolerance = call.tolerance.value_or(
+        std::max(longer / 5'000, std::numeric_limits<double>::denorm_min()));
     if (tolerance < longer * 2e-9) {
         throw CallError(
             fmt::format("--tolerance {}: below a billionth of the box's longer side polygons would "

@@ -31,4 +31,19 @@ struct Site {
 };
 
 }  // namespace power
+
+/// Whether all numbers of points and sites are finite: what predicates take for granted, and ask
+/// in debug builds.
+template <class... S>
+[[nodiscard]] constexpr bool are_finite(const S&... sites) noexcept {
+    const auto is_finite = [](double number) { return number - number == 0.0; };
+    const auto is_one = [&](const auto& site) {
+        bool third = true;
+        if constexpr (requires { site.r; }) third = is_finite(site.r);
+        if constexpr (requires { site.w; }) third = is_finite(site.w);
+        return third && is_finite(site.x) && is_finite(site.y);
+    };
+    return (is_one(sites) && ...);
+}
+
 }  // namespace signum

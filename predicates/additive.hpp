@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 
+#include "../core/contract.hpp"
 #include "../core/index.hpp"
 #include "../core/sign.hpp"
 #include "../core/site.hpp"
@@ -82,6 +83,7 @@ template <std::size_t n>
 /// Whether a circle touches i, j, k counterclockwise, ties decided by the tie rule.
 template <class Perturbed>
 [[nodiscard]] inline bool exists(const Site& i, const Site& j, const Site& k) noexcept {
+    SIGNUM_EXPECTS(are_finite(i, j, k));
     return Perturbed::exists(i, j, k, ranks_of<3>({&i, &j, &k})).sign > 0;
 }
 
@@ -90,6 +92,7 @@ template <class Perturbed>
 template <auto decision>
 [[nodiscard]] inline Sign in_circle(const Site& i, const Site& j, const Site& k,
                                     const Site& q) noexcept {
+    SIGNUM_EXPECTS(are_finite(i, j, k, q));
     return decision(i, j, k, q, ranks_of<4>({&i, &j, &k, &q})).sign;
 }
 
@@ -97,12 +100,14 @@ template <auto decision>
 /// hides the other, finite numbers.
 template <auto decision>
 [[nodiscard]] inline Sign in_circle_infinite(const Site& a, const Site& b, const Site& q) noexcept {
+    SIGNUM_EXPECTS(are_finite(a, b, q));
     return decision(a, b, q, ranks_of<3>({&a, &b, &q})).sign;
 }
 
 /// Whether i alone hides q: covers it, the same place and size included.
 template <class Perturbed>
 [[nodiscard]] inline bool hidden(const Site& q, const Site& i) noexcept {
+    SIGNUM_EXPECTS(are_finite(q, i));
     return Perturbed::hides(i, q, {0, 1}).sign > 0;
 }
 
@@ -110,6 +115,7 @@ template <class Perturbed>
 /// order where both are as near.
 template <class Perturbed>
 [[nodiscard]] inline Sign nearer_site(Point p, const Site& a, const Site& b) noexcept {
+    SIGNUM_EXPECTS(are_finite(p, a, b));
     return Perturbed::nearer(p, a, b, {0, 1}).sign;
 }
 
@@ -119,6 +125,7 @@ template <class Perturbed>
 [[nodiscard]] inline Sign in_circle_perturbed(const Site& i, const Site& j, const Site& k,
                                               const Site& q,
                                               const std::array<Index, 4>& ranks) noexcept {
+    SIGNUM_EXPECTS(are_finite(i, j, k, q));
     return Perturbed::in_circle(i, j, k, q, ranks).sign;
 }
 
@@ -126,6 +133,7 @@ template <class Perturbed>
 template <class Perturbed>
 [[nodiscard]] inline Sign in_circle_infinite_perturbed(const Site& a, const Site& b, const Site& q,
                                                        const std::array<Index, 3>& ranks) noexcept {
+    SIGNUM_EXPECTS(are_finite(a, b, q));
     return Perturbed::in_circle_infinite(a, b, q, ranks).sign;
 }
 

@@ -98,6 +98,7 @@ template <HasCentre S>
 /// Precondition: finite coordinates.
 template <HasCentre S>
 [[nodiscard]] inline Sign ccw(const S& a, const S& b, const S& c) noexcept {
+    SIGNUM_EXPECTS(are_finite(a, b, c));
     return ccw_decision(a, b, c).sign;
 }
 

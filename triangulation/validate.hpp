@@ -10,6 +10,7 @@
 
 #include "../core/strided_sites.hpp"
 #include "arrays.hpp"
+#include "tessellation.hpp"
 
 namespace signum {
 
@@ -46,5 +47,11 @@ struct ValidationOptions {
 /// as their construction, mostly about as long. Source: the heads of check/*.hpp.
 [[nodiscard]] Validation validate(const TessellationArrays& arrays, StridedSites sites,
                                   const ValidationOptions& options = {});
+/// The same for a tessellation and its own sites.
+[[nodiscard]] inline Validation validate(const Tessellation& tessellation,
+                                         const ValidationOptions& options = {}) {
+    return validate(tessellation.arrays(),
+                    {tessellation.sites(), tessellation.weight_is() == WeightIs::weight}, options);
+}
 
 }  // namespace signum

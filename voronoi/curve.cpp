@@ -196,8 +196,9 @@ double HyperbolaCurve::parameter(Point p) const noexcept {
     const double cosh = dot(from_middle, forward) / a;
     const double sinh = dot(from_middle, upward) / b;
     // The coordinate that changes faster tells the parameter better.
+    // The product of the roots is finite where that of their squares is not.
     const bool by_cosh = std::isfinite(cosh) && cosh > 1 &&
-                         std::abs(a) * std::sqrt((cosh - 1) * (cosh + 1)) > b * cosh;
+                         std::abs(a) * std::sqrt(cosh - 1) * std::sqrt(cosh + 1) > b * cosh;
     return by_cosh ? std::copysign(std::acosh(cosh), sinh) : std::asinh(sinh);
 }
 

@@ -605,6 +605,16 @@ double area_of_cells(const Voronoi& diagram, const Box& box) {
     return sum;
 }
 
+/// The axis of such a hyperbola is so short that the square of a coordinate over it overflows.
+TEST(Voronoi, RadiiThatVanishBesideTheDistances) {
+    const Box box = {-3, -3, 3, 3};
+    for (const double r : {1e-100, 1e-154, 1e-155, 1e-170, 1e-308, 5e-324}) {
+        const std::vector<Site> sites = {{1, 1, 1}, {-1, -1, 0}, {0, 0, 0}, {1, -1.7, r}};
+        const Voronoi diagram = voronoi(triangulate(sites, Euclidean{}));
+        EXPECT_NEAR(area_of_cells(diagram, box) / area(box), 1, 1e-12) << r;
+    }
+}
+
 /// Each of these cells once had all the box too much: its border touches that of the box.
 TEST(Voronoi, ACellWhoseVertexLiesOnTheBorderIsNotTheRestOfTheBox) {
     // Far from the origin, so that rounding is visible; the vertex is (10000000300000000, 3e8).

@@ -866,6 +866,14 @@ TEST_F(Tool, WritesDiagrams) {
     EXPECT_EQ(run({"voronoi", sites, "--quiet", "--clip", "-4", "-3", "-2.5", "-1"}).code, 0);
 }
 
+TEST_F(Tool, WritesPolygonsOfDenormalSites) {
+    const std::string tiny = scratch.file("tiny.txt", "5e-324 0\n0 5e-324\n0 0\n");
+    for (const char* format : {"csv", "geojson"}) {
+        const Outcome outcome = run({"voronoi", tiny, "--format", format});
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+    }
+}
+
 TEST_F(Tool, RefusesWrongCallsOfVoronoi) {
     const auto refused = [&](Words more, const std::string& message) {
         Words words = {"voronoi", sites};
