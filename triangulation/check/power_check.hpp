@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "../insertion/hiders.hpp"
+#include "../structure/spatial_order.hpp"
 #include "../structure/tie_order.hpp"
 #include "arrays_check.hpp"
 #include "judging.hpp"
@@ -259,11 +259,9 @@ class PowerCheck : private ArraysCheck {
         if (arrays_.hidden.empty()) return;
         NearSites<Distance> visible(visible_sites(), [this](Index i) { return plain(i); });
         const std::vector<Index> face_of = faces_of_vertices(topology_, sites_);
-        std::vector<Hidden> sorted = arrays_.hidden;
-        std::sort(sorted.begin(), sorted.end(),
-                  [](const Hidden& a, const Hidden& b) { return a.by < b.by; });
         Index hub = infinite;
-        for (const auto& [q, by] : sorted) {
+        Index last = -1;  // the face of the last hidden site
+        for (const auto& [q, by] : hidden_in_order()) {
             check_nearest(q, by, visible);
             if (visible_ < 2) {
                 check_hidden_by_one(q, by);
@@ -272,10 +270,22 @@ class PowerCheck : private ArraysCheck {
             } else {
                 if (by != hub) sort_star(by, face_of[at(by)]);
                 hub = by;
-                judge(containing_face(q, face_toward(by, q)), q);
+                last = containing_face(q, face_toward(by, q), last);
+                judge(last, q);
             }
             advance();
         }
+    }
+
+    /// The hidden sites, those of one site along a curve.
+    [[nodiscard]] std::vector<Hidden> hidden_in_order() const {
+        std::vector<Point> centres;
+        for (const Hidden& hidden : arrays_.hidden) centres.push_back(centre(hidden.site));
+        std::vector<Hidden> result;
+        for (const Index i : spatial_order(centres, 1)) result.push_back(arrays_.hidden[at(i)]);
+        std::stable_sort(result.begin(), result.end(),
+                         [](const Hidden& a, const Hidden& b) { return a.by < b.by; });
+        return result;
     }
 
     /// The directions of the spokes of a site, rounded, with the faces on their left: where a walk
@@ -296,17 +306,21 @@ class PowerCheck : private ArraysCheck {
         return std::atan2(site(to).y - site(from).y, site(to).x - site(from).x);
     }
 
-    /// A face that contains the centre of q. The walk may go in circles, for a triangulation that
-    /// is valid by a choice of ties need not be regular for any weights; then all faces are
-    /// searched.
-    [[nodiscard]] Index containing_face(Index q, Index start) {
+    /// A face that contains the centre of q: most often a few steps from the site that hides it,
+    /// and otherwise, where that is far away, not far from the face of the hidden site before. The
+    /// walk may go in circles, for a triangulation that is valid by a choice of ties need not be
+    /// regular for any weights; then all faces are searched.
+    [[nodiscard]] Index containing_face(Index q, Index start, Index last) {
+        constexpr Index few = 16;
         Index f = topology_.is_infinite(start)
                       ? Topology::face(topology_.twin(topology_.finite_edge(start)))
                       : start;
         for (Index steps = 0; steps < faces() && !topology_.is_infinite(f); ++steps) {
             const unsigned k = separating_edge(face(f), q);
             if (k == 3) return f;
-            f = Topology::face(topology_.twin(Topology::first_edge(f) + k));
+            f = steps == few && last >= 0
+                    ? last
+                    : Topology::face(topology_.twin(Topology::first_edge(f) + k));
         }
         if (!topology_.is_infinite(f))
             for (Index g = 0; g < faces(); ++g)

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -226,8 +227,34 @@ class GrowthOrder {
     [[nodiscard]] int compare(const Quad& one, const Quad& other) const {
         // The three edges of a site that sinks have the same sites around them.
         if (std::is_permutation(one.sites.begin(), one.sites.end(), other.sites.begin())) return 0;
-        if (const auto order = compare_in<Cut>(one, other)) return *order;
+        if (!are_short(one, other))
+            if (const auto order = compare_in<Cut>(one, other)) return *order;
         return *compare_in<Exact>(one, other);
+    }
+
+    /// Whether all numbers are integers of some 20 bits times one power of two, as of grids, where
+    /// times are equal: what is made of them is then short, and exact numbers are the cheapest.
+    [[nodiscard]] bool are_short(const Quad& one, const Quad& other) const {
+        int least = std::numeric_limits<int>::max();
+        int end = std::numeric_limits<int>::min();
+        const auto look_at = [&](double value) {
+            const exact::Parts number = exact::parts(value);
+            if (number.significand == 0) return;
+            least = std::min(least, number.exponent);
+            end = std::max(end,
+                           number.exponent + static_cast<int>(std::bit_width(number.significand)));
+        };
+        for (const Quad* quad : {&one, &other})
+            for (const Index i : quad->sites) {
+                const auto& site = kernel_.site(i);
+                look_at(site.x);
+                look_at(site.y);
+                if constexpr (requires { site.w; })
+                    look_at(site.w);
+                else
+                    look_at(site.r);
+            }
+        return end - least <= 20;
     }
 
     /// Nothing where what was cut off from the numbers might matter.

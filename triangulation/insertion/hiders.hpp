@@ -16,16 +16,6 @@
 
 namespace signum::triangulation {
 
-/// A face at every visible vertex, -1 for the hidden ones.
-[[nodiscard]] inline std::vector<Index> faces_of_vertices(const Topology& topology,
-                                                          std::size_t sites) {
-    std::vector<Index> result(sites, -1);
-    for (Index f = 0; f < topology.faces(); ++f)
-        for (const Index v : topology.vertices(f))
-            if (v >= 0) result[static_cast<std::size_t>(v)] = f;
-    return result;
-}
-
 /// The visible sites in boxes within boxes, for who looks for the nearest one from a site with so
 /// many neighbours that asking them all for every point would be quadratic.
 ///

@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <utility>
+#include <vector>
 
 #include "../../core/contract.hpp"
 #include "../../core/index.hpp"
@@ -120,5 +121,15 @@ class Topology {
     std::size_t faces_ = 0;
     LargeArray<Record> records_;
 };
+
+/// A face at every visible vertex, -1 for the hidden ones.
+[[nodiscard]] inline std::vector<Index> faces_of_vertices(const Topology& topology,
+                                                          std::size_t sites) {
+    std::vector<Index> result(sites, -1);
+    for (Index f = 0; f < topology.faces(); ++f)
+        for (const Index v : topology.vertices(f))
+            if (v >= 0) result[static_cast<std::size_t>(v)] = f;
+    return result;
+}
 
 }  // namespace signum::triangulation
