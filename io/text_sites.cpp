@@ -78,8 +78,8 @@ class TextSites {
         }
     }
 
-    /// Columns end at blanks, at tabs, or at one comma or semicolon with or without blanks around
-    /// it.
+    /// Columns end at blanks and tabs, or at one comma or semicolon with or without blanks around
+    /// it, but not at both in one line: 1,5 2 is more likely two numbers than three.
     void split_at_any() {
         columns_.clear();
         const char* place = line_.data();
@@ -89,6 +89,13 @@ class TextSites {
         };
         const auto is_over = [&] { return place == end || *place == '#'; };
         char mark = '\0';
+        bool at_blanks = false;
+        const auto refuse_both = [&](std::string_view one, std::string_view other) {
+            fail(place, fmt::format("{} and {} in one line; separate by one of them, and write "
+                                    "fractions with a point",
+                                    one, other));
+        };
+        const auto name_of_mark = [&] { return mark == ',' ? "commas" : "semicolons"; };
         skip_blanks();
         if (is_over()) return;
         for (;;) {
@@ -97,13 +104,15 @@ class TextSites {
             columns_.emplace_back(start, static_cast<std::size_t>(place - start));
             skip_blanks();
             if (is_over()) return;
-            if (!is_mark(*place)) continue;
-            if (mark != '\0' && mark != *place) {
-                fail(place,
-                     "commas and semicolons in one line; separate by one of them, and write "
-                     "fractions with a point");
+            if (!is_mark(*place)) {
+                if (mark != '\0') refuse_both(name_of_mark(), "blanks");
+                at_blanks = true;
+                continue;
             }
-            mark = *place++;
+            if (mark != '\0' && mark != *place) refuse_both("commas", "semicolons");
+            mark = *place;
+            if (at_blanks) refuse_both(name_of_mark(), "blanks");
+            ++place;
             skip_blanks();
             if (is_over()) {
                 columns_.emplace_back(place, 0);

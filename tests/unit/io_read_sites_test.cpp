@@ -171,7 +171,7 @@ TEST(TextSites, RefusesWrongColumns) {
               "1:7: more than three columns; a site is x y [r], or name the columns x, y and r (or "
               "radius, weight) in a first line, or choose with --columns, as in --columns 1,2");
     EXPECT_EQ(
-        error("1,5 2,5\n"),
+        error("1,5,2,5\n"),
         "1:7: more than three columns; a site is x y [r], a fraction has a point, or name the "
         "columns x, y and r (or radius, weight) in a first line, or choose with --columns, as "
         "in --columns 1,2");
@@ -184,6 +184,19 @@ TEST(TextSites, RefusesWrongColumns) {
         error("1,5;2,5\n"),
         "1:4: commas and semicolons in one line; separate by one of them, and write fractions "
         "with a point");
+}
+
+TEST(TextSites, RefusesCommasBesideBlanks) {
+    const std::string one =
+        " and blanks in one line; separate by one of them, and write fractions with a point";
+    EXPECT_EQ(error("1,5 2\n"), "1:5: commas" + one);
+    EXPECT_EQ(error("1 2,5\n"), "1:4: commas" + one);
+    EXPECT_EQ(error("1 2\n3\t4,5 # here\n"), "2:4: commas" + one);
+    EXPECT_EQ(error("1,5 2,5\n"), "1:5: commas" + one);
+    EXPECT_EQ(error("1; 2 3\n"), "1:6: semicolons" + one);
+    EXPECT_EQ(error("x y r\n1 2 3\n1,5 2\n"), "3:5: commas" + one);
+    EXPECT_EQ(read(" 1, 2 \n3 ,4\t, 5 # 6 7\n8 , 9\n").sites,
+              (Sites{{1, 2, 0}, {3, 4, 5}, {8, 9, 0}}));
 }
 
 TEST(TextSites, RefusesHeadersThatLeaveADoubt) {
