@@ -304,6 +304,7 @@ class TextSites {
         }
         layout_ = {found, columns_.size(), any_separator, true};
         if (found[2] == no_column && columns_.size() == 3) leave_out(3 - found[0] - found[1]);
+        if (found[2] != no_column) leave_out_height();
         if (columns_.size() > 3 || !result_.note.empty()) layout_.separator = separator_of_line();
     }
 
@@ -317,6 +318,19 @@ class TextSites {
             file_.path(), file_.line_number(), in_quotes(unquoted(columns_[x])),
             in_quotes(unquoted(columns_[y])), in_quotes(unquoted(columns_[column])), x + 1, y + 1,
             column + 1, x + 1, y + 1);
+    }
+
+    /// Other columns beside x, y and r say something about a site; z says that it lies in space.
+    void leave_out_height() {
+        const auto is_height = [](std::string_view text) { return plain_name(text) == "z"; };
+        const auto found = std::ranges::find_if(columns_, is_height);
+        if (found == columns_.end()) return;
+        const auto& [x, y, third] = layout_.columns;
+        result_.note = fmt::format(
+            "{}:{}: {} is left out: sites lie in the plane. --columns {},{},{} leaves it out "
+            "without a word",
+            file_.path(), file_.line_number(), in_quotes(unquoted(*found)), x + 1, y + 1,
+            third + 1);
     }
 
     /// A column without the double quotes around it.

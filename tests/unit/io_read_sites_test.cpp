@@ -99,6 +99,19 @@ TEST(TextSites, TakesNoColumnForARadiusBecauseItIsThird) {
     EXPECT_EQ(named.note, "");
 }
 
+TEST(TextSites, SaysThatAHeightIsLeftOut) {
+    const SitesFile file = read("x y z r\n1 2 9 3\n");
+    EXPECT_EQ(file.sites, (Sites{{1, 2, 3}}));
+    EXPECT_NE(file.note.find("/f:1: 'z' is left out: sites lie in the plane. --columns 1,2,4 "
+                             "leaves it out without a word"),
+              std::string::npos)
+        << file.note;
+    EXPECT_NE(read("n;\"Z\";weight;y;x\n0;9;3;2;1\n").note.find("--columns 5,4,3 leaves"),
+              std::string::npos);
+    EXPECT_EQ(read("x y z r\n1 2 9 3\n", {"x", "y", "r"}).note, "");
+    EXPECT_EQ(read("n x y r\n9 1 2 3\n").note, "");
+}
+
 TEST(TextSites, TakesTheColumnsThatAreChosen) {
     const char* cities = "id;name;Lon;Lat;\"height; m\";r\n7;a, b;1;2;3;4\n";
     EXPECT_EQ(read(cities, {"lon", "LAT"}).sites, (Sites{{1, 2, 0}}));
