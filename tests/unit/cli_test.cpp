@@ -602,6 +602,18 @@ TEST_F(Tool, Generates) {
     const std::string json = scratch.path("s.json");
     EXPECT_EQ(run({"generate", "circle", "-n", "3", "--radius", "-1:2", "-o", json}).code, 0);
     EXPECT_TRUE(contents(json).starts_with("[["));
+    for (const char* name : {"sites", "s.txt", "s.xyr", "s.DAT"}) {
+        const std::string text = scratch.path(name);
+        EXPECT_EQ(run({"generate", "grid", "-n", "4", "-o", text}).code, 0);
+        EXPECT_EQ(contents(text), outcome.out) << name;
+    }
+    const std::string svg = scratch.path("s.svg");
+    expect({"generate", "circle", "-n", "3", "-o", svg}, 2,
+           "signum: -o " + svg +
+               ": the ending says what to write; give it .txt, .csv or .json, or say it with "
+               "--format\n");
+    EXPECT_FALSE(std::filesystem::exists(svg));
+    EXPECT_EQ(run({"generate", "circle", "-n", "3", "-o", svg, "--format", "text"}).code, 0);
     EXPECT_NE(run({"generate", "random", "-n", "3"}).out,
               run({"generate", "random", "-n", "3", "--seed", "2"}).out);
     expect({"generate", "random", "-n", "0"}, 2,
