@@ -373,7 +373,7 @@ class TextSites {
                                    has_comma ? ", a fraction has a point" : ""));
     }
 
-    double read_column(std::size_t column) const {
+    double read_column(std::size_t column) {
         if (column >= columns_.size()) {
             const std::string_view last = columns_.back();
             fail(last.data() + last.size(),
@@ -382,7 +382,11 @@ class TextSites {
         }
         const std::string_view text = unquoted(columns_[column]);
         const Number number = parse_number(text);
-        if (number.fault == NumberFault::none) return number.value;
+        if (number.fault == NumberFault::none) {
+            if (is_beyond_single(number.value) && !result_.first_beyond_single)
+                result_.first_beyond_single = position_of(text.data());
+            return number.value;
+        }
         if (text.empty()) fail_at_empty_column(column);
         fail(text.data(), explain(number.fault, text));
     }

@@ -186,6 +186,19 @@ TEST_F(Tool, TakesNoOptionAfterTheEndOfOptions) {
     }
 }
 
+TEST_F(Tool, SaysWhichNumberNoFloatReaches) {
+    const std::string text = scratch.file("t.txt", "0 0 1\n1 0\n0 -1e39 1\n1e300 1\n");
+    const std::string json = scratch.file("s.json", "[[0,0],\n[1,0],[0,4e38]]");
+    const std::string what =
+        ": a number beyond single precision, 3.4e38; take another arithmetic than single, or write "
+        "smaller numbers\n";
+    expect({"triangulate", text, "--arithmetic", "single"}, 2, text + ":3:3" + what);
+    expect({"triangulate", json, "--arithmetic", "single"}, 2, json + ":2:10" + what);
+    expect({"compare", text, "--arithmetic", "single"}, 2, text + ":3:3" + what);
+    expect({"compare", text, "--against", "single"}, 2, text + ":3:3" + what);
+    EXPECT_EQ(run({"triangulate", json}).code, 0);
+}
+
 TEST_F(Tool, SaysWhatThisVersionDoesNotHave) {
     expect(
         {"triangulate", sites, "--metric", "taxi"}, 2,
