@@ -294,6 +294,8 @@ void run(const CompareCall& call) {
             "in -o wrong.svg");
     }
     const InputSites sites = read_input(call);
+    for (const std::string& arithmetic : {call.arithmetic, call.against})
+        check_reach(call.input, sites.file, arithmetic);
     const Outputs outputs(targets);
     const Report report = compare(call, sites);
     DescriptorStream out(is_drawn_there ? 2 : 1,

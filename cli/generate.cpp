@@ -40,12 +40,18 @@ double number_of(const std::string& option, std::string_view text) {
     throw CallError(fmt::format("{}: {}", option, explain(number.fault, text)));
 }
 
-/// By --format, else by the ending, where it says anything.
+/// By --format, else by the ending, where there is one. Throws CallError for that of another
+/// format.
 SitesFormat format_of(const GenerateCall& call) {
     const std::string name = call.format.empty() ? ending_of(call.output) : call.format;
     if (name == "csv") return SitesFormat::csv;
     if (name == "json") return SitesFormat::json;
-    return SitesFormat::text;
+    for (const std::string_view text : {"", "text", "txt", "xyr", "dat"})
+        if (name == text) return SitesFormat::text;
+    throw CallError(
+        fmt::format("-o {}: the ending says what to write; give it .txt, .csv or .json, or say it "
+                    "with --format",
+                    call.output));
 }
 
 void run(const GenerateCall& call) {
@@ -69,6 +75,7 @@ void run(const GenerateCall& call) {
         throw CallError(
             fmt::format("--perturb {}: give a number that is not negative", call.perturb));
     }
+    const SitesFormat format = format_of(call);
     std::optional<OutputFile> file;
     if (call.output != standard_output) file.emplace(call.output);
     std::vector<Site> sites;
@@ -78,11 +85,11 @@ void run(const GenerateCall& call) {
         throw CallError(error.what());
     }
     if (file) {
-        write_sites(file->stream(), sites, format_of(call));
+        write_sites(file->stream(), sites, format);
         file->publish();
     } else {
         DescriptorStream out(1, "standard output");
-        write_sites(out, sites, format_of(call));
+        write_sites(out, sites, format);
         out.flush();
     }
 }
@@ -127,8 +134,9 @@ void add_generate(CLI::App& tool) {
         ->capture_default_str();
     command
         ->add_option("-o,--output", call->output,
-                     "Where the sites go: CSV or JSON by the ending,\n"
-                     "else lines x y r; - is standard output")
+                     "Where the sites go, by its ending: .csv, .json, or\n"
+                     "lines x y r in .txt, .xyr, .dat and without one;\n"
+                     "- is standard output")
         ->type_name("FILE")
         ->capture_default_str();
     command

@@ -1,5 +1,6 @@
 #include "parse_errors.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <optional>
 #include <string_view>
@@ -24,6 +25,9 @@ std::string short_name(const CLI::Option& option) {
 bool is_flag(const CLI::Option& option) {
     return option.get_items_expected_max() == 0;
 }
+
+/// Words after it are no options.
+constexpr std::string_view end_mark = "--";
 
 /// Whether a word stands where an option would, and is none of the numbers below 0.
 bool looks_like_option(std::string_view word) {
@@ -55,12 +59,14 @@ std::string explain_unknown_option(const CLI::App& tool, const CLI::App& command
         fmt::format("{} has no option {}", command.get_name(), in_quotes(name));
     if (const auto meant = nearest_word(name, names))
         return fmt::format("{}; did you mean {}?", what, *meant);
-    std::string owners;
-    for (const CLI::App* other : tool.get_subcommands([](const CLI::App*) { return true; })) {
-        if (other->get_option_no_throw(name) == nullptr) continue;
-        owners += (owners.empty() ? "" : ", ") + other->get_name();
-    }
-    return owners.empty() ? what : fmt::format("{}; it is one of {}", what, owners);
+    std::vector<std::string> owners;
+    for (const CLI::App* other : tool.get_subcommands([](const CLI::App*) { return true; }))
+        if (other->get_option_no_throw(name) != nullptr) owners.push_back(other->get_name());
+    if (owners.empty()) return what;
+    const std::string last = owners.back();
+    owners.pop_back();
+    if (owners.empty()) return fmt::format("{}; {} has it", what, last);
+    return fmt::format("{}; {} and {} have it", what, fmt::join(owners, ", "), last);
 }
 
 /// A value too few or too many for an option, which the message names.
@@ -93,22 +99,27 @@ std::string explain_missing(const CLI::App& command) {
 }
 
 std::string explain_surplus(const CLI::App& command, const std::string& word) {
-    return fmt::format("{} is a word too many; the least is signum {}", in_quotes(word),
-                       least_call(command));
+    return fmt::format("{} is a word too many{}; the least is signum {}", in_quotes(word),
+                       looks_like_option(word) ? ", no option after --" : "", least_call(command));
 }
 
 /// An error of a call whose subcommand is known. What stands where it cannot stand comes first: it
 /// often is why something else is missing.
 std::string explain_in(const CLI::App& tool, const CLI::App& command,
                        const CLI::ParseError& error) {
-    const std::vector<std::string> left_over = command.remaining();
-    for (const std::string& word : left_over)
-        if (looks_like_option(word)) return explain_unknown_option(tool, command, word);
+    std::vector<std::string> left_over = command.remaining();
+    const auto end_of_options = std::ranges::find(left_over, end_mark);
+    for (auto word = left_over.begin(); word != end_of_options; ++word)
+        if (looks_like_option(*word)) return explain_unknown_option(tool, command, *word);
     if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) return explain_missing(command);
     if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr)
         return explain_mismatch(command, error.what());
-    if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !left_over.empty())
-        return explain_surplus(command, left_over.front());
+    if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
+        // Behind the mark, the parser hands to the tool what the command has no place for.
+        for (const std::string& word : tool.remaining()) left_over.push_back(word);
+        std::erase(left_over, end_mark);
+        if (!left_over.empty()) return explain_surplus(command, left_over.front());
+    }
     return error.what();
 }
 

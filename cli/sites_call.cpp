@@ -73,7 +73,15 @@ InputSites read_input(const SitesCall& call) {
     return sites;
 }
 
+void check_reach(const std::string& path, const SitesFile& file, const std::string& arithmetic) {
+    if (arithmetic_of(arithmetic) != Arithmetic::single || !file.first_beyond_single) return;
+    throw InputError(path, *file.first_beyond_single,
+                     "a number beyond single precision, 3.4e38; take another arithmetic than "
+                     "single, or write smaller numbers");
+}
+
 Tessellation construct(const SitesCall& call, const InputSites& sites, Method method) {
+    check_reach(call.input, sites.file, call.arithmetic);
     std::optional<Progress> progress;
     Options options;
     options.arithmetic = arithmetic_of(call.arithmetic);

@@ -44,6 +44,9 @@ struct InputSites {
 /// they are radii. Throws InputError, or CallError where metric and weights do not fit.
 InputSites read_input(const SitesCall& call);
 
+/// Throws InputError where the file has a number that this arithmetic has not.
+void check_reach(const std::string& path, const SitesFile& file, const std::string& arithmetic);
+
 /// With a progress bar unless quiet. Throws CheckFailure where inexact arithmetic broke the
 /// structure.
 Tessellation construct(const SitesCall& call, const InputSites& sites,

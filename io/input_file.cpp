@@ -139,6 +139,10 @@ bool InputFile::next_line(std::string_view& line) {
     if (found != nullptr) size = static_cast<std::size_t>(found - (buffer_.data() + begin_));
     line = std::string_view(buffer_.data() + begin_, size);
     if (line.ends_with('\r')) line.remove_suffix(1);
+    if (const std::size_t lone = line.find('\r'); lone != std::string_view::npos) {
+        fail({line_number_ + 1, static_cast<std::int64_t>(lone) + 1},
+             "a line that ends in CR alone; save the file with LF at the ends of lines");
+    }
     if (line.size() > longest_line) {
         fail({line_number_ + 1, static_cast<std::int64_t>(longest_line) + 1},
              fmt::format("a line of more than {} bytes; write one site a line: x y [r]",

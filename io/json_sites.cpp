@@ -92,6 +92,8 @@ class JsonSites final : public JsonEvents {
             if (which == 2 && value < 0.0 && !result_.first_negative) {
                 result_.first_negative = cursor().value();
             }
+            if (is_beyond_single(value) && !result_.first_beyond_single)
+                result_.first_beyond_single = cursor().value();
         }
         ++size_;
         return true;

@@ -7,6 +7,7 @@
 ///  3. A number too large, infinity and NaN are faults.
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -29,5 +30,11 @@ struct Number {
 
 /// What is wrong with the text, and what would be right. Precondition: fault != none.
 [[nodiscard]] std::string explain(NumberFault fault, std::string_view text);
+
+/// Whether a finite number is larger than the largest float, or smaller than the smallest.
+constexpr bool is_beyond_single(double value) noexcept {
+    constexpr double largest = std::numeric_limits<float>::max();
+    return value > largest || value < -largest;
+}
 
 }  // namespace signum

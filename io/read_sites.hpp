@@ -30,8 +30,10 @@ struct SitesFile {
     std::optional<WeightIs> third;
     /// Where the first third number below 0 stands.
     std::optional<Position> first_negative;
-    /// Which columns were taken, in a sentence, where a header left a column out that it does not
-    /// call x, y, r, radius or weight, and nobody had said so; else empty.
+    /// Where the first number stands that no float reaches.
+    std::optional<Position> first_beyond_single;
+    /// What was left out, in a sentence, where a header has a column that may have been meant, a
+    /// third one of another name or z, and nobody had said so; else empty.
     std::string note;
 };
 

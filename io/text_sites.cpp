@@ -78,8 +78,8 @@ class TextSites {
         }
     }
 
-    /// Columns end at blanks, at tabs, or at one comma or semicolon with or without blanks around
-    /// it.
+    /// Columns end at blanks and tabs, or at one comma or semicolon with or without blanks around
+    /// it, but not at both in one line: 1,5 2 is more likely two numbers than three.
     void split_at_any() {
         columns_.clear();
         const char* place = line_.data();
@@ -89,6 +89,13 @@ class TextSites {
         };
         const auto is_over = [&] { return place == end || *place == '#'; };
         char mark = '\0';
+        bool at_blanks = false;
+        const auto refuse_both = [&](std::string_view one, std::string_view other) {
+            fail(place, fmt::format("{} and {} in one line; separate by one of them, and write "
+                                    "fractions with a point",
+                                    one, other));
+        };
+        const auto name_of_mark = [&] { return mark == ',' ? "commas" : "semicolons"; };
         skip_blanks();
         if (is_over()) return;
         for (;;) {
@@ -97,13 +104,15 @@ class TextSites {
             columns_.emplace_back(start, static_cast<std::size_t>(place - start));
             skip_blanks();
             if (is_over()) return;
-            if (!is_mark(*place)) continue;
-            if (mark != '\0' && mark != *place) {
-                fail(place,
-                     "commas and semicolons in one line; separate by one of them, and write "
-                     "fractions with a point");
+            if (!is_mark(*place)) {
+                if (mark != '\0') refuse_both(name_of_mark(), "blanks");
+                at_blanks = true;
+                continue;
             }
-            mark = *place++;
+            if (mark != '\0' && mark != *place) refuse_both("commas", "semicolons");
+            mark = *place;
+            if (at_blanks) refuse_both(name_of_mark(), "blanks");
+            ++place;
             skip_blanks();
             if (is_over()) {
                 columns_.emplace_back(place, 0);
@@ -295,6 +304,7 @@ class TextSites {
         }
         layout_ = {found, columns_.size(), any_separator, true};
         if (found[2] == no_column && columns_.size() == 3) leave_out(3 - found[0] - found[1]);
+        if (found[2] != no_column) leave_out_height();
         if (columns_.size() > 3 || !result_.note.empty()) layout_.separator = separator_of_line();
     }
 
@@ -308,6 +318,19 @@ class TextSites {
             file_.path(), file_.line_number(), in_quotes(unquoted(columns_[x])),
             in_quotes(unquoted(columns_[y])), in_quotes(unquoted(columns_[column])), x + 1, y + 1,
             column + 1, x + 1, y + 1);
+    }
+
+    /// Other columns beside x, y and r say something about a site; z says that it lies in space.
+    void leave_out_height() {
+        const auto is_height = [](std::string_view text) { return plain_name(text) == "z"; };
+        const auto found = std::ranges::find_if(columns_, is_height);
+        if (found == columns_.end()) return;
+        const auto& [x, y, third] = layout_.columns;
+        result_.note = fmt::format(
+            "{}:{}: {} is left out: sites lie in the plane. --columns {},{},{} leaves it out "
+            "without a word",
+            file_.path(), file_.line_number(), in_quotes(unquoted(*found)), x + 1, y + 1,
+            third + 1);
     }
 
     /// A column without the double quotes around it.
@@ -350,7 +373,7 @@ class TextSites {
                                    has_comma ? ", a fraction has a point" : ""));
     }
 
-    double read_column(std::size_t column) const {
+    double read_column(std::size_t column) {
         if (column >= columns_.size()) {
             const std::string_view last = columns_.back();
             fail(last.data() + last.size(),
@@ -359,7 +382,11 @@ class TextSites {
         }
         const std::string_view text = unquoted(columns_[column]);
         const Number number = parse_number(text);
-        if (number.fault == NumberFault::none) return number.value;
+        if (number.fault == NumberFault::none) {
+            if (is_beyond_single(number.value) && !result_.first_beyond_single)
+                result_.first_beyond_single = position_of(text.data());
+            return number.value;
+        }
         if (text.empty()) fail_at_empty_column(column);
         fail(text.data(), explain(number.fault, text));
     }

@@ -125,10 +125,12 @@ TEST_F(Tool, RefusesWrongCalls) {
     expect({"--metric", "power", "triangulate", sites}, 2,
            "signum: '--metric' stands before the subcommand; write signum SUBCOMMAND first, then "
            "its options; see signum --help\n");
-    expect(
-        {"voronoi", sites, "--vertices"}, 2,
-        "signum: voronoi has no option '--vertices'; it is one of triangulate; see signum voronoi "
-        "--help\n");
+    expect({"voronoi", sites, "--vertices"}, 2,
+           "signum: voronoi has no option '--vertices'; triangulate has it; see signum voronoi "
+           "--help\n");
+    expect({"validate", "--json", sites, sites}, 2,
+           "signum: validate has no option '--json'; compare and sign have it; see signum validate "
+           "--help\n");
     expect(triangulate({"--metric"}), 2,
            "signum: --metric needs a word after it: --metric NAME" + help);
     expect(triangulate({"--metric", "power"}), 2,
@@ -148,6 +150,53 @@ TEST_F(Tool, RefusesWrongCalls) {
     expect(triangulate({"--seed", "-1"}), 2,
            "signum: --seed: '-1' is no whole number from 0 to 2^64 - 1; see signum triangulate "
            "--help\n");
+}
+
+TEST_F(Tool, TakesNoOptionAfterTheEndOfOptions) {
+    const std::string help = "; see signum triangulate --help\n";
+    const std::string least = "; the least is signum triangulate FILE" + help;
+    const Outcome plain = run({"triangulate", sites, "--quiet"});
+    EXPECT_EQ(run({"triangulate", "--quiet", "--", sites}).out, plain.out);
+    EXPECT_EQ(run({"triangulate", "--quiet", sites, "--"}).out, plain.out);
+    expect({"triangulate", "--", "-foo"}, 2,
+           "-foo: cannot open it (No such file or directory); give a file of sites, or - for "
+           "standard input\n");
+    expect({"triangulate", "--", sites, "--quiet"}, 2,
+           "signum: '--quiet' is a word too many, no option after --" + least);
+    for (const Words& before :
+         {Words{"triangulate", "--", sites}, Words{"triangulate", sites, "--"}}) {
+        Words words = before;
+        words.emplace_back("more.txt");
+        expect(words, 2, "signum: 'more.txt' is a word too many" + least);
+    }
+    expect({"triangulate", "--", sites, "--meric", "power"}, 2,
+           "signum: '--meric' is a word too many, no option after --" + least);
+    expect({"triangulate", "--meric", "--", sites}, 2,
+           "signum: triangulate has no option '--meric'; did you mean --metric? See signum "
+           "triangulate --help\n");
+    expect({"generate", "--", "random"}, 2,
+           "signum: -n is missing; the least is signum generate DISTRIBUTION -n N; see signum "
+           "generate --help\n");
+    for (const Words& words :
+         {Words{"sign", "incircle", "0", "0"}, Words{"sign", "incircle", "--", "0", "-1"}}) {
+        expect(
+            words, 2,
+            "signum: PREDICATE: 'incircle' is unknown; did you mean in_circle? it is one of ccw, "
+            "in_circle; see signum sign --help (numbers stand after --)\n");
+    }
+}
+
+TEST_F(Tool, SaysWhichNumberNoFloatReaches) {
+    const std::string text = scratch.file("t.txt", "0 0 1\n1 0\n0 -1e39 1\n1e300 1\n");
+    const std::string json = scratch.file("s.json", "[[0,0],\n[1,0],[0,4e38]]");
+    const std::string what =
+        ": a number beyond single precision, 3.4e38; take another arithmetic than single, or write "
+        "smaller numbers\n";
+    expect({"triangulate", text, "--arithmetic", "single"}, 2, text + ":3:3" + what);
+    expect({"triangulate", json, "--arithmetic", "single"}, 2, json + ":2:10" + what);
+    expect({"compare", text, "--arithmetic", "single"}, 2, text + ":3:3" + what);
+    expect({"compare", text, "--against", "single"}, 2, text + ":3:3" + what);
+    EXPECT_EQ(run({"triangulate", json}).code, 0);
 }
 
 TEST_F(Tool, SaysWhatThisVersionDoesNotHave) {
@@ -566,6 +615,18 @@ TEST_F(Tool, Generates) {
     const std::string json = scratch.path("s.json");
     EXPECT_EQ(run({"generate", "circle", "-n", "3", "--radius", "-1:2", "-o", json}).code, 0);
     EXPECT_TRUE(contents(json).starts_with("[["));
+    for (const char* name : {"sites", "s.txt", "s.xyr", "s.DAT"}) {
+        const std::string text = scratch.path(name);
+        EXPECT_EQ(run({"generate", "grid", "-n", "4", "-o", text}).code, 0);
+        EXPECT_EQ(contents(text), outcome.out) << name;
+    }
+    const std::string svg = scratch.path("s.svg");
+    expect({"generate", "circle", "-n", "3", "-o", svg}, 2,
+           "signum: -o " + svg +
+               ": the ending says what to write; give it .txt, .csv or .json, or say it with "
+               "--format\n");
+    EXPECT_FALSE(std::filesystem::exists(svg));
+    EXPECT_EQ(run({"generate", "circle", "-n", "3", "-o", svg, "--format", "text"}).code, 0);
     EXPECT_NE(run({"generate", "random", "-n", "3"}).out,
               run({"generate", "random", "-n", "3", "--seed", "2"}).out);
     expect({"generate", "random", "-n", "0"}, 2,
