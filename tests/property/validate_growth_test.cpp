@@ -53,6 +53,11 @@ const std::array families = {
            [](int, int, double, double, double) {
                return Site{1, 2, 3};
            }},
+    // In the power metric the first site hides two of three, most of them far away.
+    Family{"far",
+           [](int i, int n, double, double, double) {
+               return Site{1.0 * i, 0.25 * (i % 2), n - i - 0.5 * (i % 3)};
+           }},
     Family{"chain", [](int i, int, double, double, double) {
                return i % 3 == 0   ? Site{1.0 * i, 0, 0}
                       : i % 3 == 1 ? Site{1.0 * i, 0, 4}
