@@ -311,7 +311,7 @@ class PowerCheck : private ArraysCheck {
     /// walk may go in circles, for a triangulation that is valid by a choice of ties need not be
     /// regular for any weights; then all faces are searched.
     [[nodiscard]] Index containing_face(Index q, Index start, Index last) {
-        constexpr Index few = 16;
+        constexpr Index few = 4;
         Index f = topology_.is_infinite(start)
                       ? Topology::face(topology_.twin(topology_.finite_edge(start)))
                       : start;
