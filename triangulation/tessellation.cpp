@@ -20,16 +20,20 @@ std::size_t at(Index i) noexcept {
     return static_cast<std::size_t>(i);
 }
 
-/// Whether all numbers are `least` or more and less than `end`: the signs of two differences, put
-/// together without a branch, for every construction asks.
-bool are_within(std::span<const Face> triples, Index least, std::size_t end) noexcept {
-    const auto first = static_cast<std::uint32_t>(least);
+/// Whether all numbers are less than `end`, the first of each triple `least_first` or more and the
+/// others `least`: the signs of differences, put together without a branch, for every construction
+/// asks.
+bool are_within(std::span<const Face> triples, Index least_first, Index least,
+                std::size_t end) noexcept {
     const std::uint32_t last = static_cast<std::uint32_t>(end) - 1;
+    const auto outside = [last](Index i, Index from) {
+        const auto number = static_cast<std::uint32_t>(i);
+        return (number - static_cast<std::uint32_t>(from)) | (last - number);
+    };
     std::uint32_t signs = 0;
     for (const Face& triple : triples)
-        for (const Index i : triple)
-            signs |=
-                (static_cast<std::uint32_t>(i) - first) | (last - static_cast<std::uint32_t>(i));
+        signs |=
+            outside(triple[0], least_first) | outside(triple[1], least) | outside(triple[2], least);
     return signs >> 31 == 0;
 }
 
@@ -52,11 +56,11 @@ Tessellation::Tessellation(TessellationArrays arrays, std::vector<Site> sites,
     const std::size_t faces = arrays_.faces.size();
     require(arrays_.neighbours.size() == faces || arrays_.neighbours.empty(),
             "the neighbours are not those of as many faces");
-    require(are_within(arrays_.faces, infinite, sites_.size()), "a vertex of a face is no site");
-    Index signs = 0;
-    for (const Face& face : arrays_.faces) signs |= face[1] | face[2];
-    require(signs >= 0, "infinity is not the first vertex of its face");
-    require(are_within(arrays_.neighbours, 0, faces), "a neighbour is no face");
+    if (!are_within(arrays_.faces, infinite, 0, sites_.size()))
+        require(false, are_within(arrays_.faces, infinite, infinite, sites_.size())
+                           ? "infinity is not the first vertex of its face"
+                           : "a vertex of a face is no site");
+    require(are_within(arrays_.neighbours, 0, 0, faces), "a neighbour is no face");
     for (std::size_t f = faces; f-- > 0;)
         for (const Index v : arrays_.faces[f])
             if (v != infinite) face_of_site_[at(v)] = static_cast<Index>(f);
