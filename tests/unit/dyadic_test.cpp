@@ -16,6 +16,7 @@ using signum::exact::Dyadic;
 using signum::exact::Rational;
 using signum::exact::to_rational;
 using signum::reference::in_environment;
+using signum::reference::quartic;
 using signum::reference::Random;
 
 Rational rational(double value) {
@@ -50,12 +51,8 @@ TEST(Dyadic, HasTheSignsOfRationalsUpToDegreeEight) {
             const Number b = number(values[1]);
             const Number c = number(values[2]);
             const Number d = number(values[3]);
-            const auto quartic = [&](const Number& x, const Number& y) -> Number {
-                const Number inner = (a - b) * (x - y) + (b - x) * (b - x) - 4 * ((a - y) * b);
-                return inner * inner;
-            };
-            const Number first = quartic(c, d);
-            const Number second = quartic(d, c);
+            const Number first = quartic(a, b, c, d);
+            const Number second = quartic(a, b, d, c);
             return std::array{a.sign(),
                               Number(a + b - c).sign(),
                               Number(-(a * d) + b * c).sign(),

@@ -152,4 +152,12 @@ class Random {
     std::mt19937_64 bits_;
 };
 
+/// The square of (a-b)(x-y) + (b-x)² - 4(a-y)b, of degree 4: with x and y exchanged it differs by
+/// what is small beside it, and so do products of the two.
+template <class Number>
+[[nodiscard]] Number quartic(const Number& a, const Number& b, const Number& x, const Number& y) {
+    const Number inner = (a - b) * (x - y) + (b - x) * (b - x) - 4 * ((a - y) * b);
+    return inner * inner;
+}
+
 }  // namespace signum::reference

@@ -11,6 +11,7 @@
 #include "../../exact/multiprecision.hpp"
 #include "../../predicates/ccw.hpp"
 #include "../../predicates/power/in_circle.hpp"
+#include "exact_reference.hpp"
 
 namespace {
 
@@ -19,6 +20,7 @@ using signum::Site;
 using signum::exact::Rational;
 using signum::exact::Sum;
 using signum::exact::to_rational;
+using signum::reference::quartic;
 
 /// Rounded or small numbers, some of them far apart, some 0.
 class Draw {
@@ -47,12 +49,8 @@ TEST(Sum, KeepsEverySignUpToDegreeEight) {
             const Number b = number(values[1]);
             const Number c = number(values[2]);
             const Number d = number(values[3]);
-            const auto quartic = [&](const Number& x, const Number& y) -> Number {
-                const Number inner = (a - b) * (x - y) + (b - x) * (b - x) - 4 * ((a - y) * b);
-                return inner * inner;
-            };
-            const Number first = quartic(c, d);
-            const Number second = quartic(d, c);
+            const Number first = quartic(a, b, c, d);
+            const Number second = quartic(a, b, d, c);
             return Number(first * first - second * second);
         };
         const Rational expected = polynomial(+[](double v) { return to_rational(v); });
