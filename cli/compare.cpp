@@ -210,6 +210,8 @@ void put_table(TextWriter& text, const Report& report) {
     });
     counter("ccw", &Statistics::ccw);
     counter("in_circle", &Statistics::in_circle);
+    counter("nearer", &Statistics::nearer);
+    counter("others", &Statistics::others);
     counter("by the filter", &Statistics::filtered);
     counter("refined", &Statistics::refined);
     counter("exactly", &Statistics::exact);
@@ -249,14 +251,12 @@ void put_run(TextWriter& text, const Run& run) {
              edge_counts(run), quoted_or_null(run.broken));
     if (run.tessellation) {
         const Statistics& s = run.tessellation->statistics();
-        text.put(
-            FMT_COMPILE(", \"seconds\": {}, \"seconds_low\": {}, \"seconds_high\": {}, "
-                        "\"rounds\": {}, \"ccw\": {}, \"in_circle\": {}, \"filtered\": {}, "
-                        "\"refined\": {}, \"exact\": {}, \"essa\": {}, \"multiprecision\": {}, "
-                        "\"ties\": {}"),
-            number_or_null(run.seconds.median), number_or_null(run.seconds.low),
-            number_or_null(run.seconds.high), run.seconds.runs, s.ccw, s.in_circle, s.filtered,
-            s.refined, s.exact, s.essa, s.multiprecision, s.ties);
+        text.put(FMT_COMPILE(", \"seconds\": {}, \"seconds_low\": {}, \"seconds_high\": {}, "
+                             "\"rounds\": {}"),
+                 number_or_null(run.seconds.median), number_or_null(run.seconds.low),
+                 number_or_null(run.seconds.high), run.seconds.runs);
+        for (const Counter& counter : counters)
+            text.put(FMT_COMPILE(", \"{}\": {}"), counter.name, s.*counter.count);
     }
     text.put("}");
 }

@@ -109,9 +109,11 @@ void summarize(const Tessellation& tessellation, std::span<const Target> targets
 }
 
 void summarize_statistics(const Statistics& s) {
-    say("calls    {} ccw, {} in_circle, {} ties\n", s.ccw, s.in_circle, s.ties);
+    say("calls    {} ccw, {} in_circle, {} nearer, {} others\n", s.ccw, s.in_circle, s.nearer,
+        s.others);
     say("decided  {} by the filter, {} refined, {} exactly, {} by ESSA, {} in multiprecision\n",
         s.filtered, s.refined, s.exact, s.essa, s.multiprecision);
+    say("ties     {}, decided by the tie rule\n", s.ties);
 }
 
 /// Judges the tessellation from scratch. An exact one must be the canonical one, too.

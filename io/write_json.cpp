@@ -25,24 +25,13 @@ void put_vertices(TextWriter& text, const Tessellation& tessellation) {
 }
 
 void put_statistics(TextWriter& text, const Statistics& statistics) {
-    const auto put_counter = [&](std::string_view name, std::uint64_t count) {
-        if (statistics.counted) {
-            text.put(FMT_COMPILE("\"{}\": {}, "), name, count);
-        } else {
-            text.put(FMT_COMPILE("\"{}\": null, "), name);
-        }
-    };
     text.put(",\n\"statistics\": {");
-    put_counter("ccw", statistics.ccw);
-    put_counter("in_circle", statistics.in_circle);
-    put_counter("filtered", statistics.filtered);
-    put_counter("refined", statistics.refined);
-    put_counter("exact", statistics.exact);
-    put_counter("essa", statistics.essa);
-    put_counter("multiprecision", statistics.multiprecision);
-    put_counter("ties", statistics.ties);
-    put_counter("flips", statistics.flips);
-    put_counter("events", statistics.events);
+    for (const Counter& counter : counters)
+        if (statistics.counted) {
+            text.put(FMT_COMPILE("\"{}\": {}, "), counter.name, statistics.*counter.count);
+        } else {
+            text.put(FMT_COMPILE("\"{}\": null, "), counter.name);
+        }
     text.put(FMT_COMPILE("\"seconds\": {}}}"), number_or_null(statistics.seconds));
 }
 

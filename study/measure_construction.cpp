@@ -49,16 +49,7 @@ void add(Counts& counts, const Tessellation& tessellation, const EdgeComparison&
     add_share(counts.either_percent, wrong + different, edges);
     counts.hidden += static_cast<double>(tessellation.hidden().size());
     const Statistics& calls = tessellation.statistics();
-    counts.calls.ccw += calls.ccw;
-    counts.calls.in_circle += calls.in_circle;
-    counts.calls.filtered += calls.filtered;
-    counts.calls.refined += calls.refined;
-    counts.calls.exact += calls.exact;
-    counts.calls.essa += calls.essa;
-    counts.calls.multiprecision += calls.multiprecision;
-    counts.calls.ties += calls.ties;
-    counts.calls.flips += calls.flips;
-    counts.calls.events += calls.events;
+    for (const Counter& counter : counters) counts.calls.*counter.count += calls.*counter.count;
 }
 
 /// Of one contestant, without the times.

@@ -21,8 +21,7 @@ std::size_t at(Index i) noexcept {
 }
 
 /// Whether all numbers are less than `end`, the first of each triple `least_first` or more and the
-/// others `least`: the signs of differences, put together without a branch, for every construction
-/// asks.
+/// others `least`: the signs of differences, put together without a branch.
 bool are_within(std::span<const Face> triples, Index least_first, Index least,
                 std::size_t end) noexcept {
     const std::uint32_t last = static_cast<std::uint32_t>(end) - 1;
@@ -37,6 +36,24 @@ bool are_within(std::span<const Face> triples, Index least_first, Index least,
     return signs >> 31 == 0;
 }
 
+/// Throws where a number names no site or face.
+void expect_handles(const TessellationArrays& arrays, std::size_t sites) {
+    const auto require = [](bool holds, const char* otherwise) {
+        if (!holds) throw std::invalid_argument(otherwise);
+    };
+    const std::size_t faces = arrays.faces.size();
+    require(arrays.neighbours.size() == faces || arrays.neighbours.empty(),
+            "the neighbours are not those of as many faces");
+    if (!are_within(arrays.faces, infinite, 0, sites))
+        require(false, are_within(arrays.faces, infinite, infinite, sites)
+                           ? "infinity is not the first vertex of its face"
+                           : "a vertex of a face is no site");
+    require(are_within(arrays.neighbours, 0, 0, faces), "a neighbour is no face");
+    for (const Hidden& hidden : arrays.hidden)
+        require(at(hidden.site) < sites && at(hidden.by) < sites,
+                "a hidden site, or who hides it, is no site");
+}
+
 void expect_finite(Point point) {
     if (!std::isfinite(point.x) || !std::isfinite(point.y))
         throw std::invalid_argument("the point is not finite");
@@ -46,27 +63,26 @@ void expect_finite(Point point) {
 
 Tessellation::Tessellation(TessellationArrays arrays, std::vector<Site> sites,
                            Statistics statistics)
-    : arrays_(std::move(arrays)),
-      sites_(std::move(sites)),
-      face_of_site_(sites_.size(), -1),
-      statistics_(statistics) {
-    const auto require = [](bool holds, const char* otherwise) {
-        if (!holds) throw std::invalid_argument(otherwise);
-    };
-    const std::size_t faces = arrays_.faces.size();
-    require(arrays_.neighbours.size() == faces || arrays_.neighbours.empty(),
-            "the neighbours are not those of as many faces");
-    if (!are_within(arrays_.faces, infinite, 0, sites_.size()))
-        require(false, are_within(arrays_.faces, infinite, infinite, sites_.size())
-                           ? "infinity is not the first vertex of its face"
-                           : "a vertex of a face is no site");
-    require(are_within(arrays_.neighbours, 0, 0, faces), "a neighbour is no face");
-    for (std::size_t f = faces; f-- > 0;)
+    : arrays_(std::move(arrays)), sites_(std::move(sites)), statistics_(statistics) {
+    expect_handles(arrays_, sites_.size());
+    find_faces_of_sites();
+}
+
+Tessellation triangulation::constructed(TessellationArrays arrays, std::vector<Site> sites,
+                                        const Statistics& statistics) {
+    Tessellation result;
+    result.arrays_ = std::move(arrays);
+    result.sites_ = std::move(sites);
+    result.statistics_ = statistics;
+    result.find_faces_of_sites();
+    return result;
+}
+
+void Tessellation::find_faces_of_sites() {
+    face_of_site_.assign(sites_.size(), -1);
+    for (std::size_t f = arrays_.faces.size(); f-- > 0;)
         for (const Index v : arrays_.faces[f])
             if (v != infinite) face_of_site_[at(v)] = static_cast<Index>(f);
-    for (const Hidden& hidden : arrays_.hidden)
-        require(at(hidden.site) < sites_.size() && at(hidden.by) < sites_.size(),
-                "a hidden site, or who hides it, is no site");
 }
 
 void Tessellation::expect_neighbours() const {

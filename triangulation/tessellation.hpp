@@ -12,12 +12,14 @@
 
 namespace signum {
 
-/// What a construction did. Counters are 0 unless Options::count asked for them.
+/// What a construction did. Counters are 0 unless Options::count asked for them. The calls, of four
+/// kinds, are as many as the decisions, of five stages.
 struct Statistics {
     bool counted = false;
-    std::uint64_t ccw = 0;             ///< calls of ccw
-    std::uint64_t in_circle = 0;       ///< calls of in_circle, at infinity too
-    std::uint64_t nearer = 0;          ///< comparisons of two sites' distances from a point
+    std::uint64_t ccw = 0;        ///< calls of ccw
+    std::uint64_t in_circle = 0;  ///< calls of in_circle, at infinity too
+    std::uint64_t nearer = 0;     ///< comparisons of two sites' distances from a point
+    std::uint64_t others = 0;  ///< calls of predicates that only the metrics with curved edges have
     std::uint64_t filtered = 0;        ///< calls decided by the floating-point filter
     std::uint64_t refined = 0;         ///< ... by double-double arithmetic
     std::uint64_t exact = 0;           ///< ... by expansions or integers
@@ -28,6 +30,33 @@ struct Statistics {
     std::uint64_t events = 0;          ///< site and circle events of the sweep
     double seconds = 0.0;              ///< construction alone
 };
+
+/// The counters, by the names that files give them.
+struct Counter {
+    const char* name;
+    std::uint64_t Statistics::*count;
+};
+inline constexpr Counter counters[] = {
+    {"ccw", &Statistics::ccw},
+    {"in_circle", &Statistics::in_circle},
+    {"nearer", &Statistics::nearer},
+    {"others", &Statistics::others},
+    {"filtered", &Statistics::filtered},
+    {"refined", &Statistics::refined},
+    {"exact", &Statistics::exact},
+    {"essa", &Statistics::essa},
+    {"multiprecision", &Statistics::multiprecision},
+    {"ties", &Statistics::ties},
+    {"flips", &Statistics::flips},
+    {"events", &Statistics::events},
+};
+
+class Tessellation;
+namespace triangulation {
+/// What a construction has made, whose numbers need not be looked through again.
+[[nodiscard]] Tessellation constructed(TessellationArrays arrays, std::vector<Site> sites,
+                                       const Statistics& statistics);
+}  // namespace triangulation
 
 /// A generalized Delaunay tessellation of sites in the plane.
 class Tessellation {
@@ -81,6 +110,9 @@ class Tessellation {
     [[nodiscard]] Index nearest(Point point) const;
 
  private:
+    friend Tessellation triangulation::constructed(TessellationArrays, std::vector<Site>,
+                                                   const Statistics&);
+    void find_faces_of_sites();
     [[nodiscard]] Point centre(Index site) const noexcept;
     /// The visible one of about n^(1/3) sites that is nearest to the point, roughly.
     [[nodiscard]] Index nearest_of_samples(Point point) const noexcept;

@@ -40,7 +40,9 @@ using filters::epsilon;
 using filters::magnitude;
 using filters::Verdict;
 
-/// A site relative to another.
+/// A site relative to another. Its making is never a call, nor that of a triple: many numbers come
+/// out, most of which the user keeps in registers, and compilers that weigh the size of a source
+/// would decide now so, now otherwise.
 template <class Number>
 struct DifferenceOf {
     Number x;
@@ -49,7 +51,7 @@ struct DifferenceOf {
     Number l;
     Number p;
 
-    constexpr DifferenceOf(const Site& m, const Site& i) noexcept
+    [[gnu::always_inline]] constexpr DifferenceOf(const Site& m, const Site& i) noexcept
         : x(Number(m.x) - Number(i.x)),
           y(Number(m.y) - Number(i.y)),
           r(Number(m.r) - Number(i.r)),
@@ -114,7 +116,8 @@ struct TripleOf {
     Number q;
     Number l_jk;  // l_j l_k
 
-    constexpr TripleOf(const Site& i, const Site& site_j, const Site& site_k) noexcept
+    [[gnu::always_inline]] constexpr TripleOf(const Site& i, const Site& site_j,
+                                              const Site& site_k) noexcept
         : j(site_j, i),
           k(site_k, i),
           jk(site_k, site_j),
@@ -283,8 +286,9 @@ static_assert(counted_conflict.a.roundings == 19 && counted_conflict.l.roundings
 /// Now s <= g(1+9e), and t g <= m since l_jk <= l_j + l_k; so that all is at most
 /// (19 + 8 + 2 + 2) e m + 20e |L| g²/s, and some second-order terms. Both sides are compared times
 /// s, of degree 9, without a division: where s is 0, nothing is certain.
-[[nodiscard]] inline Verdict in_circle_of_visible(const Site& i, const Site& j, const Site& k,
-                                                  const Site& q) noexcept {
+[[nodiscard, gnu::always_inline]] inline Verdict in_circle_of_visible(const Site& i, const Site& j,
+                                                                      const Site& k,
+                                                                      const Site& q) noexcept {
     if (!filters::environment_is_default()) [[unlikely]]
         return Verdict::uncertain();
     const Site origin = filters::pinned(i);

@@ -84,7 +84,8 @@ TEST(WriteJson, WritesStatisticsOnRequest) {
     const JsonOptions options = {.vertices = false, .statistics = true};
     EXPECT_NE(
         json(tessellation(), options)
-            .find(",\n\"statistics\": {\"ccw\": null, \"in_circle\": null, \"filtered\": null, "
+            .find(",\n\"statistics\": {\"ccw\": null, \"in_circle\": null, \"nearer\": null, "
+                  "\"others\": null, \"filtered\": null, "
                   "\"refined\": null, \"exact\": null, \"essa\": null, \"multiprecision\": null, "
                   "\"ties\": null, "
                   "\"flips\": null, \"events\": null, \"seconds\": 0.5}}\n"),
@@ -95,8 +96,8 @@ TEST(WriteJson, WritesStatisticsOnRequest) {
     counted.multiprecision = std::numeric_limits<std::uint64_t>::max();
     counted.seconds = 1e-7;
     EXPECT_NE(json(Tessellation(triangle(), std::vector<Site>(4), counted), options)
-                  .find("{\"ccw\": 1, \"in_circle\": 0, \"filtered\": 0, \"refined\": 0, "
-                        "\"exact\": 0, \"essa\": 0, "
+                  .find("{\"ccw\": 1, \"in_circle\": 0, \"nearer\": 0, \"others\": 0, "
+                        "\"filtered\": 0, \"refined\": 0, \"exact\": 0, \"essa\": 0, "
                         "\"multiprecision\": 18446744073709551615, \"ties\": 0, \"flips\": 0, "
                         "\"events\": 0, "
                         "\"seconds\": 1e-07}}\n"),

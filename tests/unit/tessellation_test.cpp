@@ -529,40 +529,51 @@ TEST(TriangulateOptions, SeedChangesNothing) {
 }
 
 TEST(TriangulateOptions, StatisticsAreZeroUnlessCounted) {
-    const Statistics s = triangulate(many(500), Power{}).statistics();
-    EXPECT_FALSE(s.counted);
-    EXPECT_EQ(
-        s.ccw + s.in_circle + s.filtered + s.refined + s.exact + s.essa + s.multiprecision + s.ties,
-        0U);
-    EXPECT_GE(s.seconds, 0.0);
+    for (const Arithmetic arithmetic : all_arithmetics) {
+        Options options;
+        options.arithmetic = arithmetic;
+        const Statistics s = triangulate(many(500), Power{}, options).statistics();
+        EXPECT_FALSE(s.counted);
+        for (const Counter& counter : counters) EXPECT_EQ(s.*counter.count, 0U) << counter.name;
+        EXPECT_GE(s.seconds, 0.0);
+    }
+}
+
+std::uint64_t calls(const Statistics& s) {
+    return s.ccw + s.in_circle + s.nearer + s.others;
 }
 
 TEST(TriangulateOptions, StatisticsAddUp) {
     Random random(11);
-    for (const Family& family : families)
-        for (const Arithmetic arithmetic : {Arithmetic::exact, Arithmetic::interval,
-                                            Arithmetic::sum, Arithmetic::multiprecision}) {
-            std::vector<Site> sites;
-            for (int i = 0; i < 150; ++i) sites.push_back(family.draw(random));
-            Options options;
-            options.count = true;
-            options.arithmetic = arithmetic;
-            const Tessellation t = triangulate(sites, Power{}, options);
-            const Statistics& s = t.statistics();
-            EXPECT_TRUE(s.counted);
-            EXPECT_EQ(s.filtered + s.refined + s.exact + s.essa + s.multiprecision,
-                      s.ccw + s.in_circle)
-                << family.name;
-            EXPECT_LE(s.ties, s.in_circle);
-            if (arithmetic == Arithmetic::multiprecision) {
-                EXPECT_EQ(s.multiprecision, s.ccw + s.in_circle);
+    for (const Family& family : families) {
+        std::vector<Site> sites;
+        for (int i = 0; i < 150; ++i) sites.push_back(family.draw(random));
+        for (const Metric metric : all_metrics)
+            for (const Arithmetic arithmetic : all_arithmetics) {
+                if (!is_exact(arithmetic)) continue;
+                Options options;
+                options.count = true;
+                options.arithmetic = arithmetic;
+                const Tessellation t = triangulate(sites, metric, options);
+                const Statistics& s = t.statistics();
+                EXPECT_TRUE(s.counted);
+                EXPECT_EQ(s.filtered + s.refined + s.exact + s.essa + s.multiprecision, calls(s))
+                    << family.name;
+                EXPECT_LE(s.others, calls(s));  // not below 0
+                if (arithmetic == Arithmetic::multiprecision) {
+                    EXPECT_EQ(s.multiprecision, calls(s));
+                }
+                if (metric == Metric::power) {
+                    EXPECT_EQ(s.others, 0U);
+                    EXPECT_LE(s.ties, s.in_circle);
+                }
+                if (t.faces().size() > 2) {
+                    EXPECT_GT(s.in_circle, 0U) << family.name;
+                }
+                options.count = false;
+                EXPECT_EQ(triangulate(sites, metric, options).arrays(), t.arrays());
             }
-            if (t.faces().size() > 2) {
-                EXPECT_GT(s.in_circle, 0U) << family.name;
-            }
-            options.count = false;
-            EXPECT_EQ(triangulate(sites, Power{}, options).arrays(), t.arrays());
-        }
+    }
     // Random sites are decided by the filter, a grid meets ties, far away only rationals help.
     Options options;
     options.count = true;

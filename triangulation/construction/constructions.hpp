@@ -71,12 +71,15 @@ inline void fill(Statistics& statistics, const filters::Tally& tally) noexcept {
     statistics.essa = decided(Stage::essa);
     statistics.multiprecision = decided(Stage::multiprecision);
     statistics.ties = tally.ties;
+    const std::uint64_t decisions =
+        std::accumulate(std::begin(tally.stages), std::end(tally.stages), std::uint64_t{0});
+    statistics.others = decisions - (tally.ccw + tally.in_circle + tally.nearer);
 }
 inline void fill(Statistics&, const filters::NoTally&) noexcept {}
 
 /// The arrays of the result, from a construction that is done.
 template <class Kernel>
-Tessellation finish(Metric metric, const StridedSites& input,
+Tessellation finish(Metric metric, const StridedSites& input, const Options& options,
                     std::chrono::steady_clock::time_point start, Kernel& kernel,
                     LargeArray<typename Kernel::SiteType> sites, Topology topology,
                     LargeArray<Index> original, LargeArray<Index> hidden_by,
@@ -99,12 +102,12 @@ Tessellation finish(Metric metric, const StridedSites& input,
     assemble(std::move(topology), original, arrays);
     original = {};
 
-    fill(statistics, kernel.tally());
+    if (options.count) fill(statistics, kernel.tally());
     std::vector<Site> copy(n);
     for (std::size_t i = 0; i < n; ++i) copy[i] = input[i];
     statistics.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    return {std::move(arrays), std::move(copy), statistics};
+    return constructed(std::move(arrays), std::move(copy), statistics);
 }
 
 template <class Kernel>
@@ -130,7 +133,7 @@ Tessellation construct_with_kernel(Metric metric, const StridedSites& input,
     } else {
         connect_line(topology, visible_on_line(kernel, n, hidden_by));
     }
-    return finish(metric, input, start, kernel, std::move(sites), std::move(topology),
+    return finish(metric, input, options, start, kernel, std::move(sites), std::move(topology),
                   std::move(original), std::move(hidden_by));
 }
 
@@ -167,7 +170,7 @@ Tessellation construct_additive_with_kernel(Metric metric, const StridedSites& i
             watch.at(i);
         }
     }
-    return finish(metric, input, start, kernel, std::move(sites), std::move(topology),
+    return finish(metric, input, options, start, kernel, std::move(sites), std::move(topology),
                   std::move(original), std::move(hidden_by));
 }
 
@@ -201,17 +204,25 @@ Tessellation construct_by_sweep_with_kernel(Metric metric, const StridedSites& i
     sweep.run(n, [&](std::size_t reached) { watch.at(reached); });
     Statistics statistics;
     statistics.events = sweep.events();
-    return finish(metric, input, start, kernel, std::move(sites), std::move(topology),
+    return finish(metric, input, options, start, kernel, std::move(sites), std::move(topology),
                   std::move(original), std::move(hidden_by), statistics);
 }
 
-/// construct<Tally>() for what the options ask. Counting costs a few per cent of what exact and
-/// rounded numbers cost and nothing beside the others, which always count: their code is compiled
-/// once.
+/// Whether a tally is felt: it costs a few per cent of what exact and rounded numbers cost and
+/// nothing beside the others, nor under a sanitizer.
+template <Arithmetic arithmetic>
+inline constexpr bool is_fast =
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    false;
+#else
+    arithmetic == Arithmetic::exact || !is_exact(arithmetic);
+#endif
+
+/// construct<Tally>() for what the options ask. Where it is not felt, the tally is always kept:
+/// that code is compiled once.
 template <Arithmetic arithmetic, class Construct>
 Tessellation with_tally(const Options& options, Construct construct) {
-    constexpr bool is_fast = arithmetic == Arithmetic::exact || !is_exact(arithmetic);
-    if constexpr (is_fast)
+    if constexpr (is_fast<arithmetic>)
         if (!options.count) return construct.template operator()<filters::NoTally>();
     return construct.template operator()<filters::Tally>();
 }

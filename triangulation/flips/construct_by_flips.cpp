@@ -97,8 +97,8 @@ Tessellation construct_by_flips_with_kernel(const StridedSites& input, const Opt
     } else {
         connect_line(topology, visible_on_line(kernel, n, hidden_by));
     }
-    return finish(Metric::power, input, start, kernel, std::move(sites), std::move(topology),
-                  std::move(original), std::move(hidden_by), statistics);
+    return finish(Metric::power, input, options, start, kernel, std::move(sites),
+                  std::move(topology), std::move(original), std::move(hidden_by), statistics);
 }
 
 template <class S>

@@ -33,9 +33,9 @@ class Boxes {
         enclose(1, sites_);
     }
 
-    /// The site nearest to the point, given any.
-    [[nodiscard]] Index nearest(Point point, Index known) {
-        search(1, sites_, point, known);
+    /// The site nearest to the centre of q, given any.
+    [[nodiscard]] Index nearest(Index q, Index known) {
+        search(1, sites_, q, known);
         return known;
     }
 
@@ -73,19 +73,20 @@ class Boxes {
         enclose(2 * b + 1, part.subspan(half));
     }
 
-    void search(std::size_t b, std::span<const Index> part, Point point, Index& nearest) {
+    void search(std::size_t b, std::span<const Index> part, Index q, Index& nearest) {
         const Box& box = boxes_[b];
+        const Point point = kernel_.centre(q);
         const Site best = {std::clamp(point.x, box.left, box.right),
                            std::clamp(point.y, box.bottom, box.top), box.weight};
-        if (!kernel_.would_be_nearer(point, best, nearest)) return;
+        if (!kernel_.would_be_nearer(q, best, nearest)) return;
         if (part.size() <= few) {
             for (const Index i : part)
-                if (i != nearest && kernel_.nearer(point, i, nearest)) nearest = i;
+                if (i != nearest && kernel_.is_nearer(q, i, nearest)) nearest = i;
             return;
         }
         const std::size_t half = part.size() / 2;
-        search(2 * b, part.first(half), point, nearest);
-        search(2 * b + 1, part.subspan(half), point, nearest);
+        search(2 * b, part.first(half), q, nearest);
+        search(2 * b + 1, part.subspan(half), q, nearest);
     }
 
     Kernel& kernel_;
@@ -93,7 +94,7 @@ class Boxes {
     std::vector<Box> boxes_;
 };
 
-/// Finds visible sites nearest to points.
+/// Finds the visible sites nearest to the centres of hidden ones.
 template <class Kernel>
 class NearestVisible {
  public:
@@ -103,42 +104,51 @@ class NearestVisible {
           hidden_by_(hidden_by),
           face_of_(faces_of_vertices(topology, hidden_by.size())) {}
 
-    /// The visible site nearest to a point, from any visible one: the distance has no local minimum
-    /// on the tessellation but the global one, so going to a nearer neighbour as long as there is
-    /// one suffices. A walk that takes long goes on from the site found last, once and if that is
-    /// nearer: of points that follow one another along a curve the sites are seldom far apart. It
-    /// is given up where that does not help, as it does not around a giant; rounded distances,
-    /// which may lead around in circles, end there, too.
-    [[nodiscard]] Index operator()(Point point, Index start) {
-        return found_last_ = walk(point, start);
-    }
+    /// The visible site nearest to the centre of q, from any visible one: the distance has no local
+    /// minimum on the tessellation but the global one, so going to a nearer neighbour as long as
+    /// there is one suffices. A walk that takes long goes on from the site found last, once and if
+    /// that is nearer: of points that follow one another along a curve the sites are seldom far
+    /// apart. It is given up where that does not help, as it does not around a giant; rounded
+    /// distances, which may lead around in circles, end there, too.
+    [[nodiscard]] Index operator()(Index q, Index start) { return found_last_ = walk(q, start); }
 
  private:
-    [[nodiscard]] Index walk(Point point, Index start) {
+    [[nodiscard]] Index walk(Index q, Index start) {
         constexpr int many = 64;
-        int asked = 0;
+        int left = many;
         Index elsewhere = found_last_;
+        Index before = infinite;
         Index nearest = start;
+        auto least = kernel_.distance(q, nearest);
         for (bool improved = true; improved;) {
             improved = false;
             const Index f = face_of_[static_cast<std::size_t>(nearest)];
             if (f < 0) break;  // the only visible site
             for (const HalfEdge h : topology_.fan(topology_.spoke(f, nearest))) {
-                const bool is_long = ++asked % many == 0;
-                const Index v = is_long ? std::exchange(elsewhere, -1) : topology_.target(h);
-                if (v >= 0 && kernel_.nearer(point, v, nearest)) {
-                    nearest = v;
+                Index v = topology_.target(h);
+                if (v == infinite || v == before) continue;
+                const bool is_long = --left == 0;
+                if (is_long) [[unlikely]] {
+                    left = many;
+                    v = std::exchange(elsewhere, -1);
+                    if (v < 0) return in_boxes(q, nearest);
+                }
+                const auto distance = kernel_.distance(q, v);
+                if (kernel_.is_nearer(q, v, distance, nearest, least)) {
+                    before = std::exchange(nearest, v);
+                    least = distance;
                     improved = true;
                     break;
                 }
-                if (is_long) return in_boxes(point, nearest);
+                if (is_long) [[unlikely]]
+                    return in_boxes(q, nearest);
             }
         }
         return nearest;
     }
-    [[nodiscard]] Index in_boxes(Point point, Index known) {
+    [[nodiscard]] Index in_boxes(Index q, Index known) {
         if (!boxes_) boxes_.emplace(kernel_, hidden_by_);
-        return boxes_->nearest(point, known);
+        return boxes_->nearest(q, known);
     }
 
     const Topology& topology_;
@@ -168,7 +178,7 @@ void settle_hiders(const Topology& topology, Kernel& kernel, std::span<Index> hi
     for (std::size_t i = 0; i < hidden_by.size(); ++i) {
         if (hidden_by[i] < 0) continue;
         const Index hidden = static_cast<Index>(i);
-        hidden_by[i] = nearest_visible(kernel.centre(hidden), end_of_chain(hidden_by, hidden));
+        hidden_by[i] = nearest_visible(hidden, end_of_chain(hidden_by, hidden));
     }
 }
 

@@ -93,13 +93,14 @@ class AdditiveKernel {
         return decide(Predicates::holds_first_direction(
             site(k), site(s), site(l), {site(k).rank, site(s).rank, site(l).rank}));
     }
-    /// How far the centre of q is from a, for is_nearer.
-    [[nodiscard]] additive::Distance distance(Index q, Index a) const noexcept {
+    /// How far the centre of q is from a: computed once by who compares many sites there.
+    using Distance = additive::Distance;
+    [[nodiscard]] Distance distance(Index q, Index a) const noexcept {
         return Predicates::distance(centre(q), site(a));
     }
-    /// Whether the centre of q is nearer to a than to b, whose distances are known.
-    [[nodiscard]] bool is_nearer(Index q, Index a, const additive::Distance& to_a, Index b,
-                                 const additive::Distance& to_b) noexcept {
+    /// Whether the centre of q is nearer to a than to b, ties going to the earlier site.
+    [[nodiscard]] bool is_nearer(Index q, Index a, const Distance& to_a, Index b,
+                                 const Distance& to_b) noexcept {
         if constexpr (arithmetic == Arithmetic::exact) {
             const filters::Verdict verdict = additive::nearer(to_a, to_b);
             if (verdict.is_certain()) [[likely]] {
@@ -109,21 +110,15 @@ class AdditiveKernel {
         }
         return is_nearer(q, a, b);
     }
-    /// Whether the centre of q is nearer to a than to b.
     [[nodiscard]] bool is_nearer(Index q, Index a, Index b) noexcept {
         tally_.count_nearer();
         return decide(
             Predicates::nearer(centre(q), site(a), site(b), {site(a).rank, site(b).rank}));
     }
-    /// Whether the point is nearer to a than to b, ties going to the earlier site.
-    [[nodiscard]] bool nearer(Point point, Index a, Index b) noexcept {
-        tally_.count_nearer();
-        return Predicates::nearer(point, site(a), site(b), {site(a).rank, site(b).rank}).sign > 0;
-    }
     /// The same where a is no site of the tessellation, and first in the tie rule's order.
-    [[nodiscard]] bool would_be_nearer(Point point, const Site& a, Index b) noexcept {
+    [[nodiscard]] bool would_be_nearer(Index q, const Site& a, Index b) noexcept {
         tally_.count_nearer();
-        return Predicates::nearer(point, a, site(b), {0, 1}).sign > 0;
+        return decide(Predicates::nearer(centre(q), a, site(b), {0, 1}));
     }
     /// The third number of a site: the greater, the nearer it is to everything.
     [[nodiscard]] double weight(Index i) const noexcept { return site(i).r; }

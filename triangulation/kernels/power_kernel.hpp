@@ -75,17 +75,23 @@ class PowerKernel {
         return power::precedes(site(a), original_[a], site(b), original_[b]);
     }
 
-    /// Whether the point is nearer to a than to b, ties going to the earlier site.
-    [[nodiscard]] bool nearer(Point point, Index a, Index b) noexcept {
+    /// Squares of distances would cancel: two sites are compared at once, and nothing is kept.
+    struct Distance {};
+    [[nodiscard]] static Distance distance(Index, Index) noexcept { return {}; }
+    /// Whether the centre of q is nearer to a than to b, ties going to the earlier site.
+    [[nodiscard]] bool is_nearer(Index q, Index a, Distance, Index b, Distance) noexcept {
+        return is_nearer(q, a, b);
+    }
+    [[nodiscard]] bool is_nearer(Index q, Index a, Index b) noexcept {
         tally_.count_nearer();
-        const Sign sign = nearer_sign(point, site(a), site(b));
+        const Sign sign = nearer_sign(centre(q), site(a), site(b));
         return sign != 0 ? sign > 0 : precedes(a, b);
     }
     /// The same where a is no site of the tessellation, and first in the tie rule's order. Its
     /// third number is what weight() says of a site.
-    [[nodiscard]] bool would_be_nearer(Point point, const Site& a, Index b) noexcept {
+    [[nodiscard]] bool would_be_nearer(Index q, const Site& a, Index b) noexcept {
         tally_.count_nearer();
-        return nearer_sign(point, made_of(a), site(b)) >= 0;
+        return nearer_sign(centre(q), made_of(a), site(b)) >= 0;
     }
     /// The third number of a site, without its sign where that does not matter: the greater, the
     /// nearer the site is to everything.
@@ -157,15 +163,14 @@ class PowerKernel {
         }
     }
 
-    [[nodiscard]] static Sign nearer_sign(Point p, const S& a, const S& b) noexcept {
+    [[nodiscard]] Sign nearer_sign(Point p, const S& a, const S& b) noexcept {
         if constexpr (arithmetic == Arithmetic::exact) {
-            return power::nearer(p, a, b);
+            return count(power::nearer_decision(p, a, b));
         } else if constexpr (arithmetic == Arithmetic::multiprecision) {
-            return power::multiprecision::nearer(p, a, b);
+            return count({power::multiprecision::nearer(p, a, b), Stage::multiprecision});
         } else {
-            return decide([&] { return power::nearer_difference<Number>(p, a, b); },
-                          [&] { return power::essa::nearer(p, a, b); })
-                .sign;
+            return count(decide([&] { return power::nearer_difference<Number>(p, a, b); },
+                                [&] { return power::essa::nearer(p, a, b); }));
         }
     }
 
