@@ -14,6 +14,7 @@
 #include <cmath>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace signum {
@@ -58,18 +59,27 @@ class Cells : public testing::TestWithParam<Metric> {
     /// Two rising distances; of equal ones the first in the tie rule's order.
     static std::array<Near, 2> nearest(const Frame& frame, Point pixel,
                                        const std::vector<Site>& sites) {
-        std::vector<Near> all;
+        std::vector<double> distances(sites.size());
         for (std::size_t i = 0; i < sites.size(); ++i)
-            all.push_back({distance(frame, pixel, sites[i]), static_cast<Index>(i)});
-        const double least = std::ranges::min_element(all, {}, &Near::distance)->distance;
-        for (Near& near : all)
-            if (near.distance < least + 1e-7) near.distance = least;
-        const auto site = [&](Index i) { return sites[static_cast<std::size_t>(i)]; };
-        std::ranges::sort(all, [&](const Near& a, const Near& b) {
-            if (a.distance != b.distance) return a.distance < b.distance;
-            return additive::precedes(site(a.site), a.site, site(b.site), b.site);
-        });
-        return {all[0], all[1]};
+            distances[i] = distance(frame, pixel, sites[i]);
+        const double least = *std::min_element(distances.begin(), distances.end());
+        const auto precedes = [&](const Near& a, const Near& b) {
+            if (b.site < 0 || a.distance != b.distance) return a.distance < b.distance;
+            return additive::precedes(sites[static_cast<std::size_t>(a.site)], a.site,
+                                      sites[static_cast<std::size_t>(b.site)], b.site);
+        };
+        Near first = {HUGE_VAL, -1};
+        Near second = first;
+        for (std::size_t i = 0; i < sites.size(); ++i) {
+            const bool is_least = distances[i] < least + 1e-7;
+            const Near near = {is_least ? least : distances[i], static_cast<Index>(i)};
+            if (precedes(near, first)) {
+                second = std::exchange(first, near);
+            } else if (precedes(near, second)) {
+                second = near;
+            }
+        }
+        return {first, second};
     }
 
     static double distance_to(Point p, const Conic& s) {

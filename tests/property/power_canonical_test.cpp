@@ -180,10 +180,15 @@ INSTANTIATE_TEST_SUITE_P(Families, PowerCanonical, testing::ValuesIn(families),
                              return name;
                          });
 
-TEST(PowerPermutations, EveryOrderOfSixSitesGivesTheSame) {
+TEST(PowerPermutations, EveryOrderOfAFewSitesGivesTheSame) {
     std::mt19937_64 random(11);
+#ifdef __SANITIZE_ADDRESS__
+    constexpr std::size_t count = 5;
+#else
+    constexpr std::size_t count = 6;
+#endif
     for (const Family& family : families) {
-        std::vector<Site> sites(6);
+        std::vector<Site> sites(count);
         for (Site& site : sites) site = family.draw(random);
         std::vector<std::size_t> order(sites.size());
         std::iota(order.begin(), order.end(), 0U);
