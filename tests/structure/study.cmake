@@ -2,7 +2,7 @@
 # the thesis's shape. With gnuplot every figure is in the report; without it one line says what to install.
 set(scratch "${BUILD}/Testing/study")
 file(REMOVE_RECURSE "${scratch}")
-set(options study --quick --metric power --sites 100:1000 -o "${scratch}")
+set(options study --quick --metric power --sites 100:2000 -o "${scratch}")
 
 function(study code)
   execute_process(COMMAND "${TOOL}" ${options} ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE out
@@ -60,7 +60,7 @@ endforeach()
 
 file(READ "${scratch}/study.json" json)
 string(JSON command GET "${json}" command)
-if(NOT command STREQUAL "signum study --quick --metric power --sites 100:1000")
+if(NOT command STREQUAL "signum study --quick --metric power --sites 100:2000")
   message(FATAL_ERROR "study.json has the command ${command}")
 endif()
 file(READ "${scratch}/results.json" json)
