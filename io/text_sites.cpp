@@ -6,7 +6,6 @@
 #include <array>
 #include <cctype>
 #include <limits>
-#include <map>
 #include <utility>
 
 #include <fmt/format.h>
@@ -263,23 +262,14 @@ class TextSites {
         return std::nullopt;
     }
 
-    /// Which of x, y and r a column of this name is; no_column for none of them.
-    static std::size_t coordinate_of(std::string_view name) {
-        static const std::map<std::string_view, std::size_t> coordinates = {
-            {"x", 0},        {"lon", 0}, {"lng", 0},    {"longitude", 0},
-            {"easting", 0},  {"y", 1},   {"lat", 1},    {"latitude", 1},
-            {"northing", 1}, {"r", 2},   {"radius", 2}, {"weight", 2}};
-        const auto found = coordinates.find(name);
-        return found == coordinates.end() ? no_column : found->second;
-    }
-
     /// Finds x, y and r among the names. Where neither x nor y is there, the first two columns that
     /// are not r stand for them.
     void read_header() {
         std::array<std::size_t, 3> found = {no_column, no_column, no_column};
         for (std::size_t column = 0; column < columns_.size(); ++column) {
             const std::string name = plain_name(columns_[column]);
-            const std::size_t which = coordinate_of(name);
+            const bool is_third = name == "r" || name == "radius" || name == "weight";
+            const std::size_t which = name == "x" ? 0 : name == "y" ? 1 : is_third ? 2 : no_column;
             if (which == no_column) continue;
             if (found[which] != no_column) {
                 fail_at_column(column, which == 2 ? "a second column of radii or weights; name one "
@@ -315,21 +305,24 @@ class TextSites {
         layout_ = {found, columns_.size(), any_separator, true};
         if (found[2] == no_column && columns_.size() == 3) {
             leave_out(3 - found[0] - found[1]);
-        } else if (found[1] < found[0] && plain_name(columns_[found[0]]) != "x") {
+        } else if (is_y_of_geographers(plain_name(columns_[found[0]]))) {
             say_which_is_x();
         }
         if (found[2] != no_column) leave_out_height();
         if (columns_.size() > 3 || !result_.note.empty()) layout_.separator = separator_of_line();
     }
 
-    /// For who would have thought that the first column is x.
+    static bool is_y_of_geographers(std::string_view name) {
+        return name == "lat" || name == "latitude" || name == "northing";
+    }
+
+    /// Columns without names of ours go by their place, which those of geographers do not.
     void say_which_is_x() {
-        const auto& [x, y, none] = layout_.columns;
+        const auto& [x, y, third] = layout_.columns;
         result_.note = fmt::format(
-            "{}:{}: {} is x and {} is y. --columns {},{} says so, too, "
-            "without a word",
-            file_.path(), file_.line_number(), in_quotes(unquoted(columns_[x])),
-            in_quotes(unquoted(columns_[y])), x + 1, y + 1);
+            "{}:{}: {} is x and {} is y. --columns {},{}{} takes them the other way", file_.path(),
+            file_.line_number(), in_quotes(unquoted(columns_[x])), in_quotes(unquoted(columns_[y])),
+            y + 1, x + 1, third == no_column ? "" : fmt::format(",{}", third + 1));
     }
 
     /// A third column without a name that makes it one is no radius.

@@ -25,12 +25,12 @@ constexpr bool is_sanitized = false;
 /// Calls a site.
 double calls(const std::vector<Site>& sites, Metric metric, Method method) {
     const Statistics s = triangulate(sites, metric, {.method = method, .count = true}).statistics();
-    const std::uint64_t stages = s.filtered + s.refined + s.exact + s.essa + s.multiprecision;
-    return static_cast<double>(stages + s.nearer) / static_cast<double>(sites.size());
+    return static_cast<double>(s.ccw + s.in_circle + s.nearer + s.others) /
+           static_cast<double>(sites.size());
 }
 
 /// Quadratic were n/20 calls a site and more; random sites take 10 of in_circle.
-constexpr double bound = 160;
+constexpr double bound = 120;
 
 /// The sizes tested, under a sanitizer all but the last.
 std::span<const int> sizes() {

@@ -110,16 +110,18 @@ TEST(TextSites, TakesNoColumnForARadiusBecauseItIsThird) {
     EXPECT_EQ(named.note, "");
 }
 
-TEST(TextSites, KnowsGeographersNames) {
+TEST(TextSites, SaysThatALatitudeIsX) {
     const SitesFile swapped = read("Latitude,Longitude\n1,2\n");
-    EXPECT_EQ(swapped.sites, (Sites{{2, 1, 0}}));
-    EXPECT_NE(swapped.note.find("/f:1: 'Longitude' is x and 'Latitude' is y. --columns 2,1 says"),
+    EXPECT_EQ(swapped.sites, (Sites{{1, 2, 0}}));
+    EXPECT_NE(swapped.note.find("/f:1: 'Latitude' is x and 'Longitude' is y. --columns 2,1 takes "
+                                "them the other way"),
               std::string::npos)
         << swapped.note;
-    EXPECT_EQ(read("id,lat,lon,r\n7,1,2,3\n").sites, (Sites{{2, 1, 3}}));
-    EXPECT_EQ(read("northing;easting\n1;2\n").sites, (Sites{{2, 1, 0}}));
+    EXPECT_NE(read("northing;easting;r\n1;2;3\n").note.find("--columns 2,1,3 takes"),
+              std::string::npos);
     EXPECT_EQ(read("lon lat\n1 2\n").note, "");
-    EXPECT_EQ(read("y x\n1 2\n").note, "");
+    EXPECT_EQ(read("lat lon\n1 2\n", {"lon", "lat"}).note, "");
+    EXPECT_EQ(read("lat lon\n1 2\n", {"lon", "lat"}).sites, (Sites{{2, 1, 0}}));
 }
 
 TEST(TextSites, SaysThatAHeightIsLeftOut) {
@@ -239,17 +241,13 @@ TEST(TextSites, RefusesHeadersThatLeaveADoubt) {
         error("n x y z\n1 2 3 4\n"),
         "1:1: the header names x and y and several other columns, but no r; name one column r, "
         "radius or weight, or choose with --columns, as in --columns x,y");
-    EXPECT_EQ(error("id,east,north,pop\n1,2,3,4\n"),
+    EXPECT_EQ(error("id,lon,lat,pop\n1,2,3,4\n"),
               "1:1: a header of more than three columns, and none is called x or y; choose them "
               "with --columns, as in --columns 1,2");
     EXPECT_EQ(error("x z\n1 2\n"),
               "1:1: the header does not name both x and y; name the columns x, y and r (or radius, "
               "weight)");
-    EXPECT_EQ(error("id,lon,lat,pop\n1,2,3,4\n"),
-              "1:1: the header names x and y and several other columns, but no r; name one column "
-              "r, radius or weight, or choose with --columns, as in --columns x,y");
     EXPECT_EQ(error("x y x\n1 2 3\n"), "1:5: a second column x; name one");
-    EXPECT_EQ(error("lon,lat,x\n1,2,3\n"), "1:9: a second column x; name one");
     EXPECT_EQ(error("x y r weight\n1 2 3 4\n"),
               "1:7: a second column of radii or weights; name one column r, radius or weight");
     EXPECT_EQ(error("n,x,y,r\n1,2\n"), "2:4: the line ends before the columns x and y; write both");
