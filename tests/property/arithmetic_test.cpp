@@ -154,7 +154,7 @@ TEST_P(Arithmetics, IntervalsDecideNearlyAllOnRandomSites) {
     std::mt19937_64 random(3);
     std::uniform_real_distribution<double> place(0, 700);
     std::uniform_real_distribution<double> radius(1, 10);
-    Sites sites(1000);
+    Sites sites(1000 / share);
     for (Site& site : sites) site = {place(random), place(random), radius(random)};
     const Statistics s = build(sites, Arithmetic::interval).statistics();
     // Sides of one site, equal to themselves, and ends of the front are ties.
