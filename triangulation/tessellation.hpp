@@ -16,10 +16,10 @@ namespace signum {
 /// kinds, are as many as the decisions, of five stages.
 struct Statistics {
     bool counted = false;
-    std::uint64_t ccw = 0;        ///< calls of ccw
-    std::uint64_t in_circle = 0;  ///< calls of in_circle, at infinity too
-    std::uint64_t nearer = 0;     ///< comparisons of two sites' distances from a point
-    std::uint64_t others = 0;  ///< calls of predicates that only the metrics with curved edges have
+    std::uint64_t ccw = 0;             ///< calls of ccw
+    std::uint64_t in_circle = 0;       ///< calls of in_circle, at infinity too
+    std::uint64_t nearer = 0;          ///< comparisons of two sites' distances from a point
+    std::uint64_t others = 0;          ///< calls of predicates that curved edges need
     std::uint64_t filtered = 0;        ///< calls decided by the floating-point filter
     std::uint64_t refined = 0;         ///< ... by double-double arithmetic
     std::uint64_t exact = 0;           ///< ... by expansions or integers
