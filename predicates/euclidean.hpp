@@ -151,9 +151,9 @@ struct Perturbed {
     }
 
     /// The same where none of i, j, k hides q, which is not asked then.
-    [[nodiscard]] static Decision in_circle_of_visible(const Site& i, const Site& j, const Site& k,
-                                                       const Site& q,
-                                                       const std::array<Index, 4>& ranks) noexcept {
+    [[nodiscard, gnu::always_inline]] static Decision in_circle_of_visible(
+        const Site& i, const Site& j, const Site& k, const Site& q,
+        const std::array<Index, 4>& ranks) noexcept {
         if constexpr (is_filtered) {
             if (asks_points && same_radius(i, j, k, q))
                 return in_circle_of_points(i, j, k, q, ranks);

@@ -265,7 +265,8 @@ struct ConflictOf {
     Number gamma;
 
     /// For the row of q relative to i.
-    constexpr ConflictOf(const TripleOf<Number>& t, const DifferenceOf<Number>& c) noexcept
+    [[gnu::always_inline]] constexpr ConflictOf(const TripleOf<Number>& t,
+                                                const DifferenceOf<Number>& c) noexcept
         : a((c.x * (t.xy * t.yp() - t.xr * t.rp()) - c.y * (t.xy * t.xp() + t.yr * t.rp())) +
             (c.r * t.twice_ab() - c.p * t.q)),
           l((c.x * t.yr - c.y * t.xr) + c.r * t.xy),

@@ -2,7 +2,6 @@
 /// Point location by a visibility walk.
 
 #include <limits>
-#include <utility>
 
 #include "../../core/index.hpp"
 #include "../../core/sign.hpp"
@@ -77,34 +76,35 @@ template <class Kernel>
 template <class Kernel>
 [[nodiscard]] Approach locate_nearest(const Topology& topology, Kernel& kernel,
                                       const WalkStart& from, Index q) {
-    HalfEdge first = from.spoke;
-    Index nearest = topology.origin(first);
+    // Not a fan: the walk goes on around the next site from where it came, which is not asked
+    // again.
+    HalfEdge h = from.spoke;
+    HalfEdge first = h;
+    HalfEdge next = h;
+    Index nearest = topology.origin(h);
     additive::Distance least = from.distance;
-    Index before = infinite;
-    HalfEdge next = first;
     double to_next = std::numeric_limits<double>::infinity();
-    for (Index steps = topology.faces(); Kernel::is_exact || steps >= 0; --steps) {
-        const Index start = nearest;
-        int asked = 0;
-        for (const HalfEdge h : topology.fan(first)) {
-            if (asked++ == few_neighbours) [[unlikely]]
-                return {next, false};
-            const Index v = topology.target(h);
-            if (v == infinite || v == before) continue;
+    int asked = 0;
+    for (Index steps = topology.faces(); Kernel::is_exact || steps >= 0;) {
+        const Index v = topology.target(h);
+        if (v != infinite) {
             const auto distance = kernel.distance(q, v);
             if (kernel.is_nearer(q, v, distance, nearest, least)) {
-                first = next = topology.twin(h);
+                h = first = next = topology.twin(h);
                 to_next = least.to_centre - least.radius;
-                before = std::exchange(nearest, v);
+                nearest = v;
                 least = distance;
-                break;
-            }
-            if (distance.to_centre - distance.radius < to_next) {
+                asked = 0;
+                --steps;
+            } else if (distance.to_centre - distance.radius < to_next) {
                 to_next = distance.to_centre - distance.radius;
                 next = h;
             }
         }
-        if (nearest == start) return {next, true};
+        h = topology.around_origin(h);
+        if (h == first) return {next, true};
+        if (asked++ == few_neighbours) [[unlikely]]
+            return {next, false};
     }
     throw BrokenStructure("the walk to a site went in circles");
 }
