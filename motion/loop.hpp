@@ -1,0 +1,381 @@
+#pragma once
+/// The loop: takes the earliest event, and proposes what may come next.
+///
+/// For every ball one proposal is kept, what it strikes first, as far as it knows: an interval that
+/// contains the exact time, and the partner. The invariant: of two balls whose next strike is with
+/// each other at t, one has a proposal that is at t or before. For when a ball is asked, all pairs
+/// with it are, and a pair is left out only where the ball keeps an earlier one or the partner has
+/// one that is surely earlier; and at that time, whatever becomes of it, the ball or the partner is
+/// asked again. A proposal whose partner has struck something else meanwhile is stale, and found to
+/// be so when its turn comes.
+///
+/// The queue's key is the interval's early end. An entry at the top whose time is not known to the
+/// last bit is refined and put back; entries of equal time are in their order when they are exact,
+/// and come after those that are not. So what happens is the first event in the exact order.
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+#include <tuple>
+#include <vector>
+
+#include "event_queue.hpp"
+#include "exact_meeting.hpp"
+#include "meeting.hpp"
+#include "simulation.hpp"
+#include "strike.hpp"
+#include "world.hpp"
+
+namespace signum::motion {
+
+template <int D>
+class Simulation<D>::Engine {
+ public:
+    virtual ~Engine() = default;
+    virtual Outcome run(double until, std::uint64_t most, const Record& record) = 0;
+    [[nodiscard]] virtual std::vector<Ball<D>> balls() const = 0;
+    [[nodiscard]] virtual const Counts& counts() const = 0;
+};
+
+template <int D, bool Falls, bool Exact, template <int> class Structure>
+class Loop final : public Simulation<D>::Engine {
+ public:
+    Loop(std::span<const Body<D>> bodies, const Effects<D>& effects, std::vector<std::int32_t> order)
+        : world_{sorted(bodies, order), effects},
+          number_(std::move(order)),
+          strikes_(bodies.size()),
+          at_once_(bodies.size()),
+          proposals_(bodies.size()),
+          own_(bodies.size(), infinity),
+          filter_(effects),
+          structure_(world_),
+          queue_(bodies.size()),
+          walls_(effects.box && !effects.periodic ? 2 * D : 0),
+          may_collapse_(effects.restitution < 1.0 || effects.wall_restitution < 1.0 || Falls) {
+        for (const std::int32_t number : number_)
+            mass_.push_back(bodies[static_cast<std::size_t>(number)].mass);
+        for (const Ball<D>& ball : world_.balls) filter_.include(ball);
+        for (Slot i = 0; i < bodies.size(); ++i) ask(i);
+    }
+
+    Outcome run(double until, std::uint64_t most, const typename Simulation<D>::Record& record) override {
+        if (world_.balls.empty()) return {Ending::nothing, {}};
+        std::uint64_t done = 0;
+        while (done < most) {
+            const Slot i = queue_.top(before());
+            const double key = queue_.key(i);
+            if (key > until) return {key < infinity ? Ending::until : Ending::nothing, {}};
+            now_ = std::max(now_, key);
+            Proposal& next = proposals_[i];
+            if (own_[i] <= next.early) {
+                ++counts_.own;
+                structure_.own_event(i, now_, [&](Slot j) { propose(i, j); });
+                own_[i] = structure_.next(i, now_);
+                settle(i);
+            } else if (is_stale(next)) {
+                ++counts_.stale;
+                ask(i);
+            } else if (next.early < next.late) {
+                refine(i, next);
+                settle(i);
+            } else {
+                done += static_cast<std::uint64_t>(is_wall(next) ? strike_wall(i, record)
+                                                                 : strike_ball(i, record));
+                if (collapses_) return {Ending::collapse, last_};
+            }
+        }
+        return {Ending::most, {}};
+    }
+
+    [[nodiscard]] std::vector<Ball<D>> balls() const override {
+        std::vector<Ball<D>> result(world_.balls.size());
+        for (Slot i = 0; i < result.size(); ++i)
+            result[static_cast<std::size_t>(number_[i])] = world_.balls[i];
+        return result;
+    }
+    [[nodiscard]] const Counts& counts() const override { return counts_; }
+
+ private:
+    static constexpr Slot nobody = ~Slot{0};
+    static constexpr Slot first_wall = nobody - 6;
+    static constexpr std::uint16_t most_at_once = 1000;
+
+    struct Proposal {
+        double early = infinity;
+        double late = infinity;
+        Slot partner = nobody;
+        std::uint32_t partner_strikes = 0;
+    };
+
+    static std::vector<Ball<D>> sorted(std::span<const Body<D>> bodies,
+                                       std::span<const std::int32_t> order) {
+        std::vector<Ball<D>> balls;
+        balls.reserve(bodies.size());
+        for (const std::int32_t number : order) {
+            const Body<D>& body = bodies[static_cast<std::size_t>(number)];
+            balls.push_back({body.x, body.v, body.radius, 0.0});
+        }
+        return balls;
+    }
+
+    [[nodiscard]] static bool is_wall(const Proposal& p) noexcept {
+        return p.partner >= first_wall && p.partner != nobody;
+    }
+    [[nodiscard]] bool is_stale(const Proposal& p) const noexcept {
+        return p.partner < first_wall && strikes_[p.partner] != p.partner_strikes;
+    }
+    [[nodiscard]] static Wall wall_of(const Proposal& p) noexcept {
+        return static_cast<Wall>(p.partner - first_wall);
+    }
+
+    /// The order of events at one time: ball before wall, then the smaller number, then the larger.
+    [[nodiscard]] std::tuple<bool, std::int32_t, std::int32_t> rank(Slot i, const Proposal& p) const {
+        if (is_wall(p)) return {true, number_[i], wall_of(p)};
+        const std::int32_t a = number_[i];
+        const std::int32_t b = number_[p.partner];
+        return {false, std::min(a, b), std::max(a, b)};
+    }
+    /// Of two entries of equal key: those that are no exact strikes first.
+    [[nodiscard]] bool comes_before(Slot i, Slot j) const {
+        const auto is_exact = [this](Slot e) {
+            return proposals_[e].early == proposals_[e].late && own_[e] > proposals_[e].early &&
+                   proposals_[e].partner != nobody;
+        };
+        const bool exact_i = is_exact(i);
+        const bool exact_j = is_exact(j);
+        if (exact_i != exact_j) return exact_j;
+        if (!exact_i) return i < j;
+        return std::tuple(rank(i, proposals_[i]), i) < std::tuple(rank(j, proposals_[j]), j);
+    }
+    [[nodiscard]] auto before() const {
+        return [this](Slot i, Slot j) { return comes_before(i, j); };
+    }
+
+    void settle(Slot i) {
+        queue_.set(i, std::min(own_[i], proposals_[i].early), before());
+    }
+
+    /// Finds anew what a ball strikes first.
+    void ask(Slot i) {
+        Proposal best;
+        const Place<D> place = filter_.enter(world_.balls[i], now_);
+        for (Wall wall = 0; wall < walls_; ++wall) consider_wall(i, place, wall, best);
+        structure_.near(i, [&](Slot j) { consider(i, place, j, best); });
+        proposals_[i] = best;
+        own_[i] = structure_.next(i, now_);
+        settle(i);
+    }
+    /// Lets a ball know of another one.
+    void propose(Slot i, Slot j) {
+        const Place<D> place = filter_.enter(world_.balls[i], now_);
+        consider(i, place, j, proposals_[i]);
+    }
+
+    void consider(Slot i, const Place<D>& place, Slot j, Proposal& best) {
+        ++counts_.checks;
+        const Ball<D>& other = world_.balls[j];
+        Meeting meeting = filter_(place, world_.balls[i].radius, other, now_);
+        if (!(meeting.early <= best.late)) return;
+        if constexpr (Exact) {
+            if (meeting.early == -infinity) [[unlikely]] {
+                meeting = exactly(i, j);
+                if (!(meeting.early <= best.late)) return;
+            }
+        } else {
+            meeting = naively(i, j, meeting);
+        }
+        // The partner strikes something before, and is then asked again.
+        if (meeting.early > proposals_[j].late) return;
+        if (meeting.early == infinity || (!alone_.empty() && is_alone(i, j))) return;
+        take(i, {meeting.early, meeting.late, j, strikes_[j]}, best);
+    }
+    void consider_wall(Slot i, const Place<D>& place, Wall wall, Proposal& best) {
+        const Box<D>& box = *world_.effects.box;
+        const double side = wall % 2 != 0 ? box.high[wall / 2] : box.low[wall / 2];
+        Meeting meeting = filter_(place, world_.balls[i].radius, wall, side, now_);
+        if (!(meeting.early <= best.late)) return;
+        if (meeting.early == -infinity) [[unlikely]] {
+            ++counts_.exact;
+            const double t = exact_meeting(world_.balls[i], wall, world_.effects);
+            meeting = {t, t};
+        }
+        if (meeting.early == infinity || (!alone_.empty() && is_alone(i, first_wall + static_cast<Slot>(wall)))) return;
+        take(i, {meeting.early, meeting.late, first_wall + static_cast<Slot>(wall), 0}, best);
+    }
+    /// The earlier of two proposals of a ball.
+    void take(Slot i, Proposal candidate, Proposal& best) {
+        if (candidate.late < best.early) {
+            best = candidate;
+        } else if (candidate.early <= best.late) {
+            if (best.partner == nobody) {
+                best = candidate;
+                return;
+            }
+            if (is_stale(best)) {
+                // Whichever begins first: at its turn the ball is asked again.
+                if (candidate.early < best.early) best = candidate;
+                return;
+            }
+            make_exact(i, best);
+            make_exact(i, candidate);
+            if (std::tuple(candidate.early, rank(i, candidate)) < std::tuple(best.early, rank(i, best)))
+                best = candidate;
+        }
+    }
+
+    [[nodiscard]] Image<D> image(Slot i, Slot j) const {
+        Image<D> image;
+        if (!world_.effects.periodic) return image;
+        const Vector<D> a = world_.centre(i, now_);
+        const Vector<D> b = world_.centre(j, now_);
+        for (int k = 0; k < D; ++k) {
+            const double length = world_.effects.box->high[k] - world_.effects.box->low[k];
+            image[k] = static_cast<int>(nearest_integer((a[k] - b[k]) / length));
+        }
+        return image;
+    }
+    [[gnu::cold, gnu::noinline]] Meeting exactly(Slot i, Slot j) {
+        ++counts_.exact;
+        const double t = exact_meeting(world_.balls[i], world_.balls[j], image(i, j), world_.effects);
+        return {t, t};
+    }
+    void make_exact(Slot i, Proposal& p) {
+        if (p.early == p.late) return;
+        const double about = 0.5 * (p.early + p.late);
+        double t = 0.0;
+        if (is_wall(p)) {
+            t = refined_meeting(world_.balls[i], wall_of(p), world_.effects, about);
+            if (std::isnan(t)) {
+                ++counts_.exact;
+                t = exact_meeting(world_.balls[i], wall_of(p), world_.effects);
+            } else {
+                ++counts_.refined;
+            }
+        } else {
+            const Image<D> seen = image(i, p.partner);
+            t = refined_meeting(world_.balls[i], world_.balls[p.partner], seen, world_.effects, about);
+            if (std::isnan(t)) {
+                ++counts_.exact;
+                t = exact_meeting(world_.balls[i], world_.balls[p.partner], seen, world_.effects);
+            } else {
+                ++counts_.refined;
+            }
+        }
+        p.early = p.late = t;
+    }
+    void refine(Slot i, Proposal& p) { make_exact(i, p); }
+    Meeting naively(Slot, Slot, Meeting meeting) { return meeting; }
+
+    bool strike_ball(Slot i, const typename Simulation<D>::Record& record) {
+        const Slot j = proposals_[i].partner;
+        const double t = proposals_[i].early;
+        StrikeTally tally;
+        Ball<D> a = arrived(world_.balls[i], t, world_.effects, tally);
+        Ball<D> b = arrived(world_.balls[j], t, world_.effects, tally);
+        Image<D> seen;
+        if (world_.effects.periodic) {
+            for (int k = 0; k < D; ++k) {
+                const double length = world_.effects.box->high[k] - world_.effects.box->low[k];
+                seen[k] = static_cast<int>(nearest_integer((a.x[k] - b.x[k]) / length));
+            }
+        }
+        const Ball<D> a_before = a;
+        const Ball<D> b_before = b;
+        const Exchange exchange = strike(a, b, seen, mass_[i], mass_[j], world_.effects, tally);
+        counts_.rounded += tally.refined;
+        counts_.rounded_exactly += tally.exact;
+        if (!exchange.struck) {
+            leave_alone(i, j);
+            ask(i);
+            return false;
+        }
+        counts_.virial += exchange.virial;
+        const std::int32_t first = std::min(number_[i], number_[j]);
+        const std::int32_t second = std::max(number_[i], number_[j]);
+        last_ = {t, false, first, second, 0.0};
+        if (record) {
+            last_.impulse = impulse(a_before, b_before, seen, mass_[i], mass_[j], world_.effects, tally);
+            record(last_);
+        }
+        count(i, t);
+        count(j, t);
+        world_.balls[i] = a;
+        world_.balls[j] = b;
+        filter_.include(a);
+        filter_.include(b);
+        release(i);
+        release(j);
+        structure_.struck(i);
+        structure_.struck(j);
+        ask(i);
+        ask(j);
+        return true;
+    }
+    bool strike_wall(Slot i, const typename Simulation<D>::Record& record) {
+        const Wall wall = wall_of(proposals_[i]);
+        const double t = proposals_[i].early;
+        StrikeTally tally;
+        Ball<D> ball = arrived(world_.balls[i], t, world_.effects, tally);
+        const Ball<D> ball_before = ball;
+        const bool struck = strike(ball, wall, world_.effects);
+        last_ = {t, true, number_[i], wall, 0.0};
+        if (!struck) {
+            const double g = world_.effects.gravity[wall / 2];
+            collapses_ = wall % 2 != 0 ? g > 0.0 : g < 0.0;
+            if (collapses_) return false;
+            leave_alone(i, first_wall + static_cast<Slot>(wall));
+            ask(i);
+            return false;
+        }
+        if (record) {
+            last_.impulse = impulse(ball_before, wall, mass_[i], world_.effects);
+            record(last_);
+        }
+        count(i, t);
+        world_.balls[i] = ball;
+        filter_.include(ball);
+        release(i);
+        structure_.struck(i);
+        ask(i);
+        return true;
+    }
+    void count(Slot i, double t) {
+        ++counts_.strikes;
+        ++strikes_[i];
+        std::uint16_t& at_once = at_once_[i];
+        at_once = world_.balls[i].time == t ? static_cast<std::uint16_t>(at_once + 1) : 1;
+        if (at_once >= most_at_once) {
+            collapses_ = may_collapse_;
+            at_once = 0;
+        }
+    }
+
+    void leave_alone(Slot i, Slot j) { alone_.insert({std::min(i, j), std::max(i, j)}); }
+    [[nodiscard]] bool is_alone(Slot i, Slot j) const {
+        return alone_.contains({std::min(i, j), std::max(i, j)});
+    }
+    void release(Slot i) {
+        if (!alone_.empty())
+            std::erase_if(alone_, [i](const auto& pair) { return pair.first == i || pair.second == i; });
+    }
+
+    World<D> world_;
+    std::vector<std::int32_t> number_;
+    std::vector<double> mass_;
+    std::vector<std::uint32_t> strikes_;
+    std::vector<std::uint16_t> at_once_;
+    std::vector<Proposal> proposals_;
+    std::vector<double> own_;
+    MeetingFilter<D, Falls> filter_;
+    Structure<D> structure_;
+    EventQueue queue_;
+    Wall walls_;
+    bool may_collapse_;
+    bool collapses_ = false;
+    double now_ = 0.0;
+    Counts counts_;
+    Strike last_;
+    std::set<std::pair<Slot, Slot>> alone_;
+};
+
+}  // namespace signum::motion

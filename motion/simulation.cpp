@@ -1,0 +1,57 @@
+#include "simulation.hpp"
+
+#include <numeric>
+
+#include "loop.hpp"
+#include "structures/lists.hpp"
+#include "structures/pairs.hpp"
+
+namespace signum::motion {
+namespace {
+
+template <int D, template <int> class Structure>
+std::unique_ptr<typename Simulation<D>::Engine> engine(std::span<const Body<D>> bodies,
+                                                       const Effects<D>& effects,
+                                                       const Options& options,
+                                                       const std::vector<std::int32_t>& order) {
+    const bool falls = effects.gravity != Vector<D>{};
+    (void)options;
+    if (falls) return std::make_unique<Loop<D, true, true, Structure>>(bodies, effects, order);
+    return std::make_unique<Loop<D, false, true, Structure>>(bodies, effects, order);
+}
+
+}  // namespace
+
+template <int D>
+Simulation<D>::Simulation(std::span<const Body<D>> bodies, const Effects<D>& effects,
+                          const Options& options) {
+    std::vector<std::int32_t> order(bodies.size());
+    std::iota(order.begin(), order.end(), 0);
+    engine_ = options.structure == StructureName::pairs
+                  ? engine<D, Pairs>(bodies, effects, options, order)
+                  : engine<D, Lists>(bodies, effects, options, order);
+}
+template <int D>
+Simulation<D>::~Simulation() = default;
+template <int D>
+Simulation<D>::Simulation(Simulation&&) noexcept = default;
+template <int D>
+Simulation<D>& Simulation<D>::operator=(Simulation&&) noexcept = default;
+
+template <int D>
+Outcome Simulation<D>::run(double until, std::uint64_t most, const Record& record) {
+    return engine_->run(until, most, record);
+}
+template <int D>
+std::vector<Ball<D>> Simulation<D>::balls() const {
+    return engine_->balls();
+}
+template <int D>
+const Counts& Simulation<D>::counts() const {
+    return engine_->counts();
+}
+
+template class Simulation<2>;
+template class Simulation<3>;
+
+}  // namespace signum::motion

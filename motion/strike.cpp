@@ -1,0 +1,311 @@
+#include "strike.hpp"
+
+#include <cmath>
+
+#include "../core/error_free.hpp"
+#include "../exact/multiprecision.hpp"
+#include "../exact/surd.hpp"
+#include "../filters/double_double.hpp"
+#include "meeting.hpp"
+
+namespace signum::motion {
+namespace {
+
+using exact::Integer;
+using exact::Rational;
+using exact::to_rational;
+using filters::DoubleDouble;
+using filters::exact_difference;
+using filters::exact_sum;
+
+DoubleDouble operator*(double a, DoubleDouble b) noexcept {
+    return DoubleDouble{a, 0.0} * b;
+}
+
+/// A quotient, off by at most 2^-98 of itself.
+DoubleDouble quotient(DoubleDouble a, DoubleDouble b) noexcept {
+    const double first = a.high / b.high;
+    const double second = (a - first * b).high / b.high;
+    const TwoTerms sum = two_sum(first, second);
+    return {sum.high, sum.low};
+}
+
+/// Whether all numbers that differ from the double-double by at most the error round to one double,
+/// which is stored; a zero is +0.
+bool rounds(DoubleDouble number, double error, double& nearest) noexcept {
+    nearest = number.high + (number.low - error) + 0.0;
+    return nearest == number.high + (number.low + error);
+}
+
+double rounded(const Rational& number) {
+    return exact::round_to_double(number) + 0.0;
+}
+
+/// The length of a box along an axis, exactly.
+template <int D>
+DoubleDouble length(const Effects<D>& effects, int axis) noexcept {
+    return exact_difference(effects.box->high[axis], effects.box->low[axis]);
+}
+template <int D>
+Rational rational_length(const Effects<D>& effects, int axis) {
+    return to_rational(effects.box->high[axis]) - to_rational(effects.box->low[axis]);
+}
+
+/// x + v s + g s²/2, rounded once, or as many lengths of the box less.
+template <int D>
+double exact_arrival(const Ball<D>& ball, int axis, double t, const Effects<D>& effects) {
+    const Rational s = to_rational(t) - to_rational(ball.time);
+    Rational x = to_rational(ball.x[axis]) + to_rational(ball.v[axis]) * s +
+                 to_rational(effects.gravity[axis]) * s * s / 2;
+    if (effects.periodic) {
+        const Rational box = rational_length(effects, axis);
+        const Rational turns = (x - to_rational(effects.box->low[axis])) / box;
+        Integer whole;
+        Integer rest;
+        divide_qr(numerator(turns), denominator(turns), whole, rest);
+        if (rest.sign() < 0) --whole;
+        x -= whole * box;
+    }
+    return rounded(x);
+}
+
+/// (1+e) m/(m_a+m_b), of which equal masses leave (1+e)/2.
+struct Shares {
+    DoubleDouble of_a;
+    DoubleDouble of_b;
+};
+Shares shares(double mass_a, double mass_b, double restitution) noexcept {
+    const DoubleDouble bounce = exact_sum(1.0, restitution);
+    if (mass_a == mass_b) {
+        const DoubleDouble half{0.5 * bounce.high, 0.5 * bounce.low};
+        return {half, half};
+    }
+    const DoubleDouble sum = exact_sum(mass_a, mass_b);
+    return {bounce * quotient({mass_b, 0.0}, sum), bounce * quotient({mass_a, 0.0}, sum)};
+}
+
+/// D and V of two balls at one time.
+template <int D>
+struct Apart {
+    std::array<DoubleDouble, D> x;
+    std::array<DoubleDouble, D> v;
+};
+template <int D>
+Apart<D> apart(const Ball<D>& a, const Ball<D>& b, const Image<D>& image,
+               const Effects<D>& effects) noexcept {
+    Apart<D> result;
+    for (int i = 0; i < D; ++i) {
+        result.x[i] = exact_difference(a.x[i], b.x[i]);
+        result.v[i] = exact_difference(a.v[i], b.v[i]);
+        if (image[i] != 0) result.x[i] = result.x[i] - double(image[i]) * length(effects, i);
+    }
+    return result;
+}
+
+/// The rational law; the velocities after it.
+template <int D>
+struct RationalLaw {
+    RationalLaw(const Ball<D>& a, const Ball<D>& b, const Image<D>& image,
+                const Effects<D>& effects) {
+        for (int i = 0; i < D; ++i) {
+            x[i] = to_rational(a.x[i]) - to_rational(b.x[i]);
+            if (image[i] != 0) x[i] -= image[i] * rational_length(effects, i);
+            const Rational v = to_rational(a.v[i]) - to_rational(b.v[i]);
+            product += x[i] * v;
+            square += x[i] * x[i];
+        }
+    }
+    std::array<Rational, D> x;
+    Rational product;
+    Rational square;
+};
+
+Rational bounce(double restitution) {
+    return 1 + to_rational(restitution);
+}
+
+template <int D>
+bool change(Ball<D>& ball, const decltype(Ball<D>::v)& v) noexcept {
+    bool changed = false;
+    for (int i = 0; i < D; ++i) changed |= v[i] != ball.v[i];
+    ball.v = v;
+    return changed;
+}
+
+template <int D>
+[[gnu::cold]] Exchange exact_strike(Ball<D>& a, Ball<D>& b, const Image<D>& image, double mass_a,
+                                    double mass_b, const Effects<D>& effects) {
+    const RationalLaw<D> law(a, b, image, effects);
+    if (law.product.sign() >= 0) return {};
+    const Rational sum = to_rational(mass_a) + to_rational(mass_b);
+    const Rational factor = bounce(effects.restitution) * law.product / (law.square * sum);
+    Vector<D> of_a;
+    Vector<D> of_b;
+    for (int i = 0; i < D; ++i) {
+        const Rational step = factor * law.x[i];
+        of_a[i] = rounded(Rational(to_rational(a.v[i]) - step * to_rational(mass_b)));
+        of_b[i] = rounded(Rational(to_rational(b.v[i]) + step * to_rational(mass_a)));
+    }
+    const bool changed_a = change(a, of_a);
+    const bool changed_b = change(b, of_b);
+    const Rational virial = factor * law.square * to_rational(mass_a) * to_rational(mass_b);
+    return {changed_a || changed_b, std::fabs(rounded(virial))};
+}
+
+}  // namespace
+
+template <int D>
+Ball<D> arrived(const Ball<D>& ball, double t, const Effects<D>& effects, StrikeTally& tally) {
+    Ball<D> result = ball;
+    result.time = t;
+    const DoubleDouble s = exact_difference(t, ball.time);
+    for (int i = 0; i < D; ++i) {
+        const DoubleDouble flown = ball.v[i] * s;
+        DoubleDouble x = DoubleDouble{ball.x[i], 0.0} + flown;
+        double size = std::fabs(ball.x[i]) + std::fabs(flown.high);
+        if (const double gravity = effects.gravity[i]; gravity != 0.0) {
+            const DoubleDouble faster = gravity * s;
+            const DoubleDouble fallen = 0.5 * (faster * s);
+            x = x + fallen;
+            size += std::fabs(fallen.high);
+            if (!rounds(DoubleDouble{ball.v[i], 0.0} + faster,
+                        0x1p-98 * (std::fabs(ball.v[i]) + std::fabs(faster.high)), result.v[i])) {
+                ++tally.exact;
+                result.v[i] = rounded(to_rational(ball.v[i]) +
+                                      to_rational(gravity) * (to_rational(t) - to_rational(ball.time)));
+            }
+        }
+        bool certain = true;
+        if (effects.periodic) {
+            const double low = effects.box->low[i];
+            const double high = effects.box->high[i];
+            const double turns = std::floor((x.high - low) / (high - low));
+            if (turns != 0.0) {
+                const DoubleDouble shift = turns * length(effects, i);
+                x = x - shift;
+                size += std::fabs(shift.high);
+            }
+            // Clearly inside, so that the number of turns is the right one.
+            const double margin = 0x1p-40 * (size + std::fabs(low) + std::fabs(high));
+            certain = x.high > low + margin && x.high < high - margin;
+        }
+        if (!certain || !rounds(x, 0x1p-97 * size, result.x[i])) {
+            ++tally.exact;
+            result.x[i] = exact_arrival(ball, i, t, effects);
+        } else {
+            ++tally.refined;
+        }
+    }
+    return result;
+}
+
+template <int D>
+Exchange strike(Ball<D>& a, Ball<D>& b, const Image<D>& image, double mass_a, double mass_b,
+                const Effects<D>& effects, StrikeTally& tally) {
+    const Apart<D> d = apart(a, b, image, effects);
+    DoubleDouble product{0.0, 0.0};
+    DoubleDouble square{0.0, 0.0};
+    double size = 0.0;
+    for (int i = 0; i < D; ++i) {
+        const DoubleDouble term = d.x[i] * d.v[i];
+        product = product + term;
+        size += std::fabs(term.high);
+        square = square + d.x[i] * d.x[i];
+    }
+    const double product_error = 0x1p-98 * size;
+    if (product.high > product_error) return {};
+    const double relative = product_error / -product.high;
+    if (product.high < 0.0 && relative < 0x1p-60 && -product.high > 0x1p-800) [[likely]] {
+        const DoubleDouble ratio = quotient(product, square);
+        const Shares share = shares(mass_a, mass_b, effects.restitution);
+        Vector<D> of_a;
+        Vector<D> of_b;
+        bool certain = true;
+        for (int i = 0; i < D; ++i) {
+            const DoubleDouble step = ratio * d.x[i];
+            const DoubleDouble step_a = share.of_a * step;
+            const DoubleDouble step_b = share.of_b * step;
+            certain &= rounds(DoubleDouble{a.v[i], 0.0} - step_a,
+                              (0x1p-94 + relative) * std::fabs(step_a.high) +
+                                  0x1p-100 * std::fabs(a.v[i]) + 0x1p-1060,
+                              of_a[i]);
+            certain &= rounds(DoubleDouble{b.v[i], 0.0} + step_b,
+                              (0x1p-94 + relative) * std::fabs(step_b.high) +
+                                  0x1p-100 * std::fabs(b.v[i]) + 0x1p-1060,
+                              of_b[i]);
+        }
+        if (certain) [[likely]] {
+            ++tally.refined;
+            const bool changed_a = change(a, of_a);
+            const bool changed_b = change(b, of_b);
+            return {changed_a || changed_b, mass_a * share.of_a.high * -product.high};
+        }
+    }
+    ++tally.exact;
+    return exact_strike(a, b, image, mass_a, mass_b, effects);
+}
+
+template <int D>
+double impulse(const Ball<D>& a, const Ball<D>& b, const Image<D>& image, double mass_a,
+               double mass_b, const Effects<D>& effects, StrikeTally& tally) {
+    const Apart<D> d = apart(a, b, image, effects);
+    DoubleDouble product{0.0, 0.0};
+    DoubleDouble square{0.0, 0.0};
+    double size = 0.0;
+    for (int i = 0; i < D; ++i) {
+        const DoubleDouble term = d.x[i] * d.v[i];
+        product = product + term;
+        size += std::fabs(term.high);
+        square = square + d.x[i] * d.x[i];
+    }
+    const double relative = 0x1p-98 * size / std::fabs(product.high);
+    if (relative < 0x1p-60 && std::fabs(product.high) > 0x1p-800 && square.high > 0x1p-800) {
+        const double first = std::sqrt(square.high);
+        const TwoTerms root =
+            two_sum(first, (square - first * DoubleDouble{first, 0.0}).high / (2.0 * first));
+        const Shares share = shares(mass_a, mass_b, effects.restitution);
+        const DoubleDouble momentum =
+            mass_a * (share.of_a * quotient(product, {root.high, root.low}));
+        double nearest = 0.0;
+        if (rounds(momentum, (0x1p-92 + relative) * std::fabs(momentum.high), nearest))
+            return std::fabs(nearest);
+    }
+    ++tally.exact;
+    const RationalLaw<D> law(a, b, image, effects);
+    const Rational factor = bounce(effects.restitution) * abs(law.product) * to_rational(mass_a) *
+                            to_rational(mass_b) /
+                            ((to_rational(mass_a) + to_rational(mass_b)) * law.square);
+    if (factor.is_zero()) return 0.0;
+    return exact::round_surd(Rational(0), factor, law.square);
+}
+
+template <int D>
+bool strike(Ball<D>& ball, Wall wall, const Effects<D>& effects) {
+    double& v = ball.v[wall / 2];
+    const double inwards = wall % 2 != 0 ? -v : v;
+    if (inwards >= 0.0) return false;
+    const double after = 0.0 - effects.wall_restitution * v;
+    if (after == v) return false;
+    v = after;
+    return true;
+}
+
+template <int D>
+double impulse(const Ball<D>& ball, Wall wall, double mass, const Effects<D>& effects) {
+    const double v = std::fabs(ball.v[wall / 2]);
+    return rounded(bounce(effects.wall_restitution) * to_rational(mass) * to_rational(v));
+}
+
+#define SIGNUM_STRIKES_OF(D)                                                                      \
+    template Ball<D> arrived(const Ball<D>&, double, const Effects<D>&, StrikeTally&);            \
+    template Exchange strike(Ball<D>&, Ball<D>&, const Image<D>&, double, double,                 \
+                             const Effects<D>&, StrikeTally&);                                    \
+    template double impulse(const Ball<D>&, const Ball<D>&, const Image<D>&, double, double,      \
+                            const Effects<D>&, StrikeTally&);                                     \
+    template bool strike(Ball<D>&, Wall, const Effects<D>&);                                      \
+    template double impulse(const Ball<D>&, Wall, double, const Effects<D>&);
+SIGNUM_STRIKES_OF(2)
+SIGNUM_STRIKES_OF(3)
+#undef SIGNUM_STRIKES_OF
+
+}  // namespace signum::motion

@@ -1,0 +1,148 @@
+#pragma once
+/// Lists of neighbours, as the fastest codes keep them.
+///
+/// Each ball has a shell, the place where its list was made and a distance, its slack; and when it
+/// has flown that distance its list is made anew. Two balls are in each other's lists while the
+/// shells around them overlap: their places are nearer than both radii and both slacks. So a pair
+/// that meets is in the lists: each centre is within its slack of its place. When a list is made
+/// all near pairs are proposed, and at a strike all of the two lists.
+///
+/// Places, not balls, lie in cells; a cell is at least as wide as two shells are apart, so that
+/// 3^D cells hold all whose shells may overlap.
+
+#include <bit>
+
+#include "../cells.hpp"
+#include "../world.hpp"
+
+namespace signum::motion {
+
+template <int D>
+class Lists {
+ public:
+    static constexpr const char* name = "lists";
+
+    explicit Lists(const World<D>& world)
+        : world_(world), shells_(world.balls.size()), lists_(world.balls.size()) {
+        const Spread<D> spread = spread_of(world);
+        slack_ = spread.slack(D == 2 ? 7.0 : 12.0);
+        const double reach = 2.0 * (spread.largest_radius + slack_);
+        cells_.emplace(spread, reach * (1.0 + 0x1p-30), world);
+        for (Slot i = 0; i < shells_.size(); ++i) {
+            shells_[i] = world.centre(i, 0.0);
+            cells_->insert(i, shells_[i]);
+        }
+        for (Slot i = 0; i < shells_.size(); ++i)
+            for_each_near(i, [&](Slot j) { append(i, j); });
+    }
+
+    template <class Propose>
+    void near(Slot i, const Propose& propose) const {
+        const List& list = lists_[i];
+        for (std::uint32_t k = 0; k < list.size; ++k) propose(pool_[list.begin + k]);
+    }
+
+    /// When the ball leaves its shell, or earlier.
+    [[nodiscard]] double next(Slot i, double now) const {
+        const Vector<D> v = world_.velocity(i, now);
+        Vector<D> d = world_.centre(i, now);
+        for (int k = 0; k < D; ++k) d[k] -= shells_[i][k];
+        unwrap(d);
+        double gravity = 0.0;
+        for (const double g : world_.effects.gravity) gravity += g * g;
+        const double c = slack_ * slack_ * (1.0 - 0x1p-20) - dot<D>(d, d);
+        if (c <= 0.0) return now;
+        const double a = dot<D>(v, v);
+        const double b = dot<D>(d, v);
+        if (gravity > 0.0) {
+            // Nearer than the slack for as long as speed · s + g s²/2 is below what is left of it.
+            const double left = slack_ * (1.0 - 0x1p-20) - std::sqrt(dot<D>(d, d));
+            if (left < 0x1p-4 * slack_) return now;
+            const double speed = std::sqrt(a);
+            return now + 2.0 * left / (speed + std::sqrt(a + 2.0 * std::sqrt(gravity) * left));
+        }
+        // |d + v s|² = slack²; of the two forms of the root the one that does not cancel.
+        const double root = std::sqrt(b * b + a * c);
+        const double s = b > 0.0 ? c / (b + root) : (root - b) / a;
+        return s < infinity ? now + s * (1.0 - 0x1p-40) : infinity;
+    }
+
+    template <class Propose>
+    void own_event(Slot i, double now, const Propose& propose) {
+        near(i, [&](Slot j) { remove(j, i); });
+        lists_[i].size = 0;
+        const Vector<D> place = world_.centre(i, now);
+        shells_[i] = cells_->wrapped(place);
+        cells_->move(i, shells_[i]);
+        for_each_near(i, [&](Slot j) {
+            append(i, j);
+            append(j, i);
+            propose(j);
+        });
+    }
+    void struck(Slot) {}
+
+ private:
+    struct List {
+        std::uint32_t begin = 0;
+        std::uint16_t size = 0;
+        std::uint16_t capacity = 0;
+    };
+
+    /// The least of all images.
+    void unwrap(Vector<D>& d) const noexcept { cells_->unwrap(d); }
+
+    template <class Visit>
+    void for_each_near(Slot i, const Visit& visit) const {
+        const double radius = world_.balls[i].radius + 2.0 * slack_;
+        cells_->for_each_around(shells_[i], [&](Slot j) {
+            if (j == i) return;
+            Vector<D> d;
+            for (int k = 0; k < D; ++k) d[k] = shells_[i][k] - shells_[j][k];
+            unwrap(d);
+            const double reach = (radius + world_.balls[j].radius) * (1.0 + 0x1p-30);
+            if (dot<D>(d, d) < reach * reach) visit(j);
+        });
+    }
+
+    void append(Slot i, Slot j) {
+        List& list = lists_[i];
+        if (list.size == list.capacity) grow(list);
+        pool_[list.begin + list.size++] = j;
+    }
+    void remove(Slot i, Slot j) {
+        List& list = lists_[i];
+        std::uint32_t* const entries = &pool_[list.begin];
+        for (std::uint32_t k = 0; k < list.size; ++k) {
+            if (entries[k] != j) continue;
+            entries[k] = entries[--list.size];
+            return;
+        }
+    }
+    void grow(List& list) {
+        const auto capacity = static_cast<std::uint16_t>(list.capacity == 0 ? 16 : 2 * list.capacity);
+        std::vector<std::uint32_t>& free = free_[std::bit_width(capacity)];
+        std::uint32_t begin = 0;
+        if (!free.empty()) {
+            begin = free.back();
+            free.pop_back();
+        } else {
+            begin = static_cast<std::uint32_t>(pool_.size());
+            pool_.resize(pool_.size() + capacity);
+        }
+        std::copy_n(pool_.begin() + list.begin, list.size, pool_.begin() + begin);
+        if (list.capacity > 0) free_[std::bit_width(list.capacity)].push_back(list.begin);
+        list.begin = begin;
+        list.capacity = capacity;
+    }
+
+    const World<D>& world_;
+    double slack_ = 0.0;
+    std::vector<Vector<D>> shells_;
+    std::vector<List> lists_;
+    std::vector<std::uint32_t> pool_;
+    std::array<std::vector<std::uint32_t>, 18> free_;
+    std::optional<Cells<D>> cells_;
+};
+
+}  // namespace signum::motion

@@ -1,0 +1,39 @@
+#pragma once
+/// The balls and what acts on them: what the loop changes and structures read.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "ball.hpp"
+#include "meeting.hpp"
+
+namespace signum::motion {
+
+/// A ball's place in the arrays of a simulation; its number in the input is another one.
+using Slot = std::uint32_t;
+
+template <int D>
+struct World {
+    std::vector<Ball<D>> balls;
+    Effects<D> effects;
+
+    /// The centre at a time, rounded.
+    [[nodiscard]] Vector<D> centre(Slot i, double now) const noexcept {
+        const Ball<D>& ball = balls[i];
+        const double dt = now - ball.time;
+        Vector<D> x;
+        for (int k = 0; k < D; ++k)
+            x[k] = ball.x[k] + ball.v[k] * dt + 0.5 * effects.gravity[k] * (dt * dt);
+        return x;
+    }
+    [[nodiscard]] Vector<D> velocity(Slot i, double now) const noexcept {
+        const Ball<D>& ball = balls[i];
+        Vector<D> v;
+        for (int k = 0; k < D; ++k) v[k] = ball.v[k] + effects.gravity[k] * (now - ball.time);
+        return v;
+    }
+};
+
+}  // namespace signum::motion
