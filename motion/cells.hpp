@@ -1,216 +1,209 @@
 #pragma once
-/// A grid of cells that hold balls: in a box a table of all cells, elsewhere (or where there would
-/// be far more cells than balls) a hash table, in which different cells may share a place.
+/// Space cut into equal cells, and tables of who lies in which.
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <vector>
 
 #include "world.hpp"
 
 namespace signum::motion {
 
-/// How balls are spread at the start.
+/// How balls lie at the start: the box, or else around all of them.
 template <int D>
 struct Spread {
     Box<D> box;
     std::size_t balls = 0;
     double largest_radius = 0.0;
+    double smallest_radius = infinity;
 
-    [[nodiscard]] double volume() const noexcept {
-        double volume = 1.0;
-        for (int k = 0; k < D; ++k) volume *= box.high[k] - box.low[k];
-        return volume;
+    explicit Spread(const World<D>& world) : balls(world.balls.size()) {
+        box.low.fill(infinity);
+        box.high.fill(-infinity);
+        for (const Ball<D>& ball : world.balls) {
+            largest_radius = std::max(largest_radius, ball.radius);
+            smallest_radius = std::min(smallest_radius, ball.radius);
+            for (int k = 0; k < D; ++k) {
+                box.low[k] = std::min(box.low[k], ball.x[k] - ball.radius);
+                box.high[k] = std::max(box.high[k], ball.x[k] + ball.radius);
+            }
+        }
+        if (world.effects.box) box = *world.effects.box;
+        double widest = largest_radius > 0.0 ? largest_radius : 1.0;
+        for (int k = 0; k < D; ++k) widest = std::max(widest, box.high[k] - box.low[k]);
+        for (int k = 0; k < D; ++k)
+            box.high[k] = std::max(box.high[k], box.low[k] + 0x1p-10 * widest);
     }
-    /// A slack of shells that gives some neighbours to a ball.
-    [[nodiscard]] double slack(double neighbours) const noexcept {
-        const double unit = D == 2 ? std::numbers::pi : 4.0 / 3.0 * std::numbers::pi;
-        const double space = neighbours * volume() / (static_cast<double>(std::max<std::size_t>(balls, 1)) * unit);
-        const double reach = D == 2 ? std::sqrt(space) : std::cbrt(space);
-        double least = infinity;
-        for (int k = 0; k < D; ++k) least = std::min(least, box.high[k] - box.low[k]);
-        const double slack = 0.5 * (reach - 2.0 * largest_radius);
-        return std::max(std::min(std::max(slack, 0.05 * largest_radius), 0.05 * least), 0x1p-20 * least);
+    /// The edge of a cube that has so many balls in it.
+    [[nodiscard]] double edge_of(double number) const noexcept {
+        double volume = number / static_cast<double>(std::max<std::size_t>(balls, 1));
+        for (int k = 0; k < D; ++k) volume *= box.high[k] - box.low[k];
+        return D == 2 ? std::sqrt(volume) : std::cbrt(volume);
+    }
+    [[nodiscard]] double shortest() const noexcept {
+        double shortest = infinity;
+        for (int k = 0; k < D; ++k) shortest = std::min(shortest, box.high[k] - box.low[k]);
+        return shortest;
     }
 };
 
+/// A cell, by its numbers along the axes.
 template <int D>
-Spread<D> spread_of(const World<D>& world) {
-    Spread<D> spread;
-    spread.balls = world.balls.size();
-    if (world.effects.box) {
-        spread.box = *world.effects.box;
-    } else {
-        spread.box.low.fill(infinity);
-        spread.box.high.fill(-infinity);
-    }
-    for (const Ball<D>& ball : world.balls) {
-        spread.largest_radius = std::max(spread.largest_radius, ball.radius);
-        if (world.effects.box) continue;
-        for (int k = 0; k < D; ++k) {
-            spread.box.low[k] = std::min(spread.box.low[k], ball.x[k] - ball.radius);
-            spread.box.high[k] = std::max(spread.box.high[k], ball.x[k] + ball.radius);
-        }
-    }
-    if (!world.effects.box) {
-        double widest = 0.0;
-        for (int k = 0; k < D; ++k) widest = std::max(widest, spread.box.high[k] - spread.box.low[k]);
-        if (!(widest > 0.0)) widest = 1.0;
-        for (int k = 0; k < D; ++k) spread.box.high[k] = spread.box.low[k] + std::max(spread.box.high[k] - spread.box.low[k], 0.1 * widest);
-    }
-    return spread;
-}
+using Cell = std::array<std::int32_t, D>;
 
+/// Which cell a place lies in. Inside a box cells are numbered from 0 and what lies beyond the last
+/// one, by rounding, belongs to it; in a periodic one they go around. Elsewhere they have no end.
 template <int D>
-class Cells {
+class CellGrid {
  public:
-    Cells(const Spread<D>& spread, double width, const World<D>& world)
-        : periodic_(world.effects.periodic), dense_(world.effects.box.has_value()), low_(spread.box.low), links_(spread.balls) {
-        std::size_t cells = 1;
-        double wide = width;
-        if (dense_) {
-            // No more than two cells a ball.
-            const double unit = D == 2 ? std::sqrt(spread.volume() / (2.0 * static_cast<double>(spread.balls) + 64.0))
-                                       : std::cbrt(spread.volume() / (2.0 * static_cast<double>(spread.balls) + 64.0));
-            wide = std::max(wide, unit);
-        }
+    /// No cell has a number beyond it.
+    static constexpr std::int32_t outermost = 1 << 30;
+
+    /// Cells at least as wide as told, `divisions` of which along each axis make one of the widest
+    /// that are planned; so grids of the same spread whose widths differ by powers of two are
+    /// nested.
+    CellGrid(const World<D>& world, const Spread<D>& spread, double width, std::int32_t divisions = 1)
+        : bounded_(world.effects.box.has_value()),
+          periodic_(world.effects.periodic),
+          low_(spread.box.low) {
         for (int k = 0; k < D; ++k) {
-            length_[k] = spread.box.high[k] - spread.box.low[k];
-            inverse_length_[k] = 1.0 / length_[k];
-            count_[k] = std::max(1, static_cast<int>(std::min(length_[k] / wide, 0x1p20)));
-            per_length_[k] = dense_ ? count_[k] / length_[k] : 1.0 / wide;
-            cells *= static_cast<std::size_t>(count_[k]);
+            const double length = spread.box.high[k] - spread.box.low[k];
+            const double most = std::floor(length / (width * divisions));
+            count_[k] = divisions * static_cast<std::int32_t>(std::clamp(most, 1.0, 0x1p24));
+            width_[k] = bounded_ ? length / count_[k] : width;
+            per_width_[k] = 1.0 / width_[k];
         }
-        if (!dense_) cells = std::bit_ceil(2 * spread.balls + 1);
-        heads_.assign(cells, none);
     }
 
-    /// A place in the periodic box, or the place itself.
-    [[nodiscard]] Vector<D> wrapped(Vector<D> x) const noexcept {
-        if (periodic_)
-            for (int k = 0; k < D; ++k)
-                x[k] -= length_[k] * std::floor((x[k] - low_[k]) * inverse_length_[k]);
-        return x;
+    [[nodiscard]] bool is_bounded() const noexcept { return bounded_; }
+    /// The number of all cells in a box.
+    [[nodiscard]] double size() const noexcept {
+        double size = 1.0;
+        for (const std::int32_t count : count_) size *= count;
+        return size;
     }
-    void unwrap(Vector<D>& d) const noexcept {
-        if (periodic_)
-            for (int k = 0; k < D; ++k)
-                d[k] -= length_[k] * nearest_integer(d[k] * inverse_length_[k]);
+    [[nodiscard]] Cell<D> cell_of(const Vector<D>& x) const noexcept {
+        Cell<D> cell;
+        for (int k = 0; k < D; ++k) {
+            double number = std::floor((x[k] - low_[k]) * per_width_[k]);
+            if (periodic_) number -= count_[k] * std::floor(number / count_[k]);
+            cell[k] = static_cast<std::int32_t>(
+                bounded_ ? std::clamp(number, 0.0, static_cast<double>(count_[k] - 1))
+                         : std::clamp<double>(number, -outermost, outermost));
+        }
+        return cell;
+    }
+    /// The place where a cell begins.
+    [[nodiscard]] double start_of(int axis, std::int32_t number) const noexcept {
+        return low_[axis] + number * width_[axis];
+    }
+    /// Moves a cell's number along an axis; false where there is no such cell.
+    [[nodiscard]] bool shift(Cell<D>& cell, int axis, std::int32_t by) const noexcept {
+        std::int32_t& number = cell[axis];
+        number += by;
+        if (!bounded_ || (number >= 0 && number < count_[axis])) return true;
+        if (!periodic_) return false;
+        number += number < 0 ? count_[axis] : -count_[axis];
+        return true;
+    }
+    [[nodiscard]] std::uint32_t place(const Cell<D>& cell) const noexcept {
+        std::uint32_t place = 0;
+        for (int k = D - 1; k >= 0; --k)
+            place = place * static_cast<std::uint32_t>(count_[k]) + static_cast<std::uint32_t>(cell[k]);
+        return place;
     }
 
-    void insert(Slot i, const Vector<D>& x) { enter(i, slot_of(cell_of(x))); }
-    void move(Slot i, const Vector<D>& x) {
-        const std::uint32_t to = slot_of(cell_of(x));
-        if (to == links_[i].cell) return;
-        leave(i);
-        enter(i, to);
-    }
-
-    /// All that lie in the 3^D cells around a place, and maybe others.
+    /// The cells around one, itself included; of an axis that is given those on one side alone. In
+    /// a periodic box of fewer than three cells along an axis each of them once.
     template <class Visit>
-    void for_each_around(const Vector<D>& x, const Visit& visit) const {
-        const std::array<int, D> middle = cell_of(x);
-        std::array<int, D> first;
-        std::array<int, D> last;
+    void for_each_around(const Cell<D>& middle, const Visit& visit, int axis = -1,
+                         std::int32_t side = 0) const {
+        std::array<std::int32_t, D> first;
+        std::array<std::int32_t, D> last;
         for (int k = 0; k < D; ++k) {
-            first[k] = middle[k] - 1;
-            last[k] = middle[k] + 1;
-            if (!dense_) continue;
-            if (periodic_) {
-                if (count_[k] < 3) {
-                    first[k] = 0;
-                    last[k] = count_[k] - 1;
-                }
-            } else {
-                first[k] = std::max(first[k], 0);
-                last[k] = std::min(last[k], count_[k] - 1);
+            first[k] = periodic_ && count_[k] < 3 ? 0 : -1;
+            last[k] = periodic_ && count_[k] < 2 ? 0 : 1;
+            if (k == axis) first[k] = last[k] = side;
+        }
+        std::array<std::int32_t, D> by = first;
+        for (;;) {
+            Cell<D> cell = middle;
+            bool is_there = true;
+            for (int k = 0; k < D; ++k) is_there = shift(cell, k, by[k]) && is_there;
+            if (is_there) visit(cell);
+            int k = 0;
+            for (; k < D; ++k) {
+                if (by[k]++ < last[k]) break;
+                by[k] = first[k];
             }
+            if (k == D) return;
         }
-        std::array<int, D> cell = first;
-        if (!dense_) {
-            // Two cells may share a place: each place once.
-            std::array<std::uint32_t, D == 2 ? 9 : 27> places;
-            std::size_t number = 0;
-            do {
-                places[number++] = slot_of(cell);
-            } while (step(cell, first, last));
-            std::sort(places.begin(), places.begin() + number);
-            const auto end = std::unique(places.begin(), places.begin() + number);
-            for (auto place = places.begin(); place != end; ++place) visit_cell(*place, visit);
-            return;
-        }
-        do {
-            visit_cell(slot_of(cell), visit);
-        } while (step(cell, first, last));
+    }
+
+ private:
+    bool bounded_;
+    bool periodic_;
+    Vector<D> low_;
+    Vector<D> width_{};
+    Vector<D> per_width_{};
+    std::array<std::int32_t, D> count_{};
+};
+
+/// Who lies in which cell: in a box that has not far more cells than balls a list for each cell,
+/// elsewhere a hash table.
+template <int D>
+class CellTable {
+ public:
+    CellTable(const CellGrid<D>& grid, std::size_t balls, bool hashed)
+        : grid_(&grid), hashed_(hashed || !grid.is_bounded() || grid.size() > 4.0 * static_cast<double>(balls) + 64.0),
+          heads_(hashed_ ? std::bit_ceil(balls + 1) : static_cast<std::size_t>(grid.size()), none),
+          links_(balls) {
+        if (hashed_) cells_.resize(balls);
+    }
+
+    void insert(Slot i, const Cell<D>& cell) {
+        const std::uint32_t place = place_of(cell);
+        links_[i] = {place, heads_[place], none};
+        if (heads_[place] != none) links_[heads_[place]].previous = i;
+        heads_[place] = i;
+        if (hashed_) cells_[i] = cell;
+    }
+    void remove(Slot i) {
+        const Link& link = links_[i];
+        (link.previous == none ? heads_[link.place] : links_[link.previous].next) = link.next;
+        if (link.next != none) links_[link.next].previous = link.previous;
+    }
+    template <class Visit>
+    void for_each_in(const Cell<D>& cell, const Visit& visit) const {
+        for (Slot j = heads_[place_of(cell)]; j != none; j = links_[j].next)
+            if (!hashed_ || cells_[j] == cell) visit(j);
     }
 
  private:
     static constexpr Slot none = ~Slot{0};
     struct Link {
-        std::uint32_t cell;
+        std::uint32_t place;
         Slot next;
         Slot previous;
     };
 
-    [[nodiscard]] std::array<int, D> cell_of(const Vector<D>& x) const noexcept {
-        std::array<int, D> cell;
-        for (int k = 0; k < D; ++k) {
-            const double number = std::floor((x[k] - low_[k]) * per_length_[k]);
-            cell[k] = static_cast<int>(dense_ ? std::clamp(number, 0.0, double(count_[k] - 1)) : std::clamp(number, -0x1p30, 0x1p30));
-        }
-        return cell;
-    }
-    [[nodiscard]] std::uint32_t slot_of(const std::array<int, D>& cell) const noexcept {
-        if (dense_) {
-            std::size_t slot = 0;
-            for (int k = D - 1; k >= 0; --k) {
-                int number = cell[k];
-                if (number < 0) number += count_[k];
-                if (number >= count_[k]) number -= count_[k];
-                slot = slot * static_cast<std::size_t>(count_[k]) + static_cast<std::size_t>(number);
-            }
-            return static_cast<std::uint32_t>(slot);
-        }
+    [[nodiscard]] std::uint32_t place_of(const Cell<D>& cell) const noexcept {
+        if (!hashed_) return grid_->place(cell);
         std::uint64_t hash = 0;
-        for (const int number : cell)
+        for (const std::int32_t number : cell)
             hash = (hash ^ static_cast<std::uint32_t>(number)) * 0x9E3779B97F4A7C15;
-        return static_cast<std::uint32_t>(hash >> 32) & static_cast<std::uint32_t>(heads_.size() - 1);
-    }
-    static bool step(std::array<int, D>& cell, const std::array<int, D>& first,
-                     const std::array<int, D>& last) noexcept {
-        for (int k = 0; k < D; ++k) {
-            if (cell[k]++ < last[k]) return true;
-            cell[k] = first[k];
-        }
-        return false;
-    }
-    template <class Visit>
-    void visit_cell(std::uint32_t cell, const Visit& visit) const {
-        for (Slot j = heads_[cell]; j != none; j = links_[j].next) visit(j);
-    }
-    void enter(Slot i, std::uint32_t cell) noexcept {
-        links_[i] = {cell, heads_[cell], none};
-        if (heads_[cell] != none) links_[heads_[cell]].previous = i;
-        heads_[cell] = i;
-    }
-    void leave(Slot i) noexcept {
-        const Link& link = links_[i];
-        (link.previous == none ? heads_[link.cell] : links_[link.previous].next) = link.next;
-        if (link.next != none) links_[link.next].previous = link.previous;
+        return static_cast<std::uint32_t>(hash >> 32) &
+               static_cast<std::uint32_t>(heads_.size() - 1);
     }
 
-    bool periodic_;
-    bool dense_;
-    Vector<D> low_;
-    Vector<D> length_{};
-    Vector<D> inverse_length_{};
-    Vector<D> per_length_{};
-    std::array<int, D> count_{};
+    const CellGrid<D>* grid_;
+    bool hashed_;
     std::vector<Slot> heads_;
     std::vector<Link> links_;
+    std::vector<Cell<D>> cells_;
 };
 
 }  // namespace signum::motion

@@ -76,7 +76,7 @@ class Loop final : public Simulation<D>::Engine {
                 ++counts_.stale;
                 ask(i);
             } else if (next.early < next.late) {
-                refine(i, next);
+                make_exact(i, next);
                 settle(i);
             } else {
                 done += static_cast<std::uint64_t>(is_wall(next) ? strike_wall(i, record)
@@ -99,6 +99,8 @@ class Loop final : public Simulation<D>::Engine {
     static constexpr Slot nobody = ~Slot{0};
     static constexpr Slot first_wall = nobody - 6;
     static constexpr std::uint16_t most_at_once = 1000;
+
+    using Asker = typename MeetingFilter<D, Falls>::Asker;
 
     struct Proposal {
         double early = infinity;
@@ -158,41 +160,51 @@ class Loop final : public Simulation<D>::Engine {
     /// Finds anew what a ball strikes first.
     void ask(Slot i) {
         Proposal best;
-        const Place<D> place = filter_.enter(world_.balls[i], now_);
-        for (Wall wall = 0; wall < walls_; ++wall) consider_wall(i, place, wall, best);
-        structure_.near(i, [&](Slot j) { consider(i, place, j, best); });
+        const Asker asker = filter_.asker(world_.balls[i], now_);
+        for (Wall wall = 0; wall < walls_; ++wall) consider_wall(i, asker, wall, best);
+        // First all are looked at, then those that may be met are asked when.
+        std::size_t possible = 0;
+        const auto ask_when = [&] {
+            for (std::size_t k = 0; k < possible; ++k)
+                consider(i, asker, candidates_[k].slot, candidates_[k].approach, best);
+            possible = 0;
+        };
+        const Ball<D>* const balls = world_.balls.data();
+        structure_.near(i, [&](Slot j) {
+            Candidate& candidate = candidates_[possible];
+            candidate.slot = j;
+            candidate.approach = asker.look(balls[j]);
+            possible += static_cast<std::size_t>(candidate.approach.possible);
+            if (possible == candidates_.size()) [[unlikely]] ask_when();
+        });
+        ask_when();
         proposals_[i] = best;
         own_[i] = structure_.next(i, now_);
         settle(i);
     }
     /// Lets a ball know of another one.
     void propose(Slot i, Slot j) {
-        const Place<D> place = filter_.enter(world_.balls[i], now_);
-        consider(i, place, j, proposals_[i]);
+        const Asker asker = filter_.asker(world_.balls[i], now_);
+        const Approach approach = asker.look(world_.balls[j]);
+        if (approach.possible) consider(i, asker, j, approach, proposals_[i]);
     }
 
-    void consider(Slot i, const Place<D>& place, Slot j, Proposal& best) {
-        ++counts_.checks;
-        const Ball<D>& other = world_.balls[j];
-        Meeting meeting = filter_(place, world_.balls[i].radius, other, now_);
+    void consider(Slot i, const Asker& asker, Slot j, const Approach& approach, Proposal& best) {
+        Meeting meeting = asker(approach);
         if (!(meeting.early <= best.late)) return;
-        if constexpr (Exact) {
-            if (meeting.early == -infinity) [[unlikely]] {
-                meeting = exactly(i, j);
-                if (!(meeting.early <= best.late)) return;
-            }
-        } else {
-            meeting = naively(i, j, meeting);
+        if (meeting.early == -infinity) [[unlikely]] {
+            meeting = exactly(i, j);
+            if (!(meeting.early <= best.late)) return;
         }
         // The partner strikes something before, and is then asked again.
         if (meeting.early > proposals_[j].late) return;
         if (meeting.early == infinity || (!alone_.empty() && is_alone(i, j))) return;
         take(i, {meeting.early, meeting.late, j, strikes_[j]}, best);
     }
-    void consider_wall(Slot i, const Place<D>& place, Wall wall, Proposal& best) {
+    void consider_wall(Slot i, const Asker& asker, Wall wall, Proposal& best) {
         const Box<D>& box = *world_.effects.box;
         const double side = wall % 2 != 0 ? box.high[wall / 2] : box.low[wall / 2];
-        Meeting meeting = filter_(place, world_.balls[i].radius, wall, side, now_);
+        Meeting meeting = asker(wall, side);
         if (!(meeting.early <= best.late)) return;
         if (meeting.early == -infinity) [[unlikely]] {
             ++counts_.exact;
@@ -263,8 +275,6 @@ class Loop final : public Simulation<D>::Engine {
         }
         p.early = p.late = t;
     }
-    void refine(Slot i, Proposal& p) { make_exact(i, p); }
-    Meeting naively(Slot, Slot, Meeting meeting) { return meeting; }
 
     bool strike_ball(Slot i, const typename Simulation<D>::Record& record) {
         const Slot j = proposals_[i].partner;
@@ -359,7 +369,13 @@ class Loop final : public Simulation<D>::Engine {
             std::erase_if(alone_, [i](const auto& pair) { return pair.first == i || pair.second == i; });
     }
 
+    struct Candidate {
+        Slot slot;
+        Approach approach;
+    };
+
     World<D> world_;
+    std::array<Candidate, 64> candidates_;
     std::vector<std::int32_t> number_;
     std::vector<double> mass_;
     std::vector<std::uint32_t> strikes_;

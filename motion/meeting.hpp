@@ -46,6 +46,40 @@ struct Place {
     return (x + 0x1.8p52) - 0x1.8p52;
 }
 
+/// D·V, V·V, D·D - R² and the discriminant of a pair now; possible is 0 where it surely never meets.
+struct Approach {
+    double product;
+    double square;
+    double gap;
+    double discriminant;
+    int possible;
+};
+
+template <int D>
+struct Bounds {
+    Vector<D> gravity{};
+    /// Of a periodic box. Who is nearer than `far`, the square of half of the least one, is not
+    /// seen shifted.
+    Vector<D> length{};
+    Vector<D> inverse_length{};
+    double far = 0.0;
+    double extent = 0.0;
+    double speed = 0.0;
+    double gap = 0.0;       ///< K, of C and per square of speed of the discriminant
+    double approach = 0.0;  ///< (128 u E)², of (D·V)² per square of speed
+    double w = 0.0;         ///< W²
+};
+
+inline constexpr double least_square = 0x1p-600;
+
+/// s from now on, but for an error; the bounds of t's own rounding included.
+[[nodiscard, gnu::always_inline]] inline Meeting around(double now, double s,
+                                                        double error) noexcept {
+    const double t = now + s;
+    const double either_way = 2.0 * error + 0x1p-50 * t;
+    return {std::max(t - either_way, now), t + either_way};
+}
+
 /// The first stage. Its bounds, with u = 2^-53, E = extent, W = speed:
 ///
 /// Of the place of a ball: dt = fl(t - time), x + v dt. Both the ball's own x and the place of the
@@ -63,16 +97,20 @@ struct Place {
 template <int D, bool Falls>
 class MeetingFilter {
  public:
-    explicit MeetingFilter(const Effects<D>& effects) : gravity_(effects.gravity) {
+    explicit MeetingFilter(const Effects<D>& effects) {
+        bounds_.gravity = effects.gravity;
+        bounds_.far = infinity;
         if (effects.box) {
             for (int i = 0; i < D; ++i) {
                 include(effects.box->low[i]);
                 include(effects.box->high[i]);
-                length_[i] = effects.box->high[i] - effects.box->low[i];
-                inverse_length_[i] = 1.0 / length_[i];
+                const double length = effects.box->high[i] - effects.box->low[i];
+                bounds_.length[i] = length;
+                bounds_.inverse_length[i] = 1.0 / length;
+                if (effects.periodic)
+                    bounds_.far = std::min(bounds_.far, 0.25 * length * length * (1.0 - 0x1p-20));
             }
         }
-        periodic_ = effects.periodic;
     }
 
     /// Takes a ball into the bounds, as it is at its own time.
@@ -80,142 +118,166 @@ class MeetingFilter {
         for (const double x : ball.x) include(x);
         include(2.0 * ball.radius);
         if constexpr (Falls)
-            for (const double v : ball.v) speed_ = std::max(speed_, filters::magnitude(v));
+            for (const double v : ball.v)
+                bounds_.speed = std::max(bounds_.speed, filters::magnitude(v));
         set_bounds();
     }
 
-    /// Where a ball is now; the bounds then hold for questions asked from there.
-    [[nodiscard]] Place<D> enter(const Ball<D>& ball, double now) noexcept {
-        Place<D> place;
-        const double dt = now - ball.time;
-        double farthest = 0.0;
-        double fastest = 0.0;
-        for (int i = 0; i < D; ++i) {
-            const double flown = ball.v[i] * dt;
-            place.x[i] = ball.x[i] + flown;
-            place.v[i] = ball.v[i];
-            if constexpr (Falls) {
-                const double fallen = 0.5 * gravity_[i] * (dt * dt);
-                place.x[i] += fallen;
-                place.v[i] += gravity_[i] * dt;
-                farthest = std::max(
-                    {farthest, filters::magnitude(flown), filters::magnitude(fallen)});
-                fastest = std::max(fastest, filters::magnitude(place.v[i]));
-            }
-            farthest = std::max(farthest, filters::magnitude(place.x[i]));
-        }
-        if (farthest > extent_ || (Falls && fastest > speed_)) [[unlikely]] {
-            extent_ = std::max(extent_, farthest);
-            speed_ = std::max(speed_, fastest);
-            set_bounds();
-        }
-        return place;
-    }
+    /// The questions of one ball at one time.
+    class Asker {
+     public:
+        /// Looks whether another ball may be met at all, without a branch: which of many may is
+        /// anybody's guess. Precondition: now is not before its own time, and the two have not met
+        /// between T and now.
+        [[nodiscard, gnu::always_inline]] Approach look(const Ball<D>& b) const noexcept;
+        /// When, of one that may.
+        [[nodiscard]] Meeting operator()(const Approach& approach) const noexcept;
+        /// Of a side of the box: F = x - side - r, x counted inwards. With errors of 24 u E in F
+        /// and 3 u W in the speed, those of the root as above.
+        [[nodiscard]] Meeting operator()(Wall wall, double side) const noexcept;
 
-    /// Of the ball at a place, of radius r, and another one; now is not before either's own time,
-    /// and the two have not met between T and now.
-    [[nodiscard, gnu::always_inline]] Meeting operator()(const Place<D>& a, double radius,
-                                                         const Ball<D>& b,
-                                                         double now) const noexcept {
-        const double dt = now - b.time;
-        Vector<D> d;
-        Vector<D> v;
-        double largest = 0.0;
-        for (int i = 0; i < D; ++i) {
-            const double flown = b.v[i] * dt;
-            if constexpr (Falls) {
-                const double fallen = 0.5 * gravity_[i] * (dt * dt);
-                d[i] = a.x[i] - (b.x[i] + flown + fallen);
-                v[i] = a.v[i] - (b.v[i] + gravity_[i] * dt);
-                largest = std::max({largest, filters::magnitude(flown), filters::magnitude(fallen)});
-            } else {
-                d[i] = a.x[i] - (b.x[i] + flown);
-                v[i] = a.v[i] - b.v[i];
-            }
-        }
-        if (periodic_)
-            for (int i = 0; i < D; ++i) d[i] -= length_[i] * nearest_integer(d[i] * inverse_length_[i]);
-        if (Falls && largest > extent_) [[unlikely]]
-            return unknown;
-        const double r = radius + b.radius;
-        const double product = dot<D>(d, v);
-        const double square = dot<D>(v, v);
-        if (product > 0.0 && product * product > approach_bound_ * (square + w_)) return never;
-        const double gap = dot<D>(d, d) - r * r;
-        const double discriminant = product * product - square * gap;
-        const double bound = bound_ * (square + w_);
-        if (discriminant < -bound) return never;
-        if (!(discriminant > 2.0 * bound && gap > bound_ && square > least_square)) [[unlikely]]
-            return unknown;
-        const double root = std::sqrt(discriminant);
-        const double s = gap / (root - product);
-        const double t = now + s;
-        double error = bound_ / root;
-        if constexpr (Falls)
-            error = bound_ * (1.0 + s * (speed_ / extent_ + (square + w_) / root)) / (root - product);
-        error = 2.0 * error + 0x1p-50 * t;
-        return {std::max(t - error, now), t + error};
-    }
-
-    /// Of the ball at a place and a side of the box: F = x - side - r, x counted inwards. With
-    /// errors of 24 u E in F and 3 u W in the speed, those of the root as above.
-    [[nodiscard]] Meeting operator()(const Place<D>& a, double radius, Wall wall, double side,
-                                     double now) const noexcept {
-        const int axis = wall / 2;
-        const double inwards = wall % 2 != 0 ? -1.0 : 1.0;
-        const double v = inwards * a.v[axis];
-        const double g = Falls ? inwards * gravity_[axis] : 0.0;
-        const double gap_error = 0x1p-47 * extent_;
-        const double gap = inwards * (a.x[axis] - side) - radius;
-        if (g == 0.0) {
-            if (v >= 0.0) return never;
-            if (!(gap > gap_error && v < -0x1p-300)) return unknown;
-            const double s = gap / -v;
-            return around(now, s, gap_error / -v);
-        }
-        const double v_error = 0x1p-50 * speed_;
-        if (!(gap > gap_error)) return unknown;
-        if (g > 0.0 && v > v_error) return never;
-        const double discriminant = v * v - 2.0 * g * gap;
-        const double error = 0x1p-48 * (speed_ * speed_) + 2.0 * filters::magnitude(g) * gap_error;
-        if (discriminant < -error && g > 0.0) return never;
-        if (!(discriminant > 2.0 * error && (g < 0.0 || v < -v_error))) return unknown;
-        const double root = std::sqrt(discriminant);
-        const double root_error = v_error + error / root;
-        if (v < 0.0) {
-            const double s = 2.0 * gap / (root - v);
-            return around(now, s, (2.0 * gap_error + s * root_error) / (root - v));
-        }
-        return around(now, (v + root) / -g, root_error / -g);
-    }
+     private:
+        friend MeetingFilter;
+        Place<D> place_;
+        double radius_;
+        double now_;
+        Bounds<D> bounds_;
+    };
+    /// The bounds then hold for questions asked from where the ball is now.
+    [[nodiscard]] Asker asker(const Ball<D>& ball, double now) noexcept;
 
  private:
-    static constexpr double least_square = 0x1p-600;
-
-    static Meeting around(double now, double s, double error) noexcept {
-        const double t = now + s;
-        error = 2.0 * error + 0x1p-50 * t;
-        return {std::max(t - error, now), t + error};
-    }
-
     void include(double coordinate) noexcept {
-        extent_ = std::max(extent_, filters::magnitude(coordinate));
+        bounds_.extent = std::max(bounds_.extent, filters::magnitude(coordinate));
     }
     void set_bounds() noexcept {
-        bound_ = 0x1p-42 * extent_ * extent_;
-        approach_bound_ = 0x1p-92 * extent_ * extent_;
-        if constexpr (Falls) w_ = speed_ * speed_;
+        const double square = bounds_.extent * bounds_.extent;
+        bounds_.gap = 0x1p-42 * square;
+        bounds_.approach = 0x1p-92 * square;
+        if constexpr (Falls) bounds_.w = bounds_.speed * bounds_.speed;
     }
 
-    Vector<D> gravity_{};
-    Vector<D> length_{};
-    Vector<D> inverse_length_{};
-    bool periodic_ = false;
-    double extent_ = 0.0;
-    double speed_ = 0.0;
-    double bound_ = 0.0;           // K
-    double approach_bound_ = 0.0;  // (128 u E)²
-    double w_ = 0.0;               // W²
+    Bounds<D> bounds_;
 };
+
+template <int D, bool Falls>
+auto MeetingFilter<D, Falls>::asker(const Ball<D>& ball, double now) noexcept -> Asker {
+    Asker asker;
+    const double dt = now - ball.time;
+    double farthest = 0.0;
+    double fastest = 0.0;
+    for (int i = 0; i < D; ++i) {
+        const double flown = ball.v[i] * dt;
+        double& x = asker.place_.x[i];
+        double& v = asker.place_.v[i];
+        x = ball.x[i] + flown;
+        v = ball.v[i];
+        if constexpr (Falls) {
+            const double fallen = 0.5 * bounds_.gravity[i] * (dt * dt);
+            x += fallen;
+            v += bounds_.gravity[i] * dt;
+            farthest = std::max({farthest, filters::magnitude(flown), filters::magnitude(fallen)});
+            fastest = std::max(fastest, filters::magnitude(v));
+        }
+        farthest = std::max(farthest, filters::magnitude(x));
+    }
+    if (farthest > bounds_.extent || (Falls && fastest > bounds_.speed)) [[unlikely]] {
+        bounds_.extent = std::max(bounds_.extent, farthest);
+        bounds_.speed = std::max(bounds_.speed, fastest);
+        set_bounds();
+    }
+    asker.radius_ = ball.radius;
+    asker.now_ = now;
+    asker.bounds_ = bounds_;
+    return asker;
+}
+
+template <int D, bool Falls>
+inline Approach MeetingFilter<D, Falls>::Asker::look(const Ball<D>& b) const noexcept {
+    const double dt = now_ - b.time;
+    Vector<D> d;
+    Vector<D> v;
+    double largest = 0.0;
+    for (int i = 0; i < D; ++i) {
+        const double flown = b.v[i] * dt;
+        if constexpr (Falls) {
+            const double fallen = 0.5 * bounds_.gravity[i] * (dt * dt);
+            d[i] = place_.x[i] - (b.x[i] + flown + fallen);
+            v[i] = place_.v[i] - (b.v[i] + bounds_.gravity[i] * dt);
+            largest = std::max({largest, filters::magnitude(flown), filters::magnitude(fallen)});
+        } else {
+            d[i] = place_.x[i] - (b.x[i] + flown);
+            v[i] = place_.v[i] - b.v[i];
+        }
+    }
+    double distance = dot<D>(d, d);
+    if (distance > bounds_.far) [[unlikely]] {
+        for (int i = 0; i < D; ++i)
+            d[i] -= bounds_.length[i] * nearest_integer(d[i] * bounds_.inverse_length[i]);
+        distance = dot<D>(d, d);
+    }
+    const double r = radius_ + b.radius;
+    Approach approach;
+    approach.product = dot<D>(d, v);
+    approach.square = dot<D>(v, v);
+    approach.gap = distance - r * r;
+    approach.discriminant = approach.product * approach.product - approach.square * approach.gap;
+    const double size = Falls ? approach.square + bounds_.w : approach.square;
+    const int recedes = static_cast<int>(
+        approach.product * filters::magnitude(approach.product) > bounds_.approach * size);
+    const int misses = static_cast<int>(approach.discriminant < -bounds_.gap * size);
+    approach.possible = 1 - (recedes | misses);
+    if constexpr (Falls) {
+        if (largest > bounds_.extent) [[unlikely]] {
+            approach.possible = 1;
+            approach.gap = 0.0;
+        }
+    }
+    return approach;
+}
+
+template <int D, bool Falls>
+Meeting MeetingFilter<D, Falls>::Asker::operator()(const Approach& approach) const noexcept {
+    const double size = Falls ? approach.square + bounds_.w : approach.square;
+    if (!(approach.discriminant > 2.0 * bounds_.gap * size && approach.gap > bounds_.gap &&
+          approach.square > least_square)) [[unlikely]]
+        return unknown;
+    const double root = std::sqrt(approach.discriminant);
+    const double s = approach.gap / (root - approach.product);
+    double error = bounds_.gap / root;
+    if constexpr (Falls)
+        error = bounds_.gap * (1.0 + s * (bounds_.speed / bounds_.extent + size / root)) /
+                (root - approach.product);
+    return around(now_, s, error);
+}
+
+template <int D, bool Falls>
+Meeting MeetingFilter<D, Falls>::Asker::operator()(Wall wall, double side) const noexcept {
+    const int axis = wall / 2;
+    const double inwards = wall % 2 != 0 ? -1.0 : 1.0;
+    const double v = inwards * place_.v[axis];
+    const double g = Falls ? inwards * bounds_.gravity[axis] : 0.0;
+    const double gap_error = 0x1p-47 * bounds_.extent;
+    const double gap = inwards * (place_.x[axis] - side) - radius_;
+    if (g == 0.0) {
+        if (v >= 0.0) return never;
+        if (!(gap > gap_error && v < -0x1p-300)) return unknown;
+        return around(now_, gap / -v, gap_error / -v);
+    }
+    const double v_error = 0x1p-50 * bounds_.speed;
+    if (!(gap > gap_error)) return unknown;
+    if (g > 0.0 && v > v_error) return never;
+    const double discriminant = v * v - 2.0 * g * gap;
+    const double error = 0x1p-48 * bounds_.w + 2.0 * filters::magnitude(g) * gap_error;
+    if (discriminant < -error && g > 0.0) return never;
+    if (!(discriminant > 2.0 * error && (g < 0.0 || v < -v_error))) return unknown;
+    const double root = std::sqrt(discriminant);
+    const double root_error = v_error + error / root;
+    if (v < 0.0) {
+        const double s = 2.0 * gap / (root - v);
+        return around(now_, s, (2.0 * gap_error + s * root_error) / (root - v));
+    }
+    return around(now_, (v + root) / -g, root_error / -g);
+}
 
 }  // namespace signum::motion

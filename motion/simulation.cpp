@@ -3,8 +3,11 @@
 #include <numeric>
 
 #include "loop.hpp"
+#include "structures/cells.hpp"
+#include "structures/levels.hpp"
 #include "structures/lists.hpp"
 #include "structures/pairs.hpp"
+#include "structures/tree.hpp"
 
 namespace signum::motion {
 namespace {
@@ -27,9 +30,13 @@ Simulation<D>::Simulation(std::span<const Body<D>> bodies, const Effects<D>& eff
                           const Options& options) {
     std::vector<std::int32_t> order(bodies.size());
     std::iota(order.begin(), order.end(), 0);
-    engine_ = options.structure == StructureName::pairs
-                  ? engine<D, Pairs>(bodies, effects, options, order)
-                  : engine<D, Lists>(bodies, effects, options, order);
+    switch (options.structure) {
+        case StructureName::pairs: engine_ = engine<D, Pairs>(bodies, effects, options, order); break;
+        case StructureName::cells: engine_ = engine<D, CellsOfOneSize>(bodies, effects, options, order); break;
+        case StructureName::tree: engine_ = engine<D, OccupiedCells>(bodies, effects, options, order); break;
+        case StructureName::levels: engine_ = engine<D, Levels>(bodies, effects, options, order); break;
+        case StructureName::lists: engine_ = engine<D, Lists>(bodies, effects, options, order); break;
+    }
 }
 template <int D>
 Simulation<D>::~Simulation() = default;

@@ -28,6 +28,14 @@ struct World {
             x[k] = ball.x[k] + ball.v[k] * dt + 0.5 * effects.gravity[k] * (dt * dt);
         return x;
     }
+    /// The least of all images of a difference of places.
+    void unwrap(Vector<D>& d) const noexcept {
+        if (!effects.periodic) return;
+        for (int k = 0; k < D; ++k) {
+            const double length = effects.box->high[k] - effects.box->low[k];
+            d[k] -= length * nearest_integer(d[k] / length);
+        }
+    }
     [[nodiscard]] Vector<D> velocity(Slot i, double now) const noexcept {
         const Ball<D>& ball = balls[i];
         Vector<D> v;

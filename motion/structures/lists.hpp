@@ -10,7 +10,10 @@
 /// Places, not balls, lie in cells; a cell is at least as wide as two shells are apart, so that
 /// 3^D cells hold all whose shells may overlap.
 
+#include <algorithm>
 #include <bit>
+#include <numbers>
+#include <vector>
 
 #include "../cells.hpp"
 #include "../world.hpp"
@@ -22,19 +25,7 @@ class Lists {
  public:
     static constexpr const char* name = "lists";
 
-    explicit Lists(const World<D>& world)
-        : world_(world), shells_(world.balls.size()), lists_(world.balls.size()) {
-        const Spread<D> spread = spread_of(world);
-        slack_ = spread.slack(D == 2 ? 7.0 : 12.0);
-        const double reach = 2.0 * (spread.largest_radius + slack_);
-        cells_.emplace(spread, reach * (1.0 + 0x1p-30), world);
-        for (Slot i = 0; i < shells_.size(); ++i) {
-            shells_[i] = world.centre(i, 0.0);
-            cells_->insert(i, shells_[i]);
-        }
-        for (Slot i = 0; i < shells_.size(); ++i)
-            for_each_near(i, [&](Slot j) { append(i, j); });
-    }
+    explicit Lists(const World<D>& world) : Lists(world, Spread<D>(world)) {}
 
     template <class Propose>
     void near(Slot i, const Propose& propose) const {
@@ -47,7 +38,7 @@ class Lists {
         const Vector<D> v = world_.velocity(i, now);
         Vector<D> d = world_.centre(i, now);
         for (int k = 0; k < D; ++k) d[k] -= shells_[i][k];
-        unwrap(d);
+        world_.unwrap(d);
         double gravity = 0.0;
         for (const double g : world_.effects.gravity) gravity += g * g;
         const double c = slack_ * slack_ * (1.0 - 0x1p-20) - dot<D>(d, d);
@@ -71,9 +62,9 @@ class Lists {
     void own_event(Slot i, double now, const Propose& propose) {
         near(i, [&](Slot j) { remove(j, i); });
         lists_[i].size = 0;
-        const Vector<D> place = world_.centre(i, now);
-        shells_[i] = cells_->wrapped(place);
-        cells_->move(i, shells_[i]);
+        shells_[i] = world_.centre(i, now);
+        table_.remove(i);
+        table_.insert(i, grid_.cell_of(shells_[i]));
         for_each_near(i, [&](Slot j) {
             append(i, j);
             append(j, i);
@@ -89,20 +80,44 @@ class Lists {
         std::uint16_t capacity = 0;
     };
 
-    /// The least of all images.
-    void unwrap(Vector<D>& d) const noexcept { cells_->unwrap(d); }
+    Lists(const World<D>& world, const Spread<D>& spread)
+        : world_(world),
+          slack_(slack_of(spread)),
+          grid_(world, spread,
+                std::max(2.0 * (spread.largest_radius + slack_) * (1.0 + 0x1p-30),
+                         spread.edge_of(0.5))),
+          table_(grid_, world.balls.size(), false),
+          shells_(world.balls.size()),
+          lists_(world.balls.size()) {
+        for (Slot i = 0; i < shells_.size(); ++i) {
+            shells_[i] = world.centre(i, 0.0);
+            table_.insert(i, grid_.cell_of(shells_[i]));
+        }
+        for (Slot i = 0; i < shells_.size(); ++i)
+            for_each_near(i, [&](Slot j) { append(i, j); });
+    }
+
+    /// So that a ball has some neighbours in its list.
+    static double slack_of(const Spread<D>& spread) {
+        constexpr double ball = D == 2 ? std::numbers::pi : 4.0 / 3.0 * std::numbers::pi;
+        const double reach = spread.edge_of((D == 2 ? 7.0 : 12.0) / ball);
+        const double slack = std::max(0.5 * reach - spread.largest_radius, 0.05 * spread.largest_radius);
+        return std::clamp(slack, 0x1p-20 * spread.shortest(), 0.05 * spread.shortest());
+    }
 
     template <class Visit>
     void for_each_near(Slot i, const Visit& visit) const {
         const double radius = world_.balls[i].radius + 2.0 * slack_;
-        cells_->for_each_around(shells_[i], [&](Slot j) {
+        const auto look = [&](Slot j) {
             if (j == i) return;
             Vector<D> d;
             for (int k = 0; k < D; ++k) d[k] = shells_[i][k] - shells_[j][k];
-            unwrap(d);
+            world_.unwrap(d);
             const double reach = (radius + world_.balls[j].radius) * (1.0 + 0x1p-30);
             if (dot<D>(d, d) < reach * reach) visit(j);
-        });
+        };
+        grid_.for_each_around(grid_.cell_of(shells_[i]),
+                              [&](const Cell<D>& cell) { table_.for_each_in(cell, look); });
     }
 
     void append(Slot i, Slot j) {
@@ -137,12 +152,13 @@ class Lists {
     }
 
     const World<D>& world_;
-    double slack_ = 0.0;
+    double slack_;
+    CellGrid<D> grid_;
+    CellTable<D> table_;
     std::vector<Vector<D>> shells_;
     std::vector<List> lists_;
     std::vector<std::uint32_t> pool_;
     std::array<std::vector<std::uint32_t>, 18> free_;
-    std::optional<Cells<D>> cells_;
 };
 
 }  // namespace signum::motion
