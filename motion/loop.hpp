@@ -69,9 +69,9 @@ class Loop final : public Simulation<D>::Engine {
             Proposal& next = proposals_[i];
             if (own_[i] <= next.early) {
                 ++counts_.own;
-                structure_.own_event(i, now_, [&](Slot j) { propose(i, j); });
-                own_[i] = structure_.next(i, now_);
-                settle(i);
+                structure_.own_event(
+                    i, now_, [&](Slot j) { propose(i, j); }, [&](Slot j) { touch(j); });
+                touch(i);
             } else if (is_stale(next)) {
                 ++counts_.stale;
                 ask(i);
@@ -157,6 +157,12 @@ class Loop final : public Simulation<D>::Engine {
         queue_.set(i, std::min(own_[i], proposals_[i].early), before());
     }
 
+    /// Finds anew when the structure changes because of a ball.
+    void touch(Slot i) {
+        own_[i] = structure_.next(i, now_);
+        settle(i);
+    }
+
     /// Finds anew what a ball strikes first.
     void ask(Slot i) {
         Proposal best;
@@ -179,8 +185,7 @@ class Loop final : public Simulation<D>::Engine {
         });
         ask_when();
         proposals_[i] = best;
-        own_[i] = structure_.next(i, now_);
-        settle(i);
+        touch(i);
     }
     /// Lets a ball know of another one.
     void propose(Slot i, Slot j) {
@@ -315,8 +320,6 @@ class Loop final : public Simulation<D>::Engine {
         filter_.include(b);
         release(i);
         release(j);
-        structure_.struck(i);
-        structure_.struck(j);
         ask(i);
         ask(j);
         return true;
@@ -345,7 +348,6 @@ class Loop final : public Simulation<D>::Engine {
         world_.balls[i] = ball;
         filter_.include(ball);
         release(i);
-        structure_.struck(i);
         ask(i);
         return true;
     }

@@ -7,6 +7,7 @@
 #include "structures/levels.hpp"
 #include "structures/lists.hpp"
 #include "structures/pairs.hpp"
+#include "structures/segments.hpp"
 #include "structures/tree.hpp"
 
 namespace signum::motion {
@@ -34,6 +35,7 @@ Simulation<D>::Simulation(std::span<const Body<D>> bodies, const Effects<D>& eff
         case StructureName::pairs: engine_ = engine<D, Pairs>(bodies, effects, options, order); break;
         case StructureName::cells: engine_ = engine<D, CellsOfOneSize>(bodies, effects, options, order); break;
         case StructureName::tree: engine_ = engine<D, OccupiedCells>(bodies, effects, options, order); break;
+        case StructureName::segments: engine_ = engine<D, Segments>(bodies, effects, options, order); break;
         case StructureName::levels: engine_ = engine<D, Levels>(bodies, effects, options, order); break;
         case StructureName::lists: engine_ = engine<D, Lists>(bodies, effects, options, order); break;
     }

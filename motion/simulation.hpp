@@ -65,7 +65,7 @@ struct Outcome {
 };
 
 enum class Kernel { exact, naive };
-enum class StructureName { pairs, cells, tree, levels, lists };
+enum class StructureName { pairs, cells, tree, segments, levels, lists };
 
 struct Options {
     StructureName structure = StructureName::lists;

@@ -75,8 +75,8 @@ class Grid {
         return now + s;
     }
 
-    template <class Propose>
-    void own_event(Slot i, double now, const Propose& propose) {
+    template <class Propose, class Touch>
+    void own_event(Slot i, double now, const Propose& propose, const Touch&) {
         int axis = 0;
         Crossing first = crossing(i, 0, now);
         for (int k = 1; k < D; ++k) {
@@ -103,7 +103,6 @@ class Grid {
             residents_near(above, to, propose, axis, first.side);
         }
     }
-    void struck(Slot) {}
 
  private:
     /// The next side of its cell that a centre comes to, after some time.

@@ -11,11 +11,11 @@
 /// 3^D cells hold all whose shells may overlap.
 
 #include <algorithm>
-#include <bit>
 #include <numbers>
 #include <vector>
 
 #include "../cells.hpp"
+#include "../slot_lists.hpp"
 #include "../world.hpp"
 
 namespace signum::motion {
@@ -29,8 +29,7 @@ class Lists {
 
     template <class Propose>
     void near(Slot i, const Propose& propose) const {
-        const List& list = lists_[i];
-        for (std::uint32_t k = 0; k < list.size; ++k) propose(pool_[list.begin + k]);
+        for (const Slot j : lists_[i]) propose(j);
     }
 
     /// When the ball leaves its shell, or earlier.
@@ -58,28 +57,21 @@ class Lists {
         return s < infinity ? now + s * (1.0 - 0x1p-40) : infinity;
     }
 
-    template <class Propose>
-    void own_event(Slot i, double now, const Propose& propose) {
-        near(i, [&](Slot j) { remove(j, i); });
-        lists_[i].size = 0;
+    template <class Propose, class Touch>
+    void own_event(Slot i, double now, const Propose& propose, const Touch&) {
+        for (const Slot j : lists_[i]) lists_.remove(j, i);
+        lists_.clear(i);
         shells_[i] = world_.centre(i, now);
         table_.remove(i);
         table_.insert(i, grid_.cell_of(shells_[i]));
         for_each_near(i, [&](Slot j) {
-            append(i, j);
-            append(j, i);
+            lists_.append(i, j);
+            lists_.append(j, i);
             propose(j);
         });
     }
-    void struck(Slot) {}
 
  private:
-    struct List {
-        std::uint32_t begin = 0;
-        std::uint16_t size = 0;
-        std::uint16_t capacity = 0;
-    };
-
     Lists(const World<D>& world, const Spread<D>& spread)
         : world_(world),
           slack_(slack_of(spread)),
@@ -94,7 +86,7 @@ class Lists {
             table_.insert(i, grid_.cell_of(shells_[i]));
         }
         for (Slot i = 0; i < shells_.size(); ++i)
-            for_each_near(i, [&](Slot j) { append(i, j); });
+            for_each_near(i, [&](Slot j) { lists_.append(i, j); });
     }
 
     /// So that a ball has some neighbours in its list.
@@ -120,45 +112,12 @@ class Lists {
                               [&](const Cell<D>& cell) { table_.for_each_in(cell, look); });
     }
 
-    void append(Slot i, Slot j) {
-        List& list = lists_[i];
-        if (list.size == list.capacity) grow(list);
-        pool_[list.begin + list.size++] = j;
-    }
-    void remove(Slot i, Slot j) {
-        List& list = lists_[i];
-        std::uint32_t* const entries = &pool_[list.begin];
-        for (std::uint32_t k = 0; k < list.size; ++k) {
-            if (entries[k] != j) continue;
-            entries[k] = entries[--list.size];
-            return;
-        }
-    }
-    void grow(List& list) {
-        const auto capacity = static_cast<std::uint16_t>(list.capacity == 0 ? 16 : 2 * list.capacity);
-        std::vector<std::uint32_t>& free = free_[std::bit_width(capacity)];
-        std::uint32_t begin = 0;
-        if (!free.empty()) {
-            begin = free.back();
-            free.pop_back();
-        } else {
-            begin = static_cast<std::uint32_t>(pool_.size());
-            pool_.resize(pool_.size() + capacity);
-        }
-        std::copy_n(pool_.begin() + list.begin, list.size, pool_.begin() + begin);
-        if (list.capacity > 0) free_[std::bit_width(list.capacity)].push_back(list.begin);
-        list.begin = begin;
-        list.capacity = capacity;
-    }
-
     const World<D>& world_;
     double slack_;
     CellGrid<D> grid_;
     CellTable<D> table_;
     std::vector<Vector<D>> shells_;
-    std::vector<List> lists_;
-    std::vector<std::uint32_t> pool_;
-    std::array<std::vector<std::uint32_t>, 18> free_;
+    SlotLists lists_;
 };
 
 }  // namespace signum::motion

@@ -39,11 +39,10 @@ class Pairs {
         // v s + g s²/2 = stride
         return now + 2.0 * stride_ / (fastest + std::sqrt(fastest * fastest + 2.0 * std::sqrt(pull) * stride_));
     }
-    template <class Propose>
-    void own_event(Slot i, double, const Propose& propose) {
+    template <class Propose, class Touch>
+    void own_event(Slot i, double, const Propose& propose, const Touch&) {
         near(i, propose);
     }
-    void struck(Slot) {}
 
  private:
     const World<D>& world_;
