@@ -274,7 +274,7 @@ struct Quadratic {
 TEST(OracleMotion, MeetingsOfBallsByComparingSquares) {
     Random random(1603);
     int meetings = 0;
-    for (int i = 0; i < 1500; ++i) {
+    for (int i = 0; i < 1000; ++i) {
         const auto number = [&](int range) {
             const double fraction = i % 2 == 0 ? 0 : random.unit() * 0x1p-22;
             return random.below(2 * range + 1) - range + fraction;
@@ -303,13 +303,13 @@ TEST(OracleMotion, MeetingsOfBallsByComparingSquares) {
         ASSERT_TRUE(f.agrees(time, since)) << "input " << i;
         if (time) ++meetings;
     }
-    EXPECT_GT(meetings, 300);
+    EXPECT_GT(meetings, 200);
 }
 
 TEST(OracleMotion, MeetingsWithAFloorByComparingSquares) {
     Random random(1604);
     int meetings = 0;
-    for (int i = 0; i < 1500; ++i) {
+    for (int i = 0; i < 1000; ++i) {
         const double fraction = i % 2 == 0 ? 0 : random.unit() * 0x1p-22;
         const double y = random.below(9) - 2 + fraction, v = random.below(9) - 4 - fraction;
         const double g = random.below(7) - 4, since = random.below(3) + fraction;
@@ -319,7 +319,55 @@ TEST(OracleMotion, MeetingsWithAFloorByComparingSquares) {
         ASSERT_TRUE(f.agrees(time, since)) << "input " << i;
         if (time) ++meetings;
     }
-    EXPECT_GT(meetings, 500);
+    EXPECT_GT(meetings, 300);
+}
+
+/// The square of the distance that ball and circle have at time t, from the square of the distance
+/// at which they touch; positive on the side that the circle allows.
+Rational apart(const Ball& ball, const Wall& wall, const World& world, const Rational& t) {
+    const Rational y = t - exactly(ball.t0), rho = exactly(wall.radius), r = exactly(ball.r);
+    Rational square = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Rational x = exactly(ball.x[k]) +
+                           y * (exactly(ball.v[k]) + y * exactly(world.g[k]) / 2) -
+                           exactly(wall.centre[k]) - t * exactly(wall.u[k]);
+        square += x * x;
+    }
+    return wall.kind == Kind::outside ? Rational(square - (rho + r) * (rho + r))
+                                      : Rational((rho - r) * (rho - r) - square);
+}
+
+TEST(OracleMotion, MeetingsWithCirclesByLookingOften) {
+    Random random(1607);
+    int meetings = 0, nevers = 0;
+    for (int i = 0; i < 400; ++i) {
+        const auto number = [&] { return 4 * random.unit() - 2; };
+        World world;
+        world.dimension = 3, world.g = {number(), number(), number()};
+        const Ball ball{.x = {number(), number(), number()},
+                        .v = {number(), number(), number()},
+                        .r = random.unit() / 2,
+                        .t0 = random.unit()};
+        Wall wall = circle(i % 2 == 0 ? Kind::outside : Kind::inside,
+                           {number(), number(), number()}, i % 2 == 0 ? 1 : 3);
+        if (i % 3 == 0) wall.u = {number(), number(), number()};
+        const Rational since = exactly(ball.t0);
+        if (apart(ball, wall, world, since) <= 0) continue;
+        const Time time = meeting_time(ball, wall, world);
+        Rational until = since + 40;
+        if (time) {
+            until = (exactly(std::nextafter(*time, 0)) + exactly(*time)) / 2;
+            const Rational after = (exactly(std::nextafter(*time, 99)) + exactly(*time)) / 2;
+            ASSERT_GE(apart(ball, wall, world, until), 0) << "input " << i;
+            ASSERT_LE(apart(ball, wall, world, after), 0) << "input " << i;
+        }
+        for (int k = 0; k < 60; ++k)
+            ASSERT_GT(apart(ball, wall, world, since + (until - since) * k / 200), 0)
+                << "input " << i;
+        ++(time ? meetings : nevers);
+    }
+    EXPECT_GT(meetings, 100);
+    EXPECT_GT(nevers, 30);
 }
 
 World torus(int dimension, double length) {
@@ -414,6 +462,72 @@ TEST(OracleMotion, GalperinsDigitsOfPi) {
     }
 }
 
+double dot(const Point& a, const Point& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+Point operator-(const Point& a, const Point& b) {
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+double length(const Point& a) {
+    return std::sqrt(dot(a, a));
+}
+
+TEST(OracleMotion, StrikesByTheBook) {
+    Random random(1608);
+    int strikes = 0;
+    for (int i = 0; i < 300; ++i) {
+        const auto number = [&] { return 2 * random.unit() - 1; };
+        const auto vector = [&] { return Point{number(), number(), number()}; };
+        World world;
+        world.dimension = 3, world.restitution = random.unit();
+        const Ball a{.x = vector(), .v = vector(), .r = 0.5, .m = 1 + random.unit()};
+        const Ball b{.x = vector(), .v = vector(), .r = 0.5, .m = 1 + random.unit()};
+        const auto run = simulate({a, b}, world, 100, 1);
+        if (run.log.empty()) continue;
+        const Point n = run.balls[0].x - run.balls[1].x, &p = run.balls[0].v, &q = run.balls[1].v;
+        EXPECT_NEAR(dot(p - q, n), -world.restitution * dot(a.v - b.v, n), 1e-14);
+        EXPECT_NEAR(a.m * length(p - a.v), run.log[0].impulse, 1e-14);
+        EXPECT_NEAR(b.m * length(q - b.v), run.log[0].impulse, 1e-14);
+        for (std::size_t k = 0; k < 3; ++k)
+            EXPECT_NEAR(a.m * (p[k] - a.v[k]), b.m * (b.v[k] - q[k]), 1e-14);
+        ++strikes;
+    }
+    EXPECT_GT(strikes, 50);
+}
+
+TEST(OracleMotion, StrikesOfMovingWallsByTheBook) {
+    Random random(1609);
+    int strikes = 0;
+    for (int i = 0; i < 300; ++i) {
+        const auto number = [&] { return 2 * random.unit() - 1; };
+        const auto vector = [&] { return Point{number(), number(), number()}; };
+        World world;
+        world.dimension = 3, world.wall_restitution = random.unit();
+        world.walls = {i % 3 == 0   ? plane(vector(), -2, number())
+                       : i % 3 == 1 ? circle(Kind::outside, {3, 0, 0}, 2, vector())
+                                    : circle(Kind::inside, vector(), 4, vector())};
+        const Wall& wall = world.walls[0];
+        const Ball a{.x = vector(), .v = vector(), .r = 0.5, .m = 1 + random.unit()};
+        const auto run = simulate({a}, world, 100, 1);
+        if (run.log.empty()) continue;
+        const double time = run.log[0].time;
+        const Ball& after = run.balls[0];
+        Point n = wall.n;
+        double w = wall.w;
+        if (wall.kind != Kind::half_space) {
+            for (std::size_t k = 0; k < 3; ++k)
+                n[k] = after.x[k] - wall.centre[k] - wall.u[k] * time;
+            w = dot(wall.u, n);
+        }
+        EXPECT_NEAR(dot(after.v, n) - w, -world.wall_restitution * (dot(a.v, n) - w), 1e-13);
+        EXPECT_NEAR(a.m * length(after.v - a.v), run.log[0].impulse, 1e-13);
+        EXPECT_NEAR(length(n) * run.log[0].impulse, a.m * std::abs(dot(after.v - a.v, n)), 1e-12);
+        EXPECT_TRUE(run.log[0].wall);
+        ++strikes;
+    }
+    EXPECT_GT(strikes, 150);
+}
+
 double energy(const Ball& ball, const World& world, double time) {
     double sum = 0;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -499,16 +613,16 @@ TEST(OracleMotion, TheThousandthStrikeAtOneTime) {
     World world = box(10, 2);  // as high as the ball
     const std::vector<Ball> balls{{.x = {3, 1}, .v = {1, 1}, .r = 1}};
     world.g = {0, -1, 0};
-    const auto run = simulate(balls, world, infinity, 1200);
+    const auto run = simulate(balls, world, infinity, 1001);
     EXPECT_TRUE(run.collapsed);
     ASSERT_EQ(run.log.size(), 1000U);
     EXPECT_EQ(run.log.back(), (Strike{0, true, 0, 2, 2}));
     // Without gravity and loss there is no collapse, only `most`.
     world.g = {};
-    EXPECT_FALSE(simulate(balls, world, infinity, 1200).collapsed);
-    EXPECT_EQ(simulate(balls, world, infinity, 1200).log.size(), 1200U);
+    EXPECT_FALSE(simulate(balls, world, infinity, 1001).collapsed);
+    EXPECT_EQ(simulate(balls, world, infinity, 1001).log.size(), 1001U);
     world.restitution = 0.5;
-    EXPECT_TRUE(simulate(balls, world, infinity, 1200).collapsed);
+    EXPECT_TRUE(simulate(balls, world, infinity, 1001).collapsed);
 }
 
 TEST(OracleMotion, TooSlowToChangeABit) {
@@ -533,6 +647,35 @@ TEST(OracleMotion, TooSlowToChangeABit) {
     EXPECT_EQ(nothing.balls, two);
 }
 
+TEST(OracleMotion, LeftAloneForTheRestOfItsWay) {
+    // Touching the peg and approaching it by 3 ulp(4), it gains 12/25 of an ulp. It leaves, and
+    // falls through the peg from above: so the rule has it. A little later it would strike.
+    World world = falling(-15);
+    world.wall_restitution = 0;
+    world.walls = {circle(Kind::outside, {}, 4)};
+    Ball ball{.x = {-3, 4}, .v = {7 + 0x1p-50, 5.25}, .r = 1};
+    EXPECT_EQ(meeting_time(ball, world.walls[0], world), 0);
+    EXPECT_TRUE(simulate({ball}, world, infinity, 10).log.empty());
+    ball.x[1] = 4.0625;
+    EXPECT_FALSE(simulate({ball}, world, infinity, 1).log.empty());
+}
+
+TEST(OracleMotion, NoneIsLeftAloneWhereTheWallBendsInwards) {
+    // It touches the circle from inside and runs along it.
+    World world;
+    world.walls = {circle(Kind::inside, {}, 5)};
+    const std::vector<Ball> along{{.x = {0, 4}, .v = {1, 0}, .r = 1}};
+    EXPECT_TRUE(simulate(along, world, infinity, 10).collapsed);
+    // It leaves by 3 ulp(4): no velocity would change, yet left alone it would be lost.
+    world.walls[0].radius = 6;
+    world.wall_restitution = 0;
+    const std::vector<Ball> slow{{.x = {-3, 4}, .v = {7 - 0x1p-50, 5.25}, .r = 1}};
+    const auto run = simulate(slow, world, infinity, 10);
+    EXPECT_TRUE(run.log.empty());
+    EXPECT_TRUE(run.collapsed);
+    EXPECT_EQ(run.balls, slow);
+}
+
 TEST(OracleMotion, OneTimeBallsFirstThenByNumber) {
     World world = box(100, 100);
     const auto ball = [](double x, double y, double v) {
@@ -552,11 +695,11 @@ TEST(OracleMotion, OneTimeBallsFirstThenByNumber) {
 }
 
 TEST(OracleMotion, ACornerIsTwoStrikes) {
-    const auto run =
-        simulate({{.x = {5, 5}, .v = {-1, -2}, .r = 1}, {.x = {5, 9}, .v = {-1, -2}, .r = 1}},
-                 box(20, 20), 4, 2);
+    const auto run = simulate({{.x = {5, 5}, .v = {-1, -1}, .r = 1}}, box(20, 20), infinity, 2);
     ASSERT_EQ(run.log.size(), 2U);
-    EXPECT_EQ(run.log[0], (Strike{2, true, 0, 2, 4}));
+    EXPECT_EQ(run.log[0], (Strike{4, true, 0, 0, 2}));
+    EXPECT_EQ(run.log[1], (Strike{4, true, 0, 2, 2}));
+    EXPECT_EQ(run.balls[0].v, (Point{1, 1, 0}));
 }
 
 TEST(OracleMotion, PeriodicRunsWrapAndStrikeTheNearestImage) {
@@ -569,6 +712,32 @@ TEST(OracleMotion, PeriodicRunsWrapAndStrikeTheNearestImage) {
     EXPECT_EQ(run.balls[0].x, (Point{1, 5, 0}));
     EXPECT_EQ(run.balls[0].v, (Point{1, 0, 0}));
     EXPECT_EQ(run.balls[1].x, (Point{9, 5, 0}));
+}
+
+TEST(OracleMotion, PeriodicRunsKeepEnergyAndMomentumAndTheBox) {
+    Random random(1610);
+    const World world = torus(3, 3);
+    std::vector<Ball> balls;
+    for (int i = 0; i < 4; ++i)
+        balls.push_back({.x = {i % 2 * 1.5, i / 2 * 1.5, 1 + random.unit()},
+                         .v = {random.unit(), random.unit() - 1, random.unit() - 0.5},
+                         .r = 0.5,
+                         .m = 1 + random.unit()});
+    const auto run = simulate(balls, world, 50, 20);
+    ASSERT_EQ(run.log.size(), 20U);
+    double energy_gained = 0;
+    Point momentum_gained{};
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        const Point &v = balls[i].v, &w = run.balls[i].v;
+        energy_gained += balls[i].m * (dot(w, w) - dot(v, v));
+        for (std::size_t k = 0; k < 3; ++k) {
+            momentum_gained[k] += balls[i].m * (w[k] - v[k]);
+            EXPECT_GE(run.balls[i].x[k], 0);
+            EXPECT_LE(run.balls[i].x[k], 3);
+        }
+    }
+    EXPECT_NEAR(energy_gained, 0, 1e-13);
+    EXPECT_NEAR(length(momentum_gained), 0, 1e-13);
 }
 
 TEST(OracleMotion, WhatIsRefused) {
