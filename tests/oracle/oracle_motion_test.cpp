@@ -383,6 +383,10 @@ TEST(OracleMotion, AcrossTheBorder) {
     EXPECT_EQ(meeting_time(a, b, world, 100), 2);
     EXPECT_EQ(meeting_time(a, b, world, 2), 2);
     EXPECT_EQ(meeting_time(a, b, world, 1.75), never);
+    // 1/3 rounds down: it is no later than its double.
+    EXPECT_EQ(
+        meeting_time({.x = {9, 5}, .v = {3, 0}, .r = 1}, {.x = {2, 5}, .r = 1}, world, 1.0 / 3),
+        1.0 / 3);
     // Three times around in x, four times in y.
     EXPECT_EQ(meeting_time({.x = {5, 5}, .v = {3, 4}, .r = 0.5},
                            {.x = {5, 5.0 + 5.0 / 8}, .v = {0, 0}, .r = 0.125}, world, 0),
@@ -390,6 +394,13 @@ TEST(OracleMotion, AcrossTheBorder) {
     EXPECT_EQ(meeting_time({.x = {0, 0}, .v = {3, 4}, .r = 0.125},
                            {.x = {3, 4}, .v = {0, 0}, .r = 0.125}, world, 100),
               0.95);
+    // It is near b itself earlier than near the image above, but touches that one first.
+    World low = torus(2, 10);
+    low.high[1] = 1.9;
+    const Ball c{.x = {0, 0.805}, .v = {1, 0.13}, .r = 0.5}, d{.x = {1.5, 0}, .r = 0.5};
+    const Ball above{.x = {1.5, 1.9}, .r = 0.5};
+    EXPECT_LT(meeting(c, above), meeting(c, d));
+    EXPECT_EQ(meeting_time(c, d, low, 100), meeting(c, above));
     EXPECT_THROW(meeting_time(a, b, world), std::invalid_argument);
 }
 
@@ -400,7 +411,7 @@ TEST(OracleMotion, TheLeastOverAllShifts) {
         const auto ball = [&] {
             return Ball{.x = {random.below(16) / 4.0, random.below(16) / 4.0},
                         .v = {random.below(17) / 4.0 - 2, random.below(17) / 4.0 - 2},
-                        .r = random.below(3) / 8.0,
+                        .r = random.below(6) / 8.0,
                         .growth = random.below(3) / 8.0};
         };
         const Ball p = ball(), q = ball();
@@ -703,15 +714,17 @@ TEST(OracleMotion, ACornerIsTwoStrikes) {
 }
 
 TEST(OracleMotion, PeriodicRunsWrapAndStrikeTheNearestImage) {
+    World world = torus(2, 10);
+    world.low = {0, -20, 0}, world.high = {10, -11, 0};
     const auto run =
-        simulate({{.x = {9, 5}, .v = {1, 0}, .r = 1}, {.x = {3, 5}, .r = 1}}, torus(2, 10), 8, 100);
-    // At 2, ball 0 in 11, which is 1; then ball 1 goes round: 3, …, 9 + 10·0 at 8.
+        simulate({{.x = {9, 5}, .v = {1, 0}, .r = 1}, {.x = {3, 5}, .r = 1}}, world, 8, 100);
+    // At 2 ball 0 is in 11, which is 1; then ball 1 moves from 3 to 9. Both are taken into the box.
     ASSERT_EQ(run.log.size(), 2U);
     EXPECT_EQ(run.log[0], (Strike{2, false, 0, 1, 1}));
     EXPECT_EQ(run.log[1], (Strike{8, false, 0, 1, 1}));
-    EXPECT_EQ(run.balls[0].x, (Point{1, 5, 0}));
+    EXPECT_EQ(run.balls[0].x, (Point{1, -13, 0}));
     EXPECT_EQ(run.balls[0].v, (Point{1, 0, 0}));
-    EXPECT_EQ(run.balls[1].x, (Point{9, 5, 0}));
+    EXPECT_EQ(run.balls[1].x, (Point{9, -13, 0}));
 }
 
 TEST(OracleMotion, PeriodicRunsKeepEnergyAndMomentumAndTheBox) {
