@@ -15,7 +15,7 @@
 
 #include <algorithm>
 #include <numeric>
-#include <set>
+#include <map>
 #include <tuple>
 #include <vector>
 
@@ -44,14 +44,16 @@ class Loop final : public Simulation<D>::Engine {
         : world_{sorted(bodies, order), effects},
           number_(std::move(order)),
           strikes_(bodies.size()),
-          at_once_(bodies.size()),
+          in_place_(bodies.size()),
           proposals_(bodies.size()),
           own_(bodies.size(), infinity),
           filter_(effects),
           structure_(world_),
           queue_(bodies.size()),
           walls_(effects.box && !effects.periodic ? 2 * D : 0),
-          may_collapse_(effects.restitution < 1.0 || effects.wall_restitution < 1.0 || Falls) {
+          most_in_place_(effects.restitution < 1.0 || effects.wall_restitution < 1.0 || Falls
+                             ? most_in_place_dissipative
+                             : most_in_place_elastic) {
         for (const std::int32_t number : number_)
             mass_.push_back(bodies[static_cast<std::size_t>(number)].mass);
         for (const Ball<D>& ball : world_.balls) filter_.include(ball);
@@ -98,7 +100,8 @@ class Loop final : public Simulation<D>::Engine {
  private:
     static constexpr Slot nobody = ~Slot{0};
     static constexpr Slot first_wall = nobody - 6;
-    static constexpr std::uint16_t most_at_once = 1000;
+    static constexpr std::uint32_t most_in_place_dissipative = 1000;
+    static constexpr std::uint32_t most_in_place_elastic = 100'000;
 
     using Asker = typename MeetingFilter<D, Falls>::Asker;
 
@@ -203,8 +206,10 @@ class Loop final : public Simulation<D>::Engine {
         }
         // The partner strikes something before, and is then asked again.
         if (meeting.early > proposals_[j].late) return;
-        if (meeting.early == infinity || (!alone_.empty() && is_alone(i, j))) return;
-        take(i, {meeting.early, meeting.late, j, strikes_[j]}, best);
+        if (meeting.early == infinity) return;
+        Proposal candidate{meeting.early, meeting.late, j, strikes_[j]};
+        if (!passed_.empty() && is_passed(i, candidate)) return;
+        take(i, candidate, best);
     }
     void consider_wall(Slot i, const Asker& asker, Wall wall, Proposal& best) {
         const Box<D>& box = *world_.effects.box;
@@ -216,8 +221,10 @@ class Loop final : public Simulation<D>::Engine {
             const double t = exact_meeting(world_.balls[i], wall, world_.effects);
             meeting = {t, t};
         }
-        if (meeting.early == infinity || (!alone_.empty() && is_alone(i, first_wall + static_cast<Slot>(wall)))) return;
-        take(i, {meeting.early, meeting.late, first_wall + static_cast<Slot>(wall), 0}, best);
+        if (meeting.early == infinity) return;
+        Proposal candidate{meeting.early, meeting.late, first_wall + static_cast<Slot>(wall), 0};
+        if (!passed_.empty() && is_passed(i, candidate)) return;
+        take(i, candidate, best);
     }
     /// The earlier of two proposals of a ball.
     void take(Slot i, Proposal candidate, Proposal& best) {
@@ -240,11 +247,12 @@ class Loop final : public Simulation<D>::Engine {
         }
     }
 
-    [[nodiscard]] Image<D> image(Slot i, Slot j) const {
+    /// The nearest image of a pair at a time.
+    [[nodiscard]] Image<D> image(Slot i, Slot j, double t) const {
         Image<D> image;
         if (!world_.effects.periodic) return image;
-        const Vector<D> a = world_.centre(i, now_);
-        const Vector<D> b = world_.centre(j, now_);
+        const Vector<D> a = world_.centre(i, t);
+        const Vector<D> b = world_.centre(j, t);
         for (int k = 0; k < D; ++k) {
             const double length = world_.effects.box->high[k] - world_.effects.box->low[k];
             image[k] = static_cast<int>(nearest_integer((a[k] - b[k]) / length));
@@ -253,7 +261,7 @@ class Loop final : public Simulation<D>::Engine {
     }
     [[gnu::cold, gnu::noinline]] Meeting exactly(Slot i, Slot j) {
         ++counts_.exact;
-        const double t = exact_meeting(world_.balls[i], world_.balls[j], image(i, j), world_.effects);
+        const double t = exact_meeting(world_.balls[i], world_.balls[j], image(i, j, now_), world_.effects);
         return {t, t};
     }
     void make_exact(Slot i, Proposal& p) {
@@ -269,7 +277,8 @@ class Loop final : public Simulation<D>::Engine {
                 ++counts_.refined;
             }
         } else {
-            const Image<D> seen = image(i, p.partner);
+            // Now another image may be nearer than the one that will be struck.
+            const Image<D> seen = image(i, p.partner, about);
             t = refined_meeting(world_.balls[i], world_.balls[p.partner], seen, world_.effects, about);
             if (std::isnan(t)) {
                 ++counts_.exact;
@@ -300,7 +309,7 @@ class Loop final : public Simulation<D>::Engine {
         counts_.rounded += tally.refined;
         counts_.rounded_exactly += tally.exact;
         if (!exchange.struck) {
-            leave_alone(i, j);
+            pass(i, j, t);
             ask(i);
             return false;
         }
@@ -312,8 +321,18 @@ class Loop final : public Simulation<D>::Engine {
             last_.impulse = impulse(a_before, b_before, seen, mass_[i], mass_[j], world_.effects, tally);
             record(last_);
         }
-        count(i, t);
-        count(j, t);
+        ++counts_.strikes;
+        count(i, a_before, exchange.approach, exchange.square, [&] {
+            return stayed_in_place_exactly(a_before, b_before, seen, world_.effects,
+                                           world_.balls[i].time);
+        });
+        count(j, b_before, exchange.approach, exchange.square, [&] {
+            // D and V of the pair, whichever comes first.
+            Image<D> back;
+            for (int k = 0; k < D; ++k) back[k] = -seen[k];
+            return stayed_in_place_exactly(b_before, a_before, back, world_.effects,
+                                           world_.balls[j].time);
+        });
         world_.balls[i] = a;
         world_.balls[j] = b;
         filter_.include(a);
@@ -336,7 +355,7 @@ class Loop final : public Simulation<D>::Engine {
             const double g = world_.effects.gravity[wall / 2];
             collapses_ = wall % 2 != 0 ? g > 0.0 : g < 0.0;
             if (collapses_) return false;
-            leave_alone(i, first_wall + static_cast<Slot>(wall));
+            pass(i, first_wall + static_cast<Slot>(wall), t);
             ask(i);
             return false;
         }
@@ -344,31 +363,44 @@ class Loop final : public Simulation<D>::Engine {
             last_.impulse = impulse(ball_before, wall, mass_[i], world_.effects);
             record(last_);
         }
-        count(i, t);
+        ++counts_.strikes;
+        count(i, ball_before, std::fabs(ball_before.v[wall / 2]), 1.0, [&] {
+            return stayed_in_place_exactly(ball_before, wall, world_.balls[i].time);
+        });
         world_.balls[i] = ball;
         filter_.include(ball);
         release(i);
         ask(i);
         return true;
     }
-    void count(Slot i, double t) {
-        ++counts_.strikes;
+    /// Counts a strike of a ball, which is given as it was when it came.
+    template <class Exactly>
+    void count(Slot i, const Ball<D>& came, double approach, double square, const Exactly& exactly) {
         ++strikes_[i];
-        std::uint16_t& at_once = at_once_[i];
-        at_once = world_.balls[i].time == t ? static_cast<std::uint16_t>(at_once + 1) : 1;
-        if (at_once >= most_at_once) {
-            collapses_ = may_collapse_;
-            at_once = 0;
+        const InPlace stayed =
+            stayed_in_place(came, came.time - world_.balls[i].time, approach, square);
+        if (stayed == InPlace::no || (stayed == InPlace::uncertain && !exactly())) [[likely]] {
+            in_place_[i] = 0;
+        } else if (++in_place_[i] >= most_in_place_) {
+            collapses_ = true;
+            in_place_[i] = 0;
         }
     }
 
-    void leave_alone(Slot i, Slot j) { alone_.insert({std::min(i, j), std::max(i, j)}); }
-    [[nodiscard]] bool is_alone(Slot i, Slot j) const {
-        return alone_.contains({std::min(i, j), std::max(i, j)});
+    /// A meeting that is no strike is passed over, as long as neither strikes something else.
+    void pass(Slot i, Slot j, double t) { passed_[{std::min(i, j), std::max(i, j)}] = t; }
+    [[nodiscard]] bool is_passed(Slot i, Proposal& candidate) {
+        const Slot j = candidate.partner;
+        const auto found = passed_.find({std::min(i, j), std::max(i, j)});
+        if (found == passed_.end() || candidate.early > found->second) return false;
+        make_exact(i, candidate);
+        return candidate.early <= found->second;
     }
     void release(Slot i) {
-        if (!alone_.empty())
-            std::erase_if(alone_, [i](const auto& pair) { return pair.first == i || pair.second == i; });
+        if (passed_.empty()) return;
+        std::erase_if(passed_, [i](const auto& entry) {
+            return entry.first.first == i || entry.first.second == i;
+        });
     }
 
     struct Candidate {
@@ -381,19 +413,19 @@ class Loop final : public Simulation<D>::Engine {
     std::vector<std::int32_t> number_;
     std::vector<double> mass_;
     std::vector<std::uint32_t> strikes_;
-    std::vector<std::uint16_t> at_once_;
+    std::vector<std::uint32_t> in_place_;
     std::vector<Proposal> proposals_;
     std::vector<double> own_;
     MeetingFilter<D, Falls> filter_;
     Structure<D> structure_;
     EventQueue queue_;
     Wall walls_;
-    bool may_collapse_;
+    std::uint32_t most_in_place_;
     bool collapses_ = false;
     double now_ = 0.0;
     Counts counts_;
     Strike last_;
-    std::set<std::pair<Slot, Slot>> alone_;
+    std::map<std::pair<Slot, Slot>, double> passed_;
 };
 
 }  // namespace signum::motion

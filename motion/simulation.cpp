@@ -31,7 +31,17 @@ Simulation<D>::Simulation(std::span<const Body<D>> bodies, const Effects<D>& eff
                           const Options& options) {
     std::vector<std::int32_t> order(bodies.size());
     std::iota(order.begin(), order.end(), 0);
-    switch (options.structure) {
+    StructureName structure = options.structure;
+    if (effects.periodic && structure != StructureName::lists) {
+        double shortest = infinity;
+        double widest = 0.0;
+        for (int k = 0; k < D; ++k)
+            shortest = std::min(shortest, effects.box->high[k] - effects.box->low[k]);
+        for (const Body<D>& body : bodies) widest = std::max(widest, 2.0 * body.radius);
+        // Whoever is in a neighbouring cell must be so in one image alone.
+        if (shortest < 5.01 * widest) structure = StructureName::pairs;
+    }
+    switch (structure) {
         case StructureName::pairs: engine_ = engine<D, Pairs>(bodies, effects, options, order); break;
         case StructureName::cells: engine_ = engine<D, CellsOfOneSize>(bodies, effects, options, order); break;
         case StructureName::tree: engine_ = engine<D, OccupiedCells>(bodies, effects, options, order); break;

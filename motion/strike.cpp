@@ -1,5 +1,6 @@
 #include "strike.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "../core/error_free.hpp"
@@ -149,7 +150,8 @@ template <int D>
     const bool changed_a = change(a, of_a);
     const bool changed_b = change(b, of_b);
     const Rational virial = factor * law.square * to_rational(mass_a) * to_rational(mass_b);
-    return {changed_a || changed_b, std::fabs(rounded(virial))};
+    return {changed_a || changed_b, std::fabs(rounded(law.product)), rounded(law.square),
+            std::fabs(rounded(virial))};
 }
 
 }  // namespace
@@ -238,7 +240,8 @@ Exchange strike(Ball<D>& a, Ball<D>& b, const Image<D>& image, double mass_a, do
             ++tally.refined;
             const bool changed_a = change(a, of_a);
             const bool changed_b = change(b, of_b);
-            return {changed_a || changed_b, mass_a * share.of_a.high * -product.high};
+            return {changed_a || changed_b, -product.high, square.high,
+                    mass_a * share.of_a.high * -product.high};
         }
     }
     ++tally.exact;
@@ -279,6 +282,45 @@ double impulse(const Ball<D>& a, const Ball<D>& b, const Image<D>& image, double
     return exact::round_surd(Rational(0), factor, law.square);
 }
 
+namespace {
+
+template <int D>
+double size_of(const Ball<D>& ball) noexcept {
+    double size = ball.radius;
+    for (const double x : ball.x) size = std::max(size, std::fabs(x));
+    return size;
+}
+template <int D>
+bool in_place(const Ball<D>& ball, double before, const Rational& approach, const Rational& square) {
+    const Rational flown = approach * (to_rational(ball.time) - to_rational(before));
+    const Rational size = to_rational(size_of(ball)) / (Integer(1) << 40);
+    return flown * flown <= size * size * square;
+}
+
+}  // namespace
+
+template <int D>
+InPlace stayed_in_place(const Ball<D>& ball, double since, double approach, double square) noexcept {
+    const double size = 0x1p-40 * size_of(ball);
+    const double flown = approach * since;
+    const double left = flown * flown;
+    const double right = size * size * square;
+    if (left > right * (1.0 + 0x1p-30) && left > 0x1p-900) [[likely]]
+        return InPlace::no;
+    if (since == 0.0 || (left < right * (1.0 - 0x1p-30) && right > 0x1p-900)) return InPlace::yes;
+    return InPlace::uncertain;
+}
+template <int D>
+bool stayed_in_place_exactly(const Ball<D>& a, const Ball<D>& b, const Image<D>& image,
+                             const Effects<D>& effects, double before) {
+    const RationalLaw<D> law(a, b, image, effects);
+    return in_place(a, before, law.product, law.square);
+}
+template <int D>
+bool stayed_in_place_exactly(const Ball<D>& ball, Wall wall, double before) {
+    return in_place(ball, before, to_rational(ball.v[wall / 2]), Rational(1));
+}
+
 template <int D>
 bool strike(Ball<D>& ball, Wall wall, const Effects<D>& effects) {
     double& v = ball.v[wall / 2];
@@ -302,6 +344,10 @@ double impulse(const Ball<D>& ball, Wall wall, double mass, const Effects<D>& ef
                              const Effects<D>&, StrikeTally&);                                    \
     template double impulse(const Ball<D>&, const Ball<D>&, const Image<D>&, double, double,      \
                             const Effects<D>&, StrikeTally&);                                     \
+    template InPlace stayed_in_place(const Ball<D>&, double, double, double) noexcept;            \
+    template bool stayed_in_place_exactly(const Ball<D>&, const Ball<D>&, const Image<D>&,        \
+                                          const Effects<D>&, double);                             \
+    template bool stayed_in_place_exactly(const Ball<D>&, Wall, double);                          \
     template bool strike(Ball<D>&, Wall, const Effects<D>&);                                      \
     template double impulse(const Ball<D>&, Wall, double, const Effects<D>&);
 SIGNUM_STRIKES_OF(2)

@@ -31,9 +31,26 @@ template <int D>
 /// What two balls exchange.
 struct Exchange {
     bool struck = false;
+    /// |V·D| and D·D, off by less than a part in 2^40.
+    double approach = 0.0;
+    double square = 0.0;
     /// (1+e) μ |V·D|, which is the impulse times the distance; rounded somehow.
     double virial = 0.0;
 };
+
+/// Whether a ball has stayed in place since its last strike: (V·D)² Δ² <= 2^-80 s² D·D, where Δ is
+/// the time since, V and D are those of the strike (V·D the normal speed and D·D = 1 at a wall) and
+/// s is the largest of the ball's coordinates and radius. The squares are told in doubles.
+enum class InPlace { no, yes, uncertain };
+template <int D>
+[[nodiscard]] InPlace stayed_in_place(const Ball<D>& ball, double since, double approach,
+                                      double square) noexcept;
+/// The same, exactly.
+template <int D>
+[[nodiscard]] bool stayed_in_place_exactly(const Ball<D>& a, const Ball<D>& b, const Image<D>& image,
+                                           const Effects<D>& effects, double before);
+template <int D>
+[[nodiscard]] bool stayed_in_place_exactly(const Ball<D>& ball, Wall wall, double before);
 
 /// Changes the velocities of two balls at the same time, or says that it is no strike.
 template <int D>

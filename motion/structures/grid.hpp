@@ -33,9 +33,11 @@ class Grid {
         const Spread<D> spread(world);
         const double widest =
             std::max(2.0 * spread.largest_radius * (1.0 + 0x1p-20), 0x1p-24 * spread.shortest());
+        const double no_wider = world.effects.periodic ? spread.shortest() / 5.0 : infinity;
         // Cells far narrower than balls are apart are crossed for nothing.
         const double narrowest =
-            std::max({2.0 * spread.smallest_radius * (1.0 + 0x1p-20), 0.8 * spread.edge_of(1.0), 0x1p-20 * widest});
+            std::max({2.0 * spread.smallest_radius * (1.0 + 0x1p-20), std::min(0.8 * spread.edge_of(1.0), no_wider),
+                      0x1p-20 * widest});
         int number = 1;
         while (number < most_levels && std::ldexp(narrowest, number) <= widest) ++number;
         const double finest =

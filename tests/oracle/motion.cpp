@@ -331,14 +331,14 @@ std::vector<Shift> shifts_until(const Ball& a, const Ball& b, const World& world
 }
 
 std::optional<double> periodic_meeting_time(const Ball& a, const Ball& b, const World& world,
-                                            double until) {
+                                            double until, std::optional<double> passed = {}) {
     const double since = std::max(a.t0, b.t0);
     if (since > until) return std::nullopt;
     std::optional<double> first;
     for (const Shift& shift : shifts_until(a, b, world, until)) {
         if (first && shift.since > exactly(*first)) break;
         const auto time = first_meeting(gap(a, b, world, shift.by), since);
-        if (time && (!first || *time < *first)) first = time;
+        if (time && (!passed || *time > *passed) && (!first || *time < *first)) first = time;
     }
     return no_later(first, until);
 }
@@ -367,10 +367,12 @@ Ball moved(const Ball& ball, double time, const World& world) {
     return result;
 }
 
-/// What a strike leaves; nothing where it is none.
+/// What a strike leaves, and the speed of approach along the normal, squared; nothing where it is
+/// none.
 struct BallStrike {
     Ball a, b;
     double impulse;
+    Rational approach_squared;
 };
 std::optional<BallStrike> strike(Ball a, Ball b, const World& world) {
     Vector distance = exactly(a.x) - exactly(b.x);
@@ -388,12 +390,14 @@ std::optional<BallStrike> strike(Ball a, Ball b, const World& world) {
     a.v = rounded(exactly(a.v) + gained / square / ma * distance);
     b.v = rounded(exactly(b.v) - gained / square / mb * distance);
     if (before == std::pair(a.v, b.v)) return std::nullopt;
-    return BallStrike{a, b, finite(nearest_by_root(gained, square))};
+    return BallStrike{a, b, finite(nearest_by_root(gained, square)),
+                      approach * approach / square};
 }
 
 struct WallStrike {
     Ball ball;
     double impulse;
+    Rational approach_squared;
 };
 std::optional<WallStrike> strike(Ball ball, const Wall& wall, const World& world) {
     Vector n = exactly(wall.n);
@@ -408,13 +412,14 @@ std::optional<WallStrike> strike(Ball ball, const Wall& wall, const World& world
     const auto before = ball.v;
     ball.v = rounded(exactly(ball.v) + gained / dot(n, n) * n);
     if (before == ball.v) return std::nullopt;
-    return WallStrike{ball, finite(nearest_by_root(gained * exactly(ball.m), dot(n, n)))};
+    return WallStrike{ball, finite(nearest_by_root(gained * exactly(ball.m), dot(n, n))),
+                      approach * approach / dot(n, n)};
 }
 
 class Simulation {
  public:
     Simulation(std::vector<Ball> balls, const World& world, double until)
-        : world_(world), until_(until), repeated_(balls.size()) {
+        : world_(world), until_(until), in_place_(balls.size()) {
         for (const Ball& ball : balls)
             if (ball.growth != 0) throw std::invalid_argument("oracle: a strike of growing balls");
         if (world.periodic && !world.walls.empty())
@@ -447,6 +452,13 @@ class Simulation {
         return entry->second;
     }
 
+    /// The next meeting of the two after one that is passed over: that of another image.
+    std::optional<double> time_after(double passed, const Pair& pair) {
+        const auto [with_wall, a, b] = pair;
+        if (with_wall || !world_.periodic) return std::nullopt;
+        return periodic_meeting_time(ball(a), ball(b), world_, until_, passed);
+    }
+
     std::optional<Event> earliest() {
         std::optional<Event> first;
         const auto look_at = [&](const Pair& pair) {
@@ -465,43 +477,48 @@ class Simulation {
     void happen(const Event& event) {
         const auto& [time, pair] = event;
         const auto [with_wall, a, b] = pair;
-        times_[pair] = std::nullopt;  // they are left alone, unless it is a strike
+        times_[pair] = time_after(time, pair);  // unless it is a strike
         if (with_wall) {
             if (const auto struck = strike(moved(ball(a), time, world_), wall(b), world_)) {
+                const double before = ball(a).t0;
                 ball(a) = struck->ball;
                 run_.log.push_back({time, true, a, b, struck->impulse});
-                count(a);
+                count(a, before, struck->approach_squared);
             } else {
                 const Polynomial slope = gap(ball(a), wall(b), world_).derivative();
                 run_.collapsed = slope.derivative().sign(exactly(time)) < 0;
             }
         } else if (const auto struck =
                        strike(moved(ball(a), time, world_), moved(ball(b), time, world_), world_)) {
+            const double before_a = ball(a).t0, before_b = ball(b).t0;
             ball(a) = struck->a;
             ball(b) = struck->b;
             run_.log.push_back({time, false, a, b, struck->impulse});
-            count(a);
-            count(b);
+            count(a, before_a, struck->approach_squared);
+            count(b, before_b, struck->approach_squared);
         }
     }
 
-    /// The ball has just been struck.
-    void count(int i) {
+    /// The ball has just been struck, for the first time since `before`.
+    void count(int i, double before, const Rational& approach_squared) {
         std::erase_if(times_, [&](const auto& entry) {
             const auto [with_wall, a, b] = entry.first;
             return a == i || (!with_wall && b == i);
         });
-        auto& [time, strikes] = repeated_[static_cast<std::size_t>(i)];
-        strikes = strikes > 0 && time == ball(i).t0 ? strikes + 1 : 1;
-        time = ball(i).t0;
-        const bool can_collapse = world_.restitution < 1 || world_.wall_restitution < 1 ||
-                                  world_.g != std::array<double, 3>{};
-        if (can_collapse && strikes >= 1000) run_.collapsed = true;
+        Rational size = exactly(ball(i).r);
+        for (const double x : ball(i).x) size = std::max(size, abs(exactly(x)));
+        size /= Rational(boost::multiprecision::mpz_int(1) << 40);
+        const Rational since = exactly(ball(i).t0) - exactly(before);
+        int& strikes = in_place_[static_cast<std::size_t>(i)];
+        strikes = approach_squared * since * since <= size * size ? strikes + 1 : 0;
+        const bool loses = world_.restitution < 1 || world_.wall_restitution < 1 ||
+                           world_.g != std::array<double, 3>{};
+        if (strikes >= (loses ? 1000 : 100'000)) run_.collapsed = true;
     }
 
     const World& world_;
     double until_;
-    std::vector<std::pair<double, int>> repeated_;  // strikes of a ball at its latest time
+    std::vector<int> in_place_;  // strikes of a ball in a row that found it in place
     std::map<Pair, std::optional<double>> times_;   // meetings, as long as their balls go on
     Run run_;
 };

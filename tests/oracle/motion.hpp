@@ -12,16 +12,18 @@
 /// - In a periodic box there are no walls, and `until` is finite.
 ///
 /// A strike rounds the state at its time once, then the new velocities once.
-/// - It is none when the two do not approach in these doubles or when no velocity changes. They are
-///   then left alone (in a periodic box in all shifts) until one of them has struck something else.
+/// - It is none when the two do not approach in these doubles or when no velocity changes. That
+///   meeting is then passed over until one of them has struck something else (in a periodic box the
+///   meetings of other images come later).
 /// - But where a ball and a wall are about to be left alone while F'' < 0 at that time, the wall
 ///   would be left behind: the run ends with a collapse, nothing is changed and nothing logged.
 ///   This is read to hold for both reasons to leave alone.
 /// - In a periodic box D gets the shift that brings every component into [-L/2, L/2).
 /// - The impulse at a circle is (1 + e) m |(v - u)·n| / |n|, as at the other walls.
-/// - With restitution below 1 or with gravity, a ball's 1000th strike at one time is logged and
-/// ends
-///   the run with a collapse.
+/// - A strike finds a ball in place where it has flown, along the normal and at the speed of the
+///   strike, at most 2^-40 of the largest of its coordinates and radius since its last strike. A
+///   ball's 1000th strike in a row of this kind (100 000th where restitution is 1 and there is no
+///   gravity) is logged and ends the run with a collapse.
 
 #include <array>
 #include <cstddef>
