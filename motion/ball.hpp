@@ -50,6 +50,9 @@ struct Effects {
     bool periodic = false;
 };
 
+/// How signs and times are computed: exactly, or in plain doubles.
+enum class Kernel { exact, naive };
+
 /// By how many lengths of a periodic box a ball's partner is seen shifted, along each axis.
 template <int D>
 struct Image {

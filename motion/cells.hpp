@@ -23,12 +23,14 @@ struct Spread {
     explicit Spread(const World<D>& world) : balls(world.balls.size()) {
         box.low.fill(infinity);
         box.high.fill(-infinity);
-        for (const Ball<D>& ball : world.balls) {
+        for (Slot i = 0; i < balls; ++i) {
+            const Ball<D>& ball = world.balls[i];
+            const Vector<D> x = world.centre(i, world.start);
             largest_radius = std::max(largest_radius, ball.radius);
             smallest_radius = std::min(smallest_radius, ball.radius);
             for (int k = 0; k < D; ++k) {
-                box.low[k] = std::min(box.low[k], ball.x[k] - ball.radius);
-                box.high[k] = std::max(box.high[k], ball.x[k] + ball.radius);
+                box.low[k] = std::min(box.low[k], x[k] - ball.radius);
+                box.high[k] = std::max(box.high[k], x[k] + ball.radius);
             }
         }
         if (world.effects.box) box = *world.effects.box;

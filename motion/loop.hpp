@@ -14,50 +14,53 @@
 /// and come after those that are not. So what happens is the first event in the exact order.
 
 #include <algorithm>
-#include <numeric>
 #include <map>
+#include <stdexcept>
+#include <string>
 #include <tuple>
 #include <vector>
 
+#include "engine.hpp"
 #include "event_queue.hpp"
 #include "exact_meeting.hpp"
 #include "meeting.hpp"
+#include "naive_strike.hpp"
 #include "simulation.hpp"
 #include "strike.hpp"
 #include "world.hpp"
 
 namespace signum::motion {
 
-template <int D>
-class Simulation<D>::Engine {
- public:
-    virtual ~Engine() = default;
-    virtual Outcome run(double until, std::uint64_t most, const Record& record) = 0;
-    [[nodiscard]] virtual std::vector<Ball<D>> balls() const = 0;
-    [[nodiscard]] virtual const Counts& counts() const = 0;
-};
-
-template <int D, bool Falls, bool Exact, template <int> class Structure>
+template <int D, bool Falls, Kernel kernel, template <int> class StructureOf>
 class Loop final : public Simulation<D>::Engine {
  public:
-    Loop(std::span<const Body<D>> bodies, const Effects<D>& effects, std::vector<std::int32_t> order)
-        : world_{sorted(bodies, order), effects},
+    /// `order`: the balls' numbers in the order in which memory shall hold them.
+    Loop(const State<D>& state, const Effects<D>& effects, std::vector<std::int32_t> order)
+        : world_{in_order(state.balls, order), effects, state.time},
           number_(std::move(order)),
-          strikes_(bodies.size()),
-          in_place_(bodies.size()),
-          proposals_(bodies.size()),
-          own_(bodies.size(), infinity),
+          mass_(in_order(state.masses, number_)),
+          strikes_(number_.size()),
+          in_place_(in_order(state.in_place, number_)),
+          proposals_(number_.size()),
+          own_(number_.size(), infinity),
           filter_(effects),
           structure_(world_),
-          queue_(bodies.size()),
+          queue_(number_.size()),
           walls_(effects.box && !effects.periodic ? 2 * D : 0),
           most_in_place_(effects.restitution < 1.0 || effects.wall_restitution < 1.0 || Falls
                              ? most_in_place_dissipative
-                             : most_in_place_elastic) {
-        for (const std::int32_t number : number_)
-            mass_.push_back(bodies[static_cast<std::size_t>(number)].mass);
+                             : most_in_place_elastic),
+          now_(state.time) {
+        std::vector<Slot> slots(number_.size());
+        for (Slot i = 0; i < slots.size(); ++i) slots[static_cast<std::size_t>(number_[i])] = i;
+        for (const Passed& passed : state.passed) {
+            pass(slots[static_cast<std::size_t>(passed.a)],
+                 passed.b < 0 ? first_wall + static_cast<Slot>(-1 - passed.b)
+                              : slots[static_cast<std::size_t>(passed.b)],
+                 passed.time);
+        }
         for (const Ball<D>& ball : world_.balls) filter_.include(ball);
-        for (Slot i = 0; i < bodies.size(); ++i) ask(i);
+        for (Slot i = 0; i < slots.size(); ++i) ask(i);
     }
 
     Outcome run(double until, std::uint64_t most, const typename Simulation<D>::Record& record) override {
@@ -66,7 +69,10 @@ class Loop final : public Simulation<D>::Engine {
         while (done < most) {
             const Slot i = queue_.top(before());
             const double key = queue_.key(i);
-            if (key > until) return {key < infinity ? Ending::until : Ending::nothing, {}};
+            if (!(key <= until)) {
+                if (until < infinity) now_ = std::max(now_, until);
+                return {key < infinity ? Ending::until : Ending::nothing, {}};
+            }
             now_ = std::max(now_, key);
             Proposal& next = proposals_[i];
             if (own_[i] <= next.early) {
@@ -89,11 +95,24 @@ class Loop final : public Simulation<D>::Engine {
         return {Ending::most, {}};
     }
 
-    [[nodiscard]] std::vector<Ball<D>> balls() const override {
-        std::vector<Ball<D>> result(world_.balls.size());
-        for (Slot i = 0; i < result.size(); ++i)
-            result[static_cast<std::size_t>(number_[i])] = world_.balls[i];
-        return result;
+    [[nodiscard]] State<D> state() const override {
+        const std::size_t n = number_.size();
+        State<D> state{now_, std::vector<Ball<D>>(n), std::vector<double>(n),
+                       std::vector<std::uint32_t>(n), {}};
+        for (Slot i = 0; i < n; ++i) {
+            const auto number = static_cast<std::size_t>(number_[i]);
+            state.balls[number] = world_.balls[i];
+            state.masses[number] = mass_[i];
+            state.in_place[number] = in_place_[i];
+        }
+        for (const auto& [pair, time] : passed_) {
+            const auto [i, j] = pair;
+            state.passed.push_back(
+                {number_[i],
+                 j >= first_wall ? -1 - static_cast<std::int32_t>(j - first_wall) : number_[j],
+                 time});
+        }
+        return state;
     }
     [[nodiscard]] const Counts& counts() const override { return counts_; }
 
@@ -103,7 +122,7 @@ class Loop final : public Simulation<D>::Engine {
     static constexpr std::uint32_t most_in_place_dissipative = 1000;
     static constexpr std::uint32_t most_in_place_elastic = 100'000;
 
-    using Asker = typename MeetingFilter<D, Falls>::Asker;
+    using Asker = typename MeetingFilter<D, Falls, kernel>::Asker;
 
     struct Proposal {
         double early = infinity;
@@ -112,15 +131,14 @@ class Loop final : public Simulation<D>::Engine {
         std::uint32_t partner_strikes = 0;
     };
 
-    static std::vector<Ball<D>> sorted(std::span<const Body<D>> bodies,
-                                       std::span<const std::int32_t> order) {
-        std::vector<Ball<D>> balls;
-        balls.reserve(bodies.size());
-        for (const std::int32_t number : order) {
-            const Body<D>& body = bodies[static_cast<std::size_t>(number)];
-            balls.push_back({body.x, body.v, body.radius, 0.0});
-        }
-        return balls;
+    template <class T>
+    static std::vector<T> in_order(const std::vector<T>& things,
+                                   const std::vector<std::int32_t>& order) {
+        std::vector<T> result;
+        result.reserve(order.size());
+        for (const std::int32_t number : order)
+            result.push_back(things[static_cast<std::size_t>(number)]);
+        return result;
     }
 
     [[nodiscard]] static bool is_wall(const Proposal& p) noexcept {
@@ -179,7 +197,9 @@ class Loop final : public Simulation<D>::Engine {
             possible = 0;
         };
         const Ball<D>* const balls = world_.balls.data();
+        std::uint64_t checks = 0;
         structure_.near(i, [&](Slot j) {
+            ++checks;
             Candidate& candidate = candidates_[possible];
             candidate.slot = j;
             candidate.approach = asker.look(balls[j]);
@@ -187,11 +207,13 @@ class Loop final : public Simulation<D>::Engine {
             if (possible == candidates_.size()) [[unlikely]] ask_when();
         });
         ask_when();
+        counts_.checks += checks;
         proposals_[i] = best;
         touch(i);
     }
     /// Lets a ball know of another one.
     void propose(Slot i, Slot j) {
+        ++counts_.checks;
         const Asker asker = filter_.asker(world_.balls[i], now_);
         const Approach approach = asker.look(world_.balls[j]);
         if (approach.possible) consider(i, asker, j, approach, proposals_[i]);
@@ -294,8 +316,8 @@ class Loop final : public Simulation<D>::Engine {
         const Slot j = proposals_[i].partner;
         const double t = proposals_[i].early;
         StrikeTally tally;
-        Ball<D> a = arrived(world_.balls[i], t, world_.effects, tally);
-        Ball<D> b = arrived(world_.balls[j], t, world_.effects, tally);
+        Ball<D> a = arrive(i, t, tally);
+        Ball<D> b = arrive(j, t, tally);
         Image<D> seen;
         if (world_.effects.periodic) {
             for (int k = 0; k < D; ++k) {
@@ -303,9 +325,14 @@ class Loop final : public Simulation<D>::Engine {
                 seen[k] = static_cast<int>(nearest_integer((a.x[k] - b.x[k]) / length));
             }
         }
+        refuse_coarse_clock(i, j, a, b, seen);
         const Ball<D> a_before = a;
         const Ball<D> b_before = b;
-        const Exchange exchange = strike(a, b, seen, mass_[i], mass_[j], world_.effects, tally);
+        Exchange exchange;
+        if constexpr (kernel == Kernel::exact)
+            exchange = strike(a, b, seen, mass_[i], mass_[j], world_.effects, tally);
+        else
+            exchange = naive::strike(a, b, seen, mass_[i], mass_[j], world_.effects);
         counts_.rounded += tally.refined;
         counts_.rounded_exactly += tally.exact;
         if (!exchange.struck) {
@@ -347,7 +374,7 @@ class Loop final : public Simulation<D>::Engine {
         const Wall wall = wall_of(proposals_[i]);
         const double t = proposals_[i].early;
         StrikeTally tally;
-        Ball<D> ball = arrived(world_.balls[i], t, world_.effects, tally);
+        Ball<D> ball = arrive(i, t, tally);
         const Ball<D> ball_before = ball;
         const bool struck = strike(ball, wall, world_.effects);
         last_ = {t, true, number_[i], wall, 0.0};
@@ -373,6 +400,35 @@ class Loop final : public Simulation<D>::Engine {
         ask(i);
         return true;
     }
+    /// Where balls fly so far from one tick of the clock to the next that those which meet are apart
+    /// at the rounded time.
+    void refuse_coarse_clock(Slot i, Slot j, const Ball<D>& a, const Ball<D>& b,
+                             const Image<D>& seen) const {
+        double square = 0.0;
+        for (int k = 0; k < D; ++k) {
+            double d = a.x[k] - b.x[k];
+            if (seen[k] != 0)
+                d -= seen[k] * (world_.effects.box->high[k] - world_.effects.box->low[k]);
+            square += d * d;
+        }
+        const double radii = a.radius + b.radius;
+        if (std::fabs(square - radii * radii) < 0x1p-10 * (radii * radii)) [[likely]] return;
+        if constexpr (kernel == Kernel::naive) return;
+        throw std::range_error(
+            "balls " + std::to_string(std::min(number_[i], number_[j])) + " and " +
+            std::to_string(std::max(number_[i], number_[j])) + " meet at time " +
+            std::to_string(a.time) +
+            ", but they fly too far from one double to the next for a strike then; use slower "
+            "balls, or a shorter time");
+    }
+
+    [[nodiscard]] Ball<D> arrive(Slot i, double t, StrikeTally& tally) const {
+        if constexpr (kernel == Kernel::exact)
+            return arrived(world_.balls[i], t, world_.effects, tally);
+        else
+            return naive::arrived(world_.balls[i], t, world_.effects);
+    }
+
     /// Counts a strike of a ball, which is given as it was when it came.
     template <class Exactly>
     void count(Slot i, const Ball<D>& came, double approach, double square, const Exactly& exactly) {
@@ -416,16 +472,33 @@ class Loop final : public Simulation<D>::Engine {
     std::vector<std::uint32_t> in_place_;
     std::vector<Proposal> proposals_;
     std::vector<double> own_;
-    MeetingFilter<D, Falls> filter_;
-    Structure<D> structure_;
+    MeetingFilter<D, Falls, kernel> filter_;
+    StructureOf<D> structure_;
     EventQueue queue_;
     Wall walls_;
     std::uint32_t most_in_place_;
     bool collapses_ = false;
-    double now_ = 0.0;
+    double now_;
     Counts counts_;
     Strike last_;
     std::map<std::pair<Slot, Slot>, double> passed_;
 };
+
+template <int D, template <int> class StructureOf>
+std::unique_ptr<typename Simulation<D>::Engine> make_engine(
+    const State<D>& state, const Effects<D>& effects, Kernel kernel,
+    const std::vector<std::int32_t>& order) {
+    const auto make =
+        [&]<bool falls, Kernel k>() -> std::unique_ptr<typename Simulation<D>::Engine> {
+        return std::make_unique<Loop<D, falls, k, StructureOf>>(state, effects, order);
+    };
+    const bool falls = effects.gravity != Vector<D>{};
+    if (kernel == Kernel::naive) {
+        return falls ? make.template operator()<true, Kernel::naive>()
+                     : make.template operator()<false, Kernel::naive>();
+    }
+    return falls ? make.template operator()<true, Kernel::exact>()
+                 : make.template operator()<false, Kernel::exact>();
+}
 
 }  // namespace signum::motion

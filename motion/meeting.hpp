@@ -80,6 +80,16 @@ inline constexpr double least_square = 0x1p-600;
     return {std::max(t - either_way, now), t + either_way};
 }
 
+/// How long until gap + v s + g s²/2 falls through 0 or, where it is not above, begins to fall; in
+/// plain doubles.
+[[nodiscard]] inline double naive_descent(double gap, double v, double g) noexcept {
+    if (v >= 0.0 && g >= 0.0) return infinity;
+    if (gap <= 0.0) return v < 0.0 ? 0.0 : v / -g * (v * v > 2.0 * g * gap ? 2.0 : 1.0);
+    const double square = v * v - 2.0 * g * gap;
+    if (square <= 0.0) return infinity;
+    return v < 0.0 ? 2.0 * gap / (std::sqrt(square) - v) : (v + std::sqrt(square)) / -g;
+}
+
 /// The first stage. Its bounds, with u = 2^-53, E = extent, W = speed:
 ///
 /// Of the place of a ball: dt = fl(t - time), x + v dt. Both the ball's own x and the place of the
@@ -94,7 +104,7 @@ inline constexpr double least_square = 0x1p-600;
 ///     |error| <= (K + s K W/E + s K (A + W²)/√disc) / (-B + √disc),
 /// which is at most K/√disc where W = 0. Twice that is taken, for the bounds are computed in rounded
 /// numbers and disc may be twice its error.
-template <int D, bool Falls>
+template <int D, bool Falls, Kernel kernel>
 class MeetingFilter {
  public:
     explicit MeetingFilter(const Effects<D>& effects) {
@@ -160,8 +170,8 @@ class MeetingFilter {
     Bounds<D> bounds_;
 };
 
-template <int D, bool Falls>
-auto MeetingFilter<D, Falls>::asker(const Ball<D>& ball, double now) noexcept -> Asker {
+template <int D, bool Falls, Kernel kernel>
+auto MeetingFilter<D, Falls, kernel>::asker(const Ball<D>& ball, double now) noexcept -> Asker {
     Asker asker;
     const double dt = now - ball.time;
     double farthest = 0.0;
@@ -192,8 +202,8 @@ auto MeetingFilter<D, Falls>::asker(const Ball<D>& ball, double now) noexcept ->
     return asker;
 }
 
-template <int D, bool Falls>
-inline Approach MeetingFilter<D, Falls>::Asker::look(const Ball<D>& b) const noexcept {
+template <int D, bool Falls, Kernel kernel>
+inline Approach MeetingFilter<D, Falls, kernel>::Asker::look(const Ball<D>& b) const noexcept {
     const double dt = now_ - b.time;
     Vector<D> d;
     Vector<D> v;
@@ -222,6 +232,11 @@ inline Approach MeetingFilter<D, Falls>::Asker::look(const Ball<D>& b) const noe
     approach.square = dot<D>(v, v);
     approach.gap = distance - r * r;
     approach.discriminant = approach.product * approach.product - approach.square * approach.gap;
+    if constexpr (kernel == Kernel::naive) {
+        approach.possible = static_cast<int>(approach.product < 0.0) &
+                            static_cast<int>(approach.discriminant > 0.0);
+        return approach;
+    }
     const double size = Falls ? approach.square + bounds_.w : approach.square;
     const int recedes = static_cast<int>(
         approach.product * filters::magnitude(approach.product) > bounds_.approach * size);
@@ -236,8 +251,13 @@ inline Approach MeetingFilter<D, Falls>::Asker::look(const Ball<D>& b) const noe
     return approach;
 }
 
-template <int D, bool Falls>
-Meeting MeetingFilter<D, Falls>::Asker::operator()(const Approach& approach) const noexcept {
+template <int D, bool Falls, Kernel kernel>
+Meeting MeetingFilter<D, Falls, kernel>::Asker::operator()(const Approach& approach) const noexcept {
+    if constexpr (kernel == Kernel::naive) {
+        const double after = approach.gap / (std::sqrt(approach.discriminant) - approach.product);
+        const double t = now_ + std::max(after, 0.0);
+        return {t, t};
+    }
     const double size = Falls ? approach.square + bounds_.w : approach.square;
     if (!(approach.discriminant > 2.0 * bounds_.gap * size && approach.gap > bounds_.gap &&
           approach.square > least_square)) [[unlikely]]
@@ -251,12 +271,16 @@ Meeting MeetingFilter<D, Falls>::Asker::operator()(const Approach& approach) con
     return around(now_, s, error);
 }
 
-template <int D, bool Falls>
-Meeting MeetingFilter<D, Falls>::Asker::operator()(Wall wall, double side) const noexcept {
+template <int D, bool Falls, Kernel kernel>
+Meeting MeetingFilter<D, Falls, kernel>::Asker::operator()(Wall wall, double side) const noexcept {
     const int axis = wall / 2;
     const double inwards = wall % 2 != 0 ? -1.0 : 1.0;
     const double v = inwards * place_.v[axis];
     const double g = Falls ? inwards * bounds_.gravity[axis] : 0.0;
+    if constexpr (kernel == Kernel::naive) {
+        const double t = now_ + naive_descent(inwards * (place_.x[axis] - side) - radius_, v, g);
+        return {t, t};
+    }
     const double gap_error = 0x1p-47 * bounds_.extent;
     const double gap = inwards * (place_.x[axis] - side) - radius_;
     if (g == 0.0) {

@@ -4,10 +4,12 @@
 /// Law: the log is a function of the balls and the effects alone. Neither the structure that
 /// proposes the pairs, nor the order in memory, nor the machine has a part in it.
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +26,46 @@ struct Body {
     double radius = 0.0;
     double mass = 1.0;
 };
+
+/// A meeting that was no strike: of two balls, or of ball `a` and wall -1 - b.
+struct Passed {
+    std::int32_t a = 0;
+    std::int32_t b = 0;
+    double time = 0.0;
+    friend bool operator==(const Passed&, const Passed&) = default;
+};
+
+/// Where a simulation stands: what it needs to go on with the very log it would have had.
+template <int D>
+struct State {
+    /// Nothing is left to do before it.
+    double time = 0.0;
+    /// In the order of the input, each at its own time.
+    std::vector<Ball<D>> balls;
+    std::vector<double> masses;
+    /// How many strikes in a row found each ball in place.
+    std::vector<std::uint32_t> in_place;
+    std::vector<Passed> passed;
+};
+
+/// What is wrong with a ball; what() says it, and what would be right.
+class BallError : public std::invalid_argument {
+ public:
+    BallError(std::int64_t ball, const std::string& what)
+        : std::invalid_argument(what), ball_(ball) {}
+    /// Its number.
+    [[nodiscard]] std::int64_t ball() const noexcept { return ball_; }
+
+ private:
+    std::int64_t ball_;
+};
+
+/// The state of bodies at t = 0. Throws BallError for a number that is not finite or beyond the
+/// window of 2^±150, a negative radius, a mass that is not positive, a ball outside its walls or
+/// wider than they are apart, and one that overlaps an earlier one; std::invalid_argument for
+/// effects that make no sense. O(n) expected, for balls of like sizes.
+template <int D>
+[[nodiscard]] State<D> start(std::span<const Body<D>> bodies, const Effects<D>& effects);
 
 /// A line of the log.
 struct Strike {
@@ -64,30 +106,46 @@ struct Outcome {
     Strike last;
 };
 
-enum class Kernel { exact, naive };
-enum class StructureName { pairs, cells, tree, segments, levels, lists };
+/// The structures that propose pairs, in the order of their names; automatic chooses one.
+enum class Structure { automatic, pairs, cells, tree, segments, levels, lists };
+inline constexpr std::array all_structures = {
+    Structure::automatic, Structure::pairs,  Structure::cells, Structure::tree,
+    Structure::segments,  Structure::levels, Structure::lists};
+[[nodiscard]] std::string_view name_of(Structure structure) noexcept;
 
 struct Options {
-    StructureName structure = StructureName::lists;
+    Structure structure = Structure::automatic;
     Kernel kernel = Kernel::exact;
 };
+
+/// A structure that can be used, and why it is that one.
+struct Choice {
+    Structure structure;
+    std::string why;
+};
+/// What is chosen for a wish, which is followed where the structure can do it.
+template <int D>
+[[nodiscard]] Choice choose(Structure wish, const State<D>& state, const Effects<D>& effects);
 
 /// The balls of one simulation.
 template <int D>
 class Simulation {
  public:
-    Simulation(std::span<const Body<D>> bodies, const Effects<D>& effects, const Options& options);
+    /// Preconditions: as start() sees to; of a later state, that it comes from state(), with the same
+    /// effects.
+    Simulation(const State<D>& state, const Effects<D>& effects, const Options& options = {});
     ~Simulation();
     Simulation(Simulation&&) noexcept;
     Simulation& operator=(Simulation&&) noexcept;
 
     /// Called with each strike.
     using Record = std::function<void(const Strike&)>;
-    /// Goes on until a time, or until so many strikes more have happened.
+    /// Goes on until a time, events at that time included, or until so many strikes more have
+    /// happened. Throws std::range_error where a ball flies so fast that the clock cannot tell its
+    /// strike from a miss. O(1) expected a strike for lists and cells in a gas.
     Outcome run(double until, std::uint64_t most = ~std::uint64_t{0}, const Record& record = {});
 
-    /// The balls in the order of the input, each at its own time.
-    [[nodiscard]] std::vector<Ball<D>> balls() const;
+    [[nodiscard]] State<D> state() const;
     [[nodiscard]] const Counts& counts() const;
 
     class Engine;

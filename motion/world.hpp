@@ -18,6 +18,8 @@ template <int D>
 struct World {
     std::vector<Ball<D>> balls;
     Effects<D> effects;
+    /// When the structures begin.
+    double start = 0.0;
 
     /// The centre at a time, rounded.
     [[nodiscard]] Vector<D> centre(Slot i, double now) const noexcept {

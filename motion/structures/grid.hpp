@@ -54,7 +54,7 @@ class Grid {
                    std::ldexp(finest, level) < 2.0 * world.balls[i].radius * (1.0 + 0x1p-20))
                 ++level;
             level_[i] = static_cast<std::uint8_t>(level);
-            cell_[i] = grids_[level_[i]].cell_of(world.balls[i].x);
+            cell_[i] = grids_[level_[i]].cell_of(world.centre(i, world.start));
             residents_[level_[i]].insert(i, cell_[i]);
             for (std::size_t above = level_[i] + 1U; above < grids_.size(); ++above)
                 visitors_[above - 1].insert(i, cell_above(i, above));

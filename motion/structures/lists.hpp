@@ -82,7 +82,7 @@ class Lists {
           shells_(world.balls.size()),
           lists_(world.balls.size()) {
         for (Slot i = 0; i < shells_.size(); ++i) {
-            shells_[i] = world.centre(i, 0.0);
+            shells_[i] = world.centre(i, world.start);
             table_.insert(i, grid_.cell_of(shells_[i]));
         }
         for (Slot i = 0; i < shells_.size(); ++i)

@@ -35,8 +35,8 @@ class Segments {
             axis.order.resize(2 * world.balls.size());
             std::iota(axis.order.begin(), axis.order.end(), End{0});
             std::ranges::sort(axis.order, [&](End a, End b) {
-                const double x = place(a, k, 0.0);
-                const double y = place(b, k, 0.0);
+                const double x = place(a, k, world.start);
+                const double y = place(b, k, world.start);
                 return x < y || (x == y && is_upper(a) < is_upper(b));
             });
             axis.rank.resize(axis.order.size());

@@ -116,12 +116,10 @@ void expect_log_of_oracle(const Scene<D>& scene, double until, std::size_t most)
         balls.push_back(ball);
     }
     const brute::Run expected = brute::simulate(balls, world_of(scene.effects), until, most);
-    for (const StructureName structure :
-         {StructureName::pairs, StructureName::cells, StructureName::tree, StructureName::segments,
-          StructureName::levels, StructureName::lists}) {
-        if (structure == StructureName::segments && scene.effects.periodic) continue;
-        SCOPED_TRACE("structure " + std::to_string(static_cast<int>(structure)) + " box " + std::to_string(scene.effects.box.has_value()) + " periodic " + std::to_string(scene.effects.periodic) + " g " + std::to_string(scene.effects.gravity[D-1]));
-        Simulation<D> simulation(scene.bodies, scene.effects, {.structure = structure});
+    const State<D> first = start<D>(scene.bodies, scene.effects);
+    for (const Structure structure : all_structures) {
+        SCOPED_TRACE(std::string(name_of(structure)));
+        Simulation<D> simulation(first, scene.effects, {.structure = structure});
         std::vector<Strike> log;
         const Outcome outcome =
             simulation.run(until, most, [&](const Strike& strike) { log.push_back(strike); });
