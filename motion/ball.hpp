@@ -1,15 +1,31 @@
 #pragma once
 /// Balls in flight, and what acts on them. All numbers are doubles and are taken as exact ones.
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 
 namespace signum::motion {
 
+/// One thing an axis.
+template <class T, int D>
+struct PerAxis {
+    T values[D]{};
+
+    [[nodiscard]] constexpr T& operator[](int axis) noexcept { return values[axis]; }
+    [[nodiscard]] constexpr const T& operator[](int axis) const noexcept { return values[axis]; }
+    [[nodiscard]] constexpr T* begin() noexcept { return values; }
+    [[nodiscard]] constexpr T* end() noexcept { return values + D; }
+    [[nodiscard]] constexpr const T* begin() const noexcept { return values; }
+    [[nodiscard]] constexpr const T* end() const noexcept { return values + D; }
+    constexpr void fill(const T& value) noexcept {
+        for (T& each : values) each = value;
+    }
+    friend bool operator==(const PerAxis&, const PerAxis&) = default;
+};
+
 template <int D>
-using Vector = std::array<double, D>;
+using Vector = PerAxis<double, D>;
 
 template <int D>
 [[nodiscard, gnu::always_inline]] inline double dot(const Vector<D>& a,
@@ -55,11 +71,7 @@ enum class Kernel { exact, naive };
 
 /// By how many lengths of a periodic box a ball's partner is seen shifted, along each axis.
 template <int D>
-struct Image {
-    std::array<int, D> turns{};
-    [[nodiscard]] int operator[](int axis) const noexcept { return turns[axis]; }
-    [[nodiscard]] int& operator[](int axis) noexcept { return turns[axis]; }
-};
+using Image = PerAxis<int, D>;
 
 /// The number of a side of the box: 2 · axis, 1 more for the upper one.
 using Wall = std::int32_t;

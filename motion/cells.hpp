@@ -54,7 +54,7 @@ struct Spread {
 
 /// A cell, by its numbers along the axes.
 template <int D>
-using Cell = std::array<std::int32_t, D>;
+using Cell = PerAxis<std::int32_t, D>;
 
 /// Which cell a place lies in. Inside a box cells are numbered from 0 and what lies beyond the last
 /// one, by rounding, belongs to it; in a periodic one they go around. Elsewhere they have no end.
@@ -123,14 +123,14 @@ class CellGrid {
     template <class Visit>
     void for_each_around(const Cell<D>& middle, const Visit& visit, int axis = -1,
                          std::int32_t side = 0) const {
-        std::array<std::int32_t, D> first;
-        std::array<std::int32_t, D> last;
+        PerAxis<std::int32_t, D> first;
+        PerAxis<std::int32_t, D> last;
         for (int k = 0; k < D; ++k) {
             first[k] = periodic_ && count_[k] < 3 ? 0 : -1;
             last[k] = periodic_ && count_[k] < 2 ? 0 : 1;
             if (k == axis) first[k] = last[k] = side;
         }
-        std::array<std::int32_t, D> by = first;
+        PerAxis<std::int32_t, D> by = first;
         for (;;) {
             Cell<D> cell = middle;
             bool is_there = true;
@@ -151,7 +151,7 @@ class CellGrid {
     Vector<D> low_;
     Vector<D> width_{};
     Vector<D> per_width_{};
-    std::array<std::int32_t, D> count_{};
+    PerAxis<std::int32_t, D> count_{};
 };
 
 /// Who lies in which cell: in a box that has not far more cells than balls a list for each cell,

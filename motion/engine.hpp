@@ -14,7 +14,7 @@ template <int D>
 class Simulation<D>::Engine {
  public:
     virtual ~Engine() = default;
-    virtual Outcome run(double until, std::uint64_t most, const Record& record) = 0;
+    virtual Outcome run(const Limits& limits, const Record& record) = 0;
     [[nodiscard]] virtual State<D> state() const = 0;
     [[nodiscard]] virtual const Counts& counts() const = 0;
 };

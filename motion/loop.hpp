@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -44,7 +45,7 @@ class Loop final : public Simulation<D>::Engine {
           proposals_(number_.size()),
           own_(number_.size(), infinity),
           filter_(effects),
-          structure_(world_),
+          structure_(std::in_place, world_),
           queue_(number_.size()),
           walls_(effects.box && !effects.periodic ? 2 * D : 0),
           most_in_place_(effects.restitution < 1.0 || effects.wall_restitution < 1.0 || Falls
@@ -63,13 +64,18 @@ class Loop final : public Simulation<D>::Engine {
         for (Slot i = 0; i < slots.size(); ++i) ask(i);
     }
 
-    Outcome run(double until, std::uint64_t most, const typename Simulation<D>::Record& record) override {
+    Outcome run(const Limits& limits, const typename Simulation<D>::Record& record) override {
         if (world_.balls.empty()) return {Ending::nothing, {}};
+        constexpr std::uint32_t turns_between_questions = 4096;
+        const double until = limits.until;
         std::uint64_t done = 0;
-        while (done < most) {
+        std::uint32_t turns = 0;
+        while (done < limits.strikes) {
+            if (++turns % turns_between_questions == 0 && limits.stop && limits.stop())
+                return {Ending::stopped, {}};
             const Slot i = queue_.top(before());
             const double key = queue_.key(i);
-            if (!(key <= until)) {
+            if (!(key <= until && key < infinity)) {
                 if (until < infinity) now_ = std::max(now_, until);
                 return {key < infinity ? Ending::until : Ending::nothing, {}};
             }
@@ -77,7 +83,11 @@ class Loop final : public Simulation<D>::Engine {
             Proposal& next = proposals_[i];
             if (own_[i] <= next.early) {
                 ++counts_.own;
-                structure_.own_event(
+                if (!world_.effects.box && --own_events_left_ == 0 && !spread()) [[unlikely]] {
+                    if (until < infinity) now_ = until;
+                    return {Ending::nothing, {}};
+                }
+                structure_->own_event(
                     i, now_, [&](Slot j) { propose(i, j); }, [&](Slot j) { touch(j); });
                 touch(i);
             } else if (is_stale(next)) {
@@ -92,7 +102,7 @@ class Loop final : public Simulation<D>::Engine {
                 if (collapses_) return {Ending::collapse, last_};
             }
         }
-        return {Ending::most, {}};
+        return {Ending::strikes, {}};
     }
 
     [[nodiscard]] State<D> state() const override {
@@ -178,9 +188,36 @@ class Loop final : public Simulation<D>::Engine {
         queue_.set(i, std::min(own_[i], proposals_[i].early), before());
     }
 
+    /// Balls that fly apart would cross ever more cells, or leave ever more shells, that were made
+    /// when they were near one another: now and then the structure is made anew. False where nothing
+    /// meets any more, as far as that is looked for.
+    [[nodiscard]] bool spread() {
+        constexpr std::size_t few = 2048;
+        own_events_left_ = own_events_a_ball * number_.size();
+        const bool struck_since = strikes_before_ != counts_.strikes;
+        strikes_before_ = counts_.strikes;
+        if (!struck_since && number_.size() <= few && !any_meets()) return false;
+        world_.start = now_;
+        structure_.emplace(world_);
+        for (Slot i = 0; i < number_.size(); ++i) ask(i);
+        return true;
+    }
+    [[nodiscard]] bool any_meets() {
+        for (Slot i = 0; i < number_.size(); ++i) {
+            const Asker asker = filter_.asker(world_.balls[i], now_);
+            for (Slot j = 0; j < i; ++j) {
+                const Approach approach = asker.look(world_.balls[j]);
+                if (!approach.possible) continue;
+                const Meeting meeting = asker(approach);
+                if (meeting.early > -infinity || exactly(i, j).early < infinity) return true;
+            }
+        }
+        return false;
+    }
+
     /// Finds anew when the structure changes because of a ball.
     void touch(Slot i) {
-        own_[i] = structure_.next(i, now_);
+        own_[i] = structure_->next(i, now_);
         settle(i);
     }
 
@@ -198,7 +235,7 @@ class Loop final : public Simulation<D>::Engine {
         };
         const Ball<D>* const balls = world_.balls.data();
         std::uint64_t checks = 0;
-        structure_.near(i, [&](Slot j) {
+        structure_->near(i, [&](Slot j) {
             ++checks;
             Candidate& candidate = candidates_[possible];
             candidate.slot = j;
@@ -459,6 +496,8 @@ class Loop final : public Simulation<D>::Engine {
         });
     }
 
+    static constexpr std::uint64_t own_events_a_ball = 16;
+
     struct Candidate {
         Slot slot;
         Approach approach;
@@ -473,11 +512,13 @@ class Loop final : public Simulation<D>::Engine {
     std::vector<Proposal> proposals_;
     std::vector<double> own_;
     MeetingFilter<D, Falls, kernel> filter_;
-    StructureOf<D> structure_;
+    std::optional<StructureOf<D>> structure_;
     EventQueue queue_;
     Wall walls_;
     std::uint32_t most_in_place_;
     bool collapses_ = false;
+    std::uint64_t own_events_left_ = own_events_a_ball * number_.size();
+    std::uint64_t strikes_before_ = 0;
     double now_;
     Counts counts_;
     Strike last_;

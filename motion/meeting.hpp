@@ -220,16 +220,16 @@ inline Approach MeetingFilter<D, Falls, kernel>::Asker::look(const Ball<D>& b) c
             v[i] = place_.v[i] - b.v[i];
         }
     }
-    double distance = dot<D>(d, d);
+    double distance = dot(d, d);
     if (distance > bounds_.far) [[unlikely]] {
         for (int i = 0; i < D; ++i)
             d[i] -= bounds_.length[i] * nearest_integer(d[i] * bounds_.inverse_length[i]);
-        distance = dot<D>(d, d);
+        distance = dot(d, d);
     }
     const double r = radius_ + b.radius;
     Approach approach;
-    approach.product = dot<D>(d, v);
-    approach.square = dot<D>(v, v);
+    approach.product = dot(d, v);
+    approach.square = dot(v, v);
     approach.gap = distance - r * r;
     approach.discriminant = approach.product * approach.product - approach.square * approach.gap;
     if constexpr (kernel == Kernel::naive) {
@@ -238,10 +238,14 @@ inline Approach MeetingFilter<D, Falls, kernel>::Asker::look(const Ball<D>& b) c
         return approach;
     }
     const double size = Falls ? approach.square + bounds_.w : approach.square;
+    // Velocities that are the same are so exactly, unless something was added to them.
+    int rests = Falls ? 0 : 1;
+    if constexpr (!Falls)
+        for (const double each : v) rests &= static_cast<int>(each == 0.0);
     const int recedes = static_cast<int>(
         approach.product * filters::magnitude(approach.product) > bounds_.approach * size);
     const int misses = static_cast<int>(approach.discriminant < -bounds_.gap * size);
-    approach.possible = 1 - (recedes | misses);
+    approach.possible = 1 - (recedes | misses | rests);
     if constexpr (Falls) {
         if (largest > bounds_.extent) [[unlikely]] {
             approach.possible = 1;

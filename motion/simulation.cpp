@@ -139,8 +139,8 @@ template <int D>
 Simulation<D>& Simulation<D>::operator=(Simulation&&) noexcept = default;
 
 template <int D>
-Outcome Simulation<D>::run(double until, std::uint64_t most, const Record& record) {
-    return engine_->run(until, most, record);
+Outcome Simulation<D>::run(const Limits& limits, const Record& record) {
+    return engine_->run(limits, record);
 }
 template <int D>
 State<D> Simulation<D>::state() const {

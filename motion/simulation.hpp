@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <span>
 #include <stdexcept>
@@ -98,7 +99,19 @@ struct Counts {
     double virial = 0.0;
 };
 
-enum class Ending { until, most, nothing, stopped, collapse };
+/// How far to go.
+struct Limits {
+    /// Events at that time are included.
+    double until = std::numeric_limits<double>::infinity();
+    /// Strikes from now on.
+    std::uint64_t strikes = std::numeric_limits<std::uint64_t>::max();
+    /// Asked now and then, if there is one: whether to stop.
+    std::function<bool()> stop = {};
+};
+
+/// Why a run ended: the time came, the strikes are done, nothing meets any more, it was stopped, or
+/// a ball strikes in place without end.
+enum class Ending { until, strikes, nothing, stopped, collapse };
 
 /// How a run ended, and of a collapse which balls (or ball and wall) struck last.
 struct Outcome {
@@ -140,10 +153,10 @@ class Simulation {
 
     /// Called with each strike.
     using Record = std::function<void(const Strike&)>;
-    /// Goes on until a time, events at that time included, or until so many strikes more have
-    /// happened. Throws std::range_error where a ball flies so fast that the clock cannot tell its
-    /// strike from a miss. O(1) expected a strike for lists and cells in a gas.
-    Outcome run(double until, std::uint64_t most = ~std::uint64_t{0}, const Record& record = {});
+    /// Goes on as far as the limits say. Throws std::range_error where a ball flies so fast that the
+    /// clock cannot tell its strike from a miss. O(1) expected a strike for lists and cells in a
+    /// gas.
+    Outcome run(const Limits& limits, const Record& record = {});
 
     [[nodiscard]] State<D> state() const;
     [[nodiscard]] const Counts& counts() const;

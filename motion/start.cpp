@@ -96,7 +96,7 @@ bool overlap(const Ball<D>& a, const Ball<D>& b, const World<D>& world) {
     }
     const double radii = a.radius + b.radius;
     // What rounding does to a difference is far less than a part in 2^40 of the numbers.
-    if (dot<D>(d, d) > std::max(radii * radii * (1.0 + 0x1p-20), 0x1p-40 * size * size))
+    if (dot(d, d) > std::max(radii * radii * (1.0 + 0x1p-20), 0x1p-40 * size * size))
         return false;
     Dyadic square;
     for (int k = 0; k < D; ++k) {

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "../core/error_free.hpp"
+#include "../exact/dyadic.hpp"
 #include "../exact/multiprecision.hpp"
 #include "../exact/surd.hpp"
 #include "../filters/double_double.hpp"
@@ -12,6 +14,7 @@
 namespace signum::motion {
 namespace {
 
+using exact::Dyadic;
 using exact::Integer;
 using exact::Rational;
 using exact::to_rational;
@@ -88,8 +91,8 @@ Shares shares(double mass_a, double mass_b, double restitution) noexcept {
 /// D and V of two balls at one time.
 template <int D>
 struct Apart {
-    std::array<DoubleDouble, D> x;
-    std::array<DoubleDouble, D> v;
+    PerAxis<DoubleDouble, D> x;
+    PerAxis<DoubleDouble, D> v;
 };
 template <int D>
 Apart<D> apart(const Ball<D>& a, const Ball<D>& b, const Image<D>& image,
@@ -116,7 +119,7 @@ struct RationalLaw {
             square += x[i] * x[i];
         }
     }
-    std::array<Rational, D> x;
+    PerAxis<Rational, D> x;
     Rational product;
     Rational square;
 };
@@ -126,33 +129,68 @@ Rational bounce(double restitution) {
 }
 
 template <int D>
-bool change(Ball<D>& ball, const decltype(Ball<D>::v)& v) noexcept {
+bool change(Ball<D>& ball, const Vector<D>& v) noexcept {
     bool changed = false;
     for (int i = 0; i < D; ++i) changed |= v[i] != ball.v[i];
     ball.v = v;
     return changed;
 }
 
+Rational rational(const Dyadic& number) {
+    const Rational significand = number.significand();
+    const Rational power = exact::Integer(1) << std::abs(number.exponent());
+    return number.exponent() < 0 ? Rational(significand / power) : Rational(significand * power);
+}
+
+/// The velocities after a strike, components that double-doubles could not tell marked by NaN.
 template <int D>
-[[gnu::cold]] Exchange exact_strike(Ball<D>& a, Ball<D>& b, const Image<D>& image, double mass_a,
-                                    double mass_b, const Effects<D>& effects) {
-    const RationalLaw<D> law(a, b, image, effects);
-    if (law.product.sign() >= 0) return {};
-    const Rational sum = to_rational(mass_a) + to_rational(mass_b);
-    const Rational factor = bounce(effects.restitution) * law.product / (law.square * sum);
+struct After {
     Vector<D> of_a;
     Vector<D> of_b;
-    for (int i = 0; i < D; ++i) {
-        const Rational step = factor * law.x[i];
-        of_a[i] = rounded(Rational(to_rational(a.v[i]) - step * to_rational(mass_b)));
-        of_b[i] = rounded(Rational(to_rational(b.v[i]) + step * to_rational(mass_a)));
+};
+
+/// The law times both denominators, in dyadic numbers; so a velocity that becomes 0, which
+/// double-doubles cannot tell from a small one, is found without a fraction. Fills in what is
+/// marked.
+template <int D>
+class ExactLaw {
+ public:
+    ExactLaw(const Ball<D>& a, const Ball<D>& b, const Image<D>& image, const Effects<D>& effects) {
+        for (int i = 0; i < D; ++i) {
+            x_[i] = Dyadic(a.x[i]) - Dyadic(b.x[i]);
+            if (image[i] != 0)
+                x_[i] = x_[i] -
+                        image[i] * (Dyadic(effects.box->high[i]) - Dyadic(effects.box->low[i]));
+            product_ += x_[i] * (Dyadic(a.v[i]) - Dyadic(b.v[i]));
+            square_ += x_[i] * x_[i];
+        }
     }
-    const bool changed_a = change(a, of_a);
-    const bool changed_b = change(b, of_b);
-    const Rational virial = factor * law.square * to_rational(mass_a) * to_rational(mass_b);
-    return {changed_a || changed_b, std::fabs(rounded(law.product)), rounded(law.square),
-            std::fabs(rounded(virial))};
-}
+    [[nodiscard]] bool approaches() const noexcept { return product_.sign() < 0; }
+    [[nodiscard]] double product() const { return std::fabs(rounded(rational(product_))); }
+    [[nodiscard]] double square() const { return rounded(rational(square_)); }
+
+    void fill(After<D>& after, const Ball<D>& a, const Ball<D>& b, double mass_a, double mass_b,
+              double restitution) const {
+        const Dyadic denominator = square_ * (Dyadic(mass_a) + Dyadic(mass_b));
+        const Dyadic step = (Dyadic(1.0) + Dyadic(restitution)) * product_;
+        const auto fill_one = [&](double& marked, double v, const Dyadic& change) {
+            if (!std::isnan(marked)) return;
+            const Dyadic numerator = Dyadic(v) * denominator + change;
+            marked = numerator.sign() == 0
+                         ? 0.0
+                         : rounded(Rational(rational(numerator) / rational(denominator)));
+        };
+        for (int i = 0; i < D; ++i) {
+            fill_one(after.of_a[i], a.v[i], -(step * x_[i] * Dyadic(mass_b)));
+            fill_one(after.of_b[i], b.v[i], step * x_[i] * Dyadic(mass_a));
+        }
+    }
+
+ private:
+    PerAxis<Dyadic, D> x_;
+    Dyadic product_;
+    Dyadic square_;
+};
 
 }  // namespace
 
@@ -216,36 +254,46 @@ Exchange strike(Ball<D>& a, Ball<D>& b, const Image<D>& image, double mass_a, do
     }
     const double product_error = 0x1p-98 * size;
     if (product.high > product_error) return {};
-    const double relative = product_error / -product.high;
-    if (product.high < 0.0 && relative < 0x1p-60 && -product.high > 0x1p-800) [[likely]] {
+    const Shares share = shares(mass_a, mass_b, effects.restitution);
+    After<D> after;
+    bool certain = true;
+    double approach = -product.high;
+    double distance = square.high;
+    if (const double relative = product_error / approach;
+        relative < 0x1p-60 && approach > 0x1p-800) [[likely]] {
         const DoubleDouble ratio = quotient(product, square);
-        const Shares share = shares(mass_a, mass_b, effects.restitution);
-        Vector<D> of_a;
-        Vector<D> of_b;
-        bool certain = true;
+        const auto round_one = [&](double v, DoubleDouble step, double& nearest) {
+            const double error = (0x1p-94 + relative) * std::fabs(step.high) +
+                                 0x1p-100 * std::fabs(v) + 0x1p-1060;
+            if (rounds(DoubleDouble{v, 0.0} + step, error, nearest)) [[likely]]
+                return;
+            nearest = std::numeric_limits<double>::quiet_NaN();
+            certain = false;
+        };
         for (int i = 0; i < D; ++i) {
             const DoubleDouble step = ratio * d.x[i];
-            const DoubleDouble step_a = share.of_a * step;
-            const DoubleDouble step_b = share.of_b * step;
-            certain &= rounds(DoubleDouble{a.v[i], 0.0} - step_a,
-                              (0x1p-94 + relative) * std::fabs(step_a.high) +
-                                  0x1p-100 * std::fabs(a.v[i]) + 0x1p-1060,
-                              of_a[i]);
-            certain &= rounds(DoubleDouble{b.v[i], 0.0} + step_b,
-                              (0x1p-94 + relative) * std::fabs(step_b.high) +
-                                  0x1p-100 * std::fabs(b.v[i]) + 0x1p-1060,
-                              of_b[i]);
+            const DoubleDouble of_a = share.of_a * step;
+            round_one(a.v[i], DoubleDouble{-of_a.high, -of_a.low}, after.of_a[i]);
+            round_one(b.v[i], share.of_b * step, after.of_b[i]);
         }
-        if (certain) [[likely]] {
-            ++tally.refined;
-            const bool changed_a = change(a, of_a);
-            const bool changed_b = change(b, of_b);
-            return {changed_a || changed_b, -product.high, square.high,
-                    mass_a * share.of_a.high * -product.high};
-        }
+    } else {
+        after.of_a.fill(std::numeric_limits<double>::quiet_NaN());
+        after.of_b.fill(std::numeric_limits<double>::quiet_NaN());
+        certain = false;
     }
-    ++tally.exact;
-    return exact_strike(a, b, image, mass_a, mass_b, effects);
+    if (certain) [[likely]] {
+        ++tally.refined;
+    } else {
+        ++tally.exact;
+        const ExactLaw<D> law(a, b, image, effects);
+        if (!law.approaches()) return {};
+        law.fill(after, a, b, mass_a, mass_b, effects.restitution);
+        approach = law.product();
+        distance = law.square();
+    }
+    const bool changed_a = change(a, after.of_a);
+    const bool changed_b = change(b, after.of_b);
+    return {changed_a || changed_b, approach, distance, mass_a * share.of_a.high * approach};
 }
 
 template <int D>

@@ -40,13 +40,13 @@ class Lists {
         world_.unwrap(d);
         double gravity = 0.0;
         for (const double g : world_.effects.gravity) gravity += g * g;
-        const double c = slack_ * slack_ * (1.0 - 0x1p-20) - dot<D>(d, d);
+        const double c = slack_ * slack_ * (1.0 - 0x1p-20) - dot(d, d);
         if (c <= 0.0) return now;
-        const double a = dot<D>(v, v);
-        const double b = dot<D>(d, v);
+        const double a = dot(v, v);
+        const double b = dot(d, v);
         if (gravity > 0.0) {
             // Nearer than the slack for as long as speed · s + g s²/2 is below what is left of it.
-            const double left = slack_ * (1.0 - 0x1p-20) - std::sqrt(dot<D>(d, d));
+            const double left = slack_ * (1.0 - 0x1p-20) - std::sqrt(dot(d, d));
             if (left < 0x1p-4 * slack_) return now;
             const double speed = std::sqrt(a);
             return now + 2.0 * left / (speed + std::sqrt(a + 2.0 * std::sqrt(gravity) * left));
@@ -106,7 +106,7 @@ class Lists {
             for (int k = 0; k < D; ++k) d[k] = shells_[i][k] - shells_[j][k];
             world_.unwrap(d);
             const double reach = (radius + world_.balls[j].radius) * (1.0 + 0x1p-30);
-            if (dot<D>(d, d) < reach * reach) visit(j);
+            if (dot(d, d) < reach * reach) visit(j);
         };
         grid_.for_each_around(grid_.cell_of(shells_[i]),
                               [&](const Cell<D>& cell) { table_.for_each_in(cell, look); });

@@ -152,7 +152,7 @@ class Segments {
 
     const World<D>& world_;
     double margin_ = 0.0;
-    std::array<Axis, D> axes_;
+    PerAxis<Axis, D> axes_;
     SlotLists partners_;
 };
 
