@@ -118,7 +118,7 @@ class TextSites {
         layout_ = {found, columns_.size(), true};
         if (found[2] == no_column && columns_.size() == 3) {
             leave_out(3 - found[0] - found[1]);
-        } else if (is_y_of_geographers(columns_.name(found[0]))) {
+        } else if (found[1] < columns_.size() && is_y_of_geographers(columns_.name(found[0]))) {
             say_which_is_x();
         }
         if (found[2] != no_column) leave_out_height();
