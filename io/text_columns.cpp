@@ -216,12 +216,12 @@ std::string TextColumns::place_of_line() const {
     return fmt::format("{}:{}", file_.path(), file_.line_number());
 }
 
-Position TextColumns::position_of(std::string_view part) const {
-    return {file_.line_number(), part.data() - line_.data() + 1};
+Position TextColumns::position_of(const char* place) const {
+    return {file_.line_number(), place - line_.data() + 1};
 }
 
 void TextColumns::fail(const char* place, std::string_view message) const {
-    file_.fail(position_of({place, 0}), message);
+    file_.fail(position_of(place), message);
 }
 
 void TextColumns::fail_at(std::size_t column, std::string_view message) const {

@@ -63,8 +63,8 @@ class TextColumns {
 
     /// FILE:LINE of this line, with which a note begins.
     [[nodiscard]] std::string place_of_line() const;
-    /// Where a part of this line begins.
-    [[nodiscard]] Position position_of(std::string_view part) const;
+    /// The position of a byte of this line, or of its end.
+    [[nodiscard]] Position position_of(const char* place) const;
 
     [[noreturn]] void fail_at(std::size_t column, std::string_view message) const;
     [[noreturn]] void fail_at_empty(std::size_t column) const;

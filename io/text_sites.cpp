@@ -168,7 +168,7 @@ class TextSites {
         if (layout_.columns[2] < columns_.size()) {
             site.r = read_column(layout_.columns[2]);
             if (site.r < 0.0 && !result_.first_negative) {
-                result_.first_negative = columns_.position_of(columns_[layout_.columns[2]]);
+                result_.first_negative = columns_.position_of(columns_[layout_.columns[2]].data());
             }
         }
         result_.sites.push_back(site);
@@ -198,7 +198,7 @@ class TextSites {
         }
         const double value = columns_.number(column);
         if (is_beyond_single(value) && !result_.first_beyond_single)
-            result_.first_beyond_single = columns_.position_of(columns_.text(column));
+            result_.first_beyond_single = columns_.position_of(columns_.text(column).data());
         return value;
     }
 
