@@ -30,9 +30,9 @@ struct BallsFile {
 
 /// Reads the file `path`, or standard input for "-": lines x y r vx vy [mass] or
 /// x y z r vx vy vz [mass], told apart by their number of columns or by the names of a header
-/// (x, y, z, r or radius, vx, vy, vz, m or mass; others are left out). A mass that is missing is the
-/// radius to the power of the dimension, rounded to nearest. Throws InputError and MachineError.
-/// O(bytes).
+/// (x, y, z, r or radius, vx, vy, vz, m or mass; others are left out). A mass that is missing is
+/// the radius to the power of the dimension, rounded to nearest. Throws InputError and
+/// MachineError. O(bytes).
 [[nodiscard]] BallsFile read_balls(const std::string& path);
 
 }  // namespace signum
