@@ -46,7 +46,8 @@ motion::Vector<D> vector_of(const json& numbers) {
 
 template <int D>
 void write_motion_state(std::ostream& out, const MotionState<D>& state) {
-    const auto& [balls_state, effects] = state;
+    const motion::State<D>& balls_state = state.state;
+    const motion::Effects<D>& effects = state.effects;
     TextWriter text(out);
     text.put(FMT_COMPILE("{{\"format\": \"signum.simulation\", \"version\": 1, \"dimension\": {}, "
                          "\"time\": {},\n\"restitution\": {}, \"wall_restitution\": {}, "

@@ -15,7 +15,8 @@ void LogWriter::put(const motion::Strike& strike) {
 
 void write_xyz(std::ostream& out, const MotionFrame& frame) {
     TextWriter text(out);
-    const auto& [low, high] = std::pair(frame.low, frame.high);
+    const std::array<double, 3>& low = frame.low;
+    const std::array<double, 3>& high = frame.high;
     const char* const goes_around = frame.periodic ? "T" : "F";
     // A cell needs a height, in the plane too.
     const double height = frame.dimension == 3 ? high[2] - low[2] : 1.0;

@@ -197,10 +197,28 @@ class Loop final : public Simulation<D>::Engine {
         const bool struck_since = strikes_before_ != counts_.strikes;
         strikes_before_ = counts_.strikes;
         if (!struck_since && number_.size() <= few && !any_meets()) return false;
+        const double width = widest_now();
+        if (!(width > 2.0 * width_)) return true;
+        width_ = width;
         world_.start = now_;
         structure_.emplace(world_);
         for (Slot i = 0; i < number_.size(); ++i) ask(i);
         return true;
+    }
+    /// How far the balls are spread, along the axis where that is farthest.
+    [[nodiscard]] double widest_now() const {
+        double widest = 0.0;
+        for (int k = 0; k < D; ++k) {
+            double low = infinity;
+            double high = -infinity;
+            for (Slot i = 0; i < number_.size(); ++i) {
+                const double x = world_.centre(i, now_)[k];
+                low = std::min(low, x);
+                high = std::max(high, x);
+            }
+            widest = std::max(widest, high - low);
+        }
+        return widest;
     }
     [[nodiscard]] bool any_meets() {
         for (Slot i = 0; i < number_.size(); ++i) {
@@ -519,6 +537,7 @@ class Loop final : public Simulation<D>::Engine {
     bool collapses_ = false;
     std::uint64_t own_events_left_ = own_events_a_ball * number_.size();
     std::uint64_t strikes_before_ = 0;
+    double width_ = widest_now();
     double now_;
     Counts counts_;
     Strike last_;
