@@ -153,7 +153,8 @@ class AdditiveCheck : private ArraysCheck {
         const auto site_of = [this](Index i) -> const Site& { return kernel_.site(i); };
         NearSites<Distance> visible(visible_sites(), site_of);
         for (const Hidden& hidden : arrays_.hidden) {
-            const auto [q, by] = hidden;
+            const Index q = hidden.site;
+            const Index by = hidden.by;
             if (!kernel_.hides(by, q)) {
                 if (!kernel_.hides_if_first(by, q))
                     throw Invalid{name(by) + " does not hide " + name(q)};
