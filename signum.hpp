@@ -7,6 +7,7 @@
 #include "core/site.hpp"
 #include "core/strided_sites.hpp"
 #include "exact/sign_of_sum.hpp"
+#include "motion/simulation.hpp"
 #include "predicates/arithmetic.hpp"
 #include "predicates/ccw.hpp"
 #include "predicates/euclidean.hpp"

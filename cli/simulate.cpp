@@ -106,7 +106,8 @@ motion::Effects<D> effects_of(const SimulateCall& call) {
     require_count<D>("--gravity", call.gravity, D);
     motion::Effects<D> effects;
     if (!call.box.empty())
-        effects.box = motion::Box<D>{vector_of<D>(call.box.data()), vector_of<D>(call.box.data() + D)};
+        effects.box =
+            motion::Box<D>{vector_of<D>(call.box.data()), vector_of<D>(call.box.data() + D)};
     effects.periodic = call.periodic;
     if (!call.gravity.empty()) effects.gravity = vector_of<D>(call.gravity.data());
     effects.restitution = call.restitution.value_or(1.0);
@@ -156,7 +157,8 @@ class Snapshot {
                 shown.v[at(k)] = ball.v[k] + g * s;
                 if (!effects.periodic) continue;
                 const double length = effects.box->high[k] - effects.box->low[k];
-                shown.x[at(k)] -= length * std::floor((shown.x[at(k)] - effects.box->low[k]) / length);
+                shown.x[at(k)] -=
+                    length * std::floor((shown.x[at(k)] - effects.box->low[k]) / length);
             }
             shown.radius = ball.radius;
             balls_.push_back(shown);
@@ -196,7 +198,8 @@ struct Energy {
 template <int D>
 class Recording {
  public:
-    Recording(const SimulateCall& call, std::span<const Target> targets, const MotionState<D>& start)
+    Recording(const SimulateCall& call, std::span<const Target> targets,
+              const MotionState<D>& start)
         : effects_(start.effects) {
         for (const Target& target : targets) {
             Sink sink;
@@ -335,11 +338,16 @@ std::string statistics_of(const Summary<D>& summary) {
 
 std::string_view in_words(motion::Ending ending) {
     switch (ending) {
-        case motion::Ending::until: return "the time came";
-        case motion::Ending::strikes: return "the strikes are done";
-        case motion::Ending::nothing: return "nothing meets any more";
-        case motion::Ending::stopped: return "interrupted";
-        case motion::Ending::collapse: break;
+        case motion::Ending::until:
+            return "the time came";
+        case motion::Ending::strikes:
+            return "the strikes are done";
+        case motion::Ending::nothing:
+            return "nothing meets any more";
+        case motion::Ending::stopped:
+            return "interrupted";
+        case motion::Ending::collapse:
+            break;
     }
     return "a collapse";
 }
@@ -406,8 +414,7 @@ void run(const SimulateCall& call, const MotionState<D>& start) {
                                     *call.until, start.state.time));
     const std::vector<Target> targets = targets_of(call, call.input, simulate_formats);
     const bool wants_frames = is_written(targets, "xyz") || is_written(targets, "svg");
-    if (wants_frames && !call.until)
-        throw CallError("frames need to know the end; add --until T");
+    if (wants_frames && !call.until) throw CallError("frames need to know the end; add --until T");
     if (call.every && !wants_frames)
         throw CallError("--every is for frames; add -o FILE.xyz or -o FILE.svg");
     Recording<D> recording(call, targets, start);
@@ -468,8 +475,7 @@ void refuse_effects_of_state(const SimulateCall& call) {
 }
 
 void simulate(const SimulateCall& call) {
-    if (!call.until && !call.events)
-        throw CallError("say when to end: --until T, or --events N");
+    if (!call.until && !call.events) throw CallError("say when to end: --until T, or --events N");
     if (call.periodic && call.box.empty())
         throw CallError("--periodic: say of what box; add --box");
     if (!call.resume.empty()) {
@@ -536,8 +542,7 @@ void add_simulate(CLI::App& tool) {
         ->check(number_from(0.0, 1.0))
         ->type_name("E");
     command
-        ->add_option("--structure", call->structure,
-                     "What proposes the pairs; the log is the same")
+        ->add_option("--structure", call->structure, "What proposes the pairs; the log is the same")
         ->transform(one_of(structures))
         ->type_name("NAME")
         ->capture_default_str();
@@ -547,12 +552,13 @@ void add_simulate(CLI::App& tool) {
         ->transform(one_of({"exact", "naive"}))
         ->type_name("NAME")
         ->capture_default_str();
-    add_outputs(*command, *call, simulate_formats,
-                "without it the log goes to standard output");
-    command->add_option("--every", call->every, "The time between frames; a hundredth of all without")
+    add_outputs(*command, *call, simulate_formats, "without it the log goes to standard output");
+    command
+        ->add_option("--every", call->every, "The time between frames; a hundredth of all without")
         ->check(number_from(std::numeric_limits<double>::min(), 1e150))
         ->type_name("DT");
-    command->add_option("--save", call->save, "Where the state at the end goes")->type_name("STATE");
+    command->add_option("--save", call->save, "Where the state at the end goes")
+        ->type_name("STATE");
     command->add_option("--resume", call->resume, "Goes on from a state, instead of FILE")
         ->type_name("STATE");
     command->add_flag("--stats", call->statistics,

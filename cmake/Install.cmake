@@ -15,10 +15,12 @@ set(public_headers
   triangulation/validate.hpp triangulation/vertices.hpp triangulation/dynamic.hpp
   triangulation/edge_list.hpp triangulation/space.hpp
   voronoi/voronoi.hpp voronoi/curve.hpp voronoi/conic.hpp voronoi/clip.hpp voronoi/polygon.hpp
-  voronoi/contacts.hpp voronoi/compare.hpp)
+  voronoi/contacts.hpp voronoi/compare.hpp
+  motion/simulation.hpp)
 # What these include in their turn: the filters, which are inline. Nobody includes them by name.
 set(headers_behind
   core/contract.hpp core/handle.hpp
+  motion/ball.hpp
   filters/bounds.hpp filters/environment.hpp filters/interval.hpp filters/rounding_count.hpp
   filters/tally.hpp
   filters/verdict.hpp

@@ -60,7 +60,8 @@ void Movie::write(std::ostream& out, const std::string& title) const {
     std::string legend = title;
     if (shown_.size() < radii_.size())
         legend += fmt::format("; the {} largest of {} balls", shown_.size(), radii_.size());
-    if (!times_.empty()) legend += fmt::format("; t = {:.4g} to {:.4g}", times_.front(), times_.back());
+    if (!times_.empty())
+        legend += fmt::format("; t = {:.4g} to {:.4g}", times_.front(), times_.back());
     out << fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-10 -10 {:.1f} {:.1f}\" "
         "font-family=\"sans-serif\" font-size=\"13\">\n<rect x=\"-10\" y=\"-10\" width=\"{:.1f}\" "

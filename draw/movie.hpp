@@ -25,8 +25,8 @@ class Movie {
         double depth = 0.0;  ///< from 0, near, to 1
     };
 
-    /// The radii of all balls, and the corners of what is shown. `periodic`: balls leave on one side
-    /// and come in on the other, so that what lies between two frames is not shown.
+    /// The radii of all balls, and the corners of what is shown. `periodic`: balls leave on one
+    /// side and come in on the other, so that what lies between two frames is not shown.
     Movie(std::vector<double> radii, std::array<double, 2> low, std::array<double, 2> high,
           bool periodic);
 

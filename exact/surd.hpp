@@ -16,8 +16,7 @@ namespace signum::exact {
 /// Why it ends: where the root is irrational, so is the number (b ≠ 0), and no irrational number
 /// lies half way between two doubles, at 0 or at the doubles' end. So a narrow enough enclosure
 /// contains none of these. Where the root is rational, the number is.
-[[nodiscard]] inline double round_surd(const Rational& a, const Rational& b,
-                                       const Rational& c) {
+[[nodiscard]] inline double round_surd(const Rational& a, const Rational& b, const Rational& c) {
     SIGNUM_EXPECTS(c > 0);
     if (b.is_zero()) return round_to_double(a);
     // √c = √(numerator · denominator) / denominator

@@ -98,7 +98,8 @@ MotionState<D> read_motion_state(const std::string& path) {
         effects.periodic = file.at("periodic").get<bool>();
         effects.gravity = vector_of<D>(file.at("gravity"));
         if (file.contains("low"))
-            effects.box = motion::Box<D>{vector_of<D>(file.at("low")), vector_of<D>(file.at("high"))};
+            effects.box =
+                motion::Box<D>{vector_of<D>(file.at("low")), vector_of<D>(file.at("high"))};
         for (const json& ball : file.at("balls")) {
             state.balls.push_back({vector_of<D>(ball.at(0)), vector_of<D>(ball.at(1)),
                                    ball.at(2).get<double>(), ball.at(3).get<double>()});

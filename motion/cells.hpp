@@ -67,7 +67,8 @@ class CellGrid {
     /// Cells at least as wide as told, `divisions` of which along each axis make one of the widest
     /// that are planned; so grids of the same spread whose widths differ by powers of two are
     /// nested.
-    CellGrid(const World<D>& world, const Spread<D>& spread, double width, std::int32_t divisions = 1)
+    CellGrid(const World<D>& world, const Spread<D>& spread, double width,
+             std::int32_t divisions = 1)
         : bounded_(world.effects.box.has_value()),
           periodic_(world.effects.periodic),
           low_(spread.box.low) {
@@ -114,7 +115,8 @@ class CellGrid {
     [[nodiscard]] std::uint32_t place(const Cell<D>& cell) const noexcept {
         std::uint32_t place = 0;
         for (int k = D - 1; k >= 0; --k)
-            place = place * static_cast<std::uint32_t>(count_[k]) + static_cast<std::uint32_t>(cell[k]);
+            place =
+                place * static_cast<std::uint32_t>(count_[k]) + static_cast<std::uint32_t>(cell[k]);
         return place;
     }
 
@@ -160,7 +162,9 @@ template <int D>
 class CellTable {
  public:
     CellTable(const CellGrid<D>& grid, std::size_t balls, bool hashed)
-        : grid_(&grid), hashed_(hashed || !grid.is_bounded() || grid.size() > 4.0 * static_cast<double>(balls) + 64.0),
+        : grid_(&grid),
+          hashed_(hashed || !grid.is_bounded() ||
+                  grid.size() > 4.0 * static_cast<double>(balls) + 64.0),
           heads_(hashed_ ? std::bit_ceil(balls + 1) : static_cast<std::size_t>(grid.size()), none),
           links_(balls) {
         if (hashed_) cells_.resize(balls);

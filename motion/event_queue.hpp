@@ -93,8 +93,9 @@ class EventQueue {
 
     [[nodiscard]] std::uint32_t bucket_of(double key) const noexcept {
         const double number = (key - start_) * per_time_;
-        return number < static_cast<double>(far_) ? number > 0.0 ? static_cast<std::uint32_t>(number) : 0
-                                                  : far_;
+        return number < static_cast<double>(far_)
+                   ? number > 0.0 ? static_cast<std::uint32_t>(number) : 0
+                   : far_;
     }
     void insert(Entry e, std::uint32_t bucket) noexcept {
         Link& link = link_[e];

@@ -18,9 +18,8 @@ using filters::DoubleDouble;
 
 Rational rational(const Dyadic& number) {
     const exact::Integer significand = number.significand();
-    return number.exponent() < 0
-               ? Rational(significand, exact::Integer(1) << -number.exponent())
-               : Rational(exact::Integer(significand << number.exponent()));
+    return number.exponent() < 0 ? Rational(significand, exact::Integer(1) << -number.exponent())
+                                 : Rational(exact::Integer(significand << number.exponent()));
 }
 
 /// F(T + s) = a s² + 2 b s + c.
@@ -105,8 +104,8 @@ double exact_meeting(const Ball<D>& ball, Wall wall, const Effects<D>& effects) 
 }
 
 /// With F(t + δ) = F + 2 P δ + A δ², P = D·V at t, the root next to t is δ = -F/2P (1 + θ),
-/// |θ| <= 2 |A δ / P| as long as that is small: F falls there, since P < 0. F comes of double-doubles;
-/// of P and A doubles suffice, for δ is small.
+/// |θ| <= 2 |A δ / P| as long as that is small: F falls there, since P < 0. F comes of
+/// double-doubles; of P and A doubles suffice, for δ is small.
 template <int D>
 double refined_meeting(const Ball<D>& a, const Ball<D>& b, const Image<D>& image,
                        const Effects<D>& effects, double about) noexcept {
@@ -192,9 +191,8 @@ double refined_meeting(const Ball<D>& ball, Wall wall, const Effects<D>& effects
     const double delta = -f.high / slope;
     const double bend = std::fabs(gravity * delta / slope);
     if (!(slope < -0x1p-400 && slope_error < -0x1p-20 * slope && bend < 0x1p-20)) return none;
-    const double error =
-        0x1p-97 * size / -slope +
-        std::fabs(delta) * (0x1p-50 + 2.0 * (bend + slope_error / -slope));
+    const double error = 0x1p-97 * size / -slope +
+                         std::fabs(delta) * (0x1p-50 + 2.0 * (bend + slope_error / -slope));
     const TwoTerms sum = two_sum(about, delta);
     const double time = sum.high + (sum.low - error);
     if (time != sum.high + (sum.low + error)) return none;

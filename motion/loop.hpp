@@ -107,8 +107,11 @@ class Loop final : public Simulation<D>::Engine {
 
     [[nodiscard]] State<D> state() const override {
         const std::size_t n = number_.size();
-        State<D> state{now_, std::vector<Ball<D>>(n), std::vector<double>(n),
-                       std::vector<std::uint32_t>(n), {}};
+        State<D> state{now_,
+                       std::vector<Ball<D>>(n),
+                       std::vector<double>(n),
+                       std::vector<std::uint32_t>(n),
+                       {}};
         for (Slot i = 0; i < n; ++i) {
             const auto number = static_cast<std::size_t>(number_[i]);
             state.balls[number] = world_.balls[i];
@@ -162,7 +165,8 @@ class Loop final : public Simulation<D>::Engine {
     }
 
     /// The order of events at one time: ball before wall, then the smaller number, then the larger.
-    [[nodiscard]] std::tuple<bool, std::int32_t, std::int32_t> rank(Slot i, const Proposal& p) const {
+    [[nodiscard]] std::tuple<bool, std::int32_t, std::int32_t> rank(Slot i,
+                                                                    const Proposal& p) const {
         if (is_wall(p)) return {true, number_[i], wall_of(p)};
         const std::int32_t a = number_[i];
         const std::int32_t b = number_[p.partner];
@@ -184,13 +188,11 @@ class Loop final : public Simulation<D>::Engine {
         return [this](Slot i, Slot j) { return comes_before(i, j); };
     }
 
-    void settle(Slot i) {
-        queue_.set(i, std::min(own_[i], proposals_[i].early), before());
-    }
+    void settle(Slot i) { queue_.set(i, std::min(own_[i], proposals_[i].early), before()); }
 
     /// Balls that fly apart would cross ever more cells, or leave ever more shells, that were made
-    /// when they were near one another: now and then the structure is made anew. False where nothing
-    /// meets any more, as far as that is looked for.
+    /// when they were near one another: now and then the structure is made anew. False where
+    /// nothing meets any more, as far as that is looked for.
     [[nodiscard]] bool spread() {
         constexpr std::size_t few = 2048;
         own_events_left_ = own_events_a_ball * number_.size();
@@ -259,7 +261,8 @@ class Loop final : public Simulation<D>::Engine {
             candidate.slot = j;
             candidate.approach = asker.look(balls[j]);
             possible += static_cast<std::size_t>(candidate.approach.possible);
-            if (possible == candidates_.size()) [[unlikely]] ask_when();
+            if (possible == candidates_.size()) [[unlikely]]
+                ask_when();
         });
         ask_when();
         counts_.checks += checks;
@@ -319,7 +322,8 @@ class Loop final : public Simulation<D>::Engine {
             }
             make_exact(i, best);
             make_exact(i, candidate);
-            if (std::tuple(candidate.early, rank(i, candidate)) < std::tuple(best.early, rank(i, best)))
+            if (std::tuple(candidate.early, rank(i, candidate)) <
+                std::tuple(best.early, rank(i, best)))
                 best = candidate;
         }
     }
@@ -338,7 +342,8 @@ class Loop final : public Simulation<D>::Engine {
     }
     [[gnu::cold, gnu::noinline]] Meeting exactly(Slot i, Slot j) {
         ++counts_.exact;
-        const double t = exact_meeting(world_.balls[i], world_.balls[j], image(i, j, now_), world_.effects);
+        const double t =
+            exact_meeting(world_.balls[i], world_.balls[j], image(i, j, now_), world_.effects);
         return {t, t};
     }
     void make_exact(Slot i, Proposal& p) {
@@ -356,7 +361,8 @@ class Loop final : public Simulation<D>::Engine {
         } else {
             // Now another image may be nearer than the one that will be struck.
             const Image<D> seen = image(i, p.partner, about);
-            t = refined_meeting(world_.balls[i], world_.balls[p.partner], seen, world_.effects, about);
+            t = refined_meeting(world_.balls[i], world_.balls[p.partner], seen, world_.effects,
+                                about);
             if (std::isnan(t)) {
                 ++counts_.exact;
                 t = exact_meeting(world_.balls[i], world_.balls[p.partner], seen, world_.effects);
@@ -400,7 +406,8 @@ class Loop final : public Simulation<D>::Engine {
         const std::int32_t second = std::max(number_[i], number_[j]);
         last_ = {t, false, first, second, 0.0};
         if (record) {
-            last_.impulse = impulse(a_before, b_before, seen, mass_[i], mass_[j], world_.effects, tally);
+            last_.impulse =
+                impulse(a_before, b_before, seen, mass_[i], mass_[j], world_.effects, tally);
             record(last_);
         }
         ++counts_.strikes;
@@ -446,17 +453,16 @@ class Loop final : public Simulation<D>::Engine {
             record(last_);
         }
         ++counts_.strikes;
-        count(i, ball_before, std::fabs(ball_before.v[wall / 2]), 1.0, [&] {
-            return stayed_in_place_exactly(ball_before, wall, world_.balls[i].time);
-        });
+        count(i, ball_before, std::fabs(ball_before.v[wall / 2]), 1.0,
+              [&] { return stayed_in_place_exactly(ball_before, wall, world_.balls[i].time); });
         world_.balls[i] = ball;
         filter_.include(ball);
         release(i);
         ask(i);
         return true;
     }
-    /// Where balls fly so far from one tick of the clock to the next that those which meet are apart
-    /// at the rounded time.
+    /// Where balls fly so far from one tick of the clock to the next that those which meet are
+    /// apart at the rounded time.
     void refuse_coarse_clock(Slot i, Slot j, const Ball<D>& a, const Ball<D>& b,
                              const Image<D>& seen) const {
         double square = 0.0;
@@ -467,7 +473,8 @@ class Loop final : public Simulation<D>::Engine {
             square += d * d;
         }
         const double radii = a.radius + b.radius;
-        if (std::fabs(square - radii * radii) < 0x1p-10 * (radii * radii)) [[likely]] return;
+        if (std::fabs(square - radii * radii) < 0x1p-10 * (radii * radii)) [[likely]]
+            return;
         if constexpr (kernel == Kernel::naive) return;
         throw std::range_error(
             "balls " + std::to_string(std::min(number_[i], number_[j])) + " and " +
@@ -486,7 +493,8 @@ class Loop final : public Simulation<D>::Engine {
 
     /// Counts a strike of a ball, which is given as it was when it came.
     template <class Exactly>
-    void count(Slot i, const Ball<D>& came, double approach, double square, const Exactly& exactly) {
+    void count(Slot i, const Ball<D>& came, double approach, double square,
+               const Exactly& exactly) {
         ++strikes_[i];
         const InPlace stayed =
             stayed_in_place(came, came.time - world_.balls[i].time, approach, square);

@@ -7,9 +7,9 @@
 /// nearest to it, halves to even, and T where that would be below T. Infinity stands for never.
 /// So it is a function of two states and of nothing else.
 ///
-/// What it means: F falls, they approach. Touching or overlapping at T and approaching: T. Receding:
-/// never (radii that outgrow the motion and walls under gravity come back: F is concave there).
-/// Where F only touches 0 they graze, and exchange no impulse: never.
+/// What it means: F falls, they approach. Touching or overlapping at T and approaching: T.
+/// Receding: never (radii that outgrow the motion and walls under gravity come back: F is concave
+/// there). Where F only touches 0 they graze, and exchange no impulse: never.
 ///
 /// Three stages: doubles with a bound (MeetingFilter, inline), which tell an interval that contains
 /// the meeting time, or never, or nothing; exact(), double-doubles that nearly always tell the one
@@ -46,7 +46,8 @@ struct Place {
     return (x + 0x1.8p52) - 0x1.8p52;
 }
 
-/// D·V, V·V, D·D - R² and the discriminant of a pair now; possible is 0 where it surely never meets.
+/// D·V, V·V, D·D - R² and the discriminant of a pair now; possible is 0 where it surely never
+/// meets.
 struct Approach {
     double product;
     double square;
@@ -96,14 +97,15 @@ inline constexpr double least_square = 0x1p-600;
 /// one that asks are at most E in each coordinate, so the product is at most 2E + |D_i|, and D_i, a
 /// difference of two places less a multiple of the box's length, errs by less than u (14 E + 4
 /// |D_i|) <= 24 u E. With gravity, v dt and g dt²/2 are asked whether they are below E, and D_i
-/// errs by less than 32 u E. V errs by u a component, with gravity by 3 u W. For D <= 3, |D|² <= 12 E²:
+/// errs by less than 32 u E. V errs by u a component, with gravity by 3 u W. For D <= 3, |D|² <= 12
+/// E²:
 ///     B = D·V     |error| <= 80 u E √A + 21 u E W
 ///     C = D·D-R²  |error| <= 520 u E²
 ///     B² - AC     |error| <= 1800 u E² A + 340 u E² √A W <= K (A + W²),   K = 2048 u E²
 /// and of s = C / (-B + √disc), since s √A <= |D| and s A = -B - √disc,
 ///     |error| <= (K + s K W/E + s K (A + W²)/√disc) / (-B + √disc),
-/// which is at most K/√disc where W = 0. Twice that is taken, for the bounds are computed in rounded
-/// numbers and disc may be twice its error.
+/// which is at most K/√disc where W = 0. Twice that is taken, for the bounds are computed in
+/// rounded numbers and disc may be twice its error.
 template <int D, bool Falls, Kernel kernel>
 class MeetingFilter {
  public:
@@ -242,8 +244,8 @@ inline Approach MeetingFilter<D, Falls, kernel>::Asker::look(const Ball<D>& b) c
     int rests = Falls ? 0 : 1;
     if constexpr (!Falls)
         for (const double each : v) rests &= static_cast<int>(each == 0.0);
-    const int recedes = static_cast<int>(
-        approach.product * filters::magnitude(approach.product) > bounds_.approach * size);
+    const int recedes = static_cast<int>(approach.product * filters::magnitude(approach.product) >
+                                         bounds_.approach * size);
     const int misses = static_cast<int>(approach.discriminant < -bounds_.gap * size);
     approach.possible = 1 - (recedes | misses | rests);
     if constexpr (Falls) {
@@ -256,7 +258,8 @@ inline Approach MeetingFilter<D, Falls, kernel>::Asker::look(const Ball<D>& b) c
 }
 
 template <int D, bool Falls, Kernel kernel>
-Meeting MeetingFilter<D, Falls, kernel>::Asker::operator()(const Approach& approach) const noexcept {
+Meeting MeetingFilter<D, Falls, kernel>::Asker::operator()(
+    const Approach& approach) const noexcept {
     if constexpr (kernel == Kernel::naive) {
         const double after = approach.gap / (std::sqrt(approach.discriminant) - approach.product);
         const double t = now_ + std::max(after, 0.0);

@@ -11,12 +11,18 @@
 namespace signum::motion {
 
 // One line a structure.
-template <int D> class Pairs;
-template <int D> class CellsOfOneSize;
-template <int D> class OccupiedCells;
-template <int D> class Segments;
-template <int D> class Levels;
-template <int D> class Lists;
+template <int D>
+class Pairs;
+template <int D>
+class CellsOfOneSize;
+template <int D>
+class OccupiedCells;
+template <int D>
+class Segments;
+template <int D>
+class Levels;
+template <int D>
+class Lists;
 
 namespace {
 
@@ -87,8 +93,7 @@ std::vector<std::int32_t> along_a_curve(const State<D>& state, const Effects<D>&
         std::uint64_t key = 0;
         for (int k = 0; k < D; ++k) {
             const auto number = static_cast<std::uint64_t>((x[k] - low[k]) * scale);
-            for (int bit = 0; bit < bits; ++bit)
-                key |= (number >> bit & 1) << (bit * D + k);
+            for (int bit = 0; bit < bits; ++bit) key |= (number >> bit & 1) << (bit * D + k);
         }
         keys.emplace_back(key, static_cast<std::int32_t>(keys.size()));
     }
@@ -115,7 +120,8 @@ Choice choose(Structure wish, const State<D>& state, const Effects<D>& effects) 
             return {Structure::levels, "the largest radius is more than four times the smallest"};
         return {Structure::lists, "many balls of like sizes"};
     }
-    const bool in_cells = wish == Structure::cells || wish == Structure::tree || wish == Structure::levels;
+    const bool in_cells =
+        wish == Structure::cells || wish == Structure::tree || wish == Structure::levels;
     if (few_cells && in_cells)
         return {Structure::pairs, "the periodic box has fewer than five cells along an axis"};
     if (effects.periodic && wish == Structure::segments)

@@ -144,8 +144,8 @@ template <int D>
 template <int D>
 class Simulation {
  public:
-    /// Preconditions: as start() sees to; of a later state, that it comes from state(), with the same
-    /// effects.
+    /// Preconditions: as start() sees to; of a later state, that it comes from state(), with the
+    /// same effects.
     Simulation(const State<D>& state, const Effects<D>& effects, const Options& options = {});
     ~Simulation();
     Simulation(Simulation&&) noexcept;
@@ -153,9 +153,9 @@ class Simulation {
 
     /// Called with each strike.
     using Record = std::function<void(const Strike&)>;
-    /// Goes on as far as the limits say. Throws std::range_error where a ball flies so fast that the
-    /// clock cannot tell its strike from a miss. O(1) expected a strike for lists and cells in a
-    /// gas.
+    /// Goes on as far as the limits say. Throws std::range_error where a ball flies so fast that
+    /// the clock cannot tell its strike from a miss. O(1) expected a strike for lists and cells in
+    /// a gas.
     Outcome run(const Limits& limits, const Record& record = {});
 
     [[nodiscard]] State<D> state() const;

@@ -47,7 +47,8 @@ class SlotLists {
     /// Moves a list to a place twice as large; its old place serves another one.
     [[gnu::noinline]] void grow(List& list) {
         const std::uint32_t capacity = std::max(2 * list.capacity, 8U);
-        std::vector<std::uint32_t>& free = free_[static_cast<std::size_t>(std::bit_width(capacity))];
+        std::vector<std::uint32_t>& free =
+            free_[static_cast<std::size_t>(std::bit_width(capacity))];
         std::uint32_t begin = 0;
         if (free.empty()) {
             begin = static_cast<std::uint32_t>(pool_.size());

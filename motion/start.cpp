@@ -96,8 +96,7 @@ bool overlap(const Ball<D>& a, const Ball<D>& b, const World<D>& world) {
     }
     const double radii = a.radius + b.radius;
     // What rounding does to a difference is far less than a part in 2^40 of the numbers.
-    if (dot(d, d) > std::max(radii * radii * (1.0 + 0x1p-20), 0x1p-40 * size * size))
-        return false;
+    if (dot(d, d) > std::max(radii * radii * (1.0 + 0x1p-20), 0x1p-40 * size * size)) return false;
     Dyadic square;
     for (int k = 0; k < D; ++k) {
         Dyadic exact = Dyadic(a.x[k]) - Dyadic(b.x[k]);
@@ -134,8 +133,8 @@ State<D> start(std::span<const Body<D>> bodies, const Effects<D>& effects) {
             if (j < first && overlap(world.balls[i], world.balls[j], world)) first = j;
         });
         if (first < i)
-            throw BallError(i, "a ball that overlaps ball " + std::to_string(first) +
-                                   "; balls may touch");
+            throw BallError(
+                i, "a ball that overlaps ball " + std::to_string(first) + "; balls may touch");
     }
     return state;
 }

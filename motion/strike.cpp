@@ -159,8 +159,8 @@ class ExactLaw {
         for (int i = 0; i < D; ++i) {
             x_[i] = Dyadic(a.x[i]) - Dyadic(b.x[i]);
             if (image[i] != 0)
-                x_[i] = x_[i] -
-                        image[i] * (Dyadic(effects.box->high[i]) - Dyadic(effects.box->low[i]));
+                x_[i] =
+                    x_[i] - image[i] * (Dyadic(effects.box->high[i]) - Dyadic(effects.box->low[i]));
             product_ += x_[i] * (Dyadic(a.v[i]) - Dyadic(b.v[i]));
             square_ += x_[i] * x_[i];
         }
@@ -211,8 +211,9 @@ Ball<D> arrived(const Ball<D>& ball, double t, const Effects<D>& effects, Strike
             if (!rounds(DoubleDouble{ball.v[i], 0.0} + faster,
                         0x1p-98 * (std::fabs(ball.v[i]) + std::fabs(faster.high)), result.v[i])) {
                 ++tally.exact;
-                result.v[i] = rounded(to_rational(ball.v[i]) +
-                                      to_rational(gravity) * (to_rational(t) - to_rational(ball.time)));
+                result.v[i] =
+                    rounded(to_rational(ball.v[i]) +
+                            to_rational(gravity) * (to_rational(t) - to_rational(ball.time)));
             }
         }
         bool certain = true;
@@ -259,12 +260,12 @@ Exchange strike(Ball<D>& a, Ball<D>& b, const Image<D>& image, double mass_a, do
     bool certain = true;
     double approach = -product.high;
     double distance = square.high;
-    if (const double relative = product_error / approach;
-        relative < 0x1p-60 && approach > 0x1p-800) [[likely]] {
+    if (const double relative = product_error / approach; relative < 0x1p-60 && approach > 0x1p-800)
+        [[likely]] {
         const DoubleDouble ratio = quotient(product, square);
         const auto round_one = [&](double v, DoubleDouble step, double& nearest) {
-            const double error = (0x1p-94 + relative) * std::fabs(step.high) +
-                                 0x1p-100 * std::fabs(v) + 0x1p-1060;
+            const double error =
+                (0x1p-94 + relative) * std::fabs(step.high) + 0x1p-100 * std::fabs(v) + 0x1p-1060;
             if (rounds(DoubleDouble{v, 0.0} + step, error, nearest)) [[likely]]
                 return;
             nearest = std::numeric_limits<double>::quiet_NaN();
@@ -339,7 +340,8 @@ double size_of(const Ball<D>& ball) noexcept {
     return size;
 }
 template <int D>
-bool in_place(const Ball<D>& ball, double before, const Rational& approach, const Rational& square) {
+bool in_place(const Ball<D>& ball, double before, const Rational& approach,
+              const Rational& square) {
     const Rational flown = approach * (to_rational(ball.time) - to_rational(before));
     const Rational size = to_rational(size_of(ball)) / (Integer(1) << 40);
     return flown * flown <= size * size * square;
@@ -348,7 +350,8 @@ bool in_place(const Ball<D>& ball, double before, const Rational& approach, cons
 }  // namespace
 
 template <int D>
-InPlace stayed_in_place(const Ball<D>& ball, double since, double approach, double square) noexcept {
+InPlace stayed_in_place(const Ball<D>& ball, double since, double approach,
+                        double square) noexcept {
     const double size = 0x1p-40 * size_of(ball);
     const double flown = approach * since;
     const double left = flown * flown;
@@ -386,17 +389,17 @@ double impulse(const Ball<D>& ball, Wall wall, double mass, const Effects<D>& ef
     return rounded(bounce(effects.wall_restitution) * to_rational(mass) * to_rational(v));
 }
 
-#define SIGNUM_STRIKES_OF(D)                                                                      \
-    template Ball<D> arrived(const Ball<D>&, double, const Effects<D>&, StrikeTally&);            \
-    template Exchange strike(Ball<D>&, Ball<D>&, const Image<D>&, double, double,                 \
-                             const Effects<D>&, StrikeTally&);                                    \
-    template double impulse(const Ball<D>&, const Ball<D>&, const Image<D>&, double, double,      \
-                            const Effects<D>&, StrikeTally&);                                     \
-    template InPlace stayed_in_place(const Ball<D>&, double, double, double) noexcept;            \
-    template bool stayed_in_place_exactly(const Ball<D>&, const Ball<D>&, const Image<D>&,        \
-                                          const Effects<D>&, double);                             \
-    template bool stayed_in_place_exactly(const Ball<D>&, Wall, double);                          \
-    template bool strike(Ball<D>&, Wall, const Effects<D>&);                                      \
+#define SIGNUM_STRIKES_OF(D)                                                                 \
+    template Ball<D> arrived(const Ball<D>&, double, const Effects<D>&, StrikeTally&);       \
+    template Exchange strike(Ball<D>&, Ball<D>&, const Image<D>&, double, double,            \
+                             const Effects<D>&, StrikeTally&);                               \
+    template double impulse(const Ball<D>&, const Ball<D>&, const Image<D>&, double, double, \
+                            const Effects<D>&, StrikeTally&);                                \
+    template InPlace stayed_in_place(const Ball<D>&, double, double, double) noexcept;       \
+    template bool stayed_in_place_exactly(const Ball<D>&, const Ball<D>&, const Image<D>&,   \
+                                          const Effects<D>&, double);                        \
+    template bool stayed_in_place_exactly(const Ball<D>&, Wall, double);                     \
+    template bool strike(Ball<D>&, Wall, const Effects<D>&);                                 \
     template double impulse(const Ball<D>&, Wall, double, const Effects<D>&);
 SIGNUM_STRIKES_OF(2)
 SIGNUM_STRIKES_OF(3)

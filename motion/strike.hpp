@@ -3,9 +3,11 @@
 ///
 /// The balls concerned are brought to the time of the strike: each coordinate of x and of v becomes
 /// the double nearest to its exact value then (in a periodic box x less as many lengths as bring it
-/// back into the box). Of these doubles, with V = v_a - v_b, D = x_a - x_b, the law without friction
+/// back into the box). Of these doubles, with V = v_a - v_b, D = x_a - x_b, the law without
+/// friction
 ///
-///     v_a' = v_a - (1+e) m_b/(m_a+m_b) (V·D / D·D) D,     v_b' = v_b + (1+e) m_a/(m_a+m_b) (V·D / D·D) D
+///     v_a' = v_a - (1+e) m_b/(m_a+m_b) (V·D / D·D) D,     v_b' = v_b + (1+e) m_a/(m_a+m_b) (V·D /
+///     D·D) D
 ///
 /// is exact, and each component of the new velocities the double nearest to it; halves to even, a
 /// zero is +0. Against a wall only the normal component changes, to -e v rounded once.
@@ -47,8 +49,9 @@ template <int D>
                                       double square) noexcept;
 /// The same, exactly.
 template <int D>
-[[nodiscard]] bool stayed_in_place_exactly(const Ball<D>& a, const Ball<D>& b, const Image<D>& image,
-                                           const Effects<D>& effects, double before);
+[[nodiscard]] bool stayed_in_place_exactly(const Ball<D>& a, const Ball<D>& b,
+                                           const Image<D>& image, const Effects<D>& effects,
+                                           double before);
 template <int D>
 [[nodiscard]] bool stayed_in_place_exactly(const Ball<D>& ball, Wall wall, double before);
 

@@ -5,15 +5,15 @@
 /// lives in the level whose cells are just as wide as its diameter, or wider; it visits the cells
 /// of all coarser levels in which its centre lies.
 ///
-/// No meeting is missed: let a live in level k and b in level l >= k. When they touch, their centres
-/// are at most the larger diameter apart, so they lie in neighbouring cells of level l or in the
-/// same one. Since they were not proposed when they became neighbours there, or at the start, or at
-/// the last strike of one of them, one of the two has entered a cell of level l since; then b, which
-/// lives there, proposes all that live in or visit the cells that have become its neighbours, and a,
-/// which visits, all that live there.
+/// No meeting is missed: let a live in level k and b in level l >= k. When they touch, their
+/// centres are at most the larger diameter apart, so they lie in neighbouring cells of level l or
+/// in the same one. Since they were not proposed when they became neighbours there, or at the
+/// start, or at the last strike of one of them, one of the two has entered a cell of level l since;
+/// then b, which lives there, proposes all that live in or visit the cells that have become its
+/// neighbours, and a, which visits, all that live there.
 ///
-/// A crossing is told in rounded numbers; cells are by a part in 2^20 wider than diameters, which is
-/// far more than any rounding of a place.
+/// A crossing is told in rounded numbers; cells are by a part in 2^20 wider than diameters, which
+/// is far more than any rounding of a place.
 
 #include <algorithm>
 #include <cmath>
@@ -36,15 +36,16 @@ class Grid {
         const double no_wider = world.effects.periodic ? spread.shortest() / 5.0 : infinity;
         // Cells far narrower than balls are apart are crossed for nothing.
         const double narrowest =
-            std::max({2.0 * spread.smallest_radius * (1.0 + 0x1p-20), std::min(0.8 * spread.edge_of(1.0), no_wider),
-                      0x1p-20 * widest});
+            std::max({2.0 * spread.smallest_radius * (1.0 + 0x1p-20),
+                      std::min(0.8 * spread.edge_of(1.0), no_wider), 0x1p-20 * widest});
         int number = 1;
         while (number < most_levels && std::ldexp(narrowest, number) <= widest) ++number;
         const double finest =
             number == 1 ? std::max(widest, narrowest) : std::ldexp(widest, 1 - number);
         grids_.reserve(static_cast<std::size_t>(number));
         for (int level = 0; level < number; ++level) {
-            grids_.emplace_back(world, spread, std::ldexp(finest, level), 1 << (number - 1 - level));
+            grids_.emplace_back(world, spread, std::ldexp(finest, level),
+                                1 << (number - 1 - level));
             residents_.emplace_back(grids_.back(), world.balls.size(), hashed);
             if (level > 0) visitors_.emplace_back(grids_.back(), world.balls.size(), hashed);
         }

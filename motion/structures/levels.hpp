@@ -1,6 +1,6 @@
 #pragma once
-/// Cells of several sizes, each a power of two above the next: a large ball does not ruin small ones
-/// (thesis 9.4.2, table 10.4.4). Why nothing is missed: grid.hpp.
+/// Cells of several sizes, each a power of two above the next: a large ball does not ruin small
+/// ones (thesis 9.4.2, table 10.4.4). Why nothing is missed: grid.hpp.
 
 #include "grid.hpp"
 

@@ -93,7 +93,8 @@ class Lists {
     static double slack_of(const Spread<D>& spread) {
         constexpr double ball = D == 2 ? std::numbers::pi : 4.0 / 3.0 * std::numbers::pi;
         const double reach = spread.edge_of((D == 2 ? 7.0 : 12.0) / ball);
-        const double slack = std::max(0.5 * reach - spread.largest_radius, 0.05 * spread.largest_radius);
+        const double slack =
+            std::max(0.5 * reach - spread.largest_radius, 0.05 * spread.largest_radius);
         return std::clamp(slack, 0x1p-20 * spread.shortest(), 0.05 * spread.shortest());
     }
 

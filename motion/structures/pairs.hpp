@@ -37,7 +37,8 @@ class Pairs {
         }
         fastest = std::sqrt(fastest);
         // v s + g s²/2 = stride
-        return now + 2.0 * stride_ / (fastest + std::sqrt(fastest * fastest + 2.0 * std::sqrt(pull) * stride_));
+        return now + 2.0 * stride_ /
+                         (fastest + std::sqrt(fastest * fastest + 2.0 * std::sqrt(pull) * stride_));
     }
     template <class Propose, class Touch>
     void own_event(Slot i, double, const Propose& propose, const Touch&) {

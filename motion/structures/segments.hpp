@@ -116,7 +116,8 @@ class Segments {
     }
     [[nodiscard]] bool are_partners(Slot i, Slot j) const noexcept {
         return std::ranges::all_of(axes_, [&](const Axis& axis) {
-            return axis.rank[2 * i] < axis.rank[2 * j + 1] && axis.rank[2 * j] < axis.rank[2 * i + 1];
+            return axis.rank[2 * i] < axis.rank[2 * j + 1] &&
+                   axis.rank[2 * j] < axis.rank[2 * i + 1];
         });
     }
     void pair(Slot i, Slot j) {

@@ -390,8 +390,7 @@ std::optional<BallStrike> strike(Ball a, Ball b, const World& world) {
     a.v = rounded(exactly(a.v) + gained / square / ma * distance);
     b.v = rounded(exactly(b.v) - gained / square / mb * distance);
     if (before == std::pair(a.v, b.v)) return std::nullopt;
-    return BallStrike{a, b, finite(nearest_by_root(gained, square)),
-                      approach * approach / square};
+    return BallStrike{a, b, finite(nearest_by_root(gained, square)), approach * approach / square};
 }
 
 struct WallStrike {
@@ -519,7 +518,7 @@ class Simulation {
     const World& world_;
     double until_;
     std::vector<int> in_place_;  // strikes of a ball in a row that found it in place
-    std::map<Pair, std::optional<double>> times_;   // meetings, as long as their balls go on
+    std::map<Pair, std::optional<double>> times_;  // meetings, as long as their balls go on
     Run run_;
 };
 

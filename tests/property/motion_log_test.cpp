@@ -68,7 +68,9 @@ bool overlap(const Body<D>& a, const Body<D>& b, const Effects<D>& effects) {
 template <int D>
 Scene<D> random_scene(std::uint64_t seed) {
     std::mt19937_64 random(seed);
-    const auto choose = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
+    const auto choose = [&](int n) {
+        return static_cast<int>(random() % static_cast<unsigned>(n));
+    };
     const bool round = choose(2) == 0;
     const auto number = [&](double low, double high) {
         const double x = std::uniform_real_distribution<double>(low, high)(random);
@@ -98,9 +100,8 @@ Scene<D> random_scene(std::uint64_t seed) {
             body.x[k] = number(body.radius, size - body.radius);
             body.v[k] = choose(4) == 0 ? 0.0 : number(-2.0, 2.0);
         }
-        if (std::ranges::none_of(scene.bodies, [&](const Body<D>& other) {
-                return overlap(body, other, effects);
-            }))
+        if (std::ranges::none_of(
+                scene.bodies, [&](const Body<D>& other) { return overlap(body, other, effects); }))
             scene.bodies.push_back(body);
     }
     return scene;
@@ -124,13 +125,14 @@ void expect_log_of_oracle(const Scene<D>& scene, double until, std::size_t most)
         Simulation<D> simulation(first, scene.effects, {.structure = structure});
         std::vector<Strike> log;
         const Outcome outcome =
-            simulation.run({.until = until, .strikes = most}, [&](const Strike& strike) { log.push_back(strike); });
+            simulation.run({.until = until, .strikes = most},
+                           [&](const Strike& strike) { log.push_back(strike); });
         for (std::size_t i = 0; i < std::min(log.size(), expected.log.size()); ++i) {
             const brute::Strike& e = expected.log[i];
             ASSERT_EQ(log[i], (Strike{e.time, e.wall, e.a, e.b, e.impulse}))
-                << "strike " << i << ": " << log[i].time << " " << log[i].wall << " " << log[i].a << " " << log[i].b << " "
-                << log[i].impulse << ", expected " << e.time << " " << e.wall << " " << e.a << " " << e.b << " "
-                << e.impulse;
+                << "strike " << i << ": " << log[i].time << " " << log[i].wall << " " << log[i].a
+                << " " << log[i].b << " " << log[i].impulse << ", expected " << e.time << " "
+                << e.wall << " " << e.a << " " << e.b << " " << e.impulse;
         }
         ASSERT_EQ(log.size(), expected.log.size());
         ASSERT_EQ(outcome.ending == Ending::collapse, expected.collapsed);

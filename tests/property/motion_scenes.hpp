@@ -70,7 +70,8 @@ Scene<D> gas(std::size_t number, bool periodic, std::uint64_t seed) {
 /// A lattice at rest whose balls touch, struck by one: chains of strikes at one time.
 template <int D>
 Scene<D> struck_lattice(std::size_t number, double radius) {
-    Scene<D> scene{radius == 0.5 ? "touching lattice struck by one" : "lattice struck by one", {}, {}};
+    Scene<D> scene{
+        radius == 0.5 ? "touching lattice struck by one" : "lattice struck by one", {}, {}};
     const std::vector<Vector<D>> places = lattice<D>(number);
     for (const Vector<D>& x : places) scene.bodies.push_back({x, {}, radius, 1.0});
     Body<D> cue{places.front(), {}, radius, 1.0};
@@ -159,7 +160,9 @@ Scene<D> radii(std::size_t number, std::uint64_t seed) {
     scene.name = "radii 1 : 10^6";
     std::mt19937_64 random(seed);
     for (Body<D>& body : scene.bodies) {
-        body.radius = 0.45 * std::pow(10.0, -6.0 * std::pow(static_cast<double>(random() % 1000) / 1000.0, 2.0));
+        body.radius =
+            0.45 *
+            std::pow(10.0, -6.0 * std::pow(static_cast<double>(random() % 1000) / 1000.0, 2.0));
         body.mass = std::pow(body.radius, D);
     }
     scene.bodies.front().radius = 0.5;
@@ -192,11 +195,16 @@ Scene<D> meeting_place(std::size_t number, std::uint64_t seed) {
 
 template <int D>
 std::vector<Scene<D>> all_scenes(std::size_t number) {
-    return {gas<D>(number, false, 1),  gas<D>(number, true, 2),
-            struck_lattice<D>(number, 0.5), struck_lattice<D>(number, 0.375),
-            symmetric<D>(number, 3),   cradle<D>(std::min<std::size_t>(number, 300)),
-            grazing<D>(number),        masses<D>(number, 4),
-            radii<D>(number, 5),       falling<D>(number, 6),
+    return {gas<D>(number, false, 1),
+            gas<D>(number, true, 2),
+            struck_lattice<D>(number, 0.5),
+            struck_lattice<D>(number, 0.375),
+            symmetric<D>(number, 3),
+            cradle<D>(std::min<std::size_t>(number, 300)),
+            grazing<D>(number),
+            masses<D>(number, 4),
+            radii<D>(number, 5),
+            falling<D>(number, 6),
             meeting_place<D>(number, 7)};
 }
 

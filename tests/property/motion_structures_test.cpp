@@ -24,12 +24,12 @@ struct Recorded {
 
 template <int D>
 Recorded run(const Scene<D>& scene, Structure structure, std::uint64_t strikes,
-        Kernel kernel = Kernel::exact) {
+             Kernel kernel = Kernel::exact) {
     Simulation<D> simulation(start<D>(scene.bodies, scene.effects), scene.effects,
                              {structure, kernel});
     Recorded result;
-    result.outcome = simulation.run(
-        {.strikes = strikes}, [&](const Strike& strike) { result.log.push_back(strike); });
+    result.outcome = simulation.run({.strikes = strikes},
+                                    [&](const Strike& strike) { result.log.push_back(strike); });
     result.counts = simulation.counts();
     return result;
 }
@@ -159,7 +159,8 @@ void expect_nothing_through(const Scene<D>& scene, int looks, double every) {
                 for (int k = 0; k < D; ++k) {
                     double d = x[i][k] - x[j][k];
                     if (scene.effects.periodic) {
-                        const double length = scene.effects.box->high[k] - scene.effects.box->low[k];
+                        const double length =
+                            scene.effects.box->high[k] - scene.effects.box->low[k];
                         d -= length * std::round(d / length);
                     }
                     square += d * d;
