@@ -54,14 +54,14 @@ Polynomial square_of(const Path<D>& path) {
 
 // Two balls
 
-/// What two balls are to each other, which flies on a straight line: gravity cancels.
+/// One ball seen from another one flies straight: gravity cancels.
 template <int D>
-struct Approaching {
+struct RelativeFlight {
     double start;
     Path<D> distance;
     Polynomial reach;
 
-    Approaching(const GrowingBall<D>& a, const GrowingBall<D>& b, const Effects<D>& effects)
+    RelativeFlight(const GrowingBall<D>& a, const GrowingBall<D>& b, const Effects<D>& effects)
         : start(std::max(a.time, b.time)),
           distance(difference<D>(path_of<D>(a, effects.gravity), path_of<D>(b, effects.gravity))),
           reach(radius_of(a) + radius_of(b)) {}
@@ -100,7 +100,7 @@ Integer floor_of(const Dyadic& a, const Dyadic& b) {
 template <int D>
 class ImageSearch {
  public:
-    ImageSearch(const Approaching<D>& pair, const Effects<D>& effects) : pair_(pair) {
+    ImageSearch(const RelativeFlight<D>& pair, const Effects<D>& effects) : pair_(pair) {
         for (int i = 0; i < D; ++i) length_[i] = length_of(effects, i);
     }
 
@@ -134,7 +134,7 @@ class ImageSearch {
         }
     }
 
-    const Approaching<D>& pair_;
+    const RelativeFlight<D>& pair_;
     std::array<Dyadic, D> length_;
     std::array<Integer, D> first_;
     std::array<Integer, D> last_;
@@ -167,13 +167,13 @@ double meeting_time(const GrowingBall<D>& a, const GrowingBall<D>& b, const Imag
     std::array<Dyadic, D> shift;
     for (int i = 0; i < D; ++i)
         if (image[i] != 0) shift[i] = image[i] * length_of(effects, i);
-    return Approaching<D>(a, b, effects).meeting(shift);
+    return RelativeFlight<D>(a, b, effects).meeting(shift);
 }
 
 template <int D>
 double meeting_time(const GrowingBall<D>& a, const GrowingBall<D>& b, const Effects<D>& effects,
                     double until) {
-    const Approaching<D> pair(a, b, effects);
+    const RelativeFlight<D> pair(a, b, effects);
     const auto no_later = [until](double time) { return time <= until ? time : infinity; };
     if (!effects.periodic) return no_later(pair.meeting({}));
 
