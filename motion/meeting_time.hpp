@@ -5,8 +5,8 @@
 ///
 /// The rule: each meeting has a gap F(t), above 0 where the two are apart and below 0 where they
 /// overlap. They meet at the least t >= T, the latest own time, at which F(t) <= 0 and F is
-/// strictly decreasing right after t. What is returned is the double nearest to it, halves to even;
-/// infinity stands for never. A ball's time never is before T, for T is a double itself.
+/// strictly decreasing right after t. What is returned is the double nearest to it, halves to even,
+/// which is not before T, a double itself; infinity stands for never.
 ///
 /// Radii may grow: at time t the radius is r + q t, where t is counted from 0, not from the ball's
 /// own time. All numbers are finite doubles and taken as exact ones.

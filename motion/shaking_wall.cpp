@@ -96,11 +96,9 @@ Bounded enclose_near_zero(Function function, const Dyadic& x, int bits) {
 /// That moves the result by no more, which is rounded by at most as much again, or twice that
 /// next to 1. Where x is tiny, its series is nearer.
 Bounded enclose(Function function, const Dyadic& x, int bits) {
+    const double at_zero = function == mpfr_sin ? 0.0 : 1.0;
+    if (x.sign() == 0) return {Dyadic(at_zero), Dyadic(at_zero)};
     const Integer significand = x.significand();
-    if (significand.is_zero()) {
-        const Dyadic exact(function == mpfr_sin ? 0.0 : 1.0);
-        return {exact, exact};
-    }
     const int size = static_cast<int>(msb(abs(significand))) + 1 + x.exponent();
     if (-4 * size >= bits) return enclose_near_zero(function, x, bits);
     MpfrNumber argument(bits + std::max(size, 0));

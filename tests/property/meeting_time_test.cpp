@@ -129,7 +129,7 @@ struct Seen {
     }
     /// Each answer was there.
     void expect_variety() const {
-        EXPECT_GT(met, cases / 10);
+        EXPECT_GT(met, cases / 20);
         EXPECT_LT(met, cases);
         EXPECT_GT(at_once, 0);
     }
