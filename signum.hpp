@@ -7,6 +7,8 @@
 #include "core/site.hpp"
 #include "core/strided_sites.hpp"
 #include "exact/sign_of_sum.hpp"
+#include "motion/meeting_time.hpp"
+#include "motion/shaking_wall.hpp"
 #include "motion/simulation.hpp"
 #include "predicates/arithmetic.hpp"
 #include "predicates/ccw.hpp"
