@@ -221,11 +221,12 @@ TEST_P(Dynamic, NorWhereThereIsNoStructure) {
         {"within one", [&](int i) {
              return i == 0 ? Site{0.5, 0.5, 10} : Site{real(), real(), 0.01 * real()};
          }}};
-    for (const auto& [name, make] : families) {
+    for (const auto& family : families) {
+        const auto& name = family.name;
         DynamicTessellation dynamic(GetParam());
         std::map<Index, Site> sites;
         const auto insert = [&](int i) {
-            const Site site = make(i);
+            const Site site = family.make(i);
             sites.emplace(dynamic.insert(site), site);
         };
         const auto erase = [&](Index handle) {
