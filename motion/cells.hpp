@@ -91,8 +91,12 @@ class CellGrid {
     [[nodiscard]] Cell<D> cell_of(const Vector<D>& x) const noexcept {
         Cell<D> cell;
         for (int k = 0; k < D; ++k) {
-            double number = std::floor((x[k] - low_[k]) * per_width_[k]);
-            if (periodic_) number -= count_[k] * std::floor(number / count_[k]);
+            const double place = (x[k] - low_[k]) * per_width_[k];
+            double number = std::abs(place) < 0x1p62
+                                ? static_cast<double>(rounded_down(place))
+                                : place;
+            if (periodic_ && !(number >= 0.0 && number < count_[k]))
+                number -= count_[k] * std::floor(number / count_[k]);
             cell[k] = static_cast<std::int32_t>(
                 bounded_ ? std::clamp(number, 0.0, static_cast<double>(count_[k] - 1))
                          : std::clamp<double>(number, -outermost, outermost));

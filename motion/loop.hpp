@@ -61,7 +61,7 @@ class Loop final : public Simulation<D>::Engine {
                  passed.time);
         }
         for (const Ball<D>& ball : world_.balls) filter_.include(ball);
-        for (Slot i = 0; i < slots.size(); ++i) ask(i);
+        for (Slot i = 0; i < slots.size(); ++i) ask_after_change(i);
     }
 
     Outcome run(const Limits& limits, const typename Simulation<D>::Record& record) override {
@@ -87,8 +87,9 @@ class Loop final : public Simulation<D>::Engine {
                     if (until < infinity) now_ = until;
                     return {Ending::nothing, {}};
                 }
+                const Asker asker = filter_.asker(world_.balls[i], now_);
                 structure_->own_event(
-                    i, now_, [&](Slot j) { propose(i, j); }, [&](Slot j) { touch(j); });
+                    i, now_, [&](Slot j) { propose(i, asker, j); }, [&](Slot j) { touch(j); });
                 touch(i);
             } else if (is_stale(next)) {
                 ++counts_.stale;
@@ -204,7 +205,7 @@ class Loop final : public Simulation<D>::Engine {
         width_ = width;
         world_.start = now_;
         structure_.emplace(world_);
-        for (Slot i = 0; i < number_.size(); ++i) ask(i);
+        for (Slot i = 0; i < number_.size(); ++i) ask_after_change(i);
         return true;
     }
     /// How far the balls are spread, along the axis where that is farthest.
@@ -267,12 +268,16 @@ class Loop final : public Simulation<D>::Engine {
         ask_when();
         counts_.checks += checks;
         proposals_[i] = best;
-        touch(i);
+        settle(i);
+    }
+    /// The same of a ball that flies or lies otherwise than before.
+    void ask_after_change(Slot i) {
+        own_[i] = structure_->next(i, now_);
+        ask(i);
     }
     /// Lets a ball know of another one.
-    void propose(Slot i, Slot j) {
+    void propose(Slot i, const Asker& asker, Slot j) {
         ++counts_.checks;
-        const Asker asker = filter_.asker(world_.balls[i], now_);
         const Approach approach = asker.look(world_.balls[j]);
         if (approach.possible) consider(i, asker, j, approach, proposals_[i]);
     }
@@ -428,8 +433,8 @@ class Loop final : public Simulation<D>::Engine {
         filter_.include(b);
         release(i);
         release(j);
-        ask(i);
-        ask(j);
+        ask_after_change(i);
+        ask_after_change(j);
         return true;
     }
     bool strike_wall(Slot i, const typename Simulation<D>::Record& record) {
@@ -458,7 +463,7 @@ class Loop final : public Simulation<D>::Engine {
         world_.balls[i] = ball;
         filter_.include(ball);
         release(i);
-        ask(i);
+        ask_after_change(i);
         return true;
     }
     /// Where balls fly so far from one tick of the clock to the next that those which meet are

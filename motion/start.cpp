@@ -114,8 +114,6 @@ bool overlap(const Ball<D>& a, const Ball<D>& b, const World<D>& world) {
 template <int D>
 State<D> start(std::span<const Body<D>> bodies, const Effects<D>& effects) {
     check(effects);
-    World<D> world;
-    world.effects = effects;
     State<D> state;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const auto number = static_cast<std::int64_t>(i);
@@ -125,7 +123,7 @@ State<D> start(std::span<const Body<D>> bodies, const Effects<D>& effects) {
         state.masses.push_back(bodies[i].mass);
     }
     state.in_place.resize(bodies.size());
-    world.balls = state.balls;
+    const World<D> world(state.balls, effects, 0.0);
     const Levels<D> levels(world);
     for (Slot i = 0; i < world.balls.size(); ++i) {
         Slot first = i;
