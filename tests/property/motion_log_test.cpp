@@ -18,7 +18,11 @@ namespace {
 
 namespace brute = oracle::motion;
 
+#if defined(__SANITIZE_ADDRESS__) || !defined(__OPTIMIZE__)
+constexpr std::uint64_t scenes = 6;
+#else
 constexpr std::uint64_t scenes = 40;
+#endif
 
 template <int D>
 struct Scene {

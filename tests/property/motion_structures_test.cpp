@@ -16,6 +16,12 @@
 namespace signum::motion {
 namespace {
 
+#if defined(__SANITIZE_ADDRESS__) || !defined(__OPTIMIZE__)
+constexpr std::uint64_t thoroughness = 1;
+#else
+constexpr std::uint64_t thoroughness = 10;
+#endif
+
 struct Recorded {
     std::vector<Strike> log;
     Outcome outcome;
@@ -53,10 +59,10 @@ void expect_one_log(std::size_t balls, std::uint64_t strikes) {
 }
 
 TEST(MotionStructures, AllWriteOneLogInThePlane) {
-    expect_one_log<2>(100, 3000);
+    expect_one_log<2>(100, 300 * thoroughness);
 }
 TEST(MotionStructures, AllWriteOneLogInSpace) {
-    expect_one_log<3>(125, 3000);
+    expect_one_log<3>(125, 300 * thoroughness);
 }
 
 /// Balls in another order strike the same, renumbered, for no two times are equal.
@@ -173,9 +179,9 @@ void expect_nothing_through(const Scene<D>& scene, int looks, double every) {
 }
 
 TEST(MotionStructures, NothingGoesThrough) {
-    expect_nothing_through(gas<2>(64, true, 21), 300, 0.0371);
-    expect_nothing_through(gas<3>(64, false, 22), 300, 0.0371);
-    expect_nothing_through(falling<2>(64, 23), 200, 0.0371);
+    expect_nothing_through(gas<2>(64, true, 21), 30 * static_cast<int>(thoroughness), 0.0371);
+    expect_nothing_through(gas<3>(64, false, 22), 30 * static_cast<int>(thoroughness), 0.0371);
+    expect_nothing_through(falling<2>(64, 23), 20 * static_cast<int>(thoroughness), 0.0371);
 }
 
 TEST(MotionStructures, ElasticStrikesKeepTheEnergy) {
@@ -187,11 +193,11 @@ TEST(MotionStructures, ElasticStrikesKeepTheEnergy) {
         return sum;
     };
     const double before = energy();
-    simulation.run({.strikes = 200'000});
+    simulation.run({.strikes = 20'000 * thoroughness});
     EXPECT_NEAR(energy() / before, 1.0, 1e-13);
     // Nearly all are told by the filter and by double-doubles.
     const Counts& counts = simulation.counts();
-    EXPECT_EQ(counts.strikes, 200'000U);
+    EXPECT_EQ(counts.strikes, 20'000 * thoroughness);
     EXPECT_GE(counts.refined, counts.strikes / 2);
     EXPECT_LT(counts.exact, counts.strikes / 100);
     EXPECT_LT(counts.rounded_exactly, counts.strikes / 100);
