@@ -43,6 +43,7 @@ void add_sign(CLI::App& tool);
 void add_generate(CLI::App& tool);
 void add_validate(CLI::App& tool);
 void add_study(CLI::App& tool);
+void add_simulate(CLI::App& tool);
 
 /// Accepts these words in any case and no others; as a transform() it turns them into the spelling
 /// that is given here.

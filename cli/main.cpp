@@ -99,6 +99,7 @@ int run(int count, char** words) {
     add_generate(tool);
     add_validate(tool);
     add_study(tool);
+    add_simulate(tool);
     refuse_values_of_flags(tool);
     try {
         tool.parse(count, words);

@@ -15,10 +15,12 @@ set(public_headers
   triangulation/validate.hpp triangulation/vertices.hpp triangulation/dynamic.hpp
   triangulation/edge_list.hpp triangulation/space.hpp
   voronoi/voronoi.hpp voronoi/curve.hpp voronoi/conic.hpp voronoi/clip.hpp voronoi/polygon.hpp
-  voronoi/contacts.hpp voronoi/compare.hpp)
+  voronoi/contacts.hpp voronoi/compare.hpp
+  motion/simulation.hpp motion/meeting_time.hpp motion/shaking_wall.hpp)
 # What these include in their turn: the filters, which are inline. Nobody includes them by name.
 set(headers_behind
   core/contract.hpp core/handle.hpp
+  motion/ball.hpp motion/meeting.hpp
   filters/bounds.hpp filters/environment.hpp filters/interval.hpp filters/rounding_count.hpp
   filters/tally.hpp
   filters/verdict.hpp
@@ -46,4 +48,5 @@ write_basic_package_version_file("${PROJECT_BINARY_DIR}/signum-config-version.cm
                                  COMPATIBILITY SameMinorVersion)
 install(FILES "${PROJECT_BINARY_DIR}/signum-config.cmake"
               "${PROJECT_BINARY_DIR}/signum-config-version.cmake" cmake/FindGMP.cmake
+              cmake/FindMPFR.cmake
         DESTINATION "${package_directory}")

@@ -34,6 +34,8 @@ class Dyadic : public ComparedBySign<Dyadic> {
         if (of_number.negative) small_ = -small_;
         exponent_ = of_number.exponent;
     }
+    /// m·2^exponent.
+    Dyadic(Integer m, int exponent) noexcept : exponent_(exponent), large_(std::move(m)) {}
 
     friend Dyadic operator-(Dyadic a) {
         a.small_ = -a.small_;
@@ -77,7 +79,6 @@ class Dyadic : public ComparedBySign<Dyadic> {
     static constexpr int most_bits = 127;
 
     Dyadic(Small m, int exponent) noexcept : small_(m), exponent_(exponent) {}
-    Dyadic(Integer m, int exponent) noexcept : exponent_(exponent), large_(std::move(m)) {}
 
     /// The magnitude of m is below 2^bits(); more than most_bits where m is large.
     [[nodiscard]] int bits() const noexcept {

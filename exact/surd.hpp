@@ -8,7 +8,7 @@
 #include "../core/contract.hpp"
 #include "multiprecision.hpp"
 
-namespace signum::triangulation {
+namespace signum::exact {
 
 /// a + b√c rounded to the nearest double, halves to even; NaN where that would be an infinity.
 /// Precondition: c > 0.
@@ -16,11 +16,7 @@ namespace signum::triangulation {
 /// Why it ends: where the root is irrational, so is the number (b ≠ 0), and no irrational number
 /// lies half way between two doubles, at 0 or at the doubles' end. So a narrow enough enclosure
 /// contains none of these. Where the root is rational, the number is.
-[[nodiscard]] inline double round_surd(const exact::Rational& a, const exact::Rational& b,
-                                       const exact::Rational& c) {
-    using exact::Integer;
-    using exact::Rational;
-    using exact::round_to_double;
+[[nodiscard]] inline double round_surd(const Rational& a, const Rational& b, const Rational& c) {
     SIGNUM_EXPECTS(c > 0);
     if (b.is_zero()) return round_to_double(a);
     // √c = √(numerator · denominator) / denominator
@@ -45,4 +41,4 @@ namespace signum::triangulation {
     }
 }
 
-}  // namespace signum::triangulation
+}  // namespace signum::exact

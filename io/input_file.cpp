@@ -121,7 +121,7 @@ void InputFile::refuse_binary(std::size_t first_new_byte) const {
          fmt::format("a NUL byte, so this is a binary file; give {} as text", kind_));
 }
 
-bool InputFile::next_line(std::string_view& line) {
+bool InputFile::next_line(std::string_view& line, std::string_view advice) {
     const char* found = nullptr;
     for (int attempt = 0; attempt < 2 && found == nullptr; ++attempt) {
         if (attempt == 1) {
@@ -145,8 +145,7 @@ bool InputFile::next_line(std::string_view& line) {
     }
     if (line.size() > longest_line) {
         fail({line_number_ + 1, static_cast<std::int64_t>(longest_line) + 1},
-             fmt::format("a line of more than {} bytes; write one site a line: x y [r]",
-                         longest_line));
+             fmt::format("a line of more than {} bytes; {}", longest_line, advice));
     }
     begin_ += size + (found != nullptr ? 1 : 0);
     ++line_number_;

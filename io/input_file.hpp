@@ -34,8 +34,9 @@ class InputFile {
     [[nodiscard]] char first_character() const noexcept;
 
     /// The next line without its end (LF or CRLF), valid until the next call; false at the end.
-    /// A line longer than longest_line, or one that ends in CR alone, is an InputError.
-    [[nodiscard]] bool next_line(std::string_view& line);
+    /// A line longer than longest_line is an InputError that ends with the advice what to write;
+    /// one that ends in CR alone is an InputError, too.
+    [[nodiscard]] bool next_line(std::string_view& line, std::string_view advice);
     /// The number of the line that next_line() gave last, from 1.
     [[nodiscard]] std::int64_t line_number() const noexcept { return line_number_; }
 

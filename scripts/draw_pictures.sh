@@ -22,7 +22,7 @@ esac
 tool=$(readlink -f "${1:-$root/run}")
 out=$(readlink -f "${2:-$root/docs/pictures}")
 cd "$root"
-pages=(README.md docs/gallery.md docs/metrics.md docs/compare.md docs/flips.md)
+pages=(README.md docs/gallery.md docs/metrics.md docs/compare.md docs/flips.md docs/motion.md)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 mkdir "$scratch/bin"
@@ -32,7 +32,7 @@ ln -s "$tool" "$scratch/bin/signum"
 for page in "${pages[@]}"; do
   directory=$(mktemp -d "$scratch/page.XXXXXX")
   ln -s "$root/examples" "$directory/examples"
-  grep -E '^    (\$ )?(signum (generate|triangulate|voronoi|compare) .*-o |awk .* > )' "$page" |
+  grep -E '^    (\$ )?(signum (generate|triangulate|voronoi|compare|simulate) .*-o |awk .* > )' "$page" |
     sed -E 's/^    (\$ )?//' > "$directory/commands.sh" || continue
   (cd "$directory" && PATH=$scratch/bin:$PATH bash -euo pipefail commands.sh > printed.txt 2>&1) ||
     { cat "$directory/printed.txt" >&2 && exit 1; }

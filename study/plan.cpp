@@ -11,7 +11,7 @@ namespace signum::study {
 namespace {
 
 using Names = std::vector<std::string>;
-using Counts = std::vector<std::int64_t>;
+using Sizes = std::vector<std::int64_t>;
 
 constexpr std::array four = {Distribution::random, Distribution::circle, Distribution::square,
                              Distribution::grid};
@@ -71,7 +71,7 @@ class Cells {
 
 std::vector<Cell> plan(const Scope& scope) {
     Cells cells(scope);
-    const auto pick = [&](const Counts& quick, const Counts& full) {
+    const auto pick = [&](const Sizes& quick, const Sizes& full) {
         return scope.quick ? quick : full;
     };
     const auto built_by = [&](Method method) {

@@ -109,6 +109,15 @@ std::string complaint_within_triangulation(const fs::path& file, const fs::path&
     return arrows->second.contains(to) ? "" : "no arrow from " + from + " to " + to;
 }
 
+/// The same in motion/: structures stand on the folder's headers, which know none of them; its
+/// sources may.
+std::string complaint_within_motion(const fs::path& file, const fs::path& target) {
+    const bool to_structure = target.parent_path() == "motion/structures";
+    if (!to_structure || file.parent_path() == "motion/structures" || file.extension() == ".cpp")
+        return {};
+    return "a header of the folder knows no structure";
+}
+
 /// What is wrong with the includes of a file; its path is relative to the root, as are those that
 /// `exists` knows. Inside the project files name one another by relative paths, so that whoever
 /// reads them, human or tool, follows an arrow without configuring anything; <signum/...> is for
@@ -137,6 +146,9 @@ std::vector<std::string> complaints(const fs::path& file, std::istream& text, Ex
             result.push_back("\"" + path + "\": no arrow from " + layer + " to " + to);
         } else if (to == "triangulation" && layer == to) {
             const std::string complaint = complaint_within_triangulation(file, target);
+            if (!complaint.empty()) result.push_back("\"" + path + "\": " + complaint);
+        } else if (to == "motion" && layer == to) {
+            const std::string complaint = complaint_within_motion(file, target);
             if (!complaint.empty()) result.push_back("\"" + path + "\": " + complaint);
         }
     }
@@ -254,6 +266,9 @@ TEST(IncludeDirection, WrongArrowsAreFound) {
     EXPECT_EQ(count("triangulation/attic/a.hpp", "#include \"../flips/b.hpp\""), 1);
     EXPECT_EQ(count("triangulation/validate.cpp", "#include \"check/power_check.hpp\""), 0);
     EXPECT_EQ(count("triangulation/structure/a.hpp", "#include \"../arrays.hpp\""), 0);
+    EXPECT_EQ(count("motion/loop.hpp", "#include \"structures/lists.hpp\""), 1);
+    EXPECT_EQ(count("motion/start.cpp", "#include \"structures/levels.hpp\""), 0);
+    EXPECT_EQ(count("motion/structures/lists.hpp", "#include \"../world.hpp\""), 0);
 }
 
 }  // namespace

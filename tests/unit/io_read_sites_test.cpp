@@ -250,6 +250,9 @@ TEST(TextSites, RefusesHeadersThatLeaveADoubt) {
     EXPECT_EQ(error("x y x\n1 2 3\n"), "1:5: a second column x; name one");
     EXPECT_EQ(error("x y r weight\n1 2 3 4\n"),
               "1:7: a second column of radii or weights; name one column r, radius or weight");
+    // Names of one column alone, of which none stands for the other.
+    EXPECT_EQ(error("lat\n1\n"), "2:2: one column; a site has at least two: x y [r]");
+    EXPECT_EQ(error("r\n1\n"), "2:2: one column; a site has at least two: x y [r]");
     EXPECT_EQ(error("n,x,y,r\n1,2\n"), "2:4: the line ends before the columns x and y; write both");
     EXPECT_EQ(
         error("n,x,y,r\n1,2,3,4,5\n"),

@@ -114,7 +114,7 @@ DiagramVertex exact_vertex(const Site& i, const Site& j, const Site& k) {
         if ((sign_q < 0 ? circle.xy : circle.distance.alpha) <= 0) return no_vertex();
         const Rational twice_q = 2 * circle.q;
         const auto rounded = [&](const Rational& start, const Root<Rational>& root) {
-            return round_surd(Rational(start + root.alpha / twice_q),
+            return exact::round_surd(Rational(start + root.alpha / twice_q),
                               Rational(-root.beta / twice_q), circle.gamma);
         };
         return {rounded(x, circle.x), rounded(y, circle.y), rounded(-r, circle.distance)};

@@ -1,0 +1,154 @@
+/// Strikes a second of elastic discs and spheres in a periodic box, exact and in plain doubles, and
+/// what a ball takes of memory. Each gas starts from a lattice and is run until it has forgotten
+/// it; then the two kernels take turns, and the medians of their rates are told.
+///
+/// usage: motion_benchmark [most balls [structure]]
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
+#include <numbers>
+#include <random>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "../motion/simulation.hpp"
+
+namespace signum::benchmarks {
+namespace {
+
+using motion::Body;
+using motion::Kernel;
+using motion::Structure;
+
+/// Balls of diameter 1 that fill a share of a periodic box, on a triangular or face-centred cubic
+/// lattice; velocities are normal.
+template <int D>
+struct Gas {
+    std::vector<Body<D>> bodies;
+    motion::Effects<D> effects;
+
+    Gas(std::size_t number, double packing) {
+        std::mt19937_64 random(1);
+        std::normal_distribution<double> speed;
+        const double of_a_ball = D == 2 ? std::numbers::pi / 4.0 : std::numbers::pi / 6.0;
+        const double volume = static_cast<double>(number) * of_a_ball / packing;
+        effects.box.emplace();
+        effects.periodic = true;
+        const auto add = [&](const motion::Vector<D>& x) {
+            Body<D> body{x, {}, 0.5, 1.0};
+            for (double& v : body.v) v = speed(random);
+            if (bodies.size() < number) bodies.push_back(body);
+        };
+        if constexpr (D == 2) {
+            const double side = std::sqrt(volume);
+            const auto columns = static_cast<std::size_t>(
+                std::sqrt(static_cast<double>(number) * std::numbers::sqrt3 / 2.0));
+            std::size_t rows = (number + columns - 1) / columns;
+            rows += rows % 2;
+            effects.box->high = {side, side};
+            for (std::size_t i = 0; i < rows; ++i)
+                for (std::size_t j = 0; j < columns; ++j)
+                    add({(static_cast<double>(j) + (i % 2 == 0 ? 0.25 : 0.75)) * side /
+                             static_cast<double>(columns),
+                         (static_cast<double>(i) + 0.5) * side / static_cast<double>(rows)});
+        } else {
+            const double side = std::cbrt(volume);
+            std::size_t cells = 1;
+            while (4 * cells * cells * cells < number) ++cells;
+            const double width = side / static_cast<double>(cells);
+            effects.box->high = {side, side, side};
+            constexpr double places[4][3] = {
+                {0.25, 0.25, 0.25}, {0.75, 0.75, 0.25}, {0.75, 0.25, 0.75}, {0.25, 0.75, 0.75}};
+            for (std::size_t i = 0; i < cells; ++i)
+                for (std::size_t j = 0; j < cells; ++j)
+                    for (std::size_t k = 0; k < cells; ++k)
+                        for (const auto& place : places)
+                            add({(static_cast<double>(i) + place[0]) * width,
+                                 (static_cast<double>(j) + place[1]) * width,
+                                 (static_cast<double>(k) + place[2]) * width});
+        }
+    }
+};
+
+double seconds() {
+    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+double resident_bytes() {
+    std::ifstream file("/proc/self/statm");
+    double all = 0.0;
+    double resident = 0.0;
+    file >> all >> resident;
+    return resident * static_cast<double>(::sysconf(_SC_PAGESIZE));
+}
+double median(std::vector<double> values) {
+    std::ranges::sort(values);
+    return values[values.size() / 2];
+}
+
+template <int D>
+void measure(std::size_t number, double packing, Structure structure) {
+    constexpr int rounds = 7;
+    const Gas<D> gas(number, packing);
+    const auto settling = std::max<std::uint64_t>(10 * number, 200'000);
+    const auto strikes = std::max<std::uint64_t>(number, 200'000);
+    const motion::State<D> start = motion::start<D>(gas.bodies, gas.effects);
+    const double before = resident_bytes();
+    motion::Simulation<D> exact(start, gas.effects, {structure, Kernel::exact});
+    exact.run({.strikes = settling});
+    const double bytes = (resident_bytes() - before) / static_cast<double>(number);
+    motion::Simulation<D> naive(exact.state(), gas.effects, {structure, Kernel::naive});
+    naive.run({.strikes = number});
+    const auto rate_of = [strikes](motion::Simulation<D>& simulation) {
+        const double begin = seconds();
+        simulation.run({.strikes = strikes});
+        return static_cast<double>(strikes) / (seconds() - begin) * 1e-6;
+    };
+    std::vector<double> exact_rates;
+    std::vector<double> naive_rates;
+    std::vector<double> ratios;
+    for (int round = 0; round < rounds; ++round) {
+        exact_rates.push_back(rate_of(exact));
+        naive_rates.push_back(rate_of(naive));
+        ratios.push_back(naive_rates.back() / exact_rates.back());
+    }
+    const motion::Counts& counts = exact.counts();
+    fmt::print("| {} | {} | {} | {:.2f} | {:.2f} | {:.2f} | {:.0f} | {:.1f} | {:.2f} |\n",
+               D == 2 ? "discs" : "spheres", packing, number, median(exact_rates),
+               median(naive_rates), median(ratios), bytes,
+               static_cast<double>(counts.checks) / static_cast<double>(counts.strikes),
+               static_cast<double>(counts.own) / static_cast<double>(counts.strikes));
+    std::fflush(stdout);
+}
+
+}  // namespace
+}  // namespace signum::benchmarks
+
+int main(int count, char** words) {
+    using namespace signum;
+    const std::size_t most = count > 1 ? std::strtoul(words[1], nullptr, 10) : 1'000'000;
+    const std::string_view name = count > 2 ? words[2] : "lists";
+    const auto* const structure =
+        std::ranges::find_if(motion::all_structures,
+                             [&](motion::Structure each) { return motion::name_of(each) == name; });
+    if (structure == motion::all_structures.end()) return 2;
+    fmt::print(
+        "| balls | packing | number | million strikes a second | in doubles | exact / "
+        "doubles, time | bytes a ball | pairs asked a strike | structure's events a strike "
+        "|\n| --- | --: | --: | --: | --: | --: | --: | --: | --: |\n");
+    for (const std::size_t number : {4000UL, 32'000UL, 1'000'000UL})
+        for (const double packing : {0.25, 0.49})
+            if (number <= most) benchmarks::measure<3>(number, packing, *structure);
+    for (const std::size_t number : {1000UL, 4096UL, 10'000UL, 100'000UL, 1'000'000UL})
+        for (const double packing : {0.25, 0.5})
+            if (number <= most) benchmarks::measure<2>(number, packing, *structure);
+    return 0;
+}

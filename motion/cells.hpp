@@ -1,0 +1,219 @@
+#pragma once
+/// Space cut into equal cells, and tables of who lies in which.
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "world.hpp"
+
+namespace signum::motion {
+
+/// How balls lie at the start: the box, or else around all of them.
+template <int D>
+struct Spread {
+    Box<D> box;
+    std::size_t balls = 0;
+    double largest_radius = 0.0;
+    double smallest_radius = infinity;
+
+    explicit Spread(const World<D>& world) : balls(world.balls.size()) {
+        box.low.fill(infinity);
+        box.high.fill(-infinity);
+        for (Slot i = 0; i < balls; ++i) {
+            const Ball<D>& ball = world.balls[i];
+            const Vector<D> x = world.centre(i, world.start);
+            largest_radius = std::max(largest_radius, ball.radius);
+            smallest_radius = std::min(smallest_radius, ball.radius);
+            for (int k = 0; k < D; ++k) {
+                box.low[k] = std::min(box.low[k], x[k] - ball.radius);
+                box.high[k] = std::max(box.high[k], x[k] + ball.radius);
+            }
+        }
+        if (world.effects.box) box = *world.effects.box;
+        double widest = largest_radius > 0.0 ? largest_radius : 1.0;
+        for (int k = 0; k < D; ++k) widest = std::max(widest, box.high[k] - box.low[k]);
+        for (int k = 0; k < D; ++k)
+            box.high[k] = std::max(box.high[k], box.low[k] + 0x1p-10 * widest);
+    }
+    /// The edge of a cube that has so many balls in it.
+    [[nodiscard]] double edge_of(double number) const noexcept {
+        double volume = number / static_cast<double>(std::max<std::size_t>(balls, 1));
+        for (int k = 0; k < D; ++k) volume *= box.high[k] - box.low[k];
+        return D == 2 ? std::sqrt(volume) : std::cbrt(volume);
+    }
+    [[nodiscard]] double shortest() const noexcept {
+        double shortest = infinity;
+        for (int k = 0; k < D; ++k) shortest = std::min(shortest, box.high[k] - box.low[k]);
+        return shortest;
+    }
+};
+
+/// A cell, by its numbers along the axes.
+template <int D>
+using Cell = PerAxis<std::int32_t, D>;
+
+/// Which cell a place lies in. Inside a box cells are numbered from 0 and what lies beyond the last
+/// one, by rounding, belongs to it; in a periodic one they go around. Elsewhere they have no end.
+template <int D>
+class CellGrid {
+ public:
+    /// No cell has a number beyond it.
+    static constexpr std::int32_t outermost = 1 << 30;
+
+    /// Cells at least as wide as told, `divisions` of which along each axis make one of the widest
+    /// that are planned; so grids of the same spread whose widths differ by powers of two are
+    /// nested.
+    CellGrid(const World<D>& world, const Spread<D>& spread, double width,
+             std::int32_t divisions = 1)
+        : bounded_(world.effects.box.has_value()),
+          periodic_(world.effects.periodic),
+          low_(spread.box.low) {
+        for (int k = 0; k < D; ++k) {
+            const double length = spread.box.high[k] - spread.box.low[k];
+            const double most = std::floor(length / (width * divisions));
+            count_[k] = divisions * static_cast<std::int32_t>(std::clamp(most, 1.0, 0x1p24));
+            width_[k] = bounded_ ? length / count_[k] : width;
+            per_width_[k] = 1.0 / width_[k];
+        }
+    }
+
+    [[nodiscard]] bool is_bounded() const noexcept { return bounded_; }
+    /// The number of all cells in a box.
+    [[nodiscard]] double size() const noexcept {
+        double size = 1.0;
+        for (const std::int32_t count : count_) size *= count;
+        return size;
+    }
+    [[nodiscard]] Cell<D> cell_of(const Vector<D>& x) const noexcept {
+        Cell<D> cell;
+        for (int k = 0; k < D; ++k) {
+            const double place = (x[k] - low_[k]) * per_width_[k];
+            double number = std::abs(place) < 0x1p62
+                                ? static_cast<double>(rounded_down(place))
+                                : place;
+            if (periodic_ && !(number >= 0.0 && number < count_[k]))
+                number -= count_[k] * std::floor(number / count_[k]);
+            cell[k] = static_cast<std::int32_t>(
+                bounded_ ? std::clamp(number, 0.0, static_cast<double>(count_[k] - 1))
+                         : std::clamp<double>(number, -outermost, outermost));
+        }
+        return cell;
+    }
+    /// The place where a cell begins.
+    [[nodiscard]] double start_of(int axis, std::int32_t number) const noexcept {
+        return low_[axis] + number * width_[axis];
+    }
+    /// Moves a cell's number along an axis; false where there is no such cell.
+    [[nodiscard]] bool shift(Cell<D>& cell, int axis, std::int32_t by) const noexcept {
+        std::int32_t& number = cell[axis];
+        number += by;
+        if (!bounded_ || (number >= 0 && number < count_[axis])) return true;
+        if (!periodic_) return false;
+        number += number < 0 ? count_[axis] : -count_[axis];
+        return true;
+    }
+    [[nodiscard]] std::uint32_t place(const Cell<D>& cell) const noexcept {
+        std::uint32_t place = 0;
+        for (int k = D - 1; k >= 0; --k)
+            place =
+                place * static_cast<std::uint32_t>(count_[k]) + static_cast<std::uint32_t>(cell[k]);
+        return place;
+    }
+
+    /// The cells around one, itself included; of an axis that is given those on one side alone. In
+    /// a periodic box of fewer than three cells along an axis each of them once.
+    template <class Visit>
+    void for_each_around(const Cell<D>& middle, const Visit& visit, int axis = -1,
+                         std::int32_t side = 0) const {
+        PerAxis<std::int32_t, D> first;
+        PerAxis<std::int32_t, D> last;
+        for (int k = 0; k < D; ++k) {
+            first[k] = periodic_ && count_[k] < 3 ? 0 : -1;
+            last[k] = periodic_ && count_[k] < 2 ? 0 : 1;
+            if (k == axis) first[k] = last[k] = side;
+        }
+        PerAxis<std::int32_t, D> by = first;
+        for (;;) {
+            Cell<D> cell = middle;
+            bool is_there = true;
+            for (int k = 0; k < D; ++k) is_there = shift(cell, k, by[k]) && is_there;
+            if (is_there) visit(cell);
+            int k = 0;
+            for (; k < D; ++k) {
+                if (by[k]++ < last[k]) break;
+                by[k] = first[k];
+            }
+            if (k == D) return;
+        }
+    }
+
+ private:
+    bool bounded_;
+    bool periodic_;
+    Vector<D> low_;
+    Vector<D> width_{};
+    Vector<D> per_width_{};
+    PerAxis<std::int32_t, D> count_{};
+};
+
+/// Who lies in which cell: in a box that has not far more cells than balls a list for each cell,
+/// elsewhere a hash table.
+template <int D>
+class CellTable {
+ public:
+    CellTable(const CellGrid<D>& grid, std::size_t balls, bool hashed)
+        : grid_(&grid),
+          hashed_(hashed || !grid.is_bounded() ||
+                  grid.size() > 4.0 * static_cast<double>(balls) + 64.0),
+          heads_(hashed_ ? std::bit_ceil(balls + 1) : static_cast<std::size_t>(grid.size()), none),
+          links_(balls) {
+        if (hashed_) cells_.resize(balls);
+    }
+
+    void insert(Slot i, const Cell<D>& cell) {
+        const std::uint32_t place = place_of(cell);
+        links_[i] = {place, heads_[place], none};
+        if (heads_[place] != none) links_[heads_[place]].previous = i;
+        heads_[place] = i;
+        if (hashed_) cells_[i] = cell;
+    }
+    void remove(Slot i) {
+        const Link& link = links_[i];
+        (link.previous == none ? heads_[link.place] : links_[link.previous].next) = link.next;
+        if (link.next != none) links_[link.next].previous = link.previous;
+    }
+    template <class Visit>
+    void for_each_in(const Cell<D>& cell, const Visit& visit) const {
+        for (Slot j = heads_[place_of(cell)]; j != none; j = links_[j].next)
+            if (!hashed_ || cells_[j] == cell) visit(j);
+    }
+
+ private:
+    static constexpr Slot none = ~Slot{0};
+    struct Link {
+        std::uint32_t place;
+        Slot next;
+        Slot previous;
+    };
+
+    [[nodiscard]] std::uint32_t place_of(const Cell<D>& cell) const noexcept {
+        if (!hashed_) return grid_->place(cell);
+        std::uint64_t hash = 0;
+        for (const std::int32_t number : cell)
+            hash = (hash ^ static_cast<std::uint32_t>(number)) * 0x9E3779B97F4A7C15;
+        return static_cast<std::uint32_t>(hash >> 32) &
+               static_cast<std::uint32_t>(heads_.size() - 1);
+    }
+
+    const CellGrid<D>* grid_;
+    bool hashed_;
+    std::vector<Slot> heads_;
+    std::vector<Link> links_;
+    std::vector<Cell<D>> cells_;
+};
+
+}  // namespace signum::motion

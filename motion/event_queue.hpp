@@ -1,0 +1,191 @@
+#pragma once
+/// The next event of every ball, the least first: n entries, whatever happens.
+///
+/// Buckets of equal width hold the entries of the near future unsorted, a heap those of the bucket
+/// whose time has come, a list what is farther off than all buckets. When the buckets are through,
+/// that list is dealt into them anew, as wide as the last round's events were apart. So an entry is
+/// sorted only among the few that come next, and a change costs O(1) expected, O(log n) at worst
+/// (all at the same time).
+///
+/// Law: whatever the buckets, top() is the least entry by key and, of equal keys, by the order the
+/// caller gives. A bucket's number is a monotone function of the key.
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "../core/contract.hpp"
+
+namespace signum::motion {
+
+class EventQueue {
+ public:
+    using Entry = std::uint32_t;
+
+    explicit EventQueue(std::size_t entries)
+        : key_(entries, std::numeric_limits<double>::infinity()),
+          link_(entries),
+          heads_(std::bit_ceil(std::max<std::size_t>(entries, 1)) + 1, none),
+          far_(static_cast<std::uint32_t>(heads_.size() - 1)),
+          bucket_(far_) {
+        for (Entry e = 0; e < entries; ++e) insert(e, far_);
+    }
+
+    [[nodiscard]] double key(Entry e) const noexcept { return key_[e]; }
+
+    /// Gives an entry a key, or the same one where its place among equals has changed.
+    template <class Before>
+    void set(Entry e, double key, const Before& before) {
+        const std::uint32_t from = link_[e].bucket;
+        key_[e] = key;
+        const std::uint32_t to = bucket_ == far_ ? far_ : bucket_of(key);
+        if (from == in_heap) {
+            if (to <= bucket_ && to != far_) {
+                sift(link_[e].place, e, before);
+                return;
+            }
+            leave_heap(e, before);
+        } else {
+            if (from == to && to > bucket_) return;
+            leave_bucket(e);
+        }
+        if (to <= bucket_ && to != far_) {
+            heap_.push_back(e);
+            link_[e].bucket = in_heap;
+            sift(heap_.size() - 1, e, before);
+        } else {
+            insert(e, to);
+        }
+    }
+
+    /// The least entry. Precondition: there is one.
+    template <class Before>
+    [[nodiscard]] Entry top(const Before& before) {
+        while (heap_.empty()) {
+            if ((bucket_ == far_ || ++bucket_ == far_) && !deal()) return heads_[far_];
+            for (Entry e = heads_[bucket_]; e != none;) {
+                const Entry next = link_[e].next;
+                link_[e].bucket = in_heap;
+                heap_.push_back(e);
+                sift(heap_.size() - 1, e, before);
+                e = next;
+            }
+            heads_[bucket_] = none;
+        }
+        ++taken_;
+        return heap_.front();
+    }
+
+ private:
+    static constexpr Entry none = ~Entry{0};
+    static constexpr std::uint32_t in_heap = ~std::uint32_t{0};
+
+    struct Link {
+        std::uint32_t bucket;
+        union {
+            Entry next;
+            std::uint32_t place;  // in the heap
+        };
+        Entry previous;
+    };
+
+    [[nodiscard]] std::uint32_t bucket_of(double key) const noexcept {
+        const double number = (key - start_) * per_time_;
+        return number < static_cast<double>(far_)
+                   ? number > 0.0 ? static_cast<std::uint32_t>(number) : 0
+                   : far_;
+    }
+    void insert(Entry e, std::uint32_t bucket) noexcept {
+        Link& link = link_[e];
+        link.bucket = bucket;
+        link.next = heads_[bucket];
+        link.previous = none;
+        if (link.next != none) link_[link.next].previous = e;
+        heads_[bucket] = e;
+    }
+    void leave_bucket(Entry e) noexcept {
+        const Link& link = link_[e];
+        (link.previous == none ? heads_[link.bucket] : link_[link.previous].next) = link.next;
+        if (link.next != none) link_[link.next].previous = link.previous;
+    }
+    template <class Before>
+    void leave_heap(Entry e, const Before& before) {
+        const std::size_t place = link_[e].place;
+        const Entry last = heap_.back();
+        heap_.pop_back();
+        if (last != e) sift(place, last, before);
+    }
+    template <class Before>
+    void sift(std::size_t place, Entry e, const Before& before) {
+        const auto is_before = [&](Entry a, Entry b) {
+            return key_[a] < key_[b] || (key_[a] == key_[b] && before(a, b));
+        };
+        while (place > 0 && is_before(e, heap_[(place - 1) / 2])) {
+            put(place, heap_[(place - 1) / 2]);
+            place = (place - 1) / 2;
+        }
+        for (std::size_t child = 2 * place + 1; child < heap_.size(); child = 2 * place + 1) {
+            if (child + 1 < heap_.size() && is_before(heap_[child + 1], heap_[child])) ++child;
+            if (!is_before(heap_[child], e)) break;
+            put(place, heap_[child]);
+            place = child;
+        }
+        put(place, e);
+    }
+    void put(std::size_t place, Entry e) noexcept {
+        heap_[place] = e;
+        link_[e].place = static_cast<std::uint32_t>(place);
+    }
+
+    /// Deals what is far off into buckets, from its least key on; false where that is infinity.
+    bool deal() {
+        double least = std::numeric_limits<double>::infinity();
+        std::vector<double>& keys = scratch_;
+        keys.clear();
+        for (Entry e = heads_[far_]; e != none; e = link_[e].next) {
+            least = std::min(least, key_[e]);
+            if (taken_ == 0 && key_[e] < std::numeric_limits<double>::infinity())
+                keys.push_back(key_[e]);
+        }
+        if (!(least < std::numeric_limits<double>::infinity())) {
+            bucket_ = far_;
+            return false;
+        }
+        double width = 0.0;
+        if (taken_ > 0) {
+            width = (least - start_) / static_cast<double>(taken_);
+        } else {
+            const auto middle = keys.begin() + static_cast<std::ptrdiff_t>(keys.size() / 2);
+            std::nth_element(keys.begin(), middle, keys.end());
+            width = (*middle - least) / static_cast<double>(keys.size());
+        }
+        width = std::max({width, 0x1p-45 * std::abs(least), 0x1p-900});
+        start_ = least;
+        per_time_ = 1.0 / width;
+        taken_ = 0;
+        bucket_ = 0;
+        Entry e = heads_[far_];
+        heads_[far_] = none;
+        while (e != none) {
+            const Entry next = link_[e].next;
+            insert(e, bucket_of(key_[e]));
+            e = next;
+        }
+        return true;
+    }
+
+    std::vector<double> key_;
+    std::vector<Link> link_;
+    std::vector<Entry> heads_;
+    std::uint32_t far_;
+    std::uint32_t bucket_;  // the heap's, or far_ before the first round
+    std::vector<Entry> heap_;
+    std::vector<double> scratch_;
+    double start_ = 0.0;
+    double per_time_ = 0.0;
+    std::uint64_t taken_ = 0;
+};
+
+}  // namespace signum::motion

@@ -1,0 +1,213 @@
+#include "exact_meeting.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "../core/error_free.hpp"
+#include "../exact/dyadic.hpp"
+#include "../exact/multiprecision.hpp"
+#include "../exact/surd.hpp"
+#include "../filters/double_double.hpp"
+
+namespace signum::motion {
+namespace {
+
+using exact::Dyadic;
+using exact::Rational;
+using filters::DoubleDouble;
+
+Rational rational(const Dyadic& number) {
+    const exact::Integer significand = number.significand();
+    return number.exponent() < 0 ? Rational(significand, exact::Integer(1) << -number.exponent())
+                                 : Rational(exact::Integer(significand << number.exponent()));
+}
+
+/// F(T + s) = a s² + 2 b s + c.
+struct Quadratic {
+    Dyadic a;
+    Dyadic b;
+    Dyadic c;
+};
+
+/// The meeting time of F, by the rule.
+double first_descent(const Quadratic& f, double start) {
+    const int bends = f.a.sign();
+    const int slope = f.b.sign();
+    const bool falls = slope < 0 || (slope == 0 && bends < 0);
+    if (!falls && bends >= 0) return infinity;
+    if (falls && f.c.sign() <= 0) return start;
+
+    const Rational t = exact::to_rational(start);
+    const Rational a = rational(f.a);
+    const Rational b = rational(f.b);
+    const Rational c = rational(f.c);
+    const auto rounded = [start](double time) {
+        return std::isnan(time) ? infinity : std::max(time, start);
+    };
+    if (bends == 0) return rounded(exact::round_to_double(Rational(t - c / (2 * b))));
+    const Rational discriminant = b * b - a * c;
+    if (discriminant.sign() <= 0) {
+        if (bends > 0) return infinity;
+        // F does not rise above 0: it falls from its peak.
+        return rounded(exact::round_to_double(Rational(t - b / a)));
+    }
+    return rounded(exact::round_surd(Rational(t - b / a), Rational(-1 / a), discriminant));
+}
+
+/// x + v s + g s²/2 and v + g s, in D's numbers.
+struct Coordinate {
+    Dyadic x;
+    Dyadic v;
+};
+Coordinate arrived(double x, double v, double gravity, const Dyadic& s) {
+    static const Dyadic half(0.5);
+    const Dyadic fallen = Dyadic(gravity) * s;
+    const Dyadic speed(v);
+    return {Dyadic(x) + (speed + half * fallen) * s, speed + fallen};
+}
+
+}  // namespace
+
+template <int D>
+double exact_meeting(const Ball<D>& a, const Ball<D>& b, const Image<D>& image,
+                     const Effects<D>& effects) {
+    const double start = std::max(a.time, b.time);
+    const Dyadic since_a = Dyadic(start) - Dyadic(a.time);
+    const Dyadic since_b = Dyadic(start) - Dyadic(b.time);
+    Quadratic f;
+    for (int i = 0; i < D; ++i) {
+        const Coordinate of_a = arrived(a.x[i], a.v[i], effects.gravity[i], since_a);
+        const Coordinate of_b = arrived(b.x[i], b.v[i], effects.gravity[i], since_b);
+        Dyadic d = of_a.x - of_b.x;
+        const Dyadic v = of_a.v - of_b.v;
+        if (image[i] != 0)
+            d = d - image[i] * (Dyadic(effects.box->high[i]) - Dyadic(effects.box->low[i]));
+        f.a += v * v;
+        f.b += d * v;
+        f.c += d * d;
+    }
+    const Dyadic radii = Dyadic(a.radius) + Dyadic(b.radius);
+    f.c = f.c - radii * radii;
+    return first_descent(f, start);
+}
+
+template <int D>
+double exact_meeting(const Ball<D>& ball, Wall wall, const Effects<D>& effects) {
+    const int axis = wall / 2;
+    const bool upper = wall % 2 != 0;
+    const auto inwards = [upper](double number) { return Dyadic(upper ? -number : number); };
+    static const Dyadic half(0.5);
+    const double side = upper ? effects.box->high[axis] : effects.box->low[axis];
+    return first_descent({half * inwards(effects.gravity[axis]), half * inwards(ball.v[axis]),
+                          inwards(ball.x[axis]) - inwards(side) - Dyadic(ball.radius)},
+                         ball.time);
+}
+
+/// With F(t + δ) = F + 2 P δ + A δ², P = D·V at t, the root next to t is δ = -F/2P (1 + θ),
+/// |θ| <= 2 |A δ / P| as long as that is small: F falls there, since P < 0. F comes of
+/// double-doubles; of P and A doubles suffice, for δ is small.
+template <int D>
+double refined_meeting(const Ball<D>& a, const Ball<D>& b, const Image<D>& image,
+                       const Effects<D>& effects, double about) noexcept {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    const double start = std::max(a.time, b.time);
+    if (!(about >= start && about < 0x1p500)) return none;
+    const DoubleDouble since_a = filters::exact_difference(about, a.time);
+    const DoubleDouble since_b = filters::exact_difference(about, b.time);
+    const DoubleDouble later_a = filters::exact_difference(b.time, a.time);
+    DoubleDouble f{0.0, 0.0};
+    double f_error = 0.0;
+    double p = 0.0;
+    double p_error = 0.0;
+    double square = 0.0;
+    for (int i = 0; i < D; ++i) {
+        const DoubleDouble flown_a = DoubleDouble{a.v[i], 0.0} * since_a;
+        const DoubleDouble flown_b = DoubleDouble{b.v[i], 0.0} * since_b;
+        DoubleDouble d = (filters::exact_difference(a.x[i], b.x[i]) + flown_a) - flown_b;
+        double v = a.v[i] - b.v[i];
+        double size = std::fabs(a.x[i]) + std::fabs(b.x[i]) + std::fabs(flown_a.high) +
+                      std::fabs(flown_b.high);
+        double speed = std::fabs(a.v[i]) + std::fabs(b.v[i]);
+        if (effects.gravity[i] != 0.0) {
+            const DoubleDouble fallen =
+                DoubleDouble{0.5 * effects.gravity[i], 0.0} * (later_a * (since_a + since_b));
+            d = d + fallen;
+            v += effects.gravity[i] * later_a.high;
+            size += std::fabs(fallen.high);
+            speed += std::fabs(effects.gravity[i] * later_a.high);
+        }
+        if (image[i] != 0) {
+            const DoubleDouble length =
+                filters::exact_difference(effects.box->high[i], effects.box->low[i]);
+            const DoubleDouble shift = DoubleDouble{static_cast<double>(image[i]), 0.0} * length;
+            d = d - shift;
+            size += std::fabs(shift.high);
+        }
+        f = f + d * d;
+        f_error += std::fabs(d.high) * size + d.high * d.high;
+        p += d.high * v;
+        p_error += std::fabs(d.high) * speed;
+        square += v * v;
+    }
+    const DoubleDouble radii = filters::exact_sum(a.radius, b.radius);
+    f = f - radii * radii;
+    f_error = 0x1p-96 * (f_error + radii.high * radii.high);
+    p_error *= 0x1p-49;
+    const double delta = -f.high / (2.0 * p);
+    const double bend = std::fabs(square * delta / p);
+    if (!(p < -0x1p-400 && p_error < -0x1p-20 * p && bend < 0x1p-20)) return none;
+    const double error = f_error / -p + std::fabs(delta) * (0x1p-50 + 2.0 * (bend + p_error / -p));
+    const TwoTerms sum = two_sum(about, delta);
+    const double time = sum.high + (sum.low - error);
+    if (time != sum.high + (sum.low + error)) return none;
+    return std::max(time, start);
+}
+
+template <int D>
+double refined_meeting(const Ball<D>& ball, Wall wall, const Effects<D>& effects,
+                       double about) noexcept {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    if (!(about >= ball.time && about < 0x1p500)) return none;
+    const int axis = wall / 2;
+    const double inwards = wall % 2 != 0 ? -1.0 : 1.0;
+    const double v = inwards * ball.v[axis];
+    const double gravity = inwards * effects.gravity[axis];
+    const double side = wall % 2 != 0 ? effects.box->high[axis] : effects.box->low[axis];
+    const DoubleDouble since = filters::exact_difference(about, ball.time);
+    const DoubleDouble flown = DoubleDouble{v, 0.0} * since;
+    DoubleDouble f = (filters::exact_difference(inwards * ball.x[axis], inwards * side) -
+                      DoubleDouble{ball.radius, 0.0}) +
+                     flown;
+    double size = std::fabs(ball.x[axis]) + std::fabs(side) + ball.radius + std::fabs(flown.high);
+    double slope = v;
+    double slope_error = 0.0;
+    if (gravity != 0.0) {
+        const DoubleDouble fallen = DoubleDouble{0.5 * gravity, 0.0} * (since * since);
+        f = f + fallen;
+        size += std::fabs(fallen.high);
+        slope += gravity * since.high;
+        slope_error = 0x1p-50 * (std::fabs(v) + std::fabs(gravity * since.high));
+    }
+    const double delta = -f.high / slope;
+    const double bend = std::fabs(gravity * delta / slope);
+    if (!(slope < -0x1p-400 && slope_error < -0x1p-20 * slope && bend < 0x1p-20)) return none;
+    const double error = 0x1p-97 * size / -slope +
+                         std::fabs(delta) * (0x1p-50 + 2.0 * (bend + slope_error / -slope));
+    const TwoTerms sum = two_sum(about, delta);
+    const double time = sum.high + (sum.low - error);
+    if (time != sum.high + (sum.low + error)) return none;
+    return std::max(time, ball.time);
+}
+
+template double refined_meeting(const Ball<2>&, Wall, const Effects<2>&, double) noexcept;
+template double refined_meeting(const Ball<3>&, Wall, const Effects<3>&, double) noexcept;
+template double exact_meeting(const Ball<2>&, const Ball<2>&, const Image<2>&, const Effects<2>&);
+template double exact_meeting(const Ball<3>&, const Ball<3>&, const Image<3>&, const Effects<3>&);
+template double exact_meeting(const Ball<2>&, Wall, const Effects<2>&);
+template double exact_meeting(const Ball<3>&, Wall, const Effects<3>&);
+template double refined_meeting(const Ball<2>&, const Ball<2>&, const Image<2>&, const Effects<2>&,
+                                double) noexcept;
+template double refined_meeting(const Ball<3>&, const Ball<3>&, const Image<3>&, const Effects<3>&,
+                                double) noexcept;
+
+}  // namespace signum::motion

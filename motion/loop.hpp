@@ -1,0 +1,577 @@
+#pragma once
+/// The loop: takes the earliest event, and proposes what may come next.
+///
+/// For every ball one proposal is kept, what it strikes first, as far as it knows: an interval that
+/// contains the exact time, and the partner. The invariant: of two balls whose next strike is with
+/// each other at t, one has a proposal that is at t or before. For when a ball is asked, all pairs
+/// with it are, and a pair is left out only where the ball keeps an earlier one or the partner has
+/// one that is surely earlier; and at that time, whatever becomes of it, the ball or the partner is
+/// asked again. A proposal whose partner has struck something else meanwhile is stale, and found to
+/// be so when its turn comes.
+///
+/// The queue's key is the interval's early end. An entry at the top whose time is not known to the
+/// last bit is refined and put back; entries of equal time are in their order when they are exact,
+/// and come after those that are not. So what happens is the first event in the exact order.
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "engine.hpp"
+#include "event_queue.hpp"
+#include "exact_meeting.hpp"
+#include "meeting.hpp"
+#include "naive_strike.hpp"
+#include "simulation.hpp"
+#include "strike.hpp"
+#include "world.hpp"
+
+namespace signum::motion {
+
+template <int D, bool Falls, Kernel kernel, template <int> class StructureOf>
+class Loop final : public Simulation<D>::Engine {
+ public:
+    /// `order`: the balls' numbers in the order in which memory shall hold them.
+    Loop(const State<D>& state, const Effects<D>& effects, std::vector<std::int32_t> order)
+        : world_{in_order(state.balls, order), effects, state.time},
+          number_(std::move(order)),
+          mass_(in_order(state.masses, number_)),
+          strikes_(number_.size()),
+          in_place_(in_order(state.in_place, number_)),
+          proposals_(number_.size()),
+          own_(number_.size(), infinity),
+          filter_(effects),
+          structure_(std::in_place, world_),
+          queue_(number_.size()),
+          walls_(effects.box && !effects.periodic ? 2 * D : 0),
+          most_in_place_(effects.restitution < 1.0 || effects.wall_restitution < 1.0 || Falls
+                             ? most_in_place_dissipative
+                             : most_in_place_elastic),
+          now_(state.time) {
+        std::vector<Slot> slots(number_.size());
+        for (Slot i = 0; i < slots.size(); ++i) slots[static_cast<std::size_t>(number_[i])] = i;
+        for (const Passed& passed : state.passed) {
+            pass(slots[static_cast<std::size_t>(passed.a)],
+                 passed.b < 0 ? first_wall + static_cast<Slot>(-1 - passed.b)
+                              : slots[static_cast<std::size_t>(passed.b)],
+                 passed.time);
+        }
+        for (const Ball<D>& ball : world_.balls) filter_.include(ball);
+        for (Slot i = 0; i < slots.size(); ++i) ask_after_change(i);
+    }
+
+    Outcome run(const Limits& limits, const typename Simulation<D>::Record& record) override {
+        if (world_.balls.empty()) return {Ending::nothing, {}};
+        constexpr std::uint32_t turns_between_questions = 4096;
+        const double until = limits.until;
+        std::uint64_t done = 0;
+        std::uint32_t turns = 0;
+        while (done < limits.strikes) {
+            if (++turns % turns_between_questions == 0 && limits.stop && limits.stop())
+                return {Ending::stopped, {}};
+            const Slot i = queue_.top(before());
+            const double key = queue_.key(i);
+            if (!(key <= until && key < infinity)) {
+                if (until < infinity) now_ = std::max(now_, until);
+                return {key < infinity ? Ending::until : Ending::nothing, {}};
+            }
+            now_ = std::max(now_, key);
+            Proposal& next = proposals_[i];
+            if (own_[i] <= next.early) {
+                ++counts_.own;
+                if (!world_.effects.box && --own_events_left_ == 0 && !spread()) [[unlikely]] {
+                    if (until < infinity) now_ = until;
+                    return {Ending::nothing, {}};
+                }
+                const Asker asker = filter_.asker(world_.balls[i], now_);
+                structure_->own_event(
+                    i, now_, [&](Slot j) { propose(i, asker, j); }, [&](Slot j) { touch(j); });
+                touch(i);
+            } else if (is_stale(next)) {
+                ++counts_.stale;
+                ask(i);
+            } else if (next.early < next.late) {
+                make_exact(i, next);
+                settle(i);
+            } else {
+                done += static_cast<std::uint64_t>(is_wall(next) ? strike_wall(i, record)
+                                                                 : strike_ball(i, record));
+                if (collapses_) return {Ending::collapse, last_};
+            }
+        }
+        return {Ending::strikes, {}};
+    }
+
+    [[nodiscard]] State<D> state() const override {
+        const std::size_t n = number_.size();
+        State<D> state{now_,
+                       std::vector<Ball<D>>(n),
+                       std::vector<double>(n),
+                       std::vector<std::uint32_t>(n),
+                       {}};
+        for (Slot i = 0; i < n; ++i) {
+            const auto number = static_cast<std::size_t>(number_[i]);
+            state.balls[number] = world_.balls[i];
+            state.masses[number] = mass_[i];
+            state.in_place[number] = in_place_[i];
+        }
+        for (const auto& [pair, time] : passed_) {
+            const auto [i, j] = pair;
+            state.passed.push_back(
+                {number_[i],
+                 j >= first_wall ? -1 - static_cast<std::int32_t>(j - first_wall) : number_[j],
+                 time});
+        }
+        return state;
+    }
+    [[nodiscard]] const Counts& counts() const override { return counts_; }
+
+ private:
+    static constexpr Slot nobody = ~Slot{0};
+    static constexpr Slot first_wall = nobody - 6;
+    static constexpr std::uint32_t most_in_place_dissipative = 1000;
+    static constexpr std::uint32_t most_in_place_elastic = 100'000;
+
+    using Asker = typename MeetingFilter<D, Falls, kernel>::Asker;
+
+    struct Proposal {
+        double early = infinity;
+        double late = infinity;
+        Slot partner = nobody;
+        std::uint32_t partner_strikes = 0;
+    };
+
+    template <class T>
+    static std::vector<T> in_order(const std::vector<T>& things,
+                                   const std::vector<std::int32_t>& order) {
+        std::vector<T> result;
+        result.reserve(order.size());
+        for (const std::int32_t number : order)
+            result.push_back(things[static_cast<std::size_t>(number)]);
+        return result;
+    }
+
+    [[nodiscard]] static bool is_wall(const Proposal& p) noexcept {
+        return p.partner >= first_wall && p.partner != nobody;
+    }
+    [[nodiscard]] bool is_stale(const Proposal& p) const noexcept {
+        return p.partner < first_wall && strikes_[p.partner] != p.partner_strikes;
+    }
+    [[nodiscard]] static Wall wall_of(const Proposal& p) noexcept {
+        return static_cast<Wall>(p.partner - first_wall);
+    }
+
+    /// The order of events at one time: ball before wall, then the smaller number, then the larger.
+    [[nodiscard]] std::tuple<bool, std::int32_t, std::int32_t> rank(Slot i,
+                                                                    const Proposal& p) const {
+        if (is_wall(p)) return {true, number_[i], wall_of(p)};
+        const std::int32_t a = number_[i];
+        const std::int32_t b = number_[p.partner];
+        return {false, std::min(a, b), std::max(a, b)};
+    }
+    /// Of two entries of equal key: those that are no exact strikes first.
+    [[nodiscard]] bool comes_before(Slot i, Slot j) const {
+        const auto is_exact = [this](Slot e) {
+            return proposals_[e].early == proposals_[e].late && own_[e] > proposals_[e].early &&
+                   proposals_[e].partner != nobody;
+        };
+        const bool exact_i = is_exact(i);
+        const bool exact_j = is_exact(j);
+        if (exact_i != exact_j) return exact_j;
+        if (!exact_i) return i < j;
+        return std::tuple(rank(i, proposals_[i]), i) < std::tuple(rank(j, proposals_[j]), j);
+    }
+    [[nodiscard]] auto before() const {
+        return [this](Slot i, Slot j) { return comes_before(i, j); };
+    }
+
+    void settle(Slot i) { queue_.set(i, std::min(own_[i], proposals_[i].early), before()); }
+
+    /// Balls that fly apart would cross ever more cells, or leave ever more shells, that were made
+    /// when they were near one another: now and then the structure is made anew. False where
+    /// nothing meets any more, as far as that is looked for.
+    [[nodiscard]] bool spread() {
+        constexpr std::size_t few = 2048;
+        own_events_left_ = own_events_a_ball * number_.size();
+        const bool struck_since = strikes_before_ != counts_.strikes;
+        strikes_before_ = counts_.strikes;
+        if (!struck_since && number_.size() <= few && !any_meets()) return false;
+        const double width = widest_now();
+        if (!(width > 2.0 * width_)) return true;
+        width_ = width;
+        world_.start = now_;
+        structure_.emplace(world_);
+        for (Slot i = 0; i < number_.size(); ++i) ask_after_change(i);
+        return true;
+    }
+    /// How far the balls are spread, along the axis where that is farthest.
+    [[nodiscard]] double widest_now() const {
+        double widest = 0.0;
+        for (int k = 0; k < D; ++k) {
+            double low = infinity;
+            double high = -infinity;
+            for (Slot i = 0; i < number_.size(); ++i) {
+                const double x = world_.centre(i, now_)[k];
+                low = std::min(low, x);
+                high = std::max(high, x);
+            }
+            widest = std::max(widest, high - low);
+        }
+        return widest;
+    }
+    [[nodiscard]] bool any_meets() {
+        for (Slot i = 0; i < number_.size(); ++i) {
+            const Asker asker = filter_.asker(world_.balls[i], now_);
+            for (Slot j = 0; j < i; ++j) {
+                const Approach approach = asker.look(world_.balls[j]);
+                if (!approach.possible) continue;
+                const Meeting meeting = asker(approach);
+                if (meeting.early > -infinity || exactly(i, j).early < infinity) return true;
+            }
+        }
+        return false;
+    }
+
+    /// Finds anew when the structure changes because of a ball.
+    void touch(Slot i) {
+        own_[i] = structure_->next(i, now_);
+        settle(i);
+    }
+
+    /// Finds anew what a ball strikes first.
+    void ask(Slot i) {
+        Proposal best;
+        const Asker asker = filter_.asker(world_.balls[i], now_);
+        for (Wall wall = 0; wall < walls_; ++wall) consider_wall(i, asker, wall, best);
+        // First all are looked at, then those that may be met are asked when.
+        std::size_t possible = 0;
+        const auto ask_when = [&] {
+            for (std::size_t k = 0; k < possible; ++k)
+                consider(i, asker, candidates_[k].slot, candidates_[k].approach, best);
+            possible = 0;
+        };
+        const Ball<D>* const balls = world_.balls.data();
+        std::uint64_t checks = 0;
+        structure_->near(i, [&](Slot j) {
+            ++checks;
+            Candidate& candidate = candidates_[possible];
+            candidate.slot = j;
+            candidate.approach = asker.look(balls[j]);
+            possible += static_cast<std::size_t>(candidate.approach.possible);
+            if (possible == candidates_.size()) [[unlikely]]
+                ask_when();
+        });
+        ask_when();
+        counts_.checks += checks;
+        proposals_[i] = best;
+        settle(i);
+    }
+    /// The same of a ball that flies or lies otherwise than before.
+    void ask_after_change(Slot i) {
+        own_[i] = structure_->next(i, now_);
+        ask(i);
+    }
+    /// Lets a ball know of another one.
+    void propose(Slot i, const Asker& asker, Slot j) {
+        ++counts_.checks;
+        const Approach approach = asker.look(world_.balls[j]);
+        if (approach.possible) consider(i, asker, j, approach, proposals_[i]);
+    }
+
+    void consider(Slot i, const Asker& asker, Slot j, const Approach& approach, Proposal& best) {
+        Meeting meeting = asker(approach);
+        if (!(meeting.early <= best.late)) return;
+        if (meeting.early == -infinity) [[unlikely]] {
+            meeting = exactly(i, j);
+            if (!(meeting.early <= best.late)) return;
+        }
+        // The partner strikes something before, and is then asked again.
+        if (meeting.early > proposals_[j].late) return;
+        if (meeting.early == infinity) return;
+        Proposal candidate{meeting.early, meeting.late, j, strikes_[j]};
+        if (!passed_.empty() && is_passed(i, candidate)) return;
+        take(i, candidate, best);
+    }
+    void consider_wall(Slot i, const Asker& asker, Wall wall, Proposal& best) {
+        const Box<D>& box = *world_.effects.box;
+        const double side = wall % 2 != 0 ? box.high[wall / 2] : box.low[wall / 2];
+        Meeting meeting = asker(wall, side);
+        if (!(meeting.early <= best.late)) return;
+        if (meeting.early == -infinity) [[unlikely]] {
+            ++counts_.exact;
+            const double t = exact_meeting(world_.balls[i], wall, world_.effects);
+            meeting = {t, t};
+        }
+        if (meeting.early == infinity) return;
+        Proposal candidate{meeting.early, meeting.late, first_wall + static_cast<Slot>(wall), 0};
+        if (!passed_.empty() && is_passed(i, candidate)) return;
+        take(i, candidate, best);
+    }
+    /// The earlier of two proposals of a ball.
+    void take(Slot i, Proposal candidate, Proposal& best) {
+        if (candidate.late < best.early) {
+            best = candidate;
+        } else if (candidate.early <= best.late) {
+            if (best.partner == nobody) {
+                best = candidate;
+                return;
+            }
+            if (is_stale(best)) {
+                // Whichever begins first: at its turn the ball is asked again.
+                if (candidate.early < best.early) best = candidate;
+                return;
+            }
+            make_exact(i, best);
+            make_exact(i, candidate);
+            if (std::tuple(candidate.early, rank(i, candidate)) <
+                std::tuple(best.early, rank(i, best)))
+                best = candidate;
+        }
+    }
+
+    /// The nearest image of a pair at a time.
+    [[nodiscard]] Image<D> image(Slot i, Slot j, double t) const {
+        Image<D> image;
+        if (!world_.effects.periodic) return image;
+        const Vector<D> a = world_.centre(i, t);
+        const Vector<D> b = world_.centre(j, t);
+        for (int k = 0; k < D; ++k) {
+            const double length = world_.effects.box->high[k] - world_.effects.box->low[k];
+            image[k] = static_cast<int>(nearest_integer((a[k] - b[k]) / length));
+        }
+        return image;
+    }
+    [[gnu::cold, gnu::noinline]] Meeting exactly(Slot i, Slot j) {
+        ++counts_.exact;
+        const double t =
+            exact_meeting(world_.balls[i], world_.balls[j], image(i, j, now_), world_.effects);
+        return {t, t};
+    }
+    void make_exact(Slot i, Proposal& p) {
+        if (p.early == p.late) return;
+        const double about = 0.5 * (p.early + p.late);
+        double t = 0.0;
+        if (is_wall(p)) {
+            t = refined_meeting(world_.balls[i], wall_of(p), world_.effects, about);
+            if (std::isnan(t)) {
+                ++counts_.exact;
+                t = exact_meeting(world_.balls[i], wall_of(p), world_.effects);
+            } else {
+                ++counts_.refined;
+            }
+        } else {
+            // Now another image may be nearer than the one that will be struck.
+            const Image<D> seen = image(i, p.partner, about);
+            t = refined_meeting(world_.balls[i], world_.balls[p.partner], seen, world_.effects,
+                                about);
+            if (std::isnan(t)) {
+                ++counts_.exact;
+                t = exact_meeting(world_.balls[i], world_.balls[p.partner], seen, world_.effects);
+            } else {
+                ++counts_.refined;
+            }
+        }
+        p.early = p.late = t;
+    }
+
+    bool strike_ball(Slot i, const typename Simulation<D>::Record& record) {
+        const Slot j = proposals_[i].partner;
+        const double t = proposals_[i].early;
+        StrikeTally tally;
+        Ball<D> a = arrive(i, t, tally);
+        Ball<D> b = arrive(j, t, tally);
+        Image<D> seen;
+        if (world_.effects.periodic) {
+            for (int k = 0; k < D; ++k) {
+                const double length = world_.effects.box->high[k] - world_.effects.box->low[k];
+                seen[k] = static_cast<int>(nearest_integer((a.x[k] - b.x[k]) / length));
+            }
+        }
+        refuse_coarse_clock(i, j, a, b, seen);
+        const Ball<D> a_before = a;
+        const Ball<D> b_before = b;
+        Exchange exchange;
+        if constexpr (kernel == Kernel::exact)
+            exchange = strike(a, b, seen, mass_[i], mass_[j], world_.effects, tally);
+        else
+            exchange = naive::strike(a, b, seen, mass_[i], mass_[j], world_.effects);
+        counts_.rounded += tally.refined;
+        counts_.rounded_exactly += tally.exact;
+        if (!exchange.struck) {
+            pass(i, j, t);
+            ask(i);
+            return false;
+        }
+        counts_.virial += exchange.virial;
+        const std::int32_t first = std::min(number_[i], number_[j]);
+        const std::int32_t second = std::max(number_[i], number_[j]);
+        last_ = {t, false, first, second, 0.0};
+        if (record) {
+            last_.impulse =
+                impulse(a_before, b_before, seen, mass_[i], mass_[j], world_.effects, tally);
+            record(last_);
+        }
+        ++counts_.strikes;
+        count(i, a_before, exchange.approach, exchange.square, [&] {
+            return stayed_in_place_exactly(a_before, b_before, seen, world_.effects,
+                                           world_.balls[i].time);
+        });
+        count(j, b_before, exchange.approach, exchange.square, [&] {
+            // D and V of the pair, whichever comes first.
+            Image<D> back;
+            for (int k = 0; k < D; ++k) back[k] = -seen[k];
+            return stayed_in_place_exactly(b_before, a_before, back, world_.effects,
+                                           world_.balls[j].time);
+        });
+        world_.balls[i] = a;
+        world_.balls[j] = b;
+        filter_.include(a);
+        filter_.include(b);
+        release(i);
+        release(j);
+        ask_after_change(i);
+        ask_after_change(j);
+        return true;
+    }
+    bool strike_wall(Slot i, const typename Simulation<D>::Record& record) {
+        const Wall wall = wall_of(proposals_[i]);
+        const double t = proposals_[i].early;
+        StrikeTally tally;
+        Ball<D> ball = arrive(i, t, tally);
+        const Ball<D> ball_before = ball;
+        const bool struck = strike(ball, wall, world_.effects);
+        last_ = {t, true, number_[i], wall, 0.0};
+        if (!struck) {
+            const double g = world_.effects.gravity[wall / 2];
+            collapses_ = wall % 2 != 0 ? g > 0.0 : g < 0.0;
+            if (collapses_) return false;
+            pass(i, first_wall + static_cast<Slot>(wall), t);
+            ask(i);
+            return false;
+        }
+        if (record) {
+            last_.impulse = impulse(ball_before, wall, mass_[i], world_.effects);
+            record(last_);
+        }
+        ++counts_.strikes;
+        count(i, ball_before, std::fabs(ball_before.v[wall / 2]), 1.0,
+              [&] { return stayed_in_place_exactly(ball_before, wall, world_.balls[i].time); });
+        world_.balls[i] = ball;
+        filter_.include(ball);
+        release(i);
+        ask_after_change(i);
+        return true;
+    }
+    /// Where balls fly so far from one tick of the clock to the next that those which meet are
+    /// apart at the rounded time.
+    void refuse_coarse_clock(Slot i, Slot j, const Ball<D>& a, const Ball<D>& b,
+                             const Image<D>& seen) const {
+        double square = 0.0;
+        for (int k = 0; k < D; ++k) {
+            double d = a.x[k] - b.x[k];
+            if (seen[k] != 0)
+                d -= seen[k] * (world_.effects.box->high[k] - world_.effects.box->low[k]);
+            square += d * d;
+        }
+        const double radii = a.radius + b.radius;
+        if (std::fabs(square - radii * radii) < 0x1p-10 * (radii * radii)) [[likely]]
+            return;
+        if constexpr (kernel == Kernel::naive) return;
+        throw std::range_error(
+            "balls " + std::to_string(std::min(number_[i], number_[j])) + " and " +
+            std::to_string(std::max(number_[i], number_[j])) + " meet at time " +
+            std::to_string(a.time) +
+            ", but they fly too far from one double to the next for a strike then; use slower "
+            "balls, or a shorter time");
+    }
+
+    [[nodiscard]] Ball<D> arrive(Slot i, double t, StrikeTally& tally) const {
+        if constexpr (kernel == Kernel::exact)
+            return arrived(world_.balls[i], t, world_.effects, tally);
+        else
+            return naive::arrived(world_.balls[i], t, world_.effects);
+    }
+
+    /// Counts a strike of a ball, which is given as it was when it came.
+    template <class Exactly>
+    void count(Slot i, const Ball<D>& came, double approach, double square,
+               const Exactly& exactly) {
+        ++strikes_[i];
+        const InPlace stayed =
+            stayed_in_place(came, came.time - world_.balls[i].time, approach, square);
+        if (stayed == InPlace::no || (stayed == InPlace::uncertain && !exactly())) [[likely]] {
+            in_place_[i] = 0;
+        } else if (++in_place_[i] >= most_in_place_) {
+            collapses_ = true;
+            in_place_[i] = 0;
+        }
+    }
+
+    /// A meeting that is no strike is passed over, as long as neither strikes something else.
+    void pass(Slot i, Slot j, double t) { passed_[{std::min(i, j), std::max(i, j)}] = t; }
+    [[nodiscard]] bool is_passed(Slot i, Proposal& candidate) {
+        const Slot j = candidate.partner;
+        const auto found = passed_.find({std::min(i, j), std::max(i, j)});
+        if (found == passed_.end() || candidate.early > found->second) return false;
+        make_exact(i, candidate);
+        return candidate.early <= found->second;
+    }
+    void release(Slot i) {
+        if (passed_.empty()) return;
+        std::erase_if(passed_, [i](const auto& entry) {
+            return entry.first.first == i || entry.first.second == i;
+        });
+    }
+
+    static constexpr std::uint64_t own_events_a_ball = 16;
+
+    struct Candidate {
+        Slot slot;
+        Approach approach;
+    };
+
+    World<D> world_;
+    std::array<Candidate, 64> candidates_;
+    std::vector<std::int32_t> number_;
+    std::vector<double> mass_;
+    std::vector<std::uint32_t> strikes_;
+    std::vector<std::uint32_t> in_place_;
+    std::vector<Proposal> proposals_;
+    std::vector<double> own_;
+    MeetingFilter<D, Falls, kernel> filter_;
+    std::optional<StructureOf<D>> structure_;
+    EventQueue queue_;
+    Wall walls_;
+    std::uint32_t most_in_place_;
+    bool collapses_ = false;
+    std::uint64_t own_events_left_ = own_events_a_ball * number_.size();
+    std::uint64_t strikes_before_ = 0;
+    double width_ = widest_now();
+    double now_;
+    Counts counts_;
+    Strike last_;
+    std::map<std::pair<Slot, Slot>, double> passed_;
+};
+
+template <int D, template <int> class StructureOf>
+std::unique_ptr<typename Simulation<D>::Engine> make_engine(
+    const State<D>& state, const Effects<D>& effects, Kernel kernel,
+    const std::vector<std::int32_t>& order) {
+    const auto make =
+        [&]<bool falls, Kernel k>() -> std::unique_ptr<typename Simulation<D>::Engine> {
+        return std::make_unique<Loop<D, falls, k, StructureOf>>(state, effects, order);
+    };
+    const bool falls = effects.gravity != Vector<D>{};
+    if (kernel == Kernel::naive) {
+        return falls ? make.template operator()<true, Kernel::naive>()
+                     : make.template operator()<false, Kernel::naive>();
+    }
+    return falls ? make.template operator()<true, Kernel::exact>()
+                 : make.template operator()<false, Kernel::exact>();
+}
+
+}  // namespace signum::motion

@@ -1,0 +1,286 @@
+#include "meeting_time.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include "../core/contract.hpp"
+#include "../exact/nearest_double.hpp"
+#include "../exact/polynomial.hpp"
+#include "descent.hpp"
+
+namespace signum::motion {
+namespace {
+
+using exact::Dyadic;
+using exact::Integer;
+using exact::Polynomial;
+
+/// Of a centre, in the powers of t.
+template <int D>
+using Path = std::array<Polynomial, D>;
+
+template <int D>
+Path<D> path_of(const Ball<D>& ball, const Vector<D>& gravity) {
+    static const Dyadic half(0.5);
+    const Dyadic since(ball.time);
+    Path<D> path;
+    for (int i = 0; i < D; ++i) {
+        const Dyadic v(ball.v[i]);
+        const Dyadic g(gravity[i]);
+        path[i] = {Dyadic(ball.x[i]) + (half * g * since - v) * since, v - g * since, half * g};
+    }
+    return path;
+}
+
+template <int D>
+Polynomial radius_of(const GrowingBall<D>& ball) {
+    return {Dyadic(ball.radius), Dyadic(ball.growth)};
+}
+
+template <int D>
+Path<D> difference(Path<D> a, const Path<D>& b) {
+    for (int i = 0; i < D; ++i) a[i] = a[i] - b[i];
+    return a;
+}
+
+template <int D>
+Polynomial square_of(const Path<D>& path) {
+    Polynomial sum;
+    for (const Polynomial& coordinate : path) sum = sum + coordinate * coordinate;
+    return sum;
+}
+
+// Two balls
+
+/// One ball seen from another one flies straight: gravity cancels.
+template <int D>
+struct RelativeFlight {
+    double start;
+    Path<D> distance;
+    Polynomial reach;
+
+    RelativeFlight(const GrowingBall<D>& a, const GrowingBall<D>& b, const Effects<D>& effects)
+        : start(std::max(a.time, b.time)),
+          distance(difference<D>(path_of<D>(a, effects.gravity), path_of<D>(b, effects.gravity))),
+          reach(radius_of(a) + radius_of(b)) {}
+
+    /// The meeting time of the image that is seen shifted.
+    [[nodiscard]] double meeting(const std::array<Dyadic, D>& shift) const {
+        Path<D> seen = distance;
+        for (int i = 0; i < D; ++i) seen[i] = seen[i] - Polynomial{shift[i]};
+        return first_descent(square_of<D>(seen) - reach * reach, start);
+    }
+};
+
+template <int D>
+Dyadic length_of(const Effects<D>& effects, int axis) {
+    return Dyadic(effects.box->high[axis]) - Dyadic(effects.box->low[axis]);
+}
+
+/// The coefficient of t, rounded.
+double rate_of(const Polynomial& p) {
+    const Dyadic rate = p.derivative().value_at(Dyadic());
+    return exact::nearest_double([&](const Dyadic& x) { return (rate - x).sign(); });
+}
+
+/// The greatest integer not above a / b, b > 0.
+Integer floor_of(const Dyadic& a, const Dyadic& b) {
+    const int exponent = std::min(a.exponent(), b.exponent());
+    const Integer numerator = a.significand() << (a.exponent() - exponent);
+    const Integer denominator = b.significand() << (b.exponent() - exponent);
+    Integer result;
+    mpz_fdiv_q(result.backend().data(), numerator.backend().data(), denominator.backend().data());
+    return result;
+}
+
+/// In a window of time the images that may touch in it are those that are near enough along each
+/// axis by itself. The first of them that meets within the window is the first of all.
+template <int D>
+class ImageSearch {
+ public:
+    ImageSearch(const RelativeFlight<D>& pair, const Effects<D>& effects) : pair_(pair) {
+        for (int i = 0; i < D; ++i) length_[i] = length_of(effects, i);
+    }
+
+    /// The least meeting time of the images that may touch in [begin, end].
+    [[nodiscard]] double first_between(double begin, double end) {
+        const Dyadic from(begin);
+        const Dyadic to(end);
+        const auto magnitude = [](const Dyadic& x) { return x.sign() < 0 ? -x : x; };
+        const Dyadic reach =
+            std::max(magnitude(pair_.reach.value_at(from)), magnitude(pair_.reach.value_at(to)));
+        for (int i = 0; i < D; ++i) {
+            const auto [least, most] =
+                std::minmax({pair_.distance[i].value_at(from), pair_.distance[i].value_at(to)});
+            first_[i] = -floor_of(reach - least, length_[i]);
+            last_[i] = floor_of(most + reach, length_[i]);
+        }
+        best_ = infinity;
+        try_all(0);
+        return best_;
+    }
+
+ private:
+    void try_all(int axis) {
+        if (axis == D) {
+            best_ = std::min(best_, pair_.meeting(shift_));
+            return;
+        }
+        for (Integer k = first_[axis]; k <= last_[axis]; ++k) {
+            shift_[axis] = Dyadic(k, 0) * length_[axis];
+            try_all(axis + 1);
+        }
+    }
+
+    const RelativeFlight<D>& pair_;
+    std::array<Dyadic, D> length_;
+    std::array<Integer, D> first_;
+    std::array<Integer, D> last_;
+    std::array<Dyadic, D> shift_;
+    double best_ = infinity;
+};
+
+// Half spaces
+
+/// u + v √n.
+struct WithRoot {
+    Dyadic u;
+    Dyadic v;
+
+    /// Where u and v √n are of different signs, their squares tell which is greater.
+    [[nodiscard]] Sign sign(const Dyadic& n) const {
+        const Sign of_u = u.sign();
+        const Sign of_v = v.sign();
+        if (of_u == 0 || of_u == of_v) return of_v;
+        if (of_v == 0) return of_u;
+        return of_u * (u * u - n * v * v).sign();
+    }
+};
+
+}  // namespace
+
+template <int D>
+double meeting_time(const GrowingBall<D>& a, const GrowingBall<D>& b, const Image<D>& image,
+                    const Effects<D>& effects) {
+    std::array<Dyadic, D> shift;
+    for (int i = 0; i < D; ++i)
+        if (image[i] != 0) shift[i] = image[i] * length_of(effects, i);
+    return RelativeFlight<D>(a, b, effects).meeting(shift);
+}
+
+template <int D>
+double meeting_time(const GrowingBall<D>& a, const GrowingBall<D>& b, const Effects<D>& effects,
+                    double until) {
+    const RelativeFlight<D> pair(a, b, effects);
+    const auto no_later = [until](double time) { return time <= until ? time : infinity; };
+    if (!effects.periodic) return no_later(pair.meeting({}));
+
+    // Windows so short that few images are in reach of each: half a box length of flight, rounded.
+    // Their lengths have no part in the result.
+    double turns_per_time = 0.0;
+    for (int i = 0; i < D; ++i) {
+        const double speed = std::fabs(rate_of(pair.distance[i])) + std::fabs(rate_of(pair.reach));
+        turns_per_time =
+            std::max(turns_per_time, speed / (effects.box->high[i] - effects.box->low[i]));
+    }
+    const bool grow = pair.reach.degree() == 1 && pair.reach.sign_at_infinity() > 0;
+    if (until == infinity && !grow)
+        throw std::invalid_argument("meeting_time: in a periodic box the search needs an end");
+    ImageSearch<D> images(pair, effects);
+    for (double begin = pair.start; begin <= until && begin < infinity;) {
+        const double after =
+            std::max(begin + 0.5 / turns_per_time, std::nextafter(begin, infinity));
+        const double end = std::min({after, until, std::numeric_limits<double>::max()});
+        const double time = images.first_between(begin, end);
+        if (time <= end) return time;
+        if (end == until || end < after) break;
+        begin = end;
+    }
+    return infinity;
+}
+
+/// F = s - |n| r, s the height of the centre over the wall, times |n|. Its coefficients are of the
+/// form u + v √(n·n), so that each of its signs is one of s² - n·n r², taken with the signs of s
+/// and r, and rational. The polynomial s² - n·n r² by itself would not do: it is above 0 for a ball
+/// behind the wall, too, and for a point it only touches 0 where s changes its sign.
+///
+/// F is a parabola, and where it goes down through 0 or turns to fall is known by the signs of F
+/// and F' at dyadic points alone.
+template <int D>
+double meeting_time(const GrowingBall<D>& ball, const HalfSpace<D>& wall,
+                    const Effects<D>& effects) {
+    static const Dyadic half(0.5);
+    const Dyadic start(ball.time);
+    const Dyadic growth(ball.growth);
+    const Dyadic speed(wall.speed);
+    // F(start + y) = c + b y + a y²
+    Dyadic square;
+    Dyadic a;
+    WithRoot b{-speed, -growth};
+    WithRoot c{-(Dyadic(wall.offset) + speed * start), -(Dyadic(ball.radius) + growth * start)};
+    for (int i = 0; i < D; ++i) {
+        const Dyadic n(wall.normal[i]);
+        square += n * n;
+        a += half * n * Dyadic(effects.gravity[i]);
+        b.u += n * Dyadic(ball.v[i]);
+        c.u += n * Dyadic(ball.x[i]);
+    }
+    SIGNUM_EXPECTS(square.sign() > 0);
+    const auto gap = [&](const Dyadic& y) {
+        return WithRoot{c.u + (b.u + a * y) * y, c.v + b.v * y}.sign(square);
+    };
+    const auto slope = [&](const Dyadic& y) { return WithRoot{b.u + 2 * a * y, b.v}.sign(square); };
+
+    const Sign bends = a.sign();
+    const Sign slopes = b.sign(square);
+    const bool falls = slopes < 0 || (slopes == 0 && bends < 0);
+    if (!falls && bends >= 0) return infinity;
+    if (falls && c.sign(square) <= 0) return ball.time;
+    if (bends > 0) {
+        const WithRoot discriminant{b.u * b.u + square * b.v * b.v - 4 * a * c.u,
+                                    2 * (b.u * b.v) - 4 * a * c.v};
+        if (discriminant.sign(square) <= 0) return infinity;
+    }
+    // Where F is convex the meeting is where it falls through 0, before its least value. Otherwise
+    // from the meeting on F is not above 0 and does not rise, and before it one of these fails.
+    return exact::nearest_double([&](const Dyadic& x) {
+        const Dyadic y = x - start;
+        if (y.sign() <= 0) return 1;
+        const Sign rises = slope(y);
+        if (bends > 0) return rises >= 0 ? -1 : gap(y);
+        const Sign apart = gap(y);
+        return rises > 0 || apart > 0 ? 1 : std::max(rises, apart);
+    });
+}
+
+template <int D>
+double meeting_time(const GrowingBall<D>& ball, const Sphere<D>& wall, const Effects<D>& effects) {
+    Path<D> centre;
+    for (int i = 0; i < D; ++i) centre[i] = {Dyadic(wall.centre[i]), Dyadic(wall.velocity[i])};
+    const Polynomial square =
+        square_of<D>(difference<D>(path_of<D>(ball, effects.gravity), centre));
+    const Polynomial radius{Dyadic(wall.radius)};
+    if (wall.side == Sphere<D>::Side::outside) {
+        const Polynomial reach = radius + radius_of(ball);
+        return first_descent(square - reach * reach, ball.time);
+    }
+    const Polynomial room = radius - radius_of(ball);
+    return first_descent(room * room - square, ball.time);
+}
+
+template double meeting_time(const GrowingBall<2>&, const GrowingBall<2>&, const Image<2>&,
+                             const Effects<2>&);
+template double meeting_time(const GrowingBall<3>&, const GrowingBall<3>&, const Image<3>&,
+                             const Effects<3>&);
+template double meeting_time(const GrowingBall<2>&, const GrowingBall<2>&, const Effects<2>&,
+                             double);
+template double meeting_time(const GrowingBall<3>&, const GrowingBall<3>&, const Effects<3>&,
+                             double);
+template double meeting_time(const GrowingBall<2>&, const HalfSpace<2>&, const Effects<2>&);
+template double meeting_time(const GrowingBall<3>&, const HalfSpace<3>&, const Effects<3>&);
+template double meeting_time(const GrowingBall<2>&, const Sphere<2>&, const Effects<2>&);
+template double meeting_time(const GrowingBall<3>&, const Sphere<3>&, const Effects<3>&);
+
+}  // namespace signum::motion

@@ -1,0 +1,67 @@
+#pragma once
+/// When two balls meet, or a ball and an obstacle, for every kind of ball and of obstacle: exactly,
+/// and in one stage. The simulation's fast path (meeting.hpp) has a ladder of stages for the
+/// commonest kinds; where both have an answer, it is the same double.
+///
+/// The rule: each meeting has a gap F(t), above 0 where the two are apart and below 0 where they
+/// overlap. They meet at the least t >= T, the latest own time, at which F(t) <= 0 and F is
+/// strictly decreasing right after t. What is returned is the double nearest to it, halves to even,
+/// which is not before T, a double itself; infinity stands for never.
+///
+/// Radii may grow: at time t the radius is r + q t, where t is counted from 0, not from the ball's
+/// own time. All numbers are finite doubles and taken as exact ones.
+
+#include "ball.hpp"
+#include "meeting.hpp"
+
+namespace signum::motion {
+
+template <int D>
+struct GrowingBall : Ball<D> {
+    /// q; the radius of Ball is r, that at time 0.
+    double growth = 0.0;
+};
+
+/// Balls are where n·x >= offset + speed · t: an oblique wall, at rest or in uniform motion. n need
+/// not be a unit vector. F = n·x - offset - speed · t - |n| (r + q t).
+template <int D>
+struct HalfSpace {
+    Vector<D> normal{};  ///< not 0
+    double offset = 0.0;
+    double speed = 0.0;  ///< of the wall along n, times |n|
+};
+
+/// A circle or sphere with its centre at centre + velocity · t. D is the difference of the centres.
+template <int D>
+struct Sphere {
+    enum class Side { outside, inside };
+    Vector<D> centre{};
+    Vector<D> velocity{};
+    double radius = 0.0;
+    /// Where the balls are: F = |D|² - (radius + r + q t)² outside, (radius - r - q t)² - |D|²
+    /// inside.
+    Side side = Side::outside;
+};
+
+/// Of two balls: F = |D|² - R², R the sum of the radii. In a periodic box it is the least over all
+/// images of the other one. Meetings later than `until` are none; it costs time in proportion to
+/// the box lengths that they fly until they meet, or until then. Throws std::invalid_argument where
+/// a search in a periodic box might not end: until is infinite and radii do not grow.
+template <int D>
+[[nodiscard]] double meeting_time(const GrowingBall<D>& a, const GrowingBall<D>& b,
+                                  const Effects<D>& effects, double until = infinity);
+
+/// The same of one image: a.x - b.x less image · box lengths.
+template <int D>
+[[nodiscard]] double meeting_time(const GrowingBall<D>& a, const GrowingBall<D>& b,
+                                  const Image<D>& image, const Effects<D>& effects);
+
+template <int D>
+[[nodiscard]] double meeting_time(const GrowingBall<D>& ball, const HalfSpace<D>& wall,
+                                  const Effects<D>& effects);
+
+template <int D>
+[[nodiscard]] double meeting_time(const GrowingBall<D>& ball, const Sphere<D>& wall,
+                                  const Effects<D>& effects);
+
+}  // namespace signum::motion

@@ -1,0 +1,49 @@
+#pragma once
+/// What a strike does, in plain doubles: beside strike.hpp it shows what exactness costs.
+
+#include <cmath>
+
+#include "ball.hpp"
+#include "strike.hpp"
+
+namespace signum::motion::naive {
+
+template <int D>
+[[nodiscard]] Ball<D> arrived(const Ball<D>& ball, double t, const Effects<D>& effects) noexcept {
+    Ball<D> result = ball;
+    const double s = t - ball.time;
+    result.time = t;
+    for (int i = 0; i < D; ++i) {
+        result.x[i] += ball.v[i] * s + 0.5 * effects.gravity[i] * (s * s);
+        result.v[i] += effects.gravity[i] * s;
+        if (!effects.periodic) continue;
+        const double low = effects.box->low[i];
+        const double length = effects.box->high[i] - low;
+        result.x[i] -= length * std::floor((result.x[i] - low) / length);
+    }
+    return result;
+}
+
+template <int D>
+[[nodiscard]] Exchange strike(Ball<D>& a, Ball<D>& b, const Image<D>& image, double mass_a,
+                              double mass_b, const Effects<D>& effects) noexcept {
+    Vector<D> x;
+    double product = 0.0;
+    double square = 0.0;
+    for (int i = 0; i < D; ++i) {
+        x[i] = a.x[i] - b.x[i];
+        if (image[i] != 0) x[i] -= image[i] * (effects.box->high[i] - effects.box->low[i]);
+        product += x[i] * (a.v[i] - b.v[i]);
+        square += x[i] * x[i];
+    }
+    if (product >= 0.0) return {};
+    const double impulse =
+        (1.0 + effects.restitution) * (mass_a * mass_b / (mass_a + mass_b)) * (product / square);
+    for (int i = 0; i < D; ++i) {
+        a.v[i] -= impulse / mass_a * x[i];
+        b.v[i] += impulse / mass_b * x[i];
+    }
+    return {true, -product, square, -impulse * square};
+}
+
+}  // namespace signum::motion::naive

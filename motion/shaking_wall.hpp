@@ -1,0 +1,26 @@
+#pragma once
+/// When a ball meets a side of the box that shakes, by the rule of meeting_time.hpp.
+
+#include "ball.hpp"
+#include "meeting_time.hpp"
+
+namespace signum::motion {
+
+/// A wall across one axis, at level + amplitude · sin(frequency · t + phase): a floor or, with an
+/// odd number, a ceiling. F = x - (level + …) - (r + q t), for a ceiling with the first two
+/// exchanged.
+struct ShakingWall {
+    Wall wall = 0;  ///< 2 · axis, 1 more for a ceiling
+    double level = 0.0;
+    double amplitude = 0.0;
+    double frequency = 0.0;  ///< in radians per unit of time
+    double phase = 0.0;
+};
+
+/// The meeting time. Throws std::domain_error where 2048 bits do not tell it, as may be where
+/// numbers are a thousand binades apart.
+template <int D>
+[[nodiscard]] double meeting_time(const GrowingBall<D>& ball, const ShakingWall& wall,
+                                  const Effects<D>& effects);
+
+}  // namespace signum::motion

@@ -1,0 +1,165 @@
+#include "simulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "engine.hpp"
+
+namespace signum::motion {
+
+// One line a structure.
+template <int D>
+class Pairs;
+template <int D>
+class CellsOfOneSize;
+template <int D>
+class OccupiedCells;
+template <int D>
+class Segments;
+template <int D>
+class Levels;
+template <int D>
+class Lists;
+
+namespace {
+
+template <int D>
+struct Row {
+    Structure structure;
+    std::unique_ptr<typename Simulation<D>::Engine> (*make)(const State<D>&, const Effects<D>&,
+                                                            Kernel,
+                                                            const std::vector<std::int32_t>&);
+};
+template <int D>
+constexpr std::array<Row<D>, 6> rows = {{
+    {Structure::pairs, make_engine<D, Pairs>},
+    {Structure::cells, make_engine<D, CellsOfOneSize>},
+    {Structure::tree, make_engine<D, OccupiedCells>},
+    {Structure::segments, make_engine<D, Segments>},
+    {Structure::levels, make_engine<D, Levels>},
+    {Structure::lists, make_engine<D, Lists>},
+}};
+
+constexpr std::array<std::string_view, 7> names = {"auto",     "pairs",  "cells", "tree",
+                                                   "segments", "levels", "lists"};
+
+/// What the choice depends on.
+struct Sizes {
+    double smallest = std::numeric_limits<double>::infinity();
+    double largest = 0.0;
+    double shortest_box = std::numeric_limits<double>::infinity();
+};
+template <int D>
+Sizes sizes_of(const State<D>& state, const Effects<D>& effects) {
+    Sizes sizes;
+    for (const Ball<D>& ball : state.balls) {
+        sizes.smallest = std::min(sizes.smallest, ball.radius);
+        sizes.largest = std::max(sizes.largest, ball.radius);
+    }
+    if (effects.box)
+        for (int k = 0; k < D; ++k)
+            sizes.shortest_box =
+                std::min(sizes.shortest_box, effects.box->high[k] - effects.box->low[k]);
+    return sizes;
+}
+
+/// The balls along a curve through their places, so that neighbours lie near in memory.
+template <int D>
+std::vector<std::int32_t> along_a_curve(const State<D>& state, const Effects<D>& effects) {
+    constexpr int bits = 62 / D;
+    Vector<D> low;
+    double extent = 0.0;
+    std::vector<Vector<D>> places;
+    places.reserve(state.balls.size());
+    low.fill(std::numeric_limits<double>::infinity());
+    for (const Ball<D>& ball : state.balls) {
+        const double s = state.time - ball.time;
+        Vector<D> x;
+        for (int k = 0; k < D; ++k) {
+            x[k] = ball.x[k] + ball.v[k] * s + 0.5 * effects.gravity[k] * (s * s);
+            low[k] = std::min(low[k], x[k]);
+        }
+        places.push_back(x);
+    }
+    for (const Vector<D>& x : places)
+        for (int k = 0; k < D; ++k) extent = std::max(extent, x[k] - low[k]);
+    const double scale = std::ldexp(1.0 - 0x1p-40, bits) / (extent > 0.0 ? extent : 1.0);
+    std::vector<std::pair<std::uint64_t, std::int32_t>> keys;
+    keys.reserve(places.size());
+    for (const Vector<D>& x : places) {
+        std::uint64_t key = 0;
+        for (int k = 0; k < D; ++k) {
+            const auto number = static_cast<std::uint64_t>((x[k] - low[k]) * scale);
+            for (int bit = 0; bit < bits; ++bit) key |= (number >> bit & 1) << (bit * D + k);
+        }
+        keys.emplace_back(key, static_cast<std::int32_t>(keys.size()));
+    }
+    std::ranges::sort(keys);
+    std::vector<std::int32_t> order;
+    order.reserve(keys.size());
+    for (const auto& [key, number] : keys) order.push_back(number);
+    return order;
+}
+
+}  // namespace
+
+std::string_view name_of(Structure structure) noexcept {
+    return names[static_cast<std::size_t>(structure)];
+}
+
+template <int D>
+Choice choose(Structure wish, const State<D>& state, const Effects<D>& effects) {
+    const Sizes sizes = sizes_of(state, effects);
+    const bool few_cells = effects.periodic && sizes.shortest_box < 5.01 * 2.0 * sizes.largest;
+    if (wish == Structure::automatic) {
+        if (state.balls.size() <= 16) return {Structure::pairs, "few balls"};
+        if (sizes.largest > 4.0 * sizes.smallest && !few_cells)
+            return {Structure::levels, "the largest radius is more than four times the smallest"};
+        return {Structure::lists, "many balls of like sizes"};
+    }
+    const bool in_cells =
+        wish == Structure::cells || wish == Structure::tree || wish == Structure::levels;
+    if (few_cells && in_cells)
+        return {Structure::pairs, "the periodic box has fewer than five cells along an axis"};
+    if (effects.periodic && wish == Structure::segments)
+        return {few_cells ? Structure::pairs : Structure::cells,
+                "segments have no order in a periodic box"};
+    return {wish, "asked for"};
+}
+
+template <int D>
+Simulation<D>::Simulation(const State<D>& state, const Effects<D>& effects,
+                          const Options& options) {
+    const Structure structure = choose(options.structure, state, effects).structure;
+    const auto row = std::ranges::find(rows<D>, structure, &Row<D>::structure);
+    engine_ = row->make(state, effects, options.kernel, along_a_curve(state, effects));
+}
+template <int D>
+Simulation<D>::~Simulation() = default;
+template <int D>
+Simulation<D>::Simulation(Simulation&&) noexcept = default;
+template <int D>
+Simulation<D>& Simulation<D>::operator=(Simulation&&) noexcept = default;
+
+template <int D>
+Outcome Simulation<D>::run(const Limits& limits, const Record& record) {
+    return engine_->run(limits, record);
+}
+template <int D>
+State<D> Simulation<D>::state() const {
+    return engine_->state();
+}
+template <int D>
+const Counts& Simulation<D>::counts() const {
+    return engine_->counts();
+}
+
+template Choice choose(Structure, const State<2>&, const Effects<2>&);
+template Choice choose(Structure, const State<3>&, const Effects<3>&);
+template class Simulation<2>;
+template class Simulation<3>;
+
+}  // namespace signum::motion

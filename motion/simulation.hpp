@@ -1,0 +1,170 @@
+#pragma once
+/// Balls that move, strike and go on: the log of all strikes in the exact order.
+///
+/// Law: the log is a function of the balls and the effects alone. Neither the structure that
+/// proposes the pairs, nor the order in memory, nor the machine has a part in it.
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ball.hpp"
+
+namespace signum::motion {
+
+/// A ball as it is at the start, t = 0.
+template <int D>
+struct Body {
+    Vector<D> x{};
+    Vector<D> v{};
+    double radius = 0.0;
+    double mass = 1.0;
+};
+
+/// A meeting that was no strike: of two balls, or of ball `a` and wall -1 - b.
+struct Passed {
+    std::int32_t a = 0;
+    std::int32_t b = 0;
+    double time = 0.0;
+    friend bool operator==(const Passed&, const Passed&) = default;
+};
+
+/// Where a simulation stands: what it needs to go on with the very log it would have had.
+template <int D>
+struct State {
+    /// Nothing is left to do before it.
+    double time = 0.0;
+    /// In the order of the input, each at its own time.
+    std::vector<Ball<D>> balls;
+    std::vector<double> masses;
+    /// How many strikes in a row found each ball in place.
+    std::vector<std::uint32_t> in_place;
+    std::vector<Passed> passed;
+};
+
+/// What is wrong with a ball; what() says it, and what would be right.
+class BallError : public std::invalid_argument {
+ public:
+    BallError(std::int64_t ball, const std::string& what)
+        : std::invalid_argument(what), ball_(ball) {}
+    /// Its number.
+    [[nodiscard]] std::int64_t ball() const noexcept { return ball_; }
+
+ private:
+    std::int64_t ball_;
+};
+
+/// The state of bodies at t = 0. Throws BallError for a number that is not finite or beyond the
+/// window of 2^±150, a negative radius, a mass that is not positive, a ball outside its walls or
+/// wider than they are apart, and one that overlaps an earlier one; std::invalid_argument for
+/// effects that make no sense. O(n) expected, for balls of like sizes.
+template <int D>
+[[nodiscard]] State<D> start(std::span<const Body<D>> bodies, const Effects<D>& effects);
+
+/// A line of the log.
+struct Strike {
+    double time = 0.0;
+    bool wall = false;
+    /// Numbers of balls, a < b; or of a ball and a wall.
+    std::int32_t a = 0;
+    std::int32_t b = 0;
+    /// The momentum exchanged along the normal; 0 where nobody asked for it.
+    double impulse = 0.0;
+    friend bool operator==(const Strike&, const Strike&) = default;
+};
+
+/// What a run has done.
+struct Counts {
+    std::uint64_t strikes = 0;
+    /// Pairs that were asked when they meet.
+    std::uint64_t checks = 0;
+    /// Events of the structure.
+    std::uint64_t own = 0;
+    /// Events whose partner had struck something else.
+    std::uint64_t stale = 0;
+    /// Meeting times told by double-doubles, and by rationals.
+    std::uint64_t refined = 0;
+    std::uint64_t exact = 0;
+    /// Coordinates and strikes rounded by double-doubles, and by rationals.
+    std::uint64_t rounded = 0;
+    std::uint64_t rounded_exactly = 0;
+    /// The sum of (1+e) μ |V·D| over all strikes of two balls.
+    double virial = 0.0;
+};
+
+/// How far to go.
+struct Limits {
+    /// Events at that time are included.
+    double until = std::numeric_limits<double>::infinity();
+    /// Strikes from now on.
+    std::uint64_t strikes = std::numeric_limits<std::uint64_t>::max();
+    /// Asked now and then, if there is one: whether to stop.
+    std::function<bool()> stop = {};
+};
+
+/// Why a run ended: the time came, the strikes are done, nothing meets any more, it was stopped, or
+/// a ball strikes in place without end.
+enum class Ending { until, strikes, nothing, stopped, collapse };
+
+/// How a run ended, and of a collapse which balls (or ball and wall) struck last.
+struct Outcome {
+    Ending ending = Ending::until;
+    Strike last;
+};
+
+/// The structures that propose pairs, in the order of their names; automatic chooses one.
+enum class Structure { automatic, pairs, cells, tree, segments, levels, lists };
+inline constexpr std::array all_structures = {
+    Structure::automatic, Structure::pairs,  Structure::cells, Structure::tree,
+    Structure::segments,  Structure::levels, Structure::lists};
+[[nodiscard]] std::string_view name_of(Structure structure) noexcept;
+
+struct Options {
+    Structure structure = Structure::automatic;
+    Kernel kernel = Kernel::exact;
+};
+
+/// A structure that can be used, and why it is that one.
+struct Choice {
+    Structure structure;
+    std::string why;
+};
+/// What is chosen for a wish, which is followed where the structure can do it.
+template <int D>
+[[nodiscard]] Choice choose(Structure wish, const State<D>& state, const Effects<D>& effects);
+
+/// The balls of one simulation.
+template <int D>
+class Simulation {
+ public:
+    /// Preconditions: as start() sees to; of a later state, that it comes from state(), with the
+    /// same effects.
+    Simulation(const State<D>& state, const Effects<D>& effects, const Options& options = {});
+    ~Simulation();
+    Simulation(Simulation&&) noexcept;
+    Simulation& operator=(Simulation&&) noexcept;
+
+    /// Called with each strike.
+    using Record = std::function<void(const Strike&)>;
+    /// Goes on as far as the limits say. Throws std::range_error where a ball flies so fast that
+    /// the clock cannot tell its strike from a miss. O(1) expected a strike for lists and cells in
+    /// a gas.
+    Outcome run(const Limits& limits, const Record& record = {});
+
+    [[nodiscard]] State<D> state() const;
+    [[nodiscard]] const Counts& counts() const;
+
+    class Engine;
+
+ private:
+    std::unique_ptr<Engine> engine_;
+};
+
+}  // namespace signum::motion

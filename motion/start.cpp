@@ -1,0 +1,143 @@
+/// What balls must be to begin.
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "../exact/dyadic.hpp"
+#include "simulation.hpp"
+#include "structures/levels.hpp"
+
+namespace signum::motion {
+namespace {
+
+using exact::Dyadic;
+
+/// Numbers whose squares, and squares of squares, are doubles.
+constexpr double largest = 0x1p150;
+
+bool is_within(double number) noexcept {
+    return std::fabs(number) <= largest;
+}
+bool is_restitution(double number) noexcept {
+    return number >= 0.0 && number <= 1.0;
+}
+
+template <int D>
+void check(const Effects<D>& effects) {
+    for (const double g : effects.gravity)
+        if (!is_within(g)) throw std::invalid_argument("gravity: give finite numbers below 2^150");
+    if (!is_restitution(effects.restitution) || !is_restitution(effects.wall_restitution))
+        throw std::invalid_argument("restitution: give a number from 0 to 1");
+    if (effects.periodic && !effects.box)
+        throw std::invalid_argument("a periodic world needs a box");
+    if (!effects.box) return;
+    for (int k = 0; k < D; ++k) {
+        const double low = effects.box->low[k];
+        const double high = effects.box->high[k];
+        if (!is_within(low) || !is_within(high) || !(low < high)) {
+            throw std::invalid_argument(
+                "box: give the lower corner, then the upper one, finite numbers below 2^150");
+        }
+    }
+}
+
+template <int D>
+void check(const Body<D>& body, std::int64_t number) {
+    const auto fail = [number](const std::string& what) { throw BallError(number, what); };
+    for (int k = 0; k < D; ++k)
+        if (!is_within(body.x[k]) || !is_within(body.v[k]))
+            fail("a coordinate that is not finite or beyond 2^150");
+    if (!(body.radius >= 0.0) || !is_within(body.radius))
+        fail("a radius that is negative, not finite or beyond 2^150");
+    if (!(body.mass > 0.0)) fail("a mass that is not positive; a ball needs one");
+    if (!(body.mass >= 1.0 / largest) || !is_within(body.mass))
+        fail("a mass beyond 2^150, or below 2^-150");
+}
+
+/// Exactly.
+template <int D>
+void check_walls(const Body<D>& body, const Effects<D>& effects, std::int64_t number) {
+    for (int k = 0; k < D; ++k) {
+        const Dyadic x(body.x[k]);
+        const Dyadic low(effects.box->low[k]);
+        const Dyadic high(effects.box->high[k]);
+        const Dyadic radius(body.radius);
+        if (effects.periodic) {
+            if ((x - low).sign() < 0 || (high - x).sign() < 0)
+                throw BallError(number, "a centre outside the periodic box; give one inside");
+            if ((high - low - 8 * radius).sign() < 0)
+                throw BallError(number,
+                                "a ball whose diameter is more than a quarter of the periodic "
+                                "box; give a larger box");
+            continue;
+        }
+        if ((x - low - radius).sign() < 0 || (high - x - radius).sign() < 0)
+            throw BallError(number, "a ball outside its walls; it may touch them from within");
+    }
+}
+
+/// Whether two balls overlap, exactly; each at its own time, which is the same.
+template <int D>
+bool overlap(const Ball<D>& a, const Ball<D>& b, const World<D>& world) {
+    Vector<D> d;
+    Image<D> image;
+    double size = 0.0;
+    for (int k = 0; k < D; ++k) {
+        d[k] = a.x[k] - b.x[k];
+        if (world.effects.periodic) {
+            const double length = world.effects.box->high[k] - world.effects.box->low[k];
+            const double turns = nearest_integer(d[k] / length);
+            image[k] = static_cast<int>(turns);
+            d[k] -= turns * length;
+            size = std::max(size, length);
+        }
+        size = std::max({size, std::fabs(a.x[k]), std::fabs(b.x[k])});
+    }
+    const double radii = a.radius + b.radius;
+    // What rounding does to a difference is far less than a part in 2^40 of the numbers.
+    if (dot(d, d) > std::max(radii * radii * (1.0 + 0x1p-20), 0x1p-40 * size * size)) return false;
+    Dyadic square;
+    for (int k = 0; k < D; ++k) {
+        Dyadic exact = Dyadic(a.x[k]) - Dyadic(b.x[k]);
+        if (image[k] != 0)
+            exact = exact - image[k] * (Dyadic(world.effects.box->high[k]) -
+                                        Dyadic(world.effects.box->low[k]));
+        square += exact * exact;
+    }
+    const Dyadic sum = Dyadic(a.radius) + Dyadic(b.radius);
+    return (square - sum * sum).sign() < 0;
+}
+
+}  // namespace
+
+template <int D>
+State<D> start(std::span<const Body<D>> bodies, const Effects<D>& effects) {
+    check(effects);
+    State<D> state;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        const auto number = static_cast<std::int64_t>(i);
+        check(bodies[i], number);
+        if (effects.box) check_walls(bodies[i], effects, number);
+        state.balls.push_back({bodies[i].x, bodies[i].v, bodies[i].radius, 0.0});
+        state.masses.push_back(bodies[i].mass);
+    }
+    state.in_place.resize(bodies.size());
+    const World<D> world(state.balls, effects, 0.0);
+    const Levels<D> levels(world);
+    for (Slot i = 0; i < world.balls.size(); ++i) {
+        Slot first = i;
+        levels.near(i, [&](Slot j) {
+            if (j < first && overlap(world.balls[i], world.balls[j], world)) first = j;
+        });
+        if (first < i)
+            throw BallError(
+                i, "a ball that overlaps ball " + std::to_string(first) + "; balls may touch");
+    }
+    return state;
+}
+
+template State<2> start(std::span<const Body<2>>, const Effects<2>&);
+template State<3> start(std::span<const Body<3>>, const Effects<3>&);
+
+}  // namespace signum::motion

@@ -1,0 +1,187 @@
+#pragma once
+/// Cells of one or several sizes: what the structures `cells`, `tree` and `levels` have in common.
+///
+/// Each level has cells a power of two times as wide as those of the level below, nested. A ball
+/// lives in the level whose cells are just as wide as its diameter, or wider; it visits the cells
+/// of all coarser levels in which its centre lies.
+///
+/// No meeting is missed: let a live in level k and b in level l >= k. When they touch, their
+/// centres are at most the larger diameter apart, so they lie in neighbouring cells of level l or
+/// in the same one. Since they were not proposed when they became neighbours there, or at the
+/// start, or at the last strike of one of them, one of the two has entered a cell of level l since;
+/// then b, which lives there, proposes all that live in or visit the cells that have become its
+/// neighbours, and a, which visits, all that live there.
+///
+/// A crossing is told in rounded numbers; cells are by a part in 2^20 wider than diameters, which
+/// is far more than any rounding of a place.
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "../cells.hpp"
+#include "../world.hpp"
+
+namespace signum::motion {
+
+template <int D>
+class Grid {
+ public:
+    /// The most levels; one makes cells of one size. `hashed`: only occupied cells are kept.
+    Grid(const World<D>& world, int most_levels, bool hashed)
+        : world_(world), cell_(world.balls.size()), level_(world.balls.size()) {
+        const Spread<D> spread(world);
+        const double widest =
+            std::max(2.0 * spread.largest_radius * (1.0 + 0x1p-20), 0x1p-24 * spread.shortest());
+        const double no_wider = world.effects.periodic ? spread.shortest() / 5.0 : infinity;
+        // Cells far narrower than balls are apart are crossed for nothing.
+        const double narrowest =
+            std::max({2.0 * spread.smallest_radius * (1.0 + 0x1p-20),
+                      std::min(0.8 * spread.edge_of(1.0), no_wider), 0x1p-20 * widest});
+        int number = 1;
+        while (number < most_levels && std::ldexp(narrowest, number) <= widest) ++number;
+        const double finest =
+            number == 1 ? std::max(widest, narrowest) : std::ldexp(widest, 1 - number);
+        grids_.reserve(static_cast<std::size_t>(number));
+        for (int level = 0; level < number; ++level) {
+            grids_.emplace_back(world, spread, std::ldexp(finest, level),
+                                1 << (number - 1 - level));
+            residents_.emplace_back(grids_.back(), world.balls.size(), hashed);
+            if (level > 0) visitors_.emplace_back(grids_.back(), world.balls.size(), hashed);
+        }
+        for (Slot i = 0; i < cell_.size(); ++i) {
+            int level = 0;
+            while (level + 1 < number &&
+                   std::ldexp(finest, level) < 2.0 * world.balls[i].radius * (1.0 + 0x1p-20))
+                ++level;
+            level_[i] = static_cast<std::uint8_t>(level);
+            cell_[i] = grids_[level_[i]].cell_of(world.centre(i, world.start));
+            residents_[level_[i]].insert(i, cell_[i]);
+            for (std::size_t above = level_[i] + 1U; above < grids_.size(); ++above)
+                visitors_[above - 1].insert(i, cell_above(i, above));
+        }
+    }
+    Grid(const Grid&) = delete;
+    Grid& operator=(const Grid&) = delete;
+
+    template <class Propose>
+    void near(Slot i, const Propose& propose) const {
+        near_cells(i, cell_[i], propose, -1, 0);
+        for (std::size_t above = level_[i] + 1U; above < grids_.size(); ++above)
+            residents_near(above, cell_above(i, above), propose, -1, 0);
+    }
+
+    /// When the centre enters the next cell of its level.
+    [[nodiscard]] double next(Slot i, double now) const {
+        double s = infinity;
+        for (int k = 0; k < D; ++k) s = std::min(s, crossing(i, k, now).after);
+        return now + s;
+    }
+
+    template <class Propose, class Touch>
+    void own_event(Slot i, double now, const Propose& propose, const Touch&) {
+        int axis = 0;
+        Crossing first = crossing(i, 0, now);
+        for (int k = 1; k < D; ++k) {
+            const Crossing other = crossing(i, k, now);
+            if (other.after < first.after) {
+                first = other;
+                axis = k;
+            }
+        }
+        const Cell<D> before = cell_[i];
+        Cell<D> after = before;
+        const std::size_t level = level_[i];
+        if (!grids_[level].shift(after, axis, first.side)) return;
+        residents_[level].remove(i);
+        residents_[level].insert(i, after);
+        cell_[i] = after;
+        near_cells(i, after, propose, axis, first.side);
+        for (std::size_t above = level + 1; above < grids_.size(); ++above) {
+            const Cell<D> from = divided(before, above - level);
+            const Cell<D> to = divided(after, above - level);
+            if (from == to) break;
+            visitors_[above - 1].remove(i);
+            visitors_[above - 1].insert(i, to);
+            residents_near(above, to, propose, axis, first.side);
+        }
+    }
+
+ private:
+    /// The next side of its cell that a centre comes to, after some time.
+    struct Crossing {
+        double after = infinity;
+        std::int32_t side = 0;
+    };
+
+    [[nodiscard]] Crossing crossing(Slot i, int k, double now) const {
+        const CellGrid<D>& grid = grids_[level_[i]];
+        double x = world_.centre(i, now)[k];
+        const double v = world_.velocity(i, now)[k];
+        const double g = world_.effects.gravity[k];
+        const double start = grid.start_of(k, cell_[i][k]);
+        const double end = grid.start_of(k, cell_[i][k] + 1);
+        if (world_.effects.periodic) {
+            const double length = world_.effects.box->high[k] - world_.effects.box->low[k];
+            x -= length * nearest_integer((x - 0.5 * (start + end)) / length);
+        }
+        Crossing up{time_to(std::max(end - x, 0.0), v, g), 1};
+        Crossing down{time_to(std::max(x - start, 0.0), -v, -g), -1};
+        if (!world_.effects.periodic && grid.is_bounded()) {
+            Cell<D> cell = cell_[i];
+            if (!grid.shift(cell, k, 1)) up.after = infinity;
+            cell = cell_[i];
+            if (!grid.shift(cell, k, -1)) down.after = infinity;
+        }
+        // The outermost cells of an endless grid have no end.
+        if (cell_[i][k] >= CellGrid<D>::outermost) up.after = infinity;
+        if (cell_[i][k] <= -CellGrid<D>::outermost) down.after = infinity;
+        return up.after < down.after ? up : down;
+    }
+    /// The first time s >= 0 at which v s + g s²/2 rises through `way` >= 0.
+    static double time_to(double way, double v, double g) noexcept {
+        if (g == 0.0) return v > 0.0 ? way / v : infinity;
+        const double square = v * v + 2.0 * g * way;
+        if (v > 0.0) return square >= 0.0 ? 2.0 * way / (v + std::sqrt(square)) : infinity;
+        return g > 0.0 ? (std::sqrt(square) - v) / g : infinity;
+    }
+
+    [[nodiscard]] static Cell<D> divided(Cell<D> cell, std::size_t times) noexcept {
+        for (std::int32_t& number : cell) number >>= times;
+        return cell;
+    }
+    [[nodiscard]] Cell<D> cell_above(Slot i, std::size_t above) const noexcept {
+        return divided(cell_[i], above - level_[i]);
+    }
+    template <class Propose>
+    void near_cells(Slot i, const Cell<D>& cell, const Propose& propose, int axis,
+                    std::int32_t side) const {
+        const std::size_t level = level_[i];
+        const auto propose_others = [&](Slot j) {
+            if (j != i) propose(j);
+        };
+        grids_[level].for_each_around(
+            cell,
+            [&](const Cell<D>& each) {
+                residents_[level].for_each_in(each, propose_others);
+                if (level > 0) visitors_[level - 1].for_each_in(each, propose_others);
+            },
+            axis, side);
+    }
+    template <class Propose>
+    void residents_near(std::size_t level, const Cell<D>& cell, const Propose& propose, int axis,
+                        std::int32_t side) const {
+        grids_[level].for_each_around(
+            cell, [&](const Cell<D>& each) { residents_[level].for_each_in(each, propose); }, axis,
+            side);
+    }
+
+    const World<D>& world_;
+    std::vector<CellGrid<D>> grids_;
+    std::vector<CellTable<D>> residents_;
+    std::vector<CellTable<D>> visitors_;  // of all levels but the finest
+    std::vector<Cell<D>> cell_;           // in the level where the ball lives
+    std::vector<std::uint8_t> level_;
+};
+
+}  // namespace signum::motion

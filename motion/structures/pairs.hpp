@@ -1,0 +1,53 @@
+#pragma once
+/// All pairs. Nothing is missed, for nothing is left out.
+///
+/// In a periodic box a pair is seen shifted by the nearest image, so a ball is asked again when it
+/// has flown an eighth of the box: in the meantime two balls come nearer by a quarter at most, and
+/// those images that are not the nearest one, at least half a length away along some axis, stay
+/// farther than a quarter, which is more than two radii.
+
+#include "../world.hpp"
+
+namespace signum::motion {
+
+template <int D>
+class Pairs {
+ public:
+    static constexpr const char* name = "pairs";
+    explicit Pairs(const World<D>& world) : world_(world) {
+        if (!world.effects.periodic) return;
+        const Box<D>& box = *world.effects.box;
+        stride_ = infinity;
+        for (int k = 0; k < D; ++k) stride_ = std::min(stride_, (box.high[k] - box.low[k]) / 8.5);
+    }
+
+    template <class Propose>
+    void near(Slot i, const Propose& propose) const {
+        for (Slot j = 0; j < world_.balls.size(); ++j)
+            if (j != i) propose(j);
+    }
+    [[nodiscard]] double next(Slot i, double now) const {
+        if (!world_.effects.periodic) return infinity;
+        double fastest = 0.0;
+        double pull = 0.0;
+        const Vector<D> v = world_.velocity(i, now);
+        for (int k = 0; k < D; ++k) {
+            fastest += v[k] * v[k];
+            pull += world_.effects.gravity[k] * world_.effects.gravity[k];
+        }
+        fastest = std::sqrt(fastest);
+        // v s + g s²/2 = stride
+        return now + 2.0 * stride_ /
+                         (fastest + std::sqrt(fastest * fastest + 2.0 * std::sqrt(pull) * stride_));
+    }
+    template <class Propose, class Touch>
+    void own_event(Slot i, double, const Propose& propose, const Touch&) {
+        near(i, propose);
+    }
+
+ private:
+    const World<D>& world_;
+    double stride_ = 0.0;
+};
+
+}  // namespace signum::motion

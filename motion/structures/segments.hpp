@@ -1,0 +1,160 @@
+#pragma once
+/// The balls' projections onto each axis, segments, whose ends are kept in order (thesis 9.6).
+///
+/// Two balls whose boxes overlap on all axes are partners; when two ends of projections change
+/// places, the overlap on that axis begins or is over. Balls that touch have overlapping boxes; the
+/// overlap on the last axis began with such an event, which proposed the pair, or was there at the
+/// start; and at a strike all partners are proposed.
+///
+/// Ends stand off their balls by a margin that is far more than places are rounded by, so that an
+/// exchange which is told too late by a rounding is not too late. Not for periodic boxes.
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+#include "../cells.hpp"
+#include "../slot_lists.hpp"
+#include "../world.hpp"
+
+namespace signum::motion {
+
+template <int D>
+class Segments {
+ public:
+    explicit Segments(const World<D>& world) : world_(world), partners_(world.balls.size()) {
+        const Spread<D> spread(world);
+        double widest = 0.0;
+        for (int k = 0; k < D; ++k)
+            widest = std::max({widest, std::abs(spread.box.low[k]), std::abs(spread.box.high[k])});
+        margin_ = 0x1p-30 * widest;
+        for (int k = 0; k < D; ++k) {
+            Axis& axis = axes_[k];
+            axis.order.resize(2 * world.balls.size());
+            std::iota(axis.order.begin(), axis.order.end(), End{0});
+            std::ranges::sort(axis.order, [&](End a, End b) {
+                const double x = place(a, k, world.start);
+                const double y = place(b, k, world.start);
+                return x < y || (x == y && is_upper(a) < is_upper(b));
+            });
+            axis.rank.resize(axis.order.size());
+            for (std::uint32_t r = 0; r < axis.order.size(); ++r) axis.rank[axis.order[r]] = r;
+        }
+        std::vector<Slot> open;
+        for (const End end : axes_[0].order) {
+            const Slot i = ball_of(end);
+            if (is_upper(end)) {
+                std::erase(open, i);
+                continue;
+            }
+            for (const Slot j : open)
+                if (are_partners(i, j)) pair(i, j);
+            open.push_back(i);
+        }
+    }
+
+    template <class Propose>
+    void near(Slot i, const Propose& propose) const {
+        for (const Slot j : partners_[i]) propose(j);
+    }
+    /// When an end of the ball's projections changes places with another one.
+    [[nodiscard]] double next(Slot i, double now) const { return now + exchange(i, now).after; }
+
+    template <class Propose, class Touch>
+    void own_event(Slot i, double now, const Propose& propose, const Touch& touch) {
+        const Exchange first = exchange(i, now);
+        // The neighbour may have struck something since the exchange was told.
+        if (now + first.after > now) return;
+        Axis& axis = axes_[first.axis];
+        const End a = axis.order[first.rank];
+        const End b = axis.order[first.rank + 1];
+        std::swap(axis.order[first.rank], axis.order[first.rank + 1]);
+        std::swap(axis.rank[a], axis.rank[b]);
+        const Slot j = ball_of(a) == i ? ball_of(b) : ball_of(a);
+        if (is_upper(a) && !is_upper(b)) {
+            if (are_partners(i, j)) {
+                pair(i, j);
+                propose(j);
+            }
+        } else if (!is_upper(a) && is_upper(b)) {
+            partners_.remove(i, j);
+            partners_.remove(j, i);
+        }
+        // It has new neighbours, too.
+        touch(j);
+    }
+
+ private:
+    /// 2 · ball, 1 more for the upper end.
+    using End = std::uint32_t;
+    struct Axis {
+        std::vector<End> order;
+        std::vector<std::uint32_t> rank;
+    };
+    struct Exchange {
+        double after = infinity;
+        int axis = 0;
+        std::uint32_t rank = 0;  // of the lower one of the two
+    };
+
+    static bool is_upper(End end) noexcept { return end % 2 != 0; }
+    static Slot ball_of(End end) noexcept { return end / 2; }
+
+    [[nodiscard]] double place(End end, int k, double now) const noexcept {
+        const Ball<D>& ball = world_.balls[ball_of(end)];
+        const double dt = now - ball.time;
+        const double centre =
+            ball.x[k] + ball.v[k] * dt + 0.5 * world_.effects.gravity[k] * (dt * dt);
+        const double reach = ball.radius + margin_;
+        return is_upper(end) ? centre + reach : centre - reach;
+    }
+    [[nodiscard]] double speed(End end, int k, double now) const noexcept {
+        const Ball<D>& ball = world_.balls[ball_of(end)];
+        return ball.v[k] + world_.effects.gravity[k] * (now - ball.time);
+    }
+    [[nodiscard]] bool are_partners(Slot i, Slot j) const noexcept {
+        return std::ranges::all_of(axes_, [&](const Axis& axis) {
+            return axis.rank[2 * i] < axis.rank[2 * j + 1] &&
+                   axis.rank[2 * j] < axis.rank[2 * i + 1];
+        });
+    }
+    void pair(Slot i, Slot j) {
+        partners_.append(i, j);
+        partners_.append(j, i);
+    }
+    [[nodiscard]] Exchange exchange(Slot i, double now) const {
+        Exchange first;
+        for (int k = 0; k < D; ++k) {
+            const Axis& axis = axes_[k];
+            for (const End end : {2 * i, 2 * i + 1}) {
+                const std::uint32_t rank = axis.rank[end];
+                const double x = place(end, k, now);
+                const double v = speed(end, k, now);
+                const auto consider = [&](std::uint32_t lower, double gap, double closing) {
+                    const double after = closing > 0.0 ? std::max(gap, 0.0) / closing : infinity;
+                    if (after < first.after) first = {after, k, lower};
+                };
+                if (rank > 0) {
+                    const End other = axis.order[rank - 1];
+                    if (ball_of(other) != i)
+                        consider(rank - 1, x - place(other, k, now), speed(other, k, now) - v);
+                }
+                if (rank + 1 < axis.order.size()) {
+                    const End other = axis.order[rank + 1];
+                    if (ball_of(other) != i)
+                        consider(rank, place(other, k, now) - x, v - speed(other, k, now));
+                }
+            }
+        }
+        return first;
+    }
+
+    const World<D>& world_;
+    double margin_ = 0.0;
+    PerAxis<Axis, D> axes_;
+    SlotLists partners_;
+};
+
+}  // namespace signum::motion

@@ -1,0 +1,163 @@
+/// The log of the simulation against the oracle's, strike by strike and bit by bit, whatever the
+/// structure: small systems, many of them degenerate.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "../../motion/simulation.hpp"
+#include "../oracle/motion.hpp"
+
+namespace signum::motion {
+namespace {
+
+namespace brute = oracle::motion;
+
+#if defined(__SANITIZE_ADDRESS__) || !defined(__OPTIMIZE__)
+constexpr std::uint64_t scenes = 6;
+#else
+constexpr std::uint64_t scenes = 40;
+#endif
+
+template <int D>
+struct Scene {
+    std::vector<Body<D>> bodies;
+    Effects<D> effects;
+};
+
+template <int D>
+std::array<double, 3> in_space(const Vector<D>& v) {
+    std::array<double, 3> result{};
+    std::ranges::copy(v, result.begin());
+    return result;
+}
+
+template <int D>
+brute::World world_of(const Effects<D>& effects) {
+    brute::World world;
+    world.dimension = D;
+    world.g = in_space(effects.gravity);
+    world.restitution = effects.restitution;
+    world.wall_restitution = effects.wall_restitution;
+    if (!effects.box) return world;
+    const auto low = in_space(effects.box->low);
+    const auto high = in_space(effects.box->high);
+    world.periodic = effects.periodic;
+    if (effects.periodic) {
+        world.low = low;
+        world.high = high;
+    } else {
+        world.walls = brute::box_walls(low, high, D);
+    }
+    return world;
+}
+
+template <int D>
+bool overlap(const Body<D>& a, const Body<D>& b, const Effects<D>& effects) {
+    double square = 0.0;
+    for (int k = 0; k < D; ++k) {
+        double d = std::fabs(a.x[k] - b.x[k]);
+        if (effects.periodic) d = std::min(d, effects.box->high[k] - effects.box->low[k] - d);
+        square += d * d;
+    }
+    return square < (a.radius + b.radius) * (a.radius + b.radius) * (1.0 + 1e-15);
+}
+
+/// Balls that do not overlap, with numbers that are small multiples of 1/8 or random ones.
+template <int D>
+Scene<D> random_scene(std::uint64_t seed) {
+    std::mt19937_64 random(seed);
+    const auto choose = [&](int n) {
+        return static_cast<int>(random() % static_cast<unsigned>(n));
+    };
+    const bool round = choose(2) == 0;
+    const auto number = [&](double low, double high) {
+        const double x = std::uniform_real_distribution<double>(low, high)(random);
+        return round ? std::round(8.0 * x) / 8.0 : x;
+    };
+    Scene<D> scene;
+    Effects<D>& effects = scene.effects;
+    constexpr double size = 6.0;
+    const int kind = choose(4);  // no box, a box twice, a periodic one
+    if (kind > 0) {
+        effects.box.emplace();
+        effects.box->low.fill(0.0);
+        effects.box->high.fill(size);
+        effects.periodic = kind == 3;
+    }
+    if (choose(3) == 0) effects.gravity[D - 1] = round ? -0.5 : number(-1.0, 0.0);
+    constexpr std::array<double, 5> restitutions = {1.0, 1.0, 0.9, 0.5, 0.0};
+    effects.restitution = restitutions[static_cast<std::size_t>(choose(5))];
+    effects.wall_restitution = restitutions[static_cast<std::size_t>(choose(4))];
+    const bool equal = choose(2) == 0;
+    const int most = 3 + choose(8);
+    for (int tries = 0; tries < 100 && static_cast<int>(scene.bodies.size()) < most; ++tries) {
+        Body<D> body;
+        body.radius = equal ? 0.5 : std::max(number(0.0, 0.7), 0.125);
+        body.mass = equal ? 1.0 : std::max(number(0.0, 4.0), 0.125);
+        for (int k = 0; k < D; ++k) {
+            body.x[k] = number(body.radius, size - body.radius);
+            body.v[k] = choose(4) == 0 ? 0.0 : number(-2.0, 2.0);
+        }
+        if (std::ranges::none_of(
+                scene.bodies, [&](const Body<D>& other) { return overlap(body, other, effects); }))
+            scene.bodies.push_back(body);
+    }
+    return scene;
+}
+
+template <int D>
+void expect_log_of_oracle(const Scene<D>& scene, double until, std::size_t most) {
+    std::vector<brute::Ball> balls;
+    for (const Body<D>& body : scene.bodies) {
+        brute::Ball ball;
+        ball.x = in_space(body.x);
+        ball.v = in_space(body.v);
+        ball.r = body.radius;
+        ball.m = body.mass;
+        balls.push_back(ball);
+    }
+    const brute::Run expected = brute::simulate(balls, world_of(scene.effects), until, most);
+    const State<D> first = start<D>(scene.bodies, scene.effects);
+    for (const Structure structure : all_structures) {
+        SCOPED_TRACE(std::string(name_of(structure)));
+        Simulation<D> simulation(first, scene.effects, {.structure = structure});
+        std::vector<Strike> log;
+        const Outcome outcome =
+            simulation.run({.until = until, .strikes = most},
+                           [&](const Strike& strike) { log.push_back(strike); });
+        for (std::size_t i = 0; i < std::min(log.size(), expected.log.size()); ++i) {
+            const brute::Strike& e = expected.log[i];
+            ASSERT_EQ(log[i], (Strike{e.time, e.wall, e.a, e.b, e.impulse}))
+                << "strike " << i << ": " << log[i].time << " " << log[i].wall << " " << log[i].a
+                << " " << log[i].b << " " << log[i].impulse << ", expected " << e.time << " "
+                << e.wall << " " << e.a << " " << e.b << " " << e.impulse;
+        }
+        ASSERT_EQ(log.size(), expected.log.size());
+        ASSERT_EQ(outcome.ending == Ending::collapse, expected.collapsed);
+    }
+}
+
+TEST(MotionLog, OfRandomScenesInThePlaneIsTheOracles) {
+    for (std::uint64_t seed = 0; seed < scenes; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        expect_log_of_oracle(random_scene<2>(seed), 20.0, 60);
+        if (HasFatalFailure()) return;
+    }
+}
+
+TEST(MotionLog, OfRandomScenesInSpaceIsTheOracles) {
+    for (std::uint64_t seed = 0; seed < scenes; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        expect_log_of_oracle(random_scene<3>(seed), 20.0, 60);
+        if (HasFatalFailure()) return;
+    }
+}
+
+}  // namespace
+}  // namespace signum::motion

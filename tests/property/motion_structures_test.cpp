@@ -1,0 +1,287 @@
+/// All structures write one log, byte for byte, on scenes that are meant to break it; and what the
+/// log says is physics.
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "motion_scenes.hpp"
+
+namespace signum::motion {
+namespace {
+
+#if defined(__SANITIZE_ADDRESS__) || !defined(__OPTIMIZE__)
+constexpr std::uint64_t thoroughness = 1;
+#else
+constexpr std::uint64_t thoroughness = 10;
+#endif
+
+struct Recorded {
+    std::vector<Strike> log;
+    Outcome outcome;
+    Counts counts;
+};
+
+template <int D>
+Recorded run(const Scene<D>& scene, Structure structure, std::uint64_t strikes,
+             Kernel kernel = Kernel::exact) {
+    Simulation<D> simulation(start<D>(scene.bodies, scene.effects), scene.effects,
+                             {structure, kernel});
+    Recorded result;
+    result.outcome = simulation.run({.strikes = strikes},
+                                    [&](const Strike& strike) { result.log.push_back(strike); });
+    result.counts = simulation.counts();
+    return result;
+}
+
+template <int D>
+void expect_one_log(std::size_t balls, std::uint64_t strikes) {
+    for (const Scene<D>& scene : all_scenes<D>(balls)) {
+        SCOPED_TRACE(scene.name + (D == 2 ? ", plane" : ", space"));
+        const Recorded expected = run(scene, Structure::lists, strikes);
+        EXPECT_FALSE(expected.log.empty());
+        for (const Structure structure : {Structure::pairs, Structure::cells, Structure::tree,
+                                          Structure::segments, Structure::levels}) {
+            SCOPED_TRACE(name_of(structure));
+            const Recorded other = run(scene, structure, strikes);
+            EXPECT_EQ(other.outcome.ending, expected.outcome.ending);
+            ASSERT_EQ(other.log.size(), expected.log.size());
+            for (std::size_t i = 0; i < other.log.size(); ++i)
+                ASSERT_EQ(other.log[i], expected.log[i]) << "strike " << i;
+        }
+    }
+}
+
+TEST(MotionStructures, AllWriteOneLogInThePlane) {
+    expect_one_log<2>(100, 300 * thoroughness);
+}
+TEST(MotionStructures, AllWriteOneLogInSpace) {
+    expect_one_log<3>(125, 300 * thoroughness);
+}
+
+/// Balls in another order strike the same, renumbered, for no two times are equal.
+TEST(MotionStructures, RenumberedBallsStrikeTheSame) {
+    const Scene<2> scene = gas<2>(100, false, 11);
+    std::vector<std::size_t> order(scene.bodies.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::shuffle(order.begin(), order.end(), std::mt19937_64(5));
+    Scene<2> shuffled = scene;
+    for (std::size_t i = 0; i < order.size(); ++i) shuffled.bodies[i] = scene.bodies[order[i]];
+    const Recorded one = run(scene, Structure::lists, 5000);
+    Recorded other = run(shuffled, Structure::lists, 5000);
+    ASSERT_EQ(one.log.size(), other.log.size());
+    for (std::size_t i = 0; i < one.log.size(); ++i) {
+        Strike& strike = other.log[i];
+        strike.a = static_cast<std::int32_t>(order[static_cast<std::size_t>(strike.a)]);
+        if (!strike.wall) {
+            strike.b = static_cast<std::int32_t>(order[static_cast<std::size_t>(strike.b)]);
+            if (strike.a > strike.b) std::swap(strike.a, strike.b);
+        }
+        ASSERT_EQ(one.log[i], strike) << "strike " << i;
+    }
+}
+
+/// A run that is cut anywhere goes on with the log it would have had.
+template <int D>
+void expect_same_log_in_pieces(const Scene<D>& scene, std::uint64_t strikes, std::uint64_t piece) {
+    const Recorded whole = run(scene, Structure::lists, strikes);
+    State<D> state = start<D>(scene.bodies, scene.effects);
+    std::vector<Strike> log;
+    int turn = 0;
+    while (log.size() < whole.log.size()) {
+        // The structures take turns.
+        Simulation<D> simulation(state, scene.effects,
+                                 {turn++ % 2 == 0 ? Structure::lists : Structure::tree});
+        const std::size_t before = log.size();
+        simulation.run({.strikes = std::min<std::uint64_t>(piece, strikes - log.size())},
+                       [&](const Strike& strike) { log.push_back(strike); });
+        state = simulation.state();
+        ASSERT_GT(log.size(), before);
+    }
+    EXPECT_EQ(log, whole.log);
+}
+
+TEST(MotionStructures, ARunGoesOnFromAnyState) {
+    expect_same_log_in_pieces(gas<2>(100, true, 12), 1000, 37);
+    expect_same_log_in_pieces(struck_lattice<2>(64, 0.5), 400, 7);
+    expect_same_log_in_pieces(falling<3>(64, 13), 1000, 41);
+    expect_same_log_in_pieces(symmetric<2>(64, 14), 600, 13);
+}
+
+/// Two balls and a wall, masses 1 : 100^k: the digits of π (Galperin 2003).
+TEST(MotionStructures, GalperinsBallsCountPi) {
+    for (const bool wall_on_the_left : {true, false}) {
+        double mass = 1.0;
+        for (const std::uint64_t expected : {3U, 31U, 314U, 3141U, 31415U}) {
+            Scene<2> scene;
+            const double side = wall_on_the_left ? 1.0 : -1.0;
+            scene.bodies = {{{side * 3.0, 0.0}, {0.0, 0.0}, 0.5, 1.0},
+                            {{side * 5.0, 0.0}, {side * -1.0, 0.0}, 0.5, mass}};
+            scene.effects.box = {{-1e9, -1.0}, {1e9, 1.0}};
+            (wall_on_the_left ? scene.effects.box->low : scene.effects.box->high)[0] = 0.0;
+            Simulation<2> simulation(start<2>(scene.bodies, scene.effects), scene.effects);
+            // Long before the other wall.
+            simulation.run({.until = 1e4 * std::sqrt(mass)});
+            EXPECT_EQ(simulation.counts().strikes, expected) << "mass " << mass;
+            mass *= 100.0;
+        }
+    }
+}
+
+TEST(MotionStructures, ImpulseGoesThroughACradle) {
+    const Recorded result = run(cradle<2>(6), Structure::lists, 5);
+    ASSERT_EQ(result.log.size(), 5U);
+    for (std::int32_t i = 0; i < 5; ++i)
+        EXPECT_EQ(result.log[static_cast<std::size_t>(i)],
+                  (Strike{3.0 - 0.0, false, i, i + 1, 1.0}));
+}
+
+/// No two balls are deeper in each other than a few ulps, whenever one looks.
+template <int D>
+void expect_nothing_through(const Scene<D>& scene, int looks, double every) {
+    Simulation<D> simulation(start<D>(scene.bodies, scene.effects), scene.effects);
+    for (int look = 1; look <= looks; ++look) {
+        const double t = every * look;
+        simulation.run({.until = t});
+        const State<D> state = simulation.state();
+        std::vector<Vector<D>> x;
+        for (const Ball<D>& ball : state.balls) {
+            Vector<D> place = ball.x;
+            for (int k = 0; k < D; ++k) {
+                const double s = t - ball.time;
+                place[k] += ball.v[k] * s + 0.5 * scene.effects.gravity[k] * (s * s);
+            }
+            x.push_back(place);
+        }
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            for (std::size_t j = 0; j < i; ++j) {
+                double square = 0.0;
+                for (int k = 0; k < D; ++k) {
+                    double d = x[i][k] - x[j][k];
+                    if (scene.effects.periodic) {
+                        const double length =
+                            scene.effects.box->high[k] - scene.effects.box->low[k];
+                        d -= length * std::round(d / length);
+                    }
+                    square += d * d;
+                }
+                const double reach = state.balls[i].radius + state.balls[j].radius;
+                ASSERT_GT(std::sqrt(square), reach - 1e-13) << i << " and " << j << " at " << t;
+            }
+        }
+    }
+}
+
+TEST(MotionStructures, NothingGoesThrough) {
+    expect_nothing_through(gas<2>(64, true, 21), 30 * static_cast<int>(thoroughness), 0.0371);
+    expect_nothing_through(gas<3>(64, false, 22), 30 * static_cast<int>(thoroughness), 0.0371);
+    expect_nothing_through(falling<2>(64, 23), 20 * static_cast<int>(thoroughness), 0.0371);
+}
+
+TEST(MotionStructures, ElasticStrikesKeepTheEnergy) {
+    const Scene<3> scene = gas<3>(216, true, 31);
+    Simulation<3> simulation(start<3>(scene.bodies, scene.effects), scene.effects);
+    const auto energy = [&] {
+        double sum = 0.0;
+        for (const Ball<3>& ball : simulation.state().balls) sum += dot(ball.v, ball.v);
+        return sum;
+    };
+    const double before = energy();
+    simulation.run({.strikes = 20'000 * thoroughness});
+    EXPECT_NEAR(energy() / before, 1.0, 1e-13);
+    // Nearly all are told by the filter and by double-doubles.
+    const Counts& counts = simulation.counts();
+    EXPECT_EQ(counts.strikes, 20'000 * thoroughness);
+    EXPECT_GE(counts.refined, counts.strikes / 2);
+    EXPECT_LT(counts.exact, counts.strikes / 100);
+    EXPECT_LT(counts.rounded_exactly, counts.strikes / 100);
+}
+
+/// Three balls that lose nearly all of their speed against each other and a wall collapse.
+TEST(MotionStructures, ACollapseIsNamed) {
+    Scene<2> scene;
+    scene.bodies = {{{1.0, 0.0}, {0.0, 0.0}, 0.5, 1.0},
+                    {{2.5, 0.0}, {0.0, 0.0}, 0.5, 1.0},
+                    {{4.0, 0.0}, {-1.0, 0.0}, 0.5, 1.0}};
+    scene.effects.box = {{0.0, -1.0}, {10.0, 1.0}};
+    scene.effects.restitution = 0.1;
+    scene.effects.wall_restitution = 0.1;
+    const Recorded result = run(scene, Structure::pairs, 1'000'000);
+    EXPECT_EQ(result.outcome.ending, Ending::collapse);
+    EXPECT_LT(result.log.size(), 10'000U);
+
+    // A ball that bounces ever lower comes to rest after v0/g (1+e)/(1-e).
+    Scene<2> bounce;
+    bounce.bodies = {{{0.0, 2.0}, {0.0, 0.0}, 1.0, 1.0}};
+    bounce.effects.box = {{-10.0, 0.0}, {10.0, 10.0}};
+    bounce.effects.gravity = {0.0, -2.0};
+    bounce.effects.wall_restitution = 0.5;
+    const Recorded rest = run(bounce, Structure::pairs, 1'000'000);
+    EXPECT_EQ(rest.outcome.ending, Ending::collapse);
+    EXPECT_NEAR(rest.log.back().time, 1.0 + 2.0 * (0.5 / (1.0 - 0.5)), 1e-9);
+}
+
+TEST(MotionStructures, BallsJammedBetweenWallsEnd) {
+    Scene<2> scene;
+    scene.bodies = {{{0.5, 0.5}, {1.0, 0.0}, 0.5, 1.0}, {{1.5, 0.5}, {0.0, 0.0}, 0.5, 1.0}};
+    scene.effects.box = {{0.0, 0.0}, {2.0, 1.0}};
+    EXPECT_EQ(run(scene, Structure::pairs, 10'000'000).outcome.ending, Ending::collapse);
+}
+
+TEST(MotionStructures, AClockTooCoarseIsAnError) {
+    Scene<2> scene;
+    scene.bodies = {{{-1e17, 0.0}, {1e7, 0.0}, 0.5, 1.0}, {{0.0, 0.0}, {0.0, 0.0}, 0.5, 1.0}};
+    EXPECT_THROW(run(scene, Structure::pairs, 10), std::range_error);
+}
+
+TEST(MotionStructures, WhatCannotBeIsRefused) {
+    using Bodies = std::vector<Body<2>>;
+    const Effects<2> none;
+    const auto refused = [&](const Bodies& bodies, const Effects<2>& effects) -> std::int64_t {
+        try {
+            static_cast<void>(start<2>(bodies, effects));
+        } catch (const BallError& error) {
+            return error.ball();
+        } catch (const std::invalid_argument&) {
+            return -2;
+        }
+        return -1;
+    };
+    const Body<2> ball{{0.0, 0.0}, {0.0, 0.0}, 1.0, 1.0};
+    const auto with = [&](auto&& change) {
+        Body<2> other = ball;
+        other.x[0] = 10.0;
+        change(other);
+        return Bodies{ball, other};
+    };
+    EXPECT_EQ(refused(with([](auto&) {}), none), -1);
+    EXPECT_EQ(refused(with([](auto& b) { b.x[1] = NAN; }), none), 1);
+    EXPECT_EQ(refused(with([](auto& b) { b.v[0] = HUGE_VAL; }), none), 1);
+    EXPECT_EQ(refused(with([](auto& b) { b.x[0] = 1e300; }), none), 1);
+    EXPECT_EQ(refused(with([](auto& b) { b.radius = -1.0; }), none), 1);
+    EXPECT_EQ(refused(with([](auto& b) { b.mass = 0.0; }), none), 1);
+    EXPECT_EQ(refused(with([](auto& b) { b.x[0] = 2.0; }), none), -1);
+    EXPECT_EQ(refused(with([](auto& b) { b.x[0] = std::nextafter(2.0, 0.0); }), none), 1);
+    EXPECT_EQ(refused(with([](auto& b) { b.x = {1.2, 1.6}; }), none), -1);
+    Effects<2> box;
+    box.box = Box<2>{{-1.0, -1.0}, {11.0, 1.0}};
+    EXPECT_EQ(refused(with([](auto&) {}), box), -1);
+    box.box->high[0] = std::nextafter(11.0, 0.0);
+    EXPECT_EQ(refused(with([](auto&) {}), box), 1);
+    box.periodic = true;
+    EXPECT_EQ(refused(with([](auto&) {}), box), 0);
+    box.box->high = {-5.0, 5.0};
+    EXPECT_EQ(refused(with([](auto&) {}), box), -2);
+    Effects<2> bouncy;
+    bouncy.restitution = 1.5;
+    EXPECT_EQ(refused(with([](auto&) {}), bouncy), -2);
+}
+
+}  // namespace
+}  // namespace signum::motion

@@ -1,0 +1,182 @@
+/// signum simulate from outside: its log, what it refuses, how it ends and goes on.
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "io_scratch.hpp"
+#include "tool_call.hpp"
+
+namespace signum {
+namespace {
+
+using test::contents;
+using test::Outcome;
+using test::run;
+using test::Scratch;
+using test::Words;
+
+class Simulate : public testing::Test {
+ protected:
+    /// Discs on a grid, with velocities of all kinds.
+    std::string gas(int side) {
+        std::ostringstream text;
+        text << "x y r vx vy\n";
+        for (int i = 0; i < side; ++i)
+            for (int j = 0; j < side; ++j)
+                text << i + 0.5 << ' ' << j + 0.5 << " 0.3 " << (i * 7 + j * 3) % 5 - 2.25 << ' '
+                     << (i * 5 + j * 11) % 7 - 3.125 << '\n';
+        return scratch.file("gas.txt", text.str());
+    }
+
+    Scratch scratch;
+};
+
+TEST_F(Simulate, TwoDiscsStrikeAndTheWallsToo) {
+    const std::string two = scratch.file("two.txt", "0 0 1 1 0\n4 0 1 0 0\n");
+    const Outcome result =
+        run({"simulate", two, "--box", "-1", "-1", "6", "1", "--until", "6", "--quiet"});
+    EXPECT_EQ(result.code, 0);
+    EXPECT_EQ(result.err, "");
+    EXPECT_EQ(result.out,
+              "time,kind,a,b,impulse\n"
+              "2,ball,0,1,1\n"
+              "3,wall,1,1,2\n"
+              "4,ball,0,1,1\n"
+              "6,wall,0,0,2\n");
+}
+
+TEST_F(Simulate, SpheresAndAHeader) {
+    const std::string two =
+        scratch.file("two.csv", "mass,vx,vy,vz,x,y,z,radius\n1,0,0,1,0,0,0,1\n3,0,0,0,0,0,4,1\n");
+    const Outcome result = run({"simulate", two, "--until", "10", "--quiet"});
+    EXPECT_EQ(result.code, 0);
+    EXPECT_EQ(result.out, "time,kind,a,b,impulse\n2,ball,0,1,1.5\n");
+}
+
+TEST_F(Simulate, EveryStructureWritesTheSameBytes) {
+    const std::string balls = gas(8);
+    std::string expected;
+    for (const std::string structure :
+         {"auto", "pairs", "cells", "tree", "segments", "levels", "lists"}) {
+        const Outcome result = run({"simulate", balls, "--box", "0", "0", "8", "8", "--events",
+                                    "2000", "--structure", structure, "--quiet"});
+        EXPECT_EQ(result.code, 0) << result.err;
+        if (expected.empty()) expected = result.out;
+        EXPECT_EQ(result.out, expected) << structure;
+    }
+    EXPECT_EQ(std::count(expected.begin(), expected.end(), '\n'), 2001);
+}
+
+TEST_F(Simulate, AStateGoesOnWithTheLogItWouldHaveHad) {
+    const std::string balls = gas(6);
+    const std::string state = scratch.path("state.json");
+    const Words box = {"--box",
+                       "0",
+                       "0",
+                       "6",
+                       "6",
+                       "--gravity",
+                       "0",
+                       "-1",
+                       "--restitution",
+                       "0.95",
+                       "--wall-restitution",
+                       "1",
+                       "--quiet"};
+    const auto with = [&](Words words) {
+        words.insert(words.end(), box.begin(), box.end());
+        return words;
+    };
+    const Outcome whole = run(with({"simulate", balls, "--events", "900"}));
+    const Outcome first = run(with({"simulate", balls, "--events", "333", "--save", state}));
+    const Outcome rest = run({"simulate", "--resume", state, "--events", "567", "--quiet"});
+    EXPECT_EQ(whole.code, 0);
+    EXPECT_EQ(rest.code, 0) << rest.err;
+    EXPECT_EQ(first.out + rest.out.substr(rest.out.find('\n') + 1), whole.out);
+    EXPECT_EQ(run({"simulate", "--resume", balls, "--events", "1"}).code, 2);
+    EXPECT_EQ(run({"simulate", "--resume", state, "--events", "1", "--periodic"}).code, 2);
+}
+
+TEST_F(Simulate, FramesAndAMovie) {
+    const std::string balls = gas(3);
+    const std::string frames = scratch.path("frames.xyz");
+    const std::string movie = scratch.path("movie.svg");
+    const std::string log = scratch.path("log.csv");
+    const Outcome result = run({"simulate", balls, "--box", "0", "0", "3", "3", "--until", "2",
+                                "--every", "0.5", "-o", frames, "-o", movie, "-o", log, "--stats"});
+    EXPECT_EQ(result.code, 0) << result.err;
+    const std::string text = contents(frames);
+    std::size_t count = 0;
+    for (std::size_t at = text.find("Lattice="); at != std::string::npos;
+         at = text.find("Lattice=", at + 1))
+        ++count;
+    EXPECT_EQ(count, 5U);
+    EXPECT_EQ(text.substr(0, 2), "9\n");
+    EXPECT_NE(contents(movie).find("<animate"), std::string::npos);
+    const auto statistics = nlohmann::json::parse(result.out);
+    EXPECT_EQ(statistics.at("balls"), 9);
+    EXPECT_NEAR(statistics.at("energy_end").get<double>(),
+                statistics.at("energy_start").get<double>(), 1e-12);
+    EXPECT_EQ(statistics.at("structure"), "pairs");
+    EXPECT_GT(statistics.at("pressure").get<double>(), 1.0);
+    const std::string lines = contents(log);
+    EXPECT_EQ(statistics.at("strikes").get<std::int64_t>() + 1,
+              std::count(lines.begin(), lines.end(), '\n'));
+}
+
+TEST_F(Simulate, WhatCannotBeIsNamedByItsLine) {
+    const auto fails = [&](const std::string& text, const std::string& place, Words more = {}) {
+        const std::string balls = scratch.file("bad.txt", text);
+        Words words = {"simulate", balls, "--until", "1"};
+        words.insert(words.end(), more.begin(), more.end());
+        const Outcome result = run(words);
+        EXPECT_EQ(result.code, 2) << text;
+        EXPECT_EQ(result.out, "");
+        EXPECT_EQ(result.err.substr(0, balls.size() + place.size()), balls + place) << result.err;
+    };
+    fails("0 0 1 0 0\n1 0 1 0 0\n", ":2:1: a ball that overlaps ball 0");
+    fails("0 0 1 0 0\n9 0 -1 0 0\n", ":2:5:");
+    fails("0 0 1 0 0 0\n", ":1:11:");
+    fails("0 0 1 nan 0\n", ":1:7:");
+    fails("0 0 1 0 0\n", ":1:1: a ball outside its walls", {"--box", "0", "0", "5", "5"});
+    const std::string one = scratch.file("one.txt", "0 0 1 0 0\n");
+    EXPECT_EQ(run({"simulate", one}).code, 2);
+    EXPECT_EQ(run({"simulate", one, "--until", "1", "--box", "0", "0", "0", "1", "1", "1"}).code,
+              2);
+    EXPECT_EQ(run({"simulate", one, "--until", "1", "--restitution", "1.5"}).code, 2);
+    EXPECT_EQ(run({"simulate", one, "--until", "1", "--periodic"}).code, 2);
+    EXPECT_EQ(run({"simulate", one, "--events", "1", "-o", scratch.path("a.xyz")}).code, 2);
+}
+
+TEST_F(Simulate, ACollapseEndsWithACompleteLog) {
+    const std::string balls = scratch.file("bounce.txt", "0 2 1 0 0\n");
+    const std::string log = scratch.path("log.csv");
+    const Outcome result = run({"simulate", balls, "--box", "-5", "0", "5", "9", "--gravity", "0",
+                                "-2", "--restitution", "0.5", "--until", "10", "-o", log});
+    EXPECT_EQ(result.code, 1);
+    EXPECT_NE(result.err.find("at time 3"), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("ball 0 and wall 2"), std::string::npos) << result.err;
+    EXPECT_EQ(contents(log).substr(0, 37), "time,kind,a,b,impulse\n1,wall,0,2,3\n2,");
+}
+
+TEST_F(Simulate, AnInterruptLeavesACompleteLog) {
+    const std::string balls = gas(10);
+    const std::string log = scratch.path("log.csv");
+    const Outcome result = run(
+        {"simulate", balls, "--box", "0", "0", "10", "10", "--until", "1e9", "-o", log, "--quiet"},
+        {.signal_after_ms = 400});
+    EXPECT_EQ(result.code, -SIGINT);
+    const std::string text = contents(log);
+    ASSERT_GT(text.size(), 1000U);
+    EXPECT_EQ(text.back(), '\n');
+    const std::string last = text.substr(text.rfind('\n', text.size() - 2) + 1);
+    EXPECT_EQ(std::count(last.begin(), last.end(), ','), 4);
+}
+
+}  // namespace
+}  // namespace signum
