@@ -1,0 +1,135 @@
+/// Moving balls, many and for long: one log, nothing missed, energy kept, and what is known of
+/// gases.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "../property/motion_scenes.hpp"
+
+namespace signum::motion {
+namespace {
+
+#if defined(__SANITIZE_ADDRESS__) || !defined(__OPTIMIZE__)
+constexpr std::uint64_t many_strikes = 10'000;
+#else
+constexpr std::uint64_t many_strikes = 1'000'000;
+#endif
+
+/// A hash of a log (FNV-1a), and of how many strikes.
+class Digest {
+ public:
+    void add(const Strike& strike) {
+        for (const std::uint64_t number :
+             {std::bit_cast<std::uint64_t>(strike.time), static_cast<std::uint64_t>(strike.wall),
+              static_cast<std::uint64_t>(strike.a), static_cast<std::uint64_t>(strike.b),
+              std::bit_cast<std::uint64_t>(strike.impulse)})
+            hash_ = (hash_ ^ number) * 0x100000001B3;
+        ++strikes_;
+    }
+    friend bool operator==(const Digest&, const Digest&) = default;
+    [[nodiscard]] std::uint64_t strikes() const noexcept { return strikes_; }
+
+ private:
+    std::uint64_t hash_ = 0xCBF29CE484222325;
+    std::uint64_t strikes_ = 0;
+};
+
+/// Digests after some numbers of strikes; the last is of the whole log.
+template <int D>
+std::vector<Digest> digests(const Scene<D>& scene, Structure structure,
+                            const std::vector<std::uint64_t>& stops) {
+    Simulation<D> simulation(start<D>(scene.bodies, scene.effects), scene.effects, {structure});
+    Digest digest;
+    std::vector<Digest> result;
+    for (const std::uint64_t stop : stops) {
+        simulation.run({.strikes = stop - digest.strikes()},
+                       [&](const Strike& strike) { digest.add(strike); });
+        result.push_back(digest);
+        if (digest.strikes() < stop) break;
+    }
+    return result;
+}
+
+/// The structures that take long are compared over the first part of the log.
+template <int D>
+void expect_one_log() {
+    for (const Scene<D>& scene : all_scenes<D>(10'000)) {
+        SCOPED_TRACE(scene.name + (D == 2 ? ", plane" : ", space"));
+        const std::vector<std::uint64_t> stops = {many_strikes / 500, many_strikes / 50,
+                                                  many_strikes};
+        const std::vector<Digest> expected = digests(scene, Structure::lists, stops);
+        for (const auto& [structure, parts] : {std::pair{Structure::pairs, 1},
+                                               {Structure::segments, 2},
+                                               {Structure::cells, 3},
+                                               {Structure::tree, 3},
+                                               {Structure::levels, 3}}) {
+            SCOPED_TRACE(name_of(structure));
+            const auto compared = std::min(expected.size(), static_cast<std::size_t>(parts));
+            std::vector<std::uint64_t> shorter(stops.begin(),
+                                               stops.begin() + static_cast<std::ptrdiff_t>(parts));
+            std::vector<Digest> other = digests(scene, structure, shorter);
+            other.resize(std::min(other.size(), compared));
+            EXPECT_EQ(other, std::vector(expected.begin(),
+                                         expected.begin() + static_cast<std::ptrdiff_t>(compared)));
+        }
+    }
+}
+
+TEST(LargeMotion, AllStructuresWriteOneLogInThePlane) {
+    expect_one_log<2>();
+}
+TEST(LargeMotion, AllStructuresWriteOneLogInSpace) {
+    expect_one_log<3>();
+}
+
+TEST(LargeMotion, TenMillionElasticStrikesKeepTheEnergy) {
+    const Scene<3> scene = gas<3>(1000, true, 3);
+    Simulation<3> simulation(start<3>(scene.bodies, scene.effects), scene.effects);
+    const auto energy = [&] {
+        double sum = 0.0;
+        for (const Ball<3>& ball : simulation.state().balls) sum += dot(ball.v, ball.v);
+        return sum;
+    };
+    const double before = energy();
+    simulation.run({.strikes = 10 * many_strikes});
+    EXPECT_NEAR(energy() / before, 1.0, 1e-12);
+}
+
+/// Z from the virial of the strikes, beside what is known (Henderson 1975; Carnahan, Starling
+/// 1969).
+template <int D>
+double compressibility(double packing) {
+    Scene<D> scene = gas<D>(10'000, true, 17);
+    // The lattice is of width 1, the balls as large as the packing asks for.
+    const double of_a_ball = D == 2 ? M_PI : 4.0 / 3.0 * M_PI;
+    for (Body<D>& body : scene.bodies)
+        body.radius = D == 2 ? std::sqrt(packing / of_a_ball) : std::cbrt(packing / of_a_ball);
+    Simulation<D> simulation(start<D>(scene.bodies, scene.effects), scene.effects);
+    simulation.run({.strikes = many_strikes});
+    const double begin = simulation.state().time;
+    const double virial = simulation.counts().virial;
+    simulation.run({.strikes = 2 * many_strikes});
+    double energy = 0.0;
+    for (const Ball<D>& ball : simulation.state().balls) energy += 0.5 * dot(ball.v, ball.v);
+    return 1.0 + (simulation.counts().virial - virial) /
+                     (2.0 * energy * (simulation.state().time - begin));
+}
+
+TEST(LargeMotion, GasesHaveTheKnownPressure) {
+    for (const double eta : {0.1, 0.3, 0.5}) {
+        const double known = (1.0 + eta * eta / 8.0) / ((1.0 - eta) * (1.0 - eta));
+        EXPECT_NEAR(compressibility<2>(eta) / known, 1.0, 0.005) << "discs, " << eta;
+    }
+    for (const double eta : {0.1, 0.25, 0.4}) {
+        const double known = (1.0 + eta + eta * eta - eta * eta * eta) / std::pow(1.0 - eta, 3);
+        EXPECT_NEAR(compressibility<3>(eta) / known, 1.0, 0.005) << "spheres, " << eta;
+    }
+}
+
+}  // namespace
+}  // namespace signum::motion
