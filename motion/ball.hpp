@@ -36,9 +36,9 @@ template <int D>
 }
 
 /// A disc (D = 2) or ball (D = 3). At `time` its centre is x and its velocity v; until its next
-/// strike it flies on x + v s + g s²/2, s = t - time.
+/// strike it flies on x + v s + g s²/2, s = t - time. One of space fills a cache line.
 template <int D>
-struct Ball {
+struct alignas(D == 3 ? 64 : 16) Ball {
     Vector<D> x{};
     Vector<D> v{};
     double radius = 0.0;

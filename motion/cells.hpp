@@ -129,25 +129,32 @@ class CellGrid {
     template <class Visit>
     void for_each_around(const Cell<D>& middle, const Visit& visit, int axis = -1,
                          std::int32_t side = 0) const {
-        PerAxis<std::int32_t, D> first;
-        PerAxis<std::int32_t, D> last;
+        // The numbers of these cells along each axis.
+        PerAxis<PerAxis<std::int32_t, 3>, D> numbers;
+        PerAxis<int, D> size;
         for (int k = 0; k < D; ++k) {
-            first[k] = periodic_ && count_[k] < 3 ? 0 : -1;
-            last[k] = periodic_ && count_[k] < 2 ? 0 : 1;
-            if (k == axis) first[k] = last[k] = side;
+            std::int32_t first = periodic_ && count_[k] < 3 ? 0 : -1;
+            std::int32_t last = periodic_ && count_[k] < 2 ? 0 : 1;
+            if (k == axis) first = last = side;
+            for (std::int32_t by = first; by <= last; ++by) {
+                Cell<D> cell = middle;
+                if (shift(cell, k, by)) numbers[k][size[k]++] = cell[k];
+            }
+            if (size[k] == 0) return;
         }
-        PerAxis<std::int32_t, D> by = first;
+        PerAxis<int, D> which;
+        Cell<D> cell;
+        for (int k = 0; k < D; ++k) cell[k] = numbers[k][0];
         for (;;) {
-            Cell<D> cell = middle;
-            bool is_there = true;
-            for (int k = 0; k < D; ++k) is_there = shift(cell, k, by[k]) && is_there;
-            if (is_there) visit(cell);
+            visit(cell);
             int k = 0;
             for (; k < D; ++k) {
-                if (by[k]++ < last[k]) break;
-                by[k] = first[k];
+                if (++which[k] < size[k]) break;
+                which[k] = 0;
+                cell[k] = numbers[k][0];
             }
             if (k == D) return;
+            cell[k] = numbers[k][which[k]];
         }
     }
 

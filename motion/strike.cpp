@@ -200,6 +200,15 @@ Ball<D> arrived(const Ball<D>& ball, double t, const Effects<D>& effects, Strike
     result.time = t;
     const DoubleDouble s = exact_difference(t, ball.time);
     for (int i = 0; i < D; ++i) {
+        if (s.low == 0.0 && effects.gravity[i] == 0.0) {
+            // One operation that rounds once; 0 without its sign.
+            const double x = __builtin_fma(ball.v[i], s.high, ball.x[i]) + 0.0;
+            if (!effects.periodic || (x > effects.box->low[i] && x < effects.box->high[i])) {
+                ++tally.refined;
+                result.x[i] = x;
+                continue;
+            }
+        }
         const DoubleDouble flown = ball.v[i] * s;
         DoubleDouble x = DoubleDouble{ball.x[i], 0.0} + flown;
         double size = std::fabs(ball.x[i]) + std::fabs(flown.high);

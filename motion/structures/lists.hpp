@@ -36,17 +36,17 @@ class Lists {
     [[nodiscard]] double next(Slot i, double now) const {
         const Vector<D> v = world_.velocity(i, now);
         Vector<D> d = world_.centre(i, now);
-        for (int k = 0; k < D; ++k) d[k] -= shells_[i][k];
-        world_.unwrap(d);
+        for (int k = 0; k < D; ++k) d[k] -= shells_[i].place[k];
+        const double flown = world_.nearest_square(d);
         double gravity = 0.0;
         for (const double g : world_.effects.gravity) gravity += g * g;
-        const double c = slack_ * slack_ * (1.0 - 0x1p-20) - dot(d, d);
+        const double c = slack_ * slack_ * (1.0 - 0x1p-20) - flown;
         if (c <= 0.0) return now;
         const double a = dot(v, v);
         const double b = dot(d, v);
         if (gravity > 0.0) {
             // Nearer than the slack for as long as speed · s + g s²/2 is below what is left of it.
-            const double left = slack_ * (1.0 - 0x1p-20) - std::sqrt(dot(d, d));
+            const double left = slack_ * (1.0 - 0x1p-20) - std::sqrt(flown);
             if (left < 0x1p-4 * slack_) return now;
             const double speed = std::sqrt(a);
             return now + 2.0 * left / (speed + std::sqrt(a + 2.0 * std::sqrt(gravity) * left));
@@ -61,9 +61,10 @@ class Lists {
     void own_event(Slot i, double now, const Propose& propose, const Touch&) {
         for (const Slot j : lists_[i]) lists_.remove(j, i);
         lists_.clear(i);
-        shells_[i] = world_.centre(i, now);
+        Shell& shell = shells_[i];
+        shell.place = world_.centre(i, now);
         table_.remove(i);
-        table_.insert(i, grid_.cell_of(shells_[i]));
+        table_.insert(i, grid_.cell_of(shell.place));
         for_each_near(i, [&](Slot j) {
             lists_.append(i, j);
             lists_.append(j, i);
@@ -72,6 +73,11 @@ class Lists {
     }
 
  private:
+    struct Shell {
+        Vector<D> place;
+        double reach;  // radius and slack
+    };
+
     Lists(const World<D>& world, const Spread<D>& spread)
         : world_(world),
           slack_(slack_of(spread)),
@@ -82,8 +88,9 @@ class Lists {
           shells_(world.balls.size()),
           lists_(world.balls.size()) {
         for (Slot i = 0; i < shells_.size(); ++i) {
-            shells_[i] = world.centre(i, world.start);
-            table_.insert(i, grid_.cell_of(shells_[i]));
+            shells_[i] = {world.centre(i, world.start),
+                          (world.balls[i].radius + slack_) * (1.0 + 0x1p-30)};
+            table_.insert(i, grid_.cell_of(shells_[i].place));
         }
         for (Slot i = 0; i < shells_.size(); ++i)
             for_each_near(i, [&](Slot j) { lists_.append(i, j); });
@@ -100,16 +107,15 @@ class Lists {
 
     template <class Visit>
     void for_each_near(Slot i, const Visit& visit) const {
-        const double radius = world_.balls[i].radius + 2.0 * slack_;
+        const Shell shell = shells_[i];
         const auto look = [&](Slot j) {
-            if (j == i) return;
+            const Shell& other = shells_[j];
             Vector<D> d;
-            for (int k = 0; k < D; ++k) d[k] = shells_[i][k] - shells_[j][k];
-            world_.unwrap(d);
-            const double reach = (radius + world_.balls[j].radius) * (1.0 + 0x1p-30);
-            if (dot(d, d) < reach * reach) visit(j);
+            for (int k = 0; k < D; ++k) d[k] = shell.place[k] - other.place[k];
+            const double reach = shell.reach + other.reach;
+            if (world_.nearest_square(d) < reach * reach && j != i) visit(j);
         };
-        grid_.for_each_around(grid_.cell_of(shells_[i]),
+        grid_.for_each_around(grid_.cell_of(shell.place),
                               [&](const Cell<D>& cell) { table_.for_each_in(cell, look); });
     }
 
@@ -117,7 +123,7 @@ class Lists {
     double slack_;
     CellGrid<D> grid_;
     CellTable<D> table_;
-    std::vector<Vector<D>> shells_;
+    std::vector<Shell> shells_;
     SlotLists lists_;
 };
 
