@@ -56,6 +56,15 @@ struct Spread {
 template <int D>
 using Cell = PerAxis<std::int32_t, D>;
 
+/// Of a table whose size is a power of two.
+template <int D>
+[[nodiscard]] inline std::uint32_t hash_of(const Cell<D>& cell, std::size_t size) noexcept {
+    std::uint64_t hash = 0;
+    for (const std::int32_t number : cell)
+        hash = (hash ^ static_cast<std::uint32_t>(number)) * 0x9E3779B97F4A7C15;
+    return static_cast<std::uint32_t>(hash >> 32) & static_cast<std::uint32_t>(size - 1);
+}
+
 /// Which cell a place lies in. Inside a box cells are numbered from 0 and what lies beyond the last
 /// one, by rounding, belongs to it; in a periodic one they go around. Elsewhere they have no end.
 template <int D>
@@ -88,13 +97,16 @@ class CellGrid {
         for (const std::int32_t count : count_) size *= count;
         return size;
     }
+    /// Whether there are not far more cells than balls, so that each may have a place in a table.
+    [[nodiscard]] bool has_few_cells(std::size_t balls) const noexcept {
+        return bounded_ && size() <= 4.0 * static_cast<double>(balls) + 64.0;
+    }
     [[nodiscard]] Cell<D> cell_of(const Vector<D>& x) const noexcept {
         Cell<D> cell;
         for (int k = 0; k < D; ++k) {
             const double place = (x[k] - low_[k]) * per_width_[k];
-            double number = std::abs(place) < 0x1p62
-                                ? static_cast<double>(rounded_down(place))
-                                : place;
+            double number =
+                std::abs(place) < 0x1p62 ? static_cast<double>(rounded_down(place)) : place;
             if (periodic_ && !(number >= 0.0 && number < count_[k]))
                 number -= count_[k] * std::floor(number / count_[k]);
             cell[k] = static_cast<std::int32_t>(
@@ -116,6 +128,7 @@ class CellGrid {
         number += number < 0 ? count_[axis] : -count_[axis];
         return true;
     }
+    /// The cell's number among all of a box.
     [[nodiscard]] std::uint32_t place(const Cell<D>& cell) const noexcept {
         std::uint32_t place = 0;
         for (int k = D - 1; k >= 0; --k)
@@ -174,8 +187,7 @@ class CellTable {
  public:
     CellTable(const CellGrid<D>& grid, std::size_t balls, bool hashed)
         : grid_(&grid),
-          hashed_(hashed || !grid.is_bounded() ||
-                  grid.size() > 4.0 * static_cast<double>(balls) + 64.0),
+          hashed_(hashed || !grid.has_few_cells(balls)),
           heads_(hashed_ ? std::bit_ceil(balls + 1) : static_cast<std::size_t>(grid.size()), none),
           links_(balls) {
         if (hashed_) cells_.resize(balls);
@@ -209,11 +221,7 @@ class CellTable {
 
     [[nodiscard]] std::uint32_t place_of(const Cell<D>& cell) const noexcept {
         if (!hashed_) return grid_->place(cell);
-        std::uint64_t hash = 0;
-        for (const std::int32_t number : cell)
-            hash = (hash ^ static_cast<std::uint32_t>(number)) * 0x9E3779B97F4A7C15;
-        return static_cast<std::uint32_t>(hash >> 32) &
-               static_cast<std::uint32_t>(heads_.size() - 1);
+        return hash_of(cell, heads_.size());
     }
 
     const CellGrid<D>* grid_;

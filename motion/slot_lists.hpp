@@ -1,5 +1,5 @@
 #pragma once
-/// For each ball a list of others, unordered, in one pool.
+/// Many short lists, unordered, in one pool: for each ball others, for each cell who is there.
 
 #include <algorithm>
 #include <array>
@@ -12,30 +12,33 @@
 
 namespace signum::motion {
 
-class SlotLists {
+template <class T>
+class PooledLists {
  public:
-    explicit SlotLists(std::size_t balls) : lists_(balls) {}
+    explicit PooledLists(std::size_t lists) : lists_(lists) {}
 
-    [[nodiscard]] std::span<const Slot> operator[](Slot i) const noexcept {
+    [[nodiscard]] std::size_t size() const noexcept { return lists_.size(); }
+    [[nodiscard]] std::span<const T> operator[](std::uint32_t i) const noexcept {
         const List& list = lists_[i];
         return {pool_.data() + list.begin, list.size};
     }
-    void append(Slot i, Slot j) {
+    void append(std::uint32_t i, const T& thing) {
         List& list = lists_[i];
         if (list.size == list.capacity) grow(list);
-        pool_[list.begin + list.size++] = j;
+        pool_[list.begin + list.size++] = thing;
     }
-    /// Nothing happens where j is not in the list.
-    void remove(Slot i, Slot j) noexcept {
+    /// The first one for which that holds; nothing happens where there is none.
+    template <class Is>
+    void remove_if(std::uint32_t i, const Is& is) noexcept {
         List& list = lists_[i];
-        Slot* const begin = pool_.data() + list.begin;
-        Slot* const end = begin + list.size;
-        Slot* const found = std::find(begin, end, j);
+        T* const begin = pool_.data() + list.begin;
+        T* const end = begin + list.size;
+        T* const found = std::find_if(begin, end, is);
         if (found == end) return;
         *found = end[-1];
         --list.size;
     }
-    void clear(Slot i) noexcept { lists_[i].size = 0; }
+    void clear(std::uint32_t i) noexcept { lists_[i].size = 0; }
 
  private:
     struct List {
@@ -46,7 +49,7 @@ class SlotLists {
 
     /// Moves a list to a place twice as large; its old place serves another one.
     [[gnu::noinline]] void grow(List& list) {
-        const std::uint32_t capacity = std::max(2 * list.capacity, 8U);
+        const std::uint32_t capacity = std::max(2 * list.capacity, 4U);
         std::vector<std::uint32_t>& free =
             free_[static_cast<std::size_t>(std::bit_width(capacity))];
         std::uint32_t begin = 0;
@@ -65,8 +68,17 @@ class SlotLists {
     }
 
     std::vector<List> lists_;
-    std::vector<Slot> pool_;
+    std::vector<T> pool_;
     std::array<std::vector<std::uint32_t>, 33> free_;
+};
+
+/// For each ball a list of others.
+class SlotLists : public PooledLists<Slot> {
+ public:
+    using PooledLists::PooledLists;
+    void remove(Slot i, Slot j) noexcept {
+        remove_if(i, [j](Slot other) { return other == j; });
+    }
 };
 
 }  // namespace signum::motion

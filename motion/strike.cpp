@@ -229,9 +229,8 @@ Ball<D> arrived(const Ball<D>& ball, double t, const Effects<D>& effects, Strike
         if (effects.periodic) {
             const double low = effects.box->low[i];
             const double high = effects.box->high[i];
-            const double turns = x.high >= low && x.high < high
-                                     ? 0.0
-                                     : std::floor((x.high - low) / (high - low));
+            const double turns =
+                x.high >= low && x.high < high ? 0.0 : std::floor((x.high - low) / (high - low));
             if (turns != 0.0) {
                 const DoubleDouble shift = turns * length(effects, i);
                 x = x - shift;

@@ -11,6 +11,8 @@
 /// 3^D cells hold all whose shells may overlap.
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <numbers>
 #include <vector>
 
@@ -36,7 +38,7 @@ class Lists {
     [[nodiscard]] double next(Slot i, double now) const {
         const Vector<D> v = world_.velocity(i, now);
         Vector<D> d = world_.centre(i, now);
-        for (int k = 0; k < D; ++k) d[k] -= shells_[i].place[k];
+        for (int k = 0; k < D; ++k) d[k] -= places_[i][k];
         const double flown = world_.nearest_square(d);
         double gravity = 0.0;
         for (const double g : world_.effects.gravity) gravity += g * g;
@@ -61,11 +63,10 @@ class Lists {
     void own_event(Slot i, double now, const Propose& propose, const Touch&) {
         for (const Slot j : lists_[i]) lists_.remove(j, i);
         lists_.clear(i);
-        Shell& shell = shells_[i];
-        shell.place = world_.centre(i, now);
-        table_.remove(i);
-        table_.insert(i, grid_.cell_of(shell.place));
-        for_each_near(i, [&](Slot j) {
+        in_cells_.remove_if(cell_[i], [i](const Shell& shell) { return shell.ball == i; });
+        const Shell shell = shell_of(i, now);
+        enter(shell);
+        for_each_near(shell, [&](Slot j) {
             lists_.append(i, j);
             lists_.append(j, i);
             propose(j);
@@ -75,25 +76,40 @@ class Lists {
  private:
     struct Shell {
         Vector<D> place;
-        double reach;  // radius and slack
+        float reach;  // radius and slack, or more, as a share of the largest ball's
+        Slot ball;
     };
 
     Lists(const World<D>& world, const Spread<D>& spread)
         : world_(world),
           slack_(slack_of(spread)),
+          largest_(spread.largest_radius + slack_),
           grid_(world, spread,
-                std::max(2.0 * (spread.largest_radius + slack_) * (1.0 + 0x1p-30),
+                std::max(2.0 * (spread.largest_radius + slack_) * (1.0 + 0x1p-18),
                          spread.edge_of(0.5))),
-          table_(grid_, world.balls.size(), false),
-          shells_(world.balls.size()),
+          hashed_(!grid_.has_few_cells(world.balls.size())),
+          in_cells_(hashed_ ? std::bit_ceil(world.balls.size() + 1)
+                            : static_cast<std::size_t>(grid_.size())),
+          places_(world.balls.size()),
+          cell_(world.balls.size()),
           lists_(world.balls.size()) {
-        for (Slot i = 0; i < shells_.size(); ++i) {
-            shells_[i] = {world.centre(i, world.start),
-                          (world.balls[i].radius + slack_) * (1.0 + 0x1p-30)};
-            table_.insert(i, grid_.cell_of(shells_[i].place));
-        }
-        for (Slot i = 0; i < shells_.size(); ++i)
-            for_each_near(i, [&](Slot j) { lists_.append(i, j); });
+        for (Slot i = 0; i < cell_.size(); ++i) enter(shell_of(i, world.start));
+        for (Slot i = 0; i < cell_.size(); ++i)
+            for_each_near(shell_of(i, world.start), [&](Slot j) { lists_.append(i, j); });
+    }
+
+    [[nodiscard]] Shell shell_of(Slot i, double now) const {
+        const double reach = (world_.balls[i].radius + slack_) * (1.0 + 0x1p-20);
+        return {world_.centre(i, now), static_cast<float>(reach / largest_), i};
+    }
+    [[nodiscard]] std::uint32_t list_of(const Cell<D>& cell) const noexcept {
+        return hashed_ ? hash_of(cell, in_cells_.size()) : grid_.place(cell);
+    }
+    void enter(const Shell& shell) {
+        const std::uint32_t list = list_of(grid_.cell_of(shell.place));
+        in_cells_.append(list, shell);
+        cell_[shell.ball] = list;
+        places_[shell.ball] = shell.place;
     }
 
     /// So that a ball has some neighbours in its list.
@@ -106,24 +122,29 @@ class Lists {
     }
 
     template <class Visit>
-    void for_each_near(Slot i, const Visit& visit) const {
-        const Shell shell = shells_[i];
-        const auto look = [&](Slot j) {
-            const Shell& other = shells_[j];
-            Vector<D> d;
-            for (int k = 0; k < D; ++k) d[k] = shell.place[k] - other.place[k];
-            const double reach = shell.reach + other.reach;
-            if (world_.nearest_square(d) < reach * reach && j != i) visit(j);
-        };
-        grid_.for_each_around(grid_.cell_of(shell.place),
-                              [&](const Cell<D>& cell) { table_.for_each_in(cell, look); });
+    void for_each_near(const Shell& shell, const Visit& visit) const {
+        grid_.for_each_around(grid_.cell_of(shell.place), [&](const Cell<D>& cell) {
+            for (const Shell& other : in_cells_[list_of(cell)]) {
+                Vector<D> d;
+                for (int k = 0; k < D; ++k) d[k] = shell.place[k] - other.place[k];
+                const double reaches = largest_ * static_cast<double>(shell.reach + other.reach);
+                if (!(world_.nearest_square(d) < reaches * reaches)) continue;
+                if (other.ball == shell.ball) continue;
+                // Several cells may share a list.
+                if (hashed_ && grid_.cell_of(other.place) != cell) continue;
+                visit(other.ball);
+            }
+        });
     }
 
     const World<D>& world_;
     double slack_;
+    double largest_;
     CellGrid<D> grid_;
-    CellTable<D> table_;
-    std::vector<Shell> shells_;
+    bool hashed_;
+    PooledLists<Shell> in_cells_;
+    std::vector<Vector<D>> places_;
+    std::vector<std::uint32_t> cell_;  // the list that a ball is in
     SlotLists lists_;
 };
 
