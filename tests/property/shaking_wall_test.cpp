@@ -31,7 +31,7 @@ struct Case {
     template <class T>
     [[nodiscard]] T gap(const T& t) const {
         using std::sin;
-        const auto k = static_cast<std::size_t>(wall.wall / 2);
+        const int k = wall.wall / 2;
         const T dt = t - T(ball.time);
         const T x = T(ball.x[k]) + (T(ball.v[k]) + T(effects.gravity[k]) * dt / 2) * dt;
         const T height =
@@ -41,7 +41,7 @@ struct Case {
     template <class T>
     [[nodiscard]] T slope(const T& t) const {
         using std::cos;
-        const auto k = static_cast<std::size_t>(wall.wall / 2);
+        const int k = wall.wall / 2;
         const T v =
             T(ball.v[k]) + T(effects.gravity[k]) * (t - T(ball.time)) -
             T(wall.amplitude) * T(wall.frequency) * cos(T(wall.frequency) * t + T(wall.phase));
