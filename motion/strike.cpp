@@ -273,6 +273,8 @@ Exchange strike(Ball<D>& a, Ball<D>& b, const Image<D>& image, double mass_a, do
     if (const double relative = product_error / approach; relative < 0x1p-60 && approach > 0x1p-800)
         [[likely]] {
         const DoubleDouble ratio = quotient(product, square);
+        // Elastic, and equal masses.
+        const bool is_one = share.of_a.high == 1.0 && share.of_a.low == 0.0;
         const auto round_one = [&](double v, DoubleDouble step, double& nearest) {
             const double error =
                 (0x1p-94 + relative) * std::fabs(step.high) + 0x1p-100 * std::fabs(v) + 0x1p-1060;
@@ -283,9 +285,10 @@ Exchange strike(Ball<D>& a, Ball<D>& b, const Image<D>& image, double mass_a, do
         };
         for (int i = 0; i < D; ++i) {
             const DoubleDouble step = ratio * d.x[i];
-            const DoubleDouble of_a = share.of_a * step;
+            const DoubleDouble of_a = is_one ? step : share.of_a * step;
+            const DoubleDouble of_b = mass_a == mass_b ? of_a : share.of_b * step;
             round_one(a.v[i], DoubleDouble{-of_a.high, -of_a.low}, after.of_a[i]);
-            round_one(b.v[i], share.of_b * step, after.of_b[i]);
+            round_one(b.v[i], of_b, after.of_b[i]);
         }
     } else {
         after.of_a.fill(std::numeric_limits<double>::quiet_NaN());
