@@ -69,6 +69,9 @@ struct Effects {
 /// How signs and times are computed: exactly, or in plain doubles.
 enum class Kernel { exact, naive };
 
+/// A ball's place in the arrays of a simulation; its number in the input is another one.
+using Slot = std::uint32_t;
+
 /// By how many lengths of a periodic box a ball's partner is seen shifted, along each axis.
 template <int D>
 using Image = PerAxis<int, D>;

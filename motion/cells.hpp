@@ -142,36 +142,77 @@ class CellGrid {
     template <class Visit>
     void for_each_around(const Cell<D>& middle, const Visit& visit, int axis = -1,
                          std::int32_t side = 0) const {
-        // The numbers of these cells along each axis.
-        PerAxis<PerAxis<std::int32_t, 3>, D> numbers;
-        PerAxis<int, D> size;
+        Around around;
         for (int k = 0; k < D; ++k) {
             std::int32_t first = periodic_ && count_[k] < 3 ? 0 : -1;
             std::int32_t last = periodic_ && count_[k] < 2 ? 0 : 1;
             if (k == axis) first = last = side;
-            for (std::int32_t by = first; by <= last; ++by) {
-                Cell<D> cell = middle;
-                if (shift(cell, k, by)) numbers[k][size[k]++] = cell[k];
-            }
-            if (size[k] == 0) return;
+            for (std::int32_t by = first; by <= last; ++by) around.add(*this, middle, k, by, 0.0);
         }
-        PerAxis<int, D> which;
-        Cell<D> cell;
-        for (int k = 0; k < D; ++k) cell[k] = numbers[k][0];
-        for (;;) {
-            visit(cell);
-            int k = 0;
-            for (; k < D; ++k) {
-                if (++which[k] < size[k]) break;
-                which[k] = 0;
-                cell[k] = numbers[k][0];
-            }
-            if (k == D) return;
-            cell[k] = numbers[k][which[k]];
+        around.for_each(visit, infinity);
+    }
+
+    /// Those of them in which there may be a place within a distance of one, up to the width of a
+    /// cell.
+    template <class Visit>
+    void for_each_around(const Vector<D>& x, double distance, const Visit& visit) const {
+        const Cell<D> middle = cell_of(x);
+        Around around;
+        for (int k = 0; k < D; ++k) {
+            const double place = (x[k] - low_[k]) * per_width_[k];
+            const double into =
+                std::abs(place) < 0x1p30 ? place - static_cast<double>(rounded_down(place)) : 0.0;
+            const double below = into * width_[k];
+            const double above = (1.0 - into) * width_[k];
+            around.add(*this, middle, k, 0, 0.0);
+            if (!periodic_ || count_[k] > 2) around.add(*this, middle, k, -1, below * below);
+            if (!periodic_ || count_[k] > 1)
+                around.add(*this, middle, k, 1,
+                           periodic_ && count_[k] == 2 ? 0.0 : above * above);
         }
+        around.for_each(visit, distance * distance * (1.0 + 0x1p-16));
     }
 
  private:
+    /// The cells around one: their numbers along each axis, and the square of the distance along it.
+    struct Around {
+        PerAxis<PerAxis<std::int32_t, 3>, D> numbers;
+        PerAxis<PerAxis<double, 3>, D> squares;
+        PerAxis<int, D> size;
+
+        void add(const CellGrid& grid, Cell<D> cell, int axis, std::int32_t by, double square) {
+            if (!grid.shift(cell, axis, by)) return;
+            int& number = size[axis];
+            numbers[axis][number] = cell[axis];
+            squares[axis][number] = square;
+            ++number;
+        }
+        /// Those whose distance is not beyond one.
+        template <class Visit>
+        void for_each(const Visit& visit, double square) const {
+            Cell<D> cell;
+            if constexpr (D == 3) {
+                for (int k = 0; k < size[2]; ++k) {
+                    cell[2] = numbers[2][k];
+                    for_each_of_two(visit, cell, square - squares[2][k]);
+                }
+            } else {
+                for_each_of_two(visit, cell, square);
+            }
+        }
+        template <class Visit>
+        void for_each_of_two(const Visit& visit, Cell<D>& cell, double square) const {
+            for (int j = 0; j < size[1]; ++j) {
+                cell[1] = numbers[1][j];
+                for (int i = 0; i < size[0]; ++i) {
+                    if (squares[0][i] + squares[1][j] > square) continue;
+                    cell[0] = numbers[0][i];
+                    visit(cell);
+                }
+            }
+        }
+    };
+
     bool bounded_;
     bool periodic_;
     Vector<D> low_;

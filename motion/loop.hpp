@@ -89,7 +89,9 @@ class Loop final : public Simulation<D>::Engine {
                 }
                 const Asker asker = filter_.asker(world_.balls[i], now_);
                 structure_->own_event(
-                    i, now_, [&](Slot j) { propose(i, asker, j); }, [&](Slot j) { touch(j); });
+                    i, now_, [&](Slot j) { look_at(i, asker, j, next); },
+                    [&](Slot j) { touch(j); });
+                consider_all(i, asker, next);
                 touch(i);
             } else if (is_stale(next)) {
                 ++counts_.stale;
@@ -227,10 +229,15 @@ class Loop final : public Simulation<D>::Engine {
         for (Slot i = 0; i < number_.size(); ++i) {
             const Asker asker = filter_.asker(world_.balls[i], now_);
             for (Slot j = 0; j < i; ++j) {
-                const Approach approach = asker.look(world_.balls[j]);
-                if (!approach.possible) continue;
-                const Meeting meeting = asker(approach);
-                if (meeting.early > -infinity || exactly(i, j).early < infinity) return true;
+                crowd_.push(j);
+                if (!crowd_.is_full() && j + 1 < i) continue;
+                asker.meetings(world_.balls, crowd_);
+                for (std::size_t k = 0; k < crowd_.size; ++k) {
+                    if (crowd_.early[k] == infinity) continue;
+                    if (crowd_.early[k] > -infinity || exactly(i, crowd_.who[k]).early < infinity)
+                        return true;
+                }
+                crowd_.size = 0;
             }
         }
         return false;
@@ -247,26 +254,8 @@ class Loop final : public Simulation<D>::Engine {
         Proposal best;
         const Asker asker = filter_.asker(world_.balls[i], now_);
         for (Wall wall = 0; wall < walls_; ++wall) consider_wall(i, asker, wall, best);
-        // First all are looked at, then those that may be met are asked when.
-        std::size_t possible = 0;
-        const auto ask_when = [&] {
-            for (std::size_t k = 0; k < possible; ++k)
-                consider(i, asker, candidates_[k].slot, candidates_[k].approach, best);
-            possible = 0;
-        };
-        const Ball<D>* const balls = world_.balls.data();
-        std::uint64_t checks = 0;
-        structure_->near(i, [&](Slot j) {
-            ++checks;
-            Candidate& candidate = candidates_[possible];
-            candidate.slot = j;
-            candidate.approach = asker.look(balls[j]);
-            possible += static_cast<std::size_t>(candidate.approach.possible);
-            if (possible == candidates_.size()) [[unlikely]]
-                ask_when();
-        });
-        ask_when();
-        counts_.checks += checks;
+        structure_->near(i, [&](Slot j) { look_at(i, asker, j, best); });
+        consider_all(i, asker, best);
         proposals_[i] = best;
         settle(i);
     }
@@ -275,23 +264,39 @@ class Loop final : public Simulation<D>::Engine {
         own_[i] = structure_->next(i, now_);
         ask(i);
     }
-    /// Lets a ball know of another one.
-    void propose(Slot i, const Asker& asker, Slot j) {
-        ++counts_.checks;
-        const Approach approach = asker.look(world_.balls[j]);
-        if (approach.possible) consider(i, asker, j, approach, proposals_[i]);
+    /// Lets a ball know of another one, now or soon.
+    void look_at(Slot i, const Asker& asker, Slot j, Proposal& best) {
+        crowd_.push(j);
+        if (crowd_.is_full()) [[unlikely]]
+            consider_all(i, asker, best);
     }
-
-    void consider(Slot i, const Asker& asker, Slot j, const Approach& approach, Proposal& best) {
-        Meeting meeting = asker(approach);
+    void consider_all(Slot i, const Asker& asker, Proposal& best) {
+        const std::size_t size = crowd_.size;
+        if (size == 0) return;
+        counts_.checks += size;
+        asker.meetings(world_.balls, crowd_);
+        crowd_.size = 0;
+        // Those that may be the first of all; and where these turn out to strike others before,
+        // those that may be the first of the rest.
+        for (double latest = -infinity; latest < best.late;) {
+            latest = best.late;
+            for (std::size_t k = 0; k < size; ++k) latest = std::min(latest, crowd_.late[k]);
+            for (std::size_t k = 0; k < size; ++k) {
+                if (!(crowd_.early[k] <= latest)) continue;
+                consider(i, crowd_.who[k], {crowd_.early[k], crowd_.late[k]}, best);
+                crowd_.early[k] = crowd_.late[k] = infinity;
+            }
+        }
+    }
+    void consider(Slot i, Slot j, Meeting meeting, Proposal& best) {
         if (!(meeting.early <= best.late)) return;
         if (meeting.early == -infinity) [[unlikely]] {
             meeting = exactly(i, j);
             if (!(meeting.early <= best.late)) return;
         }
+        if (meeting.early == infinity) return;
         // The partner strikes something before, and is then asked again.
         if (meeting.early > proposals_[j].late) return;
-        if (meeting.early == infinity) return;
         Proposal candidate{meeting.early, meeting.late, j, strikes_[j]};
         if (!passed_.empty() && is_passed(i, candidate)) return;
         take(i, candidate, best);
@@ -299,7 +304,7 @@ class Loop final : public Simulation<D>::Engine {
     void consider_wall(Slot i, const Asker& asker, Wall wall, Proposal& best) {
         const Box<D>& box = *world_.effects.box;
         const double side = wall % 2 != 0 ? box.high[wall / 2] : box.low[wall / 2];
-        Meeting meeting = asker(wall, side);
+        Meeting meeting = asker.meeting(wall, side);
         if (!(meeting.early <= best.late)) return;
         if (meeting.early == -infinity) [[unlikely]] {
             ++counts_.exact;
@@ -529,13 +534,8 @@ class Loop final : public Simulation<D>::Engine {
 
     static constexpr std::uint64_t own_events_a_ball = 16;
 
-    struct Candidate {
-        Slot slot;
-        Approach approach;
-    };
-
     World<D> world_;
-    std::array<Candidate, 64> candidates_;
+    Crowd crowd_;
     std::vector<std::int32_t> number_;
     std::vector<double> mass_;
     std::vector<std::uint32_t> strikes_;

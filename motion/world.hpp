@@ -12,9 +12,6 @@
 
 namespace signum::motion {
 
-/// A ball's place in the arrays of a simulation; its number in the input is another one.
-using Slot = std::uint32_t;
-
 /// Rounded down; |x| < 2^62. Without a call, which std::floor is on some processors.
 [[nodiscard]] inline std::int64_t rounded_down(double x) noexcept {
     const auto whole = static_cast<std::int64_t>(x);

@@ -59,18 +59,29 @@ class Lists {
         return s < infinity ? now + s * (1.0 - 0x1p-40) : infinity;
     }
 
+    /// Who was in the ball's list and still is has been proposed before, and need not be again.
     template <class Propose, class Touch>
     void own_event(Slot i, double now, const Propose& propose, const Touch&) {
-        for (const Slot j : lists_[i]) lists_.remove(j, i);
+        const auto list = lists_[i];
+        before_.assign(list.begin(), list.end());
+        for (const Slot j : before_) leaves_[j] = 1;
         lists_.clear(i);
         in_cells_.remove_if(cell_[i], [i](const Shell& shell) { return shell.ball == i; });
         const Shell shell = shell_of(i, now);
         enter(shell);
         for_each_near(shell, [&](Slot j) {
             lists_.append(i, j);
-            lists_.append(j, i);
-            propose(j);
+            if (leaves_[j] != 0) {
+                leaves_[j] = 0;
+            } else {
+                lists_.append(j, i);
+                propose(j);
+            }
         });
+        for (const Slot j : before_) {
+            if (leaves_[j] != 0) lists_.remove(j, i);
+            leaves_[j] = 0;
+        }
     }
 
  private:
@@ -92,7 +103,8 @@ class Lists {
                             : static_cast<std::size_t>(grid_.size())),
           places_(world.balls.size()),
           cell_(world.balls.size()),
-          lists_(world.balls.size()) {
+          lists_(world.balls.size()),
+          leaves_(world.balls.size()) {
         for (Slot i = 0; i < cell_.size(); ++i) enter(shell_of(i, world.start));
         for (Slot i = 0; i < cell_.size(); ++i)
             for_each_near(shell_of(i, world.start), [&](Slot j) { lists_.append(i, j); });
@@ -121,20 +133,28 @@ class Lists {
         return std::clamp(slack, 0x1p-20 * spread.shortest(), 0.05 * spread.shortest());
     }
 
+    /// All whose shells overlap with one, itself left out.
     template <class Visit>
-    void for_each_near(const Shell& shell, const Visit& visit) const {
-        grid_.for_each_around(grid_.cell_of(shell.place), [&](const Cell<D>& cell) {
-            for (const Shell& other : in_cells_[list_of(cell)]) {
+    void for_each_near(const Shell& shell, const Visit& visit) {
+        const double farthest = largest_ * (1.0 + static_cast<double>(shell.reach));
+        std::size_t size = 0;
+        grid_.for_each_around(shell.place, farthest, [&](const Cell<D>& cell) {
+            const auto shells = in_cells_[list_of(cell)];
+            if (near_.size() < size + shells.size()) near_.resize(2 * (size + shells.size()));
+            for (const Shell& other : shells) {
                 Vector<D> d;
                 for (int k = 0; k < D; ++k) d[k] = shell.place[k] - other.place[k];
                 const double reaches = largest_ * static_cast<double>(shell.reach + other.reach);
-                if (!(world_.nearest_square(d) < reaches * reaches)) continue;
-                if (other.ball == shell.ball) continue;
+                bool near = world_.nearest_square(d) < reaches * reaches;
                 // Several cells may share a list.
-                if (hashed_ && grid_.cell_of(other.place) != cell) continue;
-                visit(other.ball);
+                if (hashed_ && near) near = grid_.cell_of(other.place) == cell;
+                // Written and perhaps forgotten: whether it is near is anybody's guess.
+                near_[size] = other.ball;
+                size += static_cast<std::size_t>(near);
             }
         });
+        for (std::size_t k = 0; k < size; ++k)
+            if (near_[k] != shell.ball) visit(near_[k]);
     }
 
     const World<D>& world_;
@@ -146,6 +166,10 @@ class Lists {
     std::vector<Vector<D>> places_;
     std::vector<std::uint32_t> cell_;  // the list that a ball is in
     SlotLists lists_;
+    // Of an event: the list before it, who of it is not in the new one, and all that are near.
+    std::vector<Slot> before_;
+    std::vector<std::uint8_t> leaves_;
+    std::vector<Slot> near_;
 };
 
 }  // namespace signum::motion

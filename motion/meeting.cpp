@@ -1,0 +1,211 @@
+#include "meeting.hpp"
+
+#include "../core/processor.hpp"
+
+namespace signum::motion {
+namespace {
+
+constexpr std::size_t lanes = 4;
+/// Four doubles, and four answers: all bits or none.
+using Four = double __attribute__((vector_size(lanes * sizeof(double))));
+using Flags = std::int64_t __attribute__((vector_size(lanes * sizeof(double))));
+
+/// One number of each of four balls.
+template <int D>
+[[gnu::always_inline]] inline void load(Four& numbers, const Ball<D>* const (&balls)[lanes],
+                                        double Ball<D>::* member) noexcept {
+    numbers = Four{balls[0]->*member, balls[1]->*member, balls[2]->*member, balls[3]->*member};
+}
+template <int D>
+[[gnu::always_inline]] inline void load(Four& numbers, const Ball<D>* const (&balls)[lanes],
+                                        Vector<D> Ball<D>::* member, int axis) noexcept {
+    numbers = Four{(balls[0]->*member)[axis], (balls[1]->*member)[axis], (balls[2]->*member)[axis],
+                   (balls[3]->*member)[axis]};
+}
+[[gnu::always_inline]] inline void root_of(Four& numbers) noexcept {
+    for (std::size_t k = 0; k < lanes; ++k) numbers[k] = std::sqrt(numbers[k]);
+}
+[[gnu::always_inline]] inline void magnitude_of(Four& numbers) noexcept {
+    numbers = numbers < 0.0 ? -numbers : numbers;
+}
+[[gnu::always_inline]] inline void raise(Four& largest, const Four& numbers) noexcept {
+    Four magnitudes = numbers;
+    magnitude_of(magnitudes);
+    largest = magnitudes > largest ? magnitudes : largest;
+}
+
+}  // namespace
+
+template <int D, bool Falls, Kernel kernel>
+auto MeetingFilter<D, Falls, kernel>::asker(const Ball<D>& ball, double now) noexcept -> Asker {
+    Asker asker;
+    const double dt = now - ball.time;
+    double farthest = 0.0;
+    double fastest = 0.0;
+    for (int i = 0; i < D; ++i) {
+        const double flown = ball.v[i] * dt;
+        double& x = asker.place_.x[i];
+        double& v = asker.place_.v[i];
+        x = ball.x[i] + flown;
+        v = ball.v[i];
+        if constexpr (Falls) {
+            const double fallen = 0.5 * bounds_.gravity[i] * (dt * dt);
+            x += fallen;
+            v += bounds_.gravity[i] * dt;
+            farthest = std::max({farthest, filters::magnitude(flown), filters::magnitude(fallen)});
+            fastest = std::max(fastest, filters::magnitude(v));
+        }
+        farthest = std::max(farthest, filters::magnitude(x));
+    }
+    if (farthest > bounds_.extent || (Falls && fastest > bounds_.speed)) [[unlikely]] {
+        bounds_.extent = std::max(bounds_.extent, farthest);
+        bounds_.speed = std::max(bounds_.speed, fastest);
+        set_bounds();
+    }
+    asker.radius_ = ball.radius;
+    asker.now_ = now;
+    asker.bounds_ = &bounds_;
+    return asker;
+}
+
+template <int D, bool Falls, Kernel kernel>
+[[gnu::always_inline]] inline void MeetingFilter<D, Falls, kernel>::Asker::fill(
+    const Ball<D>* all, Crowd& crowd) const noexcept {
+    const Bounds<D>& bounds = *bounds_;
+    for (std::size_t first = 0; first < crowd.size; first += lanes) {
+        // The last one stands for those that are missing.
+        const Ball<D>* balls[lanes];
+        for (std::size_t k = 0; k < lanes; ++k)
+            balls[k] = &all[crowd.who[std::min(first + k, crowd.size - 1)]];
+        Four dt;
+        Four r;
+        load(dt, balls, &Ball<D>::time);
+        load(r, balls, &Ball<D>::radius);
+        dt = now_ - dt;
+        r += radius_;
+        Four product{};
+        Four square{};
+        Four distance{};
+        Four largest{};
+        Flags rests = Flags{} - 1;
+        for (int i = 0; i < D; ++i) {
+            Four x;
+            Four v;
+            load(x, balls, &Ball<D>::x, i);
+            load(v, balls, &Ball<D>::v, i);
+            const Four flown = v * dt;
+            Four d = x + flown;
+            if constexpr (Falls) {
+                const Four fallen = 0.5 * bounds.gravity[i] * (dt * dt);
+                d += fallen;
+                v += bounds.gravity[i] * dt;
+                raise(largest, flown);
+                raise(largest, fallen);
+            }
+            d = place_.x[i] - d;
+            v = place_.v[i] - v;
+            if (bounds.periodic) {
+                const Four turns = (d * bounds.inverse_length[i] + 0x1.8p52) - 0x1.8p52;
+                d -= bounds.length[i] * turns;
+            }
+            product += d * v;
+            square += v * v;
+            distance += d * d;
+            rests &= v == 0.0;
+        }
+        const Four gap = distance - r * r;
+        const Four discriminant = product * product - square * gap;
+        Four root = discriminant > 0.0 ? discriminant : Four{};
+        root_of(root);
+        const Four s = gap / (root - product);
+        Four t = now_ + s;
+        Four early;
+        Four late;
+        if constexpr (kernel == Kernel::naive) {
+            t = t > now_ ? t : Four{} + now_;
+            early = product < 0.0 && discriminant > 0.0 ? t : Four{} + infinity;
+            late = early;
+        } else {
+            const Four size = Falls ? square + bounds.w : square;
+            Four error = bounds.gap / root;
+            if constexpr (Falls)
+                error = bounds.gap * (1.0 + s * (bounds.speed / bounds.extent + size / root)) /
+                        (root - product);
+            Four toward = product;
+            magnitude_of(toward);
+            // Velocities that are the same are so exactly, unless something was added to them.
+            Flags misses = (product * toward > bounds.approach * size) |
+                           (discriminant < -bounds.gap * size);
+            Flags tells = (discriminant > 2.0 * bounds.gap * size) & (gap > bounds.gap) &
+                          (square > least_square);
+            if constexpr (Falls) {
+                misses &= largest <= bounds.extent;
+                tells &= largest <= bounds.extent;
+            } else {
+                misses |= rests;
+            }
+            const Four either_way = 2.0 * error + 0x1p-50 * t;
+            early = t - either_way;
+            early = early > now_ ? early : Four{} + now_;
+            late = t + either_way;
+            early = tells ? early : Four{} - infinity;
+            late = tells ? late : Four{} + infinity;
+            early = misses ? Four{} + infinity : early;
+            late = misses ? Four{} + infinity : late;
+        }
+        for (std::size_t k = 0; k < lanes; ++k) {
+            crowd.early[first + k] = early[k];
+            crowd.late[first + k] = late[k];
+        }
+    }
+}
+
+template <int D, bool Falls, Kernel kernel>
+void MeetingFilter<D, Falls, kernel>::Asker::meetings(const std::vector<Ball<D>>& balls,
+                                                      Crowd& crowd) const noexcept {
+    as_wide_as_possible([&]() __attribute__((always_inline)) { fill(balls.data(), crowd); });
+}
+
+template <int D, bool Falls, Kernel kernel>
+Meeting MeetingFilter<D, Falls, kernel>::Asker::meeting(Wall wall, double side) const noexcept {
+    const int axis = wall / 2;
+    const double inwards = wall % 2 != 0 ? -1.0 : 1.0;
+    const double v = inwards * place_.v[axis];
+    const double g = Falls ? inwards * bounds_->gravity[axis] : 0.0;
+    if constexpr (kernel == Kernel::naive) {
+        const double t = now_ + naive_descent(inwards * (place_.x[axis] - side) - radius_, v, g);
+        return {t, t};
+    }
+    const double gap_error = 0x1p-47 * bounds_->extent;
+    const double gap = inwards * (place_.x[axis] - side) - radius_;
+    if (g == 0.0) {
+        if (v >= 0.0) return never;
+        if (!(gap > gap_error && v < -0x1p-300)) return unknown;
+        return around(now_, gap / -v, gap_error / -v);
+    }
+    const double v_error = 0x1p-50 * bounds_->speed;
+    if (!(gap > gap_error)) return unknown;
+    if (g > 0.0 && v > v_error) return never;
+    const double discriminant = v * v - 2.0 * g * gap;
+    const double error = 0x1p-48 * bounds_->w + 2.0 * filters::magnitude(g) * gap_error;
+    if (discriminant < -error && g > 0.0) return never;
+    if (!(discriminant > 2.0 * error && (g < 0.0 || v < -v_error))) return unknown;
+    const double root = std::sqrt(discriminant);
+    const double root_error = v_error + error / root;
+    if (v < 0.0) {
+        const double s = 2.0 * gap / (root - v);
+        return around(now_, s, (2.0 * gap_error + s * root_error) / (root - v));
+    }
+    return around(now_, (v + root) / -g, root_error / -g);
+}
+
+template class MeetingFilter<2, false, Kernel::exact>;
+template class MeetingFilter<2, true, Kernel::exact>;
+template class MeetingFilter<3, false, Kernel::exact>;
+template class MeetingFilter<3, true, Kernel::exact>;
+template class MeetingFilter<2, false, Kernel::naive>;
+template class MeetingFilter<2, true, Kernel::naive>;
+template class MeetingFilter<3, false, Kernel::naive>;
+template class MeetingFilter<3, true, Kernel::naive>;
+
+}  // namespace signum::motion
