@@ -19,6 +19,7 @@
 #include <stdexcept>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "engine.hpp"
@@ -36,24 +37,25 @@ template <int D, bool Falls, Kernel kernel, template <int> class StructureOf>
 class Loop final : public Simulation<D>::Engine {
  public:
     /// `order`: the balls' numbers in the order in which memory shall hold them.
-    Loop(const State<D>& state, const Effects<D>& effects, std::vector<std::int32_t> order)
+    Loop(const State<D>& state, const Effects<D>& effects, const std::vector<std::int32_t>& order)
         : world_{in_order(state.balls, order), effects, state.time},
-          number_(std::move(order)),
-          mass_(in_order(state.masses, number_)),
-          strikes_(number_.size()),
-          in_place_(in_order(state.in_place, number_)),
-          proposals_(number_.size()),
-          own_(number_.size(), infinity),
+          particles_(order.size()),
           filter_(effects),
           structure_(std::in_place, world_),
-          queue_(number_.size()),
+          queue_(particles_.size()),
           walls_(effects.box && !effects.periodic ? 2 * D : 0),
           most_in_place_(effects.restitution < 1.0 || effects.wall_restitution < 1.0 || Falls
                              ? most_in_place_dissipative
                              : most_in_place_elastic),
           now_(state.time) {
-        std::vector<Slot> slots(number_.size());
-        for (Slot i = 0; i < slots.size(); ++i) slots[static_cast<std::size_t>(number_[i])] = i;
+        std::vector<Slot> slots(particles_.size());
+        for (Slot i = 0; i < slots.size(); ++i) {
+            const auto number = static_cast<std::size_t>(order[i]);
+            slots[number] = i;
+            particles_[i].number = order[i];
+            particles_[i].mass = state.masses[number];
+            particles_[i].in_place = state.in_place[number];
+        }
         for (const Passed& passed : state.passed) {
             pass(slots[static_cast<std::size_t>(passed.a)],
                  passed.b < 0 ? first_wall + static_cast<Slot>(-1 - passed.b)
@@ -80,8 +82,8 @@ class Loop final : public Simulation<D>::Engine {
                 return {key < infinity ? Ending::until : Ending::nothing, {}};
             }
             now_ = std::max(now_, key);
-            Proposal& next = proposals_[i];
-            if (own_[i] <= next.early) {
+            Proposal& next = particles_[i].next;
+            if (particles_[i].own <= next.early) {
                 ++counts_.own;
                 if (!world_.effects.box && --own_events_left_ == 0 && !spread()) [[unlikely]] {
                     if (until < infinity) now_ = until;
@@ -109,23 +111,23 @@ class Loop final : public Simulation<D>::Engine {
     }
 
     [[nodiscard]] State<D> state() const override {
-        const std::size_t n = number_.size();
+        const std::size_t n = particles_.size();
         State<D> state{now_,
                        std::vector<Ball<D>>(n),
                        std::vector<double>(n),
                        std::vector<std::uint32_t>(n),
                        {}};
         for (Slot i = 0; i < n; ++i) {
-            const auto number = static_cast<std::size_t>(number_[i]);
+            const auto number = static_cast<std::size_t>(particles_[i].number);
             state.balls[number] = world_.balls[i];
-            state.masses[number] = mass_[i];
-            state.in_place[number] = in_place_[i];
+            state.masses[number] = particles_[i].mass;
+            state.in_place[number] = particles_[i].in_place;
         }
         for (const auto& [pair, time] : passed_) {
             const auto [i, j] = pair;
             state.passed.push_back(
-                {number_[i],
-                 j >= first_wall ? -1 - static_cast<std::int32_t>(j - first_wall) : number_[j],
+                {particles_[i].number,
+                 j >= first_wall ? -1 - static_cast<std::int32_t>(j - first_wall) : particles_[j].number,
                  time});
         }
         return state;
@@ -147,13 +149,22 @@ class Loop final : public Simulation<D>::Engine {
         std::uint32_t partner_strikes = 0;
     };
 
-    template <class T>
-    static std::vector<T> in_order(const std::vector<T>& things,
-                                   const std::vector<std::int32_t>& order) {
-        std::vector<T> result;
+    /// What the loop knows of a ball, in a cache line.
+    struct alignas(64) Particle {
+        Proposal next;
+        double own = infinity;  ///< when the structure changes because of it
+        double mass = 0.0;
+        std::uint32_t strikes = 0;
+        std::uint32_t in_place = 0;
+        std::int32_t number = 0;
+    };
+
+    static std::vector<Ball<D>> in_order(const std::vector<Ball<D>>& balls,
+                                         const std::vector<std::int32_t>& order) {
+        std::vector<Ball<D>> result;
         result.reserve(order.size());
         for (const std::int32_t number : order)
-            result.push_back(things[static_cast<std::size_t>(number)]);
+            result.push_back(balls[static_cast<std::size_t>(number)]);
         return result;
     }
 
@@ -161,7 +172,7 @@ class Loop final : public Simulation<D>::Engine {
         return p.partner >= first_wall && p.partner != nobody;
     }
     [[nodiscard]] bool is_stale(const Proposal& p) const noexcept {
-        return p.partner < first_wall && strikes_[p.partner] != p.partner_strikes;
+        return p.partner < first_wall && particles_[p.partner].strikes != p.partner_strikes;
     }
     [[nodiscard]] static Wall wall_of(const Proposal& p) noexcept {
         return static_cast<Wall>(p.partner - first_wall);
@@ -170,44 +181,44 @@ class Loop final : public Simulation<D>::Engine {
     /// The order of events at one time: ball before wall, then the smaller number, then the larger.
     [[nodiscard]] std::tuple<bool, std::int32_t, std::int32_t> rank(Slot i,
                                                                     const Proposal& p) const {
-        if (is_wall(p)) return {true, number_[i], wall_of(p)};
-        const std::int32_t a = number_[i];
-        const std::int32_t b = number_[p.partner];
+        if (is_wall(p)) return {true, particles_[i].number, wall_of(p)};
+        const std::int32_t a = particles_[i].number;
+        const std::int32_t b = particles_[p.partner].number;
         return {false, std::min(a, b), std::max(a, b)};
     }
     /// Of two entries of equal key: those that are no exact strikes first.
     [[nodiscard]] bool comes_before(Slot i, Slot j) const {
         const auto is_exact = [this](Slot e) {
-            return proposals_[e].early == proposals_[e].late && own_[e] > proposals_[e].early &&
-                   proposals_[e].partner != nobody;
+            return particles_[e].next.early == particles_[e].next.late && particles_[e].own > particles_[e].next.early &&
+                   particles_[e].next.partner != nobody;
         };
         const bool exact_i = is_exact(i);
         const bool exact_j = is_exact(j);
         if (exact_i != exact_j) return exact_j;
         if (!exact_i) return i < j;
-        return std::tuple(rank(i, proposals_[i]), i) < std::tuple(rank(j, proposals_[j]), j);
+        return std::tuple(rank(i, particles_[i].next), i) < std::tuple(rank(j, particles_[j].next), j);
     }
     [[nodiscard]] auto before() const {
         return [this](Slot i, Slot j) { return comes_before(i, j); };
     }
 
-    void settle(Slot i) { queue_.set(i, std::min(own_[i], proposals_[i].early), before()); }
+    void settle(Slot i) { queue_.set(i, std::min(particles_[i].own, particles_[i].next.early), before()); }
 
     /// Balls that fly apart would cross ever more cells, or leave ever more shells, that were made
     /// when they were near one another: now and then the structure is made anew. False where
     /// nothing meets any more, as far as that is looked for.
     [[nodiscard]] bool spread() {
         constexpr std::size_t few = 2048;
-        own_events_left_ = own_events_a_ball * number_.size();
+        own_events_left_ = own_events_a_ball * particles_.size();
         const bool struck_since = strikes_before_ != counts_.strikes;
         strikes_before_ = counts_.strikes;
-        if (!struck_since && number_.size() <= few && !any_meets()) return false;
+        if (!struck_since && particles_.size() <= few && !any_meets()) return false;
         const double width = widest_now();
         if (!(width > 2.0 * width_)) return true;
         width_ = width;
         world_.start = now_;
         structure_.emplace(world_);
-        for (Slot i = 0; i < number_.size(); ++i) ask_after_change(i);
+        for (Slot i = 0; i < particles_.size(); ++i) ask_after_change(i);
         return true;
     }
     /// How far the balls are spread, along the axis where that is farthest.
@@ -216,7 +227,7 @@ class Loop final : public Simulation<D>::Engine {
         for (int k = 0; k < D; ++k) {
             double low = infinity;
             double high = -infinity;
-            for (Slot i = 0; i < number_.size(); ++i) {
+            for (Slot i = 0; i < particles_.size(); ++i) {
                 const double x = world_.centre(i, now_)[k];
                 low = std::min(low, x);
                 high = std::max(high, x);
@@ -226,18 +237,17 @@ class Loop final : public Simulation<D>::Engine {
         return widest;
     }
     [[nodiscard]] bool any_meets() {
-        for (Slot i = 0; i < number_.size(); ++i) {
+        for (Slot i = 0; i < particles_.size(); ++i) {
             const Asker asker = filter_.asker(world_.balls[i], now_);
             for (Slot j = 0; j < i; ++j) {
                 crowd_.push(j);
                 if (!crowd_.is_full() && j + 1 < i) continue;
                 asker.meetings(world_.balls, crowd_);
-                for (std::size_t k = 0; k < crowd_.size; ++k) {
+                for (std::size_t k = std::exchange(crowd_.size, 0); k-- > 0;) {
                     if (crowd_.early[k] == infinity) continue;
                     if (crowd_.early[k] > -infinity || exactly(i, crowd_.who[k]).early < infinity)
                         return true;
                 }
-                crowd_.size = 0;
             }
         }
         return false;
@@ -245,7 +255,7 @@ class Loop final : public Simulation<D>::Engine {
 
     /// Finds anew when the structure changes because of a ball.
     void touch(Slot i) {
-        own_[i] = structure_->next(i, now_);
+        particles_[i].own = structure_->next(i, now_);
         settle(i);
     }
 
@@ -256,12 +266,12 @@ class Loop final : public Simulation<D>::Engine {
         for (Wall wall = 0; wall < walls_; ++wall) consider_wall(i, asker, wall, best);
         structure_->near(i, [&](Slot j) { look_at(i, asker, j, best); });
         consider_all(i, asker, best);
-        proposals_[i] = best;
+        particles_[i].next = best;
         settle(i);
     }
     /// The same of a ball that flies or lies otherwise than before.
     void ask_after_change(Slot i) {
-        own_[i] = structure_->next(i, now_);
+        particles_[i].own = structure_->next(i, now_);
         ask(i);
     }
     /// Lets a ball know of another one, now or soon.
@@ -271,11 +281,10 @@ class Loop final : public Simulation<D>::Engine {
             consider_all(i, asker, best);
     }
     void consider_all(Slot i, const Asker& asker, Proposal& best) {
-        const std::size_t size = crowd_.size;
-        if (size == 0) return;
-        counts_.checks += size;
+        if (crowd_.size == 0) return;
         asker.meetings(world_.balls, crowd_);
-        crowd_.size = 0;
+        const std::size_t size = std::exchange(crowd_.size, 0);
+        counts_.checks += size;
         // Those that may be the first of all; and where these turn out to strike others before,
         // those that may be the first of the rest.
         for (double latest = -infinity; latest < best.late;) {
@@ -296,8 +305,8 @@ class Loop final : public Simulation<D>::Engine {
         }
         if (meeting.early == infinity) return;
         // The partner strikes something before, and is then asked again.
-        if (meeting.early > proposals_[j].late) return;
-        Proposal candidate{meeting.early, meeting.late, j, strikes_[j]};
+        if (meeting.early > particles_[j].next.late) return;
+        Proposal candidate{meeting.early, meeting.late, j, particles_[j].strikes};
         if (!passed_.empty() && is_passed(i, candidate)) return;
         take(i, candidate, best);
     }
@@ -384,8 +393,8 @@ class Loop final : public Simulation<D>::Engine {
     }
 
     bool strike_ball(Slot i, const typename Simulation<D>::Record& record) {
-        const Slot j = proposals_[i].partner;
-        const double t = proposals_[i].early;
+        const Slot j = particles_[i].next.partner;
+        const double t = particles_[i].next.early;
         StrikeTally tally;
         Ball<D> a = arrive(i, t, tally);
         Ball<D> b = arrive(j, t, tally);
@@ -401,9 +410,9 @@ class Loop final : public Simulation<D>::Engine {
         const Ball<D> b_before = b;
         Exchange exchange;
         if constexpr (kernel == Kernel::exact)
-            exchange = strike(a, b, seen, mass_[i], mass_[j], world_.effects, tally);
+            exchange = strike(a, b, seen, particles_[i].mass, particles_[j].mass, world_.effects, tally);
         else
-            exchange = naive::strike(a, b, seen, mass_[i], mass_[j], world_.effects);
+            exchange = naive::strike(a, b, seen, particles_[i].mass, particles_[j].mass, world_.effects);
         counts_.rounded += tally.refined;
         counts_.rounded_exactly += tally.exact;
         if (!exchange.struck) {
@@ -412,12 +421,12 @@ class Loop final : public Simulation<D>::Engine {
             return false;
         }
         counts_.virial += exchange.virial;
-        const std::int32_t first = std::min(number_[i], number_[j]);
-        const std::int32_t second = std::max(number_[i], number_[j]);
+        const std::int32_t first = std::min(particles_[i].number, particles_[j].number);
+        const std::int32_t second = std::max(particles_[i].number, particles_[j].number);
         last_ = {t, false, first, second, 0.0};
         if (record) {
             last_.impulse =
-                impulse(a_before, b_before, seen, mass_[i], mass_[j], world_.effects, tally);
+                impulse(a_before, b_before, seen, particles_[i].mass, particles_[j].mass, world_.effects, tally);
             record(last_);
         }
         ++counts_.strikes;
@@ -443,13 +452,13 @@ class Loop final : public Simulation<D>::Engine {
         return true;
     }
     bool strike_wall(Slot i, const typename Simulation<D>::Record& record) {
-        const Wall wall = wall_of(proposals_[i]);
-        const double t = proposals_[i].early;
+        const Wall wall = wall_of(particles_[i].next);
+        const double t = particles_[i].next.early;
         StrikeTally tally;
         Ball<D> ball = arrive(i, t, tally);
         const Ball<D> ball_before = ball;
         const bool struck = strike(ball, wall, world_.effects);
-        last_ = {t, true, number_[i], wall, 0.0};
+        last_ = {t, true, particles_[i].number, wall, 0.0};
         if (!struck) {
             const double g = world_.effects.gravity[wall / 2];
             collapses_ = wall % 2 != 0 ? g > 0.0 : g < 0.0;
@@ -459,7 +468,7 @@ class Loop final : public Simulation<D>::Engine {
             return false;
         }
         if (record) {
-            last_.impulse = impulse(ball_before, wall, mass_[i], world_.effects);
+            last_.impulse = impulse(ball_before, wall, particles_[i].mass, world_.effects);
             record(last_);
         }
         ++counts_.strikes;
@@ -487,8 +496,8 @@ class Loop final : public Simulation<D>::Engine {
             return;
         if constexpr (kernel == Kernel::naive) return;
         throw std::range_error(
-            "balls " + std::to_string(std::min(number_[i], number_[j])) + " and " +
-            std::to_string(std::max(number_[i], number_[j])) + " meet at time " +
+            "balls " + std::to_string(std::min(particles_[i].number, particles_[j].number)) + " and " +
+            std::to_string(std::max(particles_[i].number, particles_[j].number)) + " meet at time " +
             std::to_string(a.time) +
             ", but they fly too far from one double to the next for a strike then; use slower "
             "balls, or a shorter time");
@@ -505,14 +514,14 @@ class Loop final : public Simulation<D>::Engine {
     template <class Exactly>
     void count(Slot i, const Ball<D>& came, double approach, double square,
                const Exactly& exactly) {
-        ++strikes_[i];
+        ++particles_[i].strikes;
         const InPlace stayed =
             stayed_in_place(came, came.time - world_.balls[i].time, approach, square);
         if (stayed == InPlace::no || (stayed == InPlace::uncertain && !exactly())) [[likely]] {
-            in_place_[i] = 0;
-        } else if (++in_place_[i] >= most_in_place_) {
+            particles_[i].in_place = 0;
+        } else if (++particles_[i].in_place >= most_in_place_) {
             collapses_ = true;
-            in_place_[i] = 0;
+            particles_[i].in_place = 0;
         }
     }
 
@@ -536,19 +545,14 @@ class Loop final : public Simulation<D>::Engine {
 
     World<D> world_;
     Crowd crowd_;
-    std::vector<std::int32_t> number_;
-    std::vector<double> mass_;
-    std::vector<std::uint32_t> strikes_;
-    std::vector<std::uint32_t> in_place_;
-    std::vector<Proposal> proposals_;
-    std::vector<double> own_;
+    std::vector<Particle> particles_;
     MeetingFilter<D, Falls, kernel> filter_;
     std::optional<StructureOf<D>> structure_;
     EventQueue queue_;
     Wall walls_;
     std::uint32_t most_in_place_;
     bool collapses_ = false;
-    std::uint64_t own_events_left_ = own_events_a_ball * number_.size();
+    std::uint64_t own_events_left_ = own_events_a_ball * particles_.size();
     std::uint64_t strikes_before_ = 0;
     double width_ = widest_now();
     double now_;
