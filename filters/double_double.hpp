@@ -22,30 +22,33 @@ struct DoubleDouble {
     double high;
     double low;
 
-    friend inline DoubleDouble operator+(DoubleDouble x, DoubleDouble y) noexcept {
+    [[gnu::always_inline]] friend inline DoubleDouble operator+(DoubleDouble x, DoubleDouble y) noexcept {
         const TwoTerms sum = two_sum(x.high, y.high);
         const TwoTerms result = two_sum(sum.high, sum.low + (x.low + y.low));
         return {result.high, result.low};
     }
-    friend inline DoubleDouble operator-(DoubleDouble x, DoubleDouble y) noexcept {
+    [[gnu::always_inline]] friend inline DoubleDouble operator-(DoubleDouble x, DoubleDouble y) noexcept {
         return x + DoubleDouble{-y.high, -y.low};
     }
-    friend inline DoubleDouble operator*(DoubleDouble x, DoubleDouble y) noexcept {
+    [[gnu::always_inline]] friend inline DoubleDouble operator*(DoubleDouble x, DoubleDouble y) noexcept {
         const TwoTerms product = two_product(x.high, y.high);
         const double cross = x.high * y.low + x.low * y.high;
         const TwoTerms result = two_sum(product.high, product.low + cross);
         return {result.high, result.low};
     }
+    [[gnu::always_inline]] friend inline DoubleDouble operator*(double x, DoubleDouble y) noexcept {
+        return DoubleDouble{x, 0.0} * y;
+    }
 };
 
 /// a - b, exactly.
-[[nodiscard]] inline DoubleDouble exact_difference(double a, double b) noexcept {
+[[nodiscard, gnu::always_inline]] inline DoubleDouble exact_difference(double a, double b) noexcept {
     const TwoTerms difference = two_difference(a, b);
     return {difference.high, difference.low};
 }
 
 /// a + b, exactly.
-[[nodiscard]] inline DoubleDouble exact_sum(double a, double b) noexcept {
+[[nodiscard, gnu::always_inline]] inline DoubleDouble exact_sum(double a, double b) noexcept {
     const TwoTerms sum = two_sum(a, b);
     return {sum.high, sum.low};
 }

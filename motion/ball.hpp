@@ -76,6 +76,24 @@ using Slot = std::uint32_t;
 template <int D>
 using Image = PerAxis<int, D>;
 
+/// Precondition: |x| < 2^51.
+[[nodiscard, gnu::always_inline]] inline double nearest_integer(double x) noexcept {
+    return (x + 0x1.8p52) - 0x1.8p52;
+}
+
+/// That in which b is nearest to a.
+template <int D>
+[[nodiscard]] inline Image<D> nearest_image(const Vector<D>& a, const Vector<D>& b,
+                                            const Effects<D>& effects) noexcept {
+    Image<D> image;
+    if (!effects.periodic) return image;
+    for (int k = 0; k < D; ++k) {
+        const double length = effects.box->high[k] - effects.box->low[k];
+        image[k] = static_cast<int>(nearest_integer((a[k] - b[k]) / length));
+    }
+    return image;
+}
+
 /// The number of a side of the box: 2 · axis, 1 more for the upper one.
 using Wall = std::int32_t;
 

@@ -80,6 +80,18 @@ class EventQueue {
         return heap_.front();
     }
 
+    /// Those whose turn is soon: the entries of the buckets up to some ahead of the one whose time
+    /// has come, of each bucket once: `seen` is kept by the caller.
+    template <class Visit>
+    void for_each_ahead(std::uint32_t& seen, std::uint32_t by, const Visit& visit) const {
+        if (seen > bucket_ + by) seen = bucket_;
+        for (const std::uint32_t last = std::min(bucket_ + by, far_ - 1); seen < last;) {
+            const std::uint32_t beyond = std::min(++seen + 3, far_);
+            if (heads_[beyond] != none) __builtin_prefetch(&items_[heads_[beyond]]);
+            for (Entry e = heads_[seen]; e != none; e = items_[e].next) visit(e);
+        }
+    }
+
  private:
     static constexpr Entry none = ~Entry{0};
     static constexpr std::uint32_t in_heap = ~std::uint32_t{0};

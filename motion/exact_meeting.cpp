@@ -4,23 +4,17 @@
 #include <cmath>
 
 #include "../core/error_free.hpp"
-#include "../exact/dyadic.hpp"
-#include "../exact/multiprecision.hpp"
+#include "../core/processor.hpp"
 #include "../exact/surd.hpp"
-#include "../filters/double_double.hpp"
+#include "apart.hpp"
 
 namespace signum::motion {
 namespace {
 
 using exact::Dyadic;
 using exact::Rational;
+using exact::to_rational;
 using filters::DoubleDouble;
-
-Rational rational(const Dyadic& number) {
-    const exact::Integer significand = number.significand();
-    return number.exponent() < 0 ? Rational(significand, exact::Integer(1) << -number.exponent())
-                                 : Rational(exact::Integer(significand << number.exponent()));
-}
 
 /// F(T + s) = a s² + 2 b s + c.
 struct Quadratic {
@@ -37,10 +31,10 @@ double first_descent(const Quadratic& f, double start) {
     if (!falls && bends >= 0) return infinity;
     if (falls && f.c.sign() <= 0) return start;
 
-    const Rational t = exact::to_rational(start);
-    const Rational a = rational(f.a);
-    const Rational b = rational(f.b);
-    const Rational c = rational(f.c);
+    const Rational t = to_rational(start);
+    const Rational a = to_rational(f.a);
+    const Rational b = to_rational(f.b);
+    const Rational c = to_rational(f.c);
     const auto rounded = [start](double time) {
         return std::isnan(time) ? infinity : std::max(time, start);
     };
@@ -81,7 +75,7 @@ double exact_meeting(const Ball<D>& a, const Ball<D>& b, const Image<D>& image,
         Dyadic d = of_a.x - of_b.x;
         const Dyadic v = of_a.v - of_b.v;
         if (image[i] != 0)
-            d = d - image[i] * (Dyadic(effects.box->high[i]) - Dyadic(effects.box->low[i]));
+            d = d - image[i] * length<Dyadic>(effects, i);
         f.a += v * v;
         f.b += d * v;
         f.c += d * d;
@@ -103,12 +97,15 @@ double exact_meeting(const Ball<D>& ball, Wall wall, const Effects<D>& effects) 
                          ball.time);
 }
 
+namespace {
+
 /// With F(t + δ) = F + 2 P δ + A δ², P = D·V at t, the root next to t is δ = -F/2P (1 + θ),
 /// |θ| <= 2 |A δ / P| as long as that is small: F falls there, since P < 0. F comes of
 /// double-doubles; of P and A doubles suffice, for δ is small.
 template <int D>
-double refined_meeting(const Ball<D>& a, const Ball<D>& b, const Image<D>& image,
-                       const Effects<D>& effects, double about) noexcept {
+[[gnu::always_inline]] inline double refined(const Ball<D>& a, const Ball<D>& b,
+                                             const Image<D>& image, const Effects<D>& effects,
+                                             double about) noexcept {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     const double start = std::max(a.time, b.time);
     if (!(about >= start && about < 0x1p500)) return none;
@@ -137,9 +134,7 @@ double refined_meeting(const Ball<D>& a, const Ball<D>& b, const Image<D>& image
             speed += std::fabs(effects.gravity[i] * later_a.high);
         }
         if (image[i] != 0) {
-            const DoubleDouble length =
-                filters::exact_difference(effects.box->high[i], effects.box->low[i]);
-            const DoubleDouble shift = DoubleDouble{static_cast<double>(image[i]), 0.0} * length;
+            const DoubleDouble shift = image[i] * length<DoubleDouble>(effects, i);
             d = d - shift;
             size += std::fabs(shift.high);
         }
@@ -161,6 +156,15 @@ double refined_meeting(const Ball<D>& a, const Ball<D>& b, const Image<D>& image
     const double time = sum.high + (sum.low - error);
     if (time != sum.high + (sum.low + error)) return none;
     return std::max(time, start);
+}
+
+}  // namespace
+
+template <int D>
+double refined_meeting(const Ball<D>& a, const Ball<D>& b, const Image<D>& image,
+                       const Effects<D>& effects, double about) noexcept {
+    return as_wide_as_possible(
+        [&]() __attribute__((always_inline)) { return refined(a, b, image, effects, about); });
 }
 
 template <int D>

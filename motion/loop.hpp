@@ -82,6 +82,7 @@ class Loop final : public Simulation<D>::Engine {
                 return {key < infinity ? Ending::until : Ending::nothing, {}};
             }
             now_ = std::max(now_, key);
+            fetch_ahead();
             Proposal& next = particles_[i].next;
             if (particles_[i].own <= next.early) {
                 ++counts_.own;
@@ -200,6 +201,31 @@ class Loop final : public Simulation<D>::Engine {
     }
     [[nodiscard]] auto before() const {
         return [this](Slot i, Slot j) { return comes_before(i, j); };
+    }
+
+    /// Tells the processor what memory will be needed soon: of many balls it is far away.
+    void fetch_ahead() {
+        if constexpr (requires { structure_->list(Slot{}); }) {
+            queue_.for_each_ahead(seen_[0], 9, [&](Slot i) {
+                __builtin_prefetch(&world_.balls[i]);
+                __builtin_prefetch(&particles_[i]);
+                structure_->fetch(i);
+            });
+            queue_.for_each_ahead(seen_[1], 6, [&](Slot i) {
+                const Slot j = particles_[i].next.partner;
+                __builtin_prefetch(structure_->list(i).data());
+                if (j >= first_wall) return;
+                __builtin_prefetch(&world_.balls[j]);
+                __builtin_prefetch(&particles_[j]);
+                structure_->fetch(j);
+            });
+            queue_.for_each_ahead(seen_[2], 3, [&](Slot i) {
+                const Slot j = particles_[i].next.partner;
+                for (const Slot k : structure_->list(i)) __builtin_prefetch(&world_.balls[k]);
+                if (j >= first_wall) return;
+                for (const Slot k : structure_->list(j)) __builtin_prefetch(&world_.balls[k]);
+            });
+        }
     }
 
     void settle(Slot i) { queue_.set(i, std::min(particles_[i].own, particles_[i].next.early), before()); }
@@ -349,15 +375,7 @@ class Loop final : public Simulation<D>::Engine {
 
     /// The nearest image of a pair at a time.
     [[nodiscard]] Image<D> image(Slot i, Slot j, double t) const {
-        Image<D> image;
-        if (!world_.effects.periodic) return image;
-        const Vector<D> a = world_.centre(i, t);
-        const Vector<D> b = world_.centre(j, t);
-        for (int k = 0; k < D; ++k) {
-            const double length = world_.effects.box->high[k] - world_.effects.box->low[k];
-            image[k] = static_cast<int>(nearest_integer((a[k] - b[k]) / length));
-        }
-        return image;
+        return nearest_image(world_.centre(i, t), world_.centre(j, t), world_.effects);
     }
     [[gnu::cold, gnu::noinline]] Meeting exactly(Slot i, Slot j) {
         ++counts_.exact;
@@ -398,14 +416,7 @@ class Loop final : public Simulation<D>::Engine {
         StrikeTally tally;
         Ball<D> a = arrive(i, t, tally);
         Ball<D> b = arrive(j, t, tally);
-        Image<D> seen;
-        if (world_.effects.periodic) {
-            for (int k = 0; k < D; ++k) {
-                const double length = world_.effects.box->high[k] - world_.effects.box->low[k];
-                seen[k] = static_cast<int>(nearest_integer((a.x[k] - b.x[k]) / length));
-            }
-        }
-        refuse_coarse_clock(i, j, a, b, seen);
+        const Image<D> seen = nearest_image(a.x, b.x, world_.effects);
         const Ball<D> a_before = a;
         const Ball<D> b_before = b;
         Exchange exchange;
@@ -415,6 +426,7 @@ class Loop final : public Simulation<D>::Engine {
             exchange = naive::strike(a, b, seen, particles_[i].mass, particles_[j].mass, world_.effects);
         counts_.rounded += tally.refined;
         counts_.rounded_exactly += tally.exact;
+        refuse_coarse_clock(i, j, a, b, exchange.square);
         if (!exchange.struck) {
             pass(i, j, t);
             ask(i);
@@ -483,14 +495,7 @@ class Loop final : public Simulation<D>::Engine {
     /// Where balls fly so far from one tick of the clock to the next that those which meet are
     /// apart at the rounded time.
     void refuse_coarse_clock(Slot i, Slot j, const Ball<D>& a, const Ball<D>& b,
-                             const Image<D>& seen) const {
-        double square = 0.0;
-        for (int k = 0; k < D; ++k) {
-            double d = a.x[k] - b.x[k];
-            if (seen[k] != 0)
-                d -= seen[k] * (world_.effects.box->high[k] - world_.effects.box->low[k]);
-            square += d * d;
-        }
+                             double square) const {
         const double radii = a.radius + b.radius;
         if (std::fabs(square - radii * radii) < 0x1p-10 * (radii * radii)) [[likely]]
             return;
@@ -545,6 +550,7 @@ class Loop final : public Simulation<D>::Engine {
 
     World<D> world_;
     Crowd crowd_;
+    std::array<std::uint32_t, 3> seen_{};
     std::vector<Particle> particles_;
     MeetingFilter<D, Falls, kernel> filter_;
     std::optional<StructureOf<D>> structure_;

@@ -44,11 +44,6 @@ struct Place {
     Vector<D> v;
 };
 
-/// Precondition: |x| < 2^51.
-[[nodiscard, gnu::always_inline]] inline double nearest_integer(double x) noexcept {
-    return (x + 0x1.8p52) - 0x1.8p52;
-}
-
 /// As many balls as are asked about at once, and what was told of each.
 struct Crowd {
     static constexpr std::size_t capacity = 64;

@@ -22,6 +22,7 @@ class PooledLists {
         const List& list = lists_[i];
         return {pool_.data() + list.begin, list.size};
     }
+    void fetch(std::uint32_t i) const noexcept { __builtin_prefetch(&lists_[i]); }
     void append(std::uint32_t i, const T& thing) {
         List& list = lists_[i];
         if (list.size == list.capacity) grow(list);

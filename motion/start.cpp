@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "../exact/dyadic.hpp"
+#include "apart.hpp"
 #include "simulation.hpp"
 #include "structures/levels.hpp"
 
@@ -80,29 +80,20 @@ void check_walls(const Body<D>& body, const Effects<D>& effects, std::int64_t nu
 /// Whether two balls overlap, exactly; each at its own time, which is the same.
 template <int D>
 bool overlap(const Ball<D>& a, const Ball<D>& b, const World<D>& world) {
+    const Image<D> image = nearest_image(a.x, b.x, world.effects);
     Vector<D> d;
-    Image<D> image;
     double size = 0.0;
     for (int k = 0; k < D; ++k) {
-        d[k] = a.x[k] - b.x[k];
-        if (world.effects.periodic) {
-            const double length = world.effects.box->high[k] - world.effects.box->low[k];
-            const double turns = nearest_integer(d[k] / length);
-            image[k] = static_cast<int>(turns);
-            d[k] -= turns * length;
-            size = std::max(size, length);
-        }
+        d[k] = apart<double>(a.x, b.x, k, image, world.effects);
         size = std::max({size, std::fabs(a.x[k]), std::fabs(b.x[k])});
+        if (image[k] != 0) size = std::max(size, length<double>(world.effects, k));
     }
     const double radii = a.radius + b.radius;
     // What rounding does to a difference is far less than a part in 2^40 of the numbers.
     if (dot(d, d) > std::max(radii * radii * (1.0 + 0x1p-20), 0x1p-40 * size * size)) return false;
     Dyadic square;
     for (int k = 0; k < D; ++k) {
-        Dyadic exact = Dyadic(a.x[k]) - Dyadic(b.x[k]);
-        if (image[k] != 0)
-            exact = exact - image[k] * (Dyadic(world.effects.box->high[k]) -
-                                        Dyadic(world.effects.box->low[k]));
+        const Dyadic exact = apart<Dyadic>(a.x, b.x, k, image, world.effects);
         square += exact * exact;
     }
     const Dyadic sum = Dyadic(a.radius) + Dyadic(b.radius);

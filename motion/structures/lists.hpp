@@ -34,6 +34,12 @@ class Lists {
         for (const Slot j : lists_[i]) propose(j);
     }
 
+    [[nodiscard]] std::span<const Slot> list(Slot i) const noexcept { return lists_[i]; }
+    void fetch(Slot i) const noexcept {
+        __builtin_prefetch(&places_[i]);
+        lists_.fetch(i);
+    }
+
     /// When the ball leaves its shell, or earlier.
     [[nodiscard]] double next(Slot i, double now) const {
         const Vector<D> v = world_.velocity(i, now);
