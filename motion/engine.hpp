@@ -21,7 +21,7 @@ class Simulation<D>::Engine {
 
 template <int D, template <int> class StructureOf>
 [[nodiscard]] std::unique_ptr<typename Simulation<D>::Engine> make_engine(
-    const State<D>& state, const Effects<D>& effects, Kernel kernel,
+    Structure structure, const State<D>& state, const Effects<D>& effects, Kernel kernel,
     const std::vector<std::int32_t>& order);
 
 }  // namespace signum::motion

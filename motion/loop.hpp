@@ -37,11 +37,12 @@ template <int D, bool Falls, Kernel kernel, template <int> class StructureOf>
 class Loop final : public Simulation<D>::Engine {
  public:
     /// `order`: the balls' numbers in the order in which memory shall hold them.
-    Loop(const State<D>& state, const Effects<D>& effects, const std::vector<std::int32_t>& order)
+    Loop(Structure structure, const State<D>& state, const Effects<D>& effects, const std::vector<std::int32_t>& order)
         : world_{in_order(state.balls, order), effects, state.time},
           particles_(order.size()),
           filter_(effects),
-          structure_(std::in_place, world_),
+          kind_(structure),
+          structure_(std::in_place, world_, kind_),
           queue_(particles_.size()),
           walls_(effects.box && !effects.periodic ? 2 * D : 0),
           most_in_place_(effects.restitution < 1.0 || effects.wall_restitution < 1.0 || Falls
@@ -243,7 +244,7 @@ class Loop final : public Simulation<D>::Engine {
         if (!(width > 2.0 * width_)) return true;
         width_ = width;
         world_.start = now_;
-        structure_.emplace(world_);
+        structure_.emplace(world_, kind_);
         for (Slot i = 0; i < particles_.size(); ++i) ask_after_change(i);
         return true;
     }
@@ -553,6 +554,7 @@ class Loop final : public Simulation<D>::Engine {
     std::array<std::uint32_t, 3> seen_{};
     std::vector<Particle> particles_;
     MeetingFilter<D, Falls, kernel> filter_;
+    Structure kind_;
     std::optional<StructureOf<D>> structure_;
     EventQueue queue_;
     Wall walls_;
@@ -569,11 +571,11 @@ class Loop final : public Simulation<D>::Engine {
 
 template <int D, template <int> class StructureOf>
 std::unique_ptr<typename Simulation<D>::Engine> make_engine(
-    const State<D>& state, const Effects<D>& effects, Kernel kernel,
+    Structure structure, const State<D>& state, const Effects<D>& effects, Kernel kernel,
     const std::vector<std::int32_t>& order) {
     const auto make =
         [&]<bool falls, Kernel k>() -> std::unique_ptr<typename Simulation<D>::Engine> {
-        return std::make_unique<Loop<D, falls, k, StructureOf>>(state, effects, order);
+        return std::make_unique<Loop<D, falls, k, StructureOf>>(structure, state, effects, order);
     };
     const bool falls = effects.gravity != Vector<D>{};
     if (kernel == Kernel::naive) {

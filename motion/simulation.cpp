@@ -10,36 +10,32 @@
 
 namespace signum::motion {
 
-// One line a structure.
 template <int D>
 class Pairs;
 template <int D>
-class CellsOfOneSize;
-template <int D>
-class OccupiedCells;
+class Grid;
 template <int D>
 class Segments;
-template <int D>
-class Levels;
 template <int D>
 class Lists;
 
 namespace {
 
+// One line a structure.
 template <int D>
 struct Row {
     Structure structure;
-    std::unique_ptr<typename Simulation<D>::Engine> (*make)(const State<D>&, const Effects<D>&,
-                                                            Kernel,
+    std::unique_ptr<typename Simulation<D>::Engine> (*make)(Structure, const State<D>&,
+                                                            const Effects<D>&, Kernel,
                                                             const std::vector<std::int32_t>&);
 };
 template <int D>
 constexpr std::array<Row<D>, 6> rows = {{
     {Structure::pairs, make_engine<D, Pairs>},
-    {Structure::cells, make_engine<D, CellsOfOneSize>},
-    {Structure::tree, make_engine<D, OccupiedCells>},
+    {Structure::cells, make_engine<D, Grid>},
+    {Structure::tree, make_engine<D, Grid>},
     {Structure::segments, make_engine<D, Segments>},
-    {Structure::levels, make_engine<D, Levels>},
+    {Structure::levels, make_engine<D, Grid>},
     {Structure::lists, make_engine<D, Lists>},
 }};
 
@@ -135,7 +131,7 @@ Simulation<D>::Simulation(const State<D>& state, const Effects<D>& effects,
                           const Options& options) {
     const Structure structure = choose(options.structure, state, effects).structure;
     const auto row = std::ranges::find(rows<D>, structure, &Row<D>::structure);
-    engine_ = row->make(state, effects, options.kernel, along_a_curve(state, effects));
+    engine_ = row->make(structure, state, effects, options.kernel, along_a_curve(state, effects));
 }
 template <int D>
 Simulation<D>::~Simulation() = default;

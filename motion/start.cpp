@@ -6,7 +6,7 @@
 
 #include "apart.hpp"
 #include "simulation.hpp"
-#include "structures/levels.hpp"
+#include "structures/grid.hpp"
 
 namespace signum::motion {
 namespace {
@@ -115,7 +115,7 @@ State<D> start(std::span<const Body<D>> bodies, const Effects<D>& effects) {
     }
     state.in_place.resize(bodies.size());
     const World<D> world(state.balls, effects, 0.0);
-    const Levels<D> levels(world);
+    const Grid<D> levels(world, Structure::levels);
     for (Slot i = 0; i < world.balls.size(); ++i) {
         Slot first = i;
         levels.near(i, [&](Slot j) {

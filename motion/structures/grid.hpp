@@ -1,5 +1,11 @@
 #pragma once
-/// Cells of one or several sizes: what the structures `cells`, `tree` and `levels` have in common.
+/// Three structures of cells, by what they are:
+///  * `cells`: of one size, in a box, a list of balls for each (thesis 9.4). 3^D cells are asked at
+///    a strike, 3^(D-1) where a centre enters a cell;
+///  * `tree`: of one size, of which only the occupied ones are kept (thesis 9.5), so no bounds are
+///    needed. The thesis keeps them in a search tree; here they are hashed;
+///  * `levels`: of several sizes, each a power of two above the next, so that a large ball does not
+///    ruin small ones (thesis 9.4.2, table 10.4.4).
 ///
 /// Each level has cells a power of two times as wide as those of the level below, nested. A ball
 /// lives in the level whose cells are just as wide as its diameter, or wider; it visits the cells
@@ -20,6 +26,7 @@
 #include <vector>
 
 #include "../cells.hpp"
+#include "../simulation.hpp"
 #include "../world.hpp"
 
 namespace signum::motion {
@@ -27,9 +34,11 @@ namespace signum::motion {
 template <int D>
 class Grid {
  public:
-    /// The most levels; one makes cells of one size. `hashed`: only occupied cells are kept.
-    Grid(const World<D>& world, int most_levels, bool hashed)
+    /// `structure`: cells, tree or levels.
+    Grid(const World<D>& world, Structure structure)
         : world_(world), cell_(world.balls.size()), level_(world.balls.size()) {
+        const int most_levels = structure == Structure::levels ? 24 : 1;
+        const bool hashed = structure == Structure::tree;
         const Spread<D> spread(world);
         const double widest =
             std::max(2.0 * spread.largest_radius * (1.0 + 0x1p-20), 0x1p-24 * spread.shortest());

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "../cells.hpp"
+#include "../simulation.hpp"
 #include "../slot_lists.hpp"
 #include "../world.hpp"
 
@@ -25,9 +26,7 @@ namespace signum::motion {
 template <int D>
 class Lists {
  public:
-    static constexpr const char* name = "lists";
-
-    explicit Lists(const World<D>& world) : Lists(world, Spread<D>(world)) {}
+    explicit Lists(const World<D>& world, Structure = Structure::lists) : Lists(world, Spread<D>(world)) {}
 
     template <class Propose>
     void near(Slot i, const Propose& propose) const {

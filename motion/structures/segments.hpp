@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "../cells.hpp"
+#include "../simulation.hpp"
 #include "../slot_lists.hpp"
 #include "../world.hpp"
 
@@ -24,7 +25,7 @@ namespace signum::motion {
 template <int D>
 class Segments {
  public:
-    explicit Segments(const World<D>& world) : world_(world), partners_(world.balls.size()) {
+    explicit Segments(const World<D>& world, Structure = Structure::segments) : world_(world), partners_(world.balls.size()) {
         const Spread<D> spread(world);
         double widest = 0.0;
         for (int k = 0; k < D; ++k)
