@@ -105,8 +105,7 @@ class CellGrid {
         Cell<D> cell;
         for (int k = 0; k < D; ++k) {
             const double place = (x[k] - low_[k]) * per_width_[k];
-            double number =
-                std::abs(place) < 0x1p62 ? static_cast<double>(rounded_down(place)) : place;
+            double number = whole_of(place);
             if (periodic_ && !(number >= 0.0 && number < count_[k]))
                 number -= count_[k] * std::floor(number / count_[k]);
             cell[k] = static_cast<std::int32_t>(
@@ -114,6 +113,20 @@ class CellGrid {
                          : std::clamp<double>(number, -outermost, outermost));
         }
         return cell;
+    }
+    /// How far into its cell a place lies, along each axis; beyond it where cells have an end.
+    [[nodiscard]] Vector<D> into_cell(const Vector<D>& x, const Cell<D>& cell) const noexcept {
+        Vector<D> into;
+        for (int k = 0; k < D; ++k) {
+            const double place = (x[k] - low_[k]) * per_width_[k];
+            into[k] = (periodic_ ? place - whole_of(place) : place - cell[k]) * width_[k];
+        }
+        return into;
+    }
+    [[nodiscard]] const Vector<D>& width() const noexcept { return width_; }
+    /// Whether there are at least three along each axis, or no periodic box.
+    [[nodiscard]] bool tells_images() const noexcept {
+        return !periodic_ || *std::ranges::min_element(count_) > 2;
     }
     /// The place where a cell begins.
     [[nodiscard]] double start_of(int axis, std::int32_t number) const noexcept {
@@ -149,69 +162,68 @@ class CellGrid {
             if (k == axis) first = last = side;
             for (std::int32_t by = first; by <= last; ++by) around.add(*this, middle, k, by, 0.0);
         }
-        around.for_each(visit, infinity);
+        around.for_each([&](const Cell<D>& cell, const Cell<D>&) { visit(cell); }, infinity);
     }
 
-    /// Those of them in which there may be a place within a distance of one, up to the width of a
-    /// cell.
+    /// Those of them that may have a place within a distance of one, up to the width of a cell;
+    /// the place is given by its cell and how far into it it lies. Told with the numbers of cells
+    /// from it along the axes.
     template <class Visit>
-    void for_each_around(const Vector<D>& x, double distance, const Visit& visit) const {
-        const Cell<D> middle = cell_of(x);
+    void for_each_around(const Cell<D>& middle, const Vector<D>& into, double distance,
+                         const Visit& visit) const {
         Around around;
         for (int k = 0; k < D; ++k) {
-            const double place = (x[k] - low_[k]) * per_width_[k];
-            const double into =
-                std::abs(place) < 0x1p30 ? place - static_cast<double>(rounded_down(place)) : 0.0;
-            const double below = into * width_[k];
-            const double above = (1.0 - into) * width_[k];
+            const double below = std::max(into[k], 0.0);
+            const double above = std::max(width_[k] - into[k], 0.0);
             around.add(*this, middle, k, 0, 0.0);
             if (!periodic_ || count_[k] > 2) around.add(*this, middle, k, -1, below * below);
             if (!periodic_ || count_[k] > 1)
-                around.add(*this, middle, k, 1,
-                           periodic_ && count_[k] == 2 ? 0.0 : above * above);
+                around.add(*this, middle, k, 1, count_[k] == 2 ? 0.0 : above * above);
         }
         around.for_each(visit, distance * distance * (1.0 + 0x1p-16));
     }
 
  private:
-    /// The cells around one: their numbers along each axis, and the square of the distance along it.
+    /// The cells around one, along each axis: their numbers, how many cells away, and the square of
+    /// the distance.
     struct Around {
-        PerAxis<PerAxis<std::int32_t, 3>, D> numbers;
-        PerAxis<PerAxis<double, 3>, D> squares;
+        struct Step {
+            std::int32_t number;
+            std::int32_t by;
+            double square;
+        };
+        PerAxis<PerAxis<Step, 3>, D> steps;
         PerAxis<int, D> size;
 
         void add(const CellGrid& grid, Cell<D> cell, int axis, std::int32_t by, double square) {
-            if (!grid.shift(cell, axis, by)) return;
-            int& number = size[axis];
-            numbers[axis][number] = cell[axis];
-            squares[axis][number] = square;
-            ++number;
+            if (grid.shift(cell, axis, by)) steps[axis][size[axis]++] = {cell[axis], by, square};
         }
         /// Those whose distance is not beyond one.
         template <class Visit>
         void for_each(const Visit& visit, double square) const {
             Cell<D> cell;
-            if constexpr (D == 3) {
-                for (int k = 0; k < size[2]; ++k) {
-                    cell[2] = numbers[2][k];
-                    for_each_of_two(visit, cell, square - squares[2][k]);
-                }
-            } else {
-                for_each_of_two(visit, cell, square);
-            }
+            Cell<D> by;
+            for_each_along<D - 1>(visit, square, cell, by);
         }
-        template <class Visit>
-        void for_each_of_two(const Visit& visit, Cell<D>& cell, double square) const {
-            for (int j = 0; j < size[1]; ++j) {
-                cell[1] = numbers[1][j];
-                for (int i = 0; i < size[0]; ++i) {
-                    if (squares[0][i] + squares[1][j] > square) continue;
-                    cell[0] = numbers[0][i];
-                    visit(cell);
-                }
+        template <int axis, class Visit>
+        void for_each_along(const Visit& visit, double square, Cell<D>& cell, Cell<D>& by) const {
+            for (int k = 0; k < size[axis]; ++k) {
+                const Step& step = steps[axis][k];
+                if (step.square > square) continue;
+                cell[axis] = step.number;
+                by[axis] = step.by;
+                if constexpr (axis == 0)
+                    visit(cell, by);
+                else
+                    for_each_along<axis - 1>(visit, square - step.square, cell, by);
             }
         }
     };
+
+    /// std::floor, which is a call on some processors.
+    [[nodiscard]] static double whole_of(double x) noexcept {
+        return std::abs(x) < 0x1p62 ? static_cast<double>(rounded_down(x)) : x;
+    }
 
     bool bounded_;
     bool periodic_;

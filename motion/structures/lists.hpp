@@ -1,22 +1,30 @@
 #pragma once
 /// Lists of neighbours, as the fastest codes keep them.
 ///
-/// Each ball has a shell, the place where its list was made and a distance, its slack; and when it
-/// has flown that distance its list is made anew. Two balls are in each other's lists while the
-/// shells around them overlap: their places are nearer than both radii and both slacks. So a pair
-/// that meets is in the lists: each centre is within its slack of its place. When a list is made
-/// all near pairs are proposed, and at a strike all of the two lists.
+/// Each ball's centre lies within a distance, the slack, of a place, and when it is about to leave
+/// that sphere it gets a new place, and its list is made anew. Around the place lies the ball's
+/// shell, whose radius is the ball's and the slack. Two balls are in each other's lists while their
+/// shells overlap. So a pair that meets is in the lists. When a list is made those that are new in
+/// it are proposed, and at a strike all of the two lists.
 ///
-/// Places, not balls, lie in cells; a cell is at least as wide as two shells are apart, so that
-/// 3^D cells hold all whose shells may overlap.
+/// A place is somewhat ahead of where the ball was, so that it stays longer.
+///
+/// Shells lie in the cells of their places; a cell is at least as wide as two shells are apart, so
+/// that 3^D cells hold all whose shells may overlap. In the cells' floats a shell's place errs by
+/// less than 2^-23 of a cell's width, a difference of two by less than 2^-21 with the operations;
+/// by twice that shells are thicker.
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numbers>
+#include <span>
 #include <vector>
 
 #include "../cells.hpp"
+#include "../shells.hpp"
 #include "../simulation.hpp"
 #include "../slot_lists.hpp"
 #include "../world.hpp"
@@ -35,7 +43,7 @@ class Lists {
 
     [[nodiscard]] std::span<const Slot> list(Slot i) const noexcept { return lists_[i]; }
     void fetch(Slot i) const noexcept {
-        __builtin_prefetch(&places_[i]);
+        __builtin_prefetch(&centres_[i]);
         lists_.fetch(i);
     }
 
@@ -43,7 +51,7 @@ class Lists {
     [[nodiscard]] double next(Slot i, double now) const {
         const Vector<D> v = world_.velocity(i, now);
         Vector<D> d = world_.centre(i, now);
-        for (int k = 0; k < D; ++k) d[k] -= places_[i][k];
+        for (int k = 0; k < D; ++k) d[k] -= centres_[i].place[k];
         const double flown = world_.nearest_square(d);
         double gravity = 0.0;
         for (const double g : world_.effects.gravity) gravity += g * g;
@@ -71,10 +79,9 @@ class Lists {
         before_.assign(list.begin(), list.end());
         for (const Slot j : before_) leaves_[j] = 1;
         lists_.clear(i);
-        in_cells_.remove_if(cell_[i], [i](const Shell& shell) { return shell.ball == i; });
-        const Shell shell = shell_of(i, now);
-        enter(shell);
-        for_each_near(shell, [&](Slot j) {
+        shells_.remove(centres_[i].list, i);
+        enter(i, now);
+        for_each_near(i, [&](Slot j) {
             lists_.append(i, j);
             if (leaves_[j] != 0) {
                 leaves_[j] = 0;
@@ -90,10 +97,10 @@ class Lists {
     }
 
  private:
-    struct Shell {
+    /// Where a ball's shell lies.
+    struct Centre {
         Vector<D> place;
-        float reach;  // radius and slack, or more, as a share of the largest ball's
-        Slot ball;
+        std::uint32_t list;  // of shells
     };
 
     Lists(const World<D>& world, const Spread<D>& spread)
@@ -101,32 +108,53 @@ class Lists {
           slack_(slack_of(spread)),
           largest_(spread.largest_radius + slack_),
           grid_(world, spread,
-                std::max(2.0 * (spread.largest_radius + slack_) * (1.0 + 0x1p-18),
+                std::max(2.0 * (spread.largest_radius + slack_) * (1.0 + 0x1p-12),
                          spread.edge_of(0.5))),
           hashed_(!grid_.has_few_cells(world.balls.size())),
-          in_cells_(hashed_ ? std::bit_ceil(world.balls.size() + 1)
-                            : static_cast<std::size_t>(grid_.size())),
-          places_(world.balls.size()),
-          cell_(world.balls.size()),
+          tells_images_(grid_.tells_images()),
+          shells_(hashed_ ? std::bit_ceil(world.balls.size() + 1)
+                          : static_cast<std::size_t>(grid_.size())),
+          centres_(world.balls.size()),
           lists_(world.balls.size()),
           leaves_(world.balls.size()) {
-        for (Slot i = 0; i < cell_.size(); ++i) enter(shell_of(i, world.start));
-        for (Slot i = 0; i < cell_.size(); ++i)
-            for_each_near(shell_of(i, world.start), [&](Slot j) { lists_.append(i, j); });
+        for (Slot i = 0; i < centres_.size(); ++i) enter(i, world.start);
+        for (Slot i = 0; i < centres_.size(); ++i)
+            for_each_near(i, [&](Slot j) { lists_.append(i, j); });
     }
 
-    [[nodiscard]] Shell shell_of(Slot i, double now) const {
-        const double reach = (world_.balls[i].radius + slack_) * (1.0 + 0x1p-20);
-        return {world_.centre(i, now), static_cast<float>(reach / largest_), i};
+    [[nodiscard]] double radius_of_shell(Slot i) const noexcept {
+        return (world_.balls[i].radius + slack_) * (1.0 + 0x1p-20);
     }
     [[nodiscard]] std::uint32_t list_of(const Cell<D>& cell) const noexcept {
-        return hashed_ ? hash_of(cell, in_cells_.size()) : grid_.place(cell);
+        return hashed_ ? hash_of(cell, shells_.size()) : grid_.place(cell);
     }
-    void enter(const Shell& shell) {
-        const std::uint32_t list = list_of(grid_.cell_of(shell.place));
-        in_cells_.append(list, shell);
-        cell_[shell.ball] = list;
-        places_[shell.ball] = shell.place;
+    /// Seen from its cell.
+    [[nodiscard]] Shell<D> shell_of(Slot i, const Vector<D>& into) const noexcept {
+        Shell<D> shell;
+        double farthest = 0.0;
+        double widest = 0.0;
+        for (int k = 0; k < D; ++k) {
+            shell.into[k] = static_cast<float>(std::clamp(into[k], -0x1p50, 0x1p50));
+            farthest = std::max(farthest, std::fabs(into[k] / grid_.width()[k]));
+            widest = std::max(widest, grid_.width()[k]);
+        }
+        // Where the outermost cell has no end, floats tell nothing.
+        shell.reach = farthest < 2.0
+                          ? static_cast<float>(radius_of_shell(i) + 0x1p-20 * widest)
+                          : std::numeric_limits<float>::infinity();
+        shell.ball = i;
+        return shell;
+    }
+    void enter(Slot i, double now) {
+        Centre& centre = centres_[i];
+        centre.place = world_.centre(i, now);
+        const Vector<D> v = world_.velocity(i, now);
+        const double speed = std::sqrt(dot(v, v));
+        if (const double ahead = 0.4 * slack_ / speed; ahead < infinity)
+            for (int k = 0; k < D; ++k) centre.place[k] += ahead * v[k];
+        const Cell<D> cell = grid_.cell_of(centre.place);
+        centre.list = list_of(cell);
+        shells_.insert(centre.list, shell_of(i, grid_.into_cell(centre.place, cell)));
     }
 
     /// So that a ball has some neighbours in its list.
@@ -138,28 +166,44 @@ class Lists {
         return std::clamp(slack, 0x1p-20 * spread.shortest(), 0.05 * spread.shortest());
     }
 
-    /// All whose shells overlap with one, itself left out.
+    /// All others whose shells overlap with a ball's.
     template <class Visit>
-    void for_each_near(const Shell& shell, const Visit& visit) {
-        const double farthest = largest_ * (1.0 + static_cast<double>(shell.reach));
+    void for_each_near(Slot i, const Visit& visit) {
+        const Vector<D>& place = centres_[i].place;
+        const Cell<D> middle = grid_.cell_of(place);
+        const Vector<D> into = grid_.into_cell(place, middle);
+        const Shell<D> shell = shell_of(i, into);
+        const double farthest = radius_of_shell(i) + largest_ * (1.0 + 0x1p-18);
         std::size_t size = 0;
-        grid_.for_each_around(shell.place, farthest, [&](const Cell<D>& cell) {
-            const auto shells = in_cells_[list_of(cell)];
-            if (near_.size() < size + shells.size()) near_.resize(2 * (size + shells.size()));
-            for (const Shell& other : shells) {
-                Vector<D> d;
-                for (int k = 0; k < D; ++k) d[k] = shell.place[k] - other.place[k];
-                const double reaches = largest_ * static_cast<double>(shell.reach + other.reach);
-                bool near = world_.nearest_square(d) < reaches * reaches;
-                // Several cells may share a list.
-                if (hashed_ && near) near = grid_.cell_of(other.place) == cell;
-                // Written and perhaps forgotten: whether it is near is anybody's guess.
-                near_[size] = other.ball;
-                size += static_cast<std::size_t>(near);
-            }
-        });
+        grid_.for_each_around(
+            middle, into, farthest, [&](const Cell<D>& cell, const Cell<D>& steps) {
+                Shell<D> seen = shell;
+                for (int k = 0; k < D; ++k)
+                    seen.into[k] -= static_cast<float>(steps[k] * grid_.width()[k]);
+                if (!tells_images_) seen.reach = std::numeric_limits<float>::infinity();
+                const std::size_t before = size;
+                shells_.find_overlapping(list_of(cell), seen, near_, size);
+                if (hashed_ || !tells_images_) [[unlikely]]
+                    size = confirm(i, cell, before, size);
+            });
         for (std::size_t k = 0; k < size; ++k)
-            if (near_[k] != shell.ball) visit(near_[k]);
+            if (near_[k] != i) visit(near_[k]);
+    }
+    /// Of those that were found in a cell keeps the ones that lie there, for several may share a
+    /// list, and whose shells overlap with i's in doubles.
+    [[nodiscard]] std::size_t confirm(Slot i, const Cell<D>& cell, std::size_t begin,
+                                      std::size_t end) {
+        std::size_t kept = begin;
+        for (std::size_t k = begin; k < end; ++k) {
+            const Slot j = near_[k];
+            const Vector<D>& place = centres_[j].place;
+            Vector<D> d;
+            for (int axis = 0; axis < D; ++axis) d[axis] = centres_[i].place[axis] - place[axis];
+            const double reach = radius_of_shell(i) + radius_of_shell(j);
+            if (grid_.cell_of(place) == cell && world_.nearest_square(d) < reach * reach)
+                near_[kept++] = j;
+        }
+        return kept;
     }
 
     const World<D>& world_;
@@ -167,9 +211,9 @@ class Lists {
     double largest_;
     CellGrid<D> grid_;
     bool hashed_;
-    PooledLists<Shell> in_cells_;
-    std::vector<Vector<D>> places_;
-    std::vector<std::uint32_t> cell_;  // the list that a ball is in
+    bool tells_images_;  // cells, how far their balls are apart
+    ShellLists<D> shells_;
+    std::vector<Centre> centres_;
     SlotLists lists_;
     // Of an event: the list before it, who of it is not in the new one, and all that are near.
     std::vector<Slot> before_;
