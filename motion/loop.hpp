@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -45,6 +46,7 @@ class Loop final : public Simulation<D>::Engine {
           structure_(std::in_place, world_, kind_),
           queue_(particles_.size()),
           walls_(effects.box && !effects.periodic ? 2 * D : 0),
+          fetches_(order.size() > 8192),
           most_in_place_(effects.restitution < 1.0 || effects.wall_restitution < 1.0 || Falls
                              ? most_in_place_dissipative
                              : most_in_place_elastic),
@@ -83,7 +85,7 @@ class Loop final : public Simulation<D>::Engine {
                 return {key < infinity ? Ending::until : Ending::nothing, {}};
             }
             now_ = std::max(now_, key);
-            fetch_ahead();
+            if (fetches_) fetch_ahead();
             Proposal& next = particles_[i].next;
             if (particles_[i].own <= next.early) {
                 ++counts_.own;
@@ -291,7 +293,16 @@ class Loop final : public Simulation<D>::Engine {
         Proposal best;
         const Asker asker = filter_.asker(world_.balls[i], now_);
         for (Wall wall = 0; wall < walls_; ++wall) consider_wall(i, asker, wall, best);
-        structure_->near(i, [&](Slot j) { look_at(i, asker, j, best); });
+        if constexpr (requires { structure_->list(i); }) {
+            std::span<const Slot> list = structure_->list(i);
+            for (; list.size() > Crowd::capacity; list = list.subspan(Crowd::capacity)) {
+                crowd_.assign(list.first(Crowd::capacity));
+                consider_all(i, asker, best);
+            }
+            crowd_.assign(list);
+        } else {
+            structure_->near(i, [&](Slot j) { look_at(i, asker, j, best); });
+        }
         consider_all(i, asker, best);
         particles_[i].next = best;
         settle(i);
@@ -314,14 +325,15 @@ class Loop final : public Simulation<D>::Engine {
         counts_.checks += size;
         // Those that may be the first of all; and where these turn out to strike others before,
         // those that may be the first of the rest.
-        for (double latest = -infinity; latest < best.late;) {
-            latest = best.late;
-            for (std::size_t k = 0; k < size; ++k) latest = std::min(latest, crowd_.late[k]);
+        for (double latest = std::min(best.late, crowd_.soonest);;) {
             for (std::size_t k = 0; k < size; ++k) {
                 if (!(crowd_.early[k] <= latest)) continue;
                 consider(i, crowd_.who[k], {crowd_.early[k], crowd_.late[k]}, best);
                 crowd_.early[k] = crowd_.late[k] = infinity;
             }
+            if (!(latest < best.late)) return;
+            latest = best.late;
+            for (std::size_t k = 0; k < size; ++k) latest = std::min(latest, crowd_.late[k]);
         }
     }
     void consider(Slot i, Slot j, Meeting meeting, Proposal& best) {
@@ -558,6 +570,8 @@ class Loop final : public Simulation<D>::Engine {
     std::optional<StructureOf<D>> structure_;
     EventQueue queue_;
     Wall walls_;
+    /// Of few balls all that is needed lies near the processor.
+    bool fetches_;
     std::uint32_t most_in_place_;
     bool collapses_ = false;
     std::uint64_t own_events_left_ = own_events_a_ball * particles_.size();

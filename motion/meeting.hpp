@@ -20,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "../filters/bounds.hpp"
@@ -52,9 +53,14 @@ struct Crowd {
     std::array<Slot, capacity> who;
     std::array<double, capacity> early;
     std::array<double, capacity> late;
+    double soonest;  ///< the least of late
 
     /// Precondition: there is room.
     void push(Slot slot) noexcept { who[size++] = slot; }
+    void assign(std::span<const Slot> slots) noexcept {
+        std::ranges::copy(slots, who.begin());
+        size = slots.size();
+    }
     [[nodiscard]] bool is_full() const noexcept { return size == capacity; }
 };
 
