@@ -14,6 +14,8 @@
 /// and come after those that are not. So what happens is the first event in the exact order.
 
 #include <algorithm>
+#include <array>
+#include <initializer_list>
 #include <map>
 #include <optional>
 #include <span>
@@ -66,7 +68,7 @@ class Loop final : public Simulation<D>::Engine {
                  passed.time);
         }
         for (const Ball<D>& ball : world_.balls) filter_.include(ball);
-        for (Slot i = 0; i < slots.size(); ++i) ask_after_change(i);
+        for (Slot i = 0; i < slots.size(); ++i) ask_after_change({i});
     }
 
     Outcome run(const Limits& limits, const typename Simulation<D>::Record& record) override {
@@ -93,12 +95,15 @@ class Loop final : public Simulation<D>::Engine {
                     if (until < infinity) now_ = until;
                     return {Ending::nothing, {}};
                 }
-                const Asker asker = filter_.asker(world_.balls[i], now_);
+                Inquiry& inquiry = inquiries_[0];
+                inquiry.ball = i;
+                inquiry.asker = filter_.asker(world_.balls[i], now_);
+                inquiry.best = next;
                 structure_->own_event(
-                    i, now_, [&](Slot j) { look_at(i, asker, j, next); },
-                    [&](Slot j) { touch(j); });
-                consider_all(i, asker, next);
-                touch(i);
+                    i, now_, [&](Slot j) { propose(inquiry, j); }, [&](Slot j) { touch(j); });
+                particles_[i].own = structure_->next(i, now_);
+                look(inquiry);
+                end(inquiry);
             } else if (is_stale(next)) {
                 ++counts_.stale;
                 ask(i);
@@ -247,7 +252,7 @@ class Loop final : public Simulation<D>::Engine {
         width_ = width;
         world_.start = now_;
         structure_.emplace(world_, kind_);
-        for (Slot i = 0; i < particles_.size(); ++i) ask_after_change(i);
+        for (Slot i = 0; i < particles_.size(); ++i) ask_after_change({i});
         return true;
     }
     /// How far the balls are spread, along the axis where that is farthest.
@@ -266,15 +271,16 @@ class Loop final : public Simulation<D>::Engine {
         return widest;
     }
     [[nodiscard]] bool any_meets() {
+        Crowd crowd;
         for (Slot i = 0; i < particles_.size(); ++i) {
             const Asker asker = filter_.asker(world_.balls[i], now_);
             for (Slot j = 0; j < i; ++j) {
-                crowd_.push(j);
-                if (!crowd_.is_full() && j + 1 < i) continue;
-                asker.meetings(world_.balls, crowd_);
-                for (std::size_t k = std::exchange(crowd_.size, 0); k-- > 0;) {
-                    if (crowd_.early[k] == infinity) continue;
-                    if (crowd_.early[k] > -infinity || exactly(i, crowd_.who[k]).early < infinity)
+                crowd.push(j);
+                if (!crowd.is_full() && j + 1 < i) continue;
+                asker.meetings(world_.balls, crowd);
+                for (std::size_t k = std::exchange(crowd.size, 0); k-- > 0;) {
+                    if (crowd.early[k] == infinity) continue;
+                    if (crowd.early[k] > -infinity || exactly(i, crowd.who[k]).early < infinity)
                         return true;
                 }
             }
@@ -290,50 +296,80 @@ class Loop final : public Simulation<D>::Engine {
 
     /// Finds anew what a ball strikes first.
     void ask(Slot i) {
+        begin(inquiries_[0], i);
+        end(inquiries_[0]);
+    }
+    /// The same of balls that fly or lie otherwise than before.
+    void ask_after_change(std::initializer_list<Slot> balls) {
+        for (const Slot i : balls) {
+            particles_[i].own = structure_->next(i, now_);
+            particles_[i].next = {};
+        }
+        // What the second one needs is computed while the first one's is awaited.
+        Inquiry* inquiry = inquiries_.data();
+        for (const Slot i : balls) begin(*inquiry++, i);
+        inquiry = inquiries_.data();
+        for (std::size_t k = 0; k < balls.size(); ++k) end(*inquiry++);
+    }
+
+    /// What a ball strikes first, of those that have been considered.
+    struct Inquiry {
+        Slot ball = nobody;
+        Asker asker;
         Proposal best;
-        const Asker asker = filter_.asker(world_.balls[i], now_);
-        for (Wall wall = 0; wall < walls_; ++wall) consider_wall(i, asker, wall, best);
+        Crowd crowd;
+    };
+    void begin(Inquiry& inquiry, Slot i) {
+        inquiry.ball = i;
+        inquiry.asker = filter_.asker(world_.balls[i], now_);
+        inquiry.best = {};
+        for (Wall wall = 0; wall < walls_; ++wall) consider_wall(inquiry, wall);
         if constexpr (requires { structure_->list(i); }) {
             std::span<const Slot> list = structure_->list(i);
             for (; list.size() > Crowd::capacity; list = list.subspan(Crowd::capacity)) {
-                crowd_.assign(list.first(Crowd::capacity));
-                consider_all(i, asker, best);
+                inquiry.crowd.assign(list.first(Crowd::capacity));
+                look(inquiry);
+                consider_all(inquiry);
             }
-            crowd_.assign(list);
+            inquiry.crowd.assign(list);
         } else {
-            structure_->near(i, [&](Slot j) { look_at(i, asker, j, best); });
+            structure_->near(i, [&](Slot j) { propose(inquiry, j); });
         }
-        consider_all(i, asker, best);
-        particles_[i].next = best;
-        settle(i);
+        look(inquiry);
     }
-    /// The same of a ball that flies or lies otherwise than before.
-    void ask_after_change(Slot i) {
-        particles_[i].own = structure_->next(i, now_);
-        ask(i);
+    void end(Inquiry& inquiry) {
+        consider_all(inquiry);
+        particles_[inquiry.ball].next = inquiry.best;
+        settle(inquiry.ball);
     }
     /// Lets a ball know of another one, now or soon.
-    void look_at(Slot i, const Asker& asker, Slot j, Proposal& best) {
-        crowd_.push(j);
-        if (crowd_.is_full()) [[unlikely]]
-            consider_all(i, asker, best);
+    void propose(Inquiry& inquiry, Slot j) {
+        inquiry.crowd.push(j);
+        if (!inquiry.crowd.is_full()) [[likely]]
+            return;
+        look(inquiry);
+        consider_all(inquiry);
     }
-    void consider_all(Slot i, const Asker& asker, Proposal& best) {
-        if (crowd_.size == 0) return;
-        asker.meetings(world_.balls, crowd_);
-        const std::size_t size = std::exchange(crowd_.size, 0);
-        counts_.checks += size;
+    void look(Inquiry& inquiry) {
+        counts_.checks += inquiry.crowd.size;
+        if (inquiry.crowd.size > 0) inquiry.asker.meetings(world_.balls, inquiry.crowd);
+    }
+    void consider_all(Inquiry& inquiry) {
+        Crowd& crowd = inquiry.crowd;
+        const std::size_t size = std::exchange(crowd.size, 0);
+        if (size == 0) return;
+        Proposal& best = inquiry.best;
         // Those that may be the first of all; and where these turn out to strike others before,
         // those that may be the first of the rest.
-        for (double latest = std::min(best.late, crowd_.soonest);;) {
+        for (double latest = std::min(best.late, crowd.soonest);;) {
             for (std::size_t k = 0; k < size; ++k) {
-                if (!(crowd_.early[k] <= latest)) continue;
-                consider(i, crowd_.who[k], {crowd_.early[k], crowd_.late[k]}, best);
-                crowd_.early[k] = crowd_.late[k] = infinity;
+                if (!(crowd.early[k] <= latest)) continue;
+                consider(inquiry.ball, crowd.who[k], {crowd.early[k], crowd.late[k]}, best);
+                crowd.early[k] = crowd.late[k] = infinity;
             }
             if (!(latest < best.late)) return;
             latest = best.late;
-            for (std::size_t k = 0; k < size; ++k) latest = std::min(latest, crowd_.late[k]);
+            for (std::size_t k = 0; k < size; ++k) latest = std::min(latest, crowd.late[k]);
         }
     }
     void consider(Slot i, Slot j, Meeting meeting, Proposal& best) {
@@ -349,10 +385,12 @@ class Loop final : public Simulation<D>::Engine {
         if (!passed_.empty() && is_passed(i, candidate)) return;
         take(i, candidate, best);
     }
-    void consider_wall(Slot i, const Asker& asker, Wall wall, Proposal& best) {
+    void consider_wall(Inquiry& inquiry, Wall wall) {
+        const Slot i = inquiry.ball;
+        Proposal& best = inquiry.best;
         const Box<D>& box = *world_.effects.box;
         const double side = wall % 2 != 0 ? box.high[wall / 2] : box.low[wall / 2];
-        Meeting meeting = asker.meeting(wall, side);
+        Meeting meeting = inquiry.asker.meeting(wall, side);
         if (!(meeting.early <= best.late)) return;
         if (meeting.early == -infinity) [[unlikely]] {
             ++counts_.exact;
@@ -472,8 +510,7 @@ class Loop final : public Simulation<D>::Engine {
         filter_.include(b);
         release(i);
         release(j);
-        ask_after_change(i);
-        ask_after_change(j);
+        ask_after_change({i, j});
         return true;
     }
     bool strike_wall(Slot i, const typename Simulation<D>::Record& record) {
@@ -502,7 +539,7 @@ class Loop final : public Simulation<D>::Engine {
         world_.balls[i] = ball;
         filter_.include(ball);
         release(i);
-        ask_after_change(i);
+        ask_after_change({i});
         return true;
     }
     /// Where balls fly so far from one tick of the clock to the next that those which meet are
@@ -562,7 +599,7 @@ class Loop final : public Simulation<D>::Engine {
     static constexpr std::uint64_t own_events_a_ball = 16;
 
     World<D> world_;
-    Crowd crowd_;
+    std::array<Inquiry, 2> inquiries_;
     std::array<std::uint32_t, 3> seen_{};
     std::vector<Particle> particles_;
     MeetingFilter<D, Falls, kernel> filter_;

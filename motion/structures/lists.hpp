@@ -68,7 +68,7 @@ class Lists {
         }
         // |d + v s|² = slack²; of the two forms of the root the one that does not cancel.
         const double root = std::sqrt(b * b + a * c);
-        const double s = b > 0.0 ? c / (b + root) : (root - b) / a;
+        const double s = (b > 0.0 ? c : root - b) / (b > 0.0 ? b + root : a);
         return s < infinity ? now + s * (1.0 - 0x1p-40) : infinity;
     }
 
