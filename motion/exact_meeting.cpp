@@ -118,8 +118,8 @@ template <int D>
     double p_error = 0.0;
     double square = 0.0;
     for (int i = 0; i < D; ++i) {
-        const DoubleDouble flown_a = DoubleDouble{a.v[i], 0.0} * since_a;
-        const DoubleDouble flown_b = DoubleDouble{b.v[i], 0.0} * since_b;
+        const DoubleDouble flown_a = a.v[i] * since_a;
+        const DoubleDouble flown_b = b.v[i] * since_b;
         DoubleDouble d = (filters::exact_difference(a.x[i], b.x[i]) + flown_a) - flown_b;
         double v = a.v[i] - b.v[i];
         double size = std::fabs(a.x[i]) + std::fabs(b.x[i]) + std::fabs(flown_a.high) +
@@ -127,7 +127,7 @@ template <int D>
         double speed = std::fabs(a.v[i]) + std::fabs(b.v[i]);
         if (effects.gravity[i] != 0.0) {
             const DoubleDouble fallen =
-                DoubleDouble{0.5 * effects.gravity[i], 0.0} * (later_a * (since_a + since_b));
+                0.5 * effects.gravity[i] * (later_a * (since_a + since_b));
             d = d + fallen;
             v += effects.gravity[i] * later_a.high;
             size += std::fabs(fallen.high);
@@ -138,14 +138,15 @@ template <int D>
             d = d - shift;
             size += std::fabs(shift.high);
         }
-        f = f + d * d;
+        add_product(f, d, d);
         f_error += std::fabs(d.high) * size + d.high * d.high;
         p += d.high * v;
         p_error += std::fabs(d.high) * speed;
         square += v * v;
     }
     const DoubleDouble radii = filters::exact_sum(a.radius, b.radius);
-    f = f - radii * radii;
+    add_product(f, {-radii.high, -radii.low}, radii);
+    f = normalized(f);
     f_error = 0x1p-96 * (f_error + radii.high * radii.high);
     p_error *= 0x1p-49;
     const double delta = -f.high / (2.0 * p);
@@ -178,7 +179,7 @@ double refined_meeting(const Ball<D>& ball, Wall wall, const Effects<D>& effects
     const double gravity = inwards * effects.gravity[axis];
     const double side = wall % 2 != 0 ? effects.box->high[axis] : effects.box->low[axis];
     const DoubleDouble since = filters::exact_difference(about, ball.time);
-    const DoubleDouble flown = DoubleDouble{v, 0.0} * since;
+    const DoubleDouble flown = v * since;
     DoubleDouble f = (filters::exact_difference(inwards * ball.x[axis], inwards * side) -
                       DoubleDouble{ball.radius, 0.0}) +
                      flown;
@@ -186,7 +187,7 @@ double refined_meeting(const Ball<D>& ball, Wall wall, const Effects<D>& effects
     double slope = v;
     double slope_error = 0.0;
     if (gravity != 0.0) {
-        const DoubleDouble fallen = DoubleDouble{0.5 * gravity, 0.0} * (since * since);
+        const DoubleDouble fallen = 0.5 * gravity * (since * since);
         f = f + fallen;
         size += std::fabs(fallen.high);
         slope += gravity * since.high;

@@ -21,11 +21,12 @@ using filters::DoubleDouble;
 using filters::exact_difference;
 using filters::exact_sum;
 
-/// A quotient, off by at most 2^-98 of itself.
+/// A quotient, off by at most 2^-102 of itself: of the remainder r of the first division, told
+/// exactly by one fused operation, three small terms are lost, and r is divided by b.high alone.
 [[gnu::always_inline]] inline DoubleDouble quotient(DoubleDouble a, DoubleDouble b) noexcept {
     const double first = a.high / b.high;
-    const double second = (a - first * b).high / b.high;
-    const TwoTerms sum = two_sum(first, second);
+    const double rest = __builtin_fma(-first, b.high, a.high);
+    const TwoTerms sum = quick_two_sum(first, (rest + (a.low - first * b.low)) / b.high);
     return {sum.high, sum.low};
 }
 
@@ -86,26 +87,40 @@ bool change(Ball<D>& ball, const Vector<D>& v) noexcept {
     return changed;
 }
 
-/// D and V of two balls at one time.
+/// D·V and D·D of two balls at one time.
 template <class Number, int D>
 struct Apart {
     [[gnu::always_inline]] Apart(const Ball<D>& a, const Ball<D>& b, const Image<D>& image,
                                  const Effects<D>& effects) {
         for (int i = 0; i < D; ++i) {
             x[i] = apart<Number>(a.x, b.x, i, image, effects);
-            const Number term = x[i] * difference<Number>(a.v[i], b.v[i]);
-            product = product + term;
-            square = square + x[i] * x[i];
-            if constexpr (std::is_same_v<Number, DoubleDouble>) size += std::fabs(term.high);
+            const Number v = difference<Number>(a.v[i], b.v[i]);
+            if constexpr (std::is_same_v<Number, DoubleDouble>) {
+                add_product(product, x[i], v);
+                add_product(square, x[i], x[i]);
+                size += std::fabs(x[i].high * v.high);
+                if (image[i] != 0) {
+                    const double length = effects.box->high[i] - effects.box->low[i];
+                    shift += std::fabs(image[i] * length);
+                    size += std::fabs(image[i] * length * v.high);
+                }
+            } else {
+                product += x[i] * v;
+                square += x[i] * x[i];
+            }
+        }
+        if constexpr (std::is_same_v<Number, DoubleDouble>) {
+            product = normalized(product);
+            square = normalized(square);
         }
     }
-    /// Of double-doubles, D·V.
-    [[nodiscard]] double error() const noexcept { return 0x1p-98 * size; }
 
     PerAxis<Number, D> x;
-    Number product{};  // D·V
-    Number square{};   // D·D
+    Number product{};
+    Number square{};
+    // Of double-doubles: a component of D errs by 2^-100 of its shift, the product by 2^-98 size.
     double size = 0.0;
+    double shift = 0.0;
 };
 
 constexpr double untold = std::numeric_limits<double>::quiet_NaN();
@@ -135,8 +150,11 @@ template <int D>
     after.square = d.square.high;
     after.of_a.fill(untold);
     after.of_b.fill(untold);
-    const double relative = d.error() / after.approach;
-    after.recedes = d.product.high > d.error();
+    const double product_error = 0x1p-98 * d.size;
+    // Of the quotient of product and square.
+    double relative = product_error / after.approach;
+    if (d.shift > 0.0) relative += 0x1p-96 * d.shift / std::sqrt(after.square);
+    after.recedes = d.product.high > product_error;
     if (!(relative >= 0.0 && relative < 0x1p-60 && after.approach > 0x1p-800)) return after;
     const DoubleDouble ratio = quotient(d.product, d.square);
     const Shares share = shares(mass_a, mass_b, effects.restitution);
@@ -147,13 +165,16 @@ template <int D>
         const DoubleDouble step = ratio * d.x[i];
         const DoubleDouble of_a = is_one ? step : share.of_a * step;
         const DoubleDouble of_b = mass_a == mass_b ? of_a : share.of_b * step;
-        const auto error = [&](double v, double change) __attribute__((always_inline)) {
-            return (0x1p-94 + relative) * std::fabs(change) + 0x1p-100 * std::fabs(v) + 0x1p-1060;
+        const double shifted = std::fabs(ratio.high) * 0x1p-97 * d.shift;
+        const auto tells = [&](double v, DoubleDouble change, double& nearest)
+                               __attribute__((always_inline)) {
+            const TwoTerms sum = two_sum(v, change.high);
+            const double error = (0x1p-94 + relative) * std::fabs(change.high) + shifted +
+                                 0x1p-100 * std::fabs(v) + 0x1p-1060;
+            return rounds({sum.high, sum.low + change.low}, error, nearest);
         };
-        const bool tells_a = rounds(DoubleDouble{a.v[i], 0.0} - of_a, error(a.v[i], of_a.high),
-                                    after.of_a[i]);
-        const bool tells_b = rounds(DoubleDouble{b.v[i], 0.0} + of_b, error(b.v[i], of_b.high),
-                                    after.of_b[i]);
+        const bool tells_a = tells(a.v[i], {-of_a.high, -of_a.low}, after.of_a[i]);
+        const bool tells_b = tells(b.v[i], of_b, after.of_b[i]);
         if (!tells_a) after.of_a[i] = untold;
         if (!tells_b) after.of_b[i] = untold;
         after.certain = after.certain && tells_a && tells_b;
@@ -286,7 +307,8 @@ double impulse(const Ball<D>& a, const Ball<D>& b, const Image<D>& image, double
     const Apart<DoubleDouble, D> d(a, b, image, effects);
     const DoubleDouble product = d.product;
     const DoubleDouble square = d.square;
-    const double relative = d.error() / std::fabs(product.high);
+    double relative = 0x1p-98 * d.size / std::fabs(product.high);
+    if (d.shift > 0.0) relative += 0x1p-96 * d.shift / std::sqrt(square.high);
     if (relative < 0x1p-60 && std::fabs(product.high) > 0x1p-800 && square.high > 0x1p-800) {
         const double first = std::sqrt(square.high);
         const TwoTerms root =
