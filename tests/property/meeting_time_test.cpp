@@ -9,6 +9,7 @@
 #include <limits>
 #include <optional>
 #include <stdexcept>
+#include <string>
 
 #include <gtest/gtest.h>
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -98,27 +99,36 @@ struct Seen {
     }
 };
 
+/// So many cases, each with numbers of one kind; each(number, seen) tells when they meet.
+template <class Each>
+Seen see(std::uint64_t seed, int cases, const Each& each) {
+    Numbers number(seed);
+    Seen seen;
+    while (seen.cases < cases && !testing::Test::HasFatalFailure()) {
+        SCOPED_TRACE("case " + std::to_string(seen.cases));
+        number.next_kind();
+        each(number, seen);
+    }
+    return seen;
+}
+
 // Two balls
 
 template <int D>
 void expect_pairs_of_oracle(std::uint64_t seed, int cases) {
-    Numbers number(seed);
-    Seen seen;
-    for (int i = 0; i < cases; ++i) {
-        number.next_kind();
+    see(seed, cases, [&](Numbers& number, Seen& seen) {
         const Effects<D> effects = random_effects<D>(number);
         const GrowingBall<D> a = random_ball<D>(number);
         const GrowingBall<D> b = random_ball<D>(number);
         const double time = meeting_time(a, b, effects);
-        ASSERT_EQ(time, brute_meeting_time(a, b, effects)) << "case " << i;
+        ASSERT_EQ(time, brute_meeting_time(a, b, effects));
         ASSERT_EQ(time, meeting_time(b, a, effects));
         ASSERT_EQ(time, meeting_time(a, b, Image<D>{}, effects));
         if (a.growth == 0.0 && b.growth == 0.0) {
             ASSERT_EQ(time, (exact_meeting<D>(a, b, Image<D>{}, effects)));
         }
         seen.add(time, std::max(a.time, b.time));
-    }
-    seen.expect_variety();
+    }).expect_variety();
 }
 
 TEST(MeetingTime, OfGrowingBallsIsTheOraclesInThePlane) {
@@ -130,10 +140,7 @@ TEST(MeetingTime, OfGrowingBallsIsTheOraclesInSpace) {
 
 /// 3-4-5 triangles: touching at the start, or exactly touching once.
 TEST(MeetingTime, OfTouchingBallsIsTheOracles) {
-    Numbers number(1703);
-    Seen seen;
-    for (int i = 0; i < 600; ++i) {
-        number.next_kind();
+    see(1703, 600, [&](Numbers& number, Seen& seen) {
         GrowingBall<2> a;
         GrowingBall<2> b;
         a.x = {3.0, 4.0};
@@ -155,18 +162,14 @@ TEST(MeetingTime, OfTouchingBallsIsTheOracles) {
         }
         if (number.below(3) == 0) a.x[0] = std::nextafter(a.x[0], number(100));
         const double time = meeting_time(a, b, {});
-        ASSERT_EQ(time, brute_meeting_time(a, b, {})) << i;
+        ASSERT_EQ(time, brute_meeting_time(a, b, {}));
         seen.add(time, 0.0);
-    }
-    seen.expect_variety();
+    }).expect_variety();
 }
 
 template <int D>
 void expect_images_of_oracle(std::uint64_t seed, int cases) {
-    Numbers number(seed);
-    Seen seen;
-    for (int i = 0; i < cases; ++i) {
-        number.next_kind();
+    see(seed, cases, [&](Numbers& number, Seen& seen) {
         Effects<D> effects = random_effects<D>(number);
         effects.periodic = true;
         effects.box.emplace();
@@ -179,13 +182,12 @@ void expect_images_of_oracle(std::uint64_t seed, int cases) {
         if (number.below(2) == 0) a.growth = b.growth = 0.0;
         const double until = number.below(8);
         const double time = meeting_time(a, b, effects, until);
-        ASSERT_EQ(time, brute_meeting_time(a, b, effects, until)) << "case " << i;
+        ASSERT_EQ(time, brute_meeting_time(a, b, effects, until));
         if (a.growth > 0.0 && time <= until) {
             ASSERT_EQ(time, meeting_time(a, b, effects));
         }
         seen.add(time, std::max(a.time, b.time));
-    }
-    seen.expect_variety();
+    }).expect_variety();
 }
 
 TEST(MeetingTime, InAPeriodicBoxIsTheOraclesInThePlane) {
@@ -230,10 +232,7 @@ bool is_in_front(const GrowingBall<D>& ball, const HalfSpace<D>& wall) {
 
 template <int D>
 void expect_half_spaces_of_oracle(std::uint64_t seed, int cases) {
-    Numbers number(seed);
-    Seen seen;
-    while (seen.cases < cases) {
-        number.next_kind();
+    see(seed, cases, [&](Numbers& number, Seen& seen) {
         const Effects<D> effects = random_effects<D>(number);
         GrowingBall<D> ball = random_ball<D>(number);
         HalfSpace<D> wall;
@@ -249,12 +248,11 @@ void expect_half_spaces_of_oracle(std::uint64_t seed, int cases) {
             ball.radius = 0.5 + 0.5 * number.below(3);
             wall.offset = -5.0 * ball.radius;
         }
-        if (wall.normal == Vector<D>{} || !is_in_front(ball, wall)) continue;
+        if (wall.normal == Vector<D>{} || !is_in_front(ball, wall)) return;
         const double time = meeting_time(ball, wall, effects);
-        ASSERT_EQ(time, brute_meeting_time(ball, wall, effects)) << "case " << seen.cases;
+        ASSERT_EQ(time, brute_meeting_time(ball, wall, effects));
         seen.add(time, ball.time);
-    }
-    seen.expect_variety();
+    }).expect_variety();
 }
 
 TEST(MeetingTime, OfHalfPlanesIsTheOracles) {
@@ -270,9 +268,7 @@ template <int D>
 void expect_sides_of_oracle(std::uint64_t seed, int cases) {
     constexpr std::array<std::array<double, 4>, 5> normals = {
         {{3, 4, 0, 5}, {-4, 3, 0, 5}, {5, -12, 0, 13}, {1, 2, -2, 3}, {2, 3, 6, 7}}};
-    Numbers number(seed);
-    Seen seen;
-    for (int i = 0; i < cases; ++i) {
+    see(seed, cases, [&](Numbers& number, Seen& seen) {
         Effects<D> effects;
         GrowingBall<D> ball;
         HalfSpace<D> wall;
@@ -281,9 +277,10 @@ void expect_sides_of_oracle(std::uint64_t seed, int cases) {
         brute::Ball along;
         brute::World world;
         const auto small = [&] { return 0.5 * (number.below(9) - 4); };
+        const bool falls = number.below(3) > 0;
         for (int k = 0; k < D; ++k) {
             wall.normal[k] = normal[static_cast<std::size_t>(k)];
-            effects.gravity[k] = i % 3 == 0 ? 0.0 : small();
+            effects.gravity[k] = falls ? small() : 0.0;
             ball.x[k] = small();
             ball.v[k] = small();
             along.x[0] += wall.normal[k] * ball.x[k];
@@ -305,10 +302,9 @@ void expect_sides_of_oracle(std::uint64_t seed, int cases) {
         side.c = wall.offset;
         side.w = wall.speed;
         const double time = meeting_time(ball, wall, effects);
-        ASSERT_EQ(time, or_never(brute::meeting_time(along, side, world))) << "case " << i;
+        ASSERT_EQ(time, or_never(brute::meeting_time(along, side, world)));
         seen.add(time, ball.time);
-    }
-    seen.expect_variety();
+    }).expect_variety();
 }
 
 TEST(MeetingTime, OfPointsAndBallsBehindAHalfPlaneIsTheOracles) {
@@ -339,15 +335,12 @@ TEST(MeetingTime, OfABoxSideIsTheSimulations) {
 /// From either side and with any n, by the formulas of quadratics in 50 digits.
 TEST(MeetingTime, OfHalfPlanesIsThatOfTheFormulas) {
     using Real = boost::multiprecision::cpp_bin_float_50;
-    Numbers number(1716);
-    Seen seen;
-    for (int i = 0; i < 2000; ++i) {
-        number.next_kind();
+    see(1716, 2000, [&](Numbers& number, Seen& seen) {
         const Effects<2> effects = random_effects<2>(number);
         GrowingBall<2> ball = random_ball<2>(number);
         if (number.below(4) == 0) ball.radius = 0.0;
         const HalfSpace<2> wall{vector<2>(number, 3), number(4), number(1)};
-        if (wall.normal == Vector<2>{}) continue;
+        if (wall.normal == Vector<2>{}) return;
         const auto along = [&](const Vector<2>& v) {
             return Real(wall.normal[0]) * v[0] + Real(wall.normal[1]) * v[1];
         };
@@ -359,7 +352,7 @@ TEST(MeetingTime, OfHalfPlanesIsThatOfTheFormulas) {
                        norm * (ball.radius + start * ball.growth);
         const Real square = b * b - 4 * a * c;
         const auto unclear = [](const Real& x) { return x != 0 && abs(x) < 1e-30; };
-        if (unclear(a) || unclear(b) || unclear(c) || unclear(square)) continue;
+        if (unclear(a) || unclear(b) || unclear(c) || unclear(square)) return;
         const double time = meeting_time(ball, wall, effects);
         std::optional<Real> expected;
         if (c <= 0 && (b < 0 || (b == 0 && a < 0))) {
@@ -372,15 +365,14 @@ TEST(MeetingTime, OfHalfPlanesIsThatOfTheFormulas) {
             expected = start - (b + (square > 0 ? Real(sqrt(square)) : Real(0))) / (2 * a);
         }
         if (!expected || *expected > std::numeric_limits<double>::max()) {
-            ASSERT_EQ(time, infinity) << "case " << i;
+            ASSERT_EQ(time, infinity);
         } else {
             const auto off = [&](double x) { return Real(abs(x - *expected)); };
-            ASSERT_LE(off(time), off(std::nextafter(time, infinity))) << "case " << i;
-            ASSERT_LE(off(time), off(std::nextafter(time, -infinity))) << "case " << i;
+            ASSERT_LE(off(time), off(std::nextafter(time, infinity)));
+            ASSERT_LE(off(time), off(std::nextafter(time, -infinity)));
         }
         seen.add(time, ball.time);
-    }
-    seen.expect_variety();
+    }).expect_variety();
 }
 
 /// With |n| = √2 the peak of what grows while it falls is not rational.
@@ -400,10 +392,7 @@ TEST(MeetingTime, OfAPeakBehindAnIrrationalHalfPlane) {
 
 template <int D>
 void expect_spheres_of_oracle(std::uint64_t seed, int cases, typename Sphere<D>::Side side) {
-    Numbers number(seed);
-    Seen seen;
-    for (int i = 0; i < cases; ++i) {
-        number.next_kind();
+    const Seen all = see(seed, cases, [&](Numbers& number, Seen& seen) {
         const Effects<D> effects = random_effects<D>(number);
         GrowingBall<D> ball = random_ball<D>(number);
         Sphere<D> wall;
@@ -422,12 +411,12 @@ void expect_spheres_of_oracle(std::uint64_t seed, int cases, typename Sphere<D>:
             if (number.below(2) == 0) wall.radius = std::nextafter(wall.radius, number(100));
         }
         const double time = meeting_time(ball, wall, effects);
-        ASSERT_EQ(time, brute_meeting_time(ball, wall, effects)) << "case " << i;
+        ASSERT_EQ(time, brute_meeting_time(ball, wall, effects));
         seen.add(time, ball.time);
-    }
+    });
     // Who is inside and falls or grows meets, sooner or later.
-    EXPECT_GT(seen.met, cases / 10);
-    EXPECT_GT(seen.at_once, 0);
+    EXPECT_GT(all.met, cases / 10);
+    EXPECT_GT(all.at_once, 0);
 }
 
 TEST(MeetingTime, OutsideOfACircleIsTheOracles) {
