@@ -240,11 +240,10 @@ Filter<D, Falls> filter_of(const Question<D>& question) {
 }
 
 template <int D, bool Falls>
-void ask_for_crowd(const Question<D>& question, Told& told) {
+void ask_for_crowd(const Question<D>& question, Filter<D, Falls>& filter, Told& told) {
     const Effects<D>& effects = question.effects;
     const std::vector<Ball<D>>& balls = question.balls;
     const double now = question.now;
-    Filter<D, Falls> filter = filter_of<D, Falls>(question);
     const auto asker = filter.asker(balls[0], now);
     Crowd crowd;
     for (Slot j = 1; j < balls.size(); ++j) crowd.push(j);
@@ -268,12 +267,10 @@ void ask_for_crowd(const Question<D>& question, Told& told) {
 }
 
 template <int D, bool Falls>
-void ask_for_walls(const Question<D>& question, Told& told) {
+void ask_for_walls(const Question<D>& question, Filter<D, Falls>& filter, Told& told) {
     const Effects<D>& effects = question.effects;
-    const std::vector<Ball<D>>& balls = question.balls;
     const double now = question.now;
-    Filter<D, Falls> filter = filter_of<D, Falls>(question);
-    for (const Ball<D>& ball : balls) {
+    for (const Ball<D>& ball : question.balls) {
         const auto asker = filter.asker(ball, now);
         for (Wall wall = 0; wall < 2 * D; ++wall) {
             const double exact = exact_meeting(ball, wall, effects);
@@ -295,9 +292,10 @@ struct ToldOfBoth {
 
 template <int D, bool Falls>
 void ask(const Question<D>& question, ToldOfBoth& told) {
-    ask_for_crowd<D, Falls>(question, told.crowd);
+    Filter<D, Falls> filter = filter_of<D, Falls>(question);
+    ask_for_crowd(question, filter, told.crowd);
     if (question.effects.box && !question.effects.periodic && !testing::Test::HasFatalFailure())
-        ask_for_walls<D, Falls>(question, told.walls);
+        ask_for_walls(question, filter, told.walls);
 }
 
 template <class D, class Falls>
