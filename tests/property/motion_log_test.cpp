@@ -10,62 +10,18 @@
 
 #include <gtest/gtest.h>
 
-#include "../../motion/simulation.hpp"
-#include "../oracle/motion.hpp"
+#include "motion_oracle.hpp"
+#include "motion_scenes.hpp"
 
 namespace signum::motion {
 namespace {
 
-namespace brute = oracle::motion;
-
-#if defined(__SANITIZE_ADDRESS__) || !defined(__OPTIMIZE__)
-constexpr std::uint64_t scenes = 6;
-#else
-constexpr std::uint64_t scenes = 40;
-#endif
-
-template <int D>
-struct Scene {
-    std::vector<Body<D>> bodies;
-    Effects<D> effects;
-};
-
-template <int D>
-std::array<double, 3> in_space(const Vector<D>& v) {
-    std::array<double, 3> result{};
-    std::ranges::copy(v, result.begin());
-    return result;
-}
-
-template <int D>
-brute::World world_of(const Effects<D>& effects) {
-    brute::World world;
-    world.dimension = D;
-    world.g = in_space(effects.gravity);
-    world.restitution = effects.restitution;
-    world.wall_restitution = effects.wall_restitution;
-    if (!effects.box) return world;
-    const auto low = in_space(effects.box->low);
-    const auto high = in_space(effects.box->high);
-    world.periodic = effects.periodic;
-    if (effects.periodic) {
-        world.low = low;
-        world.high = high;
-    } else {
-        world.walls = brute::box_walls(low, high, D);
-    }
-    return world;
-}
+constexpr std::uint64_t scenes = is_fast ? 40 : 6;
 
 template <int D>
 bool overlap(const Body<D>& a, const Body<D>& b, const Effects<D>& effects) {
-    double square = 0.0;
-    for (int k = 0; k < D; ++k) {
-        double d = std::fabs(a.x[k] - b.x[k]);
-        if (effects.periodic) d = std::min(d, effects.box->high[k] - effects.box->low[k] - d);
-        square += d * d;
-    }
-    return square < (a.radius + b.radius) * (a.radius + b.radius) * (1.0 + 1e-15);
+    return square_of_distance(a.x, b.x, effects) <
+           (a.radius + b.radius) * (a.radius + b.radius) * (1.0 + 1e-15);
 }
 
 /// Balls that do not overlap, with numbers that are small multiples of 1/8 or random ones.
@@ -80,7 +36,7 @@ Scene<D> random_scene(std::uint64_t seed) {
         const double x = std::uniform_real_distribution<double>(low, high)(random);
         return round ? std::round(8.0 * x) / 8.0 : x;
     };
-    Scene<D> scene;
+    Scene<D> scene{"small", {}, {}};
     Effects<D>& effects = scene.effects;
     constexpr double size = 6.0;
     const int kind = choose(4);  // no box, a box twice, a periodic one
@@ -114,15 +70,8 @@ Scene<D> random_scene(std::uint64_t seed) {
 template <int D>
 void expect_log_of_oracle(const Scene<D>& scene, double until, std::size_t most) {
     std::vector<brute::Ball> balls;
-    for (const Body<D>& body : scene.bodies) {
-        brute::Ball ball;
-        ball.x = in_space(body.x);
-        ball.v = in_space(body.v);
-        ball.r = body.radius;
-        ball.m = body.mass;
-        balls.push_back(ball);
-    }
-    const brute::Run expected = brute::simulate(balls, world_of(scene.effects), until, most);
+    for (const Body<D>& body : scene.bodies) balls.push_back(to_brute(body));
+    const brute::Run expected = brute::simulate(balls, to_brute(scene.effects), until, most);
     const State<D> first = start<D>(scene.bodies, scene.effects);
     for (const Structure structure : all_structures) {
         SCOPED_TRACE(std::string(name_of(structure)));

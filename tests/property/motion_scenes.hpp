@@ -13,6 +13,13 @@
 
 namespace signum::motion {
 
+/// Whether the program is optimized and without a sanitizer: there is time for many strikes.
+#if defined(__SANITIZE_ADDRESS__) || !defined(__OPTIMIZE__)
+inline constexpr bool is_fast = false;
+#else
+inline constexpr bool is_fast = true;
+#endif
+
 template <int D>
 struct Scene {
     std::string name;
@@ -206,6 +213,29 @@ std::vector<Scene<D>> all_scenes(std::size_t number) {
             radii<D>(number, 5),
             falling<D>(number, 6),
             meeting_place<D>(number, 7)};
+}
+
+/// Of two places, in a periodic box that of the nearest images; rounded.
+template <int D>
+double square_of_distance(const Vector<D>& a, const Vector<D>& b, const Effects<D>& effects) {
+    double square = 0.0;
+    for (int k = 0; k < D; ++k) {
+        double d = a[k] - b[k];
+        if (effects.periodic) {
+            const double length = effects.box->high[k] - effects.box->low[k];
+            d -= length * std::round(d / length);
+        }
+        square += d * d;
+    }
+    return square;
+}
+
+/// Of balls of mass 1.
+template <int D>
+double energy(const Simulation<D>& simulation) {
+    double sum = 0.0;
+    for (const Ball<D>& ball : simulation.state().balls) sum += 0.5 * dot(ball.v, ball.v);
+    return sum;
 }
 
 }  // namespace signum::motion
