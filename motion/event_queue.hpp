@@ -62,7 +62,7 @@ class EventQueue {
         }
     }
 
-    /// The least entry. Precondition: there is one.
+    /// The least entry; any where all keys are infinite. Precondition: there is one.
     template <class Before>
     [[nodiscard]] Entry top(const Before& before) {
         while (heap_.empty()) {
@@ -176,7 +176,7 @@ class EventQueue {
             std::nth_element(keys.begin(), middle, keys.end());
             width = (*middle - least) / static_cast<double>(keys.size());
         }
-        width = std::max({width, 0x1p-45 * std::abs(least), 0x1p-900});
+        width = std::clamp(std::max(width, 0x1p-45 * std::abs(least)), 0x1p-900, 0x1p900);
         start_ = least;
         per_time_ = 1.0 / width;
         taken_ = 0;

@@ -430,6 +430,8 @@ class Loop final : public Simulation<D>::Engine {
     }
     [[gnu::cold, gnu::noinline]] Meeting exactly(Slot i, Slot j) {
         ++counts_.exact;
+        // It may have flown beyond the filter's bounds.
+        static_cast<void>(filter_.asker(world_.balls[j], now_));
         const double t =
             exact_meeting(world_.balls[i], world_.balls[j], image(i, j, now_), world_.effects);
         return {t, t};

@@ -51,6 +51,7 @@ auto MeetingFilter<D, Falls, kernel>::asker(const Ball<D>& ball, double now) noe
     double fastest = 0.0;
     for (int i = 0; i < D; ++i) {
         const double flown = ball.v[i] * dt;
+        farthest = std::max(farthest, filters::magnitude(flown));
         double& x = asker.place_.x[i];
         double& v = asker.place_.v[i];
         x = ball.x[i] + flown;
@@ -59,7 +60,7 @@ auto MeetingFilter<D, Falls, kernel>::asker(const Ball<D>& ball, double now) noe
             const double fallen = 0.5 * bounds_.gravity[i] * (dt * dt);
             x += fallen;
             v += bounds_.gravity[i] * dt;
-            farthest = std::max({farthest, filters::magnitude(flown), filters::magnitude(fallen)});
+            farthest = std::max(farthest, filters::magnitude(fallen));
             fastest = std::max(fastest, filters::magnitude(v));
         }
         farthest = std::max(farthest, filters::magnitude(x));
@@ -98,13 +99,14 @@ template <int D, bool Falls, Kernel kernel>
             Four v = columns[D + i];
             const Four flown = v * dt;
             Four d = columns[i] + flown;
+            raise(largest, flown);
             if constexpr (Falls) {
                 const Four fallen = 0.5 * bounds.gravity[i] * (dt * dt);
                 d += fallen;
                 v += bounds.gravity[i] * dt;
-                raise(largest, flown);
                 raise(largest, fallen);
             }
+            raise(largest, d);
             d = place_.x[i] - d;
             v = place_.v[i] - v;
             if (bounds.periodic) {
@@ -137,16 +139,13 @@ template <int D, bool Falls, Kernel kernel>
             Four toward = product;
             magnitude_of(toward);
             // Velocities that are the same are so exactly, unless something was added to them.
-            Flags misses = (product * toward > bounds.approach * size) |
-                           (discriminant < -bounds.gap * size);
-            Flags tells = (discriminant > 2.0 * bounds.gap * size) & (gap > bounds.gap) &
-                          (square > least_square);
-            if constexpr (Falls) {
-                misses &= largest <= bounds.extent;
-                tells &= largest <= bounds.extent;
-            } else {
-                misses |= rests;
-            }
+            Flags known = (square > least_square) & (largest <= bounds.extent);
+            Flags misses = ((product * toward > bounds.approach * size) |
+                            (discriminant < -bounds.gap * size)) &
+                           known;
+            if constexpr (!Falls) misses |= rests;
+            const Flags tells =
+                (discriminant > 2.0 * bounds.gap * size) & (gap > bounds.gap) & known;
             const Four either_way = 2.0 * error + 0x1p-50 * t;
             early = t - either_way;
             early = early > now_ ? early : Four{} + now_;

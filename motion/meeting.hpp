@@ -70,7 +70,7 @@ struct Bounds {
     bool periodic = false;
     Vector<D> length{};  ///< of the box
     Vector<D> inverse_length{};
-    double extent = 0.0;
+    double extent = 0x1p-150;  ///< so that no product of bounds is a denormal
     double speed = 0.0;
     double gap = 0.0;       ///< K, of C and per square of speed of the discriminant
     double approach = 0.0;  ///< (128 u E)², of (D·V)² per square of speed
@@ -99,12 +99,12 @@ inline constexpr double least_square = 0x1p-600;
 
 /// The first stage. Its bounds, with u = 2^-53, E = extent, W = speed:
 ///
-/// Of the place of a ball: dt = fl(t - time), x + v dt. Both the ball's own x and the place of the
-/// one that asks are at most E in each coordinate, so the product is at most 2E + |D_i|, and D_i, a
-/// difference of two places less a multiple of the box's length, errs by less than u (14 E + 4
-/// |D_i|) <= 24 u E. With gravity, v dt and g dt²/2 are asked whether they are below E, and D_i
-/// errs by less than 32 u E. V errs by u a component, with gravity by 3 u W. For D <= 3, |D|² <= 12
-/// E²:
+/// Of the place of a ball: dt = fl(t - time), x + v dt + g dt²/2. The ball's own x, what it has flown
+/// and fallen since, and its place are at most E in each coordinate: of the one that asks E is made
+/// so, the others are asked whether it is so. So a place errs by 4 u E, with gravity by 8 u E, and
+/// D_i, a difference of two places less a multiple of the box's length that is at most 3 E, by less
+/// than 24 u E, with gravity by less than 32 u E. V errs by u a component, with gravity by 3 u W.
+/// For D <= 3, |D|² <= 12 E²:
 ///     B = D·V     |error| <= 80 u E √A + 21 u E W
 ///     C = D·D-R²  |error| <= 520 u E²
 ///     B² - AC     |error| <= 1800 u E² A + 340 u E² √A W <= K (A + W²),   K = 2048 u E²

@@ -13,11 +13,12 @@ namespace {
 
 using exact::Dyadic;
 
-/// Numbers whose squares, and squares of squares, are doubles.
+/// Numbers whose squares, and squares of squares, are doubles with the errors of their products.
 constexpr double largest = 0x1p150;
 
 bool is_within(double number) noexcept {
-    return std::fabs(number) <= largest;
+    const double magnitude = std::fabs(number);
+    return magnitude == 0.0 || (magnitude >= 1.0 / largest && magnitude <= largest);
 }
 bool is_restitution(double number) noexcept {
     return number >= 0.0 && number <= 1.0;
@@ -26,7 +27,7 @@ bool is_restitution(double number) noexcept {
 template <int D>
 void check(const Effects<D>& effects) {
     for (const double g : effects.gravity)
-        if (!is_within(g)) throw std::invalid_argument("gravity: give finite numbers below 2^150");
+        if (!is_within(g)) throw std::invalid_argument("gravity: give 0 or finite numbers of 2^-150 to 2^150");
     if (!is_restitution(effects.restitution) || !is_restitution(effects.wall_restitution))
         throw std::invalid_argument("restitution: give a number from 0 to 1");
     if (effects.periodic && !effects.box)
@@ -37,7 +38,8 @@ void check(const Effects<D>& effects) {
         const double high = effects.box->high[k];
         if (!is_within(low) || !is_within(high) || !(low < high)) {
             throw std::invalid_argument(
-                "box: give the lower corner, then the upper one, finite numbers below 2^150");
+                "box: give the lower corner, then the upper one, each 0 or a finite number of "
+                "2^-150 to 2^150");
         }
     }
 }
@@ -47,11 +49,11 @@ void check(const Body<D>& body, std::int64_t number) {
     const auto fail = [number](const std::string& what) { throw BallError(number, what); };
     for (int k = 0; k < D; ++k)
         if (!is_within(body.x[k]) || !is_within(body.v[k]))
-            fail("a coordinate that is not finite or beyond 2^150");
+            fail("a coordinate or speed that is not finite, or beyond 2^150 or below 2^-150 and not 0");
     if (!(body.radius >= 0.0) || !is_within(body.radius))
-        fail("a radius that is negative, not finite or beyond 2^150");
+        fail("a radius that is negative, not finite, or beyond 2^150 or below 2^-150 and not 0");
     if (!(body.mass > 0.0)) fail("a mass that is not positive; a ball needs one");
-    if (!(body.mass >= 1.0 / largest) || !is_within(body.mass))
+    if (!is_within(body.mass))
         fail("a mass beyond 2^150, or below 2^-150");
 }
 

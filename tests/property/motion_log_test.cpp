@@ -108,5 +108,34 @@ TEST(MotionLog, OfRandomScenesInSpaceIsTheOracles) {
     }
 }
 
+/// Two heavy walls that a ball flies between, so that the clock of a lonely ball stands still, and
+/// one that it meets far off and long after.
+TEST(MotionLog, OfABallThatFliesFarBeforeItStrikesIsTheOracles) {
+    const std::vector<Body<2>> bodies = {
+        {{0, 1.5}, {0, 0}, 0.25, 0x1p120},
+        {{0, -1.5}, {0, 0}, 0.25, 0x1p120},
+        {{0, 0.1}, {0, 2}, 0.25, 1.0},
+        {{-1.0, 0x1.3896b28936ba7p-3}, {0x1p-9, 0}, 0.25, 0x1p40},
+        {{3, 0}, {0x1.31e302e6a04dfp+0, 0x1.e40f28f0d2a97p-3}, 0.25, 1.0}};
+    expect_log_of_oracle<2>({"far", bodies, {}}, 700.0, 400);
+}
+
+TEST(MotionLog, NumbersOutsideTheWindowAreRefused) {
+    for (const double number : {0x1p-151, 0x1p151, -0x1p-151, 5e-324, 1e300}) {
+        SCOPED_TRACE(number);
+        EXPECT_THROW(start<2>(std::vector<Body<2>>{{{number, 0}, {0, 0}, 1, 1}}, {}), BallError);
+        EXPECT_THROW(start<2>(std::vector<Body<2>>{{{0, 0}, {0, number}, 1, 1}}, {}), BallError);
+        EXPECT_THROW(start<2>(std::vector<Body<2>>{{{0, 0}, {0, 0}, number, 1}}, {}), BallError);
+        EXPECT_THROW(start<2>(std::vector<Body<2>>{{{0, 0}, {0, 0}, 1, number}}, {}), BallError);
+        Effects<2> pull;
+        pull.gravity = {0, number};
+        EXPECT_THROW(start<2>({}, pull), std::invalid_argument);
+        Effects<2> walls;
+        walls.box = Box<2>{{-1, -1}, {1, std::fabs(number)}};
+        EXPECT_THROW(start<2>({}, walls), std::invalid_argument);
+    }
+    EXPECT_NO_THROW(start<2>(std::vector<Body<2>>{{{0x1p-150, 0}, {0, 0x1p150}, 1, 1}}, {}));
+}
+
 }  // namespace
 }  // namespace signum::motion

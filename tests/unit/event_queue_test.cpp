@@ -160,7 +160,8 @@ TEST_F(EventQueueTest, OfTheEndsOfTheDoubles) {
     for (const std::vector<double>& keys :
          {std::vector<double>{0.0, least, 0x1p-1000, 1.0, std::nextafter(largest, 0.0), largest,
                               infinity},
-          std::vector<double>{-0x1p1022, -1.0, -least, 0.0, least, 0x1p1022, infinity}})
+          std::vector<double>{-0x1p1022, -1.0, -least, 0.0, least, 0x1p1022, infinity},
+          std::vector<double>{-largest, -1.0, 1.0, largest}})
         expect_same_events_of_all_sizes(0.0, [&](double) { return keys[below(keys.size())]; });
 }
 

@@ -67,7 +67,7 @@ class Questions {
         const bool ages = random_.below(4) > 0;
         for (Ball<D>& ball : question.balls) {
             const bool is_young = !ages || (kind == Kind::old && &ball == &question.balls[0]);
-            take_back(ball, is_young ? 0.0 : age(kind, falls), question);
+            take_back(ball, is_young ? 0.0 : age(kind), question);
         }
         return question;
     }
@@ -160,11 +160,10 @@ class Questions {
         }
         return ball;
     }
-    /// How far balls flew the filter asks with gravity alone; without, none flies too far here.
-    double age(Kind kind, bool falls) {
+    double age(Kind kind) {
         if (kind == Kind::small_integers) return random_.below(3);
         if (kind == Kind::old)
-            return std::ldexp(1.0 + random_.unit(), random_.below(falls ? 28 : 14) - 4);
+            return std::ldexp(1.0 + random_.unit(), random_.below(28) - 4);
         if (random_.below(4) == 0) return std::ldexp(1.0, -random_.below(50));
         return 2.0 * random_.unit();
     }
