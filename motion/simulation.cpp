@@ -120,9 +120,6 @@ Choice choose(Structure wish, const State<D>& state, const Effects<D>& effects) 
         wish == Structure::cells || wish == Structure::tree || wish == Structure::levels;
     if (few_cells && in_cells)
         return {Structure::pairs, "the periodic box has fewer than five cells along an axis"};
-    if (effects.periodic && wish == Structure::segments)
-        return {few_cells ? Structure::pairs : Structure::cells,
-                "segments have no order in a periodic box"};
     return {wish, "asked for"};
 }
 
