@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
 #include <utility>
 
@@ -47,18 +48,23 @@ struct Sizes {
     double smallest = std::numeric_limits<double>::infinity();
     double largest = 0.0;
     double shortest_box = std::numeric_limits<double>::infinity();
+    double packing = 0.0;  ///< the share of the box that balls fill
 };
 template <int D>
 Sizes sizes_of(const State<D>& state, const Effects<D>& effects) {
+    constexpr double of_radius_1 = D == 2 ? std::numbers::pi : 4.0 / 3.0 * std::numbers::pi;
     Sizes sizes;
     for (const Ball<D>& ball : state.balls) {
         sizes.smallest = std::min(sizes.smallest, ball.radius);
         sizes.largest = std::max(sizes.largest, ball.radius);
+        sizes.packing += of_radius_1 * std::pow(ball.radius, D);
     }
-    if (effects.box)
-        for (int k = 0; k < D; ++k)
-            sizes.shortest_box =
-                std::min(sizes.shortest_box, effects.box->high[k] - effects.box->low[k]);
+    if (!effects.box) return sizes;
+    for (int k = 0; k < D; ++k) {
+        const double length = effects.box->high[k] - effects.box->low[k];
+        sizes.shortest_box = std::min(sizes.shortest_box, length);
+        sizes.packing /= length;
+    }
     return sizes;
 }
 
@@ -112,8 +118,12 @@ Choice choose(Structure wish, const State<D>& state, const Effects<D>& effects) 
     const bool few_cells = effects.periodic && sizes.shortest_box < 5.01 * 2.0 * sizes.largest;
     if (wish == Structure::automatic) {
         if (state.balls.size() <= 16) return {Structure::pairs, "few balls"};
-        if (sizes.largest > 4.0 * sizes.smallest && !few_cells)
+        if (few_cells) return {Structure::lists, "the periodic box is small"};
+        if (sizes.largest > 4.0 * sizes.smallest)
             return {Structure::levels, "the largest radius is more than four times the smallest"};
+        if (!effects.box) return {Structure::tree, "no bounds are known"};
+        if (sizes.packing < 0.05)
+            return {Structure::cells, "balls of like sizes fill less than a twentieth of the box"};
         return {Structure::lists, "many balls of like sizes"};
     }
     const bool in_cells =

@@ -67,31 +67,6 @@ Scene<D> random_scene(std::uint64_t seed) {
     return scene;
 }
 
-template <int D>
-void expect_log_of_oracle(const Scene<D>& scene, double until, std::size_t most) {
-    std::vector<brute::Ball> balls;
-    for (const Body<D>& body : scene.bodies) balls.push_back(to_brute(body));
-    const brute::Run expected = brute::simulate(balls, to_brute(scene.effects), until, most);
-    const State<D> first = start<D>(scene.bodies, scene.effects);
-    for (const Structure structure : all_structures) {
-        SCOPED_TRACE(std::string(name_of(structure)));
-        Simulation<D> simulation(first, scene.effects, {.structure = structure});
-        std::vector<Strike> log;
-        const Outcome outcome =
-            simulation.run({.until = until, .strikes = most},
-                           [&](const Strike& strike) { log.push_back(strike); });
-        for (std::size_t i = 0; i < std::min(log.size(), expected.log.size()); ++i) {
-            const brute::Strike& e = expected.log[i];
-            ASSERT_EQ(log[i], (Strike{e.time, e.wall, e.a, e.b, e.impulse}))
-                << "strike " << i << ": " << log[i].time << " " << log[i].wall << " " << log[i].a
-                << " " << log[i].b << " " << log[i].impulse << ", expected " << e.time << " "
-                << e.wall << " " << e.a << " " << e.b << " " << e.impulse;
-        }
-        ASSERT_EQ(log.size(), expected.log.size());
-        ASSERT_EQ(outcome.ending == Ending::collapse, expected.collapsed);
-    }
-}
-
 TEST(MotionLog, OfRandomScenesInThePlaneIsTheOracles) {
     for (std::uint64_t seed = 0; seed < scenes; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));

@@ -8,6 +8,7 @@
 #include "../../motion/meeting_time.hpp"
 #include "../../motion/simulation.hpp"
 #include "../oracle/motion.hpp"
+#include "motion_scenes.hpp"
 
 namespace signum::motion {
 
@@ -90,6 +91,32 @@ double brute_meeting_time(const GrowingBall<D>& ball, const Partner& partner,
                           const Effects<D>& effects, double until = infinity) {
     return or_never(
         brute::meeting_time(to_brute(ball), to_brute(partner), to_brute(effects), until));
+}
+
+/// All structures write the oracle's log, up to a time and a number of strikes.
+template <int D>
+void expect_log_of_oracle(const Scene<D>& scene, double until, std::size_t most) {
+    std::vector<brute::Ball> balls;
+    for (const Body<D>& body : scene.bodies) balls.push_back(to_brute(body));
+    const brute::Run expected = brute::simulate(balls, to_brute(scene.effects), until, most);
+    const State<D> first = start<D>(scene.bodies, scene.effects);
+    for (const Structure structure : all_structures) {
+        SCOPED_TRACE(std::string(name_of(structure)));
+        Simulation<D> simulation(first, scene.effects, {.structure = structure});
+        std::vector<Strike> log;
+        const Outcome outcome =
+            simulation.run({.until = until, .strikes = most},
+                           [&](const Strike& strike) { log.push_back(strike); });
+        for (std::size_t i = 0; i < std::min(log.size(), expected.log.size()); ++i) {
+            const brute::Strike& e = expected.log[i];
+            ASSERT_EQ(log[i], (Strike{e.time, e.wall, e.a, e.b, e.impulse}))
+                << "strike " << i << ": " << log[i].time << " " << log[i].wall << " " << log[i].a
+                << " " << log[i].b << " " << log[i].impulse << ", expected " << e.time << " "
+                << e.wall << " " << e.a << " " << e.b << " " << e.impulse;
+        }
+        ASSERT_EQ(log.size(), expected.log.size());
+        ASSERT_EQ(outcome.ending == Ending::collapse, expected.collapsed);
+    }
 }
 
 }  // namespace signum::motion

@@ -138,33 +138,6 @@ TEST(MotionStructures, ImpulseGoesThroughACradle) {
                   (Strike{3.0 - 0.0, false, i, i + 1, 1.0}));
 }
 
-/// No two balls are deeper in each other than a few ulps, whenever one looks.
-template <int D>
-void expect_nothing_through(const Scene<D>& scene, int looks, double every) {
-    Simulation<D> simulation(start<D>(scene.bodies, scene.effects), scene.effects);
-    for (int look = 1; look <= looks; ++look) {
-        const double t = every * look;
-        simulation.run({.until = t});
-        const State<D> state = simulation.state();
-        std::vector<Vector<D>> x;
-        for (const Ball<D>& ball : state.balls) {
-            Vector<D> place = ball.x;
-            for (int k = 0; k < D; ++k) {
-                const double s = t - ball.time;
-                place[k] += ball.v[k] * s + 0.5 * scene.effects.gravity[k] * (s * s);
-            }
-            x.push_back(place);
-        }
-        for (std::size_t i = 0; i < x.size(); ++i) {
-            for (std::size_t j = 0; j < i; ++j) {
-                const double reach = state.balls[i].radius + state.balls[j].radius;
-                ASSERT_GT(std::sqrt(square_of_distance(x[i], x[j], scene.effects)), reach - 1e-13)
-                    << i << " and " << j << " at " << t;
-            }
-        }
-    }
-}
-
 TEST(MotionStructures, NothingGoesThrough) {
     expect_nothing_through(gas<2>(64, true, 21), 30 * static_cast<int>(thoroughness), 0.0371);
     expect_nothing_through(gas<3>(64, false, 22), 30 * static_cast<int>(thoroughness), 0.0371);
@@ -263,6 +236,27 @@ TEST(MotionStructures, WhatCannotBeIsRefused) {
     Effects<2> bouncy;
     bouncy.restitution = 1.5;
     EXPECT_EQ(refused(with([](auto&) {}), bouncy), -2);
+}
+
+TEST(MotionStructures, AutoChoosesByNumberRadiiBoundsAndPacking) {
+    const auto chosen = [](std::size_t balls, double largest, double box, bool periodic) {
+        State<2> state;
+        for (std::size_t i = 0; i < balls; ++i)
+            state.balls.push_back({{}, {}, i == 0 ? largest : 1.0, 0.0});
+        Effects<2> effects;
+        if (box > 0.0) effects.box = Box<2>{{0, 0}, {box, box}};
+        effects.periodic = periodic;
+        const Choice choice = choose(Structure::automatic, state, effects);
+        EXPECT_FALSE(choice.why.empty());
+        return choice.structure;
+    };
+    EXPECT_EQ(chosen(16, 1.0, 100.0, false), Structure::pairs);
+    EXPECT_EQ(chosen(17, 1.0, 100.0, false), Structure::lists);
+    EXPECT_EQ(chosen(17, 4.5, 100.0, false), Structure::levels);
+    EXPECT_EQ(chosen(17, 4.5, 0.0, false), Structure::levels);
+    EXPECT_EQ(chosen(17, 1.0, 0.0, false), Structure::tree);
+    EXPECT_EQ(chosen(17, 1.0, 1000.0, true), Structure::cells);
+    EXPECT_EQ(chosen(17, 1.0, 9.0, true), Structure::lists);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 /// gases.
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -9,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../property/motion_oracle.hpp"
 #include "../property/motion_scenes.hpp"
 
 namespace signum::motion {
@@ -89,6 +91,27 @@ TEST(LargeMotion, TenMillionElasticStrikesKeepTheEnergy) {
     const double before = energy(simulation);
     simulation.run({.strikes = 10 * many_strikes});
     EXPECT_NEAR(energy(simulation) / before, 1.0, 1e-12);
+}
+
+TEST(LargeMotion, NothingGoesThroughAtAHundredThousandTimes) {
+    constexpr int looks = is_fast ? 100'000 : 1000;
+    expect_nothing_through(gas<2>(100, true, 21), looks, 0.05);
+    expect_nothing_through(gas<3>(125, false, 22), looks, 0.05);
+    Scene<2> bouncing = falling<2>(100, 23);
+    bouncing.effects.restitution = 1.0;
+    expect_nothing_through(bouncing, looks, 0.05);
+}
+
+TEST(LargeMotion, TenThousandStrikesAreTheOracles) {
+    constexpr std::size_t strikes = is_fast ? 10'000 : 100;
+    for (const std::size_t number : {3U, 8U, 30U}) {
+        SCOPED_TRACE(number);
+        expect_log_of_oracle(gas<2>(number, number != 8, 41), 1e9, strikes);
+        Scene<2> bouncing = falling<2>(number, 42);
+        bouncing.effects.restitution = 1.0;
+        expect_log_of_oracle(bouncing, 1e9, strikes);
+    }
+    expect_log_of_oracle(gas<3>(8, false, 43), 1e9, strikes);
 }
 
 /// Z from the virial of the strikes, beside what is known (Henderson 1975; Carnahan, Starling
