@@ -251,8 +251,8 @@ TEST(MotionStructures, AutoChoosesByNumberRadiiBoundsAndPacking) {
         return choice.structure;
     };
     EXPECT_EQ(chosen(16, 1.0, 100.0, false), Structure::pairs);
-    EXPECT_EQ(chosen(17, 1.0, 100.0, false), Structure::lists);
-    EXPECT_EQ(chosen(17, 4.5, 100.0, false), Structure::levels);
+    EXPECT_EQ(chosen(17, 1.0, 20.0, false), Structure::lists);
+    EXPECT_EQ(chosen(17, 4.5, 50.0, true), Structure::levels);
     EXPECT_EQ(chosen(17, 4.5, 0.0, false), Structure::levels);
     EXPECT_EQ(chosen(17, 1.0, 0.0, false), Structure::tree);
     EXPECT_EQ(chosen(17, 1.0, 1000.0, true), Structure::cells);
