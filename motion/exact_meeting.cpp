@@ -23,7 +23,8 @@ struct Quadratic {
     Dyadic c;
 };
 
-/// The meeting time of F, by the rule.
+/// The meeting time of F, by the rule: what descent.hpp tells of any polynomial, where a root is a
+/// formula and needs no isolation.
 double first_descent(const Quadratic& f, double start) {
     const int bends = f.a.sign();
     const int slope = f.b.sign();

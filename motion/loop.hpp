@@ -48,6 +48,7 @@ class Loop final : public Simulation<D>::Engine {
           structure_(std::in_place, world_, kind_),
           queue_(particles_.size()),
           walls_(effects.box && !effects.periodic ? 2 * D : 0),
+          // Of fewer balls all lies near the processor.
           fetches_(order.size() > 8192),
           most_in_place_(effects.restitution < 1.0 || effects.wall_restitution < 1.0 || Falls
                              ? most_in_place_dissipative
@@ -211,29 +212,28 @@ class Loop final : public Simulation<D>::Engine {
         return [this](Slot i, Slot j) { return comes_before(i, j); };
     }
 
-    /// Tells the processor what memory will be needed soon: of many balls it is far away.
+    /// Tells the processor what memory will be needed some events from now: of many balls it is far
+    /// away. First the balls, then whom they may strike, then the lists of both.
     void fetch_ahead() {
         if constexpr (requires { structure_->list(Slot{}); }) {
-            queue_.for_each_ahead(seen_[0], 9, [&](Slot i) {
-                __builtin_prefetch(&world_.balls[i]);
-                __builtin_prefetch(&particles_[i]);
-                structure_->fetch(i);
-            });
-            queue_.for_each_ahead(seen_[1], 6, [&](Slot i) {
-                const Slot j = particles_[i].next.partner;
+            queue_.for_each_ahead(fetched_[0], 9, [&](Slot i) { fetch(i); });
+            queue_.for_each_ahead(fetched_[1], 6, [&](Slot i) {
                 __builtin_prefetch(structure_->list(i).data());
-                if (j >= first_wall) return;
-                __builtin_prefetch(&world_.balls[j]);
-                __builtin_prefetch(&particles_[j]);
-                structure_->fetch(j);
+                if (const Slot j = particles_[i].next.partner; j < first_wall) fetch(j);
             });
-            queue_.for_each_ahead(seen_[2], 3, [&](Slot i) {
-                const Slot j = particles_[i].next.partner;
-                for (const Slot k : structure_->list(i)) __builtin_prefetch(&world_.balls[k]);
-                if (j >= first_wall) return;
-                for (const Slot k : structure_->list(j)) __builtin_prefetch(&world_.balls[k]);
+            queue_.for_each_ahead(fetched_[2], 3, [&](Slot i) {
+                fetch_list(i);
+                if (const Slot j = particles_[i].next.partner; j < first_wall) fetch_list(j);
             });
         }
+    }
+    void fetch(Slot i) const noexcept {
+        __builtin_prefetch(&world_.balls[i]);
+        __builtin_prefetch(&particles_[i]);
+        structure_->fetch(i);
+    }
+    void fetch_list(Slot i) const noexcept {
+        for (const Slot j : structure_->list(i)) __builtin_prefetch(&world_.balls[j]);
     }
 
     void settle(Slot i) { queue_.set(i, std::min(particles_[i].own, particles_[i].next.early), before()); }
@@ -439,28 +439,17 @@ class Loop final : public Simulation<D>::Engine {
     void make_exact(Slot i, Proposal& p) {
         if (p.early == p.late) return;
         const double about = 0.5 * (p.early + p.late);
-        double t = 0.0;
-        if (is_wall(p)) {
-            t = refined_meeting(world_.balls[i], wall_of(p), world_.effects, about);
-            if (std::isnan(t)) {
-                ++counts_.exact;
-                t = exact_meeting(world_.balls[i], wall_of(p), world_.effects);
-            } else {
-                ++counts_.refined;
-            }
-        } else {
-            // Now another image may be nearer than the one that will be struck.
-            const Image<D> seen = image(i, p.partner, about);
-            t = refined_meeting(world_.balls[i], world_.balls[p.partner], seen, world_.effects,
-                                about);
-            if (std::isnan(t)) {
-                ++counts_.exact;
-                t = exact_meeting(world_.balls[i], world_.balls[p.partner], seen, world_.effects);
-            } else {
-                ++counts_.refined;
-            }
-        }
-        p.early = p.late = t;
+        const Ball<D>& ball = world_.balls[i];
+        const auto tell = [&](const auto&... other) {
+            const double t = refined_meeting(ball, other..., world_.effects, about);
+            const bool tells = !std::isnan(t);
+            ++(tells ? counts_.refined : counts_.exact);
+            return tells ? t : exact_meeting(ball, other..., world_.effects);
+        };
+        // Now another image may be nearer than the one that will be struck.
+        p.early = p.late =
+            is_wall(p) ? tell(wall_of(p))
+                       : tell(world_.balls[p.partner], image(i, p.partner, about));
     }
 
     bool strike_ball(Slot i, const typename Simulation<D>::Record& record) {
@@ -602,14 +591,13 @@ class Loop final : public Simulation<D>::Engine {
 
     World<D> world_;
     std::array<Inquiry, 2> inquiries_;
-    std::array<std::uint32_t, 3> seen_{};
+    std::array<std::uint32_t, 3> fetched_{};  // up to which bucket
     std::vector<Particle> particles_;
     MeetingFilter<D, Falls, kernel> filter_;
     Structure kind_;
     std::optional<StructureOf<D>> structure_;
     EventQueue queue_;
     Wall walls_;
-    /// Of few balls all that is needed lies near the processor.
     bool fetches_;
     std::uint32_t most_in_place_;
     bool collapses_ = false;
