@@ -9,14 +9,13 @@
 #include <cstdint>
 #include <cstdlib>
 #include <ctime>
-#include <fstream>
 #include <numbers>
 #include <random>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include <unistd.h>
+#include <malloc.h>
 
 #include <fmt/format.h>
 
@@ -36,6 +35,7 @@ struct Gas {
     std::vector<Body<D>> bodies;
     motion::Effects<D> effects;
 
+    Gas() = default;
     Gas(std::size_t number, double packing) {
         std::mt19937_64 random(1);
         std::normal_distribution<double> speed;
@@ -82,12 +82,10 @@ struct Gas {
 double seconds() {
     return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
-double resident_bytes() {
-    std::ifstream file("/proc/self/statm");
-    double all = 0.0;
-    double resident = 0.0;
-    file >> all >> resident;
-    return resident * static_cast<double>(::sysconf(_SC_PAGESIZE));
+/// What is taken of the heap.
+double bytes_taken() {
+    const auto info = ::mallinfo2();
+    return static_cast<double>(info.uordblks + info.hblkhd);
 }
 double median(std::vector<double> values) {
     std::ranges::sort(values);
@@ -101,10 +99,10 @@ void measure(std::size_t number, double packing, Structure structure) {
     const auto settling = std::max<std::uint64_t>(10 * number, 200'000);
     const auto strikes = std::max<std::uint64_t>(number, 200'000);
     const motion::State<D> start = motion::start<D>(gas.bodies, gas.effects);
-    const double before = resident_bytes();
+    const double before = bytes_taken();
     motion::Simulation<D> exact(start, gas.effects, {structure, Kernel::exact});
     exact.run({.strikes = settling});
-    const double bytes = (resident_bytes() - before) / static_cast<double>(number);
+    const double bytes = (bytes_taken() - before) / static_cast<double>(number);
     motion::Simulation<D> naive(exact.state(), gas.effects, {structure, Kernel::naive});
     naive.run({.strikes = number});
     const auto rate_of = [strikes](motion::Simulation<D>& simulation) {
@@ -132,7 +130,9 @@ void measure(std::size_t number, double packing, Structure structure) {
 /// Discs at rest on a square lattice, all coordinates small integers, one of which is sent along
 /// an axis and the others' rows in turn: nothing but ties, and touches that are no strikes.
 Gas<2> lattice_at_rest(std::size_t number) {
-    Gas<2> gas(0, 1.0);
+    Gas<2> gas;
+    gas.effects.box.emplace();
+    gas.effects.periodic = true;
     const auto side = static_cast<std::size_t>(std::sqrt(static_cast<double>(number)));
     gas.effects.box->high = {static_cast<double>(2 * side), static_cast<double>(2 * side)};
     for (std::size_t i = 0; i < side; ++i)

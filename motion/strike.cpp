@@ -133,9 +133,10 @@ struct After {
     /// Whether they surely do not approach, or all is told.
     bool recedes = false;
     bool certain = false;
-    /// |V·D| and D·D.
+    /// |V·D| and D·D, and whether they are told well.
     double approach = 0.0;
     double square = 0.0;
+    bool measured = false;
 };
 
 /// The law in double-doubles.
@@ -156,6 +157,7 @@ template <int D>
     if (d.shift > 0.0) relative += 0x1p-96 * d.shift / std::sqrt(after.square);
     after.recedes = d.product.high > product_error;
     if (!(relative >= 0.0 && relative < 0x1p-60 && after.approach > 0x1p-800)) return after;
+    after.measured = true;
     const DoubleDouble ratio = quotient(d.product, d.square);
     const Shares share = shares(mass_a, mass_b, effects.restitution);
     // Elastic, and equal masses.
@@ -191,8 +193,10 @@ template <int D>
                                                  double mass_a, double mass_b,
                                                  const Effects<D>& effects) {
     const Apart<Dyadic, D> d(a, b, image, effects);
-    after.approach = std::fabs(rounded(to_rational(d.product)));
-    after.square = rounded(to_rational(d.square));
+    if (!after.measured) {
+        after.approach = std::fabs(rounded(to_rational(d.product)));
+        after.square = rounded(to_rational(d.square));
+    }
     if (d.product.sign() >= 0) return false;
     const Dyadic denominator = d.square * (Dyadic(mass_a) + Dyadic(mass_b));
     const Dyadic step = (Dyadic(1.0) + Dyadic(effects.restitution)) * d.product;
