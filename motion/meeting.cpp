@@ -22,7 +22,7 @@ template <int D>
     for (int k = 0; k < 2 * D + 2; k += 2) {
         Two two[lanes];
         for (std::size_t lane = 0; lane < lanes; ++lane)
-            std::memcpy(&two[lane], &balls[lane]->x[0] + k, sizeof(Two));
+            std::memcpy(&two[lane], reinterpret_cast<const double*>(balls[lane]) + k, sizeof(Two));
         const Four even = __builtin_shufflevector(two[0], two[2], 0, 1, 2, 3);
         const Four odd = __builtin_shufflevector(two[1], two[3], 0, 1, 2, 3);
         columns[k] = __builtin_shufflevector(even, odd, 0, 4, 2, 6);
