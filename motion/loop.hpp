@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <initializer_list>
 #include <map>
 #include <optional>
@@ -142,6 +143,32 @@ class Loop final : public Simulation<D>::Engine {
         return state;
     }
     [[nodiscard]] const Counts& counts() const override { return counts_; }
+    [[nodiscard]] Sketch<D> sketch() const override {
+        Sketch<D> sketch;
+        structure_->sketch(now_, sketch);
+        if (world_.effects.periodic)
+            for (auto& round : sketch.rounds)
+                for (int k = 0; k < D; ++k)
+                    round.centre[k] -=
+                        world_.length[k] *
+                        std::floor((round.centre[k] - world_.effects.box->low[k]) / world_.length[k]);
+        for (auto& [a, b] : sketch.links) {
+            a = particles_[static_cast<Slot>(a)].number;
+            b = particles_[static_cast<Slot>(b)].number;
+            if (a > b) std::swap(a, b);
+        }
+        std::ranges::sort(sketch.links);
+        for (const Particle& particle : particles_) {
+            const Proposal& next = particle.next;
+            if (next.partner == nobody || is_stale(next)) continue;
+            sketch.expected.push_back({particle.number,
+                                       is_wall(next) ? -1 - wall_of(next)
+                                                     : particles_[next.partner].number,
+                                       next.early});
+        }
+        std::ranges::sort(sketch.expected, {}, &Sketch<D>::Expected::ball);
+        return sketch;
+    }
 
  private:
     static constexpr Slot nobody = ~Slot{0};
