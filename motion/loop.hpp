@@ -91,11 +91,13 @@ class Loop final : public Simulation<D>::Engine {
             if (fetches_) fetch_ahead();
             Proposal& next = particles_[i].next;
             if (particles_[i].own <= next.early) {
-                ++counts_.own;
-                if (!world_.effects.box && --own_events_left_ == 0 && !spread()) [[unlikely]] {
+                if (!world_.effects.box && --own_events_left_ == 0) [[unlikely]] {
+                    // In a structure made anew the ball has no event now.
+                    if (spread()) continue;
                     if (until < infinity) now_ = until;
                     return {Ending::nothing, {}};
                 }
+                ++counts_.own;
                 Inquiry& inquiry = inquiries_[0];
                 inquiry.ball = i;
                 inquiry.asker = filter_.asker(world_.balls[i], now_);
@@ -642,8 +644,8 @@ class Loop final : public Simulation<D>::Engine {
     bool collapses_ = false;
     std::uint64_t own_events_left_ = own_events_a_ball * particles_.size();
     std::uint64_t strikes_before_ = 0;
-    double width_ = widest_now();
     double now_;
+    double width_ = widest_now();  // after now_, which it needs
     Counts counts_;
     Strike last_;
     std::map<std::pair<Slot, Slot>, double> passed_;
