@@ -199,10 +199,10 @@ struct Energy {
 template <int D>
 Movie::Shapes shapes_of(const motion::Sketch<D>& sketch) {
     Movie::Shapes shapes;
-    for (const auto& [box, level] : sketch.areas)
-        shapes.boxes.push_back({{box.low[0], box.low[1]}, {box.high[0], box.high[1]}, level});
-    for (const auto& round : sketch.rounds)
-        shapes.rounds.push_back({round.centre[0], round.centre[1], round.radius});
+    for (const auto& [box, level, ball] : sketch.areas)
+        shapes.boxes.push_back({{box.low[0], box.low[1]}, {box.high[0], box.high[1]}, level, ball});
+    for (const auto& [ball, centre, radius] : sketch.rounds)
+        shapes.rounds.push_back({centre[0], centre[1], radius, ball});
     for (const auto& [a, b] : sketch.links)
         shapes.links.emplace_back(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
     for (const auto& expected : sketch.expected) {

@@ -6,7 +6,6 @@
 #include <map>
 #include <numeric>
 #include <ostream>
-#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -31,14 +30,6 @@ constexpr std::array<Pen, 6> pens = {
      {R"(fill="#0072b2" fill-opacity="0.08" stroke="#6f9fbf" stroke-width="0.8")", "#3f7fa8"},
      {R"(fill="none" stroke="#666" stroke-width="1")", "#666"},
      {R"(fill="none" stroke="#d0007f" stroke-width="1.8")", "#d0007f"}}};
-
-/// The first `most` of a list.
-template <class T>
-std::span<const T> first_of(const std::vector<T>& list, std::size_t most, bool& leaves_out) {
-    if (list.size() <= most) return list;
-    leaves_out = true;
-    return std::span(list).first(most);
-}
 
 }  // namespace
 
@@ -89,6 +80,10 @@ void Movie::add(double time, const std::vector<Ball>& balls, const Shapes& shape
     shapes_.resize(kept);
 }
 
+bool Movie::is_shown(int ball) const {
+    return ball < 0 || is_shown_[static_cast<std::size_t>(ball)];
+}
+
 Movie::Drawn Movie::drawn(const std::vector<Ball>& balls, const Shapes& shapes) {
     Drawn paths;
     const double wide = scale() * (high_[0] - low_[0]);
@@ -96,21 +91,21 @@ Movie::Drawn Movie::drawn(const std::vector<Ball>& balls, const Shapes& shapes) 
     const auto is_seen = [&](double left, double top, double right, double bottom) {
         return right >= 0.0 && left <= wide && bottom >= 0.0 && top <= high;
     };
-    for (const Shapes::Box& box : first_of(shapes.boxes, most_shapes, leaves_out_shapes_)) {
+    for (const Shapes::Box& box : shapes.boxes) {
         const double x = x_of(box.low[0]);
         const double y = y_of(box.high[1]);
         const double right = x_of(box.high[0]);
         const double bottom = y_of(box.low[1]);
-        if (!is_seen(x, y, right, bottom)) continue;
+        if (!is_shown(box.ball) || !is_seen(x, y, right, bottom)) continue;
         const auto level = std::min(static_cast<std::size_t>(box.level), most_levels - 1);
         paths[finest - level].push_back(fmt::format("M{:.1f} {:.1f}h{:.1f}v{:.1f}h-{:.1f}z", x, y,
                                                     right - x, bottom - y, right - x));
     }
-    for (const Shapes::Round& round : first_of(shapes.rounds, most_shapes, leaves_out_shapes_)) {
+    for (const Shapes::Round& round : shapes.rounds) {
         const double r = std::min(scale() * round.radius, 1e5);
         const double x = x_of(round.x);
         const double y = y_of(round.y);
-        if (!is_seen(x - r, y - r, x + r, y + r)) continue;
+        if (!is_shown(round.ball) || !is_seen(x - r, y - r, x + r, y + r)) continue;
         paths[finest].push_back(
             fmt::format("M{0:.1f} {1:.1f}a{2:.1f} {2:.1f} 0 0 1 {3:.1f} 0"
                         "a{2:.1f} {2:.1f} 0 0 1-{3:.1f} 0z",
@@ -118,7 +113,7 @@ Movie::Drawn Movie::drawn(const std::vector<Ball>& balls, const Shapes& shapes) 
     }
     // Their ends lie under balls: whole pixels will do.
     const auto lines = [&](const auto& pairs, std::vector<std::string>& to) {
-        for (const auto& [a, b] : first_of(pairs, most_shapes, leaves_out_shapes_)) {
+        for (const auto& [a, b] : pairs) {
             if (!is_shown_[a] || !is_shown_[b]) continue;
             const bool is_across = 2.0 * std::fabs(balls[a].x - balls[b].x) > high_[0] - low_[0] ||
                                    2.0 * std::fabs(balls[a].y - balls[b].y) > high_[1] - low_[1];
@@ -132,6 +127,11 @@ Movie::Drawn Movie::drawn(const std::vector<Ball>& balls, const Shapes& shapes) 
     };
     lines(shapes.links, paths[links]);
     lines(shapes.expected, paths[expected]);
+    for (std::vector<std::string>& of_kind : paths) {
+        if (of_kind.size() <= most_shapes) continue;
+        of_kind.resize(most_shapes);
+        leaves_out_shapes_ = true;
+    }
     return paths;
 }
 
@@ -193,8 +193,6 @@ void Movie::write(std::ostream& out, const std::string& title, const Meaning& me
         legend += fmt::format("; the {} largest of {} balls", shown_.size(), radii_.size());
     if (!times_.empty())
         legend += fmt::format("; t = {:.4g} to {:.4g}", times_.front(), times_.back());
-    if (leaves_out_shapes_)
-        legend += fmt::format("; of each kind of shapes the first {} alone", most_shapes);
     std::string colours_mean;
     const auto add_meaning = [&](std::size_t kind, const std::string& words) {
         if (words.empty()) return;
@@ -204,6 +202,9 @@ void Movie::write(std::ostream& out, const std::string& title, const Meaning& me
     add_meaning(finest, meaning.outlines);
     add_meaning(links, meaning.links);
     add_meaning(expected, meaning.expected);
+    if (leaves_out_shapes_)
+        colours_mean += fmt::format("{}of a kind the first {} alone",
+                                    colours_mean.empty() ? "" : "; ", most_shapes);
     const double below = colours_mean.empty() ? 44.0 : 62.0;
     out << fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-10 -10 {:.1f} {:.1f}\" "

@@ -15,15 +15,16 @@ namespace signum {
 /// Laws:
 ///  1. Same frames: the same bytes.
 ///  2. A browser bears it: of more than `most_balls` balls the smallest are left out, of more than
-///     `most_frames` frames every second one, and again, of more than `most_shapes` shapes of one
-///     kind in a frame the last ones; the legend says so.
+///     `most_frames` frames every second one, and again; shapes of balls that are left out are,
+///     too, and of more than `most_shapes` of one kind in a frame the last ones; the legend says
+///     so.
 ///  3. Shapes lie under the balls, and are those of the nearest frame; a shape of several frames in
 ///     a row is written once.
 class Movie {
  public:
     static constexpr std::size_t most_balls = 600;
     static constexpr std::size_t most_frames = 240;
-    static constexpr std::size_t most_shapes = 1000;
+    static constexpr std::size_t most_shapes = 2000;
 
     struct Ball {
         double x = 0.0;
@@ -38,11 +39,13 @@ class Movie {
             std::array<double, 2> low{};
             std::array<double, 2> high{};
             int level = 0;  ///< of another colour, and under those of lower ones
+            int ball = -1;  ///< whose it is, if it is a ball's
         };
         struct Round {
             double x = 0.0;
             double y = 0.0;
             double radius = 0.0;
+            int ball = -1;
         };
         std::vector<Box> boxes;
         std::vector<Round> rounds;
@@ -76,6 +79,7 @@ class Movie {
     using Drawn = std::array<std::vector<std::string>, most_levels + 2>;
 
     [[nodiscard]] Drawn drawn(const std::vector<Ball>& balls, const Shapes& shapes);
+    [[nodiscard]] bool is_shown(int ball) const;
     void write_shapes(std::ostream& out, std::size_t kind) const;
     [[nodiscard]] double scale() const;
     [[nodiscard]] double x_of(double x) const;

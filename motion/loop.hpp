@@ -154,11 +154,18 @@ class Loop final : public Simulation<D>::Engine {
                     round.centre[k] -=
                         world_.length[k] *
                         std::floor((round.centre[k] - world_.effects.box->low[k]) / world_.length[k]);
+        const auto renumber = [this](std::int32_t& ball) {
+            if (ball >= 0) ball = particles_[static_cast<Slot>(ball)].number;
+        };
+        for (auto& area : sketch.areas) renumber(area.ball);
+        for (auto& round : sketch.rounds) renumber(round.ball);
         for (auto& [a, b] : sketch.links) {
-            a = particles_[static_cast<Slot>(a)].number;
-            b = particles_[static_cast<Slot>(b)].number;
+            renumber(a);
+            renumber(b);
             if (a > b) std::swap(a, b);
         }
+        std::ranges::stable_sort(sketch.areas, {}, &Sketch<D>::Area::ball);
+        std::ranges::sort(sketch.rounds, {}, &Sketch<D>::Round::ball);
         std::ranges::sort(sketch.links);
         for (const Particle& particle : particles_) {
             const Proposal& next = particle.next;

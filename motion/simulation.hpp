@@ -58,8 +58,11 @@ struct Sketch {
         Box<D> box;
         /// Of cells: 0 the finest, each next one of cells twice as wide.
         int level = 0;
+        /// Of segments: whose it is.
+        std::int32_t ball = -1;
     };
     struct Round {
+        std::int32_t ball = 0;
         Vector<D> centre{};
         double radius = 0.0;
     };
@@ -70,9 +73,10 @@ struct Sketch {
         /// Then or a little later.
         double time = 0.0;
     };
-    /// Of cells and levels those in which centres lie, each once; of segments all balls' boxes.
+    /// Of cells and levels those in which centres lie, each once; of segments all balls' boxes, in
+    /// their order.
     std::vector<Area> areas;
-    /// Of lists the shells; in a periodic box their centres lie in it.
+    /// Of lists the balls' shells, in their order; in a periodic box their centres lie in it.
     std::vector<Round> rounds;
     /// Of lists and segments the pairs they hold, a < b, in order.
     std::vector<std::pair<std::int32_t, std::int32_t>> links;

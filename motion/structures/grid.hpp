@@ -136,7 +136,7 @@ class Grid {
                 box.low[k] = grid.start_of(k, number);
                 box.high[k] = grid.start_of(k, number + 1);
             }
-            sketch.areas.push_back({box, numbers[0]});
+            sketch.areas.push_back({box, numbers[0], -1});
         }
     }
 

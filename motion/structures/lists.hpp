@@ -99,7 +99,8 @@ class Lists {
     /// The balls' shells, and listed pairs; slots stand for numbers.
     void sketch(double, Sketch<D>& sketch) const {
         for (Slot i = 0; i < centres_.size(); ++i) {
-            sketch.rounds.push_back({centres_[i].place, world_.balls[i].radius + slack_});
+            sketch.rounds.push_back({static_cast<std::int32_t>(i), centres_[i].place,
+                                     world_.balls[i].radius + slack_});
             for (const Slot j : lists_[i])
                 if (i < j)
                     sketch.links.emplace_back(static_cast<std::int32_t>(i),

@@ -95,7 +95,7 @@ class Segments {
                 box.low[k] = place(2 * i, k, now);
                 box.high[k] = place(2 * i + 1, k, now);
             }
-            sketch.areas.push_back({box, 0});
+            sketch.areas.push_back({box, 0, static_cast<std::int32_t>(i)});
             for (const Slot j : partners_[i])
                 if (i < j)
                     sketch.links.emplace_back(static_cast<std::int32_t>(i),

@@ -203,6 +203,18 @@ TEST_F(Simulate, AMovieShowsTheStructure) {
     EXPECT_GT(lines, 100U);
 }
 
+TEST_F(Simulate, AMovieOfManyBallsSaysWhatItLeavesOut) {
+    const std::string movie = scratch.path("movie.svg");
+    const Outcome result =
+        run({"simulate", gas(50), "--box", "0", "0", "50", "50", "--until", "0.1", "--every",
+             "0.05", "--structure", "cells", "--show", "structure", "-o", movie, "--quiet"});
+    EXPECT_EQ(result.code, 0) << result.err;
+    const std::string text = contents(movie);
+    EXPECT_TRUE(is_well_formed(text));
+    EXPECT_NE(text.find("the 600 largest of 2500 balls"), std::string::npos);
+    EXPECT_NE(text.find("of a kind the first 2000 alone"), std::string::npos);
+}
+
 TEST_F(Simulate, WhatCannotBeShownIsSaid) {
     const std::string plane = gas(3);
     const std::string space = scratch.file("space.txt", "0 0 0 1 1 0 0\n");
