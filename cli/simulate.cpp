@@ -41,6 +41,7 @@ struct SimulateCall : OutputsCall {
     std::optional<double> restitution;
     std::optional<double> wall_restitution;
     std::optional<double> every;
+    std::string show;
     std::string save;
     std::string resume;
     bool statistics = false;
@@ -194,13 +195,50 @@ struct Energy {
     }
 };
 
+/// What a movie shows of a structure.
+template <int D>
+Movie::Shapes shapes_of(const motion::Sketch<D>& sketch) {
+    Movie::Shapes shapes;
+    for (const auto& [box, level, ball] : sketch.areas)
+        shapes.boxes.push_back({{box.low[0], box.low[1]}, {box.high[0], box.high[1]}, level, ball});
+    for (const auto& [ball, centre, radius] : sketch.rounds)
+        shapes.rounds.push_back({centre[0], centre[1], radius, ball});
+    for (const auto& [a, b] : sketch.links)
+        shapes.links.emplace_back(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
+    for (const auto& expected : sketch.expected) {
+        if (expected.partner >= 0)
+            shapes.expected.emplace_back(static_cast<std::size_t>(expected.ball),
+                                         static_cast<std::size_t>(expected.partner));
+    }
+    return shapes;
+}
+
+Movie::Meaning meaning_of(motion::Structure structure) {
+    const std::string expected = "whom a ball expects to strike next";
+    switch (structure) {
+        case motion::Structure::cells:
+        case motion::Structure::tree:
+            return {"cells with balls in them", "", expected};
+        case motion::Structure::levels:
+            return {"the cells in which balls live, a colour a size", "", expected};
+        case motion::Structure::segments:
+            return {"boxes", "partners, whose boxes overlap", expected};
+        case motion::Structure::lists:
+            return {"shells", "pairs in the lists", expected};
+        case motion::Structure::automatic:
+        case motion::Structure::pairs:
+            break;
+    }
+    return {"", "", expected};
+}
+
 /// Where everything goes while the simulation runs.
 template <int D>
 class Recording {
  public:
     Recording(const SimulateCall& call, std::span<const Target> targets,
-              const MotionState<D>& start)
-        : effects_(start.effects) {
+              const MotionState<D>& start, motion::Structure structure)
+        : effects_(start.effects), structure_(structure), shows_structure_(!call.show.empty()) {
         for (const Target& target : targets) {
             Sink sink;
             sink.format = target.format;
@@ -228,11 +266,12 @@ class Recording {
         return std::ranges::any_of(sinks_, [](const Sink& sink) { return sink.log != nullptr; });
     }
     [[nodiscard]] bool has_frames() const noexcept { return has_frames_; }
+    [[nodiscard]] bool shows_structure() const noexcept { return shows_structure_; }
     void strike(const motion::Strike& strike) {
         for (Sink& sink : sinks_)
             if (sink.log) sink.log->put(strike);
     }
-    void frame(const motion::State<D>& state, double time) {
+    void frame(const motion::State<D>& state, double time, const motion::Sketch<D>& sketch) {
         Snapshot<D> snapshot(state, effects_, time);
         MotionFrame& frame = snapshot.frame();
         std::ranges::copy(shown_.low, frame.low.begin());
@@ -246,15 +285,20 @@ class Recording {
                 D == 3 ? (frame.high[2] - ball.x[2]) / (frame.high[2] - frame.low[2]) : 0.0;
             balls.push_back({ball.x[0], ball.x[1], depth});
         }
-        movie_->add(time, balls);
+        movie_->add(time, balls, shapes_of(sketch));
     }
     /// All files under their names.
     void publish(const MotionState<D>& end) {
         for (Sink& sink : sinks_) {
             if (sink.log) sink.log->finish();
-            if (sink.format == "svg")
-                movie_->write(sink.stream(), fmt::format("{} balls{}", end.state.balls.size(),
-                                                         D == 3 ? ", seen along z" : ""));
+            if (sink.format == "svg") {
+                const std::string title = fmt::format(
+                    "{} balls{}{}", end.state.balls.size(), D == 3 ? ", seen along z" : "",
+                    shows_structure_ ? fmt::format("; structure {}", name_of(structure_))
+                                     : std::string());
+                movie_->write(sink.stream(), title,
+                              shows_structure_ ? meaning_of(structure_) : Movie::Meaning{});
+            }
             if (sink.file) sink.file->finish();
             if (sink.standard) sink.standard->flush();
         }
@@ -290,6 +334,8 @@ class Recording {
     }
 
     motion::Effects<D> effects_;
+    motion::Structure structure_;
+    bool shows_structure_;
     motion::Box<D> shown_;
     std::vector<Sink> sinks_;
     std::unique_ptr<OutputFile> save_;
@@ -400,7 +446,11 @@ motion::Outcome run_all(motion::Simulation<D>& simulation, const SimulateCall& c
         const bool goes_on =
             outcome.ending == motion::Ending::until || outcome.ending == motion::Ending::nothing;
         if (!goes_on) return outcome;
-        if (recording.has_frames()) recording.frame(simulation.state(), limits.until);
+        if (recording.has_frames()) {
+            recording.frame(
+                simulation.state(), limits.until,
+                recording.shows_structure() ? simulation.sketch() : motion::Sketch<D>{});
+        }
         if (is_last) return outcome;
         now = limits.until;
         show();
@@ -417,11 +467,17 @@ void run(const SimulateCall& call, const MotionState<D>& start) {
     if (wants_frames && !call.until) throw CallError("frames need to know the end; add --until T");
     if (call.every && !wants_frames)
         throw CallError("--every is for frames; add -o FILE.xyz or -o FILE.svg");
-    Recording<D> recording(call, targets, start);
+    if (!call.show.empty() && !is_written(targets, "svg"))
+        throw CallError("--show is for a movie; add -o FILE.svg");
+    if (D == 3 && !call.show.empty())
+        throw CallError(fmt::format(
+            "--show {}: drawn in the plane alone, but the balls lie in space; leave it out",
+            call.show));
     motion::Options options;
     options.structure = structure_of(call.structure);
     options.kernel = call.arithmetic == "naive" ? motion::Kernel::naive : motion::Kernel::exact;
     const motion::Choice choice = motion::choose(options.structure, start.state, start.effects);
+    Recording<D> recording(call, targets, start, choice.structure);
     if (!call.quiet && choice.structure != options.structure)
         say("{}\n", fmt::format("structure {}: {}", motion::name_of(choice.structure), choice.why));
     const auto begin = std::chrono::steady_clock::now();
@@ -557,6 +613,13 @@ void add_simulate(CLI::App& tool) {
         ->add_option("--every", call->every, "The time between frames; a hundredth of all without")
         ->check(number_from(std::numeric_limits<double>::min(), 1e150))
         ->type_name("DT");
+    command
+        ->add_option(
+            "--show", call->show,
+            "structure: in a movie of the plane what proposes the\npairs, and whom each ball "
+            "expects to strike next")
+        ->transform(one_of({"structure"}))
+        ->type_name("WHAT");
     command->add_option("--save", call->save, "Where the state at the end goes")
         ->type_name("STATE");
     command->add_option("--resume", call->resume, "Goes on from a state, instead of FILE")
@@ -568,7 +631,8 @@ void add_simulate(CLI::App& tool) {
     command->footer(
         "Example:\n"
         "  printf '%s\\n' '0 0 1 1 0' '5 0.5 1 0 0' > two.txt\n"
-        "  signum simulate two.txt --until 10 --box -2 -2 8 2 -o log.csv -o movie.svg");
+        "  signum simulate two.txt --until 10 --box -2 -2 8 2 -o log.csv -o movie.svg\n"
+        "  signum simulate two.txt --until 10 --structure lists --show structure -o lists.svg");
     command->callback([call] { simulate(*call); });
 }
 

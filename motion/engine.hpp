@@ -17,6 +17,7 @@ class Simulation<D>::Engine {
     virtual Outcome run(const Limits& limits, const Record& record) = 0;
     [[nodiscard]] virtual State<D> state() const = 0;
     [[nodiscard]] virtual const Counts& counts() const = 0;
+    [[nodiscard]] virtual Sketch<D> sketch() const = 0;
 };
 
 template <int D, template <int> class StructureOf>

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <initializer_list>
 #include <map>
 #include <optional>
@@ -91,11 +92,13 @@ class Loop final : public Simulation<D>::Engine {
             if (fetches_) fetch_ahead();
             Proposal& next = particles_[i].next;
             if (particles_[i].own <= next.early) {
-                ++counts_.own;
-                if (!world_.effects.box && --own_events_left_ == 0 && !spread()) [[unlikely]] {
+                if (!world_.effects.box && --own_events_left_ == 0) [[unlikely]] {
+                    // In a structure made anew the ball has no event now.
+                    if (spread()) continue;
                     if (until < infinity) now_ = until;
                     return {Ending::nothing, {}};
                 }
+                ++counts_.own;
                 Inquiry& inquiry = inquiries_[0];
                 inquiry.ball = i;
                 inquiry.asker = filter_.asker(world_.balls[i], now_);
@@ -143,6 +146,39 @@ class Loop final : public Simulation<D>::Engine {
         return state;
     }
     [[nodiscard]] const Counts& counts() const override { return counts_; }
+    [[nodiscard]] Sketch<D> sketch() const override {
+        Sketch<D> sketch;
+        structure_->sketch(now_, sketch);
+        if (world_.effects.periodic)
+            for (auto& round : sketch.rounds)
+                for (int k = 0; k < D; ++k)
+                    round.centre[k] -=
+                        world_.length[k] *
+                        std::floor((round.centre[k] - world_.effects.box->low[k]) / world_.length[k]);
+        const auto renumber = [this](std::int32_t& ball) {
+            if (ball >= 0) ball = particles_[static_cast<Slot>(ball)].number;
+        };
+        for (auto& area : sketch.areas) renumber(area.ball);
+        for (auto& round : sketch.rounds) renumber(round.ball);
+        for (auto& [a, b] : sketch.links) {
+            renumber(a);
+            renumber(b);
+            if (a > b) std::swap(a, b);
+        }
+        std::ranges::stable_sort(sketch.areas, {}, &Sketch<D>::Area::ball);
+        std::ranges::sort(sketch.rounds, {}, &Sketch<D>::Round::ball);
+        std::ranges::sort(sketch.links);
+        for (const Particle& particle : particles_) {
+            const Proposal& next = particle.next;
+            if (next.partner == nobody || is_stale(next)) continue;
+            sketch.expected.push_back({particle.number,
+                                       is_wall(next) ? -1 - wall_of(next)
+                                                     : particles_[next.partner].number,
+                                       next.early});
+        }
+        std::ranges::sort(sketch.expected, {}, &Sketch<D>::Expected::ball);
+        return sketch;
+    }
 
  private:
     static constexpr Slot nobody = ~Slot{0};
@@ -603,8 +639,8 @@ class Loop final : public Simulation<D>::Engine {
     bool collapses_ = false;
     std::uint64_t own_events_left_ = own_events_a_ball * particles_.size();
     std::uint64_t strikes_before_ = 0;
-    double width_ = widest_now();
     double now_;
+    double width_ = widest_now();  // after now_, which it needs
     Counts counts_;
     Strike last_;
     std::map<std::pair<Slot, Slot>, double> passed_;

@@ -159,6 +159,10 @@ template <int D>
 const Counts& Simulation<D>::counts() const {
     return engine_->counts();
 }
+template <int D>
+Sketch<D> Simulation<D>::sketch() const {
+    return engine_->sketch();
+}
 
 template Choice choose(Structure, const State<2>&, const Effects<2>&);
 template Choice choose(Structure, const State<3>&, const Effects<3>&);

@@ -13,6 +13,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "ball.hpp"
@@ -47,6 +48,41 @@ struct State {
     /// How many strikes in a row found each ball in place.
     std::vector<std::uint32_t> in_place;
     std::vector<Passed> passed;
+};
+
+/// What is to be seen of a structure at work, and of the loop over it, at one time. Balls by their
+/// numbers.
+template <int D>
+struct Sketch {
+    struct Area {
+        Box<D> box;
+        /// Of cells: 0 the finest, each next one of cells twice as wide.
+        int level = 0;
+        /// Of segments: whose it is.
+        std::int32_t ball = -1;
+    };
+    struct Round {
+        std::int32_t ball = 0;
+        Vector<D> centre{};
+        double radius = 0.0;
+    };
+    /// What a ball will strike first, as far as it knows: another one, or wall -1 - partner.
+    struct Expected {
+        std::int32_t ball = 0;
+        std::int32_t partner = 0;
+        /// Then or a little later.
+        double time = 0.0;
+    };
+    /// Of cells and levels those in which centres lie, each once; of segments all balls' boxes, in
+    /// their order.
+    std::vector<Area> areas;
+    /// Of lists the balls' shells, in their order; in a periodic box their centres lie in it.
+    std::vector<Round> rounds;
+    /// Of lists and segments the pairs they hold, a < b, in order.
+    std::vector<std::pair<std::int32_t, std::int32_t>> links;
+    /// At most one a ball, in their order; not what is no more to be expected, since the partner
+    /// has struck something else.
+    std::vector<Expected> expected;
 };
 
 /// What is wrong with a ball; what() says it, and what would be right.
@@ -160,6 +196,8 @@ class Simulation {
 
     [[nodiscard]] State<D> state() const;
     [[nodiscard]] const Counts& counts() const;
+    /// For pictures: nothing of it is kept while the simulation runs. O(n log n), and the links.
+    [[nodiscard]] Sketch<D> sketch() const;
 
     class Engine;
 

@@ -22,7 +22,9 @@
 /// is far more than any rounding of a place.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "../cells.hpp"
@@ -113,6 +115,28 @@ class Grid {
             visitors_[above - 1].remove(i);
             visitors_[above - 1].insert(i, to);
             residents_near(above, to, propose, axis, first.side);
+        }
+    }
+
+    /// The cells in which balls live, each once.
+    void sketch(double, Sketch<D>& sketch) const {
+        std::vector<std::array<std::int32_t, D + 1>> occupied;
+        for (Slot i = 0; i < cell_.size(); ++i) {
+            std::array<std::int32_t, D + 1> numbers{level_[i]};
+            std::ranges::copy(cell_[i], numbers.begin() + 1);
+            occupied.push_back(numbers);
+        }
+        std::ranges::sort(occupied);
+        occupied.erase(std::unique(occupied.begin(), occupied.end()), occupied.end());
+        for (const auto& numbers : occupied) {
+            Box<D> box;
+            for (int k = 0; k < D; ++k) {
+                const CellGrid<D>& grid = grids_[static_cast<std::size_t>(numbers[0])];
+                const std::int32_t number = numbers[static_cast<std::size_t>(k) + 1];
+                box.low[k] = grid.start_of(k, number);
+                box.high[k] = grid.start_of(k, number + 1);
+            }
+            sketch.areas.push_back({box, numbers[0], -1});
         }
     }
 

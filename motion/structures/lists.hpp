@@ -96,6 +96,18 @@ class Lists {
         }
     }
 
+    /// The balls' shells, and listed pairs; slots stand for numbers.
+    void sketch(double, Sketch<D>& sketch) const {
+        for (Slot i = 0; i < centres_.size(); ++i) {
+            sketch.rounds.push_back({static_cast<std::int32_t>(i), centres_[i].place,
+                                     world_.balls[i].radius + slack_});
+            for (const Slot j : lists_[i])
+                if (i < j)
+                    sketch.links.emplace_back(static_cast<std::int32_t>(i),
+                                              static_cast<std::int32_t>(j));
+        }
+    }
+
  private:
     /// Where a ball's shell lies.
     struct Centre {

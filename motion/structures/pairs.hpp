@@ -45,6 +45,9 @@ class Pairs {
         near(i, propose);
     }
 
+    /// All pairs are no picture.
+    void sketch(double, Sketch<D>&) const {}
+
  private:
     const World<D>& world_;
     double stride_ = 0.0;

@@ -95,6 +95,22 @@ class Segments {
         touch(j);
     }
 
+    /// The balls' boxes, and partners; slots stand for numbers.
+    void sketch(double now, Sketch<D>& sketch) const {
+        for (Slot i = 0; i < world_.balls.size(); ++i) {
+            Box<D> box;
+            for (int k = 0; k < D; ++k) {
+                box.low[k] = place(2 * i, k, now);
+                box.high[k] = place(2 * i + 1, k, now);
+            }
+            sketch.areas.push_back({box, 0, static_cast<std::int32_t>(i)});
+            for (const Slot j : partners_[i])
+                if (i < j)
+                    sketch.links.emplace_back(static_cast<std::int32_t>(i),
+                                              static_cast<std::int32_t>(j));
+        }
+    }
+
  private:
     /// 2 · ball, 1 more for the upper end.
     using End = std::uint32_t;
