@@ -24,11 +24,13 @@ SIGNUM_WIDE [[gnu::noinline]] auto run_wide(const Body& body) noexcept {
 }
 
 /// The result of body(), which is compiled twice, with these instructions and without. Whatever it
-/// calls, and itself, has to be inlined always, and it must tell the same either way: as
-/// error-free transforms do.
+/// calls, and itself, has to be inlined always, and it must tell the same either way: a fused
+/// operation stands only where it is written (-ffp-contract=off).
 template <class Body>
 [[gnu::always_inline]] inline auto as_wide_as_possible(const Body& body) noexcept {
     return is_wide() ? run_wide(body) : body();
 }
+
+#undef SIGNUM_WIDE
 
 }  // namespace signum

@@ -44,8 +44,8 @@ struct DoubleDouble {
     }
 };
 
-/// sum += x·y for sums of a few products, of which the parts overlap until normalized(): three
-/// products err by less than 2^-99 of the sum S of their magnitudes, with the normalization. For
+/// sum += x·y for sums of up to four products, of which the parts overlap until normalized(): they
+/// err by less than 2^-99 = 128 u² of the sum S of their magnitudes, with the normalization. For
 /// what is added to the low part is at most 5uS, in 5 operations a product, and u² S is dropped.
 [[gnu::always_inline]] inline void add_product(DoubleDouble& sum, DoubleDouble x,
                                                DoubleDouble y) noexcept {

@@ -45,6 +45,14 @@ struct Spread {
         for (int k = 0; k < D; ++k) volume *= box.high[k] - box.low[k];
         return D == 2 ? std::sqrt(volume) : std::cbrt(volume);
     }
+    /// Far more than a place is rounded by: a few units in the last place of the farthest one, and
+    /// of one far beyond.
+    [[nodiscard]] double margin() const noexcept {
+        double farthest = 0.0;
+        for (int k = 0; k < D; ++k)
+            farthest = std::max({farthest, std::fabs(box.low[k]), std::fabs(box.high[k])});
+        return 0x1p-46 * farthest;
+    }
     [[nodiscard]] double shortest() const noexcept {
         double shortest = infinity;
         for (int k = 0; k < D; ++k) shortest = std::min(shortest, box.high[k] - box.low[k]);
@@ -124,8 +132,9 @@ class CellGrid {
         return into;
     }
     [[nodiscard]] const Vector<D>& width() const noexcept { return width_; }
-    /// Whether there are at least three along each axis, or no periodic box.
-    [[nodiscard]] bool tells_images() const noexcept {
+    /// Whether there are at least three along each axis, or no periodic box; then a cell is around
+    /// another one in one way.
+    [[nodiscard]] bool images_are_distinct() const noexcept {
         return !periodic_ || *std::ranges::min_element(count_) > 2;
     }
     /// The place where a cell begins.

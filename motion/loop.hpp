@@ -55,6 +55,7 @@ class Loop final : public Simulation<D>::Engine {
                              ? most_in_place_dissipative
                              : most_in_place_elastic),
           now_(state.time) {
+        if (!(state.time >= 0.0)) throw std::invalid_argument("a state's time is 0 or more");
         std::vector<Slot> slots(particles_.size());
         for (Slot i = 0; i < slots.size(); ++i) {
             const auto number = static_cast<std::size_t>(order[i]);
@@ -106,6 +107,7 @@ class Loop final : public Simulation<D>::Engine {
                 structure_->own_event(
                     i, now_, [&](Slot j) { propose(inquiry, j); }, [&](Slot j) { touch(j); });
                 particles_[i].own = structure_->next(i, now_);
+                refuse_standstill(i);
                 look(inquiry);
                 end(inquiry);
             } else if (is_stale(next)) {
@@ -203,6 +205,7 @@ class Loop final : public Simulation<D>::Engine {
         std::uint32_t strikes = 0;
         std::uint32_t in_place = 0;
         std::int32_t number = 0;
+        std::uint32_t own_at_once = 0;  ///< events of the structure at one time
     };
 
     static std::vector<Ball<D>> in_order(const std::vector<Ball<D>>& balls,
@@ -467,7 +470,7 @@ class Loop final : public Simulation<D>::Engine {
     [[gnu::cold, gnu::noinline]] Meeting exactly(Slot i, Slot j) {
         ++counts_.exact;
         // It may have flown beyond the filter's bounds.
-        static_cast<void>(filter_.asker(world_.balls[j], now_));
+        filter_.include(world_.balls[j], now_);
         const double t =
             exact_meeting(world_.balls[i], world_.balls[j], image(i, j, now_), world_.effects);
         return {t, t};
@@ -568,6 +571,19 @@ class Loop final : public Simulation<D>::Engine {
         release(i);
         ask_after_change({i});
         return true;
+    }
+    /// Where a ball flies through its cells or shells faster than the clock ticks. Ends of its
+    /// projections change places with all others', at one time, at most.
+    void refuse_standstill(Slot i) {
+        Particle& particle = particles_[i];
+        if (particle.own > now_) [[likely]] {
+            particle.own_at_once = 0;
+        } else if (++particle.own_at_once > 1000 + 8 * particles_.size()) {
+            throw std::range_error("ball " + std::to_string(particle.number) + " at time " +
+                                   std::to_string(now_) +
+                                   " flies too far from one double to the next; use slower balls, "
+                                   "or a shorter time");
+        }
     }
     /// Where balls fly so far from one tick of the clock to the next that those which meet are
     /// apart at the rounded time.

@@ -8,6 +8,7 @@ namespace signum::motion {
 namespace {
 
 constexpr std::size_t lanes = 4;
+static_assert(Crowd::capacity % lanes == 0);
 /// Four doubles, and four answers: all bits or none.
 using Four = double __attribute__((vector_size(lanes * sizeof(double))));
 using Flags = std::int64_t __attribute__((vector_size(lanes * sizeof(double))));
@@ -44,16 +45,16 @@ template <int D>
 }  // namespace
 
 template <int D, bool Falls, Kernel kernel>
-auto MeetingFilter<D, Falls, kernel>::asker(const Ball<D>& ball, double now) noexcept -> Asker {
-    Asker asker;
+Place<D> MeetingFilter<D, Falls, kernel>::include(const Ball<D>& ball, double now) noexcept {
+    Place<D> place;
     const double dt = now - ball.time;
     double farthest = 0.0;
     double fastest = 0.0;
     for (int i = 0; i < D; ++i) {
         const double flown = ball.v[i] * dt;
         farthest = std::max(farthest, filters::magnitude(flown));
-        double& x = asker.place_.x[i];
-        double& v = asker.place_.v[i];
+        double& x = place.x[i];
+        double& v = place.v[i];
         x = ball.x[i] + flown;
         v = ball.v[i];
         if constexpr (Falls) {
@@ -70,6 +71,13 @@ auto MeetingFilter<D, Falls, kernel>::asker(const Ball<D>& ball, double now) noe
         bounds_.speed = std::max(bounds_.speed, fastest);
         set_bounds();
     }
+    return place;
+}
+
+template <int D, bool Falls, Kernel kernel>
+auto MeetingFilter<D, Falls, kernel>::asker(const Ball<D>& ball, double now) noexcept -> Asker {
+    Asker asker;
+    asker.place_ = include(ball, now);
     asker.radius_ = ball.radius;
     asker.now_ = now;
     asker.bounds_ = &bounds_;

@@ -159,6 +159,8 @@ class MeetingFilter {
         double now_;
         const Bounds<D>* bounds_;
     };
+    /// Takes a ball into the bounds as it is now; returns where that is.
+    Place<D> include(const Ball<D>& ball, double now) noexcept;
     /// The bounds then hold for questions asked from where the ball is now.
     [[nodiscard]] Asker asker(const Ball<D>& ball, double now) noexcept;
 

@@ -11,8 +11,8 @@
 
 namespace signum::motion {
 
-/// How far into its cell a sphere's centre lies, below 2^60, and its radius, which may be infinite.
-/// They are floats: whoever asks allows for their rounding.
+/// How far into its cell a sphere's centre lies, and its radius, which may be infinite, in units of
+/// about a cell's width. They are floats: whoever asks allows for their rounding.
 template <int D>
 struct Shell {
     PerAxis<float, D> into{};
@@ -79,7 +79,6 @@ class ShellLists {
             }
         }
     }
-    void fetch(std::uint32_t list) const noexcept { __builtin_prefetch(&chunks_[list]); }
 
  private:
     static constexpr std::size_t lanes = 4;

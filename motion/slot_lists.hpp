@@ -1,5 +1,5 @@
 #pragma once
-/// Many short lists, unordered, in one pool: for each ball others, for each cell who is there.
+/// For each ball a list of others, unordered; many short lists in one pool.
 
 #include <algorithm>
 #include <array>
@@ -12,34 +12,31 @@
 
 namespace signum::motion {
 
-template <class T>
-class PooledLists {
+class SlotLists {
  public:
-    explicit PooledLists(std::size_t lists) : lists_(lists) {}
+    explicit SlotLists(std::size_t lists) : lists_(lists) {}
 
-    [[nodiscard]] std::size_t size() const noexcept { return lists_.size(); }
-    [[nodiscard]] std::span<const T> operator[](std::uint32_t i) const noexcept {
+    [[nodiscard]] std::span<const Slot> operator[](Slot i) const noexcept {
         const List& list = lists_[i];
         return {pool_.data() + list.begin, list.size};
     }
-    void fetch(std::uint32_t i) const noexcept { __builtin_prefetch(&lists_[i]); }
-    void append(std::uint32_t i, const T& thing) {
+    void fetch(Slot i) const noexcept { __builtin_prefetch(&lists_[i]); }
+    void append(Slot i, Slot j) {
         List& list = lists_[i];
         if (list.size == list.capacity) grow(list);
-        pool_[list.begin + list.size++] = thing;
+        pool_[list.begin + list.size++] = j;
     }
-    /// The first one for which that holds; nothing happens where there is none.
-    template <class Is>
-    void remove_if(std::uint32_t i, const Is& is) noexcept {
+    /// Nothing happens where it is not there.
+    void remove(Slot i, Slot j) noexcept {
         List& list = lists_[i];
-        T* const begin = pool_.data() + list.begin;
-        T* const end = begin + list.size;
-        T* const found = std::find_if(begin, end, is);
+        Slot* const begin = pool_.data() + list.begin;
+        Slot* const end = begin + list.size;
+        Slot* const found = std::find(begin, end, j);
         if (found == end) return;
         *found = end[-1];
         --list.size;
     }
-    void clear(std::uint32_t i) noexcept { lists_[i].size = 0; }
+    void clear(Slot i) noexcept { lists_[i].size = 0; }
 
  private:
     struct List {
@@ -69,17 +66,8 @@ class PooledLists {
     }
 
     std::vector<List> lists_;
-    std::vector<T> pool_;
+    std::vector<Slot> pool_;
     std::array<std::vector<std::uint32_t>, 33> free_;
-};
-
-/// For each ball a list of others.
-class SlotLists : public PooledLists<Slot> {
- public:
-    using PooledLists::PooledLists;
-    void remove(Slot i, Slot j) noexcept {
-        remove_if(i, [j](Slot other) { return other == j; });
-    }
 };
 
 }  // namespace signum::motion

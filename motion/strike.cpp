@@ -123,6 +123,9 @@ struct Apart {
     double shift = 0.0;
 };
 
+/// What products lose that are too small for their error to be a double.
+constexpr double underflow = 0x1p-1060;
+
 constexpr double untold = std::numeric_limits<double>::quiet_NaN();
 
 /// The velocities after a strike, or `untold` components.
@@ -151,7 +154,7 @@ template <int D>
     after.square = d.square.high;
     after.of_a.fill(untold);
     after.of_b.fill(untold);
-    const double product_error = 0x1p-98 * d.size;
+    const double product_error = 0x1p-98 * d.size + underflow;
     // Of the quotient of product and square.
     double relative = product_error / after.approach;
     if (d.shift > 0.0) relative += 0x1p-96 * d.shift / std::sqrt(after.square);
@@ -159,6 +162,7 @@ template <int D>
     if (!(relative >= 0.0 && relative < 0x1p-60 && after.approach > 0x1p-800)) return after;
     after.measured = true;
     const DoubleDouble ratio = quotient(d.product, d.square);
+    if (!(std::fabs(ratio.high) > 0x1p-800 && after.square > 0x1p-800)) return after;
     const Shares share = shares(mass_a, mass_b, effects.restitution);
     // Elastic, and equal masses.
     const bool is_one = share.of_a.high == 1.0 && share.of_a.low == 0.0;
@@ -172,7 +176,7 @@ template <int D>
                                __attribute__((always_inline)) {
             const TwoTerms sum = two_sum(v, change.high);
             const double error = (0x1p-94 + relative) * std::fabs(change.high) + shifted +
-                                 0x1p-100 * std::fabs(v) + 0x1p-1060;
+                                 0x1p-100 * std::fabs(v) + underflow;
             return rounds({sum.high, sum.low + change.low}, error, nearest);
         };
         const bool tells_a = tells(a.v[i], {-of_a.high, -of_a.low}, after.of_a[i]);
@@ -239,7 +243,8 @@ template <int D>
             x = x + fallen;
             size += std::fabs(fallen.high);
             if (!rounds(DoubleDouble{ball.v[i], 0.0} + faster,
-                        0x1p-98 * (std::fabs(ball.v[i]) + std::fabs(faster.high)), result.v[i]))
+                        0x1p-98 * (std::fabs(ball.v[i]) + std::fabs(faster.high)) + underflow,
+                        result.v[i]))
                 result.v[i] = untold;
         }
         bool certain = true;
@@ -257,7 +262,7 @@ template <int D>
             const double margin = 0x1p-40 * (size + std::fabs(low) + std::fabs(high));
             certain = x.high > low + margin && x.high < high - margin;
         }
-        if (!rounds(x, 0x1p-97 * size, result.x[i]) || !certain) result.x[i] = untold;
+        if (!rounds(x, 0x1p-97 * size + underflow, result.x[i]) || !certain) result.x[i] = untold;
     }
     return result;
 }
@@ -321,7 +326,7 @@ double impulse(const Ball<D>& a, const Ball<D>& b, const Image<D>& image, double
         const DoubleDouble momentum =
             mass_a * (share.of_a * quotient(product, {root.high, root.low}));
         double nearest = 0.0;
-        if (rounds(momentum, (0x1p-92 + relative) * std::fabs(momentum.high), nearest))
+        if (rounds(momentum, (0x1p-92 + relative) * std::fabs(momentum.high) + underflow, nearest))
             return std::fabs(nearest);
     }
     ++tally.exact;

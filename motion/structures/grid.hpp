@@ -18,8 +18,8 @@
 /// then b, which lives there, proposes all that live in or visit the cells that have become its
 /// neighbours, and a, which visits, all that live there.
 ///
-/// A crossing is told in rounded numbers; cells are by a part in 2^20 wider than diameters, which
-/// is far more than any rounding of a place.
+/// A crossing is told in rounded numbers; cells are wider than diameters by a part in 2^20 and a
+/// margin, which is far more than any rounding of a place.
 
 #include <algorithm>
 #include <array>
@@ -43,11 +43,11 @@ class Grid {
         const bool hashed = structure == Structure::tree;
         const Spread<D> spread(world);
         const double widest =
-            std::max(2.0 * spread.largest_radius * (1.0 + 0x1p-20), 0x1p-24 * spread.shortest());
+            std::max(width_for(spread.largest_radius, spread), 0x1p-24 * spread.shortest());
         const double no_wider = world.effects.periodic ? spread.shortest() / 5.0 : infinity;
         // Cells far narrower than balls are apart are crossed for nothing.
         const double narrowest =
-            std::max({2.0 * spread.smallest_radius * (1.0 + 0x1p-20),
+            std::max({width_for(spread.smallest_radius, spread),
                       std::min(0.8 * spread.edge_of(1.0), no_wider), 0x1p-20 * widest});
         int number = 1;
         while (number < most_levels && std::ldexp(narrowest, number) <= widest) ++number;
@@ -63,7 +63,7 @@ class Grid {
         for (Slot i = 0; i < cell_.size(); ++i) {
             int level = 0;
             while (level + 1 < number &&
-                   std::ldexp(finest, level) < 2.0 * world.balls[i].radius * (1.0 + 0x1p-20))
+                   std::ldexp(finest, level) < width_for(world.balls[i].radius, spread))
                 ++level;
             level_[i] = static_cast<std::uint8_t>(level);
             cell_[i] = grids_[level_[i]].cell_of(world.centre(i, world.start));
@@ -141,6 +141,10 @@ class Grid {
     }
 
  private:
+    [[nodiscard]] static double width_for(double radius, const Spread<D>& spread) noexcept {
+        return 2.0 * radius * (1.0 + 0x1p-20) + spread.margin();
+    }
+
     /// The next side of its cell that a centre comes to, after some time.
     struct Crossing {
         double after = infinity;

@@ -4,15 +4,17 @@
 /// Each ball's centre lies within a distance, the slack, of a place, and when it is about to leave
 /// that sphere it gets a new place, and its list is made anew. Around the place lies the ball's
 /// shell, whose radius is the ball's and the slack. Two balls are in each other's lists while their
-/// shells overlap. So a pair that meets is in the lists. When a list is made those that are new in
+/// shells overlap: one of them, whose place is the newer one, sees it and tells both, so that they
+/// never disagree. So a pair that meets is in the lists. When a list is made those that are new in
 /// it are proposed, and at a strike all of the two lists.
 ///
 /// A place is somewhat ahead of where the ball was, so that it stays longer.
 ///
 /// Shells lie in the cells of their places; a cell is at least as wide as two shells are apart, so
-/// that 3^D cells hold all whose shells may overlap. In the cells' floats a shell's place errs by
-/// less than 2^-23 of a cell's width, a difference of two by less than 2^-21 with the operations;
-/// by twice that shells are thicker.
+/// that 3^D cells hold all whose shells may overlap. There they are floats, in units of the widest
+/// cell: a place errs by less than 2^-23, and a difference of two, with the operations, by less
+/// than 2^-21; by twice that shells are thicker. And by the margin, which is far more than places
+/// of balls are rounded by, a ball is told to leave its sphere earlier, and its shell is thicker.
 
 #include <algorithm>
 #include <bit>
@@ -36,11 +38,6 @@ class Lists {
  public:
     explicit Lists(const World<D>& world, Structure = Structure::lists) : Lists(world, Spread<D>(world)) {}
 
-    template <class Propose>
-    void near(Slot i, const Propose& propose) const {
-        for (const Slot j : lists_[i]) propose(j);
-    }
-
     [[nodiscard]] std::span<const Slot> list(Slot i) const noexcept { return lists_[i]; }
     void fetch(Slot i) const noexcept {
         __builtin_prefetch(&centres_[i]);
@@ -55,18 +52,18 @@ class Lists {
         const double flown = world_.nearest_square(d);
         double gravity = 0.0;
         for (const double g : world_.effects.gravity) gravity += g * g;
-        const double c = slack_ * slack_ * (1.0 - 0x1p-20) - flown;
+        const double c = sphere_ * sphere_ - flown;
         if (c <= 0.0) return now;
         const double a = dot(v, v);
         const double b = dot(d, v);
         if (gravity > 0.0) {
             // Nearer than the slack for as long as speed · s + g s²/2 is below what is left of it.
-            const double left = slack_ * (1.0 - 0x1p-20) - std::sqrt(flown);
+            const double left = sphere_ - std::sqrt(flown);
             if (left < 0x1p-4 * slack_) return now;
             const double speed = std::sqrt(a);
             return now + 2.0 * left / (speed + std::sqrt(a + 2.0 * std::sqrt(gravity) * left));
         }
-        // |d + v s|² = slack²; of the two forms of the root the one that does not cancel.
+        // |d + v s|² = sphere²; of the two forms of the root the one that does not cancel.
         const double root = std::sqrt(b * b + a * c);
         const double s = (b > 0.0 ? c : root - b) / (b > 0.0 ? b + root : a);
         return s < infinity ? now + s * (1.0 - 0x1p-40) : infinity;
@@ -117,13 +114,16 @@ class Lists {
 
     Lists(const World<D>& world, const Spread<D>& spread)
         : world_(world),
+          margin_(spread.margin()),
           slack_(slack_of(spread)),
-          largest_(spread.largest_radius + slack_),
+          sphere_(slack_ * (1.0 - 0x1p-20) - margin_),
+          largest_(spread.largest_radius + slack_ + margin_),
           grid_(world, spread,
-                std::max(2.0 * (spread.largest_radius + slack_) * (1.0 + 0x1p-12),
+                std::max(2.0 * (spread.largest_radius + slack_ + margin_) * (1.0 + 0x1p-12),
                          spread.edge_of(0.5))),
           hashed_(!grid_.has_few_cells(world.balls.size())),
-          tells_images_(grid_.tells_images()),
+          images_are_distinct_(grid_.images_are_distinct()),
+          unit_(*std::ranges::max_element(grid_.width())),
           shells_(hashed_ ? std::bit_ceil(world.balls.size() + 1)
                           : static_cast<std::size_t>(grid_.size())),
           centres_(world.balls.size()),
@@ -131,11 +131,15 @@ class Lists {
           leaves_(world.balls.size()) {
         for (Slot i = 0; i < centres_.size(); ++i) enter(i, world.start);
         for (Slot i = 0; i < centres_.size(); ++i)
-            for_each_near(i, [&](Slot j) { lists_.append(i, j); });
+            for_each_near(i, [&](Slot j) {
+                if (j > i) return;
+                lists_.append(i, j);
+                lists_.append(j, i);
+            });
     }
 
     [[nodiscard]] double radius_of_shell(Slot i) const noexcept {
-        return (world_.balls[i].radius + slack_) * (1.0 + 0x1p-20);
+        return (world_.balls[i].radius + slack_ + margin_) * (1.0 + 0x1p-20);
     }
     [[nodiscard]] std::uint32_t list_of(const Cell<D>& cell) const noexcept {
         return hashed_ ? hash_of(cell, shells_.size()) : grid_.place(cell);
@@ -144,16 +148,13 @@ class Lists {
     [[nodiscard]] Shell<D> shell_of(Slot i, const Vector<D>& into) const noexcept {
         Shell<D> shell;
         double farthest = 0.0;
-        double widest = 0.0;
         for (int k = 0; k < D; ++k) {
-            shell.into[k] = static_cast<float>(std::clamp(into[k], -0x1p50, 0x1p50));
             farthest = std::max(farthest, std::fabs(into[k] / grid_.width()[k]));
-            widest = std::max(widest, grid_.width()[k]);
+            shell.into[k] = static_cast<float>(std::clamp(into[k] / unit_, -0x1p50, 0x1p50));
         }
         // Where the outermost cell has no end, floats tell nothing.
-        shell.reach = farthest < 2.0
-                          ? static_cast<float>(radius_of_shell(i) + 0x1p-20 * widest)
-                          : std::numeric_limits<float>::infinity();
+        shell.reach = farthest < 2.0 ? static_cast<float>(radius_of_shell(i) / unit_ + 0x1p-20)
+                                     : std::numeric_limits<float>::infinity();
         shell.ball = i;
         return shell;
     }
@@ -175,7 +176,8 @@ class Lists {
         const double reach = spread.edge_of((D == 2 ? 7.0 : 12.0) / ball);
         const double slack =
             std::max(0.5 * reach - spread.largest_radius, 0.05 * spread.largest_radius);
-        return std::clamp(slack, 0x1p-20 * spread.shortest(), 0.05 * spread.shortest());
+        return std::max(std::clamp(slack, 0x1p-20 * spread.shortest(), 0.05 * spread.shortest()),
+                        8.0 * spread.margin());
     }
 
     /// All others whose shells overlap with a ball's.
@@ -185,17 +187,17 @@ class Lists {
         const Cell<D> middle = grid_.cell_of(place);
         const Vector<D> into = grid_.into_cell(place, middle);
         const Shell<D> shell = shell_of(i, into);
-        const double farthest = radius_of_shell(i) + largest_ * (1.0 + 0x1p-18);
+        const double farthest = radius_of_shell(i) + largest_ * (1.0 + 0x1p-18) + 0x1p-18 * unit_;
         std::size_t size = 0;
         grid_.for_each_around(
             middle, into, farthest, [&](const Cell<D>& cell, const Cell<D>& steps) {
                 Shell<D> seen = shell;
                 for (int k = 0; k < D; ++k)
-                    seen.into[k] -= static_cast<float>(steps[k] * grid_.width()[k]);
-                if (!tells_images_) seen.reach = std::numeric_limits<float>::infinity();
+                    seen.into[k] -= static_cast<float>(steps[k] * grid_.width()[k] / unit_);
+                if (!images_are_distinct_) seen.reach = std::numeric_limits<float>::infinity();
                 const std::size_t before = size;
                 shells_.find_overlapping(list_of(cell), seen, near_, size);
-                if (hashed_ || !tells_images_) [[unlikely]]
+                if (hashed_ || !images_are_distinct_) [[unlikely]]
                     size = confirm(i, cell, before, size);
             });
         for (std::size_t k = 0; k < size; ++k)
@@ -219,11 +221,14 @@ class Lists {
     }
 
     const World<D>& world_;
+    double margin_;
     double slack_;
-    double largest_;
+    double sphere_;   // how far from its place a ball may be
+    double largest_;  // shell, but for what roundings it is thicker by
     CellGrid<D> grid_;
     bool hashed_;
-    bool tells_images_;  // cells, how far their balls are apart
+    bool images_are_distinct_;
+    double unit_;  // of floats
     ShellLists<D> shells_;
     std::vector<Centre> centres_;
     SlotLists lists_;

@@ -195,6 +195,69 @@ TEST(MotionStructures, AClockTooCoarseIsAnError) {
     EXPECT_THROW(run(scene, Structure::pairs, 10), std::range_error);
 }
 
+/// A lonely ball that is through the box many times before the clock ticks.
+TEST(MotionStructures, ABallFasterThanTheClockIsAnError) {
+    Scene<2> scene = gas<2>(25, true, 5);
+    for (Body<2>& body : scene.bodies) body.v = {0.0, 0.0};
+    scene.bodies.push_back({{0.0, 0.0}, {0x1p80, 0.0}, 0.001, 1.0});
+    for (const Structure structure :
+         {Structure::cells, Structure::tree, Structure::levels, Structure::lists}) {
+        SCOPED_TRACE(name_of(structure));
+        State<2> state = start<2>(scene.bodies, scene.effects);
+        state.time = 1.0;
+        for (Ball<2>& ball : state.balls) ball.time = 1.0;
+        Simulation<2> simulation(state, scene.effects, {structure});
+        EXPECT_THROW(simulation.run({.until = 2.0}), std::range_error);
+    }
+}
+
+/// Lengths in units a power of two larger or smaller, and speeds too: the same times.
+TEST(MotionStructures, ALogInOtherUnitsIsTheSame) {
+    const Scene<2> scene = gas<2>(100, false, 51);
+    for (const int exponent : {-140, -76, 50, 75, 140}) {
+        Scene<2> scaled = scene;
+        const double unit = std::ldexp(1.0, exponent);
+        scaled.effects.box = cube<2>(scene.effects.box->high[0] * unit);
+        for (Body<2>& body : scaled.bodies) {
+            body.radius *= unit;
+            for (double& x : body.x) x *= unit;
+            for (double& v : body.v) v *= unit;
+        }
+        for (const Structure structure : all_structures) {
+            SCOPED_TRACE(std::string(name_of(structure)) + ", 2^" + std::to_string(exponent));
+            const Recorded expected = run(scene, structure, 500);
+            const Recorded result = run(scaled, structure, 500);
+            ASSERT_EQ(result.log.size(), expected.log.size());
+            for (std::size_t i = 0; i < expected.log.size(); ++i) {
+                Strike strike = result.log[i];
+                strike.impulse /= unit;
+                ASSERT_EQ(strike, expected.log[i]) << i;
+            }
+        }
+    }
+}
+
+/// Two discs whose shells at the start overlap by so little that floats tell it differently from
+/// the two sides.
+TEST(MotionStructures, ListsAgreeFromBothSides) {
+    Scene<2> scene;
+    scene.bodies = {{{6.750502786531772, 4.625980716486113},
+                     {-0.8011125010219192, 0.5985137932465763},
+                     0.3,
+                     1.0},
+                    {{5.03, 5.1}, {0.0, 0.0}, 0.3, 1.0},
+                    {{3.551810629126746, 3.4705963717245094},
+                     {0.6719042594878428, 0.7406380128524956},
+                     0.3,
+                     1.0}};
+    for (int i = 0; i < 13; ++i) scene.bodies.push_back({{0.5 + 0.7 * i, 0.4}, {}, 0.3, 1.0});
+    for (int i = 0; i < 4; ++i) scene.bodies.push_back({{0.5 + 0.7 * i, 9.6}, {}, 0.3, 1.0});
+    scene.effects.box = cube<2>(10.0);
+    const Recorded expected = run(scene, Structure::pairs, 2);
+    ASSERT_EQ(expected.log.size(), 2U);
+    EXPECT_EQ(run(scene, Structure::lists, 2).log, expected.log);
+}
+
 TEST(MotionStructures, WhatCannotBeIsRefused) {
     using Bodies = std::vector<Body<2>>;
     const Effects<2> none;
