@@ -151,8 +151,8 @@ double ratio_from_start(const Gas<D>& gas, std::uint64_t strikes, Structure stru
     for (int round = 0; round < 7; ++round) {
         const auto time_of = [&](Kernel kernel) {
             const double begin = seconds();
-            motion::Simulation<D> simulation(motion::start<D>(gas.bodies, gas.effects),
-                                             gas.effects, {structure, kernel});
+            motion::Simulation<D> simulation(motion::start<D>(gas.bodies, gas.effects), gas.effects,
+                                             {structure, kernel});
             simulation.run({.strikes = strikes});
             return seconds() - begin;
         };

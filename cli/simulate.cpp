@@ -55,11 +55,12 @@ constexpr std::array<Format, 3> simulate_formats = {
 
 volatile std::sig_atomic_t interrupted = 0;
 
-extern "C" void note_interrupt(int /*signal*/) {
-    interrupted = 1;
+extern "C" void note_interrupt(int signal) {
+    interrupted = signal;
 }
 
-/// While it lives, the first Ctrl-C is noted and the second one ends the program.
+/// While it lives, the first Ctrl-C (or what ends a session or a batch job) is noted, and the
+/// second one ends the program.
 class InterruptNoted {
  public:
     InterruptNoted() {
@@ -67,18 +68,23 @@ class InterruptNoted {
         action.sa_handler = note_interrupt;
         action.sa_flags = static_cast<int>(SA_RESETHAND);
         sigemptyset(&action.sa_mask);
-        is_set_ = ::sigaction(SIGINT, nullptr, &before_) == 0 && before_.sa_handler != SIG_IGN &&
-                  ::sigaction(SIGINT, &action, nullptr) == 0;
+        for (std::size_t k = 0; k < signals.size(); ++k) {
+            is_set_[k] = ::sigaction(signals[k], nullptr, &before_[k]) == 0 &&
+                         before_[k].sa_handler != SIG_IGN &&
+                         ::sigaction(signals[k], &action, nullptr) == 0;
+        }
     }
     InterruptNoted(const InterruptNoted&) = delete;
     InterruptNoted& operator=(const InterruptNoted&) = delete;
     ~InterruptNoted() {
-        if (is_set_) ::sigaction(SIGINT, &before_, nullptr);
+        for (std::size_t k = 0; k < signals.size(); ++k)
+            if (is_set_[k]) ::sigaction(signals[k], &before_[k], nullptr);
     }
 
  private:
-    struct sigaction before_ = {};
-    bool is_set_ = false;
+    static constexpr std::array signals = {SIGINT, SIGTERM, SIGHUP};
+    std::array<struct sigaction, signals.size()> before_ = {};
+    std::array<bool, signals.size()> is_set_ = {};
 };
 
 motion::Structure structure_of(const std::string& name) {
@@ -293,7 +299,8 @@ class Recording {
             if (sink.log) sink.log->finish();
             if (sink.format == "svg") {
                 const std::string title = fmt::format(
-                    "{} balls{}{}", end.state.balls.size(), D == 3 ? ", seen along z" : "",
+                    "{} ball{}{}{}", end.state.balls.size(), end.state.balls.size() == 1 ? "" : "s",
+                    D == 3 ? ", seen along z" : "",
                     shows_structure_ ? fmt::format("; structure {}", name_of(structure_))
                                      : std::string());
                 movie_->write(sink.stream(), title,
@@ -452,8 +459,23 @@ motion::Outcome run_all(motion::Simulation<D>& simulation, const SimulateCall& c
                 recording.shows_structure() ? simulation.sketch() : motion::Sketch<D>{});
         }
         if (is_last) return outcome;
+        if (interrupted != 0) return {motion::Ending::stopped, {}};
         now = limits.until;
         show();
+    }
+}
+
+void refuse_bad_save(const SimulateCall& call, std::span<const Target> targets) {
+    if (call.save.empty()) return;
+    if (call.save == standard_output)
+        throw CallError("--save -: a state goes to a file; give its name");
+    if (is_same_file(call.input, call.save))
+        throw CallError(
+            fmt::format("--save {} would overwrite the input; give another name", call.save));
+    for (const Target& target : targets) {
+        if (is_same_path(target.path, call.save))
+            throw CallError(
+                fmt::format("--save {} is where -o goes, too; give another name", call.save));
     }
 }
 
@@ -467,6 +489,13 @@ void run(const SimulateCall& call, const MotionState<D>& start) {
     if (wants_frames && !call.until) throw CallError("frames need to know the end; add --until T");
     if (call.every && !wants_frames)
         throw CallError("--every is for frames; add -o FILE.xyz or -o FILE.svg");
+    if (call.every) {
+        constexpr double most_frames = 1e7;
+        if ((*call.until - start.state.time) / *call.every > most_frames)
+            throw CallError(fmt::format(
+                "--every {}: more than 10 million frames; give a longer one", *call.every));
+    }
+    refuse_bad_save(call, targets);
     if (!call.show.empty() && !is_written(targets, "svg"))
         throw CallError("--show is for a movie; add -o FILE.svg");
     if (D == 3 && !call.show.empty())
@@ -518,7 +547,22 @@ void run(const SimulateCall& call, const MotionState<D>& start) {
         say("{}", written(targets));
     }
     // As if nobody had caught it.
-    if (outcome->ending == motion::Ending::stopped) ::raise(SIGINT);
+    if (outcome->ending == motion::Ending::stopped) ::raise(static_cast<int>(interrupted));
+}
+
+/// A state that can be; a damaged one is named.
+template <int D>
+MotionState<D> resumed(const std::string& path) {
+    MotionState<D> result = read_motion_state<D>(path);
+    try {
+        motion::check(result.state, result.effects);
+    } catch (const motion::BallError& error) {
+        throw InputError(path,
+                         fmt::format("a damaged state; ball {}: {}", error.ball(), error.what()));
+    } catch (const std::invalid_argument& error) {
+        throw InputError(path, fmt::format("a damaged state; {}", error.what()));
+    }
+    return result;
 }
 
 void refuse_effects_of_state(const SimulateCall& call) {
@@ -539,9 +583,9 @@ void simulate(const SimulateCall& call) {
         if (!call.input.empty())
             throw CallError("FILE and --resume: the state holds the balls; leave FILE out");
         if (dimension_of_motion_state(call.resume) == 2) {
-            run(call, read_motion_state<2>(call.resume));
+            run(call, resumed<2>(call.resume));
         } else {
-            run(call, read_motion_state<3>(call.resume));
+            run(call, resumed<3>(call.resume));
         }
         return;
     }

@@ -1,5 +1,6 @@
 #pragma once
-/// Instructions that not every processor of a kind has: fused multiply-add, vectors of four doubles.
+/// Instructions that not every processor of a kind has: fused multiply-add, vectors of four
+/// doubles.
 
 #if defined(__x86_64__)
 #define SIGNUM_WIDE [[gnu::target("avx2,fma")]]

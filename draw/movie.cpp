@@ -40,8 +40,11 @@ Movie::Movie(std::vector<double> radii, std::array<double, 2> low, std::array<do
     std::iota(shown_.begin(), shown_.end(), std::size_t{0});
     is_shown_.assign(radii_.size(), shown_.size() <= most_balls);
     if (shown_.size() <= most_balls) return;
-    std::ranges::stable_sort(shown_,
-                             [&](std::size_t a, std::size_t b) { return radii_[a] > radii_[b]; });
+    // Of equal ones some from everywhere: multiples of the golden ratio lie evenly.
+    const auto spread = [](std::size_t i) { return i * 0x9E3779B97F4A7C15; };
+    std::ranges::sort(shown_, [&](std::size_t a, std::size_t b) {
+        return radii_[a] != radii_[b] ? radii_[a] > radii_[b] : spread(a) < spread(b);
+    });
     shown_.resize(most_balls);
     std::ranges::sort(shown_);
     for (const std::size_t i : shown_) is_shown_[i] = true;

@@ -22,15 +22,18 @@ struct DoubleDouble {
     double high;
     double low;
 
-    [[gnu::always_inline]] friend inline DoubleDouble operator+(DoubleDouble x, DoubleDouble y) noexcept {
+    [[gnu::always_inline]] friend inline DoubleDouble operator+(DoubleDouble x,
+                                                                DoubleDouble y) noexcept {
         const TwoTerms sum = two_sum(x.high, y.high);
         const TwoTerms result = two_sum(sum.high, sum.low + (x.low + y.low));
         return {result.high, result.low};
     }
-    [[gnu::always_inline]] friend inline DoubleDouble operator-(DoubleDouble x, DoubleDouble y) noexcept {
+    [[gnu::always_inline]] friend inline DoubleDouble operator-(DoubleDouble x,
+                                                                DoubleDouble y) noexcept {
         return x + DoubleDouble{-y.high, -y.low};
     }
-    [[gnu::always_inline]] friend inline DoubleDouble operator*(DoubleDouble x, DoubleDouble y) noexcept {
+    [[gnu::always_inline]] friend inline DoubleDouble operator*(DoubleDouble x,
+                                                                DoubleDouble y) noexcept {
         const TwoTerms product = two_product(x.high, y.high);
         const double cross = x.high * y.low + x.low * y.high;
         // What is small here is at most 4u of the product.
@@ -60,7 +63,8 @@ struct DoubleDouble {
 }
 
 /// a - b, exactly.
-[[nodiscard, gnu::always_inline]] inline DoubleDouble exact_difference(double a, double b) noexcept {
+[[nodiscard, gnu::always_inline]] inline DoubleDouble exact_difference(double a,
+                                                                       double b) noexcept {
     const TwoTerms difference = two_difference(a, b);
     return {difference.high, difference.low};
 }

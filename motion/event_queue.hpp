@@ -135,7 +135,8 @@ class EventQueue {
     template <class Before>
     void sift(std::size_t place, Entry e, const Before& before) {
         const auto is_before = [&](Entry a, Entry b) {
-            return items_[a].key < items_[b].key || (items_[a].key == items_[b].key && before(a, b));
+            return items_[a].key < items_[b].key ||
+                   (items_[a].key == items_[b].key && before(a, b));
         };
         while (place > 0 && is_before(e, heap_[(place - 1) / 2])) {
             put(place, heap_[(place - 1) / 2]);

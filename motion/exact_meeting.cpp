@@ -75,8 +75,7 @@ double exact_meeting(const Ball<D>& a, const Ball<D>& b, const Image<D>& image,
         const Coordinate of_b = arrived(b.x[i], b.v[i], effects.gravity[i], since_b);
         Dyadic d = of_a.x - of_b.x;
         const Dyadic v = of_a.v - of_b.v;
-        if (image[i] != 0)
-            d = d - image[i] * length<Dyadic>(effects, i);
+        if (image[i] != 0) d = d - image[i] * length<Dyadic>(effects, i);
         f.a += v * v;
         f.b += d * v;
         f.c += d * d;
@@ -127,8 +126,7 @@ template <int D>
                       std::fabs(flown_b.high);
         double speed = std::fabs(a.v[i]) + std::fabs(b.v[i]);
         if (effects.gravity[i] != 0.0) {
-            const DoubleDouble fallen =
-                0.5 * effects.gravity[i] * (later_a * (since_a + since_b));
+            const DoubleDouble fallen = 0.5 * effects.gravity[i] * (later_a * (since_a + since_b));
             d = d + fallen;
             v += effects.gravity[i] * later_a.high;
             size += std::fabs(fallen.high);
@@ -165,8 +163,9 @@ template <int D>
 template <int D>
 double refined_meeting(const Ball<D>& a, const Ball<D>& b, const Image<D>& image,
                        const Effects<D>& effects, double about) noexcept {
-    return as_wide_as_possible(
-        [&]() __attribute__((always_inline)) { return refined(a, b, image, effects, about); });
+    return as_wide_as_possible([&]() __attribute__((always_inline)) {
+        return refined(a, b, image, effects, about);
+    });
 }
 
 template <int D>

@@ -41,7 +41,8 @@ template <int D, bool Falls, Kernel kernel, template <int> class StructureOf>
 class Loop final : public Simulation<D>::Engine {
  public:
     /// `order`: the balls' numbers in the order in which memory shall hold them.
-    Loop(Structure structure, const State<D>& state, const Effects<D>& effects, const std::vector<std::int32_t>& order)
+    Loop(Structure structure, const State<D>& state, const Effects<D>& effects,
+         const std::vector<std::int32_t>& order)
         : world_{in_order(state.balls, order), effects, state.time},
           particles_(order.size()),
           filter_(effects),
@@ -55,7 +56,6 @@ class Loop final : public Simulation<D>::Engine {
                              ? most_in_place_dissipative
                              : most_in_place_elastic),
           now_(state.time) {
-        if (!(state.time >= 0.0)) throw std::invalid_argument("a state's time is 0 or more");
         std::vector<Slot> slots(particles_.size());
         for (Slot i = 0; i < slots.size(); ++i) {
             const auto number = static_cast<std::size_t>(order[i]);
@@ -140,10 +140,10 @@ class Loop final : public Simulation<D>::Engine {
         }
         for (const auto& [pair, time] : passed_) {
             const auto [i, j] = pair;
-            state.passed.push_back(
-                {particles_[i].number,
-                 j >= first_wall ? -1 - static_cast<std::int32_t>(j - first_wall) : particles_[j].number,
-                 time});
+            state.passed.push_back({particles_[i].number,
+                                    j >= first_wall ? -1 - static_cast<std::int32_t>(j - first_wall)
+                                                    : particles_[j].number,
+                                    time});
         }
         return state;
     }
@@ -154,9 +154,9 @@ class Loop final : public Simulation<D>::Engine {
         if (world_.effects.periodic)
             for (auto& round : sketch.rounds)
                 for (int k = 0; k < D; ++k)
-                    round.centre[k] -=
-                        world_.length[k] *
-                        std::floor((round.centre[k] - world_.effects.box->low[k]) / world_.length[k]);
+                    round.centre[k] -= world_.length[k] *
+                                       std::floor((round.centre[k] - world_.effects.box->low[k]) /
+                                                  world_.length[k]);
         const auto renumber = [this](std::int32_t& ball) {
             if (ball >= 0) ball = particles_[static_cast<Slot>(ball)].number;
         };
@@ -173,10 +173,9 @@ class Loop final : public Simulation<D>::Engine {
         for (const Particle& particle : particles_) {
             const Proposal& next = particle.next;
             if (next.partner == nobody || is_stale(next)) continue;
-            sketch.expected.push_back({particle.number,
-                                       is_wall(next) ? -1 - wall_of(next)
-                                                     : particles_[next.partner].number,
-                                       next.early});
+            sketch.expected.push_back(
+                {particle.number,
+                 is_wall(next) ? -1 - wall_of(next) : particles_[next.partner].number, next.early});
         }
         std::ranges::sort(sketch.expected, {}, &Sketch<D>::Expected::ball);
         return sketch;
@@ -238,14 +237,16 @@ class Loop final : public Simulation<D>::Engine {
     /// Of two entries of equal key: those that are no exact strikes first.
     [[nodiscard]] bool comes_before(Slot i, Slot j) const {
         const auto is_exact = [this](Slot e) {
-            return particles_[e].next.early == particles_[e].next.late && particles_[e].own > particles_[e].next.early &&
+            return particles_[e].next.early == particles_[e].next.late &&
+                   particles_[e].own > particles_[e].next.early &&
                    particles_[e].next.partner != nobody;
         };
         const bool exact_i = is_exact(i);
         const bool exact_j = is_exact(j);
         if (exact_i != exact_j) return exact_j;
         if (!exact_i) return i < j;
-        return std::tuple(rank(i, particles_[i].next), i) < std::tuple(rank(j, particles_[j].next), j);
+        return std::tuple(rank(i, particles_[i].next), i) <
+               std::tuple(rank(j, particles_[j].next), j);
     }
     [[nodiscard]] auto before() const {
         return [this](Slot i, Slot j) { return comes_before(i, j); };
@@ -275,17 +276,25 @@ class Loop final : public Simulation<D>::Engine {
         for (const Slot j : structure_->list(i)) __builtin_prefetch(&world_.balls[j]);
     }
 
-    void settle(Slot i) { queue_.set(i, std::min(particles_[i].own, particles_[i].next.early), before()); }
+    void settle(Slot i) {
+        queue_.set(i, std::min(particles_[i].own, particles_[i].next.early), before());
+    }
 
     /// Balls that fly apart would cross ever more cells, or leave ever more shells, that were made
     /// when they were near one another: now and then the structure is made anew. False where
     /// nothing meets any more, as far as that is looked for.
     [[nodiscard]] bool spread() {
         constexpr std::size_t few = 2048;
-        own_events_left_ = own_events_a_ball * particles_.size();
-        const bool struck_since = strikes_before_ != counts_.strikes;
-        strikes_before_ = counts_.strikes;
-        if (!struck_since && particles_.size() <= few && !any_meets()) return false;
+        constexpr std::size_t most = 1 << 17;
+        const std::size_t balls = particles_.size();
+        own_events_left_ = own_events_a_ball * balls;
+        if (std::exchange(strikes_before_, counts_.strikes) != counts_.strikes) {
+            quiet_rounds_ = 0;
+        } else if (++quiet_rounds_, balls <= most && quiet_rounds_ > balls / few &&
+                                        std::has_single_bit(quiet_rounds_)) {
+            // As rarely as asking all pairs takes no longer than the rounds before.
+            if (!any_meets()) return false;
+        }
         const double width = widest_now();
         if (!(width > 2.0 * width_)) return true;
         width_ = width;
@@ -486,9 +495,8 @@ class Loop final : public Simulation<D>::Engine {
             return tells ? t : exact_meeting(ball, other..., world_.effects);
         };
         // Now another image may be nearer than the one that will be struck.
-        p.early = p.late =
-            is_wall(p) ? tell(wall_of(p))
-                       : tell(world_.balls[p.partner], image(i, p.partner, about));
+        p.early = p.late = is_wall(p) ? tell(wall_of(p))
+                                      : tell(world_.balls[p.partner], image(i, p.partner, about));
     }
 
     bool strike_ball(Slot i, const typename Simulation<D>::Record& record) {
@@ -502,9 +510,11 @@ class Loop final : public Simulation<D>::Engine {
         const Ball<D> b_before = b;
         Exchange exchange;
         if constexpr (kernel == Kernel::exact)
-            exchange = strike(a, b, seen, particles_[i].mass, particles_[j].mass, world_.effects, tally);
+            exchange =
+                strike(a, b, seen, particles_[i].mass, particles_[j].mass, world_.effects, tally);
         else
-            exchange = naive::strike(a, b, seen, particles_[i].mass, particles_[j].mass, world_.effects);
+            exchange =
+                naive::strike(a, b, seen, particles_[i].mass, particles_[j].mass, world_.effects);
         counts_.rounded += tally.refined;
         counts_.rounded_exactly += tally.exact;
         refuse_coarse_clock(i, j, a, b, exchange.square);
@@ -518,8 +528,8 @@ class Loop final : public Simulation<D>::Engine {
         const std::int32_t second = std::max(particles_[i].number, particles_[j].number);
         last_ = {t, false, first, second, 0.0};
         if (record) {
-            last_.impulse =
-                impulse(a_before, b_before, seen, particles_[i].mass, particles_[j].mass, world_.effects, tally);
+            last_.impulse = impulse(a_before, b_before, seen, particles_[i].mass,
+                                    particles_[j].mass, world_.effects, tally);
             record(last_);
         }
         ++counts_.strikes;
@@ -594,9 +604,9 @@ class Loop final : public Simulation<D>::Engine {
             return;
         if constexpr (kernel == Kernel::naive) return;
         throw std::range_error(
-            "balls " + std::to_string(std::min(particles_[i].number, particles_[j].number)) + " and " +
-            std::to_string(std::max(particles_[i].number, particles_[j].number)) + " meet at time " +
-            std::to_string(a.time) +
+            "balls " + std::to_string(std::min(particles_[i].number, particles_[j].number)) +
+            " and " + std::to_string(std::max(particles_[i].number, particles_[j].number)) +
+            " meet at time " + std::to_string(a.time) +
             ", but they fly too far from one double to the next for a strike then; use slower "
             "balls, or a shorter time");
     }
@@ -655,6 +665,7 @@ class Loop final : public Simulation<D>::Engine {
     bool collapses_ = false;
     std::uint64_t own_events_left_ = own_events_a_ball * particles_.size();
     std::uint64_t strikes_before_ = 0;
+    std::uint64_t quiet_rounds_ = 0;
     double now_;
     double width_ = widest_now();  // after now_, which it needs
     Counts counts_;

@@ -11,9 +11,9 @@
 /// Receding: never (radii that outgrow the motion and walls under gravity come back: F is concave
 /// there). Where F only touches 0 they graze, and exchange no impulse: never.
 ///
-/// Three stages: doubles with a bound (MeetingFilter, inline), which tell an interval that contains
-/// the meeting time, or never, or nothing; exact(), double-doubles that nearly always tell the one
-/// double, and rationals.
+/// Three stages: doubles with a bound (MeetingFilter), which tell an interval that contains the
+/// meeting time, or never, or nothing; double-doubles that nearly always tell the one double
+/// (refined_meeting()), and rationals (exact_meeting()).
 
 #include <algorithm>
 #include <array>
@@ -99,19 +99,22 @@ inline constexpr double least_square = 0x1p-600;
 
 /// The first stage. Its bounds, with u = 2^-53, E = extent, W = speed:
 ///
-/// Of the place of a ball: dt = fl(t - time), x + v dt + g dt²/2. The ball's own x, what it has flown
-/// and fallen since, and its place are at most E in each coordinate: of the one that asks E is made
-/// so, the others are asked whether it is so. So a place errs by 4 u E, with gravity by 8 u E, and
-/// D_i, a difference of two places less a multiple of the box's length that is at most 3 E, by less
-/// than 24 u E, with gravity by less than 32 u E. V errs by u a component, with gravity by 3 u W.
-/// For D <= 3, |D|² <= 12 E²:
-///     B = D·V     |error| <= 80 u E √A + 21 u E W
+/// Of the place of a ball: dt = fl(t - time), x + v dt + g dt²/2. The ball's own x, what it has
+/// flown and fallen since, and its place are at most E in each coordinate: of the one that asks E
+/// is made so, the others are asked whether it is so. So a place errs by 4 u E, with gravity by 9 u
+/// E, and D_i, a difference of two places less a multiple of the box's length that is at most 3 E,
+/// by less than 17 u E, with gravity by less than 27 u E. Of speeds W bounds those of all own times
+/// and the present one of the one that asks, so that of another one is at most W + √A; V errs by u
+/// a component, with gravity by less than 10 u W + 4 u √A. For D <= 3, |D|² <= 12 E²:
+///     B = D·V     |error| <= 82 u E √A + 60 u E W, whose square is below (128 u E)² (A + W²)
 ///     C = D·D-R²  |error| <= 520 u E²
-///     B² - AC     |error| <= 1800 u E² A + 340 u E² √A W <= K (A + W²),   K = 2048 u E²
+///     B² - AC     |error| <= 1682 u E² A + 416 u E² W² <= K (A + W²),   K = 2048 u E²
 /// and of s = C / (-B + √disc), since s √A <= |D| and s A = -B - √disc,
 ///     |error| <= (K + s K W/E + s K (A + W²)/√disc) / (-B + √disc),
 /// which is at most K/√disc where W = 0. Twice that is taken, for the bounds are computed in
-/// rounded numbers and disc may be twice its error.
+/// rounded numbers and disc may be twice its error. That B < 0 where a time is told need not be
+/// asked: disc > 2 K (A + W²) and C > 0 make |B| larger than its error, and who recedes is never
+/// met. Precondition of the bound 2^-50 t: now >= 0.
 template <int D, bool Falls, Kernel kernel>
 class MeetingFilter {
  public:

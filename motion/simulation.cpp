@@ -136,6 +136,7 @@ Choice choose(Structure wish, const State<D>& state, const Effects<D>& effects) 
 template <int D>
 Simulation<D>::Simulation(const State<D>& state, const Effects<D>& effects,
                           const Options& options) {
+    check(state, effects);
     const Structure structure = choose(options.structure, state, effects).structure;
     const auto row = std::ranges::find(rows<D>, structure, &Row<D>::structure);
     engine_ = row->make(structure, state, effects, options.kernel, along_a_curve(state, effects));
@@ -149,6 +150,7 @@ Simulation<D>& Simulation<D>::operator=(Simulation&&) noexcept = default;
 
 template <int D>
 Outcome Simulation<D>::run(const Limits& limits, const Record& record) {
+    if (std::isnan(limits.until)) throw std::invalid_argument("until: a time that is no number");
     return engine_->run(limits, record);
 }
 template <int D>

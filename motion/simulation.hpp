@@ -104,6 +104,12 @@ class BallError : public std::invalid_argument {
 template <int D>
 [[nodiscard]] State<D> start(std::span<const Body<D>> bodies, const Effects<D>& effects);
 
+/// Throws std::invalid_argument for effects that make no sense and BallError for balls that cannot
+/// be, as start() does, at any time; but where balls lie is not looked at, for rounding may leave
+/// them an ulp inside each other, nor whether their numbers have become tiny. O(n).
+template <int D>
+void check(const State<D>& state, const Effects<D>& effects);
+
 /// A line of the log.
 struct Strike {
     double time = 0.0;
@@ -181,7 +187,7 @@ template <int D>
 class Simulation {
  public:
     /// Preconditions: as start() sees to; of a later state, that it comes from state(), with the
-    /// same effects.
+    /// same effects. Throws as check() does.
     Simulation(const State<D>& state, const Effects<D>& effects, const Options& options = {});
     ~Simulation();
     Simulation(Simulation&&) noexcept;
@@ -189,8 +195,10 @@ class Simulation {
 
     /// Called with each strike.
     using Record = std::function<void(const Strike&)>;
-    /// Goes on as far as the limits say. Throws std::range_error where a ball flies so fast that
-    /// the clock cannot tell its strike from a miss. O(1) expected a strike for lists and cells in
+    /// Goes on as far as the limits say; balls in a periodic box that never meet fly for ever where
+    /// there is no limit, and so do more than 2^17 without a box. Throws std::invalid_argument for
+    /// a time that is NaN, std::range_error where a ball flies so fast that the clock cannot tell
+    /// its strike from a miss. O(1) expected a strike for lists and cells in
     /// a gas.
     Outcome run(const Limits& limits, const Record& record = {});
 

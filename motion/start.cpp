@@ -27,7 +27,8 @@ bool is_restitution(double number) noexcept {
 template <int D>
 void check(const Effects<D>& effects) {
     for (const double g : effects.gravity)
-        if (!is_within(g)) throw std::invalid_argument("gravity: give 0 or finite numbers of 2^-150 to 2^150");
+        if (!is_within(g))
+            throw std::invalid_argument("gravity: give 0 or finite numbers of 2^-150 to 2^150");
     if (!is_restitution(effects.restitution) || !is_restitution(effects.wall_restitution))
         throw std::invalid_argument("restitution: give a number from 0 to 1");
     if (effects.periodic && !effects.box)
@@ -44,17 +45,23 @@ void check(const Effects<D>& effects) {
     }
 }
 
+void check_radius_and_mass(double radius, double mass, std::int64_t number) {
+    if (!(radius >= 0.0) || !is_within(radius))
+        throw BallError(number,
+                        "a radius that is negative, not finite, or beyond 2^150 or below "
+                        "2^-150 and not 0");
+    if (!(mass > 0.0)) throw BallError(number, "a mass that is not positive; a ball needs one");
+    if (!is_within(mass)) throw BallError(number, "a mass beyond 2^150, or below 2^-150");
+}
+
 template <int D>
 void check(const Body<D>& body, std::int64_t number) {
-    const auto fail = [number](const std::string& what) { throw BallError(number, what); };
     for (int k = 0; k < D; ++k)
         if (!is_within(body.x[k]) || !is_within(body.v[k]))
-            fail("a coordinate or speed that is not finite, or beyond 2^150 or below 2^-150 and not 0");
-    if (!(body.radius >= 0.0) || !is_within(body.radius))
-        fail("a radius that is negative, not finite, or beyond 2^150 or below 2^-150 and not 0");
-    if (!(body.mass > 0.0)) fail("a mass that is not positive; a ball needs one");
-    if (!is_within(body.mass))
-        fail("a mass beyond 2^150, or below 2^-150");
+            throw BallError(number,
+                            "a coordinate or speed that is not finite, or beyond 2^150 or "
+                            "below 2^-150 and not 0");
+    check_radius_and_mass(body.radius, body.mass, number);
 }
 
 /// Exactly.
@@ -130,6 +137,28 @@ State<D> start(std::span<const Body<D>> bodies, const Effects<D>& effects) {
     return state;
 }
 
+template <int D>
+void check(const State<D>& state, const Effects<D>& effects) {
+    check(effects);
+    const std::size_t balls = state.balls.size();
+    if (state.masses.size() != balls || state.in_place.size() != balls)
+        throw std::invalid_argument("a state whose balls and masses differ in number");
+    if (!(state.time >= 0.0 && std::isfinite(state.time)))
+        throw std::invalid_argument("a state's time: give 0 or more");
+    for (std::size_t i = 0; i < balls; ++i) {
+        const Ball<D>& ball = state.balls[i];
+        const auto number = static_cast<std::int64_t>(i);
+        for (int k = 0; k < D; ++k)
+            if (!std::isfinite(ball.x[k]) || !std::isfinite(ball.v[k]))
+                throw BallError(number, "a coordinate or speed that is not finite");
+        check_radius_and_mass(ball.radius, state.masses[i], number);
+        if (!(ball.time >= 0.0 && ball.time <= state.time))
+            throw BallError(number, "a ball's own time that is not from 0 to that of the state");
+    }
+}
+
+template void check(const State<2>&, const Effects<2>&);
+template void check(const State<3>&, const Effects<3>&);
 template State<2> start(std::span<const Body<2>>, const Effects<2>&);
 template State<3> start(std::span<const Body<3>>, const Effects<3>&);
 

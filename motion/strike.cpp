@@ -65,7 +65,8 @@ struct Shares {
     DoubleDouble of_a;
     DoubleDouble of_b;
 };
-[[gnu::always_inline]] inline Shares shares(double mass_a, double mass_b, double restitution) noexcept {
+[[gnu::always_inline]] inline Shares shares(double mass_a, double mass_b,
+                                            double restitution) noexcept {
     const DoubleDouble bounce = exact_sum(1.0, restitution);
     if (mass_a == mass_b) {
         const DoubleDouble half{0.5 * bounce.high, 0.5 * bounce.low};
@@ -173,7 +174,7 @@ template <int D>
         const DoubleDouble of_b = mass_a == mass_b ? of_a : share.of_b * step;
         const double shifted = std::fabs(ratio.high) * 0x1p-97 * d.shift;
         const auto tells = [&](double v, DoubleDouble change, double& nearest)
-                               __attribute__((always_inline)) {
+            __attribute__((always_inline)) {
             const TwoTerms sum = two_sum(v, change.high);
             const double error = (0x1p-94 + relative) * std::fabs(change.high) + shifted +
                                  0x1p-100 * std::fabs(v) + underflow;
@@ -271,8 +272,9 @@ template <int D>
 
 template <int D>
 Ball<D> arrived(const Ball<D>& ball, double t, const Effects<D>& effects, StrikeTally& tally) {
-    Ball<D> result = as_wide_as_possible(
-        [&]() __attribute__((always_inline)) { return refined_arrival(ball, t, effects); });
+    Ball<D> result = as_wide_as_possible([&]() __attribute__((always_inline)) {
+        return refined_arrival(ball, t, effects);
+    });
     for (int i = 0; i < D; ++i) {
         if (std::isnan(result.x[i])) [[unlikely]] {
             ++tally.exact;
@@ -282,9 +284,9 @@ Ball<D> arrived(const Ball<D>& ball, double t, const Effects<D>& effects, Strike
         }
         if (std::isnan(result.v[i])) [[unlikely]] {
             ++tally.exact;
-            result.v[i] = rounded(to_rational(ball.v[i]) +
-                                  to_rational(effects.gravity[i]) *
-                                      (to_rational(t) - to_rational(ball.time)));
+            result.v[i] =
+                rounded(to_rational(ball.v[i]) + to_rational(effects.gravity[i]) *
+                                                     (to_rational(t) - to_rational(ball.time)));
         }
     }
     return result;

@@ -36,7 +36,8 @@ namespace signum::motion {
 template <int D>
 class Lists {
  public:
-    explicit Lists(const World<D>& world, Structure = Structure::lists) : Lists(world, Spread<D>(world)) {}
+    explicit Lists(const World<D>& world, Structure = Structure::lists)
+        : Lists(world, Spread<D>(world)) {}
 
     [[nodiscard]] std::span<const Slot> list(Slot i) const noexcept { return lists_[i]; }
     void fetch(Slot i) const noexcept {
@@ -96,8 +97,8 @@ class Lists {
     /// The balls' shells, and listed pairs; slots stand for numbers.
     void sketch(double, Sketch<D>& sketch) const {
         for (Slot i = 0; i < centres_.size(); ++i) {
-            sketch.rounds.push_back({static_cast<std::int32_t>(i), centres_[i].place,
-                                     world_.balls[i].radius + slack_});
+            sketch.rounds.push_back(
+                {static_cast<std::int32_t>(i), centres_[i].place, world_.balls[i].radius + slack_});
             for (const Slot j : lists_[i])
                 if (i < j)
                     sketch.links.emplace_back(static_cast<std::int32_t>(i),

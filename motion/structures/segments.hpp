@@ -29,7 +29,8 @@ namespace signum::motion {
 template <int D>
 class Segments {
  public:
-    explicit Segments(const World<D>& world, Structure = Structure::segments) : world_(world), partners_(world.balls.size()) {
+    explicit Segments(const World<D>& world, Structure = Structure::segments)
+        : world_(world), partners_(world.balls.size()) {
         const Spread<D> spread(world);
         double widest = 0.0;
         for (int k = 0; k < D; ++k)

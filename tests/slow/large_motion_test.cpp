@@ -61,8 +61,8 @@ class OneLog : public testing::TestWithParam<std::pair<Structure, std::size_t>> 
         const auto [structure, parts] = GetParam();
         const std::vector<std::uint64_t> all = {many_strikes / 500, many_strikes / 50,
                                                 many_strikes};
-        const std::vector<std::uint64_t> stops(
-            all.begin(), all.begin() + static_cast<std::ptrdiff_t>(parts));
+        const std::vector<std::uint64_t> stops(all.begin(),
+                                               all.begin() + static_cast<std::ptrdiff_t>(parts));
         for (const Scene<D>& scene : all_scenes<D>(10'000)) {
             SCOPED_TRACE(scene.name);
             EXPECT_EQ(digests(scene, structure, stops), digests(scene, Structure::lists, stops));

@@ -162,8 +162,7 @@ class Questions {
     }
     double age(Kind kind) {
         if (kind == Kind::small_integers) return random_.below(3);
-        if (kind == Kind::old)
-            return std::ldexp(1.0 + random_.unit(), random_.below(28) - 4);
+        if (kind == Kind::old) return std::ldexp(1.0 + random_.unit(), random_.below(28) - 4);
         if (random_.below(4) == 0) return std::ldexp(1.0, -random_.below(50));
         return 2.0 * random_.unit();
     }
