@@ -9,14 +9,13 @@
 #include <cstdint>
 #include <cstdlib>
 #include <ctime>
-#include <fstream>
 #include <numbers>
 #include <random>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include <unistd.h>
+#include <malloc.h>
 
 #include <fmt/format.h>
 
@@ -36,6 +35,7 @@ struct Gas {
     std::vector<Body<D>> bodies;
     motion::Effects<D> effects;
 
+    Gas() = default;
     Gas(std::size_t number, double packing) {
         std::mt19937_64 random(1);
         std::normal_distribution<double> speed;
@@ -82,12 +82,10 @@ struct Gas {
 double seconds() {
     return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
-double resident_bytes() {
-    std::ifstream file("/proc/self/statm");
-    double all = 0.0;
-    double resident = 0.0;
-    file >> all >> resident;
-    return resident * static_cast<double>(::sysconf(_SC_PAGESIZE));
+/// What is taken of the heap.
+double bytes_taken() {
+    const auto info = ::mallinfo2();
+    return static_cast<double>(info.uordblks + info.hblkhd);
 }
 double median(std::vector<double> values) {
     std::ranges::sort(values);
@@ -101,10 +99,10 @@ void measure(std::size_t number, double packing, Structure structure) {
     const auto settling = std::max<std::uint64_t>(10 * number, 200'000);
     const auto strikes = std::max<std::uint64_t>(number, 200'000);
     const motion::State<D> start = motion::start<D>(gas.bodies, gas.effects);
-    const double before = resident_bytes();
+    const double before = bytes_taken();
     motion::Simulation<D> exact(start, gas.effects, {structure, Kernel::exact});
     exact.run({.strikes = settling});
-    const double bytes = (resident_bytes() - before) / static_cast<double>(number);
+    const double bytes = (bytes_taken() - before) / static_cast<double>(number);
     motion::Simulation<D> naive(exact.state(), gas.effects, {structure, Kernel::naive});
     naive.run({.strikes = number});
     const auto rate_of = [strikes](motion::Simulation<D>& simulation) {
@@ -129,6 +127,41 @@ void measure(std::size_t number, double packing, Structure structure) {
     std::fflush(stdout);
 }
 
+/// Discs at rest on a square lattice, all coordinates small integers, one of which is sent along
+/// an axis and the others' rows in turn: nothing but ties, and touches that are no strikes.
+Gas<2> lattice_at_rest(std::size_t number) {
+    Gas<2> gas;
+    gas.effects.box.emplace();
+    gas.effects.periodic = true;
+    const auto side = static_cast<std::size_t>(std::sqrt(static_cast<double>(number)));
+    gas.effects.box->high = {static_cast<double>(2 * side), static_cast<double>(2 * side)};
+    for (std::size_t i = 0; i < side; ++i)
+        for (std::size_t j = 0; j < side; ++j)
+            gas.bodies.push_back({{static_cast<double>(2 * i + 1), static_cast<double>(2 * j + 1)},
+                                  {0.0, j == 0 ? 1.0 : 0.0},
+                                  0.5,
+                                  1.0});
+    return gas;
+}
+
+/// From the start on: exact / doubles, time.
+template <int D>
+double ratio_from_start(const Gas<D>& gas, std::uint64_t strikes, Structure structure) {
+    std::vector<double> ratios;
+    for (int round = 0; round < 7; ++round) {
+        const auto time_of = [&](Kernel kernel) {
+            const double begin = seconds();
+            motion::Simulation<D> simulation(motion::start<D>(gas.bodies, gas.effects), gas.effects,
+                                             {structure, kernel});
+            simulation.run({.strikes = strikes});
+            return seconds() - begin;
+        };
+        const double exact = time_of(Kernel::exact);
+        ratios.push_back(exact / time_of(Kernel::naive));
+    }
+    return median(ratios);
+}
+
 }  // namespace
 }  // namespace signum::benchmarks
 
@@ -150,5 +183,14 @@ int main(int count, char** words) {
     for (const std::size_t number : {1000UL, 4096UL, 10'000UL, 100'000UL, 1'000'000UL})
         for (const double packing : {0.25, 0.5})
             if (number <= most) benchmarks::measure<2>(number, packing, *structure);
+    using benchmarks::Gas;
+    using benchmarks::ratio_from_start;
+    fmt::print("\nfrom the start on, exact / doubles, time:\n");
+    fmt::print("spheres on a face-centred lattice: {:.2f}\n",
+               ratio_from_start(Gas<3>(4000, 0.49), 100'000, *structure));
+    fmt::print("discs on a triangular lattice: {:.2f}\n",
+               ratio_from_start(Gas<2>(4096, 0.5), 100'000, *structure));
+    fmt::print("discs at rest on a square lattice, rows struck at once: {:.2f}\n",
+               ratio_from_start(benchmarks::lattice_at_rest(4096), 100'000, *structure));
     return 0;
 }

@@ -12,7 +12,6 @@
 #include "commands.hpp"
 
 namespace signum::cli {
-namespace {
 
 bool is_same_file(const std::string& a, const std::string& b) {
     struct stat first = {};
@@ -23,9 +22,13 @@ bool is_same_file(const std::string& a, const std::string& b) {
 
 bool is_same_path(const std::string& a, const std::string& b) {
     std::error_code ignored;
-    return a == b || (std::filesystem::weakly_canonical(a, ignored) ==
-                      std::filesystem::weakly_canonical(b, ignored));
+    const auto full = [&](const std::string& path) {
+        return std::filesystem::weakly_canonical(std::filesystem::absolute(path, ignored), ignored);
+    };
+    return a == b || full(a) == full(b);
 }
+
+namespace {
 
 /// ".a, .b or .c"
 std::string listed(std::span<const Format> formats) {

@@ -45,6 +45,11 @@ void add_outputs(CLI::App& command, OutputsCall& call, std::span<const Format> f
 /// The ending of a path without its point, in small letters; empty where there is none.
 std::string ending_of(const std::string& path);
 
+/// Whether both are there, and are the same file.
+[[nodiscard]] bool is_same_file(const std::string& a, const std::string& b);
+/// Whether both mean the same place, be something there or not.
+[[nodiscard]] bool is_same_path(const std::string& a, const std::string& b);
+
 /// The targets of a call, at least one: without -o it is standard output, and without --format
 /// either the first of the formats. Files have the format that their ending names; --format is that
 /// of standard output and, where nothing goes there, of all files.

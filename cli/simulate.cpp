@@ -41,6 +41,7 @@ struct SimulateCall : OutputsCall {
     std::optional<double> restitution;
     std::optional<double> wall_restitution;
     std::optional<double> every;
+    std::string show;
     std::string save;
     std::string resume;
     bool statistics = false;
@@ -54,11 +55,12 @@ constexpr std::array<Format, 3> simulate_formats = {
 
 volatile std::sig_atomic_t interrupted = 0;
 
-extern "C" void note_interrupt(int /*signal*/) {
-    interrupted = 1;
+extern "C" void note_interrupt(int signal) {
+    interrupted = signal;
 }
 
-/// While it lives, the first Ctrl-C is noted and the second one ends the program.
+/// While it lives, the first Ctrl-C (or what ends a session or a batch job) is noted, and the
+/// second one ends the program.
 class InterruptNoted {
  public:
     InterruptNoted() {
@@ -66,18 +68,23 @@ class InterruptNoted {
         action.sa_handler = note_interrupt;
         action.sa_flags = static_cast<int>(SA_RESETHAND);
         sigemptyset(&action.sa_mask);
-        is_set_ = ::sigaction(SIGINT, nullptr, &before_) == 0 && before_.sa_handler != SIG_IGN &&
-                  ::sigaction(SIGINT, &action, nullptr) == 0;
+        for (std::size_t k = 0; k < signals.size(); ++k) {
+            is_set_[k] = ::sigaction(signals[k], nullptr, &before_[k]) == 0 &&
+                         before_[k].sa_handler != SIG_IGN &&
+                         ::sigaction(signals[k], &action, nullptr) == 0;
+        }
     }
     InterruptNoted(const InterruptNoted&) = delete;
     InterruptNoted& operator=(const InterruptNoted&) = delete;
     ~InterruptNoted() {
-        if (is_set_) ::sigaction(SIGINT, &before_, nullptr);
+        for (std::size_t k = 0; k < signals.size(); ++k)
+            if (is_set_[k]) ::sigaction(signals[k], &before_[k], nullptr);
     }
 
  private:
-    struct sigaction before_ = {};
-    bool is_set_ = false;
+    static constexpr std::array signals = {SIGINT, SIGTERM, SIGHUP};
+    std::array<struct sigaction, signals.size()> before_ = {};
+    std::array<bool, signals.size()> is_set_ = {};
 };
 
 motion::Structure structure_of(const std::string& name) {
@@ -194,13 +201,50 @@ struct Energy {
     }
 };
 
+/// What a movie shows of a structure.
+template <int D>
+Movie::Shapes shapes_of(const motion::Sketch<D>& sketch) {
+    Movie::Shapes shapes;
+    for (const auto& [box, level, ball] : sketch.areas)
+        shapes.boxes.push_back({{box.low[0], box.low[1]}, {box.high[0], box.high[1]}, level, ball});
+    for (const auto& [ball, centre, radius] : sketch.rounds)
+        shapes.rounds.push_back({centre[0], centre[1], radius, ball});
+    for (const auto& [a, b] : sketch.links)
+        shapes.links.emplace_back(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
+    for (const auto& expected : sketch.expected) {
+        if (expected.partner >= 0)
+            shapes.expected.emplace_back(static_cast<std::size_t>(expected.ball),
+                                         static_cast<std::size_t>(expected.partner));
+    }
+    return shapes;
+}
+
+Movie::Meaning meaning_of(motion::Structure structure) {
+    const std::string expected = "whom a ball expects to strike next";
+    switch (structure) {
+        case motion::Structure::cells:
+        case motion::Structure::tree:
+            return {"cells with balls in them", "", expected};
+        case motion::Structure::levels:
+            return {"the cells in which balls live, a colour a size", "", expected};
+        case motion::Structure::segments:
+            return {"boxes", "partners, whose boxes overlap", expected};
+        case motion::Structure::lists:
+            return {"shells", "pairs in the lists", expected};
+        case motion::Structure::automatic:
+        case motion::Structure::pairs:
+            break;
+    }
+    return {"", "", expected};
+}
+
 /// Where everything goes while the simulation runs.
 template <int D>
 class Recording {
  public:
     Recording(const SimulateCall& call, std::span<const Target> targets,
-              const MotionState<D>& start)
-        : effects_(start.effects) {
+              const MotionState<D>& start, motion::Structure structure)
+        : effects_(start.effects), structure_(structure), shows_structure_(!call.show.empty()) {
         for (const Target& target : targets) {
             Sink sink;
             sink.format = target.format;
@@ -228,11 +272,12 @@ class Recording {
         return std::ranges::any_of(sinks_, [](const Sink& sink) { return sink.log != nullptr; });
     }
     [[nodiscard]] bool has_frames() const noexcept { return has_frames_; }
+    [[nodiscard]] bool shows_structure() const noexcept { return shows_structure_; }
     void strike(const motion::Strike& strike) {
         for (Sink& sink : sinks_)
             if (sink.log) sink.log->put(strike);
     }
-    void frame(const motion::State<D>& state, double time) {
+    void frame(const motion::State<D>& state, double time, const motion::Sketch<D>& sketch) {
         Snapshot<D> snapshot(state, effects_, time);
         MotionFrame& frame = snapshot.frame();
         std::ranges::copy(shown_.low, frame.low.begin());
@@ -246,15 +291,21 @@ class Recording {
                 D == 3 ? (frame.high[2] - ball.x[2]) / (frame.high[2] - frame.low[2]) : 0.0;
             balls.push_back({ball.x[0], ball.x[1], depth});
         }
-        movie_->add(time, balls);
+        movie_->add(time, balls, shapes_of(sketch));
     }
     /// All files under their names.
     void publish(const MotionState<D>& end) {
         for (Sink& sink : sinks_) {
             if (sink.log) sink.log->finish();
-            if (sink.format == "svg")
-                movie_->write(sink.stream(), fmt::format("{} balls{}", end.state.balls.size(),
-                                                         D == 3 ? ", seen along z" : ""));
+            if (sink.format == "svg") {
+                const std::string title = fmt::format(
+                    "{} ball{}{}{}", end.state.balls.size(), end.state.balls.size() == 1 ? "" : "s",
+                    D == 3 ? ", seen along z" : "",
+                    shows_structure_ ? fmt::format("; structure {}", name_of(structure_))
+                                     : std::string());
+                movie_->write(sink.stream(), title,
+                              shows_structure_ ? meaning_of(structure_) : Movie::Meaning{});
+            }
             if (sink.file) sink.file->finish();
             if (sink.standard) sink.standard->flush();
         }
@@ -290,6 +341,8 @@ class Recording {
     }
 
     motion::Effects<D> effects_;
+    motion::Structure structure_;
+    bool shows_structure_;
     motion::Box<D> shown_;
     std::vector<Sink> sinks_;
     std::unique_ptr<OutputFile> save_;
@@ -400,10 +453,29 @@ motion::Outcome run_all(motion::Simulation<D>& simulation, const SimulateCall& c
         const bool goes_on =
             outcome.ending == motion::Ending::until || outcome.ending == motion::Ending::nothing;
         if (!goes_on) return outcome;
-        if (recording.has_frames()) recording.frame(simulation.state(), limits.until);
+        if (recording.has_frames()) {
+            recording.frame(
+                simulation.state(), limits.until,
+                recording.shows_structure() ? simulation.sketch() : motion::Sketch<D>{});
+        }
         if (is_last) return outcome;
+        if (interrupted != 0) return {motion::Ending::stopped, {}};
         now = limits.until;
         show();
+    }
+}
+
+void refuse_bad_save(const SimulateCall& call, std::span<const Target> targets) {
+    if (call.save.empty()) return;
+    if (call.save == standard_output)
+        throw CallError("--save -: a state goes to a file; give its name");
+    if (is_same_file(call.input, call.save))
+        throw CallError(
+            fmt::format("--save {} would overwrite the input; give another name", call.save));
+    for (const Target& target : targets) {
+        if (is_same_path(target.path, call.save))
+            throw CallError(
+                fmt::format("--save {} is where -o goes, too; give another name", call.save));
     }
 }
 
@@ -417,11 +489,24 @@ void run(const SimulateCall& call, const MotionState<D>& start) {
     if (wants_frames && !call.until) throw CallError("frames need to know the end; add --until T");
     if (call.every && !wants_frames)
         throw CallError("--every is for frames; add -o FILE.xyz or -o FILE.svg");
-    Recording<D> recording(call, targets, start);
+    if (call.every) {
+        constexpr double most_frames = 1e7;
+        if ((*call.until - start.state.time) / *call.every > most_frames)
+            throw CallError(fmt::format(
+                "--every {}: more than 10 million frames; give a longer one", *call.every));
+    }
+    refuse_bad_save(call, targets);
+    if (!call.show.empty() && !is_written(targets, "svg"))
+        throw CallError("--show is for a movie; add -o FILE.svg");
+    if (D == 3 && !call.show.empty())
+        throw CallError(fmt::format(
+            "--show {}: drawn in the plane alone, but the balls lie in space; leave it out",
+            call.show));
     motion::Options options;
     options.structure = structure_of(call.structure);
     options.kernel = call.arithmetic == "naive" ? motion::Kernel::naive : motion::Kernel::exact;
     const motion::Choice choice = motion::choose(options.structure, start.state, start.effects);
+    Recording<D> recording(call, targets, start, choice.structure);
     if (!call.quiet && choice.structure != options.structure)
         say("{}\n", fmt::format("structure {}: {}", motion::name_of(choice.structure), choice.why));
     const auto begin = std::chrono::steady_clock::now();
@@ -462,7 +547,22 @@ void run(const SimulateCall& call, const MotionState<D>& start) {
         say("{}", written(targets));
     }
     // As if nobody had caught it.
-    if (outcome->ending == motion::Ending::stopped) ::raise(SIGINT);
+    if (outcome->ending == motion::Ending::stopped) ::raise(static_cast<int>(interrupted));
+}
+
+/// A state that can be; a damaged one is named.
+template <int D>
+MotionState<D> resumed(const std::string& path) {
+    MotionState<D> result = read_motion_state<D>(path);
+    try {
+        motion::check(result.state, result.effects);
+    } catch (const motion::BallError& error) {
+        throw InputError(path,
+                         fmt::format("a damaged state; ball {}: {}", error.ball(), error.what()));
+    } catch (const std::invalid_argument& error) {
+        throw InputError(path, fmt::format("a damaged state; {}", error.what()));
+    }
+    return result;
 }
 
 void refuse_effects_of_state(const SimulateCall& call) {
@@ -483,9 +583,9 @@ void simulate(const SimulateCall& call) {
         if (!call.input.empty())
             throw CallError("FILE and --resume: the state holds the balls; leave FILE out");
         if (dimension_of_motion_state(call.resume) == 2) {
-            run(call, read_motion_state<2>(call.resume));
+            run(call, resumed<2>(call.resume));
         } else {
-            run(call, read_motion_state<3>(call.resume));
+            run(call, resumed<3>(call.resume));
         }
         return;
     }
@@ -557,6 +657,13 @@ void add_simulate(CLI::App& tool) {
         ->add_option("--every", call->every, "The time between frames; a hundredth of all without")
         ->check(number_from(std::numeric_limits<double>::min(), 1e150))
         ->type_name("DT");
+    command
+        ->add_option(
+            "--show", call->show,
+            "structure: in a movie of the plane what proposes the\npairs, and whom each ball "
+            "expects to strike next")
+        ->transform(one_of({"structure"}))
+        ->type_name("WHAT");
     command->add_option("--save", call->save, "Where the state at the end goes")
         ->type_name("STATE");
     command->add_option("--resume", call->resume, "Goes on from a state, instead of FILE")
@@ -568,7 +675,8 @@ void add_simulate(CLI::App& tool) {
     command->footer(
         "Example:\n"
         "  printf '%s\\n' '0 0 1 1 0' '5 0.5 1 0 0' > two.txt\n"
-        "  signum simulate two.txt --until 10 --box -2 -2 8 2 -o log.csv -o movie.svg");
+        "  signum simulate two.txt --until 10 --box -2 -2 8 2 -o log.csv -o movie.svg\n"
+        "  signum simulate two.txt --until 10 --structure lists --show structure -o lists.svg");
     command->callback([call] { simulate(*call); });
 }
 

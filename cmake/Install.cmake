@@ -48,5 +48,5 @@ write_basic_package_version_file("${PROJECT_BINARY_DIR}/signum-config-version.cm
                                  COMPATIBILITY SameMinorVersion)
 install(FILES "${PROJECT_BINARY_DIR}/signum-config.cmake"
               "${PROJECT_BINARY_DIR}/signum-config-version.cmake" cmake/FindGMP.cmake
-              cmake/FindMPFR.cmake
+              cmake/FindMPFR.cmake cmake/HeaderAndLibrary.cmake
         DESTINATION "${package_directory}")

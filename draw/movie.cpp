@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
 #include <numeric>
 #include <ostream>
 #include <utility>
@@ -16,6 +18,18 @@ constexpr double seconds = 12.0;
 /// Told apart by the colour-blind, too; a ball's is that of its number.
 constexpr std::array<const char*, 6> colours = {"#0072b2", "#e69f00", "#009e73",
                                                 "#cc79a7", "#56b4e9", "#d55e00"};
+/// Of the kinds of shapes in their order: the attributes of their paths, and a colour of text.
+struct Pen {
+    const char* attributes;
+    const char* colour;
+};
+constexpr std::array<Pen, 6> pens = {
+    {{R"(fill="#cc79a7" fill-opacity="0.1" stroke="#d9a3c2" stroke-width="2.6")", "#a34f7c"},
+     {R"(fill="#009e73" fill-opacity="0.1" stroke="#66bfa3" stroke-width="2.2")", "#007a59"},
+     {R"(fill="#e69f00" fill-opacity="0.1" stroke="#e8bc5c" stroke-width="1.6")", "#946600"},
+     {R"(fill="#0072b2" fill-opacity="0.08" stroke="#6f9fbf" stroke-width="0.8")", "#3f7fa8"},
+     {R"(fill="none" stroke="#666" stroke-width="1")", "#666"},
+     {R"(fill="none" stroke="#d0007f" stroke-width="1.8")", "#d0007f"}}};
 
 }  // namespace
 
@@ -24,53 +38,190 @@ Movie::Movie(std::vector<double> radii, std::array<double, 2> low, std::array<do
     : radii_(std::move(radii)), low_(low), high_(high), periodic_(periodic) {
     shown_.resize(radii_.size());
     std::iota(shown_.begin(), shown_.end(), std::size_t{0});
+    is_shown_.assign(radii_.size(), shown_.size() <= most_balls);
     if (shown_.size() <= most_balls) return;
-    std::ranges::stable_sort(shown_,
-                             [&](std::size_t a, std::size_t b) { return radii_[a] > radii_[b]; });
+    // Of equal ones some from everywhere: multiples of the golden ratio lie evenly.
+    const auto spread = [](std::size_t i) { return i * 0x9E3779B97F4A7C15; };
+    std::ranges::sort(shown_, [&](std::size_t a, std::size_t b) {
+        return radii_[a] != radii_[b] ? radii_[a] > radii_[b] : spread(a) < spread(b);
+    });
     shown_.resize(most_balls);
     std::ranges::sort(shown_);
+    for (const std::size_t i : shown_) is_shown_[i] = true;
 }
 
-void Movie::add(double time, const std::vector<Ball>& balls) {
+double Movie::scale() const {
+    return width / std::max(high_[0] - low_[0], high_[1] - low_[1]);
+}
+// What flies far away stays in the file as far away.
+double Movie::x_of(double x) const {
+    return std::clamp(scale() * (x - low_[0]), -1e5, 1e5);
+}
+double Movie::y_of(double y) const {
+    return std::clamp(scale() * (high_[1] - y), -1e5, 1e5);
+}
+
+void Movie::add(double time, const std::vector<Ball>& balls, const Shapes& shapes) {
     if (added_++ % every_ != 0) return;
     std::vector<Ball> frame;
     frame.reserve(shown_.size());
     for (const std::size_t i : shown_) frame.push_back(balls[i]);
     times_.push_back(time);
     frames_.push_back(std::move(frame));
+    shapes_.push_back(drawn(balls, shapes));
     if (frames_.size() <= most_frames) return;
     every_ *= 2;
     std::size_t kept = 0;
     for (std::size_t k = 0; k < frames_.size(); k += 2, ++kept) {
         times_[kept] = times_[k];
-        if (kept != k) frames_[kept] = std::move(frames_[k]);
+        if (kept == k) continue;
+        frames_[kept] = std::move(frames_[k]);
+        shapes_[kept] = std::move(shapes_[k]);
     }
     times_.resize(kept);
     frames_.resize(kept);
+    shapes_.resize(kept);
 }
 
-void Movie::write(std::ostream& out, const std::string& title) const {
-    const double scale = width / std::max(high_[0] - low_[0], high_[1] - low_[1]);
-    const double wide = scale * (high_[0] - low_[0]);
-    const double high = scale * (high_[1] - low_[1]);
-    // What flies far away stays in the file as far away.
-    const auto bounded = [](double pixels) { return std::clamp(pixels, -1e5, 1e5); };
-    const auto x_of = [&](double x) { return bounded(scale * (x - low_[0])); };
-    const auto y_of = [&](double y) { return bounded(scale * (high_[1] - y)); };
+bool Movie::is_shown(int ball) const {
+    return ball < 0 || is_shown_[static_cast<std::size_t>(ball)];
+}
+
+Movie::Drawn Movie::drawn(const std::vector<Ball>& balls, const Shapes& shapes) {
+    Drawn paths;
+    const double wide = scale() * (high_[0] - low_[0]);
+    const double high = scale() * (high_[1] - low_[1]);
+    const auto is_seen = [&](double left, double top, double right, double bottom) {
+        return right >= 0.0 && left <= wide && bottom >= 0.0 && top <= high;
+    };
+    for (const Shapes::Box& box : shapes.boxes) {
+        const double x = x_of(box.low[0]);
+        const double y = y_of(box.high[1]);
+        const double right = x_of(box.high[0]);
+        const double bottom = y_of(box.low[1]);
+        if (!is_shown(box.ball) || !is_seen(x, y, right, bottom)) continue;
+        const auto level = std::min(static_cast<std::size_t>(box.level), most_levels - 1);
+        paths[finest - level].push_back(fmt::format("M{:.1f} {:.1f}h{:.1f}v{:.1f}h-{:.1f}z", x, y,
+                                                    right - x, bottom - y, right - x));
+    }
+    for (const Shapes::Round& round : shapes.rounds) {
+        const double r = std::min(scale() * round.radius, 1e5);
+        const double x = x_of(round.x);
+        const double y = y_of(round.y);
+        if (!is_shown(round.ball) || !is_seen(x - r, y - r, x + r, y + r)) continue;
+        paths[finest].push_back(
+            fmt::format("M{0:.1f} {1:.1f}a{2:.1f} {2:.1f} 0 0 1 {3:.1f} 0"
+                        "a{2:.1f} {2:.1f} 0 0 1-{3:.1f} 0z",
+                        x - r, y, r, 2.0 * r));
+    }
+    // Their ends lie under balls: whole pixels will do.
+    const auto lines = [&](const auto& pairs, std::vector<std::string>& to) {
+        for (const auto& [a, b] : pairs) {
+            if (!is_shown_[a] || !is_shown_[b]) continue;
+            const bool is_across = 2.0 * std::fabs(balls[a].x - balls[b].x) > high_[0] - low_[0] ||
+                                   2.0 * std::fabs(balls[a].y - balls[b].y) > high_[1] - low_[1];
+            if (periodic_ && is_across) continue;
+            const auto [one, other] = std::minmax(a, b);
+            const long x = std::lround(x_of(balls[one].x));
+            const long y = std::lround(y_of(balls[one].y));
+            to.push_back(fmt::format("M{} {}l{} {}", x, y, std::lround(x_of(balls[other].x)) - x,
+                                     std::lround(y_of(balls[other].y)) - y));
+        }
+    };
+    lines(shapes.links, paths[links]);
+    lines(shapes.expected, paths[expected]);
+    for (std::vector<std::string>& of_kind : paths) {
+        if (of_kind.size() <= most_shapes) continue;
+        of_kind.resize(most_shapes);
+        leaves_out_shapes_ = true;
+    }
+    return paths;
+}
+
+void Movie::write_shapes(std::ostream& out, std::size_t kind) const {
+    const std::size_t count = shapes_.size();
+    // In which frames each is, and by the first and the last of frames in a row what they show.
+    std::map<std::string, std::vector<std::size_t>> frames_of;
+    for (std::size_t f = 0; f < count; ++f)
+        for (const std::string& path : shapes_[f][kind]) frames_of[path].push_back(f);
+    std::map<std::pair<std::size_t, std::size_t>, std::string> rows;
+    for (const auto& [path, frames] : frames_of) {
+        for (auto f = frames.begin(); f != frames.end();) {
+            const std::size_t first = *f;
+            std::size_t last = first;
+            while (++f != frames.end() && *f <= last + 1) last = *f;
+            rows[{first, last}] += path;
+        }
+    }
+    if (rows.empty()) return;
+    // When a frame begins, as a share of the whole: where balls jump, with them.
+    const auto begin_of = [&](std::size_t f) {
+        const auto frame = static_cast<double>(f);
+        return periodic_ ? frame / static_cast<double>(count)
+                         : (frame - 0.5) / (static_cast<double>(count) - 1.0);
+    };
+    out << fmt::format("<g {}>\n", pens[kind].attributes);
+    for (const auto& [frames, path] : rows) {
+        const auto [first, last] = frames;
+        const bool from_start = first == 0;
+        const bool to_end = last + 1 == count;
+        out << fmt::format("<path{} d=\"{}\"", from_start ? "" : " display=\"none\"", path);
+        if (from_start && to_end) {
+            out << "/>\n";
+            continue;
+        }
+        std::string values = "inline";
+        std::string times = "0";
+        if (!from_start) {
+            values = "none;inline";
+            times += fmt::format(";{:.4f}", begin_of(first));
+        }
+        if (!to_end) {
+            values += ";none";
+            times += fmt::format(";{:.4f}", begin_of(last + 1));
+        }
+        out << fmt::format(
+            "><animate attributeName=\"display\" dur=\"{}s\" repeatCount=\"indefinite\" "
+            "calcMode=\"discrete\" values=\"{}\" keyTimes=\"{}\"/></path>\n",
+            seconds, values, times);
+    }
+    out << "</g>\n";
+}
+
+void Movie::write(std::ostream& out, const std::string& title, const Meaning& meaning) const {
+    const double wide = scale() * (high_[0] - low_[0]);
+    const double high = scale() * (high_[1] - low_[1]);
     std::string legend = title;
     if (shown_.size() < radii_.size())
         legend += fmt::format("; the {} largest of {} balls", shown_.size(), radii_.size());
     if (!times_.empty())
         legend += fmt::format("; t = {:.4g} to {:.4g}", times_.front(), times_.back());
+    std::string colours_mean;
+    const auto add_meaning = [&](std::size_t kind, const std::string& words) {
+        if (words.empty()) return;
+        colours_mean += fmt::format("{}<tspan fill=\"{}\">{}</tspan>",
+                                    colours_mean.empty() ? "" : "; ", pens[kind].colour, words);
+    };
+    add_meaning(finest, meaning.outlines);
+    add_meaning(links, meaning.links);
+    add_meaning(expected, meaning.expected);
+    if (leaves_out_shapes_)
+        colours_mean += fmt::format("{}of a kind the first {} alone",
+                                    colours_mean.empty() ? "" : "; ", most_shapes);
+    const double below = colours_mean.empty() ? 44.0 : 62.0;
     out << fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-10 -10 {:.1f} {:.1f}\" "
         "font-family=\"sans-serif\" font-size=\"13\">\n<rect x=\"-10\" y=\"-10\" width=\"{:.1f}\" "
         "height=\"{:.1f}\" fill=\"white\"/>\n<rect width=\"{:.1f}\" height=\"{:.1f}\" "
         "fill=\"none\" stroke=\"#888\"/>\n<text x=\"0\" y=\"{:.1f}\" fill=\"#333\">{}</text>\n"
-        "<clipPath id=\"box\"><rect width=\"{:.1f}\" height=\"{:.1f}\"/></clipPath>\n"
+        "{}<clipPath id=\"box\"><rect width=\"{:.1f}\" height=\"{:.1f}\"/></clipPath>\n"
         "<g clip-path=\"url(#box)\" fill-opacity=\"0.75\" stroke=\"#222\" stroke-width=\"0.5\">\n",
-        wide + 20.0, high + 44.0, wide + 20.0, high + 44.0, wide, high, high + 22.0, legend, wide,
-        high);
+        wide + 20.0, high + below, wide + 20.0, high + below, wide, high, high + 22.0, legend,
+        colours_mean.empty() ? ""
+                             : fmt::format("<text x=\"0\" y=\"{:.1f}\" fill=\"#333\">{}</text>\n",
+                                           high + 40.0, colours_mean),
+        wide, high);
+    for (std::size_t kind = 0; kind < pens.size(); ++kind) write_shapes(out, kind);
     std::vector<std::size_t> order(shown_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     if (!frames_.empty()) {
@@ -83,7 +234,7 @@ void Movie::write(std::ostream& out, const std::string& title) const {
         const Ball first = frames_.empty() ? Ball{} : frames_.front()[k];
         out << fmt::format(
             "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.2f}\" fill=\"{}\"><title>{}</title>",
-            x_of(first.x), y_of(first.y), std::max(scale * radii_[number], 1.0),
+            x_of(first.x), y_of(first.y), std::max(scale() * radii_[number], 1.0),
             colours[number % colours.size()], number);
         if (frames_.size() > 1) {
             const char* const mode = periodic_ ? "discrete" : "linear";

@@ -21,4 +21,10 @@ Dyadic Dyadic::product_of_large(const Dyadic& a, const Dyadic& b) {
     return {Integer(a.significand() * b.significand()), a.exponent_ + b.exponent_};
 }
 
+Rational to_rational(const Dyadic& number) {
+    const Integer significand = number.significand();
+    return number.exponent() < 0 ? Rational(significand, Integer(1) << -number.exponent())
+                                 : Rational(Integer(significand << number.exponent()));
+}
+
 }  // namespace signum::exact

@@ -98,4 +98,7 @@ class Dyadic : public ComparedBySign<Dyadic> {
     std::optional<Integer> large_;
 };
 
+/// m·2^e.
+[[nodiscard]] Rational to_rational(const Dyadic& number);
+
 }  // namespace signum::exact

@@ -36,9 +36,9 @@ template <int D>
 }
 
 /// A disc (D = 2) or ball (D = 3). At `time` its centre is x and its velocity v; until its next
-/// strike it flies on x + v s + g s²/2, s = t - time.
+/// strike it flies on x + v s + g s²/2, s = t - time. One of space fills a cache line.
 template <int D>
-struct Ball {
+struct alignas(D == 3 ? 64 : 16) Ball {
     Vector<D> x{};
     Vector<D> v{};
     double radius = 0.0;
@@ -69,9 +69,30 @@ struct Effects {
 /// How signs and times are computed: exactly, or in plain doubles.
 enum class Kernel { exact, naive };
 
+/// A ball's place in the arrays of a simulation; its number in the input is another one.
+using Slot = std::uint32_t;
+
 /// By how many lengths of a periodic box a ball's partner is seen shifted, along each axis.
 template <int D>
 using Image = PerAxis<int, D>;
+
+/// Precondition: |x| < 2^51.
+[[nodiscard, gnu::always_inline]] inline double nearest_integer(double x) noexcept {
+    return (x + 0x1.8p52) - 0x1.8p52;
+}
+
+/// That in which b is nearest to a.
+template <int D>
+[[nodiscard]] inline Image<D> nearest_image(const Vector<D>& a, const Vector<D>& b,
+                                            const Effects<D>& effects) noexcept {
+    Image<D> image;
+    if (!effects.periodic) return image;
+    for (int k = 0; k < D; ++k) {
+        const double length = effects.box->high[k] - effects.box->low[k];
+        image[k] = static_cast<int>(nearest_integer((a[k] - b[k]) / length));
+    }
+    return image;
+}
 
 /// The number of a side of the box: 2 · axis, 1 more for the upper one.
 using Wall = std::int32_t;

@@ -45,6 +45,14 @@ struct Spread {
         for (int k = 0; k < D; ++k) volume *= box.high[k] - box.low[k];
         return D == 2 ? std::sqrt(volume) : std::cbrt(volume);
     }
+    /// Far more than a place is rounded by: a few units in the last place of the farthest one, and
+    /// of one far beyond.
+    [[nodiscard]] double margin() const noexcept {
+        double farthest = 0.0;
+        for (int k = 0; k < D; ++k)
+            farthest = std::max({farthest, std::fabs(box.low[k]), std::fabs(box.high[k])});
+        return 0x1p-46 * farthest;
+    }
     [[nodiscard]] double shortest() const noexcept {
         double shortest = infinity;
         for (int k = 0; k < D; ++k) shortest = std::min(shortest, box.high[k] - box.low[k]);
@@ -55,6 +63,15 @@ struct Spread {
 /// A cell, by its numbers along the axes.
 template <int D>
 using Cell = PerAxis<std::int32_t, D>;
+
+/// Of a table whose size is a power of two.
+template <int D>
+[[nodiscard]] inline std::uint32_t hash_of(const Cell<D>& cell, std::size_t size) noexcept {
+    std::uint64_t hash = 0;
+    for (const std::int32_t number : cell)
+        hash = (hash ^ static_cast<std::uint32_t>(number)) * 0x9E3779B97F4A7C15;
+    return static_cast<std::uint32_t>(hash >> 32) & static_cast<std::uint32_t>(size - 1);
+}
 
 /// Which cell a place lies in. Inside a box cells are numbered from 0 and what lies beyond the last
 /// one, by rounding, belongs to it; in a periodic one they go around. Elsewhere they have no end.
@@ -88,13 +105,15 @@ class CellGrid {
         for (const std::int32_t count : count_) size *= count;
         return size;
     }
+    /// Whether there are not far more cells than balls, so that each may have a place in a table.
+    [[nodiscard]] bool has_few_cells(std::size_t balls) const noexcept {
+        return bounded_ && size() <= 4.0 * static_cast<double>(balls) + 64.0;
+    }
     [[nodiscard]] Cell<D> cell_of(const Vector<D>& x) const noexcept {
         Cell<D> cell;
         for (int k = 0; k < D; ++k) {
             const double place = (x[k] - low_[k]) * per_width_[k];
-            double number = std::abs(place) < 0x1p62
-                                ? static_cast<double>(rounded_down(place))
-                                : place;
+            double number = whole_of(place);
             if (periodic_ && !(number >= 0.0 && number < count_[k]))
                 number -= count_[k] * std::floor(number / count_[k]);
             cell[k] = static_cast<std::int32_t>(
@@ -102,6 +121,21 @@ class CellGrid {
                          : std::clamp<double>(number, -outermost, outermost));
         }
         return cell;
+    }
+    /// How far into its cell a place lies, along each axis; beyond it where cells have an end.
+    [[nodiscard]] Vector<D> into_cell(const Vector<D>& x, const Cell<D>& cell) const noexcept {
+        Vector<D> into;
+        for (int k = 0; k < D; ++k) {
+            const double place = (x[k] - low_[k]) * per_width_[k];
+            into[k] = (periodic_ ? place - whole_of(place) : place - cell[k]) * width_[k];
+        }
+        return into;
+    }
+    [[nodiscard]] const Vector<D>& width() const noexcept { return width_; }
+    /// Whether there are at least three along each axis, or no periodic box; then a cell is around
+    /// another one in one way.
+    [[nodiscard]] bool images_are_distinct() const noexcept {
+        return !periodic_ || *std::ranges::min_element(count_) > 2;
     }
     /// The place where a cell begins.
     [[nodiscard]] double start_of(int axis, std::int32_t number) const noexcept {
@@ -116,6 +150,7 @@ class CellGrid {
         number += number < 0 ? count_[axis] : -count_[axis];
         return true;
     }
+    /// The cell's number among all of a box.
     [[nodiscard]] std::uint32_t place(const Cell<D>& cell) const noexcept {
         std::uint32_t place = 0;
         for (int k = D - 1; k >= 0; --k)
@@ -129,29 +164,76 @@ class CellGrid {
     template <class Visit>
     void for_each_around(const Cell<D>& middle, const Visit& visit, int axis = -1,
                          std::int32_t side = 0) const {
-        PerAxis<std::int32_t, D> first;
-        PerAxis<std::int32_t, D> last;
+        Around around;
         for (int k = 0; k < D; ++k) {
-            first[k] = periodic_ && count_[k] < 3 ? 0 : -1;
-            last[k] = periodic_ && count_[k] < 2 ? 0 : 1;
-            if (k == axis) first[k] = last[k] = side;
+            std::int32_t first = periodic_ && count_[k] < 3 ? 0 : -1;
+            std::int32_t last = periodic_ && count_[k] < 2 ? 0 : 1;
+            if (k == axis) first = last = side;
+            for (std::int32_t by = first; by <= last; ++by) around.add(*this, middle, k, by, 0.0);
         }
-        PerAxis<std::int32_t, D> by = first;
-        for (;;) {
-            Cell<D> cell = middle;
-            bool is_there = true;
-            for (int k = 0; k < D; ++k) is_there = shift(cell, k, by[k]) && is_there;
-            if (is_there) visit(cell);
-            int k = 0;
-            for (; k < D; ++k) {
-                if (by[k]++ < last[k]) break;
-                by[k] = first[k];
-            }
-            if (k == D) return;
+        around.for_each([&](const Cell<D>& cell, const Cell<D>&) { visit(cell); }, infinity);
+    }
+
+    /// Those of them that may have a place within a distance of one, up to the width of a cell;
+    /// the place is given by its cell and how far into it it lies. Told with the numbers of cells
+    /// from it along the axes.
+    template <class Visit>
+    void for_each_around(const Cell<D>& middle, const Vector<D>& into, double distance,
+                         const Visit& visit) const {
+        Around around;
+        for (int k = 0; k < D; ++k) {
+            const double below = std::max(into[k], 0.0);
+            const double above = std::max(width_[k] - into[k], 0.0);
+            around.add(*this, middle, k, 0, 0.0);
+            if (!periodic_ || count_[k] > 2) around.add(*this, middle, k, -1, below * below);
+            if (!periodic_ || count_[k] > 1)
+                around.add(*this, middle, k, 1, count_[k] == 2 ? 0.0 : above * above);
         }
+        around.for_each(visit, distance * distance * (1.0 + 0x1p-16));
     }
 
  private:
+    /// The cells around one, along each axis: their numbers, how many cells away, and the square of
+    /// the distance.
+    struct Around {
+        struct Step {
+            std::int32_t number;
+            std::int32_t by;
+            double square;
+        };
+        PerAxis<PerAxis<Step, 3>, D> steps;
+        PerAxis<int, D> size;
+
+        void add(const CellGrid& grid, Cell<D> cell, int axis, std::int32_t by, double square) {
+            if (grid.shift(cell, axis, by)) steps[axis][size[axis]++] = {cell[axis], by, square};
+        }
+        /// Those whose distance is not beyond one.
+        template <class Visit>
+        void for_each(const Visit& visit, double square) const {
+            Cell<D> cell;
+            Cell<D> by;
+            for_each_along<D - 1>(visit, square, cell, by);
+        }
+        template <int axis, class Visit>
+        void for_each_along(const Visit& visit, double square, Cell<D>& cell, Cell<D>& by) const {
+            for (int k = 0; k < size[axis]; ++k) {
+                const Step& step = steps[axis][k];
+                if (step.square > square) continue;
+                cell[axis] = step.number;
+                by[axis] = step.by;
+                if constexpr (axis == 0)
+                    visit(cell, by);
+                else
+                    for_each_along<axis - 1>(visit, square - step.square, cell, by);
+            }
+        }
+    };
+
+    /// std::floor, which is a call on some processors.
+    [[nodiscard]] static double whole_of(double x) noexcept {
+        return std::abs(x) < 0x1p62 ? static_cast<double>(rounded_down(x)) : x;
+    }
+
     bool bounded_;
     bool periodic_;
     Vector<D> low_;
@@ -167,8 +249,7 @@ class CellTable {
  public:
     CellTable(const CellGrid<D>& grid, std::size_t balls, bool hashed)
         : grid_(&grid),
-          hashed_(hashed || !grid.is_bounded() ||
-                  grid.size() > 4.0 * static_cast<double>(balls) + 64.0),
+          hashed_(hashed || !grid.has_few_cells(balls)),
           heads_(hashed_ ? std::bit_ceil(balls + 1) : static_cast<std::size_t>(grid.size()), none),
           links_(balls) {
         if (hashed_) cells_.resize(balls);
@@ -202,11 +283,7 @@ class CellTable {
 
     [[nodiscard]] std::uint32_t place_of(const Cell<D>& cell) const noexcept {
         if (!hashed_) return grid_->place(cell);
-        std::uint64_t hash = 0;
-        for (const std::int32_t number : cell)
-            hash = (hash ^ static_cast<std::uint32_t>(number)) * 0x9E3779B97F4A7C15;
-        return static_cast<std::uint32_t>(hash >> 32) &
-               static_cast<std::uint32_t>(heads_.size() - 1);
+        return hash_of(cell, heads_.size());
     }
 
     const CellGrid<D>* grid_;

@@ -17,11 +17,12 @@ class Simulation<D>::Engine {
     virtual Outcome run(const Limits& limits, const Record& record) = 0;
     [[nodiscard]] virtual State<D> state() const = 0;
     [[nodiscard]] virtual const Counts& counts() const = 0;
+    [[nodiscard]] virtual Sketch<D> sketch() const = 0;
 };
 
 template <int D, template <int> class StructureOf>
 [[nodiscard]] std::unique_ptr<typename Simulation<D>::Engine> make_engine(
-    const State<D>& state, const Effects<D>& effects, Kernel kernel,
+    Structure structure, const State<D>& state, const Effects<D>& effects, Kernel kernel,
     const std::vector<std::int32_t>& order);
 
 }  // namespace signum::motion

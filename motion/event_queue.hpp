@@ -25,25 +25,27 @@ class EventQueue {
     using Entry = std::uint32_t;
 
     explicit EventQueue(std::size_t entries)
-        : key_(entries, std::numeric_limits<double>::infinity()),
-          link_(entries),
+        : items_(entries),
           heads_(std::bit_ceil(std::max<std::size_t>(entries, 1)) + 1, none),
           far_(static_cast<std::uint32_t>(heads_.size() - 1)),
           bucket_(far_) {
-        for (Entry e = 0; e < entries; ++e) insert(e, far_);
+        for (Entry e = 0; e < entries; ++e) {
+            items_[e].key = std::numeric_limits<double>::infinity();
+            insert(e, far_);
+        }
     }
 
-    [[nodiscard]] double key(Entry e) const noexcept { return key_[e]; }
+    [[nodiscard]] double key(Entry e) const noexcept { return items_[e].key; }
 
     /// Gives an entry a key, or the same one where its place among equals has changed.
     template <class Before>
     void set(Entry e, double key, const Before& before) {
-        const std::uint32_t from = link_[e].bucket;
-        key_[e] = key;
+        const std::uint32_t from = items_[e].bucket;
+        items_[e].key = key;
         const std::uint32_t to = bucket_ == far_ ? far_ : bucket_of(key);
         if (from == in_heap) {
             if (to <= bucket_ && to != far_) {
-                sift(link_[e].place, e, before);
+                sift(items_[e].place, e, before);
                 return;
             }
             leave_heap(e, before);
@@ -53,21 +55,21 @@ class EventQueue {
         }
         if (to <= bucket_ && to != far_) {
             heap_.push_back(e);
-            link_[e].bucket = in_heap;
+            items_[e].bucket = in_heap;
             sift(heap_.size() - 1, e, before);
         } else {
             insert(e, to);
         }
     }
 
-    /// The least entry. Precondition: there is one.
+    /// The least entry; any where all keys are infinite. Precondition: there is one.
     template <class Before>
     [[nodiscard]] Entry top(const Before& before) {
         while (heap_.empty()) {
             if ((bucket_ == far_ || ++bucket_ == far_) && !deal()) return heads_[far_];
             for (Entry e = heads_[bucket_]; e != none;) {
-                const Entry next = link_[e].next;
-                link_[e].bucket = in_heap;
+                const Entry next = items_[e].next;
+                items_[e].bucket = in_heap;
                 heap_.push_back(e);
                 sift(heap_.size() - 1, e, before);
                 e = next;
@@ -78,11 +80,24 @@ class EventQueue {
         return heap_.front();
     }
 
+    /// Those whose turn is soon: the entries of the buckets up to some ahead of the one whose time
+    /// has come, of each bucket once: `seen` is kept by the caller.
+    template <class Visit>
+    void for_each_ahead(std::uint32_t& seen, std::uint32_t by, const Visit& visit) const {
+        if (seen > bucket_ + by) seen = bucket_;
+        for (const std::uint32_t last = std::min(bucket_ + by, far_ - 1); seen < last;) {
+            const std::uint32_t beyond = std::min(++seen + 3, far_);
+            if (heads_[beyond] != none) __builtin_prefetch(&items_[heads_[beyond]]);
+            for (Entry e = heads_[seen]; e != none; e = items_[e].next) visit(e);
+        }
+    }
+
  private:
     static constexpr Entry none = ~Entry{0};
     static constexpr std::uint32_t in_heap = ~std::uint32_t{0};
 
-    struct Link {
+    struct Item {
+        double key;
         std::uint32_t bucket;
         union {
             Entry next;
@@ -98,21 +113,21 @@ class EventQueue {
                    : far_;
     }
     void insert(Entry e, std::uint32_t bucket) noexcept {
-        Link& link = link_[e];
-        link.bucket = bucket;
-        link.next = heads_[bucket];
-        link.previous = none;
-        if (link.next != none) link_[link.next].previous = e;
+        Item& item = items_[e];
+        item.bucket = bucket;
+        item.next = heads_[bucket];
+        item.previous = none;
+        if (item.next != none) items_[item.next].previous = e;
         heads_[bucket] = e;
     }
     void leave_bucket(Entry e) noexcept {
-        const Link& link = link_[e];
-        (link.previous == none ? heads_[link.bucket] : link_[link.previous].next) = link.next;
-        if (link.next != none) link_[link.next].previous = link.previous;
+        const Item& item = items_[e];
+        (item.previous == none ? heads_[item.bucket] : items_[item.previous].next) = item.next;
+        if (item.next != none) items_[item.next].previous = item.previous;
     }
     template <class Before>
     void leave_heap(Entry e, const Before& before) {
-        const std::size_t place = link_[e].place;
+        const std::size_t place = items_[e].place;
         const Entry last = heap_.back();
         heap_.pop_back();
         if (last != e) sift(place, last, before);
@@ -120,7 +135,8 @@ class EventQueue {
     template <class Before>
     void sift(std::size_t place, Entry e, const Before& before) {
         const auto is_before = [&](Entry a, Entry b) {
-            return key_[a] < key_[b] || (key_[a] == key_[b] && before(a, b));
+            return items_[a].key < items_[b].key ||
+                   (items_[a].key == items_[b].key && before(a, b));
         };
         while (place > 0 && is_before(e, heap_[(place - 1) / 2])) {
             put(place, heap_[(place - 1) / 2]);
@@ -136,7 +152,7 @@ class EventQueue {
     }
     void put(std::size_t place, Entry e) noexcept {
         heap_[place] = e;
-        link_[e].place = static_cast<std::uint32_t>(place);
+        items_[e].place = static_cast<std::uint32_t>(place);
     }
 
     /// Deals what is far off into buckets, from its least key on; false where that is infinity.
@@ -144,10 +160,10 @@ class EventQueue {
         double least = std::numeric_limits<double>::infinity();
         std::vector<double>& keys = scratch_;
         keys.clear();
-        for (Entry e = heads_[far_]; e != none; e = link_[e].next) {
-            least = std::min(least, key_[e]);
-            if (taken_ == 0 && key_[e] < std::numeric_limits<double>::infinity())
-                keys.push_back(key_[e]);
+        for (Entry e = heads_[far_]; e != none; e = items_[e].next) {
+            least = std::min(least, items_[e].key);
+            if (taken_ == 0 && items_[e].key < std::numeric_limits<double>::infinity())
+                keys.push_back(items_[e].key);
         }
         if (!(least < std::numeric_limits<double>::infinity())) {
             bucket_ = far_;
@@ -161,7 +177,7 @@ class EventQueue {
             std::nth_element(keys.begin(), middle, keys.end());
             width = (*middle - least) / static_cast<double>(keys.size());
         }
-        width = std::max({width, 0x1p-45 * std::abs(least), 0x1p-900});
+        width = std::clamp(std::max(width, 0x1p-45 * std::abs(least)), 0x1p-900, 0x1p900);
         start_ = least;
         per_time_ = 1.0 / width;
         taken_ = 0;
@@ -169,15 +185,14 @@ class EventQueue {
         Entry e = heads_[far_];
         heads_[far_] = none;
         while (e != none) {
-            const Entry next = link_[e].next;
-            insert(e, bucket_of(key_[e]));
+            const Entry next = items_[e].next;
+            insert(e, bucket_of(items_[e].key));
             e = next;
         }
         return true;
     }
 
-    std::vector<double> key_;
-    std::vector<Link> link_;
+    std::vector<Item> items_;
     std::vector<Entry> heads_;
     std::uint32_t far_;
     std::uint32_t bucket_;  // the heap's, or far_ before the first round

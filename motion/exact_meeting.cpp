@@ -4,23 +4,17 @@
 #include <cmath>
 
 #include "../core/error_free.hpp"
-#include "../exact/dyadic.hpp"
-#include "../exact/multiprecision.hpp"
+#include "../core/processor.hpp"
 #include "../exact/surd.hpp"
-#include "../filters/double_double.hpp"
+#include "apart.hpp"
 
 namespace signum::motion {
 namespace {
 
 using exact::Dyadic;
 using exact::Rational;
+using exact::to_rational;
 using filters::DoubleDouble;
-
-Rational rational(const Dyadic& number) {
-    const exact::Integer significand = number.significand();
-    return number.exponent() < 0 ? Rational(significand, exact::Integer(1) << -number.exponent())
-                                 : Rational(exact::Integer(significand << number.exponent()));
-}
 
 /// F(T + s) = a s² + 2 b s + c.
 struct Quadratic {
@@ -29,7 +23,8 @@ struct Quadratic {
     Dyadic c;
 };
 
-/// The meeting time of F, by the rule.
+/// The meeting time of F, by the rule: what descent.hpp tells of any polynomial, where a root is a
+/// formula and needs no isolation.
 double first_descent(const Quadratic& f, double start) {
     const int bends = f.a.sign();
     const int slope = f.b.sign();
@@ -37,10 +32,10 @@ double first_descent(const Quadratic& f, double start) {
     if (!falls && bends >= 0) return infinity;
     if (falls && f.c.sign() <= 0) return start;
 
-    const Rational t = exact::to_rational(start);
-    const Rational a = rational(f.a);
-    const Rational b = rational(f.b);
-    const Rational c = rational(f.c);
+    const Rational t = to_rational(start);
+    const Rational a = to_rational(f.a);
+    const Rational b = to_rational(f.b);
+    const Rational c = to_rational(f.c);
     const auto rounded = [start](double time) {
         return std::isnan(time) ? infinity : std::max(time, start);
     };
@@ -80,8 +75,7 @@ double exact_meeting(const Ball<D>& a, const Ball<D>& b, const Image<D>& image,
         const Coordinate of_b = arrived(b.x[i], b.v[i], effects.gravity[i], since_b);
         Dyadic d = of_a.x - of_b.x;
         const Dyadic v = of_a.v - of_b.v;
-        if (image[i] != 0)
-            d = d - image[i] * (Dyadic(effects.box->high[i]) - Dyadic(effects.box->low[i]));
+        if (image[i] != 0) d = d - image[i] * length<Dyadic>(effects, i);
         f.a += v * v;
         f.b += d * v;
         f.c += d * d;
@@ -103,12 +97,15 @@ double exact_meeting(const Ball<D>& ball, Wall wall, const Effects<D>& effects) 
                          ball.time);
 }
 
+namespace {
+
 /// With F(t + δ) = F + 2 P δ + A δ², P = D·V at t, the root next to t is δ = -F/2P (1 + θ),
 /// |θ| <= 2 |A δ / P| as long as that is small: F falls there, since P < 0. F comes of
 /// double-doubles; of P and A doubles suffice, for δ is small.
 template <int D>
-double refined_meeting(const Ball<D>& a, const Ball<D>& b, const Image<D>& image,
-                       const Effects<D>& effects, double about) noexcept {
+[[gnu::always_inline]] inline double refined(const Ball<D>& a, const Ball<D>& b,
+                                             const Image<D>& image, const Effects<D>& effects,
+                                             double about) noexcept {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     const double start = std::max(a.time, b.time);
     if (!(about >= start && about < 0x1p500)) return none;
@@ -121,36 +118,34 @@ double refined_meeting(const Ball<D>& a, const Ball<D>& b, const Image<D>& image
     double p_error = 0.0;
     double square = 0.0;
     for (int i = 0; i < D; ++i) {
-        const DoubleDouble flown_a = DoubleDouble{a.v[i], 0.0} * since_a;
-        const DoubleDouble flown_b = DoubleDouble{b.v[i], 0.0} * since_b;
+        const DoubleDouble flown_a = a.v[i] * since_a;
+        const DoubleDouble flown_b = b.v[i] * since_b;
         DoubleDouble d = (filters::exact_difference(a.x[i], b.x[i]) + flown_a) - flown_b;
         double v = a.v[i] - b.v[i];
         double size = std::fabs(a.x[i]) + std::fabs(b.x[i]) + std::fabs(flown_a.high) +
                       std::fabs(flown_b.high);
         double speed = std::fabs(a.v[i]) + std::fabs(b.v[i]);
         if (effects.gravity[i] != 0.0) {
-            const DoubleDouble fallen =
-                DoubleDouble{0.5 * effects.gravity[i], 0.0} * (later_a * (since_a + since_b));
+            const DoubleDouble fallen = 0.5 * effects.gravity[i] * (later_a * (since_a + since_b));
             d = d + fallen;
             v += effects.gravity[i] * later_a.high;
             size += std::fabs(fallen.high);
             speed += std::fabs(effects.gravity[i] * later_a.high);
         }
         if (image[i] != 0) {
-            const DoubleDouble length =
-                filters::exact_difference(effects.box->high[i], effects.box->low[i]);
-            const DoubleDouble shift = DoubleDouble{static_cast<double>(image[i]), 0.0} * length;
+            const DoubleDouble shift = image[i] * length<DoubleDouble>(effects, i);
             d = d - shift;
             size += std::fabs(shift.high);
         }
-        f = f + d * d;
+        add_product(f, d, d);
         f_error += std::fabs(d.high) * size + d.high * d.high;
         p += d.high * v;
         p_error += std::fabs(d.high) * speed;
         square += v * v;
     }
     const DoubleDouble radii = filters::exact_sum(a.radius, b.radius);
-    f = f - radii * radii;
+    add_product(f, {-radii.high, -radii.low}, radii);
+    f = normalized(f);
     f_error = 0x1p-96 * (f_error + radii.high * radii.high);
     p_error *= 0x1p-49;
     const double delta = -f.high / (2.0 * p);
@@ -161,6 +156,16 @@ double refined_meeting(const Ball<D>& a, const Ball<D>& b, const Image<D>& image
     const double time = sum.high + (sum.low - error);
     if (time != sum.high + (sum.low + error)) return none;
     return std::max(time, start);
+}
+
+}  // namespace
+
+template <int D>
+double refined_meeting(const Ball<D>& a, const Ball<D>& b, const Image<D>& image,
+                       const Effects<D>& effects, double about) noexcept {
+    return as_wide_as_possible([&]() __attribute__((always_inline)) {
+        return refined(a, b, image, effects, about);
+    });
 }
 
 template <int D>
@@ -174,7 +179,7 @@ double refined_meeting(const Ball<D>& ball, Wall wall, const Effects<D>& effects
     const double gravity = inwards * effects.gravity[axis];
     const double side = wall % 2 != 0 ? effects.box->high[axis] : effects.box->low[axis];
     const DoubleDouble since = filters::exact_difference(about, ball.time);
-    const DoubleDouble flown = DoubleDouble{v, 0.0} * since;
+    const DoubleDouble flown = v * since;
     DoubleDouble f = (filters::exact_difference(inwards * ball.x[axis], inwards * side) -
                       DoubleDouble{ball.radius, 0.0}) +
                      flown;
@@ -182,7 +187,7 @@ double refined_meeting(const Ball<D>& ball, Wall wall, const Effects<D>& effects
     double slope = v;
     double slope_error = 0.0;
     if (gravity != 0.0) {
-        const DoubleDouble fallen = DoubleDouble{0.5 * gravity, 0.0} * (since * since);
+        const DoubleDouble fallen = 0.5 * gravity * (since * since);
         f = f + fallen;
         size += std::fabs(fallen.high);
         slope += gravity * since.high;

@@ -14,11 +14,16 @@
 /// and come after those that are not. So what happens is the first event in the exact order.
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <initializer_list>
 #include <map>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "engine.hpp"
@@ -36,24 +41,29 @@ template <int D, bool Falls, Kernel kernel, template <int> class StructureOf>
 class Loop final : public Simulation<D>::Engine {
  public:
     /// `order`: the balls' numbers in the order in which memory shall hold them.
-    Loop(const State<D>& state, const Effects<D>& effects, std::vector<std::int32_t> order)
+    Loop(Structure structure, const State<D>& state, const Effects<D>& effects,
+         const std::vector<std::int32_t>& order)
         : world_{in_order(state.balls, order), effects, state.time},
-          number_(std::move(order)),
-          mass_(in_order(state.masses, number_)),
-          strikes_(number_.size()),
-          in_place_(in_order(state.in_place, number_)),
-          proposals_(number_.size()),
-          own_(number_.size(), infinity),
+          particles_(order.size()),
           filter_(effects),
-          structure_(std::in_place, world_),
-          queue_(number_.size()),
+          kind_(structure),
+          structure_(std::in_place, world_, kind_),
+          queue_(particles_.size()),
           walls_(effects.box && !effects.periodic ? 2 * D : 0),
+          // Of fewer balls all lies near the processor.
+          fetches_(order.size() > 8192),
           most_in_place_(effects.restitution < 1.0 || effects.wall_restitution < 1.0 || Falls
                              ? most_in_place_dissipative
                              : most_in_place_elastic),
           now_(state.time) {
-        std::vector<Slot> slots(number_.size());
-        for (Slot i = 0; i < slots.size(); ++i) slots[static_cast<std::size_t>(number_[i])] = i;
+        std::vector<Slot> slots(particles_.size());
+        for (Slot i = 0; i < slots.size(); ++i) {
+            const auto number = static_cast<std::size_t>(order[i]);
+            slots[number] = i;
+            particles_[i].number = order[i];
+            particles_[i].mass = state.masses[number];
+            particles_[i].in_place = state.in_place[number];
+        }
         for (const Passed& passed : state.passed) {
             pass(slots[static_cast<std::size_t>(passed.a)],
                  passed.b < 0 ? first_wall + static_cast<Slot>(-1 - passed.b)
@@ -61,7 +71,7 @@ class Loop final : public Simulation<D>::Engine {
                  passed.time);
         }
         for (const Ball<D>& ball : world_.balls) filter_.include(ball);
-        for (Slot i = 0; i < slots.size(); ++i) ask_after_change(i);
+        for (Slot i = 0; i < slots.size(); ++i) ask_after_change({i});
     }
 
     Outcome run(const Limits& limits, const typename Simulation<D>::Record& record) override {
@@ -80,17 +90,26 @@ class Loop final : public Simulation<D>::Engine {
                 return {key < infinity ? Ending::until : Ending::nothing, {}};
             }
             now_ = std::max(now_, key);
-            Proposal& next = proposals_[i];
-            if (own_[i] <= next.early) {
-                ++counts_.own;
-                if (!world_.effects.box && --own_events_left_ == 0 && !spread()) [[unlikely]] {
+            if (fetches_) fetch_ahead();
+            Proposal& next = particles_[i].next;
+            if (particles_[i].own <= next.early) {
+                if (!world_.effects.box && --own_events_left_ == 0) [[unlikely]] {
+                    // In a structure made anew the ball has no event now.
+                    if (spread()) continue;
                     if (until < infinity) now_ = until;
                     return {Ending::nothing, {}};
                 }
-                const Asker asker = filter_.asker(world_.balls[i], now_);
+                ++counts_.own;
+                Inquiry& inquiry = inquiries_[0];
+                inquiry.ball = i;
+                inquiry.asker = filter_.asker(world_.balls[i], now_);
+                inquiry.best = next;
                 structure_->own_event(
-                    i, now_, [&](Slot j) { propose(i, asker, j); }, [&](Slot j) { touch(j); });
-                touch(i);
+                    i, now_, [&](Slot j) { propose(inquiry, j); }, [&](Slot j) { touch(j); });
+                particles_[i].own = structure_->next(i, now_);
+                refuse_standstill(i);
+                look(inquiry);
+                end(inquiry);
             } else if (is_stale(next)) {
                 ++counts_.stale;
                 ask(i);
@@ -107,28 +126,60 @@ class Loop final : public Simulation<D>::Engine {
     }
 
     [[nodiscard]] State<D> state() const override {
-        const std::size_t n = number_.size();
+        const std::size_t n = particles_.size();
         State<D> state{now_,
                        std::vector<Ball<D>>(n),
                        std::vector<double>(n),
                        std::vector<std::uint32_t>(n),
                        {}};
         for (Slot i = 0; i < n; ++i) {
-            const auto number = static_cast<std::size_t>(number_[i]);
+            const auto number = static_cast<std::size_t>(particles_[i].number);
             state.balls[number] = world_.balls[i];
-            state.masses[number] = mass_[i];
-            state.in_place[number] = in_place_[i];
+            state.masses[number] = particles_[i].mass;
+            state.in_place[number] = particles_[i].in_place;
         }
         for (const auto& [pair, time] : passed_) {
             const auto [i, j] = pair;
-            state.passed.push_back(
-                {number_[i],
-                 j >= first_wall ? -1 - static_cast<std::int32_t>(j - first_wall) : number_[j],
-                 time});
+            state.passed.push_back({particles_[i].number,
+                                    j >= first_wall ? -1 - static_cast<std::int32_t>(j - first_wall)
+                                                    : particles_[j].number,
+                                    time});
         }
         return state;
     }
     [[nodiscard]] const Counts& counts() const override { return counts_; }
+    [[nodiscard]] Sketch<D> sketch() const override {
+        Sketch<D> sketch;
+        structure_->sketch(now_, sketch);
+        if (world_.effects.periodic)
+            for (auto& round : sketch.rounds)
+                for (int k = 0; k < D; ++k)
+                    round.centre[k] -= world_.length[k] *
+                                       std::floor((round.centre[k] - world_.effects.box->low[k]) /
+                                                  world_.length[k]);
+        const auto renumber = [this](std::int32_t& ball) {
+            if (ball >= 0) ball = particles_[static_cast<Slot>(ball)].number;
+        };
+        for (auto& area : sketch.areas) renumber(area.ball);
+        for (auto& round : sketch.rounds) renumber(round.ball);
+        for (auto& [a, b] : sketch.links) {
+            renumber(a);
+            renumber(b);
+            if (a > b) std::swap(a, b);
+        }
+        std::ranges::stable_sort(sketch.areas, {}, &Sketch<D>::Area::ball);
+        std::ranges::sort(sketch.rounds, {}, &Sketch<D>::Round::ball);
+        std::ranges::sort(sketch.links);
+        for (const Particle& particle : particles_) {
+            const Proposal& next = particle.next;
+            if (next.partner == nobody || is_stale(next)) continue;
+            sketch.expected.push_back(
+                {particle.number,
+                 is_wall(next) ? -1 - wall_of(next) : particles_[next.partner].number, next.early});
+        }
+        std::ranges::sort(sketch.expected, {}, &Sketch<D>::Expected::ball);
+        return sketch;
+    }
 
  private:
     static constexpr Slot nobody = ~Slot{0};
@@ -145,13 +196,23 @@ class Loop final : public Simulation<D>::Engine {
         std::uint32_t partner_strikes = 0;
     };
 
-    template <class T>
-    static std::vector<T> in_order(const std::vector<T>& things,
-                                   const std::vector<std::int32_t>& order) {
-        std::vector<T> result;
+    /// What the loop knows of a ball, in a cache line.
+    struct alignas(64) Particle {
+        Proposal next;
+        double own = infinity;  ///< when the structure changes because of it
+        double mass = 0.0;
+        std::uint32_t strikes = 0;
+        std::uint32_t in_place = 0;
+        std::int32_t number = 0;
+        std::uint32_t own_at_once = 0;  ///< events of the structure at one time
+    };
+
+    static std::vector<Ball<D>> in_order(const std::vector<Ball<D>>& balls,
+                                         const std::vector<std::int32_t>& order) {
+        std::vector<Ball<D>> result;
         result.reserve(order.size());
         for (const std::int32_t number : order)
-            result.push_back(things[static_cast<std::size_t>(number)]);
+            result.push_back(balls[static_cast<std::size_t>(number)]);
         return result;
     }
 
@@ -159,7 +220,7 @@ class Loop final : public Simulation<D>::Engine {
         return p.partner >= first_wall && p.partner != nobody;
     }
     [[nodiscard]] bool is_stale(const Proposal& p) const noexcept {
-        return p.partner < first_wall && strikes_[p.partner] != p.partner_strikes;
+        return p.partner < first_wall && particles_[p.partner].strikes != p.partner_strikes;
     }
     [[nodiscard]] static Wall wall_of(const Proposal& p) noexcept {
         return static_cast<Wall>(p.partner - first_wall);
@@ -168,44 +229,78 @@ class Loop final : public Simulation<D>::Engine {
     /// The order of events at one time: ball before wall, then the smaller number, then the larger.
     [[nodiscard]] std::tuple<bool, std::int32_t, std::int32_t> rank(Slot i,
                                                                     const Proposal& p) const {
-        if (is_wall(p)) return {true, number_[i], wall_of(p)};
-        const std::int32_t a = number_[i];
-        const std::int32_t b = number_[p.partner];
+        if (is_wall(p)) return {true, particles_[i].number, wall_of(p)};
+        const std::int32_t a = particles_[i].number;
+        const std::int32_t b = particles_[p.partner].number;
         return {false, std::min(a, b), std::max(a, b)};
     }
     /// Of two entries of equal key: those that are no exact strikes first.
     [[nodiscard]] bool comes_before(Slot i, Slot j) const {
         const auto is_exact = [this](Slot e) {
-            return proposals_[e].early == proposals_[e].late && own_[e] > proposals_[e].early &&
-                   proposals_[e].partner != nobody;
+            return particles_[e].next.early == particles_[e].next.late &&
+                   particles_[e].own > particles_[e].next.early &&
+                   particles_[e].next.partner != nobody;
         };
         const bool exact_i = is_exact(i);
         const bool exact_j = is_exact(j);
         if (exact_i != exact_j) return exact_j;
         if (!exact_i) return i < j;
-        return std::tuple(rank(i, proposals_[i]), i) < std::tuple(rank(j, proposals_[j]), j);
+        return std::tuple(rank(i, particles_[i].next), i) <
+               std::tuple(rank(j, particles_[j].next), j);
     }
     [[nodiscard]] auto before() const {
         return [this](Slot i, Slot j) { return comes_before(i, j); };
     }
 
-    void settle(Slot i) { queue_.set(i, std::min(own_[i], proposals_[i].early), before()); }
+    /// Tells the processor what memory will be needed some events from now: of many balls it is far
+    /// away. First the balls, then whom they may strike, then the lists of both.
+    void fetch_ahead() {
+        if constexpr (requires { structure_->list(Slot{}); }) {
+            queue_.for_each_ahead(fetched_[0], 9, [&](Slot i) { fetch(i); });
+            queue_.for_each_ahead(fetched_[1], 6, [&](Slot i) {
+                __builtin_prefetch(structure_->list(i).data());
+                if (const Slot j = particles_[i].next.partner; j < first_wall) fetch(j);
+            });
+            queue_.for_each_ahead(fetched_[2], 3, [&](Slot i) {
+                fetch_list(i);
+                if (const Slot j = particles_[i].next.partner; j < first_wall) fetch_list(j);
+            });
+        }
+    }
+    void fetch(Slot i) const noexcept {
+        __builtin_prefetch(&world_.balls[i]);
+        __builtin_prefetch(&particles_[i]);
+        structure_->fetch(i);
+    }
+    void fetch_list(Slot i) const noexcept {
+        for (const Slot j : structure_->list(i)) __builtin_prefetch(&world_.balls[j]);
+    }
+
+    void settle(Slot i) {
+        queue_.set(i, std::min(particles_[i].own, particles_[i].next.early), before());
+    }
 
     /// Balls that fly apart would cross ever more cells, or leave ever more shells, that were made
     /// when they were near one another: now and then the structure is made anew. False where
     /// nothing meets any more, as far as that is looked for.
     [[nodiscard]] bool spread() {
         constexpr std::size_t few = 2048;
-        own_events_left_ = own_events_a_ball * number_.size();
-        const bool struck_since = strikes_before_ != counts_.strikes;
-        strikes_before_ = counts_.strikes;
-        if (!struck_since && number_.size() <= few && !any_meets()) return false;
+        constexpr std::size_t most = 1 << 17;
+        const std::size_t balls = particles_.size();
+        own_events_left_ = own_events_a_ball * balls;
+        if (std::exchange(strikes_before_, counts_.strikes) != counts_.strikes) {
+            quiet_rounds_ = 0;
+        } else if (++quiet_rounds_, balls <= most && quiet_rounds_ > balls / few &&
+                                        std::has_single_bit(quiet_rounds_)) {
+            // As rarely as asking all pairs takes no longer than the rounds before.
+            if (!any_meets()) return false;
+        }
         const double width = widest_now();
         if (!(width > 2.0 * width_)) return true;
         width_ = width;
         world_.start = now_;
-        structure_.emplace(world_);
-        for (Slot i = 0; i < number_.size(); ++i) ask_after_change(i);
+        structure_.emplace(world_, kind_);
+        for (Slot i = 0; i < particles_.size(); ++i) ask_after_change({i});
         return true;
     }
     /// How far the balls are spread, along the axis where that is farthest.
@@ -214,7 +309,7 @@ class Loop final : public Simulation<D>::Engine {
         for (int k = 0; k < D; ++k) {
             double low = infinity;
             double high = -infinity;
-            for (Slot i = 0; i < number_.size(); ++i) {
+            for (Slot i = 0; i < particles_.size(); ++i) {
                 const double x = world_.centre(i, now_)[k];
                 low = std::min(low, x);
                 high = std::max(high, x);
@@ -224,13 +319,18 @@ class Loop final : public Simulation<D>::Engine {
         return widest;
     }
     [[nodiscard]] bool any_meets() {
-        for (Slot i = 0; i < number_.size(); ++i) {
+        Crowd crowd;
+        for (Slot i = 0; i < particles_.size(); ++i) {
             const Asker asker = filter_.asker(world_.balls[i], now_);
             for (Slot j = 0; j < i; ++j) {
-                const Approach approach = asker.look(world_.balls[j]);
-                if (!approach.possible) continue;
-                const Meeting meeting = asker(approach);
-                if (meeting.early > -infinity || exactly(i, j).early < infinity) return true;
+                crowd.push(j);
+                if (!crowd.is_full() && j + 1 < i) continue;
+                asker.meetings(world_.balls, crowd);
+                for (std::size_t k = std::exchange(crowd.size, 0); k-- > 0;) {
+                    if (crowd.early[k] == infinity) continue;
+                    if (crowd.early[k] > -infinity || exactly(i, crowd.who[k]).early < infinity)
+                        return true;
+                }
             }
         }
         return false;
@@ -238,68 +338,107 @@ class Loop final : public Simulation<D>::Engine {
 
     /// Finds anew when the structure changes because of a ball.
     void touch(Slot i) {
-        own_[i] = structure_->next(i, now_);
+        particles_[i].own = structure_->next(i, now_);
         settle(i);
     }
 
     /// Finds anew what a ball strikes first.
     void ask(Slot i) {
-        Proposal best;
-        const Asker asker = filter_.asker(world_.balls[i], now_);
-        for (Wall wall = 0; wall < walls_; ++wall) consider_wall(i, asker, wall, best);
-        // First all are looked at, then those that may be met are asked when.
-        std::size_t possible = 0;
-        const auto ask_when = [&] {
-            for (std::size_t k = 0; k < possible; ++k)
-                consider(i, asker, candidates_[k].slot, candidates_[k].approach, best);
-            possible = 0;
-        };
-        const Ball<D>* const balls = world_.balls.data();
-        std::uint64_t checks = 0;
-        structure_->near(i, [&](Slot j) {
-            ++checks;
-            Candidate& candidate = candidates_[possible];
-            candidate.slot = j;
-            candidate.approach = asker.look(balls[j]);
-            possible += static_cast<std::size_t>(candidate.approach.possible);
-            if (possible == candidates_.size()) [[unlikely]]
-                ask_when();
-        });
-        ask_when();
-        counts_.checks += checks;
-        proposals_[i] = best;
-        settle(i);
+        begin(inquiries_[0], i);
+        end(inquiries_[0]);
     }
-    /// The same of a ball that flies or lies otherwise than before.
-    void ask_after_change(Slot i) {
-        own_[i] = structure_->next(i, now_);
-        ask(i);
-    }
-    /// Lets a ball know of another one.
-    void propose(Slot i, const Asker& asker, Slot j) {
-        ++counts_.checks;
-        const Approach approach = asker.look(world_.balls[j]);
-        if (approach.possible) consider(i, asker, j, approach, proposals_[i]);
+    /// The same of balls that fly or lie otherwise than before.
+    void ask_after_change(std::initializer_list<Slot> balls) {
+        for (const Slot i : balls) {
+            particles_[i].own = structure_->next(i, now_);
+            particles_[i].next = {};
+        }
+        // What the second one needs is computed while the first one's is awaited.
+        Inquiry* inquiry = inquiries_.data();
+        for (const Slot i : balls) begin(*inquiry++, i);
+        inquiry = inquiries_.data();
+        for (std::size_t k = 0; k < balls.size(); ++k) end(*inquiry++);
     }
 
-    void consider(Slot i, const Asker& asker, Slot j, const Approach& approach, Proposal& best) {
-        Meeting meeting = asker(approach);
+    /// What a ball strikes first, of those that have been considered.
+    struct Inquiry {
+        Slot ball = nobody;
+        Asker asker;
+        Proposal best;
+        Crowd crowd;
+    };
+    void begin(Inquiry& inquiry, Slot i) {
+        inquiry.ball = i;
+        inquiry.asker = filter_.asker(world_.balls[i], now_);
+        inquiry.best = {};
+        for (Wall wall = 0; wall < walls_; ++wall) consider_wall(inquiry, wall);
+        if constexpr (requires { structure_->list(i); }) {
+            std::span<const Slot> list = structure_->list(i);
+            for (; list.size() > Crowd::capacity; list = list.subspan(Crowd::capacity)) {
+                inquiry.crowd.assign(list.first(Crowd::capacity));
+                look(inquiry);
+                consider_all(inquiry);
+            }
+            inquiry.crowd.assign(list);
+        } else {
+            structure_->near(i, [&](Slot j) { propose(inquiry, j); });
+        }
+        look(inquiry);
+    }
+    void end(Inquiry& inquiry) {
+        consider_all(inquiry);
+        particles_[inquiry.ball].next = inquiry.best;
+        settle(inquiry.ball);
+    }
+    /// Lets a ball know of another one, now or soon.
+    void propose(Inquiry& inquiry, Slot j) {
+        inquiry.crowd.push(j);
+        if (!inquiry.crowd.is_full()) [[likely]]
+            return;
+        look(inquiry);
+        consider_all(inquiry);
+    }
+    void look(Inquiry& inquiry) {
+        counts_.checks += inquiry.crowd.size;
+        if (inquiry.crowd.size > 0) inquiry.asker.meetings(world_.balls, inquiry.crowd);
+    }
+    void consider_all(Inquiry& inquiry) {
+        Crowd& crowd = inquiry.crowd;
+        const std::size_t size = std::exchange(crowd.size, 0);
+        if (size == 0) return;
+        Proposal& best = inquiry.best;
+        // Those that may be the first of all; and where these turn out to strike others before,
+        // those that may be the first of the rest.
+        for (double latest = std::min(best.late, crowd.soonest);;) {
+            for (std::size_t k = 0; k < size; ++k) {
+                if (!(crowd.early[k] <= latest)) continue;
+                consider(inquiry.ball, crowd.who[k], {crowd.early[k], crowd.late[k]}, best);
+                crowd.early[k] = crowd.late[k] = infinity;
+            }
+            if (!(latest < best.late)) return;
+            latest = best.late;
+            for (std::size_t k = 0; k < size; ++k) latest = std::min(latest, crowd.late[k]);
+        }
+    }
+    void consider(Slot i, Slot j, Meeting meeting, Proposal& best) {
         if (!(meeting.early <= best.late)) return;
         if (meeting.early == -infinity) [[unlikely]] {
             meeting = exactly(i, j);
             if (!(meeting.early <= best.late)) return;
         }
-        // The partner strikes something before, and is then asked again.
-        if (meeting.early > proposals_[j].late) return;
         if (meeting.early == infinity) return;
-        Proposal candidate{meeting.early, meeting.late, j, strikes_[j]};
+        // The partner strikes something before, and is then asked again.
+        if (meeting.early > particles_[j].next.late) return;
+        Proposal candidate{meeting.early, meeting.late, j, particles_[j].strikes};
         if (!passed_.empty() && is_passed(i, candidate)) return;
         take(i, candidate, best);
     }
-    void consider_wall(Slot i, const Asker& asker, Wall wall, Proposal& best) {
+    void consider_wall(Inquiry& inquiry, Wall wall) {
+        const Slot i = inquiry.ball;
+        Proposal& best = inquiry.best;
         const Box<D>& box = *world_.effects.box;
         const double side = wall % 2 != 0 ? box.high[wall / 2] : box.low[wall / 2];
-        Meeting meeting = asker(wall, side);
+        Meeting meeting = inquiry.asker.meeting(wall, side);
         if (!(meeting.early <= best.late)) return;
         if (meeting.early == -infinity) [[unlikely]] {
             ++counts_.exact;
@@ -335,18 +474,12 @@ class Loop final : public Simulation<D>::Engine {
 
     /// The nearest image of a pair at a time.
     [[nodiscard]] Image<D> image(Slot i, Slot j, double t) const {
-        Image<D> image;
-        if (!world_.effects.periodic) return image;
-        const Vector<D> a = world_.centre(i, t);
-        const Vector<D> b = world_.centre(j, t);
-        for (int k = 0; k < D; ++k) {
-            const double length = world_.effects.box->high[k] - world_.effects.box->low[k];
-            image[k] = static_cast<int>(nearest_integer((a[k] - b[k]) / length));
-        }
-        return image;
+        return nearest_image(world_.centre(i, t), world_.centre(j, t), world_.effects);
     }
     [[gnu::cold, gnu::noinline]] Meeting exactly(Slot i, Slot j) {
         ++counts_.exact;
+        // It may have flown beyond the filter's bounds.
+        filter_.include(world_.balls[j], now_);
         const double t =
             exact_meeting(world_.balls[i], world_.balls[j], image(i, j, now_), world_.effects);
         return {t, t};
@@ -354,65 +487,49 @@ class Loop final : public Simulation<D>::Engine {
     void make_exact(Slot i, Proposal& p) {
         if (p.early == p.late) return;
         const double about = 0.5 * (p.early + p.late);
-        double t = 0.0;
-        if (is_wall(p)) {
-            t = refined_meeting(world_.balls[i], wall_of(p), world_.effects, about);
-            if (std::isnan(t)) {
-                ++counts_.exact;
-                t = exact_meeting(world_.balls[i], wall_of(p), world_.effects);
-            } else {
-                ++counts_.refined;
-            }
-        } else {
-            // Now another image may be nearer than the one that will be struck.
-            const Image<D> seen = image(i, p.partner, about);
-            t = refined_meeting(world_.balls[i], world_.balls[p.partner], seen, world_.effects,
-                                about);
-            if (std::isnan(t)) {
-                ++counts_.exact;
-                t = exact_meeting(world_.balls[i], world_.balls[p.partner], seen, world_.effects);
-            } else {
-                ++counts_.refined;
-            }
-        }
-        p.early = p.late = t;
+        const Ball<D>& ball = world_.balls[i];
+        const auto tell = [&](const auto&... other) {
+            const double t = refined_meeting(ball, other..., world_.effects, about);
+            const bool tells = !std::isnan(t);
+            ++(tells ? counts_.refined : counts_.exact);
+            return tells ? t : exact_meeting(ball, other..., world_.effects);
+        };
+        // Now another image may be nearer than the one that will be struck.
+        p.early = p.late = is_wall(p) ? tell(wall_of(p))
+                                      : tell(world_.balls[p.partner], image(i, p.partner, about));
     }
 
     bool strike_ball(Slot i, const typename Simulation<D>::Record& record) {
-        const Slot j = proposals_[i].partner;
-        const double t = proposals_[i].early;
+        const Slot j = particles_[i].next.partner;
+        const double t = particles_[i].next.early;
         StrikeTally tally;
         Ball<D> a = arrive(i, t, tally);
         Ball<D> b = arrive(j, t, tally);
-        Image<D> seen;
-        if (world_.effects.periodic) {
-            for (int k = 0; k < D; ++k) {
-                const double length = world_.effects.box->high[k] - world_.effects.box->low[k];
-                seen[k] = static_cast<int>(nearest_integer((a.x[k] - b.x[k]) / length));
-            }
-        }
-        refuse_coarse_clock(i, j, a, b, seen);
+        const Image<D> seen = nearest_image(a.x, b.x, world_.effects);
         const Ball<D> a_before = a;
         const Ball<D> b_before = b;
         Exchange exchange;
         if constexpr (kernel == Kernel::exact)
-            exchange = strike(a, b, seen, mass_[i], mass_[j], world_.effects, tally);
+            exchange =
+                strike(a, b, seen, particles_[i].mass, particles_[j].mass, world_.effects, tally);
         else
-            exchange = naive::strike(a, b, seen, mass_[i], mass_[j], world_.effects);
+            exchange =
+                naive::strike(a, b, seen, particles_[i].mass, particles_[j].mass, world_.effects);
         counts_.rounded += tally.refined;
         counts_.rounded_exactly += tally.exact;
+        refuse_coarse_clock(i, j, a, b, exchange.square);
         if (!exchange.struck) {
             pass(i, j, t);
             ask(i);
             return false;
         }
         counts_.virial += exchange.virial;
-        const std::int32_t first = std::min(number_[i], number_[j]);
-        const std::int32_t second = std::max(number_[i], number_[j]);
+        const std::int32_t first = std::min(particles_[i].number, particles_[j].number);
+        const std::int32_t second = std::max(particles_[i].number, particles_[j].number);
         last_ = {t, false, first, second, 0.0};
         if (record) {
-            last_.impulse =
-                impulse(a_before, b_before, seen, mass_[i], mass_[j], world_.effects, tally);
+            last_.impulse = impulse(a_before, b_before, seen, particles_[i].mass,
+                                    particles_[j].mass, world_.effects, tally);
             record(last_);
         }
         ++counts_.strikes;
@@ -433,18 +550,17 @@ class Loop final : public Simulation<D>::Engine {
         filter_.include(b);
         release(i);
         release(j);
-        ask_after_change(i);
-        ask_after_change(j);
+        ask_after_change({i, j});
         return true;
     }
     bool strike_wall(Slot i, const typename Simulation<D>::Record& record) {
-        const Wall wall = wall_of(proposals_[i]);
-        const double t = proposals_[i].early;
+        const Wall wall = wall_of(particles_[i].next);
+        const double t = particles_[i].next.early;
         StrikeTally tally;
         Ball<D> ball = arrive(i, t, tally);
         const Ball<D> ball_before = ball;
         const bool struck = strike(ball, wall, world_.effects);
-        last_ = {t, true, number_[i], wall, 0.0};
+        last_ = {t, true, particles_[i].number, wall, 0.0};
         if (!struck) {
             const double g = world_.effects.gravity[wall / 2];
             collapses_ = wall % 2 != 0 ? g > 0.0 : g < 0.0;
@@ -454,7 +570,7 @@ class Loop final : public Simulation<D>::Engine {
             return false;
         }
         if (record) {
-            last_.impulse = impulse(ball_before, wall, mass_[i], world_.effects);
+            last_.impulse = impulse(ball_before, wall, particles_[i].mass, world_.effects);
             record(last_);
         }
         ++counts_.strikes;
@@ -463,28 +579,34 @@ class Loop final : public Simulation<D>::Engine {
         world_.balls[i] = ball;
         filter_.include(ball);
         release(i);
-        ask_after_change(i);
+        ask_after_change({i});
         return true;
+    }
+    /// Where a ball flies through its cells or shells faster than the clock ticks. Ends of its
+    /// projections change places with all others', at one time, at most.
+    void refuse_standstill(Slot i) {
+        Particle& particle = particles_[i];
+        if (particle.own > now_) [[likely]] {
+            particle.own_at_once = 0;
+        } else if (++particle.own_at_once > 1000 + 8 * particles_.size()) {
+            throw std::range_error("ball " + std::to_string(particle.number) + " at time " +
+                                   std::to_string(now_) +
+                                   " flies too far from one double to the next; use slower balls, "
+                                   "or a shorter time");
+        }
     }
     /// Where balls fly so far from one tick of the clock to the next that those which meet are
     /// apart at the rounded time.
     void refuse_coarse_clock(Slot i, Slot j, const Ball<D>& a, const Ball<D>& b,
-                             const Image<D>& seen) const {
-        double square = 0.0;
-        for (int k = 0; k < D; ++k) {
-            double d = a.x[k] - b.x[k];
-            if (seen[k] != 0)
-                d -= seen[k] * (world_.effects.box->high[k] - world_.effects.box->low[k]);
-            square += d * d;
-        }
+                             double square) const {
         const double radii = a.radius + b.radius;
         if (std::fabs(square - radii * radii) < 0x1p-10 * (radii * radii)) [[likely]]
             return;
         if constexpr (kernel == Kernel::naive) return;
         throw std::range_error(
-            "balls " + std::to_string(std::min(number_[i], number_[j])) + " and " +
-            std::to_string(std::max(number_[i], number_[j])) + " meet at time " +
-            std::to_string(a.time) +
+            "balls " + std::to_string(std::min(particles_[i].number, particles_[j].number)) +
+            " and " + std::to_string(std::max(particles_[i].number, particles_[j].number)) +
+            " meet at time " + std::to_string(a.time) +
             ", but they fly too far from one double to the next for a strike then; use slower "
             "balls, or a shorter time");
     }
@@ -500,14 +622,14 @@ class Loop final : public Simulation<D>::Engine {
     template <class Exactly>
     void count(Slot i, const Ball<D>& came, double approach, double square,
                const Exactly& exactly) {
-        ++strikes_[i];
+        ++particles_[i].strikes;
         const InPlace stayed =
             stayed_in_place(came, came.time - world_.balls[i].time, approach, square);
         if (stayed == InPlace::no || (stayed == InPlace::uncertain && !exactly())) [[likely]] {
-            in_place_[i] = 0;
-        } else if (++in_place_[i] >= most_in_place_) {
+            particles_[i].in_place = 0;
+        } else if (++particles_[i].in_place >= most_in_place_) {
             collapses_ = true;
-            in_place_[i] = 0;
+            particles_[i].in_place = 0;
         }
     }
 
@@ -529,29 +651,23 @@ class Loop final : public Simulation<D>::Engine {
 
     static constexpr std::uint64_t own_events_a_ball = 16;
 
-    struct Candidate {
-        Slot slot;
-        Approach approach;
-    };
-
     World<D> world_;
-    std::array<Candidate, 64> candidates_;
-    std::vector<std::int32_t> number_;
-    std::vector<double> mass_;
-    std::vector<std::uint32_t> strikes_;
-    std::vector<std::uint32_t> in_place_;
-    std::vector<Proposal> proposals_;
-    std::vector<double> own_;
+    std::array<Inquiry, 2> inquiries_;
+    std::array<std::uint32_t, 3> fetched_{};  // up to which bucket
+    std::vector<Particle> particles_;
     MeetingFilter<D, Falls, kernel> filter_;
+    Structure kind_;
     std::optional<StructureOf<D>> structure_;
     EventQueue queue_;
     Wall walls_;
+    bool fetches_;
     std::uint32_t most_in_place_;
     bool collapses_ = false;
-    std::uint64_t own_events_left_ = own_events_a_ball * number_.size();
+    std::uint64_t own_events_left_ = own_events_a_ball * particles_.size();
     std::uint64_t strikes_before_ = 0;
-    double width_ = widest_now();
+    std::uint64_t quiet_rounds_ = 0;
     double now_;
+    double width_ = widest_now();  // after now_, which it needs
     Counts counts_;
     Strike last_;
     std::map<std::pair<Slot, Slot>, double> passed_;
@@ -559,11 +675,11 @@ class Loop final : public Simulation<D>::Engine {
 
 template <int D, template <int> class StructureOf>
 std::unique_ptr<typename Simulation<D>::Engine> make_engine(
-    const State<D>& state, const Effects<D>& effects, Kernel kernel,
+    Structure structure, const State<D>& state, const Effects<D>& effects, Kernel kernel,
     const std::vector<std::int32_t>& order) {
     const auto make =
         [&]<bool falls, Kernel k>() -> std::unique_ptr<typename Simulation<D>::Engine> {
-        return std::make_unique<Loop<D, falls, k, StructureOf>>(state, effects, order);
+        return std::make_unique<Loop<D, falls, k, StructureOf>>(structure, state, effects, order);
     };
     const bool falls = effects.gravity != Vector<D>{};
     if (kernel == Kernel::naive) {

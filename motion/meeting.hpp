@@ -11,13 +11,17 @@
 /// Receding: never (radii that outgrow the motion and walls under gravity come back: F is concave
 /// there). Where F only touches 0 they graze, and exchange no impulse: never.
 ///
-/// Three stages: doubles with a bound (MeetingFilter, inline), which tell an interval that contains
-/// the meeting time, or never, or nothing; exact(), double-doubles that nearly always tell the one
-/// double, and rationals.
+/// Three stages: doubles with a bound (MeetingFilter), which tell an interval that contains the
+/// meeting time, or never, or nothing; double-doubles that nearly always tell the one double
+/// (refined_meeting()), and rationals (exact_meeting()).
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <span>
+#include <vector>
 
 #include "../filters/bounds.hpp"
 #include "ball.hpp"
@@ -41,30 +45,32 @@ struct Place {
     Vector<D> v;
 };
 
-/// Precondition: |x| < 2^51.
-[[nodiscard, gnu::always_inline]] inline double nearest_integer(double x) noexcept {
-    return (x + 0x1.8p52) - 0x1.8p52;
-}
+/// As many balls as are asked about at once, and what was told of each.
+struct Crowd {
+    static constexpr std::size_t capacity = 64;
 
-/// D·V, V·V, D·D - R² and the discriminant of a pair now; possible is 0 where it surely never
-/// meets.
-struct Approach {
-    double product;
-    double square;
-    double gap;
-    double discriminant;
-    int possible;
+    std::size_t size = 0;
+    std::array<Slot, capacity> who;
+    std::array<double, capacity> early;
+    std::array<double, capacity> late;
+    double soonest;  ///< the least of late
+
+    /// Precondition: there is room.
+    void push(Slot slot) noexcept { who[size++] = slot; }
+    void assign(std::span<const Slot> slots) noexcept {
+        std::ranges::copy(slots, who.begin());
+        size = slots.size();
+    }
+    [[nodiscard]] bool is_full() const noexcept { return size == capacity; }
 };
 
 template <int D>
 struct Bounds {
     Vector<D> gravity{};
-    /// Of a periodic box. Who is nearer than `far`, the square of half of the least one, is not
-    /// seen shifted.
-    Vector<D> length{};
+    bool periodic = false;
+    Vector<D> length{};  ///< of the box
     Vector<D> inverse_length{};
-    double far = 0.0;
-    double extent = 0.0;
+    double extent = 0x1p-150;  ///< so that no product of bounds is a denormal
     double speed = 0.0;
     double gap = 0.0;       ///< K, of C and per square of speed of the discriminant
     double approach = 0.0;  ///< (128 u E)², of (D·V)² per square of speed
@@ -93,25 +99,28 @@ inline constexpr double least_square = 0x1p-600;
 
 /// The first stage. Its bounds, with u = 2^-53, E = extent, W = speed:
 ///
-/// Of the place of a ball: dt = fl(t - time), x + v dt. Both the ball's own x and the place of the
-/// one that asks are at most E in each coordinate, so the product is at most 2E + |D_i|, and D_i, a
-/// difference of two places less a multiple of the box's length, errs by less than u (14 E + 4
-/// |D_i|) <= 24 u E. With gravity, v dt and g dt²/2 are asked whether they are below E, and D_i
-/// errs by less than 32 u E. V errs by u a component, with gravity by 3 u W. For D <= 3, |D|² <= 12
-/// E²:
-///     B = D·V     |error| <= 80 u E √A + 21 u E W
+/// Of the place of a ball: dt = fl(t - time), x + v dt + g dt²/2. The ball's own x, what it has
+/// flown and fallen since, and its place are at most E in each coordinate: of the one that asks E
+/// is made so, the others are asked whether it is so. So a place errs by 4 u E, with gravity by 9 u
+/// E, and D_i, a difference of two places less a multiple of the box's length that is at most 3 E,
+/// by less than 17 u E, with gravity by less than 27 u E. Of speeds W bounds those of all own times
+/// and the present one of the one that asks, so that of another one is at most W + √A; V errs by u
+/// a component, with gravity by less than 10 u W + 4 u √A. For D <= 3, |D|² <= 12 E²:
+///     B = D·V     |error| <= 82 u E √A + 60 u E W, whose square is below (128 u E)² (A + W²)
 ///     C = D·D-R²  |error| <= 520 u E²
-///     B² - AC     |error| <= 1800 u E² A + 340 u E² √A W <= K (A + W²),   K = 2048 u E²
+///     B² - AC     |error| <= 1682 u E² A + 416 u E² W² <= K (A + W²),   K = 2048 u E²
 /// and of s = C / (-B + √disc), since s √A <= |D| and s A = -B - √disc,
 ///     |error| <= (K + s K W/E + s K (A + W²)/√disc) / (-B + √disc),
 /// which is at most K/√disc where W = 0. Twice that is taken, for the bounds are computed in
-/// rounded numbers and disc may be twice its error.
+/// rounded numbers and disc may be twice its error. That B < 0 where a time is told need not be
+/// asked: disc > 2 K (A + W²) and C > 0 make |B| larger than its error, and who recedes is never
+/// met. Precondition of the bound 2^-50 t: now >= 0.
 template <int D, bool Falls, Kernel kernel>
 class MeetingFilter {
  public:
     explicit MeetingFilter(const Effects<D>& effects) {
         bounds_.gravity = effects.gravity;
-        bounds_.far = infinity;
+        bounds_.periodic = effects.periodic;
         if (effects.box) {
             for (int i = 0; i < D; ++i) {
                 include(effects.box->low[i]);
@@ -119,8 +128,6 @@ class MeetingFilter {
                 const double length = effects.box->high[i] - effects.box->low[i];
                 bounds_.length[i] = length;
                 bounds_.inverse_length[i] = 1.0 / length;
-                if (effects.periodic)
-                    bounds_.far = std::min(bounds_.far, 0.25 * length * length * (1.0 - 0x1p-20));
             }
         }
     }
@@ -135,26 +142,28 @@ class MeetingFilter {
         set_bounds();
     }
 
-    /// The questions of one ball at one time.
+    /// The questions of one ball at one time, by the filter's bounds.
     class Asker {
      public:
-        /// Looks whether another ball may be met at all, without a branch: which of many may is
-        /// anybody's guess. Precondition: now is not before its own time, and the two have not met
-        /// between T and now.
-        [[nodiscard, gnu::always_inline]] Approach look(const Ball<D>& b) const noexcept;
-        /// When, of one that may.
-        [[nodiscard]] Meeting operator()(const Approach& approach) const noexcept;
+        /// When it meets each of a crowd, four at a time and without a branch: which of many are
+        /// met is anybody's guess. Precondition: now is not before anybody's own time, and no two
+        /// have met between T and now.
+        void meetings(const std::vector<Ball<D>>& balls, Crowd& crowd) const noexcept;
         /// Of a side of the box: F = x - side - r, x counted inwards. With errors of 24 u E in F
         /// and 3 u W in the speed, those of the root as above.
-        [[nodiscard]] Meeting operator()(Wall wall, double side) const noexcept;
+        [[nodiscard]] Meeting meeting(Wall wall, double side) const noexcept;
 
      private:
         friend MeetingFilter;
+        void fill(const Ball<D>* balls, Crowd& crowd) const noexcept;
+
         Place<D> place_;
         double radius_;
         double now_;
-        Bounds<D> bounds_;
+        const Bounds<D>* bounds_;
     };
+    /// Takes a ball into the bounds as it is now; returns where that is.
+    Place<D> include(const Ball<D>& ball, double now) noexcept;
     /// The bounds then hold for questions asked from where the ball is now.
     [[nodiscard]] Asker asker(const Ball<D>& ball, double now) noexcept;
 
@@ -171,144 +180,5 @@ class MeetingFilter {
 
     Bounds<D> bounds_;
 };
-
-template <int D, bool Falls, Kernel kernel>
-auto MeetingFilter<D, Falls, kernel>::asker(const Ball<D>& ball, double now) noexcept -> Asker {
-    Asker asker;
-    const double dt = now - ball.time;
-    double farthest = 0.0;
-    double fastest = 0.0;
-    for (int i = 0; i < D; ++i) {
-        const double flown = ball.v[i] * dt;
-        double& x = asker.place_.x[i];
-        double& v = asker.place_.v[i];
-        x = ball.x[i] + flown;
-        v = ball.v[i];
-        if constexpr (Falls) {
-            const double fallen = 0.5 * bounds_.gravity[i] * (dt * dt);
-            x += fallen;
-            v += bounds_.gravity[i] * dt;
-            farthest = std::max({farthest, filters::magnitude(flown), filters::magnitude(fallen)});
-            fastest = std::max(fastest, filters::magnitude(v));
-        }
-        farthest = std::max(farthest, filters::magnitude(x));
-    }
-    if (farthest > bounds_.extent || (Falls && fastest > bounds_.speed)) [[unlikely]] {
-        bounds_.extent = std::max(bounds_.extent, farthest);
-        bounds_.speed = std::max(bounds_.speed, fastest);
-        set_bounds();
-    }
-    asker.radius_ = ball.radius;
-    asker.now_ = now;
-    asker.bounds_ = bounds_;
-    return asker;
-}
-
-template <int D, bool Falls, Kernel kernel>
-inline Approach MeetingFilter<D, Falls, kernel>::Asker::look(const Ball<D>& b) const noexcept {
-    const double dt = now_ - b.time;
-    Vector<D> d;
-    Vector<D> v;
-    double largest = 0.0;
-    for (int i = 0; i < D; ++i) {
-        const double flown = b.v[i] * dt;
-        if constexpr (Falls) {
-            const double fallen = 0.5 * bounds_.gravity[i] * (dt * dt);
-            d[i] = place_.x[i] - (b.x[i] + flown + fallen);
-            v[i] = place_.v[i] - (b.v[i] + bounds_.gravity[i] * dt);
-            largest = std::max({largest, filters::magnitude(flown), filters::magnitude(fallen)});
-        } else {
-            d[i] = place_.x[i] - (b.x[i] + flown);
-            v[i] = place_.v[i] - b.v[i];
-        }
-    }
-    double distance = dot(d, d);
-    if (distance > bounds_.far) [[unlikely]] {
-        for (int i = 0; i < D; ++i)
-            d[i] -= bounds_.length[i] * nearest_integer(d[i] * bounds_.inverse_length[i]);
-        distance = dot(d, d);
-    }
-    const double r = radius_ + b.radius;
-    Approach approach;
-    approach.product = dot(d, v);
-    approach.square = dot(v, v);
-    approach.gap = distance - r * r;
-    approach.discriminant = approach.product * approach.product - approach.square * approach.gap;
-    if constexpr (kernel == Kernel::naive) {
-        approach.possible = static_cast<int>(approach.product < 0.0) &
-                            static_cast<int>(approach.discriminant > 0.0);
-        return approach;
-    }
-    const double size = Falls ? approach.square + bounds_.w : approach.square;
-    // Velocities that are the same are so exactly, unless something was added to them.
-    int rests = Falls ? 0 : 1;
-    if constexpr (!Falls)
-        for (const double each : v) rests &= static_cast<int>(each == 0.0);
-    const int recedes = static_cast<int>(approach.product * filters::magnitude(approach.product) >
-                                         bounds_.approach * size);
-    const int misses = static_cast<int>(approach.discriminant < -bounds_.gap * size);
-    approach.possible = 1 - (recedes | misses | rests);
-    if constexpr (Falls) {
-        if (largest > bounds_.extent) [[unlikely]] {
-            approach.possible = 1;
-            approach.gap = 0.0;
-        }
-    }
-    return approach;
-}
-
-template <int D, bool Falls, Kernel kernel>
-Meeting MeetingFilter<D, Falls, kernel>::Asker::operator()(
-    const Approach& approach) const noexcept {
-    if constexpr (kernel == Kernel::naive) {
-        const double after = approach.gap / (std::sqrt(approach.discriminant) - approach.product);
-        const double t = now_ + std::max(after, 0.0);
-        return {t, t};
-    }
-    const double size = Falls ? approach.square + bounds_.w : approach.square;
-    if (!(approach.discriminant > 2.0 * bounds_.gap * size && approach.gap > bounds_.gap &&
-          approach.square > least_square)) [[unlikely]]
-        return unknown;
-    const double root = std::sqrt(approach.discriminant);
-    const double s = approach.gap / (root - approach.product);
-    double error = bounds_.gap / root;
-    if constexpr (Falls)
-        error = bounds_.gap * (1.0 + s * (bounds_.speed / bounds_.extent + size / root)) /
-                (root - approach.product);
-    return around(now_, s, error);
-}
-
-template <int D, bool Falls, Kernel kernel>
-Meeting MeetingFilter<D, Falls, kernel>::Asker::operator()(Wall wall, double side) const noexcept {
-    const int axis = wall / 2;
-    const double inwards = wall % 2 != 0 ? -1.0 : 1.0;
-    const double v = inwards * place_.v[axis];
-    const double g = Falls ? inwards * bounds_.gravity[axis] : 0.0;
-    if constexpr (kernel == Kernel::naive) {
-        const double t = now_ + naive_descent(inwards * (place_.x[axis] - side) - radius_, v, g);
-        return {t, t};
-    }
-    const double gap_error = 0x1p-47 * bounds_.extent;
-    const double gap = inwards * (place_.x[axis] - side) - radius_;
-    if (g == 0.0) {
-        if (v >= 0.0) return never;
-        if (!(gap > gap_error && v < -0x1p-300)) return unknown;
-        return around(now_, gap / -v, gap_error / -v);
-    }
-    const double v_error = 0x1p-50 * bounds_.speed;
-    if (!(gap > gap_error)) return unknown;
-    if (g > 0.0 && v > v_error) return never;
-    const double discriminant = v * v - 2.0 * g * gap;
-    const double error = 0x1p-48 * bounds_.w + 2.0 * filters::magnitude(g) * gap_error;
-    if (discriminant < -error && g > 0.0) return never;
-    if (!(discriminant > 2.0 * error && (g < 0.0 || v < -v_error))) return unknown;
-    const double root = std::sqrt(discriminant);
-    const double root_error = v_error + error / root;
-    if (v < 0.0) {
-        const double s = 2.0 * gap / (root - v);
-        return around(now_, s, (2.0 * gap_error + s * root_error) / (root - v));
-    }
-    return around(now_, (v + root) / -g, root_error / -g);
-}
 
 }  // namespace signum::motion

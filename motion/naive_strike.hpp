@@ -36,7 +36,7 @@ template <int D>
         product += x[i] * (a.v[i] - b.v[i]);
         square += x[i] * x[i];
     }
-    if (product >= 0.0) return {};
+    if (product >= 0.0) return {false, 0.0, square, 0.0};
     const double impulse =
         (1.0 + effects.restitution) * (mass_a * mass_b / (mass_a + mass_b)) * (product / square);
     for (int i = 0; i < D; ++i) {

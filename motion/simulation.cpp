@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
 #include <utility>
 
@@ -10,36 +11,32 @@
 
 namespace signum::motion {
 
-// One line a structure.
 template <int D>
 class Pairs;
 template <int D>
-class CellsOfOneSize;
-template <int D>
-class OccupiedCells;
+class Grid;
 template <int D>
 class Segments;
-template <int D>
-class Levels;
 template <int D>
 class Lists;
 
 namespace {
 
+// One line a structure.
 template <int D>
 struct Row {
     Structure structure;
-    std::unique_ptr<typename Simulation<D>::Engine> (*make)(const State<D>&, const Effects<D>&,
-                                                            Kernel,
+    std::unique_ptr<typename Simulation<D>::Engine> (*make)(Structure, const State<D>&,
+                                                            const Effects<D>&, Kernel,
                                                             const std::vector<std::int32_t>&);
 };
 template <int D>
 constexpr std::array<Row<D>, 6> rows = {{
     {Structure::pairs, make_engine<D, Pairs>},
-    {Structure::cells, make_engine<D, CellsOfOneSize>},
-    {Structure::tree, make_engine<D, OccupiedCells>},
+    {Structure::cells, make_engine<D, Grid>},
+    {Structure::tree, make_engine<D, Grid>},
     {Structure::segments, make_engine<D, Segments>},
-    {Structure::levels, make_engine<D, Levels>},
+    {Structure::levels, make_engine<D, Grid>},
     {Structure::lists, make_engine<D, Lists>},
 }};
 
@@ -51,18 +48,23 @@ struct Sizes {
     double smallest = std::numeric_limits<double>::infinity();
     double largest = 0.0;
     double shortest_box = std::numeric_limits<double>::infinity();
+    double packing = 0.0;  ///< the share of the box that balls fill
 };
 template <int D>
 Sizes sizes_of(const State<D>& state, const Effects<D>& effects) {
+    constexpr double of_radius_1 = D == 2 ? std::numbers::pi : 4.0 / 3.0 * std::numbers::pi;
     Sizes sizes;
     for (const Ball<D>& ball : state.balls) {
         sizes.smallest = std::min(sizes.smallest, ball.radius);
         sizes.largest = std::max(sizes.largest, ball.radius);
+        sizes.packing += of_radius_1 * std::pow(ball.radius, D);
     }
-    if (effects.box)
-        for (int k = 0; k < D; ++k)
-            sizes.shortest_box =
-                std::min(sizes.shortest_box, effects.box->high[k] - effects.box->low[k]);
+    if (!effects.box) return sizes;
+    for (int k = 0; k < D; ++k) {
+        const double length = effects.box->high[k] - effects.box->low[k];
+        sizes.shortest_box = std::min(sizes.shortest_box, length);
+        sizes.packing /= length;
+    }
     return sizes;
 }
 
@@ -116,26 +118,28 @@ Choice choose(Structure wish, const State<D>& state, const Effects<D>& effects) 
     const bool few_cells = effects.periodic && sizes.shortest_box < 5.01 * 2.0 * sizes.largest;
     if (wish == Structure::automatic) {
         if (state.balls.size() <= 16) return {Structure::pairs, "few balls"};
-        if (sizes.largest > 4.0 * sizes.smallest && !few_cells)
+        if (few_cells) return {Structure::lists, "the periodic box is small"};
+        if (sizes.largest > 4.0 * sizes.smallest)
             return {Structure::levels, "the largest radius is more than four times the smallest"};
+        if (!effects.box) return {Structure::tree, "no bounds are known"};
+        if (sizes.packing < 0.05)
+            return {Structure::cells, "balls of like sizes fill less than a twentieth of the box"};
         return {Structure::lists, "many balls of like sizes"};
     }
     const bool in_cells =
         wish == Structure::cells || wish == Structure::tree || wish == Structure::levels;
     if (few_cells && in_cells)
         return {Structure::pairs, "the periodic box has fewer than five cells along an axis"};
-    if (effects.periodic && wish == Structure::segments)
-        return {few_cells ? Structure::pairs : Structure::cells,
-                "segments have no order in a periodic box"};
     return {wish, "asked for"};
 }
 
 template <int D>
 Simulation<D>::Simulation(const State<D>& state, const Effects<D>& effects,
                           const Options& options) {
+    check(state, effects);
     const Structure structure = choose(options.structure, state, effects).structure;
     const auto row = std::ranges::find(rows<D>, structure, &Row<D>::structure);
-    engine_ = row->make(state, effects, options.kernel, along_a_curve(state, effects));
+    engine_ = row->make(structure, state, effects, options.kernel, along_a_curve(state, effects));
 }
 template <int D>
 Simulation<D>::~Simulation() = default;
@@ -146,6 +150,7 @@ Simulation<D>& Simulation<D>::operator=(Simulation&&) noexcept = default;
 
 template <int D>
 Outcome Simulation<D>::run(const Limits& limits, const Record& record) {
+    if (std::isnan(limits.until)) throw std::invalid_argument("until: a time that is no number");
     return engine_->run(limits, record);
 }
 template <int D>
@@ -155,6 +160,10 @@ State<D> Simulation<D>::state() const {
 template <int D>
 const Counts& Simulation<D>::counts() const {
     return engine_->counts();
+}
+template <int D>
+Sketch<D> Simulation<D>::sketch() const {
+    return engine_->sketch();
 }
 
 template Choice choose(Structure, const State<2>&, const Effects<2>&);

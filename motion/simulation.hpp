@@ -13,6 +13,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "ball.hpp"
@@ -49,6 +50,41 @@ struct State {
     std::vector<Passed> passed;
 };
 
+/// What is to be seen of a structure at work, and of the loop over it, at one time. Balls by their
+/// numbers.
+template <int D>
+struct Sketch {
+    struct Area {
+        Box<D> box;
+        /// Of cells: 0 the finest, each next one of cells twice as wide.
+        int level = 0;
+        /// Of segments: whose it is.
+        std::int32_t ball = -1;
+    };
+    struct Round {
+        std::int32_t ball = 0;
+        Vector<D> centre{};
+        double radius = 0.0;
+    };
+    /// What a ball will strike first, as far as it knows: another one, or wall -1 - partner.
+    struct Expected {
+        std::int32_t ball = 0;
+        std::int32_t partner = 0;
+        /// Then or a little later.
+        double time = 0.0;
+    };
+    /// Of cells and levels those in which centres lie, each once; of segments all balls' boxes, in
+    /// their order.
+    std::vector<Area> areas;
+    /// Of lists the balls' shells, in their order; in a periodic box their centres lie in it.
+    std::vector<Round> rounds;
+    /// Of lists and segments the pairs they hold, a < b, in order.
+    std::vector<std::pair<std::int32_t, std::int32_t>> links;
+    /// At most one a ball, in their order; not what is no more to be expected, since the partner
+    /// has struck something else.
+    std::vector<Expected> expected;
+};
+
 /// What is wrong with a ball; what() says it, and what would be right.
 class BallError : public std::invalid_argument {
  public:
@@ -67,6 +103,12 @@ class BallError : public std::invalid_argument {
 /// effects that make no sense. O(n) expected, for balls of like sizes.
 template <int D>
 [[nodiscard]] State<D> start(std::span<const Body<D>> bodies, const Effects<D>& effects);
+
+/// Throws std::invalid_argument for effects that make no sense and BallError for balls that cannot
+/// be, as start() does, at any time; but where balls lie is not looked at, for rounding may leave
+/// them an ulp inside each other, nor whether their numbers have become tiny. O(n).
+template <int D>
+void check(const State<D>& state, const Effects<D>& effects);
 
 /// A line of the log.
 struct Strike {
@@ -145,7 +187,7 @@ template <int D>
 class Simulation {
  public:
     /// Preconditions: as start() sees to; of a later state, that it comes from state(), with the
-    /// same effects.
+    /// same effects. Throws as check() does.
     Simulation(const State<D>& state, const Effects<D>& effects, const Options& options = {});
     ~Simulation();
     Simulation(Simulation&&) noexcept;
@@ -153,13 +195,17 @@ class Simulation {
 
     /// Called with each strike.
     using Record = std::function<void(const Strike&)>;
-    /// Goes on as far as the limits say. Throws std::range_error where a ball flies so fast that
-    /// the clock cannot tell its strike from a miss. O(1) expected a strike for lists and cells in
+    /// Goes on as far as the limits say; balls in a periodic box that never meet fly for ever where
+    /// there is no limit, and so do more than 2^17 without a box. Throws std::invalid_argument for
+    /// a time that is NaN, std::range_error where a ball flies so fast that the clock cannot tell
+    /// its strike from a miss. O(1) expected a strike for lists and cells in
     /// a gas.
     Outcome run(const Limits& limits, const Record& record = {});
 
     [[nodiscard]] State<D> state() const;
     [[nodiscard]] const Counts& counts() const;
+    /// For pictures: nothing of it is kept while the simulation runs. O(n log n), and the links.
+    [[nodiscard]] Sketch<D> sketch() const;
 
     class Engine;
 

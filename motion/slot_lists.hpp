@@ -1,5 +1,5 @@
 #pragma once
-/// For each ball a list of others, unordered, in one pool.
+/// For each ball a list of others, unordered; many short lists in one pool.
 
 #include <algorithm>
 #include <array>
@@ -14,18 +14,19 @@ namespace signum::motion {
 
 class SlotLists {
  public:
-    explicit SlotLists(std::size_t balls) : lists_(balls) {}
+    explicit SlotLists(std::size_t lists) : lists_(lists) {}
 
     [[nodiscard]] std::span<const Slot> operator[](Slot i) const noexcept {
         const List& list = lists_[i];
         return {pool_.data() + list.begin, list.size};
     }
+    void fetch(Slot i) const noexcept { __builtin_prefetch(&lists_[i]); }
     void append(Slot i, Slot j) {
         List& list = lists_[i];
         if (list.size == list.capacity) grow(list);
         pool_[list.begin + list.size++] = j;
     }
-    /// Nothing happens where j is not in the list.
+    /// Nothing happens where it is not there.
     void remove(Slot i, Slot j) noexcept {
         List& list = lists_[i];
         Slot* const begin = pool_.data() + list.begin;
@@ -46,7 +47,7 @@ class SlotLists {
 
     /// Moves a list to a place twice as large; its old place serves another one.
     [[gnu::noinline]] void grow(List& list) {
-        const std::uint32_t capacity = std::max(2 * list.capacity, 8U);
+        const std::uint32_t capacity = std::max(2 * list.capacity, 4U);
         std::vector<std::uint32_t>& free =
             free_[static_cast<std::size_t>(std::bit_width(capacity))];
         std::uint32_t begin = 0;

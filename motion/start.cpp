@@ -4,20 +4,21 @@
 #include <cmath>
 #include <string>
 
-#include "../exact/dyadic.hpp"
+#include "apart.hpp"
 #include "simulation.hpp"
-#include "structures/levels.hpp"
+#include "structures/grid.hpp"
 
 namespace signum::motion {
 namespace {
 
 using exact::Dyadic;
 
-/// Numbers whose squares, and squares of squares, are doubles.
+/// Numbers whose squares, and squares of squares, are doubles with the errors of their products.
 constexpr double largest = 0x1p150;
 
 bool is_within(double number) noexcept {
-    return std::fabs(number) <= largest;
+    const double magnitude = std::fabs(number);
+    return magnitude == 0.0 || (magnitude >= 1.0 / largest && magnitude <= largest);
 }
 bool is_restitution(double number) noexcept {
     return number >= 0.0 && number <= 1.0;
@@ -26,7 +27,8 @@ bool is_restitution(double number) noexcept {
 template <int D>
 void check(const Effects<D>& effects) {
     for (const double g : effects.gravity)
-        if (!is_within(g)) throw std::invalid_argument("gravity: give finite numbers below 2^150");
+        if (!is_within(g))
+            throw std::invalid_argument("gravity: give 0 or finite numbers of 2^-150 to 2^150");
     if (!is_restitution(effects.restitution) || !is_restitution(effects.wall_restitution))
         throw std::invalid_argument("restitution: give a number from 0 to 1");
     if (effects.periodic && !effects.box)
@@ -37,22 +39,29 @@ void check(const Effects<D>& effects) {
         const double high = effects.box->high[k];
         if (!is_within(low) || !is_within(high) || !(low < high)) {
             throw std::invalid_argument(
-                "box: give the lower corner, then the upper one, finite numbers below 2^150");
+                "box: give the lower corner, then the upper one, each 0 or a finite number of "
+                "2^-150 to 2^150");
         }
     }
 }
 
+void check_radius_and_mass(double radius, double mass, std::int64_t number) {
+    if (!(radius >= 0.0) || !is_within(radius))
+        throw BallError(number,
+                        "a radius that is negative, not finite, or beyond 2^150 or below "
+                        "2^-150 and not 0");
+    if (!(mass > 0.0)) throw BallError(number, "a mass that is not positive; a ball needs one");
+    if (!is_within(mass)) throw BallError(number, "a mass beyond 2^150, or below 2^-150");
+}
+
 template <int D>
 void check(const Body<D>& body, std::int64_t number) {
-    const auto fail = [number](const std::string& what) { throw BallError(number, what); };
     for (int k = 0; k < D; ++k)
         if (!is_within(body.x[k]) || !is_within(body.v[k]))
-            fail("a coordinate that is not finite or beyond 2^150");
-    if (!(body.radius >= 0.0) || !is_within(body.radius))
-        fail("a radius that is negative, not finite or beyond 2^150");
-    if (!(body.mass > 0.0)) fail("a mass that is not positive; a ball needs one");
-    if (!(body.mass >= 1.0 / largest) || !is_within(body.mass))
-        fail("a mass beyond 2^150, or below 2^-150");
+            throw BallError(number,
+                            "a coordinate or speed that is not finite, or beyond 2^150 or "
+                            "below 2^-150 and not 0");
+    check_radius_and_mass(body.radius, body.mass, number);
 }
 
 /// Exactly.
@@ -80,29 +89,20 @@ void check_walls(const Body<D>& body, const Effects<D>& effects, std::int64_t nu
 /// Whether two balls overlap, exactly; each at its own time, which is the same.
 template <int D>
 bool overlap(const Ball<D>& a, const Ball<D>& b, const World<D>& world) {
+    const Image<D> image = nearest_image(a.x, b.x, world.effects);
     Vector<D> d;
-    Image<D> image;
     double size = 0.0;
     for (int k = 0; k < D; ++k) {
-        d[k] = a.x[k] - b.x[k];
-        if (world.effects.periodic) {
-            const double length = world.effects.box->high[k] - world.effects.box->low[k];
-            const double turns = nearest_integer(d[k] / length);
-            image[k] = static_cast<int>(turns);
-            d[k] -= turns * length;
-            size = std::max(size, length);
-        }
+        d[k] = apart<double>(a.x, b.x, k, image, world.effects);
         size = std::max({size, std::fabs(a.x[k]), std::fabs(b.x[k])});
+        if (image[k] != 0) size = std::max(size, length<double>(world.effects, k));
     }
     const double radii = a.radius + b.radius;
     // What rounding does to a difference is far less than a part in 2^40 of the numbers.
     if (dot(d, d) > std::max(radii * radii * (1.0 + 0x1p-20), 0x1p-40 * size * size)) return false;
     Dyadic square;
     for (int k = 0; k < D; ++k) {
-        Dyadic exact = Dyadic(a.x[k]) - Dyadic(b.x[k]);
-        if (image[k] != 0)
-            exact = exact - image[k] * (Dyadic(world.effects.box->high[k]) -
-                                        Dyadic(world.effects.box->low[k]));
+        const Dyadic exact = apart<Dyadic>(a.x, b.x, k, image, world.effects);
         square += exact * exact;
     }
     const Dyadic sum = Dyadic(a.radius) + Dyadic(b.radius);
@@ -124,7 +124,7 @@ State<D> start(std::span<const Body<D>> bodies, const Effects<D>& effects) {
     }
     state.in_place.resize(bodies.size());
     const World<D> world(state.balls, effects, 0.0);
-    const Levels<D> levels(world);
+    const Grid<D> levels(world, Structure::levels);
     for (Slot i = 0; i < world.balls.size(); ++i) {
         Slot first = i;
         levels.near(i, [&](Slot j) {
@@ -137,6 +137,28 @@ State<D> start(std::span<const Body<D>> bodies, const Effects<D>& effects) {
     return state;
 }
 
+template <int D>
+void check(const State<D>& state, const Effects<D>& effects) {
+    check(effects);
+    const std::size_t balls = state.balls.size();
+    if (state.masses.size() != balls || state.in_place.size() != balls)
+        throw std::invalid_argument("a state whose balls and masses differ in number");
+    if (!(state.time >= 0.0 && std::isfinite(state.time)))
+        throw std::invalid_argument("a state's time: give 0 or more");
+    for (std::size_t i = 0; i < balls; ++i) {
+        const Ball<D>& ball = state.balls[i];
+        const auto number = static_cast<std::int64_t>(i);
+        for (int k = 0; k < D; ++k)
+            if (!std::isfinite(ball.x[k]) || !std::isfinite(ball.v[k]))
+                throw BallError(number, "a coordinate or speed that is not finite");
+        check_radius_and_mass(ball.radius, state.masses[i], number);
+        if (!(ball.time >= 0.0 && ball.time <= state.time))
+            throw BallError(number, "a ball's own time that is not from 0 to that of the state");
+    }
+}
+
+template void check(const State<2>&, const Effects<2>&);
+template void check(const State<3>&, const Effects<3>&);
 template State<2> start(std::span<const Body<2>>, const Effects<2>&);
 template State<3> start(std::span<const Body<3>>, const Effects<3>&);
 

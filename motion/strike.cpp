@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "../core/error_free.hpp"
-#include "../exact/dyadic.hpp"
-#include "../exact/multiprecision.hpp"
+#include "../core/processor.hpp"
 #include "../exact/surd.hpp"
-#include "../filters/double_double.hpp"
-#include "meeting.hpp"
+#include "apart.hpp"
 
 namespace signum::motion {
 namespace {
@@ -22,37 +21,25 @@ using filters::DoubleDouble;
 using filters::exact_difference;
 using filters::exact_sum;
 
-DoubleDouble operator*(double a, DoubleDouble b) noexcept {
-    return DoubleDouble{a, 0.0} * b;
-}
-
-/// A quotient, off by at most 2^-98 of itself.
-DoubleDouble quotient(DoubleDouble a, DoubleDouble b) noexcept {
+/// A quotient, off by at most 2^-102 of itself: of the remainder r of the first division, told
+/// exactly by one fused operation, three small terms are lost, and r is divided by b.high alone.
+[[gnu::always_inline]] inline DoubleDouble quotient(DoubleDouble a, DoubleDouble b) noexcept {
     const double first = a.high / b.high;
-    const double second = (a - first * b).high / b.high;
-    const TwoTerms sum = two_sum(first, second);
+    const double rest = __builtin_fma(-first, b.high, a.high);
+    const TwoTerms sum = quick_two_sum(first, (rest + (a.low - first * b.low)) / b.high);
     return {sum.high, sum.low};
 }
 
 /// Whether all numbers that differ from the double-double by at most the error round to one double,
 /// which is stored; a zero is +0.
-bool rounds(DoubleDouble number, double error, double& nearest) noexcept {
+[[gnu::always_inline]] inline bool rounds(DoubleDouble number, double error,
+                                          double& nearest) noexcept {
     nearest = number.high + (number.low - error) + 0.0;
     return nearest == number.high + (number.low + error);
 }
 
 double rounded(const Rational& number) {
     return exact::round_to_double(number) + 0.0;
-}
-
-/// The length of a box along an axis, exactly.
-template <int D>
-DoubleDouble length(const Effects<D>& effects, int axis) noexcept {
-    return exact_difference(effects.box->high[axis], effects.box->low[axis]);
-}
-template <int D>
-Rational rational_length(const Effects<D>& effects, int axis) {
-    return to_rational(effects.box->high[axis]) - to_rational(effects.box->low[axis]);
 }
 
 /// x + v s + g s²/2, rounded once, or as many lengths of the box less.
@@ -62,7 +49,7 @@ double exact_arrival(const Ball<D>& ball, int axis, double t, const Effects<D>& 
     Rational x = to_rational(ball.x[axis]) + to_rational(ball.v[axis]) * s +
                  to_rational(effects.gravity[axis]) * s * s / 2;
     if (effects.periodic) {
-        const Rational box = rational_length(effects, axis);
+        const Rational box = to_rational(length<Dyadic>(effects, axis));
         const Rational turns = (x - to_rational(effects.box->low[axis])) / box;
         Integer whole;
         Integer rest;
@@ -78,7 +65,8 @@ struct Shares {
     DoubleDouble of_a;
     DoubleDouble of_b;
 };
-Shares shares(double mass_a, double mass_b, double restitution) noexcept {
+[[gnu::always_inline]] inline Shares shares(double mass_a, double mass_b,
+                                            double restitution) noexcept {
     const DoubleDouble bounce = exact_sum(1.0, restitution);
     if (mass_a == mass_b) {
         const DoubleDouble half{0.5 * bounce.high, 0.5 * bounce.low};
@@ -87,42 +75,6 @@ Shares shares(double mass_a, double mass_b, double restitution) noexcept {
     const DoubleDouble sum = exact_sum(mass_a, mass_b);
     return {bounce * quotient({mass_b, 0.0}, sum), bounce * quotient({mass_a, 0.0}, sum)};
 }
-
-/// D and V of two balls at one time.
-template <int D>
-struct Apart {
-    PerAxis<DoubleDouble, D> x;
-    PerAxis<DoubleDouble, D> v;
-};
-template <int D>
-Apart<D> apart(const Ball<D>& a, const Ball<D>& b, const Image<D>& image,
-               const Effects<D>& effects) noexcept {
-    Apart<D> result;
-    for (int i = 0; i < D; ++i) {
-        result.x[i] = exact_difference(a.x[i], b.x[i]);
-        result.v[i] = exact_difference(a.v[i], b.v[i]);
-        if (image[i] != 0) result.x[i] = result.x[i] - double(image[i]) * length(effects, i);
-    }
-    return result;
-}
-
-/// The rational law; the velocities after it.
-template <int D>
-struct RationalLaw {
-    RationalLaw(const Ball<D>& a, const Ball<D>& b, const Image<D>& image,
-                const Effects<D>& effects) {
-        for (int i = 0; i < D; ++i) {
-            x[i] = to_rational(a.x[i]) - to_rational(b.x[i]);
-            if (image[i] != 0) x[i] -= image[i] * rational_length(effects, i);
-            const Rational v = to_rational(a.v[i]) - to_rational(b.v[i]);
-            product += x[i] * v;
-            square += x[i] * x[i];
-        }
-    }
-    PerAxis<Rational, D> x;
-    Rational product;
-    Rational square;
-};
 
 Rational bounce(double restitution) {
     return 1 + to_rational(restitution);
@@ -136,95 +88,174 @@ bool change(Ball<D>& ball, const Vector<D>& v) noexcept {
     return changed;
 }
 
-Rational rational(const Dyadic& number) {
-    const Rational significand = number.significand();
-    const Rational power = exact::Integer(1) << std::abs(number.exponent());
-    return number.exponent() < 0 ? Rational(significand / power) : Rational(significand * power);
-}
+/// D·V and D·D of two balls at one time.
+template <class Number, int D>
+struct Apart {
+    [[gnu::always_inline]] Apart(const Ball<D>& a, const Ball<D>& b, const Image<D>& image,
+                                 const Effects<D>& effects) {
+        for (int i = 0; i < D; ++i) {
+            x[i] = apart<Number>(a.x, b.x, i, image, effects);
+            const Number v = difference<Number>(a.v[i], b.v[i]);
+            if constexpr (std::is_same_v<Number, DoubleDouble>) {
+                add_product(product, x[i], v);
+                add_product(square, x[i], x[i]);
+                size += std::fabs(x[i].high * v.high);
+                if (image[i] != 0) {
+                    const double length = effects.box->high[i] - effects.box->low[i];
+                    shift += std::fabs(image[i] * length);
+                    size += std::fabs(image[i] * length * v.high);
+                }
+            } else {
+                product += x[i] * v;
+                square += x[i] * x[i];
+            }
+        }
+        if constexpr (std::is_same_v<Number, DoubleDouble>) {
+            product = normalized(product);
+            square = normalized(square);
+        }
+    }
 
-/// The velocities after a strike, components that double-doubles could not tell marked by NaN.
+    PerAxis<Number, D> x;
+    Number product{};
+    Number square{};
+    // Of double-doubles: a component of D errs by 2^-100 of its shift, the product by 2^-98 size.
+    double size = 0.0;
+    double shift = 0.0;
+};
+
+/// What products lose that are too small for their error to be a double.
+constexpr double underflow = 0x1p-1060;
+
+constexpr double untold = std::numeric_limits<double>::quiet_NaN();
+
+/// The velocities after a strike, or `untold` components.
 template <int D>
 struct After {
     Vector<D> of_a;
     Vector<D> of_b;
+    /// Whether they surely do not approach, or all is told.
+    bool recedes = false;
+    bool certain = false;
+    /// |V·D| and D·D, and whether they are told well.
+    double approach = 0.0;
+    double square = 0.0;
+    bool measured = false;
 };
+
+/// The law in double-doubles.
+template <int D>
+[[gnu::always_inline]] inline After<D> refined_strike(const Ball<D>& a, const Ball<D>& b,
+                                                      const Image<D>& image, double mass_a,
+                                                      double mass_b,
+                                                      const Effects<D>& effects) noexcept {
+    const Apart<DoubleDouble, D> d(a, b, image, effects);
+    After<D> after;
+    after.approach = -d.product.high;
+    after.square = d.square.high;
+    after.of_a.fill(untold);
+    after.of_b.fill(untold);
+    const double product_error = 0x1p-98 * d.size + underflow;
+    // Of the quotient of product and square.
+    double relative = product_error / after.approach;
+    if (d.shift > 0.0) relative += 0x1p-96 * d.shift / std::sqrt(after.square);
+    after.recedes = d.product.high > product_error;
+    if (!(relative >= 0.0 && relative < 0x1p-60 && after.approach > 0x1p-800)) return after;
+    after.measured = true;
+    const DoubleDouble ratio = quotient(d.product, d.square);
+    if (!(std::fabs(ratio.high) > 0x1p-800 && after.square > 0x1p-800)) return after;
+    const Shares share = shares(mass_a, mass_b, effects.restitution);
+    // Elastic, and equal masses.
+    const bool is_one = share.of_a.high == 1.0 && share.of_a.low == 0.0;
+    after.certain = true;
+    for (int i = 0; i < D; ++i) {
+        const DoubleDouble step = ratio * d.x[i];
+        const DoubleDouble of_a = is_one ? step : share.of_a * step;
+        const DoubleDouble of_b = mass_a == mass_b ? of_a : share.of_b * step;
+        const double shifted = std::fabs(ratio.high) * 0x1p-97 * d.shift;
+        const auto tells = [&](double v, DoubleDouble change, double& nearest)
+            __attribute__((always_inline)) {
+            const TwoTerms sum = two_sum(v, change.high);
+            const double error = (0x1p-94 + relative) * std::fabs(change.high) + shifted +
+                                 0x1p-100 * std::fabs(v) + underflow;
+            return rounds({sum.high, sum.low + change.low}, error, nearest);
+        };
+        const bool tells_a = tells(a.v[i], {-of_a.high, -of_a.low}, after.of_a[i]);
+        const bool tells_b = tells(b.v[i], of_b, after.of_b[i]);
+        if (!tells_a) after.of_a[i] = untold;
+        if (!tells_b) after.of_b[i] = untold;
+        after.certain = after.certain && tells_a && tells_b;
+    }
+    return after;
+}
 
 /// The law times both denominators, in dyadic numbers; so a velocity that becomes 0, which
 /// double-doubles cannot tell from a small one, is found without a fraction. Fills in what is
-/// marked.
+/// untold; false where the two do not approach.
 template <int D>
-class ExactLaw {
- public:
-    ExactLaw(const Ball<D>& a, const Ball<D>& b, const Image<D>& image, const Effects<D>& effects) {
-        for (int i = 0; i < D; ++i) {
-            x_[i] = Dyadic(a.x[i]) - Dyadic(b.x[i]);
-            if (image[i] != 0)
-                x_[i] =
-                    x_[i] - image[i] * (Dyadic(effects.box->high[i]) - Dyadic(effects.box->low[i]));
-            product_ += x_[i] * (Dyadic(a.v[i]) - Dyadic(b.v[i]));
-            square_ += x_[i] * x_[i];
-        }
+[[gnu::cold, gnu::noinline]] bool strike_exactly(After<D>& after, const Ball<D>& a,
+                                                 const Ball<D>& b, const Image<D>& image,
+                                                 double mass_a, double mass_b,
+                                                 const Effects<D>& effects) {
+    const Apart<Dyadic, D> d(a, b, image, effects);
+    if (!after.measured) {
+        after.approach = std::fabs(rounded(to_rational(d.product)));
+        after.square = rounded(to_rational(d.square));
     }
-    [[nodiscard]] bool approaches() const noexcept { return product_.sign() < 0; }
-    [[nodiscard]] double product() const { return std::fabs(rounded(rational(product_))); }
-    [[nodiscard]] double square() const { return rounded(rational(square_)); }
-
-    void fill(After<D>& after, const Ball<D>& a, const Ball<D>& b, double mass_a, double mass_b,
-              double restitution) const {
-        const Dyadic denominator = square_ * (Dyadic(mass_a) + Dyadic(mass_b));
-        const Dyadic step = (Dyadic(1.0) + Dyadic(restitution)) * product_;
-        const auto fill_one = [&](double& marked, double v, const Dyadic& change) {
-            if (!std::isnan(marked)) return;
-            const Dyadic numerator = Dyadic(v) * denominator + change;
-            marked = numerator.sign() == 0
-                         ? 0.0
-                         : rounded(Rational(rational(numerator) / rational(denominator)));
-        };
-        for (int i = 0; i < D; ++i) {
-            fill_one(after.of_a[i], a.v[i], -(step * x_[i] * Dyadic(mass_b)));
-            fill_one(after.of_b[i], b.v[i], step * x_[i] * Dyadic(mass_a));
-        }
+    if (d.product.sign() >= 0) return false;
+    const Dyadic denominator = d.square * (Dyadic(mass_a) + Dyadic(mass_b));
+    const Dyadic step = (Dyadic(1.0) + Dyadic(effects.restitution)) * d.product;
+    const auto fill = [&](double& velocity, double v, const Dyadic& change) {
+        if (!std::isnan(velocity)) return;
+        const Dyadic numerator = Dyadic(v) * denominator + change;
+        velocity = numerator.sign() == 0
+                       ? 0.0
+                       : rounded(Rational(to_rational(numerator) / to_rational(denominator)));
+    };
+    for (int i = 0; i < D; ++i) {
+        fill(after.of_a[i], a.v[i], -(step * d.x[i] * Dyadic(mass_b)));
+        fill(after.of_b[i], b.v[i], step * d.x[i] * Dyadic(mass_a));
     }
+    return true;
+}
 
- private:
-    PerAxis<Dyadic, D> x_;
-    Dyadic product_;
-    Dyadic square_;
-};
-
-}  // namespace
-
+/// The ball at time t, `untold` what double-doubles do not tell.
 template <int D>
-Ball<D> arrived(const Ball<D>& ball, double t, const Effects<D>& effects, StrikeTally& tally) {
+[[gnu::always_inline]] inline Ball<D> refined_arrival(const Ball<D>& ball, double t,
+                                                      const Effects<D>& effects) noexcept {
     Ball<D> result = ball;
     result.time = t;
     const DoubleDouble s = exact_difference(t, ball.time);
     for (int i = 0; i < D; ++i) {
+        const double gravity = effects.gravity[i];
+        if (s.low == 0.0 && gravity == 0.0) {
+            // One operation that rounds once; 0 without its sign.
+            result.x[i] = __builtin_fma(ball.v[i], s.high, ball.x[i]) + 0.0;
+            if (!effects.periodic ||
+                (result.x[i] > effects.box->low[i] && result.x[i] < effects.box->high[i]))
+                continue;
+        }
         const DoubleDouble flown = ball.v[i] * s;
         DoubleDouble x = DoubleDouble{ball.x[i], 0.0} + flown;
         double size = std::fabs(ball.x[i]) + std::fabs(flown.high);
-        if (const double gravity = effects.gravity[i]; gravity != 0.0) {
+        if (gravity != 0.0) {
             const DoubleDouble faster = gravity * s;
             const DoubleDouble fallen = 0.5 * (faster * s);
             x = x + fallen;
             size += std::fabs(fallen.high);
             if (!rounds(DoubleDouble{ball.v[i], 0.0} + faster,
-                        0x1p-98 * (std::fabs(ball.v[i]) + std::fabs(faster.high)), result.v[i])) {
-                ++tally.exact;
-                result.v[i] =
-                    rounded(to_rational(ball.v[i]) +
-                            to_rational(gravity) * (to_rational(t) - to_rational(ball.time)));
-            }
+                        0x1p-98 * (std::fabs(ball.v[i]) + std::fabs(faster.high)) + underflow,
+                        result.v[i]))
+                result.v[i] = untold;
         }
         bool certain = true;
         if (effects.periodic) {
             const double low = effects.box->low[i];
             const double high = effects.box->high[i];
-            const double turns = x.high >= low && x.high < high
-                                     ? 0.0
-                                     : std::floor((x.high - low) / (high - low));
+            const double turns =
+                x.high >= low && x.high < high ? 0.0 : std::floor((x.high - low) / (high - low));
             if (turns != 0.0) {
-                const DoubleDouble shift = turns * length(effects, i);
+                const DoubleDouble shift = turns * length<DoubleDouble>(effects, i);
                 x = x - shift;
                 size += std::fabs(shift.high);
             }
@@ -232,11 +263,30 @@ Ball<D> arrived(const Ball<D>& ball, double t, const Effects<D>& effects, Strike
             const double margin = 0x1p-40 * (size + std::fabs(low) + std::fabs(high));
             certain = x.high > low + margin && x.high < high - margin;
         }
-        if (!certain || !rounds(x, 0x1p-97 * size, result.x[i])) {
+        if (!rounds(x, 0x1p-97 * size + underflow, result.x[i]) || !certain) result.x[i] = untold;
+    }
+    return result;
+}
+
+}  // namespace
+
+template <int D>
+Ball<D> arrived(const Ball<D>& ball, double t, const Effects<D>& effects, StrikeTally& tally) {
+    Ball<D> result = as_wide_as_possible([&]() __attribute__((always_inline)) {
+        return refined_arrival(ball, t, effects);
+    });
+    for (int i = 0; i < D; ++i) {
+        if (std::isnan(result.x[i])) [[unlikely]] {
             ++tally.exact;
             result.x[i] = exact_arrival(ball, i, t, effects);
         } else {
             ++tally.refined;
+        }
+        if (std::isnan(result.v[i])) [[unlikely]] {
+            ++tally.exact;
+            result.v[i] =
+                rounded(to_rational(ball.v[i]) + to_rational(effects.gravity[i]) *
+                                                     (to_rational(t) - to_rational(ball.time)));
         }
     }
     return result;
@@ -245,74 +295,31 @@ Ball<D> arrived(const Ball<D>& ball, double t, const Effects<D>& effects, Strike
 template <int D>
 Exchange strike(Ball<D>& a, Ball<D>& b, const Image<D>& image, double mass_a, double mass_b,
                 const Effects<D>& effects, StrikeTally& tally) {
-    const Apart<D> d = apart(a, b, image, effects);
-    DoubleDouble product{0.0, 0.0};
-    DoubleDouble square{0.0, 0.0};
-    double size = 0.0;
-    for (int i = 0; i < D; ++i) {
-        const DoubleDouble term = d.x[i] * d.v[i];
-        product = product + term;
-        size += std::fabs(term.high);
-        square = square + d.x[i] * d.x[i];
-    }
-    const double product_error = 0x1p-98 * size;
-    if (product.high > product_error) return {};
-    const Shares share = shares(mass_a, mass_b, effects.restitution);
-    After<D> after;
-    bool certain = true;
-    double approach = -product.high;
-    double distance = square.high;
-    if (const double relative = product_error / approach; relative < 0x1p-60 && approach > 0x1p-800)
-        [[likely]] {
-        const DoubleDouble ratio = quotient(product, square);
-        const auto round_one = [&](double v, DoubleDouble step, double& nearest) {
-            const double error =
-                (0x1p-94 + relative) * std::fabs(step.high) + 0x1p-100 * std::fabs(v) + 0x1p-1060;
-            if (rounds(DoubleDouble{v, 0.0} + step, error, nearest)) [[likely]]
-                return;
-            nearest = std::numeric_limits<double>::quiet_NaN();
-            certain = false;
-        };
-        for (int i = 0; i < D; ++i) {
-            const DoubleDouble step = ratio * d.x[i];
-            const DoubleDouble of_a = share.of_a * step;
-            round_one(a.v[i], DoubleDouble{-of_a.high, -of_a.low}, after.of_a[i]);
-            round_one(b.v[i], share.of_b * step, after.of_b[i]);
-        }
-    } else {
-        after.of_a.fill(std::numeric_limits<double>::quiet_NaN());
-        after.of_b.fill(std::numeric_limits<double>::quiet_NaN());
-        certain = false;
-    }
-    if (certain) [[likely]] {
+    After<D> after = as_wide_as_possible([&]() __attribute__((always_inline)) {
+        return refined_strike(a, b, image, mass_a, mass_b, effects);
+    });
+    const Exchange nothing{false, 0.0, after.square, 0.0};
+    if (after.recedes) return nothing;
+    if (after.certain) [[likely]] {
         ++tally.refined;
     } else {
         ++tally.exact;
-        const ExactLaw<D> law(a, b, image, effects);
-        if (!law.approaches()) return {};
-        law.fill(after, a, b, mass_a, mass_b, effects.restitution);
-        approach = law.product();
-        distance = law.square();
+        if (!strike_exactly(after, a, b, image, mass_a, mass_b, effects)) return nothing;
     }
     const bool changed_a = change(a, after.of_a);
     const bool changed_b = change(b, after.of_b);
-    return {changed_a || changed_b, approach, distance, mass_a * share.of_a.high * approach};
+    const double mass = mass_a * (mass_b / (mass_a + mass_b)) * (1.0 + effects.restitution);
+    return {changed_a || changed_b, after.approach, after.square, mass * after.approach};
 }
 
 template <int D>
 double impulse(const Ball<D>& a, const Ball<D>& b, const Image<D>& image, double mass_a,
                double mass_b, const Effects<D>& effects, StrikeTally& tally) {
-    const Apart<D> d = apart(a, b, image, effects);
-    DoubleDouble product{0.0, 0.0};
-    DoubleDouble square{0.0, 0.0};
-    double size = 0.0;
-    for (int i = 0; i < D; ++i) {
-        const DoubleDouble term = d.x[i] * d.v[i];
-        product = product + term;
-        size += std::fabs(term.high);
-        square = square + d.x[i] * d.x[i];
-    }
-    const double relative = 0x1p-98 * size / std::fabs(product.high);
+    const Apart<DoubleDouble, D> d(a, b, image, effects);
+    const DoubleDouble product = d.product;
+    const DoubleDouble square = d.square;
+    double relative = 0x1p-98 * d.size / std::fabs(product.high);
+    if (d.shift > 0.0) relative += 0x1p-96 * d.shift / std::sqrt(square.high);
     if (relative < 0x1p-60 && std::fabs(product.high) > 0x1p-800 && square.high > 0x1p-800) {
         const double first = std::sqrt(square.high);
         const TwoTerms root =
@@ -321,16 +328,17 @@ double impulse(const Ball<D>& a, const Ball<D>& b, const Image<D>& image, double
         const DoubleDouble momentum =
             mass_a * (share.of_a * quotient(product, {root.high, root.low}));
         double nearest = 0.0;
-        if (rounds(momentum, (0x1p-92 + relative) * std::fabs(momentum.high), nearest))
+        if (rounds(momentum, (0x1p-92 + relative) * std::fabs(momentum.high) + underflow, nearest))
             return std::fabs(nearest);
     }
     ++tally.exact;
-    const RationalLaw<D> law(a, b, image, effects);
-    const Rational factor = bounce(effects.restitution) * abs(law.product) * to_rational(mass_a) *
-                            to_rational(mass_b) /
-                            ((to_rational(mass_a) + to_rational(mass_b)) * law.square);
+    const Apart<Dyadic, D> exact_d(a, b, image, effects);
+    const Rational exact_square = to_rational(exact_d.square);
+    const Rational factor = bounce(effects.restitution) * abs(to_rational(exact_d.product)) *
+                            to_rational(mass_a) * to_rational(mass_b) /
+                            ((to_rational(mass_a) + to_rational(mass_b)) * exact_square);
     if (factor.is_zero()) return 0.0;
-    return exact::round_surd(Rational(0), factor, law.square);
+    return exact::round_surd(Rational(0), factor, exact_square);
 }
 
 namespace {
@@ -366,8 +374,8 @@ InPlace stayed_in_place(const Ball<D>& ball, double since, double approach,
 template <int D>
 bool stayed_in_place_exactly(const Ball<D>& a, const Ball<D>& b, const Image<D>& image,
                              const Effects<D>& effects, double before) {
-    const RationalLaw<D> law(a, b, image, effects);
-    return in_place(a, before, law.product, law.square);
+    const Apart<Dyadic, D> d(a, b, image, effects);
+    return in_place(a, before, to_rational(d.product), to_rational(d.square));
 }
 template <int D>
 bool stayed_in_place_exactly(const Ball<D>& ball, Wall wall, double before) {

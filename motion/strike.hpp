@@ -33,7 +33,7 @@ template <int D>
 /// What two balls exchange.
 struct Exchange {
     bool struck = false;
-    /// |V·D| and D·D, off by less than a part in 2^40.
+    /// |V·D|, where they strike, and D·D; off by less than a part in 2^40.
     double approach = 0.0;
     double square = 0.0;
     /// (1+e) μ |V·D|, which is the impulse times the distance; rounded somehow.

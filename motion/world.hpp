@@ -12,9 +12,6 @@
 
 namespace signum::motion {
 
-/// A ball's place in the arrays of a simulation; its number in the input is another one.
-using Slot = std::uint32_t;
-
 /// Rounded down; |x| < 2^62. Without a call, which std::floor is on some processors.
 [[nodiscard]] inline std::int64_t rounded_down(double x) noexcept {
     const auto whole = static_cast<std::int64_t>(x);
@@ -29,6 +26,7 @@ struct World {
         for (int k = 0; k < D; ++k) {
             length[k] = effects.box->high[k] - effects.box->low[k];
             inverse_length[k] = 1.0 / length[k];
+            if (effects.periodic) far = std::min(far, 0.2 * length[k] * length[k]);
         }
     }
 
@@ -39,6 +37,9 @@ struct World {
     /// Of the box, rounded.
     Vector<D> length{};
     Vector<D> inverse_length{};
+    /// Whose square of the distance is less is seen in the image that is nearest; infinite where
+    /// there are no images.
+    double far = infinity;
 
     /// The centre at a time, rounded.
     [[nodiscard]] Vector<D> centre(Slot i, double now) const noexcept {
@@ -49,10 +50,13 @@ struct World {
             x[k] = ball.x[k] + ball.v[k] * dt + 0.5 * effects.gravity[k] * (dt * dt);
         return x;
     }
-    /// The least of all images of a difference of places.
-    void unwrap(Vector<D>& d) const noexcept {
-        if (!effects.periodic) return;
+    /// The square of a distance, that of the nearest image, to which the difference is brought.
+    [[nodiscard]] double nearest_square(Vector<D>& d) const noexcept {
+        double square = dot(d, d);
+        if (square < far) [[likely]]
+            return square;
         for (int k = 0; k < D; ++k) d[k] -= length[k] * nearest_integer(d[k] * inverse_length[k]);
+        return dot(d, d);
     }
     [[nodiscard]] Vector<D> velocity(Slot i, double now) const noexcept {
         const Ball<D>& ball = balls[i];

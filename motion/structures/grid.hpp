@@ -1,5 +1,11 @@
 #pragma once
-/// Cells of one or several sizes: what the structures `cells`, `tree` and `levels` have in common.
+/// Three structures of cells, by what they are:
+///  * `cells`: of one size, in a box, a list of balls for each (thesis 9.4). 3^D cells are asked at
+///    a strike, 3^(D-1) where a centre enters a cell;
+///  * `tree`: of one size, of which only the occupied ones are kept (thesis 9.5), so no bounds are
+///    needed. The thesis keeps them in a search tree; here they are hashed;
+///  * `levels`: of several sizes, each a power of two above the next, so that a large ball does not
+///    ruin small ones (thesis 9.4.2, table 10.4.4).
 ///
 /// Each level has cells a power of two times as wide as those of the level below, nested. A ball
 /// lives in the level whose cells are just as wide as its diameter, or wider; it visits the cells
@@ -12,14 +18,17 @@
 /// then b, which lives there, proposes all that live in or visit the cells that have become its
 /// neighbours, and a, which visits, all that live there.
 ///
-/// A crossing is told in rounded numbers; cells are by a part in 2^20 wider than diameters, which
-/// is far more than any rounding of a place.
+/// A crossing is told in rounded numbers; cells are wider than diameters by a part in 2^20 and a
+/// margin, which is far more than any rounding of a place.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "../cells.hpp"
+#include "../simulation.hpp"
 #include "../world.hpp"
 
 namespace signum::motion {
@@ -27,16 +36,18 @@ namespace signum::motion {
 template <int D>
 class Grid {
  public:
-    /// The most levels; one makes cells of one size. `hashed`: only occupied cells are kept.
-    Grid(const World<D>& world, int most_levels, bool hashed)
+    /// `structure`: cells, tree or levels.
+    Grid(const World<D>& world, Structure structure)
         : world_(world), cell_(world.balls.size()), level_(world.balls.size()) {
+        const int most_levels = structure == Structure::levels ? 24 : 1;
+        const bool hashed = structure == Structure::tree;
         const Spread<D> spread(world);
         const double widest =
-            std::max(2.0 * spread.largest_radius * (1.0 + 0x1p-20), 0x1p-24 * spread.shortest());
+            std::max(width_for(spread.largest_radius, spread), 0x1p-24 * spread.shortest());
         const double no_wider = world.effects.periodic ? spread.shortest() / 5.0 : infinity;
         // Cells far narrower than balls are apart are crossed for nothing.
         const double narrowest =
-            std::max({2.0 * spread.smallest_radius * (1.0 + 0x1p-20),
+            std::max({width_for(spread.smallest_radius, spread),
                       std::min(0.8 * spread.edge_of(1.0), no_wider), 0x1p-20 * widest});
         int number = 1;
         while (number < most_levels && std::ldexp(narrowest, number) <= widest) ++number;
@@ -52,7 +63,7 @@ class Grid {
         for (Slot i = 0; i < cell_.size(); ++i) {
             int level = 0;
             while (level + 1 < number &&
-                   std::ldexp(finest, level) < 2.0 * world.balls[i].radius * (1.0 + 0x1p-20))
+                   std::ldexp(finest, level) < width_for(world.balls[i].radius, spread))
                 ++level;
             level_[i] = static_cast<std::uint8_t>(level);
             cell_[i] = grids_[level_[i]].cell_of(world.centre(i, world.start));
@@ -107,7 +118,33 @@ class Grid {
         }
     }
 
+    /// The cells in which balls live, each once.
+    void sketch(double, Sketch<D>& sketch) const {
+        std::vector<std::array<std::int32_t, D + 1>> occupied;
+        for (Slot i = 0; i < cell_.size(); ++i) {
+            std::array<std::int32_t, D + 1> numbers{level_[i]};
+            std::ranges::copy(cell_[i], numbers.begin() + 1);
+            occupied.push_back(numbers);
+        }
+        std::ranges::sort(occupied);
+        occupied.erase(std::unique(occupied.begin(), occupied.end()), occupied.end());
+        for (const auto& numbers : occupied) {
+            Box<D> box;
+            for (int k = 0; k < D; ++k) {
+                const CellGrid<D>& grid = grids_[static_cast<std::size_t>(numbers[0])];
+                const std::int32_t number = numbers[static_cast<std::size_t>(k) + 1];
+                box.low[k] = grid.start_of(k, number);
+                box.high[k] = grid.start_of(k, number + 1);
+            }
+            sketch.areas.push_back({box, numbers[0], -1});
+        }
+    }
+
  private:
+    [[nodiscard]] static double width_for(double radius, const Spread<D>& spread) noexcept {
+        return 2.0 * radius * (1.0 + 0x1p-20) + spread.margin();
+    }
+
     /// The next side of its cell that a centre comes to, after some time.
     struct Crossing {
         double after = infinity;

@@ -5,8 +5,8 @@
 namespace signum::motion {
 
 template std::unique_ptr<Simulation<2>::Engine> make_engine<2, Pairs>(
-    const State<2>&, const Effects<2>&, Kernel, const std::vector<std::int32_t>&);
+    Structure, const State<2>&, const Effects<2>&, Kernel, const std::vector<std::int32_t>&);
 template std::unique_ptr<Simulation<3>::Engine> make_engine<3, Pairs>(
-    const State<3>&, const Effects<3>&, Kernel, const std::vector<std::int32_t>&);
+    Structure, const State<3>&, const Effects<3>&, Kernel, const std::vector<std::int32_t>&);
 
 }  // namespace signum::motion

@@ -6,6 +6,7 @@
 /// those images that are not the nearest one, at least half a length away along some axis, stay
 /// farther than a quarter, which is more than two radii.
 
+#include "../simulation.hpp"
 #include "../world.hpp"
 
 namespace signum::motion {
@@ -13,8 +14,7 @@ namespace signum::motion {
 template <int D>
 class Pairs {
  public:
-    static constexpr const char* name = "pairs";
-    explicit Pairs(const World<D>& world) : world_(world) {
+    explicit Pairs(const World<D>& world, Structure = Structure::pairs) : world_(world) {
         if (!world.effects.periodic) return;
         const Box<D>& box = *world.effects.box;
         stride_ = infinity;
@@ -44,6 +44,9 @@ class Pairs {
     void own_event(Slot i, double, const Propose& propose, const Touch&) {
         near(i, propose);
     }
+
+    /// All pairs are no picture.
+    void sketch(double, Sketch<D>&) const {}
 
  private:
     const World<D>& world_;

@@ -7,7 +7,11 @@
 /// start; and at a strike all partners are proposed.
 ///
 /// Ends stand off their balls by a margin that is far more than places are rounded by, so that an
-/// exchange which is told too late by a rounding is not too late. Not for periodic boxes.
+/// exchange which is told too late by a rounding is not too late.
+///
+/// In a periodic box an axis is a circle, and the first end follows the last one. A ball is at most
+/// a quarter as wide as the box, so that two projections overlap in one place, that of the image
+/// which is nearest.
 
 #include <algorithm>
 #include <array>
@@ -16,6 +20,7 @@
 #include <vector>
 
 #include "../cells.hpp"
+#include "../simulation.hpp"
 #include "../slot_lists.hpp"
 #include "../world.hpp"
 
@@ -24,7 +29,8 @@ namespace signum::motion {
 template <int D>
 class Segments {
  public:
-    explicit Segments(const World<D>& world) : world_(world), partners_(world.balls.size()) {
+    explicit Segments(const World<D>& world, Structure = Structure::segments)
+        : world_(world), partners_(world.balls.size()) {
         const Spread<D> spread(world);
         double widest = 0.0;
         for (int k = 0; k < D; ++k)
@@ -35,23 +41,26 @@ class Segments {
             axis.order.resize(2 * world.balls.size());
             std::iota(axis.order.begin(), axis.order.end(), End{0});
             std::ranges::sort(axis.order, [&](End a, End b) {
-                const double x = place(a, k, world.start);
-                const double y = place(b, k, world.start);
+                const double x = in_box(place(a, k, world.start), k);
+                const double y = in_box(place(b, k, world.start), k);
                 return x < y || (x == y && is_upper(a) < is_upper(b));
             });
             axis.rank.resize(axis.order.size());
             for (std::uint32_t r = 0; r < axis.order.size(); ++r) axis.rank[axis.order[r]] = r;
         }
+        // Once around to know who lies across the circle's beginning.
         std::vector<Slot> open;
-        for (const End end : axes_[0].order) {
-            const Slot i = ball_of(end);
-            if (is_upper(end)) {
-                std::erase(open, i);
-                continue;
+        for (const bool pairs : {false, true}) {
+            for (const End end : axes_[0].order) {
+                const Slot i = ball_of(end);
+                if (is_upper(end)) {
+                    std::erase(open, i);
+                    continue;
+                }
+                for (const Slot j : open)
+                    if (pairs && are_partners(i, j)) pair(i, j);
+                open.push_back(i);
             }
-            for (const Slot j : open)
-                if (are_partners(i, j)) pair(i, j);
-            open.push_back(i);
         }
     }
 
@@ -69,8 +78,9 @@ class Segments {
         if (now + first.after > now) return;
         Axis& axis = axes_[first.axis];
         const End a = axis.order[first.rank];
-        const End b = axis.order[first.rank + 1];
-        std::swap(axis.order[first.rank], axis.order[first.rank + 1]);
+        End& upper = axis.order[after(first.rank)];
+        const End b = upper;
+        std::swap(axis.order[first.rank], upper);
         std::swap(axis.rank[a], axis.rank[b]);
         const Slot j = ball_of(a) == i ? ball_of(b) : ball_of(a);
         if (is_upper(a) && !is_upper(b)) {
@@ -84,6 +94,22 @@ class Segments {
         }
         // It has new neighbours, too.
         touch(j);
+    }
+
+    /// The balls' boxes, and partners; slots stand for numbers.
+    void sketch(double now, Sketch<D>& sketch) const {
+        for (Slot i = 0; i < world_.balls.size(); ++i) {
+            Box<D> box;
+            for (int k = 0; k < D; ++k) {
+                box.low[k] = place(2 * i, k, now);
+                box.high[k] = place(2 * i + 1, k, now);
+            }
+            sketch.areas.push_back({box, 0, static_cast<std::int32_t>(i)});
+            for (const Slot j : partners_[i])
+                if (i < j)
+                    sketch.links.emplace_back(static_cast<std::int32_t>(i),
+                                              static_cast<std::int32_t>(j));
+        }
     }
 
  private:
@@ -114,10 +140,39 @@ class Segments {
         const Ball<D>& ball = world_.balls[ball_of(end)];
         return ball.v[k] + world_.effects.gravity[k] * (now - ball.time);
     }
+    [[nodiscard]] std::uint32_t ends() const noexcept {
+        return 2 * static_cast<std::uint32_t>(world_.balls.size());
+    }
+    [[nodiscard]] std::uint32_t after(std::uint32_t rank) const noexcept {
+        return rank + 1 < ends() ? rank + 1 : 0;
+    }
+    [[nodiscard]] std::uint32_t before(std::uint32_t rank) const noexcept {
+        return rank > 0 ? rank - 1 : ends() - 1;
+    }
+    /// A place along an axis, in a periodic box brought into it.
+    [[nodiscard]] double in_box(double x, int k) const noexcept {
+        if (!world_.effects.periodic) return x;
+        const double low = world_.effects.box->low[k];
+        return x - world_.length[k] * std::floor((x - low) * world_.inverse_length[k]);
+    }
+    /// From one end to the next one up, on a circle less than once around; rounded below 0 it stays
+    /// so.
+    [[nodiscard]] double gap(double from, double to, int k) const noexcept {
+        const double gap = to - from;
+        if (!world_.effects.periodic) return gap;
+        return gap - world_.length[k] * std::floor(gap * world_.inverse_length[k] + 0x1p-20);
+    }
     [[nodiscard]] bool are_partners(Slot i, Slot j) const noexcept {
         return std::ranges::all_of(axes_, [&](const Axis& axis) {
-            return axis.rank[2 * i] < axis.rank[2 * j + 1] &&
-                   axis.rank[2 * j] < axis.rank[2 * i + 1];
+            const auto begins_within = [&](Slot inner, Slot outer) {
+                const std::uint32_t begin = axis.rank[2 * outer];
+                const auto up_from_there = [&](End end) {
+                    const std::uint32_t rank = axis.rank[end];
+                    return rank >= begin ? rank - begin : rank + ends() - begin;
+                };
+                return up_from_there(2 * inner) < up_from_there(2 * outer + 1);
+            };
+            return begins_within(i, j) || begins_within(j, i);
         });
     }
     void pair(Slot i, Slot j) {
@@ -136,16 +191,13 @@ class Segments {
                     const double after = closing > 0.0 ? std::max(gap, 0.0) / closing : infinity;
                     if (after < first.after) first = {after, k, lower};
                 };
-                if (rank > 0) {
-                    const End other = axis.order[rank - 1];
-                    if (ball_of(other) != i)
-                        consider(rank - 1, x - place(other, k, now), speed(other, k, now) - v);
-                }
-                if (rank + 1 < axis.order.size()) {
-                    const End other = axis.order[rank + 1];
-                    if (ball_of(other) != i)
-                        consider(rank, place(other, k, now) - x, v - speed(other, k, now));
-                }
+                if (const End other = axis.order[before(rank)];
+                    (rank > 0 || world_.effects.periodic) && ball_of(other) != i)
+                    consider(before(rank), gap(place(other, k, now), x, k),
+                             speed(other, k, now) - v);
+                if (const End other = axis.order[after(rank)];
+                    (rank + 1 < ends() || world_.effects.periodic) && ball_of(other) != i)
+                    consider(rank, gap(x, place(other, k, now), k), v - speed(other, k, now));
             }
         }
         return first;

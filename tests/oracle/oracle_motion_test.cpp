@@ -483,16 +483,26 @@ double length(const Point& a) {
     return std::sqrt(dot(a, a));
 }
 
+/// From -1 to 1.
+double random_number(Random& random) {
+    return 2 * random.unit() - 1;
+}
+Point random_vector(Random& random) {
+    return {random_number(random), random_number(random), random_number(random)};
+}
+Ball random_ball(Random& random) {
+    return {
+        .x = random_vector(random), .v = random_vector(random), .r = 0.5, .m = 1 + random.unit()};
+}
+
 TEST(OracleMotion, StrikesByTheBook) {
     Random random(1608);
     int strikes = 0;
     for (int i = 0; i < 300; ++i) {
-        const auto number = [&] { return 2 * random.unit() - 1; };
-        const auto vector = [&] { return Point{number(), number(), number()}; };
         World world;
         world.dimension = 3, world.restitution = random.unit();
-        const Ball a{.x = vector(), .v = vector(), .r = 0.5, .m = 1 + random.unit()};
-        const Ball b{.x = vector(), .v = vector(), .r = 0.5, .m = 1 + random.unit()};
+        const Ball a = random_ball(random);
+        const Ball b = random_ball(random);
         const auto run = simulate({a, b}, world, 100, 1);
         if (run.log.empty()) continue;
         const Point n = run.balls[0].x - run.balls[1].x, &p = run.balls[0].v, &q = run.balls[1].v;
@@ -510,15 +520,14 @@ TEST(OracleMotion, StrikesOfMovingWallsByTheBook) {
     Random random(1609);
     int strikes = 0;
     for (int i = 0; i < 300; ++i) {
-        const auto number = [&] { return 2 * random.unit() - 1; };
-        const auto vector = [&] { return Point{number(), number(), number()}; };
         World world;
         world.dimension = 3, world.wall_restitution = random.unit();
-        world.walls = {i % 3 == 0   ? plane(vector(), -2, number())
-                       : i % 3 == 1 ? circle(Kind::outside, {3, 0, 0}, 2, vector())
-                                    : circle(Kind::inside, vector(), 4, vector())};
+        const Point along = random_vector(random), u = random_vector(random);
+        world.walls = {i % 3 == 0   ? plane(along, -2, u[0])
+                       : i % 3 == 1 ? circle(Kind::outside, {3, 0, 0}, 2, u)
+                                    : circle(Kind::inside, along, 4, u)};
         const Wall& wall = world.walls[0];
-        const Ball a{.x = vector(), .v = vector(), .r = 0.5, .m = 1 + random.unit()};
+        const Ball a = random_ball(random);
         const auto run = simulate({a}, world, 100, 1);
         if (run.log.empty()) continue;
         const double time = run.log[0].time;

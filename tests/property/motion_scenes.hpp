@@ -9,9 +9,18 @@
 #include <string>
 #include <vector>
 
+#include <gtest/gtest.h>
+
 #include "../../motion/simulation.hpp"
 
 namespace signum::motion {
+
+/// Whether the program is optimized and without a sanitizer: there is time for many strikes.
+#if defined(__SANITIZE_ADDRESS__) || !defined(__OPTIMIZE__)
+inline constexpr bool is_fast = false;
+#else
+inline constexpr bool is_fast = true;
+#endif
 
 template <int D>
 struct Scene {
@@ -206,6 +215,60 @@ std::vector<Scene<D>> all_scenes(std::size_t number) {
             radii<D>(number, 5),
             falling<D>(number, 6),
             meeting_place<D>(number, 7)};
+}
+
+/// Of two places, in a periodic box that of the nearest images; rounded.
+template <int D>
+double square_of_distance(const Vector<D>& a, const Vector<D>& b, const Effects<D>& effects) {
+    double square = 0.0;
+    for (int k = 0; k < D; ++k) {
+        double d = a[k] - b[k];
+        if (effects.periodic) {
+            const double length = effects.box->high[k] - effects.box->low[k];
+            d -= length * std::round(d / length);
+        }
+        square += d * d;
+    }
+    return square;
+}
+
+/// Of balls of mass 1.
+template <int D>
+double energy(const Simulation<D>& simulation) {
+    double sum = 0.0;
+    for (const Ball<D>& ball : simulation.state().balls) sum += 0.5 * dot(ball.v, ball.v);
+    return sum;
+}
+
+/// No two balls are deeper in each other than a few ulps, whenever one looks.
+template <int D>
+void expect_nothing_through(const Scene<D>& scene, int looks, double every) {
+    Simulation<D> simulation(start<D>(scene.bodies, scene.effects), scene.effects);
+    std::mt19937_64 random(7);
+    std::uniform_real_distribution<double> pause(0.0, 2.0 * every);
+    double t = 0.0;
+    for (int look = 1; look <= looks; ++look) {
+        t += pause(random);
+        ASSERT_EQ(simulation.run({.until = t}).ending, Ending::until);
+        const State<D> state = simulation.state();
+        std::vector<Vector<D>> x;
+        for (const Ball<D>& ball : state.balls) {
+            Vector<D> place = ball.x;
+            for (int k = 0; k < D; ++k) {
+                const double s = t - ball.time;
+                place[k] += ball.v[k] * s + 0.5 * scene.effects.gravity[k] * (s * s);
+            }
+            x.push_back(place);
+        }
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            for (std::size_t j = 0; j < i; ++j) {
+                const double reach = state.balls[i].radius + state.balls[j].radius;
+                ASSERT_GT(square_of_distance(x[i], x[j], scene.effects),
+                          (reach - 1e-13) * (reach - 1e-13))
+                    << i << " and " << j << " at " << t;
+            }
+        }
+    }
 }
 
 }  // namespace signum::motion

@@ -267,7 +267,7 @@ TEST(IncludeDirection, WrongArrowsAreFound) {
     EXPECT_EQ(count("triangulation/validate.cpp", "#include \"check/power_check.hpp\""), 0);
     EXPECT_EQ(count("triangulation/structure/a.hpp", "#include \"../arrays.hpp\""), 0);
     EXPECT_EQ(count("motion/loop.hpp", "#include \"structures/lists.hpp\""), 1);
-    EXPECT_EQ(count("motion/start.cpp", "#include \"structures/levels.hpp\""), 0);
+    EXPECT_EQ(count("motion/start.cpp", "#include \"structures/grid.hpp\""), 0);
     EXPECT_EQ(count("motion/structures/lists.hpp", "#include \"../world.hpp\""), 0);
 }
 

@@ -1,6 +1,8 @@
 /// signum simulate from outside: its log, what it refuses, how it ends and goes on.
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -127,6 +129,109 @@ TEST_F(Simulate, FramesAndAMovie) {
     const std::string lines = contents(log);
     EXPECT_EQ(statistics.at("strikes").get<std::int64_t>() + 1,
               std::count(lines.begin(), lines.end(), '\n'));
+}
+
+/// Tags are closed in their order, and no number is infinite or none.
+bool is_well_formed(const std::string& svg) {
+    std::vector<std::string> open;
+    for (auto at = svg.find('<'); at != svg.npos; at = svg.find('<', at + 1)) {
+        const auto end = svg.find('>', at);
+        if (end == svg.npos) return false;
+        const std::string tag = svg.substr(at + 1, end - at - 1);
+        if (tag.find('<') != tag.npos || std::ranges::count(tag, '"') % 2 != 0) return false;
+        if (tag.back() == '/') continue;
+        if (tag.front() != '/') {
+            open.push_back(tag.substr(0, tag.find(' ')));
+        } else {
+            if (open.empty() || open.back() != tag.substr(1)) return false;
+            open.pop_back();
+        }
+    }
+    return open.empty() && svg.find("nan") == svg.npos && svg.find("inf") == svg.npos;
+}
+/// What lies between a group's tag that has a word in it and its end.
+std::string group(const std::string& svg, const std::string& word) {
+    const auto at = svg.find("<g " + word);
+    return at == svg.npos ? "" : svg.substr(at, svg.find("</g>", at) - at);
+}
+
+TEST_F(Simulate, AMovieShowsTheStructure) {
+    const std::string balls = gas(6);
+    const auto movie_of = [&](const std::string& structure, Words more = {}) {
+        const std::string movie = scratch.path("movie.svg");
+        Words words = {"simulate", balls,     "--box",   "0",      "0",           "6",
+                       "6",        "--until", "1",       "--show", "structure",   "-o",
+                       movie,      "--quiet", "--every", "0.1",    "--structure", structure};
+        words.insert(words.end(), more.begin(), more.end());
+        const Outcome result = run(words);
+        EXPECT_EQ(result.code, 0) << result.err;
+        return contents(movie);
+    };
+    for (const std::string structure : {"pairs", "cells", "tree", "segments", "levels", "lists"}) {
+        SCOPED_TRACE(structure);
+        const std::string movie = movie_of(structure);
+        EXPECT_TRUE(is_well_formed(movie));
+        EXPECT_NE(movie.find("; structure " + structure), std::string::npos);
+        EXPECT_EQ(movie_of(structure), movie);
+        const std::string outlines = group(movie, "fill=\"#0072b2\"");
+        const std::string links = group(movie, "fill=\"none\" stroke=\"#666\"");
+        const std::string expected = group(movie, "fill=\"none\" stroke=\"#d0007f\"");
+        EXPECT_EQ(outlines.find("<path") == std::string::npos, structure == "pairs");
+        EXPECT_EQ(outlines.find(" 0 0 1 ") != std::string::npos, structure == "lists");
+        EXPECT_EQ(links.find("<path") != std::string::npos,
+                  structure == "lists" || structure == "segments");
+        EXPECT_NE(expected.find("<path"), std::string::npos);
+        // Shapes come and go, and lie under the balls.
+        EXPECT_NE(expected.find("none;inline;none"), std::string::npos);
+        EXPECT_LT(movie.find(expected), movie.find("<circle"));
+    }
+    // In a periodic box no line crosses the page.
+    const std::string periodic = movie_of("lists", {"--periodic"});
+    EXPECT_TRUE(is_well_formed(periodic));
+    std::istringstream links(group(periodic, "fill=\"none\" stroke=\"#666\""));
+    std::size_t lines = 0;
+    for (std::string text; std::getline(links, text, 'M');) {
+        double x = 0.0;
+        double y = 0.0;
+        double right = 0.0;
+        double down = 0.0;
+        if (std::sscanf(text.c_str(), "%lf %lfl%lf %lf", &x, &y, &right, &down) != 4) continue;
+        ++lines;
+        EXPECT_LE(std::fabs(right), 321.0);
+        EXPECT_LE(std::fabs(down), 321.0);
+    }
+    EXPECT_GT(lines, 100U);
+}
+
+TEST_F(Simulate, AMovieOfManyBallsSaysWhatItLeavesOut) {
+    const std::string movie = scratch.path("movie.svg");
+    const Outcome result =
+        run({"simulate", gas(50), "--box", "0", "0", "50", "50", "--until", "0.1", "--every",
+             "0.05", "--structure", "cells", "--show", "structure", "-o", movie, "--quiet"});
+    EXPECT_EQ(result.code, 0) << result.err;
+    const std::string text = contents(movie);
+    EXPECT_TRUE(is_well_formed(text));
+    EXPECT_NE(text.find("the 600 largest of 2500 balls"), std::string::npos);
+    EXPECT_NE(text.find("of a kind the first 2000 alone"), std::string::npos);
+}
+
+TEST_F(Simulate, WhatCannotBeShownIsSaid) {
+    const std::string plane = gas(3);
+    const std::string space = scratch.file("space.txt", "0 0 0 1 1 0 0\n");
+    const std::string movie = scratch.path("movie.svg");
+    const auto fails = [](const Words& words, const std::string& what) {
+        const Outcome result = run(words);
+        EXPECT_EQ(result.code, 2);
+        EXPECT_EQ(result.out, "");
+        EXPECT_NE(result.err.find(what), std::string::npos) << result.err;
+    };
+    fails({"simulate", plane, "--until", "1", "--show", "structure"}, "add -o FILE.svg");
+    fails({"simulate", plane, "--until", "1", "--show", "structure", "-o", scratch.path("a.xyz")},
+          "add -o FILE.svg");
+    fails({"simulate", plane, "--until", "1", "--show", "balls", "-o", movie},
+          "it is one of structure");
+    fails({"simulate", space, "--until", "1", "--show", "structure", "-o", movie},
+          "in the plane alone");
 }
 
 TEST_F(Simulate, WhatCannotBeIsNamedByItsLine) {

@@ -1,0 +1,221 @@
+#include "meeting.hpp"
+
+#include <cstring>
+
+#include "../core/processor.hpp"
+
+namespace signum::motion {
+namespace {
+
+constexpr std::size_t lanes = 4;
+static_assert(Crowd::capacity % lanes == 0);
+/// Four doubles, and four answers: all bits or none.
+using Four = double __attribute__((vector_size(lanes * sizeof(double))));
+using Flags = std::int64_t __attribute__((vector_size(lanes * sizeof(double))));
+
+/// The numbers of four balls, column by column: x, v, radius, time.
+template <int D>
+[[gnu::always_inline]] inline void load(Four (&columns)[2 * D + 2],
+                                        const Ball<D>* const (&balls)[lanes]) noexcept {
+    static_assert(offsetof(Ball<D>, time) == (2 * D + 1) * sizeof(double));
+    // Two numbers at a time, which takes far fewer instructions than one.
+    using Two = double __attribute__((vector_size(2 * sizeof(double))));
+    for (int k = 0; k < 2 * D + 2; k += 2) {
+        Two two[lanes];
+        for (std::size_t lane = 0; lane < lanes; ++lane)
+            std::memcpy(&two[lane], reinterpret_cast<const double*>(balls[lane]) + k, sizeof(Two));
+        const Four even = __builtin_shufflevector(two[0], two[2], 0, 1, 2, 3);
+        const Four odd = __builtin_shufflevector(two[1], two[3], 0, 1, 2, 3);
+        columns[k] = __builtin_shufflevector(even, odd, 0, 4, 2, 6);
+        columns[k + 1] = __builtin_shufflevector(even, odd, 1, 5, 3, 7);
+    }
+}
+[[gnu::always_inline]] inline void root_of(Four& numbers) noexcept {
+    for (std::size_t k = 0; k < lanes; ++k) numbers[k] = std::sqrt(numbers[k]);
+}
+[[gnu::always_inline]] inline void magnitude_of(Four& numbers) noexcept {
+    numbers = numbers < 0.0 ? -numbers : numbers;
+}
+[[gnu::always_inline]] inline void raise(Four& largest, const Four& numbers) noexcept {
+    Four magnitudes = numbers;
+    magnitude_of(magnitudes);
+    largest = magnitudes > largest ? magnitudes : largest;
+}
+
+}  // namespace
+
+template <int D, bool Falls, Kernel kernel>
+Place<D> MeetingFilter<D, Falls, kernel>::include(const Ball<D>& ball, double now) noexcept {
+    Place<D> place;
+    const double dt = now - ball.time;
+    double farthest = 0.0;
+    double fastest = 0.0;
+    for (int i = 0; i < D; ++i) {
+        const double flown = ball.v[i] * dt;
+        farthest = std::max(farthest, filters::magnitude(flown));
+        double& x = place.x[i];
+        double& v = place.v[i];
+        x = ball.x[i] + flown;
+        v = ball.v[i];
+        if constexpr (Falls) {
+            const double fallen = 0.5 * bounds_.gravity[i] * (dt * dt);
+            x += fallen;
+            v += bounds_.gravity[i] * dt;
+            farthest = std::max(farthest, filters::magnitude(fallen));
+            fastest = std::max(fastest, filters::magnitude(v));
+        }
+        farthest = std::max(farthest, filters::magnitude(x));
+    }
+    if (farthest > bounds_.extent || (Falls && fastest > bounds_.speed)) [[unlikely]] {
+        bounds_.extent = std::max(bounds_.extent, farthest);
+        bounds_.speed = std::max(bounds_.speed, fastest);
+        set_bounds();
+    }
+    return place;
+}
+
+template <int D, bool Falls, Kernel kernel>
+auto MeetingFilter<D, Falls, kernel>::asker(const Ball<D>& ball, double now) noexcept -> Asker {
+    Asker asker;
+    asker.place_ = include(ball, now);
+    asker.radius_ = ball.radius;
+    asker.now_ = now;
+    asker.bounds_ = &bounds_;
+    return asker;
+}
+
+template <int D, bool Falls, Kernel kernel>
+[[gnu::always_inline]] inline void MeetingFilter<D, Falls, kernel>::Asker::fill(
+    const Ball<D>* all, Crowd& crowd) const noexcept {
+    const Bounds<D>& bounds = *bounds_;
+    Four soonest = Four{} + infinity;
+    for (std::size_t first = 0; first < crowd.size; first += lanes) {
+        // The last one stands for those that are missing.
+        const Ball<D>* balls[lanes];
+        for (std::size_t k = 0; k < lanes; ++k)
+            balls[k] = &all[crowd.who[std::min(first + k, crowd.size - 1)]];
+        Four columns[2 * D + 2];
+        load<D>(columns, balls);
+        const Four r = columns[2 * D] + radius_;
+        const Four dt = now_ - columns[2 * D + 1];
+        Four product{};
+        Four square{};
+        Four distance{};
+        Four largest{};
+        Flags rests = Flags{} - 1;
+        for (int i = 0; i < D; ++i) {
+            Four v = columns[D + i];
+            const Four flown = v * dt;
+            Four d = columns[i] + flown;
+            raise(largest, flown);
+            if constexpr (Falls) {
+                const Four fallen = 0.5 * bounds.gravity[i] * (dt * dt);
+                d += fallen;
+                v += bounds.gravity[i] * dt;
+                raise(largest, fallen);
+            }
+            raise(largest, d);
+            d = place_.x[i] - d;
+            v = place_.v[i] - v;
+            if (bounds.periodic) {
+                const Four turns = (d * bounds.inverse_length[i] + 0x1.8p52) - 0x1.8p52;
+                d -= bounds.length[i] * turns;
+            }
+            product += d * v;
+            square += v * v;
+            distance += d * d;
+            rests &= v == 0.0;
+        }
+        const Four gap = distance - r * r;
+        const Four discriminant = product * product - square * gap;
+        Four root = discriminant > 0.0 ? discriminant : Four{};
+        root_of(root);
+        const Four s = gap / (root - product);
+        Four t = now_ + s;
+        Four early;
+        Four late;
+        if constexpr (kernel == Kernel::naive) {
+            t = t > now_ ? t : Four{} + now_;
+            early = product < 0.0 && discriminant > 0.0 ? t : Four{} + infinity;
+            late = early;
+        } else {
+            const Four size = Falls ? square + bounds.w : square;
+            Four error = bounds.gap / root;
+            if constexpr (Falls)
+                error = bounds.gap * (1.0 + s * (bounds.speed / bounds.extent + size / root)) /
+                        (root - product);
+            Four toward = product;
+            magnitude_of(toward);
+            // Velocities that are the same are so exactly, unless something was added to them.
+            Flags known = (square > least_square) & (largest <= bounds.extent);
+            Flags misses = ((product * toward > bounds.approach * size) |
+                            (discriminant < -bounds.gap * size)) &
+                           known;
+            if constexpr (!Falls) misses |= rests;
+            const Flags tells =
+                (discriminant > 2.0 * bounds.gap * size) & (gap > bounds.gap) & known;
+            const Four either_way = 2.0 * error + 0x1p-50 * t;
+            early = t - either_way;
+            early = early > now_ ? early : Four{} + now_;
+            late = t + either_way;
+            early = tells ? early : Four{} - infinity;
+            late = tells ? late : Four{} + infinity;
+            early = misses ? Four{} + infinity : early;
+            late = misses ? Four{} + infinity : late;
+        }
+        std::memcpy(&crowd.early[first], &early, sizeof early);
+        std::memcpy(&crowd.late[first], &late, sizeof late);
+        soonest = late < soonest ? late : soonest;
+    }
+    crowd.soonest = std::min(std::min(soonest[0], soonest[1]), std::min(soonest[2], soonest[3]));
+}
+
+template <int D, bool Falls, Kernel kernel>
+void MeetingFilter<D, Falls, kernel>::Asker::meetings(const std::vector<Ball<D>>& balls,
+                                                      Crowd& crowd) const noexcept {
+    as_wide_as_possible([&]() __attribute__((always_inline)) { fill(balls.data(), crowd); });
+}
+
+template <int D, bool Falls, Kernel kernel>
+Meeting MeetingFilter<D, Falls, kernel>::Asker::meeting(Wall wall, double side) const noexcept {
+    const int axis = wall / 2;
+    const double inwards = wall % 2 != 0 ? -1.0 : 1.0;
+    const double v = inwards * place_.v[axis];
+    const double g = Falls ? inwards * bounds_->gravity[axis] : 0.0;
+    if constexpr (kernel == Kernel::naive) {
+        const double t = now_ + naive_descent(inwards * (place_.x[axis] - side) - radius_, v, g);
+        return {t, t};
+    }
+    const double gap_error = 0x1p-47 * bounds_->extent;
+    const double gap = inwards * (place_.x[axis] - side) - radius_;
+    if (g == 0.0) {
+        if (v >= 0.0) return never;
+        if (!(gap > gap_error && v < -0x1p-300)) return unknown;
+        return around(now_, gap / -v, gap_error / -v);
+    }
+    const double v_error = 0x1p-50 * bounds_->speed;
+    if (!(gap > gap_error)) return unknown;
+    if (g > 0.0 && v > v_error) return never;
+    const double discriminant = v * v - 2.0 * g * gap;
+    const double error = 0x1p-48 * bounds_->w + 2.0 * filters::magnitude(g) * gap_error;
+    if (discriminant < -error && g > 0.0) return never;
+    if (!(discriminant > 2.0 * error && (g < 0.0 || v < -v_error))) return unknown;
+    const double root = std::sqrt(discriminant);
+    const double root_error = v_error + error / root;
+    if (v < 0.0) {
+        const double s = 2.0 * gap / (root - v);
+        return around(now_, s, (2.0 * gap_error + s * root_error) / (root - v));
+    }
+    return around(now_, (v + root) / -g, root_error / -g);
+}
+
+template class MeetingFilter<2, false, Kernel::exact>;
+template class MeetingFilter<2, true, Kernel::exact>;
+template class MeetingFilter<3, false, Kernel::exact>;
+template class MeetingFilter<3, true, Kernel::exact>;
+template class MeetingFilter<2, false, Kernel::naive>;
+template class MeetingFilter<2, true, Kernel::naive>;
+template class MeetingFilter<3, false, Kernel::naive>;
+template class MeetingFilter<3, true, Kernel::naive>;
+
+}  // namespace signum::motion

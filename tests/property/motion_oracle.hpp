@@ -1,0 +1,122 @@
+#pragma once
+/// Balls, walls and what acts on them as the oracle of motion takes them, and its answers.
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "../../motion/meeting_time.hpp"
+#include "../../motion/simulation.hpp"
+#include "../oracle/motion.hpp"
+#include "motion_scenes.hpp"
+
+namespace signum::motion {
+
+namespace brute = oracle::motion;
+
+template <int D>
+std::array<double, 3> in_space(const Vector<D>& v) {
+    std::array<double, 3> result{};
+    std::ranges::copy(v, result.begin());
+    return result;
+}
+
+template <int D>
+brute::World to_brute(const Effects<D>& effects) {
+    brute::World world;
+    world.dimension = D;
+    world.g = in_space(effects.gravity);
+    world.restitution = effects.restitution;
+    world.wall_restitution = effects.wall_restitution;
+    if (!effects.box) return world;
+    const auto low = in_space(effects.box->low);
+    const auto high = in_space(effects.box->high);
+    world.periodic = effects.periodic;
+    if (effects.periodic) {
+        world.low = low;
+        world.high = high;
+    } else {
+        world.walls = brute::box_walls(low, high, D);
+    }
+    return world;
+}
+
+template <int D>
+brute::Ball to_brute(const Body<D>& body) {
+    brute::Ball ball;
+    ball.x = in_space(body.x);
+    ball.v = in_space(body.v);
+    ball.r = body.radius;
+    ball.m = body.mass;
+    return ball;
+}
+template <int D>
+brute::Ball to_brute(const GrowingBall<D>& ball) {
+    brute::Ball result;
+    result.x = in_space(ball.x);
+    result.v = in_space(ball.v);
+    result.r = ball.radius;
+    result.t0 = ball.time;
+    result.growth = ball.growth;
+    return result;
+}
+
+template <int D>
+brute::Wall to_brute(const HalfSpace<D>& wall) {
+    brute::Wall result;
+    result.kind = brute::Wall::Kind::half_space;
+    result.n = in_space(wall.normal);
+    result.c = wall.offset;
+    result.w = wall.speed;
+    return result;
+}
+template <int D>
+brute::Wall to_brute(const Sphere<D>& wall) {
+    brute::Wall result;
+    result.kind = wall.side == Sphere<D>::Side::inside ? brute::Wall::Kind::inside
+                                                       : brute::Wall::Kind::outside;
+    result.centre = in_space(wall.centre);
+    result.u = in_space(wall.velocity);
+    result.radius = wall.radius;
+    return result;
+}
+
+inline double or_never(const std::optional<double>& time) {
+    return time.value_or(infinity);
+}
+
+/// The oracle's meeting_time().
+template <int D, class Partner>
+double brute_meeting_time(const GrowingBall<D>& ball, const Partner& partner,
+                          const Effects<D>& effects, double until = infinity) {
+    return or_never(
+        brute::meeting_time(to_brute(ball), to_brute(partner), to_brute(effects), until));
+}
+
+/// All structures write the oracle's log, up to a time and a number of strikes.
+template <int D>
+void expect_log_of_oracle(const Scene<D>& scene, double until, std::size_t most) {
+    std::vector<brute::Ball> balls;
+    for (const Body<D>& body : scene.bodies) balls.push_back(to_brute(body));
+    const brute::Run expected = brute::simulate(balls, to_brute(scene.effects), until, most);
+    const State<D> first = start<D>(scene.bodies, scene.effects);
+    for (const Structure structure : all_structures) {
+        SCOPED_TRACE(std::string(name_of(structure)));
+        Simulation<D> simulation(first, scene.effects, {.structure = structure});
+        std::vector<Strike> log;
+        const Outcome outcome =
+            simulation.run({.until = until, .strikes = most},
+                           [&](const Strike& strike) { log.push_back(strike); });
+        for (std::size_t i = 0; i < std::min(log.size(), expected.log.size()); ++i) {
+            const brute::Strike& e = expected.log[i];
+            ASSERT_EQ(log[i], (Strike{e.time, e.wall, e.a, e.b, e.impulse}))
+                << "strike " << i << ": " << log[i].time << " " << log[i].wall << " " << log[i].a
+                << " " << log[i].b << " " << log[i].impulse << ", expected " << e.time << " "
+                << e.wall << " " << e.a << " " << e.b << " " << e.impulse;
+        }
+        ASSERT_EQ(log.size(), expected.log.size());
+        ASSERT_EQ(outcome.ending == Ending::collapse, expected.collapsed);
+    }
+}
+
+}  // namespace signum::motion
