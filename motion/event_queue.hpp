@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "../core/contract.hpp"
+#include "large_vector.hpp"
 
 namespace signum::motion {
 
@@ -192,8 +193,8 @@ class EventQueue {
         return true;
     }
 
-    std::vector<Item> items_;
-    std::vector<Entry> heads_;
+    LargeVector<Item> items_;
+    LargeVector<Entry> heads_;
     std::uint32_t far_;
     std::uint32_t bucket_;  // the heap's, or far_ before the first round
     std::vector<Entry> heap_;

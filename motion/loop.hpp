@@ -207,9 +207,9 @@ class Loop final : public Simulation<D>::Engine {
         std::uint32_t own_at_once = 0;  ///< events of the structure at one time
     };
 
-    static std::vector<Ball<D>> in_order(const std::vector<Ball<D>>& balls,
+    static LargeVector<Ball<D>> in_order(const std::vector<Ball<D>>& balls,
                                          const std::vector<std::int32_t>& order) {
-        std::vector<Ball<D>> result;
+        LargeVector<Ball<D>> result;
         result.reserve(order.size());
         for (const std::int32_t number : order)
             result.push_back(balls[static_cast<std::size_t>(number)]);
@@ -325,7 +325,7 @@ class Loop final : public Simulation<D>::Engine {
             for (Slot j = 0; j < i; ++j) {
                 crowd.push(j);
                 if (!crowd.is_full() && j + 1 < i) continue;
-                asker.meetings(world_.balls, crowd);
+                asker.meetings(world_.balls.data(), crowd);
                 for (std::size_t k = std::exchange(crowd.size, 0); k-- > 0;) {
                     if (crowd.early[k] == infinity) continue;
                     if (crowd.early[k] > -infinity || exactly(i, crowd.who[k]).early < infinity)
@@ -400,7 +400,7 @@ class Loop final : public Simulation<D>::Engine {
     }
     void look(Inquiry& inquiry) {
         counts_.checks += inquiry.crowd.size;
-        if (inquiry.crowd.size > 0) inquiry.asker.meetings(world_.balls, inquiry.crowd);
+        if (inquiry.crowd.size > 0) inquiry.asker.meetings(world_.balls.data(), inquiry.crowd);
     }
     void consider_all(Inquiry& inquiry) {
         Crowd& crowd = inquiry.crowd;
@@ -654,7 +654,7 @@ class Loop final : public Simulation<D>::Engine {
     World<D> world_;
     std::array<Inquiry, 2> inquiries_;
     std::array<std::uint32_t, 3> fetched_{};  // up to which bucket
-    std::vector<Particle> particles_;
+    LargeVector<Particle> particles_;
     MeetingFilter<D, Falls, kernel> filter_;
     Structure kind_;
     std::optional<StructureOf<D>> structure_;

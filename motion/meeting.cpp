@@ -171,9 +171,9 @@ template <int D, bool Falls, Kernel kernel>
 }
 
 template <int D, bool Falls, Kernel kernel>
-void MeetingFilter<D, Falls, kernel>::Asker::meetings(const std::vector<Ball<D>>& balls,
+void MeetingFilter<D, Falls, kernel>::Asker::meetings(const Ball<D>* balls,
                                                       Crowd& crowd) const noexcept {
-    as_wide_as_possible([&]() __attribute__((always_inline)) { fill(balls.data(), crowd); });
+    as_wide_as_possible([&]() __attribute__((always_inline)) { fill(balls, crowd); });
 }
 
 template <int D, bool Falls, Kernel kernel>

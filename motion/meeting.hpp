@@ -148,7 +148,7 @@ class MeetingFilter {
         /// When it meets each of a crowd, four at a time and without a branch: which of many are
         /// met is anybody's guess. Precondition: now is not before anybody's own time, and no two
         /// have met between T and now.
-        void meetings(const std::vector<Ball<D>>& balls, Crowd& crowd) const noexcept;
+        void meetings(const Ball<D>* balls, Crowd& crowd) const noexcept;
         /// Of a side of the box: F = x - side - r, x counted inwards. With errors of 24 u E in F
         /// and 3 u W in the speed, those of the root as above.
         [[nodiscard]] Meeting meeting(Wall wall, double side) const noexcept;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ball.hpp"
+#include "large_vector.hpp"
 
 namespace signum::motion {
 
@@ -106,8 +107,8 @@ class ShellLists {
         return std::exchange(free_, std::exchange(next_[free_], none));
     }
 
-    std::vector<Chunk> chunks_;
-    std::vector<std::uint32_t> next_;
+    LargeVector<Chunk> chunks_;
+    LargeVector<std::uint32_t> next_;
     std::size_t lists_;
     std::uint32_t free_ = none;
 };

@@ -65,8 +65,8 @@ class SlotLists {
         list.capacity = capacity;
     }
 
-    std::vector<List> lists_;
-    std::vector<Slot> pool_;
+    LargeVector<List> lists_;
+    LargeVector<Slot> pool_;
     std::array<std::vector<std::uint32_t>, 33> free_;
 };
 

@@ -123,7 +123,7 @@ State<D> start(std::span<const Body<D>> bodies, const Effects<D>& effects) {
         state.masses.push_back(bodies[i].mass);
     }
     state.in_place.resize(bodies.size());
-    const World<D> world(state.balls, effects, 0.0);
+    const World<D> world({state.balls.begin(), state.balls.end()}, effects, 0.0);
     const Grid<D> levels(world, Structure::levels);
     for (Slot i = 0; i < world.balls.size(); ++i) {
         Slot first = i;

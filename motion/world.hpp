@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ball.hpp"
+#include "large_vector.hpp"
 #include "meeting.hpp"
 
 namespace signum::motion {
@@ -20,7 +21,7 @@ namespace signum::motion {
 
 template <int D>
 struct World {
-    World(std::vector<Ball<D>> balls_then, const Effects<D>& effects_then, double start_then)
+    World(LargeVector<Ball<D>> balls_then, const Effects<D>& effects_then, double start_then)
         : balls(std::move(balls_then)), effects(effects_then), start(start_then) {
         if (!effects.box) return;
         for (int k = 0; k < D; ++k) {
@@ -30,7 +31,7 @@ struct World {
         }
     }
 
-    std::vector<Ball<D>> balls;
+    LargeVector<Ball<D>> balls;
     Effects<D> effects;
     /// When the structures begin.
     double start;

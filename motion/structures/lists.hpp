@@ -231,7 +231,7 @@ class Lists {
     bool images_are_distinct_;
     double unit_;  // of floats
     ShellLists<D> shells_;
-    std::vector<Centre> centres_;
+    LargeVector<Centre> centres_;
     SlotLists lists_;
     // Of an event: the list before it, who of it is not in the new one, and all that are near.
     std::vector<Slot> before_;

@@ -256,7 +256,7 @@ void ask_for_crowd(const Question<D>& question, Filter<D, Falls>& filter, Told& 
     const auto asker = filter.asker(balls[0], now);
     Crowd crowd;
     for (Slot j = 1; j < balls.size(); ++j) crowd.push(j);
-    asker.meetings(balls, crowd);
+    asker.meetings(balls.data(), crowd);
     for (std::size_t k = 0; k < crowd.size; ++k) {
         const Ball<D>& other = balls[crowd.who[k]];
         const Vector<D> x = centre(balls[0], now, effects);
@@ -394,13 +394,13 @@ TYPED_TEST(MeetingFilterOf, CrowdsOfEverySizeTellsWhatItTellsOfOne) {
         Crowd crowd;
         for (std::size_t k = 0; k < size; ++k)
             crowd.push(1 + static_cast<Slot>(questions.random().below(Crowd::capacity)));
-        asker.meetings(question.balls, crowd);
+        asker.meetings(question.balls.data(), crowd);
         ASSERT_EQ(crowd.size, size);
         ASSERT_EQ(crowd.is_full(), size == Crowd::capacity);
         for (std::size_t k = 0; k < size; ++k) {
             Crowd one;
             one.push(crowd.who[k]);
-            asker.meetings(question.balls, one);
+            asker.meetings(question.balls.data(), one);
             ASSERT_EQ(crowd.early[k], one.early[0]) << "one of the crowd: " << k;
             ASSERT_EQ(crowd.late[k], one.late[0]) << "one of the crowd: " << k;
         }
@@ -420,7 +420,7 @@ TEST(MeetingStages, ThatTheFilterLeavesOpen) {
         for (const Ball<2>& ball : balls) filter.include(ball);
         Crowd crowd;
         crowd.push(1);
-        filter.asker(a, 0.0).meetings(balls, crowd);
+        filter.asker(a, 0.0).meetings(balls.data(), crowd);
         return Meeting{crowd.early[0], crowd.late[0]};
     };
     const auto is_unknown = [](const Meeting& m) {
