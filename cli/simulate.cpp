@@ -157,15 +157,9 @@ class Snapshot {
         balls_.reserve(state.balls.size());
         for (const motion::Ball<D>& ball : state.balls) {
             MotionFrame::Ball shown;
-            const double s = time - ball.time;
             for (int k = 0; k < D; ++k) {
-                const double g = effects.gravity[k];
-                shown.x[at(k)] = ball.x[k] + ball.v[k] * s + 0.5 * g * (s * s);
-                shown.v[at(k)] = ball.v[k] + g * s;
-                if (!effects.periodic) continue;
-                const double length = effects.box->high[k] - effects.box->low[k];
-                shown.x[at(k)] -=
-                    length * std::floor((shown.x[at(k)] - effects.box->low[k]) / length);
+                shown.x[at(k)] = in_box(coordinate(ball, k, time, effects), k, effects);
+                shown.v[at(k)] = speed(ball, k, time, effects);
             }
             shown.radius = ball.radius;
             balls_.push_back(shown);

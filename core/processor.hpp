@@ -2,7 +2,12 @@
 /// Instructions that not every processor of a kind has: fused multiply-add, vectors of four
 /// doubles.
 
-#if defined(__x86_64__)
+// SIGNUM_NARROW: as on a processor that has none of them, for tests.
+#if defined(__x86_64__) && !defined(SIGNUM_NARROW)
+#define SIGNUM_HAS_WIDE
+#endif
+
+#if defined(SIGNUM_HAS_WIDE)
 #define SIGNUM_WIDE [[gnu::target("avx2,fma")]]
 #else
 #define SIGNUM_WIDE
@@ -12,7 +17,7 @@ namespace signum {
 
 /// Whether the processor at hand has them, though the compiler was not told so.
 [[nodiscard, gnu::always_inline]] inline bool is_wide() noexcept {
-#if defined(__x86_64__)
+#if defined(SIGNUM_HAS_WIDE)
     return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
 #else
     return false;
@@ -33,5 +38,6 @@ template <class Body>
 }
 
 #undef SIGNUM_WIDE
+#undef SIGNUM_HAS_WIDE
 
 }  // namespace signum

@@ -1,6 +1,7 @@
 #pragma once
 /// Balls in flight, and what acts on them. All numbers are doubles and are taken as exact ones.
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -66,6 +67,36 @@ struct Effects {
     bool periodic = false;
 };
 
+/// Where a ball's centre is along an axis at a time, rounded.
+template <int D>
+[[nodiscard, gnu::always_inline]] inline double coordinate(const Ball<D>& ball, int axis, double t,
+                                                           const Effects<D>& effects) noexcept {
+    const double s = t - ball.time;
+    return ball.x[axis] + ball.v[axis] * s + 0.5 * effects.gravity[axis] * (s * s);
+}
+/// How fast it is there, rounded.
+template <int D>
+[[nodiscard, gnu::always_inline]] inline double speed(const Ball<D>& ball, int axis, double t,
+                                                      const Effects<D>& effects) noexcept {
+    return ball.v[axis] + effects.gravity[axis] * (t - ball.time);
+}
+template <int D>
+[[nodiscard]] inline Vector<D> centre(const Ball<D>& ball, double t,
+                                      const Effects<D>& effects) noexcept {
+    Vector<D> x;
+    for (int k = 0; k < D; ++k) x[k] = coordinate(ball, k, t, effects);
+    return x;
+}
+/// A place along an axis, less as many lengths of a periodic box as bring it into it, rounded; the
+/// place itself in any other world.
+template <int D>
+[[nodiscard]] inline double in_box(double x, int axis, const Effects<D>& effects) noexcept {
+    if (!effects.periodic) return x;
+    const double low = effects.box->low[axis];
+    const double length = effects.box->high[axis] - low;
+    return x - length * std::floor((x - low) / length);
+}
+
 /// How signs and times are computed: exactly, or in plain doubles.
 enum class Kernel { exact, naive };
 
@@ -76,9 +107,11 @@ using Slot = std::uint32_t;
 template <int D>
 using Image = PerAxis<int, D>;
 
+/// Of doubles about as large the units are the last places.
+inline constexpr double where_doubles_are_integers = 0x1.8p52;
 /// Precondition: |x| < 2^51.
 [[nodiscard, gnu::always_inline]] inline double nearest_integer(double x) noexcept {
-    return (x + 0x1.8p52) - 0x1.8p52;
+    return (x + where_doubles_are_integers) - where_doubles_are_integers;
 }
 
 /// That in which b is nearest to a.

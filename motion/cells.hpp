@@ -45,13 +45,14 @@ struct Spread {
         for (int k = 0; k < D; ++k) volume *= box.high[k] - box.low[k];
         return D == 2 ? std::sqrt(volume) : std::cbrt(volume);
     }
-    /// Far more than a place is rounded by: a few units in the last place of the farthest one, and
-    /// of one far beyond.
+    /// What structures allow for: more than a place is rounded by, that of one far beyond as well,
+    /// and than what a ball flies while its event is told late by half the distance of two doubles
+    /// (Loop::refuse_coarse_clock). Little beside the distances of balls.
     [[nodiscard]] double margin() const noexcept {
         double farthest = 0.0;
         for (int k = 0; k < D; ++k)
             farthest = std::max({farthest, std::fabs(box.low[k]), std::fabs(box.high[k])});
-        return 0x1p-46 * farthest;
+        return std::max(0x1p-46 * farthest, 0x1p-18 * edge_of(1.0));
     }
     [[nodiscard]] double shortest() const noexcept {
         double shortest = infinity;

@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "../core/contract.hpp"
-#include "large_vector.hpp"
+#include "../core/large_array.hpp"
 
 namespace signum::motion {
 
@@ -193,8 +193,8 @@ class EventQueue {
         return true;
     }
 
-    LargeVector<Item> items_;
-    LargeVector<Entry> heads_;
+    LargeArray<Item, Pages::large> items_;
+    LargeArray<Entry, Pages::large> heads_;
     std::uint32_t far_;
     std::uint32_t bucket_;  // the heap's, or far_ before the first round
     std::vector<Entry> heap_;

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <initializer_list>
 #include <map>
@@ -48,6 +49,7 @@ class Loop final : public Simulation<D>::Engine {
           filter_(effects),
           kind_(structure),
           structure_(std::in_place, world_, kind_),
+          farthest_(margins_to_fly * structure_->margin()),
           queue_(particles_.size()),
           walls_(effects.box && !effects.periodic ? 2 * D : 0),
           // Of fewer balls all lies near the processor.
@@ -101,13 +103,12 @@ class Loop final : public Simulation<D>::Engine {
                 }
                 ++counts_.own;
                 Inquiry& inquiry = inquiries_[0];
-                inquiry.ball = i;
-                inquiry.asker = filter_.asker(world_.balls[i], now_);
-                inquiry.best = next;
+                open(inquiry, i, next);
                 structure_->own_event(
                     i, now_, [&](Slot j) { propose(inquiry, j); }, [&](Slot j) { touch(j); });
                 particles_[i].own = structure_->next(i, now_);
                 refuse_standstill(i);
+                refuse_coarse_clock(i);
                 look(inquiry);
                 end(inquiry);
             } else if (is_stale(next)) {
@@ -151,12 +152,9 @@ class Loop final : public Simulation<D>::Engine {
     [[nodiscard]] Sketch<D> sketch() const override {
         Sketch<D> sketch;
         structure_->sketch(now_, sketch);
-        if (world_.effects.periodic)
-            for (auto& round : sketch.rounds)
-                for (int k = 0; k < D; ++k)
-                    round.centre[k] -= world_.length[k] *
-                                       std::floor((round.centre[k] - world_.effects.box->low[k]) /
-                                                  world_.length[k]);
+        for (auto& round : sketch.rounds)
+            for (int k = 0; k < D; ++k)
+                round.centre[k] = in_box(round.centre[k], k, world_.effects);
         const auto renumber = [this](std::int32_t& ball) {
             if (ball >= 0) ball = particles_[static_cast<Slot>(ball)].number;
         };
@@ -207,9 +205,9 @@ class Loop final : public Simulation<D>::Engine {
         std::uint32_t own_at_once = 0;  ///< events of the structure at one time
     };
 
-    static LargeVector<Ball<D>> in_order(const std::vector<Ball<D>>& balls,
-                                         const std::vector<std::int32_t>& order) {
-        LargeVector<Ball<D>> result;
+    static Balls<D> in_order(const std::vector<Ball<D>>& balls,
+                             const std::vector<std::int32_t>& order) {
+        Balls<D> result;
         result.reserve(order.size());
         for (const std::int32_t number : order)
             result.push_back(balls[static_cast<std::size_t>(number)]);
@@ -237,9 +235,9 @@ class Loop final : public Simulation<D>::Engine {
     /// Of two entries of equal key: those that are no exact strikes first.
     [[nodiscard]] bool comes_before(Slot i, Slot j) const {
         const auto is_exact = [this](Slot e) {
-            return particles_[e].next.early == particles_[e].next.late &&
-                   particles_[e].own > particles_[e].next.early &&
-                   particles_[e].next.partner != nobody;
+            const Proposal& next = particles_[e].next;
+            return next.early == next.late && particles_[e].own > next.early &&
+                   next.partner != nobody;
         };
         const bool exact_i = is_exact(i);
         const bool exact_j = is_exact(j);
@@ -300,6 +298,7 @@ class Loop final : public Simulation<D>::Engine {
         width_ = width;
         world_.start = now_;
         structure_.emplace(world_, kind_);
+        farthest_ = margins_to_fly * structure_->margin();
         for (Slot i = 0; i < particles_.size(); ++i) ask_after_change({i});
         return true;
     }
@@ -350,6 +349,7 @@ class Loop final : public Simulation<D>::Engine {
     /// The same of balls that fly or lie otherwise than before.
     void ask_after_change(std::initializer_list<Slot> balls) {
         for (const Slot i : balls) {
+            refuse_coarse_clock(i);
             particles_[i].own = structure_->next(i, now_);
             particles_[i].next = {};
         }
@@ -367,10 +367,13 @@ class Loop final : public Simulation<D>::Engine {
         Proposal best;
         Crowd crowd;
     };
-    void begin(Inquiry& inquiry, Slot i) {
+    void open(Inquiry& inquiry, Slot i, const Proposal& best) {
         inquiry.ball = i;
         inquiry.asker = filter_.asker(world_.balls[i], now_);
-        inquiry.best = {};
+        inquiry.best = best;
+    }
+    void begin(Inquiry& inquiry, Slot i) {
+        open(inquiry, i, {});
         for (Wall wall = 0; wall < walls_; ++wall) consider_wall(inquiry, wall);
         if constexpr (requires { structure_->list(i); }) {
             std::span<const Slot> list = structure_->list(i);
@@ -517,7 +520,7 @@ class Loop final : public Simulation<D>::Engine {
                 naive::strike(a, b, seen, particles_[i].mass, particles_[j].mass, world_.effects);
         counts_.rounded += tally.refined;
         counts_.rounded_exactly += tally.exact;
-        refuse_coarse_clock(i, j, a, b, exchange.square);
+        refuse_missed_strike(i, j, a, b, exchange.square);
         if (!exchange.struck) {
             pass(i, j, t);
             ask(i);
@@ -582,23 +585,33 @@ class Loop final : public Simulation<D>::Engine {
         ask_after_change({i});
         return true;
     }
-    /// Where a ball flies through its cells or shells faster than the clock ticks. Ends of its
-    /// projections change places with all others', at one time, at most.
+    /// At time t a ball of speed v along an axis flies v 2^-53 t while an event is told late by a
+    /// rounding, and its place, x + v (t - T), is rounded by at most twice that and what the margin
+    /// has besides. Where v t is at most 2^50 margins all that is less than half a margin an axis.
+    void refuse_coarse_clock(Slot i) const {
+        for (int k = 0; k < D; ++k)
+            if (!(std::fabs(speed(world_.balls[i], k, now_, world_.effects)) * now_ <= farthest_))
+                [[unlikely]]
+                refuse(i);
+    }
+    /// Ends of a ball's projections change places with all others', at one time, at most.
     void refuse_standstill(Slot i) {
         Particle& particle = particles_[i];
-        if (particle.own > now_) [[likely]] {
+        if (particle.own > now_) [[likely]]
             particle.own_at_once = 0;
-        } else if (++particle.own_at_once > 1000 + 8 * particles_.size()) {
-            throw std::range_error("ball " + std::to_string(particle.number) + " at time " +
-                                   std::to_string(now_) +
-                                   " flies too far from one double to the next; use slower balls, "
-                                   "or a shorter time");
-        }
+        else if (++particle.own_at_once > 1000 + 8 * particles_.size())
+            refuse(i);
+    }
+    [[noreturn, gnu::cold]] void refuse(Slot i) const {
+        throw std::range_error("ball " + std::to_string(particles_[i].number) + " at time " +
+                               std::to_string(now_) +
+                               " flies too far from one double to the next; use slower balls, or "
+                               "a shorter time");
     }
     /// Where balls fly so far from one tick of the clock to the next that those which meet are
     /// apart at the rounded time.
-    void refuse_coarse_clock(Slot i, Slot j, const Ball<D>& a, const Ball<D>& b,
-                             double square) const {
+    void refuse_missed_strike(Slot i, Slot j, const Ball<D>& a, const Ball<D>& b,
+                              double square) const {
         const double radii = a.radius + b.radius;
         if (std::fabs(square - radii * radii) < 0x1p-10 * (radii * radii)) [[likely]]
             return;
@@ -650,14 +663,16 @@ class Loop final : public Simulation<D>::Engine {
     }
 
     static constexpr std::uint64_t own_events_a_ball = 16;
+    static constexpr double margins_to_fly = 0x1p50;
 
     World<D> world_;
     std::array<Inquiry, 2> inquiries_;
     std::array<std::uint32_t, 3> fetched_{};  // up to which bucket
-    LargeVector<Particle> particles_;
+    LargeArray<Particle, Pages::large> particles_;
     MeetingFilter<D, Falls, kernel> filter_;
     Structure kind_;
     std::optional<StructureOf<D>> structure_;
+    double farthest_;  // to fly from time 0 on
     EventQueue queue_;
     Wall walls_;
     bool fetches_;
@@ -689,5 +704,12 @@ std::unique_ptr<typename Simulation<D>::Engine> make_engine(
     return falls ? make.template operator()<true, Kernel::exact>()
                  : make.template operator()<false, Kernel::exact>();
 }
+
+/// Compiles the loops over a structure, in a source of its own.
+#define SIGNUM_LOOPS_OVER(STRUCTURE)                                                              \
+    template std::unique_ptr<Simulation<2>::Engine> make_engine<2, STRUCTURE>(                    \
+        Structure, const State<2>&, const Effects<2>&, Kernel, const std::vector<std::int32_t>&); \
+    template std::unique_ptr<Simulation<3>::Engine> make_engine<3, STRUCTURE>(                    \
+        Structure, const State<3>&, const Effects<3>&, Kernel, const std::vector<std::int32_t>&);
 
 }  // namespace signum::motion

@@ -42,6 +42,25 @@ template <int D>
     largest = magnitudes > largest ? magnitudes : largest;
 }
 
+constexpr double least_square = 0x1p-600;
+
+/// s from now on, but for an error; the bounds of t's own rounding included.
+[[gnu::always_inline]] inline Meeting around(double now, double s, double error) noexcept {
+    const double t = now + s;
+    const double either_way = 2.0 * error + 0x1p-50 * t;
+    return {std::max(t - either_way, now), t + either_way};
+}
+
+/// How long until gap + v s + g s²/2 falls through 0 or, where it is not above, begins to fall; in
+/// plain doubles.
+double naive_descent(double gap, double v, double g) noexcept {
+    if (v >= 0.0 && g >= 0.0) return infinity;
+    if (gap <= 0.0) return v < 0.0 ? 0.0 : v / -g * (v * v > 2.0 * g * gap ? 2.0 : 1.0);
+    const double square = v * v - 2.0 * g * gap;
+    if (square <= 0.0) return infinity;
+    return v < 0.0 ? 2.0 * gap / (std::sqrt(square) - v) : (v + std::sqrt(square)) / -g;
+}
+
 }  // namespace
 
 template <int D, bool Falls, Kernel kernel>
@@ -118,7 +137,8 @@ template <int D, bool Falls, Kernel kernel>
             d = place_.x[i] - d;
             v = place_.v[i] - v;
             if (bounds.periodic) {
-                const Four turns = (d * bounds.inverse_length[i] + 0x1.8p52) - 0x1.8p52;
+                const Four turns = (d * bounds.inverse_length[i] + where_doubles_are_integers) -
+                                   where_doubles_are_integers;
                 d -= bounds.length[i] * turns;
             }
             product += d * v;
@@ -139,21 +159,21 @@ template <int D, bool Falls, Kernel kernel>
             early = product < 0.0 && discriminant > 0.0 ? t : Four{} + infinity;
             late = early;
         } else {
-            const Four size = Falls ? square + bounds.w : square;
-            Four error = bounds.gap / root;
+            const Four size = Falls ? square + bounds.speed_square : square;
+            Four error = bounds.gap_error / root;
             if constexpr (Falls)
-                error = bounds.gap * (1.0 + s * (bounds.speed / bounds.extent + size / root)) /
-                        (root - product);
+                error = bounds.gap_error *
+                        (1.0 + s * (bounds.speed / bounds.extent + size / root)) / (root - product);
             Four toward = product;
             magnitude_of(toward);
             // Velocities that are the same are so exactly, unless something was added to them.
             Flags known = (square > least_square) & (largest <= bounds.extent);
-            Flags misses = ((product * toward > bounds.approach * size) |
-                            (discriminant < -bounds.gap * size)) &
+            Flags misses = ((product * toward > bounds.product_error * size) |
+                            (discriminant < -bounds.gap_error * size)) &
                            known;
             if constexpr (!Falls) misses |= rests;
             const Flags tells =
-                (discriminant > 2.0 * bounds.gap * size) & (gap > bounds.gap) & known;
+                (discriminant > 2.0 * bounds.gap_error * size) & (gap > bounds.gap_error) & known;
             const Four either_way = 2.0 * error + 0x1p-50 * t;
             early = t - either_way;
             early = early > now_ ? early : Four{} + now_;
@@ -197,7 +217,7 @@ Meeting MeetingFilter<D, Falls, kernel>::Asker::meeting(Wall wall, double side) 
     if (!(gap > gap_error)) return unknown;
     if (g > 0.0 && v > v_error) return never;
     const double discriminant = v * v - 2.0 * g * gap;
-    const double error = 0x1p-48 * bounds_->w + 2.0 * filters::magnitude(g) * gap_error;
+    const double error = 0x1p-48 * bounds_->speed_square + 2.0 * filters::magnitude(g) * gap_error;
     if (discriminant < -error && g > 0.0) return never;
     if (!(discriminant > 2.0 * error && (g < 0.0 || v < -v_error))) return unknown;
     const double root = std::sqrt(discriminant);

@@ -72,30 +72,12 @@ struct Bounds {
     Vector<D> inverse_length{};
     double extent = 0x1p-150;  ///< so that no product of bounds is a denormal
     double speed = 0.0;
-    double gap = 0.0;       ///< K, of C and per square of speed of the discriminant
-    double approach = 0.0;  ///< (128 u E)², of (D·V)² per square of speed
-    double w = 0.0;         ///< W²
+    double speed_square = 0.0;
+    /// K, of C and per square of speed of the discriminant.
+    double gap_error = 0.0;
+    /// (128 u E)², of (D·V)² per square of speed.
+    double product_error = 0.0;
 };
-
-inline constexpr double least_square = 0x1p-600;
-
-/// s from now on, but for an error; the bounds of t's own rounding included.
-[[nodiscard, gnu::always_inline]] inline Meeting around(double now, double s,
-                                                        double error) noexcept {
-    const double t = now + s;
-    const double either_way = 2.0 * error + 0x1p-50 * t;
-    return {std::max(t - either_way, now), t + either_way};
-}
-
-/// How long until gap + v s + g s²/2 falls through 0 or, where it is not above, begins to fall; in
-/// plain doubles.
-[[nodiscard]] inline double naive_descent(double gap, double v, double g) noexcept {
-    if (v >= 0.0 && g >= 0.0) return infinity;
-    if (gap <= 0.0) return v < 0.0 ? 0.0 : v / -g * (v * v > 2.0 * g * gap ? 2.0 : 1.0);
-    const double square = v * v - 2.0 * g * gap;
-    if (square <= 0.0) return infinity;
-    return v < 0.0 ? 2.0 * gap / (std::sqrt(square) - v) : (v + std::sqrt(square)) / -g;
-}
 
 /// The first stage. Its bounds, with u = 2^-53, E = extent, W = speed:
 ///
@@ -173,9 +155,9 @@ class MeetingFilter {
     }
     void set_bounds() noexcept {
         const double square = bounds_.extent * bounds_.extent;
-        bounds_.gap = 0x1p-42 * square;
-        bounds_.approach = 0x1p-92 * square;
-        if constexpr (Falls) bounds_.w = bounds_.speed * bounds_.speed;
+        bounds_.gap_error = 0x1p-42 * square;
+        bounds_.product_error = 0x1p-92 * square;
+        if constexpr (Falls) bounds_.speed_square = bounds_.speed * bounds_.speed;
     }
 
     Bounds<D> bounds_;

@@ -1,8 +1,6 @@
 #pragma once
 /// What a strike does, in plain doubles: beside strike.hpp it shows what exactness costs.
 
-#include <cmath>
-
 #include "ball.hpp"
 #include "strike.hpp"
 
@@ -11,15 +9,10 @@ namespace signum::motion::naive {
 template <int D>
 [[nodiscard]] Ball<D> arrived(const Ball<D>& ball, double t, const Effects<D>& effects) noexcept {
     Ball<D> result = ball;
-    const double s = t - ball.time;
     result.time = t;
     for (int i = 0; i < D; ++i) {
-        result.x[i] += ball.v[i] * s + 0.5 * effects.gravity[i] * (s * s);
-        result.v[i] += effects.gravity[i] * s;
-        if (!effects.periodic) continue;
-        const double low = effects.box->low[i];
-        const double length = effects.box->high[i] - low;
-        result.x[i] -= length * std::floor((result.x[i] - low) / length);
+        result.x[i] = in_box(coordinate(ball, i, t, effects), i, effects);
+        result.v[i] = speed(ball, i, t, effects);
     }
     return result;
 }

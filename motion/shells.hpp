@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "../core/large_array.hpp"
 #include "ball.hpp"
-#include "large_vector.hpp"
 
 namespace signum::motion {
 
@@ -72,11 +72,11 @@ class ShellLists {
                 square += d * d;
             }
             const Floats reach = shell.reach + chunk.reach;
-            const auto apart = square >= reach * reach;
+            const auto beyond = square >= reach * reach;
             // Written, and perhaps forgotten: whether it is near is anybody's guess.
             for (std::size_t lane = 0; lane < lanes; ++lane) {
                 balls[size] = chunk.ball[lane];
-                size += static_cast<std::size_t>(apart[lane] + 1);
+                size += static_cast<std::size_t>(beyond[lane] + 1);
             }
         }
     }
@@ -107,8 +107,8 @@ class ShellLists {
         return std::exchange(free_, std::exchange(next_[free_], none));
     }
 
-    LargeVector<Chunk> chunks_;
-    LargeVector<std::uint32_t> next_;
+    LargeArray<Chunk, Pages::large> chunks_;
+    LargeArray<std::uint32_t, Pages::large> next_;
     std::size_t lists_;
     std::uint32_t free_ = none;
 };

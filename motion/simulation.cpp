@@ -78,13 +78,8 @@ std::vector<std::int32_t> along_a_curve(const State<D>& state, const Effects<D>&
     places.reserve(state.balls.size());
     low.fill(std::numeric_limits<double>::infinity());
     for (const Ball<D>& ball : state.balls) {
-        const double s = state.time - ball.time;
-        Vector<D> x;
-        for (int k = 0; k < D; ++k) {
-            x[k] = ball.x[k] + ball.v[k] * s + 0.5 * effects.gravity[k] * (s * s);
-            low[k] = std::min(low[k], x[k]);
-        }
-        places.push_back(x);
+        const Vector<D>& x = places.emplace_back(centre(ball, state.time, effects));
+        for (int k = 0; k < D; ++k) low[k] = std::min(low[k], x[k]);
     }
     for (const Vector<D>& x : places)
         for (int k = 0; k < D; ++k) extent = std::max(extent, x[k] - low[k]);

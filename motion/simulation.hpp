@@ -187,7 +187,7 @@ template <int D>
 class Simulation {
  public:
     /// Preconditions: as start() sees to; of a later state, that it comes from state(), with the
-    /// same effects. Throws as check() does.
+    /// same effects. Throws as check() does, and std::range_error as run() does.
     Simulation(const State<D>& state, const Effects<D>& effects, const Options& options = {});
     ~Simulation();
     Simulation(Simulation&&) noexcept;
@@ -197,9 +197,8 @@ class Simulation {
     using Record = std::function<void(const Strike&)>;
     /// Goes on as far as the limits say; balls in a periodic box that never meet fly for ever where
     /// there is no limit, and so do more than 2^17 without a box. Throws std::invalid_argument for
-    /// a time that is NaN, std::range_error where a ball flies so fast that the clock cannot tell
-    /// its strike from a miss. O(1) expected a strike for lists and cells in
-    /// a gas.
+    /// a time that is NaN, std::range_error where a ball flies so fast, or so late, that the clock
+    /// cannot tell its strike from a miss. O(1) expected a strike for lists and cells in a gas.
     Outcome run(const Limits& limits, const Record& record = {});
 
     [[nodiscard]] State<D> state() const;

@@ -65,8 +65,8 @@ class SlotLists {
         list.capacity = capacity;
     }
 
-    LargeVector<List> lists_;
-    LargeVector<Slot> pool_;
+    LargeArray<List, Pages::large> lists_;
+    LargeArray<Slot, Pages::large> pool_;
     std::array<std::vector<std::uint32_t>, 33> free_;
 };
 

@@ -90,9 +90,9 @@ bool change(Ball<D>& ball, const Vector<D>& v) noexcept {
 
 /// D·V and D·D of two balls at one time.
 template <class Number, int D>
-struct Apart {
-    [[gnu::always_inline]] Apart(const Ball<D>& a, const Ball<D>& b, const Image<D>& image,
-                                 const Effects<D>& effects) {
+struct Separation {
+    [[gnu::always_inline]] Separation(const Ball<D>& a, const Ball<D>& b, const Image<D>& image,
+                                      const Effects<D>& effects) {
         for (int i = 0; i < D; ++i) {
             x[i] = apart<Number>(a.x, b.x, i, image, effects);
             const Number v = difference<Number>(a.v[i], b.v[i]);
@@ -149,7 +149,7 @@ template <int D>
                                                       const Image<D>& image, double mass_a,
                                                       double mass_b,
                                                       const Effects<D>& effects) noexcept {
-    const Apart<DoubleDouble, D> d(a, b, image, effects);
+    const Separation<DoubleDouble, D> d(a, b, image, effects);
     After<D> after;
     after.approach = -d.product.high;
     after.square = d.square.high;
@@ -197,7 +197,7 @@ template <int D>
                                                  const Ball<D>& b, const Image<D>& image,
                                                  double mass_a, double mass_b,
                                                  const Effects<D>& effects) {
-    const Apart<Dyadic, D> d(a, b, image, effects);
+    const Separation<Dyadic, D> d(a, b, image, effects);
     if (!after.measured) {
         after.approach = std::fabs(rounded(to_rational(d.product)));
         after.square = rounded(to_rational(d.square));
@@ -315,7 +315,7 @@ Exchange strike(Ball<D>& a, Ball<D>& b, const Image<D>& image, double mass_a, do
 template <int D>
 double impulse(const Ball<D>& a, const Ball<D>& b, const Image<D>& image, double mass_a,
                double mass_b, const Effects<D>& effects, StrikeTally& tally) {
-    const Apart<DoubleDouble, D> d(a, b, image, effects);
+    const Separation<DoubleDouble, D> d(a, b, image, effects);
     const DoubleDouble product = d.product;
     const DoubleDouble square = d.square;
     double relative = 0x1p-98 * d.size / std::fabs(product.high);
@@ -332,7 +332,7 @@ double impulse(const Ball<D>& a, const Ball<D>& b, const Image<D>& image, double
             return std::fabs(nearest);
     }
     ++tally.exact;
-    const Apart<Dyadic, D> exact_d(a, b, image, effects);
+    const Separation<Dyadic, D> exact_d(a, b, image, effects);
     const Rational exact_square = to_rational(exact_d.square);
     const Rational factor = bounce(effects.restitution) * abs(to_rational(exact_d.product)) *
                             to_rational(mass_a) * to_rational(mass_b) /
@@ -374,7 +374,7 @@ InPlace stayed_in_place(const Ball<D>& ball, double since, double approach,
 template <int D>
 bool stayed_in_place_exactly(const Ball<D>& a, const Ball<D>& b, const Image<D>& image,
                              const Effects<D>& effects, double before) {
-    const Apart<Dyadic, D> d(a, b, image, effects);
+    const Separation<Dyadic, D> d(a, b, image, effects);
     return in_place(a, before, to_rational(d.product), to_rational(d.square));
 }
 template <int D>

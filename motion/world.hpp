@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "../core/large_array.hpp"
 #include "ball.hpp"
-#include "large_vector.hpp"
 #include "meeting.hpp"
 
 namespace signum::motion {
@@ -20,8 +20,11 @@ namespace signum::motion {
 }
 
 template <int D>
+using Balls = LargeArray<Ball<D>, Pages::large>;
+
+template <int D>
 struct World {
-    World(LargeVector<Ball<D>> balls_then, const Effects<D>& effects_then, double start_then)
+    World(Balls<D> balls_then, const Effects<D>& effects_then, double start_then)
         : balls(std::move(balls_then)), effects(effects_then), start(start_then) {
         if (!effects.box) return;
         for (int k = 0; k < D; ++k) {
@@ -31,7 +34,7 @@ struct World {
         }
     }
 
-    LargeVector<Ball<D>> balls;
+    Balls<D> balls;
     Effects<D> effects;
     /// When the structures begin.
     double start;
@@ -44,12 +47,7 @@ struct World {
 
     /// The centre at a time, rounded.
     [[nodiscard]] Vector<D> centre(Slot i, double now) const noexcept {
-        const Ball<D>& ball = balls[i];
-        const double dt = now - ball.time;
-        Vector<D> x;
-        for (int k = 0; k < D; ++k)
-            x[k] = ball.x[k] + ball.v[k] * dt + 0.5 * effects.gravity[k] * (dt * dt);
-        return x;
+        return motion::centre(balls[i], now, effects);
     }
     /// The square of a distance, that of the nearest image, to which the difference is brought.
     [[nodiscard]] double nearest_square(Vector<D>& d) const noexcept {
@@ -60,9 +58,8 @@ struct World {
         return dot(d, d);
     }
     [[nodiscard]] Vector<D> velocity(Slot i, double now) const noexcept {
-        const Ball<D>& ball = balls[i];
         Vector<D> v;
-        for (int k = 0; k < D; ++k) v[k] = ball.v[k] + effects.gravity[k] * (now - ball.time);
+        for (int k = 0; k < D; ++k) v[k] = speed(balls[i], k, now, effects);
         return v;
     }
 };

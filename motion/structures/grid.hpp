@@ -19,7 +19,7 @@
 /// neighbours, and a, which visits, all that live there.
 ///
 /// A crossing is told in rounded numbers; cells are wider than diameters by a part in 2^20 and a
-/// margin, which is far more than any rounding of a place.
+/// margin, and what roundings move two places apart is less (Loop::refuse_coarse_clock).
 
 #include <algorithm>
 #include <array>
@@ -42,6 +42,7 @@ class Grid {
         const int most_levels = structure == Structure::levels ? 24 : 1;
         const bool hashed = structure == Structure::tree;
         const Spread<D> spread(world);
+        margin_ = spread.margin();
         const double widest =
             std::max(width_for(spread.largest_radius, spread), 0x1p-24 * spread.shortest());
         const double no_wider = world.effects.periodic ? spread.shortest() / 5.0 : infinity;
@@ -117,6 +118,8 @@ class Grid {
             residents_near(above, to, propose, axis, first.side);
         }
     }
+
+    [[nodiscard]] double margin() const noexcept { return margin_; }
 
     /// The cells in which balls live, each once.
     void sketch(double, Sketch<D>& sketch) const {
@@ -214,6 +217,7 @@ class Grid {
     }
 
     const World<D>& world_;
+    double margin_ = 0.0;
     std::vector<CellGrid<D>> grids_;
     std::vector<CellTable<D>> residents_;
     std::vector<CellTable<D>> visitors_;  // of all levels but the finest

@@ -94,6 +94,8 @@ class Lists {
         }
     }
 
+    [[nodiscard]] double margin() const noexcept { return margin_; }
+
     /// The balls' shells, and listed pairs; slots stand for numbers.
     void sketch(double, Sketch<D>& sketch) const {
         for (Slot i = 0; i < centres_.size(); ++i) {
@@ -231,7 +233,7 @@ class Lists {
     bool images_are_distinct_;
     double unit_;  // of floats
     ShellLists<D> shells_;
-    LargeVector<Centre> centres_;
+    LargeArray<Centre, Pages::large> centres_;
     SlotLists lists_;
     // Of an event: the list before it, who of it is not in the new one, and all that are near.
     std::vector<Slot> before_;

@@ -45,6 +45,11 @@ class Pairs {
         near(i, propose);
     }
 
+    /// So that events may be told late, and lengths of the box be counted.
+    [[nodiscard]] double margin() const noexcept {
+        return world_.effects.periodic ? 0x1p-22 * stride_ : infinity;
+    }
+
     /// All pairs are no picture.
     void sketch(double, Sketch<D>&) const {}
 

@@ -32,17 +32,14 @@ class Segments {
     explicit Segments(const World<D>& world, Structure = Structure::segments)
         : world_(world), partners_(world.balls.size()) {
         const Spread<D> spread(world);
-        double widest = 0.0;
-        for (int k = 0; k < D; ++k)
-            widest = std::max({widest, std::abs(spread.box.low[k]), std::abs(spread.box.high[k])});
-        margin_ = 0x1p-30 * widest;
+        margin_ = spread.margin();
         for (int k = 0; k < D; ++k) {
             Axis& axis = axes_[k];
             axis.order.resize(2 * world.balls.size());
             std::iota(axis.order.begin(), axis.order.end(), End{0});
             std::ranges::sort(axis.order, [&](End a, End b) {
-                const double x = in_box(place(a, k, world.start), k);
-                const double y = in_box(place(b, k, world.start), k);
+                const double x = in_box(place(a, k, world.start), k, world.effects);
+                const double y = in_box(place(b, k, world.start), k, world.effects);
                 return x < y || (x == y && is_upper(a) < is_upper(b));
             });
             axis.rank.resize(axis.order.size());
@@ -96,6 +93,8 @@ class Segments {
         touch(j);
     }
 
+    [[nodiscard]] double margin() const noexcept { return margin_; }
+
     /// The balls' boxes, and partners; slots stand for numbers.
     void sketch(double now, Sketch<D>& sketch) const {
         for (Slot i = 0; i < world_.balls.size(); ++i) {
@@ -130,15 +129,12 @@ class Segments {
 
     [[nodiscard]] double place(End end, int k, double now) const noexcept {
         const Ball<D>& ball = world_.balls[ball_of(end)];
-        const double dt = now - ball.time;
-        const double centre =
-            ball.x[k] + ball.v[k] * dt + 0.5 * world_.effects.gravity[k] * (dt * dt);
+        const double x = coordinate(ball, k, now, world_.effects);
         const double reach = ball.radius + margin_;
-        return is_upper(end) ? centre + reach : centre - reach;
+        return is_upper(end) ? x + reach : x - reach;
     }
     [[nodiscard]] double speed(End end, int k, double now) const noexcept {
-        const Ball<D>& ball = world_.balls[ball_of(end)];
-        return ball.v[k] + world_.effects.gravity[k] * (now - ball.time);
+        return motion::speed(world_.balls[ball_of(end)], k, now, world_.effects);
     }
     [[nodiscard]] std::uint32_t ends() const noexcept {
         return 2 * static_cast<std::uint32_t>(world_.balls.size());
@@ -148,12 +144,6 @@ class Segments {
     }
     [[nodiscard]] std::uint32_t before(std::uint32_t rank) const noexcept {
         return rank > 0 ? rank - 1 : ends() - 1;
-    }
-    /// A place along an axis, in a periodic box brought into it.
-    [[nodiscard]] double in_box(double x, int k) const noexcept {
-        if (!world_.effects.periodic) return x;
-        const double low = world_.effects.box->low[k];
-        return x - world_.length[k] * std::floor((x - low) * world_.inverse_length[k]);
     }
     /// From one end to the next one up, on a circle less than once around; rounded below 0 it stays
     /// so.

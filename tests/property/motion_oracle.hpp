@@ -41,21 +41,22 @@ brute::World to_brute(const Effects<D>& effects) {
     return world;
 }
 
-template <int D>
-brute::Ball to_brute(const Body<D>& body) {
-    brute::Ball ball;
-    ball.x = in_space(body.x);
-    ball.v = in_space(body.v);
-    ball.r = body.radius;
-    ball.m = body.mass;
-    return ball;
-}
-template <int D>
-brute::Ball to_brute(const GrowingBall<D>& ball) {
+brute::Ball flying(const auto& ball) {
     brute::Ball result;
     result.x = in_space(ball.x);
     result.v = in_space(ball.v);
     result.r = ball.radius;
+    return result;
+}
+template <int D>
+brute::Ball to_brute(const Body<D>& body) {
+    brute::Ball result = flying(body);
+    result.m = body.mass;
+    return result;
+}
+template <int D>
+brute::Ball to_brute(const GrowingBall<D>& ball) {
+    brute::Ball result = flying(ball);
     result.t0 = ball.time;
     result.growth = ball.growth;
     return result;

@@ -242,8 +242,9 @@ double energy(const Simulation<D>& simulation) {
 
 /// No two balls are deeper in each other than a few ulps, whenever one looks.
 template <int D>
-void expect_nothing_through(const Scene<D>& scene, int looks, double every) {
-    Simulation<D> simulation(start<D>(scene.bodies, scene.effects), scene.effects);
+void expect_nothing_through(const Scene<D>& scene, int looks, double every,
+                            Structure structure = Structure::automatic) {
+    Simulation<D> simulation(start<D>(scene.bodies, scene.effects), scene.effects, {structure});
     std::mt19937_64 random(7);
     std::uniform_real_distribution<double> pause(0.0, 2.0 * every);
     double t = 0.0;
@@ -252,14 +253,7 @@ void expect_nothing_through(const Scene<D>& scene, int looks, double every) {
         ASSERT_EQ(simulation.run({.until = t}).ending, Ending::until);
         const State<D> state = simulation.state();
         std::vector<Vector<D>> x;
-        for (const Ball<D>& ball : state.balls) {
-            Vector<D> place = ball.x;
-            for (int k = 0; k < D; ++k) {
-                const double s = t - ball.time;
-                place[k] += ball.v[k] * s + 0.5 * scene.effects.gravity[k] * (s * s);
-            }
-            x.push_back(place);
-        }
+        for (const Ball<D>& ball : state.balls) x.push_back(centre(ball, t, scene.effects));
         for (std::size_t i = 0; i < x.size(); ++i) {
             for (std::size_t j = 0; j < i; ++j) {
                 const double reach = state.balls[i].radius + state.balls[j].radius;

@@ -139,9 +139,13 @@ TEST(MotionStructures, ImpulseGoesThroughACradle) {
 }
 
 TEST(MotionStructures, NothingGoesThrough) {
-    expect_nothing_through(gas<2>(64, true, 21), 30 * static_cast<int>(thoroughness), 0.0371);
-    expect_nothing_through(gas<3>(64, false, 22), 30 * static_cast<int>(thoroughness), 0.0371);
-    expect_nothing_through(falling<2>(64, 23), 20 * static_cast<int>(thoroughness), 0.0371);
+    for (const Structure structure : all_structures) {
+        SCOPED_TRACE(name_of(structure));
+        const int looks = 6 * static_cast<int>(thoroughness);
+        expect_nothing_through(gas<2>(64, true, 21), looks, 0.0371, structure);
+        expect_nothing_through(gas<3>(64, false, 22), looks, 0.0371, structure);
+        expect_nothing_through(falling<2>(64, 23), looks, 0.0371, structure);
+    }
 }
 
 TEST(MotionStructures, ElasticStrikesKeepTheEnergy) {
@@ -195,6 +199,15 @@ TEST(MotionStructures, AClockTooCoarseIsAnError) {
     EXPECT_THROW(run(scene, Structure::pairs, 10), std::range_error);
 }
 
+/// A scene that begins then.
+template <int D>
+State<D> at_time(const Scene<D>& scene, double time) {
+    State<D> state = start<D>(scene.bodies, scene.effects);
+    state.time = time;
+    for (Ball<D>& ball : state.balls) ball.time = time;
+    return state;
+}
+
 /// A lonely ball that is through the box many times before the clock ticks.
 TEST(MotionStructures, ABallFasterThanTheClockIsAnError) {
     Scene<2> scene = gas<2>(25, true, 5);
@@ -203,12 +216,37 @@ TEST(MotionStructures, ABallFasterThanTheClockIsAnError) {
     for (const Structure structure :
          {Structure::cells, Structure::tree, Structure::levels, Structure::lists}) {
         SCOPED_TRACE(name_of(structure));
-        State<2> state = start<2>(scene.bodies, scene.effects);
-        state.time = 1.0;
-        for (Ball<2>& ball : state.balls) ball.time = 1.0;
-        Simulation<2> simulation(state, scene.effects, {structure});
-        EXPECT_THROW(simulation.run({.until = 2.0}), std::range_error);
+        EXPECT_THROW(Simulation<2>(at_time(scene, 1.0), scene.effects, {structure}),
+                     std::range_error);
     }
+}
+
+/// Late, when the clock ticks coarsely, structures still propose in time; where they could not any
+/// more they say so.
+template <int D>
+void expect_one_log_as_long_as_the_clock_allows(const Scene<D>& scene) {
+    const auto log = [&](Structure structure, double time) {
+        Simulation<D> simulation(at_time(scene, time), scene.effects, {structure});
+        std::vector<Strike> strikes;
+        simulation.run({.strikes = 500}, [&](const Strike& s) { strikes.push_back(s); });
+        return strikes;
+    };
+    for (const double time : {0x1p20, 0x1p26}) {
+        const std::vector<Strike> expected = log(Structure::pairs, time);
+        ASSERT_EQ(expected.size(), 500U);
+        for (const Structure structure : all_structures) {
+            SCOPED_TRACE(name_of(structure));
+            EXPECT_EQ(log(structure, time), expected) << time;
+        }
+    }
+    for (const Structure structure : {Structure::cells, Structure::tree, Structure::segments,
+                                      Structure::levels, Structure::lists})
+        EXPECT_THROW(log(structure, 0x1p36), std::range_error) << name_of(structure);
+}
+TEST(MotionStructures, LateLogsAreOneAsLongAsTheClockAllows) {
+    expect_one_log_as_long_as_the_clock_allows(gas<2>(100, true, 61));
+    expect_one_log_as_long_as_the_clock_allows(gas<3>(125, false, 62));
+    expect_one_log_as_long_as_the_clock_allows(struck_lattice<2>(100, 0.5));
 }
 
 /// Lengths in units a power of two larger or smaller, and speeds too: the same times.

@@ -217,16 +217,6 @@ void expect_contains(const Meeting& meeting, double exact, double now, const Ref
     ++told.refined;
 }
 
-/// Where a ball is at a time, rounded.
-template <int D>
-Vector<D> centre(const Ball<D>& ball, double now, const Effects<D>& effects) {
-    const double dt = now - ball.time;
-    Vector<D> x;
-    for (int k = 0; k < D; ++k)
-        x[k] = ball.x[k] + ball.v[k] * dt + 0.5 * effects.gravity[k] * (dt * dt);
-    return x;
-}
-
 /// Whether the nearest image is the same for all numbers that differ by what is rounded.
 template <int D>
 bool has_clear_image(const Vector<D>& a, const Vector<D>& b, const Effects<D>& effects) {

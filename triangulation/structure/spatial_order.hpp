@@ -9,8 +9,8 @@
 #include <cstdint>
 
 #include "../../core/index.hpp"
+#include "../../core/large_array.hpp"
 #include "../../core/strided_sites.hpp"
-#include "large_array.hpp"
 
 namespace signum::triangulation {
 

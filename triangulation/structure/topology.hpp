@@ -18,8 +18,8 @@
 
 #include "../../core/contract.hpp"
 #include "../../core/index.hpp"
+#include "../../core/large_array.hpp"
 #include "cycle.hpp"
-#include "large_array.hpp"
 
 namespace signum::triangulation {
 

@@ -31,9 +31,9 @@
 #include "../../core/contract.hpp"
 #include "../../core/error_free.hpp"
 #include "../../core/index.hpp"
+#include "../../core/large_array.hpp"
 #include "../../predicates/rectangular/front.hpp"
 #include "../options.hpp"
-#include "../structure/large_array.hpp"
 #include "../structure/tie_order.hpp"
 #include "../structure/topology.hpp"
 

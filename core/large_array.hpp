@@ -1,0 +1,80 @@
+#pragma once
+/// Large working arrays: std::vector without needless zeros.
+///
+/// An array that is filled at once need not be zeroed before, and of one that is filled in part
+/// only that part is to be touched: elements of trivial type made without a value have none.
+
+#include <cstddef>
+#include <new>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#if defined(__linux__)
+#include <sys/mman.h>
+#endif
+
+namespace signum {
+
+/// Which pages an array's memory comes in. Asked for large ones the system may stop to collect
+/// them, and a construction take twice its time by luck; what lives long and is read everywhere
+/// without end, as a simulation's balls, is far better off with them.
+enum class Pages { ordinary, large };
+
+template <class T, Pages pages>
+class LargeAllocator {
+ public:
+    using value_type = T;
+    template <class Other>
+    struct rebind {
+        using other = LargeAllocator<Other, pages>;
+    };
+    LargeAllocator() = default;
+    template <class U>
+    // NOLINTNEXTLINE(google-explicit-constructor): what the standard asks of an allocator
+    LargeAllocator(const LargeAllocator<U, pages>&) noexcept {}
+
+    [[nodiscard]] T* allocate(std::size_t count) {
+        if (count > static_cast<std::size_t>(-1) / 2 / sizeof(T)) throw std::bad_array_new_length();
+        const std::size_t bytes = count * sizeof(T);
+        void* const memory = ::operator new(bytes, alignment(bytes));
+#if defined(__linux__)
+        // A wish; what the system makes of it does not matter.
+        if (are_large(bytes)) ::madvise(memory, bytes, MADV_HUGEPAGE);
+#endif
+        return static_cast<T*>(memory);
+    }
+    void deallocate(T* memory, std::size_t count) noexcept {
+        ::operator delete(memory, alignment(count * sizeof(T)));
+    }
+
+    template <class U>
+    void construct(U* place) noexcept(std::is_nothrow_default_constructible_v<U>) {
+        ::new (static_cast<void*>(place)) U;
+    }
+    template <class U, class... Arguments>
+    void construct(U* place, Arguments&&... arguments) {
+        ::new (static_cast<void*>(place)) U(std::forward<Arguments>(arguments)...);
+    }
+
+    template <class U>
+    friend bool operator==(const LargeAllocator&, const LargeAllocator<U, pages>&) noexcept {
+        return true;
+    }
+
+ private:
+    static constexpr std::size_t large_page = std::size_t{1} << 21;
+
+    static constexpr bool are_large(std::size_t bytes) noexcept {
+        return pages == Pages::large && bytes >= large_page;
+    }
+    /// Of a cache line, which a face is then never across, or of a page.
+    static constexpr std::align_val_t alignment(std::size_t bytes) noexcept {
+        return std::align_val_t{are_large(bytes) ? large_page : 64};
+    }
+};
+
+template <class T, Pages pages = Pages::ordinary>
+using LargeArray = std::vector<T, LargeAllocator<T, pages>>;
+
+}  // namespace signum
