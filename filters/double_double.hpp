@@ -18,54 +18,45 @@ namespace signum::filters {
 
 inline constexpr double double_double_epsilon = 0x1p-102;
 
-struct DoubleDouble {
-    double high;
-    double low;
+/// Of doubles, or of vectors of them.
+template <class Number>
+struct DoubleDoubleOf {
+    Number high;
+    Number low;
 
-    [[gnu::always_inline]] friend inline DoubleDouble operator+(DoubleDouble x,
-                                                                DoubleDouble y) noexcept {
-        const TwoTerms sum = two_sum(x.high, y.high);
-        const TwoTerms result = two_sum(sum.high, sum.low + (x.low + y.low));
+    [[gnu::always_inline]] friend inline DoubleDoubleOf operator+(
+        const DoubleDoubleOf& x, const DoubleDoubleOf& y) noexcept {
+        const TwoTermsOf<Number> sum = two_sum(x.high, y.high);
+        const TwoTermsOf<Number> result = two_sum<Number>(sum.high, sum.low + (x.low + y.low));
         return {result.high, result.low};
     }
-    [[gnu::always_inline]] friend inline DoubleDouble operator-(DoubleDouble x,
-                                                                DoubleDouble y) noexcept {
-        return x + DoubleDouble{-y.high, -y.low};
+    [[gnu::always_inline]] friend inline DoubleDoubleOf operator-(
+        const DoubleDoubleOf& x, const DoubleDoubleOf& y) noexcept {
+        return x + DoubleDoubleOf{-y.high, -y.low};
     }
-    [[gnu::always_inline]] friend inline DoubleDouble operator*(DoubleDouble x,
-                                                                DoubleDouble y) noexcept {
-        const TwoTerms product = two_product(x.high, y.high);
-        const double cross = x.high * y.low + x.low * y.high;
+    [[gnu::always_inline]] friend inline DoubleDoubleOf operator*(
+        const DoubleDoubleOf& x, const DoubleDoubleOf& y) noexcept {
+        const TwoTermsOf<Number> product = two_product(x.high, y.high);
+        const Number cross = x.high * y.low + x.low * y.high;
         // What is small here is at most 4u of the product.
-        const TwoTerms result = quick_two_sum(product.high, product.low + cross);
+        const TwoTermsOf<Number> result = quick_two_sum<Number>(product.high, product.low + cross);
         return {result.high, result.low};
     }
-    [[gnu::always_inline]] friend inline DoubleDouble operator*(double x, DoubleDouble y) noexcept {
-        const TwoTerms product = two_product(x, y.high);
-        const TwoTerms result = quick_two_sum(product.high, product.low + x * y.low);
+    [[gnu::always_inline]] friend inline DoubleDoubleOf operator*(
+        const Number& x, const DoubleDoubleOf& y) noexcept {
+        const TwoTermsOf<Number> product = two_product(x, y.high);
+        const TwoTermsOf<Number> result =
+            quick_two_sum<Number>(product.high, product.low + x * y.low);
         return {result.high, result.low};
     }
 };
-
-/// sum += x·y for sums of up to four products, of which the parts overlap until normalized(): they
-/// err by less than 2^-99 = 128 u² of the sum S of their magnitudes, with the normalization. For
-/// what is added to the low part is at most 5uS, in 5 operations a product, and u² S is dropped.
-[[gnu::always_inline]] inline void add_product(DoubleDouble& sum, DoubleDouble x,
-                                               DoubleDouble y) noexcept {
-    const TwoTerms product = two_product(x.high, y.high);
-    const TwoTerms high = two_sum(sum.high, product.high);
-    const double cross = x.high * y.low + x.low * y.high;
-    sum = {high.high, sum.low + (high.low + (product.low + cross))};
-}
-[[nodiscard, gnu::always_inline]] inline DoubleDouble normalized(DoubleDouble x) noexcept {
-    const TwoTerms result = two_sum(x.high, x.low);
-    return {result.high, result.low};
-}
+using DoubleDouble = DoubleDoubleOf<double>;
 
 /// a - b, exactly.
-[[nodiscard, gnu::always_inline]] inline DoubleDouble exact_difference(double a,
-                                                                       double b) noexcept {
-    const TwoTerms difference = two_difference(a, b);
+template <class Number>
+[[nodiscard, gnu::always_inline]] inline DoubleDoubleOf<Number> exact_difference(
+    const Number& a, const Number& b) noexcept {
+    const TwoTermsOf<Number> difference = two_difference(a, b);
     return {difference.high, difference.low};
 }
 

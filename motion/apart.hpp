@@ -4,7 +4,7 @@
 #include <type_traits>
 
 #include "../exact/dyadic.hpp"
-#include "../filters/double_double.hpp"
+#include "../filters/four.hpp"
 #include "ball.hpp"
 
 namespace signum::motion {
@@ -35,6 +35,39 @@ template <class Number, int D>
     Number d = difference<Number>(a[axis], b[axis]);
     if (image[axis] != 0) d = d - image[axis] * length<Number>(effects, axis);
     return d;
+}
+
+/// The axes of a vector side by side, and zeros.
+template <int D>
+[[gnu::always_inline]] inline void load(filters::Four& numbers, const Vector<D>& v) noexcept {
+    if constexpr (D == 2)
+        numbers = filters::Four{v[0], v[1]};
+    else
+        numbers = filters::Four{v[0], v[1], v[2]};
+}
+/// a - b, less as many lengths of the box as the image says, by how much lies in `shift`: each
+/// axis errs by less than 2^-100 of that.
+template <int D>
+[[nodiscard, gnu::always_inline]] inline filters::FourDoubleDoubles apart(
+    const Vector<D>& a, const Vector<D>& b, const Image<D>& image, const Effects<D>& effects,
+    filters::Four& shift) noexcept {
+    filters::Four of_a;
+    filters::Four of_b;
+    load(of_a, a);
+    load(of_b, b);
+    filters::FourDoubleDoubles d = filters::exact_difference(of_a, of_b);
+    shift = filters::Four{};
+    if (image == Image<D>{}) [[likely]]
+        return d;
+    filters::Four turns{};
+    filters::Four low;
+    filters::Four high;
+    for (int k = 0; k < D; ++k) turns[k] = image[k];
+    load(low, effects.box->low);
+    load(high, effects.box->high);
+    const filters::FourDoubleDoubles shifted = turns * filters::exact_difference(high, low);
+    filters::magnitude(shift, shifted.high);
+    return d - shifted;
 }
 
 }  // namespace signum::motion

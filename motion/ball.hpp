@@ -122,7 +122,10 @@ template <int D>
     if (!effects.periodic) return image;
     for (int k = 0; k < D; ++k) {
         const double length = effects.box->high[k] - effects.box->low[k];
-        image[k] = static_cast<int>(nearest_integer((a[k] - b[k]) / length));
+        const double d = a[k] - b[k];
+        // Nearly always, and without a division.
+        if (std::fabs(d) < 0.4 * length) continue;
+        image[k] = static_cast<int>(nearest_integer(d / length));
     }
     return image;
 }

@@ -41,9 +41,11 @@ struct Spread {
     }
     /// The edge of a cube that has so many balls in it.
     [[nodiscard]] double edge_of(double number) const noexcept {
-        double volume = number / static_cast<double>(std::max<std::size_t>(balls, 1));
-        for (int k = 0; k < D; ++k) volume *= box.high[k] - box.low[k];
-        return D == 2 ? std::sqrt(volume) : std::cbrt(volume);
+        // Of balls that have flown apart for long the volume is no double.
+        const auto root = [](double x) { return D == 2 ? std::sqrt(x) : std::cbrt(x); };
+        double edge = root(number / static_cast<double>(std::max<std::size_t>(balls, 1)));
+        for (int k = 0; k < D; ++k) edge *= root(box.high[k] - box.low[k]);
+        return edge;
     }
     /// What structures allow for: more than a place is rounded by, that of one far beyond as well,
     /// and than what a ball flies while its event is told late by half the distance of two doubles

@@ -172,7 +172,7 @@ class EventQueue {
         }
         double width = 0.0;
         if (taken_ > 0) {
-            width = (least - start_) / static_cast<double>(taken_);
+            width = 4.0 * (least - start_) / static_cast<double>(taken_);
         } else {
             const auto middle = keys.begin() + static_cast<std::ptrdiff_t>(keys.size() / 2);
             std::nth_element(keys.begin(), middle, keys.end());

@@ -15,6 +15,9 @@ using exact::Dyadic;
 using exact::Rational;
 using exact::to_rational;
 using filters::DoubleDouble;
+using filters::Four;
+using filters::FourDoubleDoubles;
+using filters::magnitude;
 
 /// F(T + s) = a s² + 2 b s + c.
 struct Quadratic {
@@ -122,43 +125,52 @@ template <int D>
     if (!(about >= start && about < 0x1p500)) return none;
     const DoubleDouble since_a = filters::exact_difference(about, a.time);
     const DoubleDouble since_b = filters::exact_difference(about, b.time);
-    const DoubleDouble later_a = filters::exact_difference(b.time, a.time);
-    DoubleDouble f{0.0, 0.0};
-    double f_error = 0.0;
-    double p = 0.0;
-    double p_error = 0.0;
-    double square = 0.0;
-    for (int i = 0; i < D; ++i) {
-        const DoubleDouble flown_a = a.v[i] * since_a;
-        const DoubleDouble flown_b = b.v[i] * since_b;
-        DoubleDouble d = (filters::exact_difference(a.x[i], b.x[i]) + flown_a) - flown_b;
-        double v = a.v[i] - b.v[i];
-        double size = std::fabs(a.x[i]) + std::fabs(b.x[i]) + std::fabs(flown_a.high) +
-                      std::fabs(flown_b.high);
-        double speed = std::fabs(a.v[i]) + std::fabs(b.v[i]);
-        if (effects.gravity[i] != 0.0) {
-            const DoubleDouble fallen = 0.5 * effects.gravity[i] * (later_a * (since_a + since_b));
-            d = d + fallen;
-            v += effects.gravity[i] * later_a.high;
-            size += std::fabs(fallen.high);
-            speed += std::fabs(effects.gravity[i] * later_a.high);
-        }
-        if (image[i] != 0) {
-            const DoubleDouble shift = image[i] * length<DoubleDouble>(effects, i);
-            d = d - shift;
-            size += std::fabs(shift.high);
-        }
-        add_product(f, d, d);
-        f_error += std::fabs(d.high) * size + d.high * d.high;
-        p += d.high * v;
-        p_error += std::fabs(d.high) * speed;
-        square += v * v;
+    Four shift;
+    Four of_a;
+    Four of_b;
+    FourDoubleDoubles d = apart(a.x, b.x, image, effects, shift);
+    load(of_a, a.v);
+    load(of_b, b.v);
+    const FourDoubleDoubles flown_a = of_a * filters::four_times(since_a);
+    const FourDoubleDoubles flown_b = of_b * filters::four_times(since_b);
+    d = (d + flown_a) - flown_b;
+    Four v = of_a - of_b;
+    // The sum of the magnitudes of what is added up.
+    Four size = shift;
+    Four speed{};
+    Four part;
+    const auto include = [&part](Four & sum, const Four& numbers) __attribute__((always_inline)) {
+        magnitude(part, numbers);
+        sum += part;
+    };
+    include(speed, of_a);
+    include(speed, of_b);
+    for (const Vector<D>* const x : {&a.x, &b.x}) {
+        load(part, *x);
+        include(size, Four{part});
+    }
+    include(size, flown_a.high);
+    include(size, flown_b.high);
+    if (effects.gravity != Vector<D>{}) {
+        const DoubleDouble later_a = filters::exact_difference(b.time, a.time);
+        Four gravity;
+        load(gravity, effects.gravity);
+        const FourDoubleDoubles fallen =
+            (0.5 * gravity) * filters::four_times(later_a * (since_a + since_b));
+        d = d + fallen;
+        v += gravity * later_a.high;
+        include(size, fallen.high);
+        include(speed, gravity * later_a.high);
     }
     const DoubleDouble radii = filters::exact_sum(a.radius, b.radius);
-    add_product(f, {-radii.high, -radii.low}, radii);
-    f = normalized(f);
-    f_error = 0x1p-96 * (f_error + radii.high * radii.high);
-    p_error *= 0x1p-49;
+    const DoubleDouble f = filters::dot<D>(d, d) - radii * radii;
+    Four distance;
+    magnitude(distance, d.high);
+    const double f_error =
+        0x1p-96 * (filters::sum_of(distance * (size + distance)) + radii.high * radii.high);
+    const double p = filters::sum_of(d.high * v);
+    const double p_error = 0x1p-49 * filters::sum_of(distance * speed);
+    const double square = filters::sum_of(v * v);
     const double delta = -f.high / (2.0 * p);
     const double bend = std::fabs(square * delta / p);
     if (!(p < -0x1p-400 && p_error < -0x1p-20 * p && bend < 0x1p-20)) return none;

@@ -254,12 +254,12 @@ class Loop final : public Simulation<D>::Engine {
     /// away. First the balls, then whom they may strike, then the lists of both.
     void fetch_ahead() {
         if constexpr (requires { structure_->list(Slot{}); }) {
-            queue_.for_each_ahead(fetched_[0], 9, [&](Slot i) { fetch(i); });
-            queue_.for_each_ahead(fetched_[1], 6, [&](Slot i) {
+            queue_.for_each_ahead(fetched_[0], 5, [&](Slot i) { fetch(i); });
+            queue_.for_each_ahead(fetched_[1], 3, [&](Slot i) {
                 __builtin_prefetch(structure_->list(i).data());
                 if (const Slot j = particles_[i].next.partner; j < first_wall) fetch(j);
             });
-            queue_.for_each_ahead(fetched_[2], 3, [&](Slot i) {
+            queue_.for_each_ahead(fetched_[2], 2, [&](Slot i) {
                 fetch_list(i);
                 if (const Slot j = particles_[i].next.partner; j < first_wall) fetch_list(j);
             });
@@ -326,7 +326,6 @@ class Loop final : public Simulation<D>::Engine {
                 if (!crowd.is_full() && j + 1 < i) continue;
                 asker.meetings(world_.balls.data(), crowd);
                 for (std::size_t k = std::exchange(crowd.size, 0); k-- > 0;) {
-                    if (crowd.early[k] == infinity) continue;
                     if (crowd.early[k] > -infinity || exactly(i, crowd.who[k]).early < infinity)
                         return true;
                 }
@@ -410,17 +409,29 @@ class Loop final : public Simulation<D>::Engine {
         const std::size_t size = std::exchange(crowd.size, 0);
         if (size == 0) return;
         Proposal& best = inquiry.best;
+        // Most are never met. Written, and perhaps forgotten: which is anybody's guess.
+        std::array<std::uint8_t, Crowd::capacity> met;
+        std::size_t left = 0;
+        for (std::size_t k = 0; k < size; ++k) {
+            met[left] = static_cast<std::uint8_t>(k);
+            left += static_cast<std::size_t>(crowd.early[k] < infinity);
+        }
         // Those that may be the first of all; and where these turn out to strike others before,
         // those that may be the first of the rest.
-        for (double latest = std::min(best.late, crowd.soonest);;) {
-            for (std::size_t k = 0; k < size; ++k) {
-                if (!(crowd.early[k] <= latest)) continue;
-                consider(inquiry.ball, crowd.who[k], {crowd.early[k], crowd.late[k]}, best);
-                crowd.early[k] = crowd.late[k] = infinity;
+        for (double latest = std::min(best.late, crowd.soonest); left > 0;) {
+            double soonest = infinity;
+            const std::size_t asked = std::exchange(left, 0);
+            for (std::size_t m = 0; m < asked; ++m) {
+                const std::size_t k = met[m];
+                if (crowd.early[k] <= latest) {
+                    consider(inquiry.ball, crowd.who[k], {crowd.early[k], crowd.late[k]}, best);
+                } else {
+                    met[left++] = static_cast<std::uint8_t>(k);
+                    soonest = std::min(soonest, crowd.late[k]);
+                }
             }
             if (!(latest < best.late)) return;
-            latest = best.late;
-            for (std::size_t k = 0; k < size; ++k) latest = std::min(latest, crowd.late[k]);
+            latest = std::min(best.late, soonest);
         }
     }
     void consider(Slot i, Slot j, Meeting meeting, Proposal& best) {

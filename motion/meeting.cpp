@@ -3,15 +3,18 @@
 #include <cstring>
 
 #include "../core/processor.hpp"
+#include "../filters/four.hpp"
 
 namespace signum::motion {
 namespace {
 
-constexpr std::size_t lanes = 4;
+using filters::Flags;
+using filters::Four;
+using filters::lanes;
+using filters::magnitude;
+using filters::square_root;
+
 static_assert(Crowd::capacity % lanes == 0);
-/// Four doubles, and four answers: all bits or none.
-using Four = double __attribute__((vector_size(lanes * sizeof(double))));
-using Flags = std::int64_t __attribute__((vector_size(lanes * sizeof(double))));
 
 /// The numbers of four balls, column by column: x, v, radius, time.
 template <int D>
@@ -30,15 +33,9 @@ template <int D>
         columns[k + 1] = __builtin_shufflevector(even, odd, 1, 5, 3, 7);
     }
 }
-[[gnu::always_inline]] inline void root_of(Four& numbers) noexcept {
-    for (std::size_t k = 0; k < lanes; ++k) numbers[k] = std::sqrt(numbers[k]);
-}
-[[gnu::always_inline]] inline void magnitude_of(Four& numbers) noexcept {
-    numbers = numbers < 0.0 ? -numbers : numbers;
-}
 [[gnu::always_inline]] inline void raise(Four& largest, const Four& numbers) noexcept {
-    Four magnitudes = numbers;
-    magnitude_of(magnitudes);
+    Four magnitudes;
+    magnitude(magnitudes, numbers);
     largest = magnitudes > largest ? magnitudes : largest;
 }
 
@@ -108,11 +105,11 @@ template <int D, bool Falls, Kernel kernel>
     const Ball<D>* all, Crowd& crowd) const noexcept {
     const Bounds<D>& bounds = *bounds_;
     Four soonest = Four{} + infinity;
+    // The last one stands for those that are missing.
+    for (std::size_t k = crowd.size; k % lanes != 0; ++k) crowd.who[k] = crowd.who[k - 1];
     for (std::size_t first = 0; first < crowd.size; first += lanes) {
-        // The last one stands for those that are missing.
         const Ball<D>* balls[lanes];
-        for (std::size_t k = 0; k < lanes; ++k)
-            balls[k] = &all[crowd.who[std::min(first + k, crowd.size - 1)]];
+        for (std::size_t k = 0; k < lanes; ++k) balls[k] = &all[crowd.who[first + k]];
         Four columns[2 * D + 2];
         load<D>(columns, balls);
         const Four r = columns[2 * D] + radius_;
@@ -148,40 +145,43 @@ template <int D, bool Falls, Kernel kernel>
         }
         const Four gap = distance - r * r;
         const Four discriminant = product * product - square * gap;
-        Four root = discriminant > 0.0 ? discriminant : Four{};
-        root_of(root);
-        const Four s = gap / (root - product);
-        Four t = now_ + s;
+        Four root;
+        square_root(root, discriminant > 0.0 ? discriminant : Four{});
+        const Four sum = root - product;
         Four early;
         Four late;
         if constexpr (kernel == Kernel::naive) {
+            Four t = now_ + gap / sum;
             t = t > now_ ? t : Four{} + now_;
             early = product < 0.0 && discriminant > 0.0 ? t : Four{} + infinity;
             late = early;
         } else {
             const Four size = Falls ? square + bounds.speed_square : square;
-            Four error = bounds.gap_error / root;
+            // One division for both quotients, s = gap / sum and K / root.
+            const Four inverse = 1.0 / (root * sum);
+            const Four s = gap * (root * inverse);
+            const Four t = now_ + s;
+            Four error = bounds.gap_error * (sum * inverse);
             if constexpr (Falls)
-                error = bounds.gap_error *
-                        (1.0 + s * (bounds.speed / bounds.extent + size / root)) / (root - product);
-            Four toward = product;
-            magnitude_of(toward);
+                error = bounds.gap_error * inverse *
+                        (root + s * (root * (bounds.speed / bounds.extent) + size));
+            Four toward;
+            magnitude(toward, product);
             // Velocities that are the same are so exactly, unless something was added to them.
-            Flags known = (square > least_square) & (largest <= bounds.extent);
+            const Flags known = (square > least_square) & (largest <= bounds.extent);
             Flags misses = ((product * toward > bounds.product_error * size) |
                             (discriminant < -bounds.gap_error * size)) &
                            known;
             if constexpr (!Falls) misses |= rests;
-            const Flags tells =
-                (discriminant > 2.0 * bounds.gap_error * size) & (gap > bounds.gap_error) & known;
-            const Four either_way = 2.0 * error + 0x1p-50 * t;
+            const Flags tells = (discriminant > 2.0 * bounds.gap_error * size) &
+                                (gap > bounds.gap_error) & (product < 0.0) & known;
+            const Four either_way = 2.0 * error + 0x1p-49 * t;
             early = t - either_way;
             early = early > now_ ? early : Four{} + now_;
             late = t + either_way;
-            early = tells ? early : Four{} - infinity;
+            const Four otherwise = misses ? Four{} + infinity : Four{} - infinity;
+            early = tells ? early : otherwise;
             late = tells ? late : Four{} + infinity;
-            early = misses ? Four{} + infinity : early;
-            late = misses ? Four{} + infinity : late;
         }
         std::memcpy(&crowd.early[first], &early, sizeof early);
         std::memcpy(&crowd.late[first], &late, sizeof late);

@@ -20,6 +20,10 @@ using exact::to_rational;
 using filters::DoubleDouble;
 using filters::exact_difference;
 using filters::exact_sum;
+using filters::Flags;
+using filters::Four;
+using filters::FourDoubleDoubles;
+using filters::magnitude;
 
 /// A quotient, off by at most 2^-102 of itself: of the remainder r of the first division, told
 /// exactly by one fused operation, three small terms are lost, and r is divided by b.high alone.
@@ -88,40 +92,51 @@ bool change(Ball<D>& ball, const Vector<D>& v) noexcept {
     return changed;
 }
 
-/// D·V and D·D of two balls at one time.
-template <class Number, int D>
-struct Separation {
-    [[gnu::always_inline]] Separation(const Ball<D>& a, const Ball<D>& b, const Image<D>& image,
-                                      const Effects<D>& effects) {
+/// D, D·V and D·D of two balls at one time, in double-doubles.
+template <int D>
+struct RefinedSeparation {
+    [[gnu::always_inline]] RefinedSeparation(const Ball<D>& a, const Ball<D>& b,
+                                             const Image<D>& image,
+                                             const Effects<D>& effects) noexcept {
+        Four shifts;
+        x = apart(a.x, b.x, image, effects, shifts);
+        Four of_a;
+        Four of_b;
+        load(of_a, a.v);
+        load(of_b, b.v);
+        const FourDoubleDoubles v = exact_difference(of_a, of_b);
+        product = filters::dot<D>(x, v);
+        square = filters::dot<D>(x, x);
+        Four distance;
+        Four speed;
+        magnitude(distance, x.high);
+        magnitude(speed, v.high);
+        size = filters::sum_of((distance + shifts) * speed);
+        shift = filters::sum_of(shifts);
+    }
+
+    FourDoubleDoubles x;
+    DoubleDouble product;
+    DoubleDouble square;
+    /// A component of D errs by 2^-100 of its shift, the product by 2^-98 size.
+    double size;
+    double shift;
+};
+/// The same, exactly.
+template <int D>
+struct ExactSeparation {
+    ExactSeparation(const Ball<D>& a, const Ball<D>& b, const Image<D>& image,
+                    const Effects<D>& effects) {
         for (int i = 0; i < D; ++i) {
-            x[i] = apart<Number>(a.x, b.x, i, image, effects);
-            const Number v = difference<Number>(a.v[i], b.v[i]);
-            if constexpr (std::is_same_v<Number, DoubleDouble>) {
-                add_product(product, x[i], v);
-                add_product(square, x[i], x[i]);
-                size += std::fabs(x[i].high * v.high);
-                if (image[i] != 0) {
-                    const double length = effects.box->high[i] - effects.box->low[i];
-                    shift += std::fabs(image[i] * length);
-                    size += std::fabs(image[i] * length * v.high);
-                }
-            } else {
-                product += x[i] * v;
-                square += x[i] * x[i];
-            }
-        }
-        if constexpr (std::is_same_v<Number, DoubleDouble>) {
-            product = normalized(product);
-            square = normalized(square);
+            x[i] = apart<Dyadic>(a.x, b.x, i, image, effects);
+            product += x[i] * (Dyadic(a.v[i]) - Dyadic(b.v[i]));
+            square += x[i] * x[i];
         }
     }
 
-    PerAxis<Number, D> x;
-    Number product{};
-    Number square{};
-    // Of double-doubles: a component of D errs by 2^-100 of its shift, the product by 2^-98 size.
-    double size = 0.0;
-    double shift = 0.0;
+    PerAxis<Dyadic, D> x;
+    Dyadic product;
+    Dyadic square;
 };
 
 /// What products lose that are too small for their error to be a double.
@@ -149,7 +164,7 @@ template <int D>
                                                       const Image<D>& image, double mass_a,
                                                       double mass_b,
                                                       const Effects<D>& effects) noexcept {
-    const Separation<DoubleDouble, D> d(a, b, image, effects);
+    const RefinedSeparation<D> d(a, b, image, effects);
     After<D> after;
     after.approach = -d.product.high;
     after.square = d.square.high;
@@ -167,25 +182,34 @@ template <int D>
     const Shares share = shares(mass_a, mass_b, effects.restitution);
     // Elastic, and equal masses.
     const bool is_one = share.of_a.high == 1.0 && share.of_a.low == 0.0;
-    after.certain = true;
-    for (int i = 0; i < D; ++i) {
-        const DoubleDouble step = ratio * d.x[i];
-        const DoubleDouble of_a = is_one ? step : share.of_a * step;
-        const DoubleDouble of_b = mass_a == mass_b ? of_a : share.of_b * step;
-        const double shifted = std::fabs(ratio.high) * 0x1p-97 * d.shift;
-        const auto tells = [&](double v, DoubleDouble change, double& nearest)
-            __attribute__((always_inline)) {
-            const TwoTerms sum = two_sum(v, change.high);
-            const double error = (0x1p-94 + relative) * std::fabs(change.high) + shifted +
-                                 0x1p-100 * std::fabs(v) + underflow;
-            return rounds({sum.high, sum.low + change.low}, error, nearest);
-        };
-        const bool tells_a = tells(a.v[i], {-of_a.high, -of_a.low}, after.of_a[i]);
-        const bool tells_b = tells(b.v[i], of_b, after.of_b[i]);
-        if (!tells_a) after.of_a[i] = untold;
-        if (!tells_b) after.of_b[i] = untold;
-        after.certain = after.certain && tells_a && tells_b;
-    }
+    const double shifted = std::fabs(ratio.high) * 0x1p-97 * d.shift;
+    const FourDoubleDoubles step = filters::four_times(ratio) * d.x;
+    const FourDoubleDoubles of_a = is_one ? step : filters::four_times(share.of_a) * step;
+    const FourDoubleDoubles of_b = mass_a == mass_b ? of_a : filters::four_times(share.of_b) * step;
+    const auto add = [&](const Vector<D>& v, const FourDoubleDoubles& change, Vector<D>& nearest)
+        __attribute__((always_inline)) {
+        Four before;
+        Four speed;
+        Four changed;
+        load(before, v);
+        magnitude(speed, before);
+        magnitude(changed, change.high);
+        const auto sum = two_sum(before, change.high);
+        const Four error =
+            (0x1p-94 + relative) * changed + (shifted + underflow) + 0x1p-100 * speed;
+        const Four low = sum.low + change.low;
+        const Four after = sum.high + (low - error) + 0.0;
+        const Flags tells = after == sum.high + (low + error);
+        bool all = true;
+        for (int k = 0; k < D; ++k) {
+            nearest[k] = tells[k] != 0 ? after[k] : untold;
+            all = all && tells[k] != 0;
+        }
+        return all;
+    };
+    const bool tells_a = add(a.v, {-of_a.high, -of_a.low}, after.of_a);
+    const bool tells_b = add(b.v, of_b, after.of_b);
+    after.certain = tells_a && tells_b;
     return after;
 }
 
@@ -197,7 +221,7 @@ template <int D>
                                                  const Ball<D>& b, const Image<D>& image,
                                                  double mass_a, double mass_b,
                                                  const Effects<D>& effects) {
-    const Separation<Dyadic, D> d(a, b, image, effects);
+    const ExactSeparation<D> d(a, b, image, effects);
     if (!after.measured) {
         after.approach = std::fabs(rounded(to_rational(d.product)));
         after.square = rounded(to_rational(d.square));
@@ -217,6 +241,23 @@ template <int D>
         fill(after.of_b[i], b.v[i], step * d.x[i] * Dyadic(mass_a));
     }
     return true;
+}
+
+/// The ball brought to time t in one operation a coordinate, which rounds once (0 without its
+/// sign); false where that is not all there is to it.
+template <int D>
+[[gnu::always_inline]] inline bool glides(Ball<D>& ball, double t,
+                                          const Effects<D>& effects) noexcept {
+    const DoubleDouble s = exact_difference(t, ball.time);
+    if (s.low != 0.0 || effects.gravity != Vector<D>{}) return false;
+    ball.time = t;
+    bool inside = true;
+    for (int i = 0; i < D; ++i) {
+        double& x = ball.x[i];
+        x = __builtin_fma(ball.v[i], s.high, x) + 0.0;
+        if (effects.periodic) inside &= (x > effects.box->low[i]) & (x < effects.box->high[i]);
+    }
+    return inside;
 }
 
 /// The ball at time t, `untold` what double-doubles do not tell.
@@ -272,9 +313,16 @@ template <int D>
 
 template <int D>
 Ball<D> arrived(const Ball<D>& ball, double t, const Effects<D>& effects, StrikeTally& tally) {
-    Ball<D> result = as_wide_as_possible([&]() __attribute__((always_inline)) {
-        return refined_arrival(ball, t, effects);
+    Ball<D> result = ball;
+    bool told = false;
+    as_wide_as_possible([&]() __attribute__((always_inline)) {
+        told = glides(result, t, effects);
+        if (!told) result = refined_arrival(ball, t, effects);
     });
+    if (told) [[likely]] {
+        tally.refined += D;
+        return result;
+    }
     for (int i = 0; i < D; ++i) {
         if (std::isnan(result.x[i])) [[unlikely]] {
             ++tally.exact;
@@ -315,7 +363,7 @@ Exchange strike(Ball<D>& a, Ball<D>& b, const Image<D>& image, double mass_a, do
 template <int D>
 double impulse(const Ball<D>& a, const Ball<D>& b, const Image<D>& image, double mass_a,
                double mass_b, const Effects<D>& effects, StrikeTally& tally) {
-    const Separation<DoubleDouble, D> d(a, b, image, effects);
+    const RefinedSeparation<D> d(a, b, image, effects);
     const DoubleDouble product = d.product;
     const DoubleDouble square = d.square;
     double relative = 0x1p-98 * d.size / std::fabs(product.high);
@@ -332,7 +380,7 @@ double impulse(const Ball<D>& a, const Ball<D>& b, const Image<D>& image, double
             return std::fabs(nearest);
     }
     ++tally.exact;
-    const Separation<Dyadic, D> exact_d(a, b, image, effects);
+    const ExactSeparation<D> exact_d(a, b, image, effects);
     const Rational exact_square = to_rational(exact_d.square);
     const Rational factor = bounce(effects.restitution) * abs(to_rational(exact_d.product)) *
                             to_rational(mass_a) * to_rational(mass_b) /
@@ -374,7 +422,7 @@ InPlace stayed_in_place(const Ball<D>& ball, double since, double approach,
 template <int D>
 bool stayed_in_place_exactly(const Ball<D>& a, const Ball<D>& b, const Image<D>& image,
                              const Effects<D>& effects, double before) {
-    const Separation<Dyadic, D> d(a, b, image, effects);
+    const ExactSeparation<D> d(a, b, image, effects);
     return in_place(a, before, to_rational(d.product), to_rational(d.square));
 }
 template <int D>

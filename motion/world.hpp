@@ -25,7 +25,11 @@ using Balls = LargeArray<Ball<D>, Pages::large>;
 template <int D>
 struct World {
     World(Balls<D> balls_then, const Effects<D>& effects_then, double start_then)
-        : balls(std::move(balls_then)), effects(effects_then), start(start_then) {
+        : balls(std::move(balls_then)),
+          effects(effects_then),
+          start(start_then),
+          falls(effects.gravity != Vector<D>{}),
+          pull(std::sqrt(dot(effects.gravity, effects.gravity))) {
         if (!effects.box) return;
         for (int k = 0; k < D; ++k) {
             length[k] = effects.box->high[k] - effects.box->low[k];
@@ -38,6 +42,9 @@ struct World {
     Effects<D> effects;
     /// When the structures begin.
     double start;
+    /// Whether there is gravity, and how much.
+    bool falls;
+    double pull;
     /// Of the box, rounded.
     Vector<D> length{};
     Vector<D> inverse_length{};
@@ -47,7 +54,11 @@ struct World {
 
     /// The centre at a time, rounded.
     [[nodiscard]] Vector<D> centre(Slot i, double now) const noexcept {
-        return motion::centre(balls[i], now, effects);
+        const Ball<D>& ball = balls[i];
+        if (falls) return motion::centre(ball, now, effects);
+        Vector<D> x;
+        for (int k = 0; k < D; ++k) x[k] = ball.x[k] + ball.v[k] * (now - ball.time);
+        return x;
     }
     /// The square of a distance, that of the nearest image, to which the difference is brought.
     [[nodiscard]] double nearest_square(Vector<D>& d) const noexcept {
@@ -58,6 +69,7 @@ struct World {
         return dot(d, d);
     }
     [[nodiscard]] Vector<D> velocity(Slot i, double now) const noexcept {
+        if (!falls) return balls[i].v;
         Vector<D> v;
         for (int k = 0; k < D; ++k) v[k] = speed(balls[i], k, now, effects);
         return v;

@@ -51,18 +51,16 @@ class Lists {
         Vector<D> d = world_.centre(i, now);
         for (int k = 0; k < D; ++k) d[k] -= centres_[i].place[k];
         const double flown = world_.nearest_square(d);
-        double gravity = 0.0;
-        for (const double g : world_.effects.gravity) gravity += g * g;
         const double c = sphere_ * sphere_ - flown;
         if (c <= 0.0) return now;
         const double a = dot(v, v);
         const double b = dot(d, v);
-        if (gravity > 0.0) {
+        if (world_.falls) {
             // Nearer than the slack for as long as speed · s + g s²/2 is below what is left of it.
             const double left = sphere_ - std::sqrt(flown);
             if (left < 0x1p-4 * slack_) return now;
             const double speed = std::sqrt(a);
-            return now + 2.0 * left / (speed + std::sqrt(a + 2.0 * std::sqrt(gravity) * left));
+            return now + 2.0 * left / (speed + std::sqrt(a + 2.0 * world_.pull * left));
         }
         // |d + v s|² = sphere²; of the two forms of the root the one that does not cancel.
         const double root = std::sqrt(b * b + a * c);

@@ -28,17 +28,11 @@ class Pairs {
     }
     [[nodiscard]] double next(Slot i, double now) const {
         if (!world_.effects.periodic) return infinity;
-        double fastest = 0.0;
-        double pull = 0.0;
         const Vector<D> v = world_.velocity(i, now);
-        for (int k = 0; k < D; ++k) {
-            fastest += v[k] * v[k];
-            pull += world_.effects.gravity[k] * world_.effects.gravity[k];
-        }
-        fastest = std::sqrt(fastest);
+        const double square = dot(v, v);
         // v s + g s²/2 = stride
         return now + 2.0 * stride_ /
-                         (fastest + std::sqrt(fastest * fastest + 2.0 * std::sqrt(pull) * stride_));
+                         (std::sqrt(square) + std::sqrt(square + 2.0 * world_.pull * stride_));
     }
     template <class Propose, class Touch>
     void own_event(Slot i, double, const Propose& propose, const Touch&) {
