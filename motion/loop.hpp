@@ -326,6 +326,7 @@ class Loop final : public Simulation<D>::Engine {
                 if (!crowd.is_full() && j + 1 < i) continue;
                 asker.meetings(world_.balls.data(), crowd);
                 for (std::size_t k = std::exchange(crowd.size, 0); k-- > 0;) {
+                    if (crowd.early[k] == infinity) continue;
                     if (crowd.early[k] > -infinity || exactly(i, crowd.who[k]).early < infinity)
                         return true;
                 }

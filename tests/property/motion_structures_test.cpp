@@ -22,6 +22,7 @@ struct Recorded {
     std::vector<Strike> log;
     Outcome outcome;
     Counts counts;
+    double time = 0.0;
 };
 
 template <int D>
@@ -33,6 +34,7 @@ Recorded run(const Scene<D>& scene, Structure structure, std::uint64_t strikes,
     result.outcome = simulation.run({.strikes = strikes},
                                     [&](const Strike& strike) { result.log.push_back(strike); });
     result.counts = simulation.counts();
+    result.time = simulation.state().time;
     return result;
 }
 
@@ -197,6 +199,19 @@ TEST(MotionStructures, AClockTooCoarseIsAnError) {
     Scene<2> scene;
     scene.bodies = {{{-1e17, 0.0}, {1e7, 0.0}, 0.5, 1.0}, {{0.0, 0.0}, {0.0, 0.0}, 0.5, 1.0}};
     EXPECT_THROW(run(scene, Structure::pairs, 10), std::range_error);
+}
+
+/// Balls that fly apart for ever: the run is over soon after their last strike.
+TEST(MotionStructures, AGasWithoutABoxEndsSoonAfterItsLastStrike) {
+    Scene<2> scene = gas<2>(100, false, 63);
+    scene.effects.box.reset();
+    for (const Structure structure : all_structures) {
+        SCOPED_TRACE(name_of(structure));
+        const Recorded result = run(scene, structure, 1'000'000);
+        ASSERT_EQ(result.outcome.ending, Ending::nothing);
+        ASSERT_FALSE(result.log.empty());
+        EXPECT_LT(result.time, 1000.0 * result.log.back().time);
+    }
 }
 
 /// A scene that begins then.
