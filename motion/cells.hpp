@@ -49,7 +49,7 @@ struct Spread {
     }
     /// What structures allow for: more than a place is rounded by, that of one far beyond as well,
     /// and than what a ball flies while its event is told late by half the distance of two doubles
-    /// (Loop::refuse_coarse_clock). Little beside the distances of balls.
+    /// (Loop::see_clock). Little beside the distances of balls.
     [[nodiscard]] double margin() const noexcept {
         double farthest = 0.0;
         for (int k = 0; k < D; ++k)

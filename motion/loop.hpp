@@ -85,6 +85,8 @@ class Loop final : public Simulation<D>::Engine {
         while (done < limits.strikes) {
             if (++turns % turns_between_questions == 0 && limits.stop && limits.stop())
                 return {Ending::stopped, {}};
+            if (late_ != nobody) [[unlikely]]
+                relieve();
             const Slot i = queue_.top(before());
             const double key = queue_.key(i);
             if (!(key <= until && key < infinity)) {
@@ -108,7 +110,7 @@ class Loop final : public Simulation<D>::Engine {
                     i, now_, [&](Slot j) { propose(inquiry, j); }, [&](Slot j) { touch(j); });
                 particles_[i].own = structure_->next(i, now_);
                 refuse_standstill(i);
-                refuse_coarse_clock(i);
+                see_clock(i);
                 look(inquiry);
                 end(inquiry);
             } else if (is_stale(next)) {
@@ -293,14 +295,15 @@ class Loop final : public Simulation<D>::Engine {
             // As rarely as asking all pairs takes no longer than the rounds before.
             if (!any_meets()) return false;
         }
-        const double width = widest_now();
-        if (!(width > 2.0 * width_)) return true;
-        width_ = width;
+        if (widest_now() > 2.0 * width_) make_anew();
+        return true;
+    }
+    void make_anew() {
+        width_ = widest_now();
         world_.start = now_;
         structure_.emplace(world_, kind_);
         farthest_ = margins_to_fly * structure_->margin();
         for (Slot i = 0; i < particles_.size(); ++i) ask_after_change({i});
-        return true;
     }
     /// How far the balls are spread, along the axis where that is farthest.
     [[nodiscard]] double widest_now() const {
@@ -349,7 +352,7 @@ class Loop final : public Simulation<D>::Engine {
     /// The same of balls that fly or lie otherwise than before.
     void ask_after_change(std::initializer_list<Slot> balls) {
         for (const Slot i : balls) {
-            refuse_coarse_clock(i);
+            see_clock(i);
             particles_[i].own = structure_->next(i, now_);
             particles_[i].next = {};
         }
@@ -600,11 +603,17 @@ class Loop final : public Simulation<D>::Engine {
     /// At time t a ball of speed v along an axis flies v 2^-53 t while an event is told late by a
     /// rounding, and its place, x + v (t - T), is rounded by at most twice that and what the margin
     /// has besides. Where v t is at most 2^50 margins all that is less than half a margin an axis.
-    void refuse_coarse_clock(Slot i) const {
+    void see_clock(Slot i) noexcept {
         for (int k = 0; k < D; ++k)
             if (!(std::fabs(speed(world_.balls[i], k, now_, world_.effects)) * now_ <= farthest_))
                 [[unlikely]]
-                refuse(i);
+                late_ = i;
+    }
+    /// Of a structure made anew the margin is larger where balls have flown far apart.
+    [[gnu::cold, gnu::noinline]] void relieve() {
+        const Slot late = std::exchange(late_, nobody);
+        if (!world_.effects.box) make_anew();
+        if (world_.effects.box || late_ != nobody) refuse(late);
     }
     /// Ends of a ball's projections change places with all others', at one time, at most.
     void refuse_standstill(Slot i) {
@@ -684,7 +693,8 @@ class Loop final : public Simulation<D>::Engine {
     MeetingFilter<D, Falls, kernel> filter_;
     Structure kind_;
     std::optional<StructureOf<D>> structure_;
-    double farthest_;  // to fly from time 0 on
+    double farthest_;     // to fly from time 0 on
+    Slot late_ = nobody;  // who flies farther
     EventQueue queue_;
     Wall walls_;
     bool fetches_;

@@ -187,7 +187,7 @@ template <int D>
 class Simulation {
  public:
     /// Preconditions: as start() sees to; of a later state, that it comes from state(), with the
-    /// same effects. Throws as check() does, and std::range_error as run() does.
+    /// same effects. Throws as check() does.
     Simulation(const State<D>& state, const Effects<D>& effects, const Options& options = {});
     ~Simulation();
     Simulation(Simulation&&) noexcept;

@@ -19,7 +19,7 @@
 /// neighbours, and a, which visits, all that live there.
 ///
 /// A crossing is told in rounded numbers; cells are wider than diameters by a part in 2^20 and a
-/// margin, and what roundings move two places apart is less (Loop::refuse_coarse_clock).
+/// margin, and what roundings move two places apart is less (Loop::see_clock).
 
 #include <algorithm>
 #include <array>
