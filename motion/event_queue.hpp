@@ -3,9 +3,9 @@
 ///
 /// Buckets of equal width hold the entries of the near future unsorted, a heap those of the bucket
 /// whose time has come, a list what is farther off than all buckets. When the buckets are through,
-/// that list is dealt into them anew, as wide as the last round's events were apart. So an entry is
-/// sorted only among the few that come next, and a change costs O(1) expected, O(log n) at worst
-/// (all at the same time).
+/// that list is dealt into them anew, four times as wide as the last round's events were apart. So
+/// an entry is sorted only among the few that come next, and a change costs O(1) expected, O(log n)
+/// at worst (all at the same time).
 ///
 /// Law: whatever the buckets, top() is the least entry by key and, of equal keys, by the order the
 /// caller gives. A bucket's number is a monotone function of the key.

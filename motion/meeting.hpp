@@ -96,7 +96,7 @@ struct Bounds {
 /// which is at most K/√disc where W = 0. Twice that is taken, for the bounds are computed in
 /// rounded numbers and disc may be twice its error. That B < 0 where a time is told need not be
 /// asked: disc > 2 K (A + W²) and C > 0 make |B| larger than its error, and who recedes is never
-/// met. Precondition of the bound 2^-50 t: now >= 0.
+/// met. s is rounded seven times and t = now + s, now >= 0, and the interval's ends once: 2^-49 t.
 template <int D, bool Falls, Kernel kernel>
 class MeetingFilter {
  public:
