@@ -1,0 +1,370 @@
+#include "polynomial.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "../core/contract.hpp"
+#include "filter.hpp"
+
+namespace signum::roots {
+namespace {
+
+using exact::Dyadic;
+using exact::Integer;
+using Isolated = exact::Roots::Isolated;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Doubles in their order as consecutive integers.
+std::int64_t place_of(double x) {
+    const auto bits = std::bit_cast<std::int64_t>(x);
+    return bits < 0 ? std::numeric_limits<std::int64_t>::min() - bits : bits;
+}
+double double_at(std::int64_t place) {
+    return place < 0 ? -std::bit_cast<double>(-place) : std::bit_cast<double>(place);
+}
+/// Half way between two places; the sum of two of one sign would overflow.
+std::int64_t between(std::int64_t low, std::int64_t high) {
+    return (low >> 1) + (high >> 1) + (low & high & 1);
+}
+
+/// Infinity counts as 2^1024, where the next double would be.
+Dyadic dyadic_of(double x) {
+    if (x == infinity) return Dyadic(Integer(1), 1024);
+    if (x == -infinity) return Dyadic(Integer(-1), 1024);
+    return Dyadic(x);
+}
+
+/// A root of p in (low, high], where p has one at most, a simple one.
+bool vanishes_in(const exact::Polynomial& p, const Isolated& where) {
+    const Sign at_high = p.sign_at(where.high);
+    return at_high == 0 || exact::sign_after(p, where.low) != at_high;
+}
+
+/// The double that is the root, or the two neighbours around it.
+template <class Compare>
+std::pair<double, double> neighbours(double low, double high, const Compare& compare) {
+    std::int64_t below = place_of(low);
+    std::int64_t above = place_of(high);
+    while (below + 1 < above) {
+        const std::int64_t middle = between(below, above);
+        const double x = double_at(middle);
+        const Sign sign = compare(x);
+        if (sign == 0) return {x, x};
+        (sign > 0 ? below : above) = middle;
+    }
+    return {double_at(below), double_at(above)};
+}
+
+}  // namespace
+
+struct Polynomial::Asked {
+    bool exact = false;
+
+    template <class Answer>
+    Answer counted(Tally* tally, Answer answer) const {
+        if (tally != nullptr) ++(exact ? tally->exact : tally->filtered);
+        return answer;
+    }
+};
+
+/// What is known exactly, each part from its first use on.
+struct Polynomial::Exact {
+    exact::Polynomial p;
+    std::vector<exact::Polynomial> factors;
+    exact::Polynomial square_free;
+    std::optional<exact::Roots> chain;
+    Dyadic least;  // all roots are greater
+
+    const exact::Polynomial& simple() {
+        if (square_free.degree() < 0) {
+            factors = exact::square_free_factors(p);
+            square_free = {Dyadic(1.0)};
+            for (const exact::Polynomial& factor : factors) square_free = square_free * factor;
+        }
+        return square_free;
+    }
+    const exact::Roots& roots() {
+        if (!chain) {
+            chain.emplace(simple());
+            // Cauchy: |root| < 1 + max |c_i| / |c_n|.
+            const auto bits = [](const Integer& c) {
+                return c.is_zero() ? 0 : static_cast<int>(msb(abs(c))) + 1;
+            };
+            int most = 0;
+            for (const Integer& c : square_free.coefficients()) most = std::max(most, bits(c));
+            least = Dyadic(Integer(-1), most - bits(square_free.coefficients().back()) + 2);
+        }
+        return *chain;
+    }
+
+    Isolated isolated(const Root& root) {
+        if (root.alone) return {Dyadic(root.low), Dyadic(root.high)};
+        if (!root.is_double())
+            return *roots().isolate(root.low == -infinity ? (roots(), least) : Dyadic(root.low),
+                                    root.place);
+        const Dyadic low = dyadic_of(double_at(place_of(root.low) - 1));
+        const Dyadic high(root.high);
+        const int count = roots().between(low, high);
+        SIGNUM_EXPECTS(count > 0);
+        if (count == 1) return {low, high};
+        return *roots().isolate(low, count);
+    }
+    int multiplicity(const Isolated& where) {
+        for (std::size_t k = 0; k < factors.size(); ++k)
+            if (vanishes_in(factors[k], where)) return static_cast<int>(k) + 1;
+        SIGNUM_EXPECTS(false);
+        return 0;
+    }
+    Root root_of(const Isolated& where, int multiplicity) {
+        Root root{};
+        const auto compare = [&](double x) { return chain->compare(where, dyadic_of(x)); };
+        const auto beyond = static_cast<std::int8_t>(compare(infinity));
+        // Beyond the doubles: between the last one and infinity.
+        constexpr double most = std::numeric_limits<double>::max();
+        if (beyond >= 0) {
+            std::tie(root.low, root.high) = std::pair(most, infinity);
+        } else if (compare(-infinity) <= 0) {
+            std::tie(root.low, root.high) = std::pair(-infinity, -most);
+        } else {
+            std::tie(root.low, root.high) = neighbours(-infinity, infinity, compare);
+        }
+        root.multiplicity = static_cast<std::int8_t>(multiplicity);
+        root.after = static_cast<std::int8_t>(exact::sign_after(p, where.high));
+        root.place = 1;
+        if (root.is_double()) return root;
+        const Dyadic low = root.low == -infinity ? least : Dyadic(root.low);
+        const int rest = chain->after(low);
+        root.place = static_cast<std::int8_t>(rest - chain->after(where.high));
+        const bool finite = root.low != -infinity && root.high != infinity;
+        root.alone = finite && root.changes_sign() && rest - chain->after(Dyadic(root.high)) == 1 &&
+                     p.sign_at(low) != 0 && p.sign_at(Dyadic(root.high)) != 0;
+        return root;
+    }
+
+    std::optional<Root> first_change(const Dyadic& t) {
+        if (p.degree() < 1) return std::nullopt;
+        const int count = roots().after(t);
+        for (int k = 1; k <= count; ++k) {
+            const Isolated where = *chain->isolate(t, k);
+            const int times = multiplicity(where);
+            if (times % 2 == 1) return root_of(where, times);
+        }
+        return std::nullopt;
+    }
+    RealRoots real_roots() {
+        RealRoots result;
+        result.everywhere = p.degree() < 0;
+        if (p.degree() < 1) return result;
+        roots();
+        result.count = chain->after(least);
+        for (int k = 1; k <= result.count; ++k) {
+            const Isolated where = *chain->isolate(least, k);
+            result.roots[static_cast<std::size_t>(k - 1)] = root_of(where, multiplicity(where));
+        }
+        return result;
+    }
+
+    /// At a root of another polynomial, and right after it.
+    std::pair<Sign, Sign> signs_at(Exact& other, const Root& root) {
+        if (p.degree() < 0) return {0, 0};
+        Isolated where = other.isolated(root);
+        const exact::Polynomial common = exact::common_divisor(simple(), other.simple());
+        const int at_most = common.degree() > 0 && vanishes_in(common, where) ? 1 : 0;
+        while (roots().between(where.low, where.high) > at_most) other.roots().halve(where);
+        const Sign after = exact::sign_after(p, where.high);
+        return {at_most == 1 ? 0 : after, after};
+    }
+
+    Sign compare(const Root& root, Exact& other, const Root& its_root) {
+        Isolated a = isolated(root);
+        Isolated b = other.isolated(its_root);
+        const auto order = [&] { return a.high <= b.low ? -1 : static_cast<int>(b.high <= a.low); };
+        if (order() != 0) return order();
+        const exact::Polynomial common = exact::common_divisor(simple(), other.simple());
+        if (common.degree() > 0 && vanishes_in(common, {a.low < b.low ? b.low : a.low,
+                                                        a.high < b.high ? a.high : b.high}))
+            return 0;
+        while (order() == 0) {
+            roots().halve(a);
+            other.roots().halve(b);
+        }
+        return order();
+    }
+};
+
+void Polynomial::Forget::operator()(Exact* known) const noexcept {
+    delete known;
+}
+
+Polynomial::Exact& Polynomial::exact() const {
+    if (!known_) {
+        known_.reset(new Exact);
+        known_->p = exact_(form_);
+    }
+    return *known_;
+}
+
+bool Polynomial::is_zero(Tally* tally) const {
+    Asked asked;
+    for (int i = 0; i <= approximate_.degree; ++i) {
+        const auto verdict = filter::sign(approximate_.c[static_cast<std::size_t>(i)]);
+        if (verdict.is_certain() && verdict.sign() != 0) return asked.counted(tally, false);
+    }
+    if (approximate_.degree < 0) return asked.counted(tally, true);
+    asked.exact = true;
+    return asked.counted(tally, exact().p.degree() < 0);
+}
+
+Sign Polynomial::sign_at(double t, Asked& asked) const {
+    const auto verdict =
+        filter::sign(filter::value_at(approximate_, Approximation(filters::pinned(t))));
+    if (verdict.is_certain()) return verdict.sign();
+    asked.exact = true;
+    return exact().p.sign_at(Dyadic(t));
+}
+Sign Polynomial::sign_at(double t, Tally* tally) const {
+    Asked asked;
+    return asked.counted(tally, sign_at(t, asked));
+}
+
+Sign Polynomial::sign_after(double t, Tally* tally) const {
+    Asked asked;
+    const Sign sign = sign_at(t, asked);
+    if (sign != 0 || approximate_.degree < 0) return asked.counted(tally, sign);
+    asked.exact = true;
+    return asked.counted(tally, exact::sign_after(exact().p, Dyadic(t)));
+}
+
+Sign Polynomial::sign_at(const RootOf& t, Tally* tally) const {
+    if (t.root.is_double()) return sign_at(t.root.low, tally);
+    Asked asked;
+    if (&t.polynomial == this) return asked.counted(tally, 0);
+    const auto verdict = filter::sign_between(approximate_, t.root.low, t.root.high);
+    if (verdict.is_certain()) return asked.counted(tally, verdict.sign());
+    asked.exact = true;
+    return asked.counted(tally, exact().signs_at(t.polynomial.exact(), t.root).first);
+}
+
+Sign Polynomial::sign_after(const RootOf& t, Tally* tally) const {
+    Asked asked;
+    if (&t.polynomial == this) return asked.counted(tally, Sign{t.root.after});
+    if (t.root.is_double()) return sign_after(t.root.low, tally);
+    const auto verdict = filter::sign_between(approximate_, t.root.low, t.root.high);
+    if (verdict.is_certain() && verdict.sign() != 0) return asked.counted(tally, verdict.sign());
+    asked.exact = true;
+    return asked.counted(tally, exact().signs_at(t.polynomial.exact(), t.root).second);
+}
+
+std::optional<Root> Polynomial::first_change(double t, Asked& asked) const {
+    const filter::Found found = filter::first_change(approximate_, filters::pinned(t));
+    if (found.certain) return found.root;
+    asked.exact = true;
+    return exact().first_change(Dyadic(t));
+}
+std::optional<Root> Polynomial::first_change(double t, Tally* tally) const {
+    SIGNUM_EXPECTS(filters::magnitude(t) <= std::numeric_limits<double>::max());
+    Asked asked;
+    return asked.counted(tally, first_change(t, asked));
+}
+
+/// Between a root that is alone and the upper end of its interval there is no other.
+std::optional<Root> Polynomial::first_change(const Root& mine, Asked& asked) const {
+    if (mine.alone || mine.is_double()) {
+        const filter::Found found = filter::first_change(approximate_, filters::pinned(mine.high));
+        if (found.certain) return found.root;
+    }
+    asked.exact = true;
+    return exact().first_change(exact().isolated(mine).high);
+}
+
+std::optional<Root> Polynomial::first_change(const RootOf& t, Tally* tally) const {
+    Asked asked;
+    if (&t.polynomial == this) return asked.counted(tally, first_change(t.root, asked));
+    if (t.root.is_double()) return first_change(t.root.low, tally);
+    std::optional<Root> root;
+    if (t.root.low != -infinity) {
+        root = first_change(t.root.low, asked);
+    } else {
+        asked.exact = true;
+        if (exact().p.degree() < 1) return asked.counted(tally, root);
+        exact().roots();
+        root = exact().first_change(exact().least);
+    }
+    while (root && compare({*this, *root}, t, asked) <= 0) root = first_change(*root, asked);
+    return asked.counted(tally, root);
+}
+
+RealRoots Polynomial::real_roots(Tally* tally) const {
+    Asked asked;
+    if (const std::optional<RealRoots> roots = filter::real_roots(approximate_))
+        return asked.counted(tally, *roots);
+    asked.exact = true;
+    return asked.counted(tally, exact().real_roots());
+}
+
+Root Polynomial::narrowed(const Root& root, Asked& asked) const {
+    if (!root.alone) return root;
+    Root result = root;
+    std::tie(result.low, result.high) = neighbours(root.low, root.high, [&](double x) {
+        const Sign sign = sign_at(x, asked);
+        return sign == 0 ? 0 : sign == root.before() ? 1 : -1;
+    });
+    result.alone = !result.is_double();
+    return result;
+}
+Root Polynomial::narrowed(const Root& root, Tally* tally) const {
+    Asked asked;
+    return asked.counted(tally, narrowed(root, asked));
+}
+
+double Polynomial::nearest_double(const Root& root, Tally* tally) const {
+    Asked asked;
+    const Root near = narrowed(root, asked);
+    if (near.is_double()) return asked.counted(tally, near.low);
+    asked.exact = true;
+    const Dyadic half = Dyadic(0.5) * (dyadic_of(near.low) + dyadic_of(near.high));
+    Sign sign = 0;
+    if (near.alone) {
+        const Sign at_half = exact().p.sign_at(half);
+        sign = at_half == 0 ? 0 : at_half == near.before() ? 1 : -1;
+    } else {
+        sign = exact().roots().compare(exact().isolated(near), half);
+    }
+    const bool low_is_even = std::bit_cast<std::uint64_t>(near.low) % 2 == 0;
+    return asked.counted(tally,
+                         sign < 0 || (sign == 0 && low_is_even) ? near.low : near.high);
+}
+
+Sign Polynomial::compare(const RootOf& a, double x, Asked& asked) {
+    if (a.root.is_double()) return filters::compare_numbers(a.root.low, x);
+    if (x <= a.root.low) return 1;
+    if (x >= a.root.high) return -1;
+    // Not between neighbours, so that the root is alone.
+    const Sign sign = a.polynomial.sign_at(x, asked);
+    return sign == 0 ? 0 : sign == a.root.before() ? 1 : -1;
+}
+
+Sign Polynomial::compare(const RootOf& a, const RootOf& b, Asked& asked) {
+    if (b.root.is_double()) return compare(a, b.root.low, asked);
+    if (a.root.is_double()) return -compare(b, a.root.low, asked);
+    if (a.root.high <= b.root.low) return -1;
+    if (b.root.high <= a.root.low) return 1;
+    asked.exact = true;
+    return a.polynomial.exact().compare(a.root, b.polynomial.exact(), b.root);
+}
+
+Sign compare(const RootOf& a, double x, Tally* tally) {
+    SIGNUM_EXPECTS(filters::magnitude(x) <= std::numeric_limits<double>::max());
+    Polynomial::Asked asked;
+    return asked.counted(tally, Polynomial::compare(a, x, asked));
+}
+Sign compare(const RootOf& a, const RootOf& b, Tally* tally) {
+    Polynomial::Asked asked;
+    return asked.counted(tally, Polynomial::compare(a, b, asked));
+}
+
+}  // namespace signum::roots
