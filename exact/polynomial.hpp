@@ -52,8 +52,8 @@ class Polynomial {
 /// A polynomial with the roots of odd multiplicity, each of them simple: it changes its sign where
 /// p does. Precondition: p is not 0.
 [[nodiscard]] Polynomial odd_part(const Polynomial& p);
-/// The k-th one, from 0, has the roots of multiplicity k + 1, each of them simple; the last one is no
-/// constant. Precondition: p is not 0.
+/// The k-th one, from 0, has the roots of multiplicity k + 1, each of them simple; the last one is
+/// no constant. Precondition: p is not 0.
 [[nodiscard]] std::vector<Polynomial> square_free_factors(const Polynomial& p);
 /// The greatest one, but for a factor. Precondition: not both are 0.
 [[nodiscard]] Polynomial common_divisor(const Polynomial& p, const Polynomial& q);

@@ -52,13 +52,14 @@ constexpr std::array<double, N + 1> binomials() noexcept {
 template <int N>
 class Bisection {
  public:
-    Bisection(const Coefficients<N>& c, double t) noexcept : c_(c), start_(t) {}
+    /// q is p(t + s) in the powers of s.
+    Bisection(const Coefficients<N>& c, double t, const Coefficients<N>& q) noexcept
+        : c_(c), start_(t), q_(q) {}
 
     /// Calls found(root) with one root after the other until that returns true. Whether it told all
     /// that was asked for, and for certain.
     template <class Callback>
     bool run(const Callback& found) noexcept {
-        q_ = start_ == 0.0 ? c_ : shifted<N>(c_, start_);
         if (!set_up()) return false;
         int pieces = 1;
         for (int steps = 0; pieces > 0; ++steps) {
@@ -89,8 +90,8 @@ class Bisection {
     static constexpr int most_steps = 100;
     static constexpr int most_bits = 50;
 
-    /// The Bernstein coefficients between two dyadic places of so many bits. The polynomial is not 0
-    /// at an end, but perhaps at 1.
+    /// The Bernstein coefficients between two dyadic places of so many bits. The polynomial is not
+    /// 0 at an end, but perhaps at 1.
     struct Piece {
         std::array<double, N + 1> value;
         std::array<double, N + 1> error;
@@ -113,10 +114,11 @@ class Bisection {
         int last = N;
         while (!q[static_cast<std::size_t>(last)].has_sign()) --last;
         // The mean size of the roots, as far as one can know it.
-        exponent_ = last == 0 ? 0
-                              : (exponent_of(q[0].value) -
-                                 exponent_of(q[static_cast<std::size_t>(last)].value)) /
-                                    last;
+        exponent_ =
+            last == 0
+                ? 0
+                : (exponent_of(q[0].value) - exponent_of(q[static_cast<std::size_t>(last)].value)) /
+                      last;
         if (N * std::abs(exponent_) > 1000) return false;
         static constexpr std::array<double, N + 1> binomial = binomials<N>();
         Piece& all = pieces_[0];
@@ -132,8 +134,8 @@ class Bisection {
         return Approximation(all.value[0], all.error[0]).has_sign();
     }
 
-    /// 0 and 1 where the number of changes is that, for whatever the coefficients are; 2 where it may
-    /// be greater. A single unknown between different signs makes no difference.
+    /// 0 and 1 where the number of changes is that, for whatever the coefficients are; 2 where it
+    /// may be greater. A single unknown between different signs makes no difference.
     static int changes_of(const Piece& piece) noexcept {
         int changes = 0;
         int unknown = 0;
@@ -154,8 +156,9 @@ class Bisection {
         return unknown > 0 || changes > 1 ? 2 : changes;
     }
 
-    /// De Casteljau's rule: in place of the whole the right part, and the left one apart. Weights are
-    /// exact, so that w a + (1 - w) b errs by u(|wa| + |(1-w)b| + |sum|), or at one half by u|sum|.
+    /// De Casteljau's rule: in place of the whole the right part, and the left one apart. Weights
+    /// are exact, so that w a + (1 - w) b errs by u(|wa| + |(1-w)b| + |sum|), or at one half by
+    /// u|sum|.
     template <int Eighths>
     static bool split(Piece& piece, Piece& left) noexcept {
         constexpr double of_next = Eighths / 8.0;
@@ -192,8 +195,8 @@ class Bisection {
         return power_of_two(exponent_) * (x / (1.0 - x));
     }
 
-    /// The only root in a piece: found in doubles by Newton's method, which proves nothing, and then
-    /// enclosed between two doubles with different signs, which does.
+    /// The only root in a piece: found in doubles by Newton's method, which proves nothing, and
+    /// then enclosed between two doubles with different signs, which does.
     std::optional<Root> root_in(const Piece& piece) const noexcept {
         const bool from_start = piece.low == 0.0;
         const bool to_infinity = piece.high == 1.0;
@@ -281,37 +284,58 @@ class Bisection {
     std::array<Piece, most_pieces + 1> pieces_;
 };
 
-template <int N, class Callback>
-bool roots_after(const Approximations& p, double t, const Callback& found) noexcept {
+template <int N>
+Coefficients<N> coefficients_of(const Approximations& p) noexcept {
     Coefficients<N> c;
     for (std::size_t i = 0; i <= N; ++i) c[i] = p.c[i];
-    return Bisection<N>(c, t).run(found);
+    return c;
+}
+
+template <int N, class Callback>
+bool roots_after(const Approximations& p, const Approximations* better, double t,
+                 const Callback& found) noexcept {
+    const Coefficients<N> c = coefficients_of<N>(p);
+    const Coefficients<N> q = better != nullptr ? coefficients_of<N>(*better)
+                              : t == 0.0        ? c
+                                                : shifted<N>(c, t);
+    return Bisection<N>(c, t, q).run(found);
 }
 
 template <class Callback>
-bool roots_after(const Approximations& p, double t, const Callback& found) noexcept {
+bool roots_after(const Approximations& p, const Approximations* better, double t,
+                 const Callback& found) noexcept {
     switch (p.degree) {
         case 0:
             return p.c[0].has_sign();
         case 1:
-            return roots_after<1>(p, t, found);
+            return roots_after<1>(p, better, t, found);
         case 2:
-            return roots_after<2>(p, t, found);
+            return roots_after<2>(p, better, t, found);
         case 3:
-            return roots_after<3>(p, t, found);
+            return roots_after<3>(p, better, t, found);
         case 4:
-            return roots_after<4>(p, t, found);
+            return roots_after<4>(p, better, t, found);
         case 5:
-            return roots_after<5>(p, t, found);
+            return roots_after<5>(p, better, t, found);
         case 6:
-            return roots_after<6>(p, t, found);
+            return roots_after<6>(p, better, t, found);
         case 7:
-            return roots_after<7>(p, t, found);
+            return roots_after<7>(p, better, t, found);
         case 8:
-            return roots_after<8>(p, t, found);
+            return roots_after<8>(p, better, t, found);
         default:
             return true;
     }
+}
+
+Found first_found(const Approximations& p, const Approximations* better, double t) noexcept {
+    Found result{false, std::nullopt};
+    if (!filters::environment_is_default()) return result;
+    result.certain = roots_after(p, better, t, [&](const Root& root) {
+        result.root = root;
+        return true;
+    });
+    return result;
 }
 
 }  // namespace
@@ -335,18 +359,16 @@ filters::Verdict sign_between(const Approximations& p, double low, double high) 
     // The middle may err by an ulp, for which there is one in the radius.
     const double middle = 0.5 * low + 0.5 * high;
     const double radius = high - middle > middle - low ? high - middle : middle - low;
-    const double more = 4.0 * epsilon * (magnitude(low) + magnitude(high)) + Approximation::underflow;
+    const double more =
+        4.0 * epsilon * (magnitude(low) + magnitude(high)) + Approximation::underflow;
     return sign(value_at(p, Approximation(middle, radius + more)));
 }
 
 Found first_change(const Approximations& p, double t) noexcept {
-    Found result{false, std::nullopt};
-    if (!filters::environment_is_default()) return result;
-    result.certain = roots_after(p, t, [&](const Root& root) {
-        result.root = root;
-        return true;
-    });
-    return result;
+    return first_found(p, nullptr, t);
+}
+Found first_change(const Approximations& p, const Approximations& shifted, double t) noexcept {
+    return first_found(p, &shifted, t);
 }
 
 std::optional<RealRoots> real_roots(const Approximations& p) noexcept {
@@ -362,7 +384,7 @@ std::optional<RealRoots> real_roots(const Approximations& p) noexcept {
     for (std::size_t i = 1; i < reflected.c.size(); i += 2) reflected.c[i] = -reflected.c[i];
     std::array<Root, most_degree> below;
     int count = 0;
-    const bool told = roots_after(reflected, 0.0, [&](const Root& root) {
+    const bool told = roots_after(reflected, nullptr, 0.0, [&](const Root& root) {
         Root mirrored = root.of_negative();
         mirrored.low = -root.high;
         mirrored.high = -root.low;
@@ -380,7 +402,7 @@ std::optional<RealRoots> real_roots(const Approximations& p) noexcept {
         result.roots[static_cast<std::size_t>(result.count++)] =
             Root{0.0, 0.0, zeros, 1, static_cast<std::int8_t>(positive ? 1 : -1), false};
     }
-    const bool all = roots_after(p, 0.0, [&](const Root& root) {
+    const bool all = roots_after(p, nullptr, 0.0, [&](const Root& root) {
         result.roots[static_cast<std::size_t>(result.count++)] = root;
         return false;
     });

@@ -44,6 +44,55 @@ bool vanishes_in(const exact::Polynomial& p, const Isolated& where) {
     return at_high == 0 || exact::sign_after(p, where.low) != at_high;
 }
 
+filters::Verdict sign_of(const Approximations& p, double t) {
+    if (filters::magnitude(t) == infinity) return filters::Verdict::uncertain();
+    return filter::sign(filter::value_at(p, Approximation(filters::pinned(t))));
+}
+
+/// Integers times powers of two, to the relative precision of a double, all of them times one power
+/// of two that brings the greatest near 1.
+Approximations rounded(const std::vector<Integer>& c, int step) {
+    Approximations result;
+    result.degree = static_cast<int>(c.size()) - 1;
+    std::array<double, most_degree + 1> fraction{};
+    std::array<long, most_degree + 1> exponent{};
+    long most = std::numeric_limits<long>::min();
+    for (std::size_t i = 0; i < c.size(); ++i) {
+        if (c[i].is_zero()) continue;
+        fraction[i] = mpz_get_d_2exp(&exponent[i], c[i].backend().data());
+        exponent[i] += static_cast<long>(i) * step;
+        most = std::max(most, exponent[i]);
+    }
+    for (std::size_t i = 0; i < c.size(); ++i) {
+        if (c[i].is_zero()) continue;
+        const long place = exponent[i] - most;
+        // Below the range it is 0 with an error. Digits are cut off: less than 2^-52 of the number.
+        if (place < -900) {
+            result.c[i] = {0.0, 0x1p-900};
+        } else {
+            const double value =
+                fraction[i] * std::bit_cast<double>(static_cast<std::uint64_t>(place + 1023) << 52);
+            result.c[i] = {value, filters::epsilon * filters::magnitude(value)};
+        }
+    }
+    return result;
+}
+
+/// p(t + s) in the powers of s, times some power of two. With t = m / 2^k it is, times 2^(kn),
+/// sum c_i 2^(k(n-i)) (m + w)^i, w = 2^k s: in integers, by Horner's rule again and again.
+Approximations shifted(const exact::Polynomial& p, double t) {
+    const Dyadic number(t);
+    Integer m = number.significand();
+    if (number.exponent() > 0) m <<= number.exponent();
+    const int k = std::max(-number.exponent(), 0);
+    std::vector<Integer> c = p.coefficients();
+    const std::size_t n = c.size() - 1;
+    for (std::size_t i = 0; i < n; ++i) c[i] <<= k * static_cast<int>(n - i);
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = n; j-- > i;) c[j] += m * c[j + 1];
+    return rounded(c, k);
+}
+
 /// The double that is the root, or the two neighbours around it.
 template <class Compare>
 std::pair<double, double> neighbours(double low, double high, const Compare& compare) {
@@ -73,7 +122,11 @@ struct Polynomial::Asked {
 
 /// What is known exactly, each part from its first use on.
 struct Polynomial::Exact {
+    explicit Exact(exact::Polynomial polynomial)
+        : p(std::move(polynomial)), approximate(rounded(p.coefficients(), 0)) {}
+
     exact::Polynomial p;
+    Approximations approximate;  // better than that of the filter, but for a positive factor
     std::vector<exact::Polynomial> factors;
     exact::Polynomial square_free;
     std::optional<exact::Roots> chain;
@@ -121,7 +174,18 @@ struct Polynomial::Exact {
     }
     Root root_of(const Isolated& where, int multiplicity) {
         Root root{};
-        const auto compare = [&](double x) { return chain->compare(where, dyadic_of(x)); };
+        const auto after = static_cast<std::int8_t>(exact::sign_after(p, where.high));
+        // Within the interval the sign of the polynomial tells, if it changes; mostly that of the
+        // approximation.
+        const auto compare = [&](double x) {
+            const Dyadic number = dyadic_of(x);
+            if (number <= where.low) return 1;
+            if (number > where.high) return -1;
+            if (multiplicity % 2 == 0) return chain->compare(where, number);
+            const auto verdict = sign_of(approximate, x);
+            const Sign sign = verdict.is_certain() ? verdict.sign() : p.sign_at(number);
+            return sign == 0 ? 0 : sign == after ? -1 : 1;
+        };
         const auto beyond = static_cast<std::int8_t>(compare(infinity));
         // Beyond the doubles: between the last one and infinity.
         constexpr double most = std::numeric_limits<double>::max();
@@ -133,7 +197,7 @@ struct Polynomial::Exact {
             std::tie(root.low, root.high) = neighbours(-infinity, infinity, compare);
         }
         root.multiplicity = static_cast<std::int8_t>(multiplicity);
-        root.after = static_cast<std::int8_t>(exact::sign_after(p, where.high));
+        root.after = after;
         root.place = 1;
         if (root.is_double()) return root;
         const Dyadic low = root.low == -infinity ? least : Dyadic(root.low);
@@ -145,6 +209,12 @@ struct Polynomial::Exact {
         return root;
     }
 
+    /// Coefficients that are rounded once, at the very place, mostly do, a root at t included.
+    std::optional<Root> first_change(double t) {
+        if (p.degree() < 1) return std::nullopt;
+        const filter::Found found = filter::first_change(approximate, shifted(p, t), t);
+        return found.certain ? found.root : first_change(Dyadic(t));
+    }
     std::optional<Root> first_change(const Dyadic& t) {
         if (p.degree() < 1) return std::nullopt;
         const int count = roots().after(t);
@@ -159,6 +229,7 @@ struct Polynomial::Exact {
         RealRoots result;
         result.everywhere = p.degree() < 0;
         if (p.degree() < 1) return result;
+        if (const auto found = filter::real_roots(approximate)) return *found;
         roots();
         result.count = chain->after(least);
         for (int k = 1; k <= result.count; ++k) {
@@ -168,29 +239,59 @@ struct Polynomial::Exact {
         return result;
     }
 
-    /// At a root of another polynomial, and right after it.
-    std::pair<Sign, Sign> signs_at(Exact& other, const Root& root) {
-        if (p.degree() < 0) return {0, 0};
-        Isolated where = other.isolated(root);
-        const exact::Polynomial common = exact::common_divisor(simple(), other.simple());
-        const int at_most = common.degree() > 0 && vanishes_in(common, where) ? 1 : 0;
-        while (roots().between(where.low, where.high) > at_most) other.roots().halve(where);
-        const Sign after = exact::sign_after(p, where.high);
-        return {at_most == 1 ? 0 : after, after};
+    /// One half of the interval.
+    void halve(Isolated& where, const Root& root) {
+        if (!root.alone) return roots().halve(where);
+        const Dyadic middle = Dyadic(0.5) * (where.low + where.high);
+        (p.sign_at(middle) == root.before() ? where.low : where.high) = middle;
     }
 
+    /// At a root of another polynomial, and right after it. Where that root is a simple one of the
+    /// other polynomial it is none but a simple one of a common divisor.
+    std::pair<Sign, Sign> signs_at(Exact& other, const Root& root) {
+        if (p.degree() < 1) return {p.sign_at_infinity(), p.sign_at_infinity()};
+        Isolated where = other.isolated(root);
+        const bool simple_one = root.alone && root.multiplicity == 1;
+        const exact::Polynomial common = simple_one
+                                             ? exact::common_divisor(p, other.p)
+                                             : exact::common_divisor(simple(), other.simple());
+        const bool vanishes = common.degree() > 0 && vanishes_in(common, where);
+        if (root.alone) {
+            const auto verdict = vanishes ? filter::sign_between(slope(), root.low, root.high)
+                                          : filter::sign_between(approximate, root.low, root.high);
+            // Where it vanishes the sign right after it is that of the slope, if there is one.
+            if (verdict.is_certain() && verdict.sign() != 0)
+                return {vanishes ? 0 : verdict.sign(), verdict.sign()};
+        }
+        const int at_most = vanishes ? 1 : 0;
+        while (roots().between(where.low, where.high) > at_most) other.halve(where, root);
+        const Sign after = exact::sign_after(p, where.high);
+        return {vanishes ? 0 : after, after};
+    }
+    [[nodiscard]] Approximations slope() const {
+        Approximations result;
+        result.degree = approximate.degree - 1;
+        for (int i = 0; i <= result.degree; ++i)
+            result.c[static_cast<std::size_t>(i)] =
+                (i + 1) * approximate.c[static_cast<std::size_t>(i) + 1];
+        return result;
+    }
+
+    /// Roots that are alone are of odd multiplicity, so that in a common divisor they are, too.
     Sign compare(const Root& root, Exact& other, const Root& its_root) {
         Isolated a = isolated(root);
         Isolated b = other.isolated(its_root);
         const auto order = [&] { return a.high <= b.low ? -1 : static_cast<int>(b.high <= a.low); };
         if (order() != 0) return order();
-        const exact::Polynomial common = exact::common_divisor(simple(), other.simple());
-        if (common.degree() > 0 && vanishes_in(common, {a.low < b.low ? b.low : a.low,
-                                                        a.high < b.high ? a.high : b.high}))
+        const exact::Polynomial common = root.alone && its_root.alone
+                                             ? exact::common_divisor(p, other.p)
+                                             : exact::common_divisor(simple(), other.simple());
+        if (common.degree() > 0 &&
+            vanishes_in(common, {a.low < b.low ? b.low : a.low, a.high < b.high ? a.high : b.high}))
             return 0;
         while (order() == 0) {
-            roots().halve(a);
-            other.roots().halve(b);
+            halve(a, root);
+            other.halve(b, its_root);
         }
         return order();
     }
@@ -202,8 +303,7 @@ void Polynomial::Forget::operator()(Exact* known) const noexcept {
 
 Polynomial::Exact& Polynomial::exact() const {
     if (!known_) {
-        known_.reset(new Exact);
-        known_->p = exact_(form_);
+        known_.reset(new Exact(exact_(form_)));
     }
     return *known_;
 }
@@ -220,8 +320,7 @@ bool Polynomial::is_zero(Tally* tally) const {
 }
 
 Sign Polynomial::sign_at(double t, Asked& asked) const {
-    const auto verdict =
-        filter::sign(filter::value_at(approximate_, Approximation(filters::pinned(t))));
+    const auto verdict = sign_of(approximate_, t);
     if (verdict.is_certain()) return verdict.sign();
     asked.exact = true;
     return exact().p.sign_at(Dyadic(t));
@@ -263,7 +362,7 @@ std::optional<Root> Polynomial::first_change(double t, Asked& asked) const {
     const filter::Found found = filter::first_change(approximate_, filters::pinned(t));
     if (found.certain) return found.root;
     asked.exact = true;
-    return exact().first_change(Dyadic(t));
+    return exact().first_change(t);
 }
 std::optional<Root> Polynomial::first_change(double t, Tally* tally) const {
     SIGNUM_EXPECTS(filters::magnitude(t) <= std::numeric_limits<double>::max());
@@ -278,6 +377,7 @@ std::optional<Root> Polynomial::first_change(const Root& mine, Asked& asked) con
         if (found.certain) return found.root;
     }
     asked.exact = true;
+    if (mine.alone || mine.is_double()) return exact().first_change(mine.high);
     return exact().first_change(exact().isolated(mine).high);
 }
 
@@ -335,8 +435,7 @@ double Polynomial::nearest_double(const Root& root, Tally* tally) const {
         sign = exact().roots().compare(exact().isolated(near), half);
     }
     const bool low_is_even = std::bit_cast<std::uint64_t>(near.low) % 2 == 0;
-    return asked.counted(tally,
-                         sign < 0 || (sign == 0 && low_is_even) ? near.low : near.high);
+    return asked.counted(tally, sign < 0 || (sign == 0 && low_is_even) ? near.low : near.high);
 }
 
 Sign Polynomial::compare(const RootOf& a, double x, Asked& asked) {

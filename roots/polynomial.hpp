@@ -13,16 +13,18 @@
 /// Laws:
 ///  1. Every answer is exact; for all forms over finite doubles that are 0 or within 2^±150, where
 ///     the approximations rarely fail by their range, and all others too.
-///  2. Each question is asked of the approximations first (filter.hpp) and, where these cannot tell,
+///  2. Each question is asked of the approximations first (filter.hpp) and, where these cannot
+///  tell,
 ///     of Sturm's chains in integers (exact/polynomial.hpp). A question that the filter answers
-///     allocates nothing. Outside the default floating-point environment all answers are exact ones.
+///     allocates nothing. Outside the default floating-point environment all answers are exact
+///     ones.
 ///  3. Equal roots of different polynomials are found equal by the greatest common divisor; no loop
 ///     waits for two numbers to part that may be the same.
 ///
 /// A root is a small record apart from its polynomial, as events wait in queues by the million; who
 /// asks about it brings the polynomial again (RootOf), made anew from the same form or not. Exact
-/// coefficients and chains are kept in the polynomial for the next question, so that one polynomial is
-/// not for two threads at a time.
+/// coefficients and chains are kept in the polynomial for the next question, so that one polynomial
+/// is not for two threads at a time.
 
 #include <array>
 #include <cstdint>
@@ -45,7 +47,8 @@ struct Tally {
 
 /// A real root of a polynomial. One of these holds:
 ///  - low == high, and the root is this double;
-///  - `alone`: the root is the only one in [low, high] and is neither, and the polynomial changes its
+///  - `alone`: the root is the only one in [low, high] and is neither, and the polynomial changes
+///  its
 ///    sign there;
 ///  - low and high are neighbours among the doubles with both infinities, and it is the place-th of
 ///    the distinct roots that are greater than low; less than high.

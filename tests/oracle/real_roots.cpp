@@ -156,9 +156,8 @@ RealRoots::RealRoots(const std::vector<IntegerPolynomial>& polynomials)
     // All roots are below 2^bound: Cauchy.
     std::size_t bits = 0;
     for (const mpz_class& c : product_) bits = std::max(bits, mpz_sizeinbase(c.get_mpz_t(), 2));
-    const auto bound =
-        static_cast<int>(bits) -
-        static_cast<int>(mpz_sizeinbase(product_.back().get_mpz_t(), 2)) + 2;
+    const auto bound = static_cast<int>(bits) -
+                       static_cast<int>(mpz_sizeinbase(product_.back().get_mpz_t(), 2)) + 2;
     // Of 2^bound (2x - 1), with roots in (0, 1).
     IntegerPolynomial p = product_;
     for (std::size_t i = 0; i < p.size(); ++i)
@@ -181,6 +180,7 @@ RealRoots::RealRoots(const std::vector<IntegerPolynomial>& polynomials)
             halve(roots_[i - 1]);
             halve(roots_[i]);
         }
+    nearest_.resize(roots_.size());
 }
 
 /// p, of x in (0, 1), is the product at low + width x.
@@ -188,7 +188,7 @@ void RealRoots::isolate(const IntegerPolynomial& p, const mpq_class& low, const 
     const int bound = bound_between_0_and_1(p);
     if (bound == 0) return;
     if (bound == 1) {
-        roots_.push_back({low, low + width});
+        roots_.push_back({low, low + width, 0});
         return;
     }
     IntegerPolynomial left = p;
@@ -197,7 +197,7 @@ void RealRoots::isolate(const IntegerPolynomial& p, const mpq_class& low, const 
     IntegerPolynomial right = shifted(left);
     const mpq_class half = width / 2;
     isolate(left, low, half);
-    if (right.front() == 0) roots_.push_back({low + half, low + half});
+    if (right.front() == 0) roots_.push_back({low + half, low + half, 0});
     isolate(right, low + half, half);
 }
 
@@ -208,11 +208,12 @@ int RealRoots::sign_right_of(const mpq_class& x) const {
 
 void RealRoots::halve(Isolated& root) const {
     if (root.low == root.high) return;
+    if (root.sign == 0) root.sign = sign_right_of(root.low);
     const mpq_class middle = (root.low + root.high) / 2;
     const int sign = oracle::sign_at(product_, middle);
     if (sign == 0) {
-        root = {middle, middle};
-    } else if (sign == sign_right_of(root.low)) {
+        root = {middle, middle, 0};
+    } else if (sign == root.sign) {
         root.low = middle;
     } else {
         root.high = middle;
@@ -244,7 +245,10 @@ int RealRoots::sign_after(int i, int polynomial) const {
 }
 
 int RealRoots::compare(int i, const mpq_class& x) const {
-    const Isolated& root = roots_[static_cast<std::size_t>(i)];
+    return compare(roots_[static_cast<std::size_t>(i)], x);
+}
+
+int RealRoots::compare(const Isolated& root, const mpq_class& x) const {
     if (root.low == root.high) return sgn(mpq_class(root.low - x));
     if (x <= root.low) return 1;
     if (x >= root.high) return -1;
@@ -254,6 +258,12 @@ int RealRoots::compare(int i, const mpq_class& x) const {
 }
 
 double RealRoots::nearest_double(int i) const {
+    std::optional<double>& nearest = nearest_[static_cast<std::size_t>(i)];
+    if (!nearest) nearest = round(roots_[static_cast<std::size_t>(i)]);
+    return *nearest;
+}
+
+double RealRoots::round(Isolated root) const {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     constexpr double most = std::numeric_limits<double>::max();
     // Infinity counts as 2^1024.
@@ -261,11 +271,9 @@ double RealRoots::nearest_double(int i) const {
         if (std::isinf(x)) return mpq_class(x > 0 ? power_of_two(1024) : -power_of_two(1024));
         return mpq_class(x);
     };
-    Isolated root = roots_[static_cast<std::size_t>(i)];
     const mpq_class least = power_of_two(-1080);
     const mpq_class unit = power_of_two(-60);
-    while (root.high - root.low > least && root.high - root.low > unit * abs(root.low))
-        halve(root);
+    while (root.high - root.low > least && root.high - root.low > unit * abs(root.low)) halve(root);
     double x = abs(root.low) >= power_of_two(1024) ? std::copysign(most, sgn(root.low))
                                                    : mpq_get_d(root.low.get_mpq_t());
     const auto even = [](double y) { return std::bit_cast<std::uint64_t>(y) % 2 == 0; };
@@ -273,8 +281,8 @@ double RealRoots::nearest_double(int i) const {
         if (std::isinf(x)) return x;
         const double next = std::nextafter(x, infinity);
         const double last = std::nextafter(x, -infinity);
-        const int above = compare(i, (number(x) + number(next)) / 2);
-        const int below = compare(i, (number(last) + number(x)) / 2);
+        const int above = compare(root, (number(x) + number(next)) / 2);
+        const int below = compare(root, (number(last) + number(x)) / 2);
         if (above > 0) {
             x = next;
         } else if (below < 0) {

@@ -3,10 +3,11 @@
 /// Vincent's bisection by Descartes' rule of signs (Collins and Akritas). It shares nothing with
 /// the library, which counts by Sturm's theorem.
 ///
-/// All questions are answered from one table: the roots of the product in order, and between any two
-/// of them a point that is no root. Which polynomial vanishes at a root, and how often, is then told
-/// by changes of sign of its square-free factors, and no two roots are ever compared.
+/// All questions are answered from one table: the roots of the product in order, and between any
+/// two of them a point that is no root. Which polynomial vanishes at a root, and how often, is then
+/// told by changes of sign of its square-free factors, and no two roots are ever compared.
 
+#include <optional>
 #include <vector>
 
 #include <gmpxx.h>
@@ -43,9 +44,12 @@ class RealRoots {
     struct Isolated {
         mpq_class low;
         mpq_class high;
+        int sign = 0;  // of the product right after low, once it is known
     };
     void isolate(const IntegerPolynomial& p, const mpq_class& low, const mpq_class& width);
     void halve(Isolated& root) const;
+    [[nodiscard]] double round(Isolated root) const;
+    [[nodiscard]] int compare(const Isolated& root, const mpq_class& x) const;
     [[nodiscard]] int sign_right_of(const mpq_class& x) const;
 
     std::vector<IntegerPolynomial> polynomials_;
@@ -53,6 +57,7 @@ class RealRoots {
     IntegerPolynomial product_;  // of all, without multiple roots
     IntegerPolynomial slope_;
     std::vector<Isolated> roots_;
+    mutable std::vector<std::optional<double>> nearest_;
 };
 
 }  // namespace signum::oracle

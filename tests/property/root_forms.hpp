@@ -1,6 +1,6 @@
 #pragma once
-/// Polynomials made to hurt, for the tests of roots/: each as a form of the library, and once more in
-/// GMP's integers for the oracle.
+/// Polynomials made to hurt, for the tests of roots/: each as a form of the library, and once more
+/// in GMP's integers for the oracle.
 
 #include <array>
 #include <cmath>
@@ -106,9 +106,7 @@ template <int Degree>
         case Kind::clusters: {
             const double centre = random.coin() ? 1.0 : unit();
             const int spread = random.coin() ? 2 : 1 << random.between(0, 20);
-            from_roots([&] {
-                return centre + random.between(-spread, spread) * 0x1p-52;
-            });
+            from_roots([&] { return centre + random.between(-spread, spread) * 0x1p-52; });
             break;
         }
         case Kind::nearly: {
@@ -122,9 +120,8 @@ template <int Degree>
             fill(3, [&] { return random.in_binades(-60, 60); });
             break;
         case Kind::extremes:
-            fill(random.between(1, 3), [&] {
-                return random.below(8) == 0 ? 0.0 : random.in_binades(-150, 149);
-            });
+            fill(random.between(1, 3),
+                 [&] { return random.below(8) == 0 ? 0.0 : random.in_binades(-150, 149); });
             break;
     }
     return form;
@@ -217,8 +214,7 @@ struct Judge {
             for (int i = 0; i < found.count; ++i) {
                 ++questions;
                 const int order = of_p[static_cast<std::size_t>(i)] - k;
-                if (compare(roots::RootOf{p, found[i]}, there, &tally) !=
-                    (order > 0) - (order < 0))
+                if (compare(roots::RootOf{p, found[i]}, there, &tally) != (order > 0) - (order < 0))
                     return "compare";
             }
         }
@@ -237,7 +233,8 @@ struct Judge {
         if (root.after != table.sign_after(k, 0)) return "after";
         const auto inside = [&](const roots::Root& r) {
             if (r.is_double()) return table.compare(k, mpq_class(r.low)) == 0;
-            return r.low < r.high && (r.low == -infinity || table.compare(k, mpq_class(r.low)) > 0) &&
+            return r.low < r.high &&
+                   (r.low == -infinity || table.compare(k, mpq_class(r.low)) > 0) &&
                    (r.high == infinity || table.compare(k, mpq_class(r.high)) < 0);
         };
         if (!inside(root)) return "interval";
@@ -251,8 +248,7 @@ struct Judge {
         if (change && !(table.nearest_double(next) == p.nearest_double(*change)))
             return "first_change after its own root: which";
         if (std::isfinite(nearest)) {
-            const double beside =
-                std::nextafter(nearest, random.coin() ? infinity : -infinity);
+            const double beside = std::nextafter(nearest, random.coin() ? infinity : -infinity);
             for (const double x : {nearest, beside})
                 if (std::isfinite(x) &&
                     compare(roots::RootOf{p, root}, x, &tally) != table.compare(k, mpq_class(x)))
@@ -281,8 +277,10 @@ template <int Degree>
             break;
         }
         case 2:
-            for (std::size_t i = 0; i < f.terms.size(); ++i) g.terms[i].lines[0] = f.terms[0].lines[0];
-            for (std::size_t i = 0; i < f.terms.size(); ++i) f.terms[i].lines[0] = g.terms[0].lines[0];
+            for (std::size_t i = 0; i < f.terms.size(); ++i)
+                g.terms[i].lines[0] = f.terms[0].lines[0];
+            for (std::size_t i = 0; i < f.terms.size(); ++i)
+                f.terms[i].lines[0] = g.terms[0].lines[0];
             break;
         default:
             break;

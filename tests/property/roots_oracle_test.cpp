@@ -10,24 +10,25 @@ namespace {
 using namespace signum::root_forms;
 
 #if defined(__SANITIZE_ADDRESS__)
-constexpr int trials = 20;
+constexpr int trials = 40;
 #else
-constexpr int trials = 200;
+constexpr int trials = 320;
 #endif
 
+/// The oracle takes longer and longer.
 template <int Degree>
 void judge_all() {
     Random random(20 + Degree);
     for (int kind = 0; kind < kinds; ++kind) {
         Judge judge{random, {}};
-        const int count = kind == static_cast<int>(Kind::extremes) ? trials / 10 : trials;
+        const bool extreme = static_cast<Kind>(kind) == Kind::extremes;
+        const int count = 4 * trials / (Degree * Degree) / (extreme ? 4 : 1);
         for (int trial = 0; trial < count; ++trial)
             ASSERT_STREQ(judge_pair<Degree>(judge, static_cast<Kind>(kind)), "")
                 << "kind " << kind << ", trial " << trial;
-        if (static_cast<Kind>(kind) == Kind::random) {
-            EXPECT_GT(judge.tally.filtered, judge.tally.exact);
-        }
-        std::printf("degree %d kind %d: %llu questions, %llu filtered, %llu exact\n", Degree, kind, (unsigned long long)judge.questions, (unsigned long long)judge.tally.filtered, (unsigned long long)judge.tally.exact);
+        // Both stages are at work. To round to a double takes the second one.
+        EXPECT_GT(judge.tally.filtered, judge.questions / 4) << "kind " << kind;
+        EXPECT_GT(judge.tally.exact, 0U) << "kind " << kind;
     }
 }
 
