@@ -226,6 +226,15 @@ std::optional<Roots::Isolated> Roots::isolate(const Dyadic& x, int k) const {
         root.high = x + step;
         after_high = after(root.high);
     }
+    return isolate(root, after_low - rest);
+}
+
+Roots::Isolated Roots::isolate(const Isolated& within, int k) const {
+    Isolated root = within;
+    int after_low = after(root.low);
+    int after_high = after(root.high);
+    const int rest = after_low - k;
+    SIGNUM_EXPECTS(after_high <= rest && k > 0);
     while (after_low != rest + 1 || after_high != rest) {
         const Dyadic middle = Dyadic(0.5) * (root.low + root.high);
         const int after_middle = after(middle);

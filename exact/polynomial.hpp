@@ -78,6 +78,8 @@ class Roots {
     };
     /// The k-th root after x, counted from 1; nothing where there are fewer.
     [[nodiscard]] std::optional<Isolated> isolate(const Dyadic& x, int k) const;
+    /// The k-th root after low, where that is known to be no greater than high.
+    [[nodiscard]] Isolated isolate(const Isolated& within, int k) const;
     void halve(Isolated& root) const;
     /// The sign of root - x.
     [[nodiscard]] Sign compare(const Isolated& root, const Dyadic& x) const;

@@ -130,7 +130,7 @@ struct Polynomial::Exact {
     std::vector<exact::Polynomial> factors;
     exact::Polynomial square_free;
     std::optional<exact::Roots> chain;
-    Dyadic least;  // all roots are greater
+    Dyadic least;  // all roots are greater, and less than -least
 
     const exact::Polynomial& simple() {
         if (square_free.degree() < 0) {
@@ -154,17 +154,33 @@ struct Polynomial::Exact {
         return *chain;
     }
 
+    /// The k-th root from the last one, counted from 0. Doubles in their order are halved first:
+    /// steps of any length would be too many for roots of every size.
+    Isolated from_last(int k) {
+        std::int64_t low = place_of(-infinity);
+        std::int64_t high = place_of(infinity);
+        int after_low = chain->after(dyadic_of(-infinity));
+        int after_high = chain->after(dyadic_of(infinity));
+        if (after_high > k) return chain->isolate({dyadic_of(infinity), -least}, after_high - k);
+        if (after_low <= k)
+            return chain->isolate({least, dyadic_of(-infinity)}, chain->after(least) - k);
+        while (low + 1 < high && (after_low != k + 1 || after_high != k)) {
+            const std::int64_t middle = between(low, high);
+            const int after_middle = chain->after(Dyadic(double_at(middle)));
+            (after_middle > k ? low : high) = middle;
+            (after_middle > k ? after_low : after_high) = after_middle;
+        }
+        const Isolated where{dyadic_of(double_at(low)), dyadic_of(double_at(high))};
+        return after_low == k + 1 && after_high == k ? where : chain->isolate(where, after_low - k);
+    }
     Isolated isolated(const Root& root) {
         if (root.alone) return {Dyadic(root.low), Dyadic(root.high)};
-        if (!root.is_double())
-            return *roots().isolate(root.low == -infinity ? (roots(), least) : Dyadic(root.low),
-                                    root.place);
-        const Dyadic low = dyadic_of(double_at(place_of(root.low) - 1));
-        const Dyadic high(root.high);
-        const int count = roots().between(low, high);
-        SIGNUM_EXPECTS(count > 0);
-        if (count == 1) return {low, high};
-        return *roots().isolate(low, count);
+        roots();
+        const double before = root.is_double() ? double_at(place_of(root.low) - 1) : root.low;
+        const Isolated where{before == -infinity ? least : Dyadic(before),
+                             root.high == infinity ? -least : Dyadic(root.high)};
+        const int place = root.is_double() ? chain->between(where.low, where.high) : root.place;
+        return chain->isolate(where, place);
     }
     int multiplicity(const Isolated& where) {
         for (std::size_t k = 0; k < factors.size(); ++k)
@@ -217,9 +233,8 @@ struct Polynomial::Exact {
     }
     std::optional<Root> first_change(const Dyadic& t) {
         if (p.degree() < 1) return std::nullopt;
-        const int count = roots().after(t);
-        for (int k = 1; k <= count; ++k) {
-            const Isolated where = *chain->isolate(t, k);
+        for (int k = roots().after(t); k-- > 0;) {
+            const Isolated where = from_last(k);
             const int times = multiplicity(where);
             if (times % 2 == 1) return root_of(where, times);
         }
@@ -232,9 +247,9 @@ struct Polynomial::Exact {
         if (const auto found = filter::real_roots(approximate)) return *found;
         roots();
         result.count = chain->after(least);
-        for (int k = 1; k <= result.count; ++k) {
-            const Isolated where = *chain->isolate(least, k);
-            result.roots[static_cast<std::size_t>(k - 1)] = root_of(where, multiplicity(where));
+        for (int i = 0; i < result.count; ++i) {
+            const Isolated where = from_last(result.count - 1 - i);
+            result.roots[static_cast<std::size_t>(i)] = root_of(where, multiplicity(where));
         }
         return result;
     }
