@@ -57,7 +57,8 @@ struct Approximation {
         const double v = a.value * b.value;
         const double of_a = a.size() + a.error;
         const double of_b = b.size() + b.error;
-        const double lost = (of_a != 0.0) & (of_b != 0.0) ? underflow : 0.0;
+        const bool either_is_zero = (of_a == 0.0) | (of_b == 0.0);
+        const double lost = either_is_zero ? 0.0 : underflow;
         return {v, (a.size() * b.error + a.error * of_b) +
                        (filters::epsilon * filters::magnitude(v) + lost)};
     }
