@@ -11,20 +11,19 @@
 ///     };
 ///
 /// Laws:
-///  1. Every answer is exact; for all forms over finite doubles that are 0 or within 2^±150, where
-///     the approximations rarely fail by their range, and all others too.
+///  1. Every answer is exact, for all finite doubles. Where these are 0 or within 2^±150 the
+///     approximations of polynomials of degree 4 do not leave a double's range.
 ///  2. Each question is asked of the approximations first (filter.hpp) and, where these cannot
-///  tell,
-///     of Sturm's chains in integers (exact/polynomial.hpp). A question that the filter answers
-///     allocates nothing. Outside the default floating-point environment all answers are exact
-///     ones.
+///     tell, of integers (exact/polynomial.hpp): of coefficients that are rounded only at the very
+///     place, and at last of Sturm's chains. A question that the filter answers allocates nothing.
+///     Outside the default floating-point environment all answers are exact ones.
 ///  3. Equal roots of different polynomials are found equal by the greatest common divisor; no loop
 ///     waits for two numbers to part that may be the same.
 ///
 /// A root is a small record apart from its polynomial, as events wait in queues by the million; who
-/// asks about it brings the polynomial again (RootOf), made anew from the same form or not. Exact
-/// coefficients and chains are kept in the polynomial for the next question, so that one polynomial
-/// is not for two threads at a time.
+/// asks about it brings the polynomial again (RootOf), the same one or another made of the same
+/// form. Exact coefficients and chains are kept in the polynomial for the next question, so that
+/// one polynomial is not for two threads at a time.
 
 #include <array>
 #include <cstdint>
@@ -85,6 +84,8 @@ struct RealRoots {
         return roots[static_cast<std::size_t>(i)];
     }
 };
+
+static_assert(sizeof(Root) == 24);
 
 class Polynomial;
 
