@@ -27,13 +27,13 @@ constexpr std::uint64_t million = 1'000'000;
 #endif
 
 TEST(LargeRoots, OfDegreeTwo) {
-    judge_until<2>(5 * million);
+    judge_until<2>(6 * million);
 }
 TEST(LargeRoots, OfDegreeFour) {
-    judge_until<4>(4 * million);
+    judge_until<4>(7 * million / 2);
 }
 TEST(LargeRoots, OfDegreeEight) {
-    judge_until<8>(million);
+    judge_until<8>(million / 2);
 }
 
 }  // namespace
