@@ -61,13 +61,7 @@ Polynomial quotient(const Polynomial& p, const Polynomial& q) {
 
 /// The greatest common divisor of p and its derivative: the roots of p, each once less.
 Polynomial repeated(const Polynomial& p) {
-    Polynomial a = primitive(p.coefficients());
-    Polynomial b = primitive(derivative_of(p.coefficients()));
-    while (b.degree() >= 0) {
-        Polynomial rest = primitive(divide(a.coefficients(), b.coefficients()).rest);
-        a = std::exchange(b, std::move(rest));
-    }
-    return a;
+    return common_divisor(p, p.derivative());
 }
 
 }  // namespace
@@ -77,7 +71,7 @@ Polynomial::Polynomial(std::vector<Integer> coefficients, int exponent)
     trim(c_);
 }
 
-Polynomial::Polynomial(std::initializer_list<Dyadic> coefficients) {
+Polynomial::Polynomial(std::span<const Dyadic> coefficients) {
     exponent_ = std::numeric_limits<int>::max();
     for (const Dyadic& number : coefficients)
         if (number.sign() != 0) exponent_ = std::min(exponent_, number.exponent());
@@ -138,6 +132,37 @@ Sign Polynomial::sign_at(const Dyadic& x) const {
         value += c_[i] << shift;
     }
     return value.sign();
+}
+
+Polynomial common_divisor(const Polynomial& p, const Polynomial& q) {
+    SIGNUM_EXPECTS(p.degree() >= 0 || q.degree() >= 0);
+    Polynomial a = primitive(p.coefficients());
+    Polynomial b = primitive(q.coefficients());
+    while (b.degree() >= 0) {
+        Polynomial rest = primitive(divide(a.coefficients(), b.coefficients()).rest);
+        a = std::exchange(b, std::move(rest));
+    }
+    return a;
+}
+
+Sign sign_after(Polynomial p, const Dyadic& x) {
+    for (; p.degree() >= 0; p = p.derivative())
+        if (const Sign sign = p.sign_at(x)) return sign;
+    return 0;
+}
+
+/// With p repeated k - 1 and k times, the quotient has each root of multiplicity k or more once.
+std::vector<Polynomial> square_free_factors(const Polynomial& p) {
+    SIGNUM_EXPECTS(p.degree() >= 0);
+    std::vector<Polynomial> at_least;
+    for (Polynomial rest = p; rest.degree() > 0;) {
+        Polynomial next = repeated(rest);
+        at_least.push_back(quotient(rest, next));
+        rest = std::move(next);
+    }
+    for (std::size_t k = 0; k + 1 < at_least.size(); ++k)
+        at_least[k] = quotient(at_least[k], at_least[k + 1]);
+    return at_least;
 }
 
 /// Roots that p has once are those of p and of what repeats them, less those that the latter has
@@ -201,6 +226,15 @@ std::optional<Roots::Isolated> Roots::isolate(const Dyadic& x, int k) const {
         root.high = x + step;
         after_high = after(root.high);
     }
+    return isolate(root, after_low - rest);
+}
+
+Roots::Isolated Roots::isolate(const Isolated& within, int k) const {
+    Isolated root = within;
+    int after_low = after(root.low);
+    int after_high = after(root.high);
+    const int rest = after_low - k;
+    SIGNUM_EXPECTS(after_high <= rest && k > 0);
     while (after_low != rest + 1 || after_high != rest) {
         const Dyadic middle = Dyadic(0.5) * (root.low + root.high);
         const int after_middle = after(middle);

@@ -12,6 +12,7 @@
 
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "dyadic.hpp"
@@ -23,7 +24,9 @@ class Polynomial {
     /// 0.
     Polynomial() = default;
     /// From the constant coefficient upwards.
-    Polynomial(std::initializer_list<Dyadic> coefficients);
+    Polynomial(std::initializer_list<Dyadic> coefficients)
+        : Polynomial(std::span<const Dyadic>(coefficients.begin(), coefficients.size())) {}
+    explicit Polynomial(std::span<const Dyadic> coefficients);
     /// The same of integers, times a power of two.
     Polynomial(std::vector<Integer> coefficients, int exponent);
 
@@ -49,6 +52,13 @@ class Polynomial {
 /// A polynomial with the roots of odd multiplicity, each of them simple: it changes its sign where
 /// p does. Precondition: p is not 0.
 [[nodiscard]] Polynomial odd_part(const Polynomial& p);
+/// The k-th one, from 0, has the roots of multiplicity k + 1, each of them simple; the last one is
+/// no constant. Precondition: p is not 0.
+[[nodiscard]] std::vector<Polynomial> square_free_factors(const Polynomial& p);
+/// The greatest one, but for a factor. Precondition: not both are 0.
+[[nodiscard]] Polynomial common_divisor(const Polynomial& p, const Polynomial& q);
+/// The sign right after x: that of the first derivative that is not 0 there.
+[[nodiscard]] Sign sign_after(Polynomial p, const Dyadic& x);
 
 /// The real roots of a polynomial without multiple ones.
 class Roots {
@@ -68,15 +78,17 @@ class Roots {
     };
     /// The k-th root after x, counted from 1; nothing where there are fewer.
     [[nodiscard]] std::optional<Isolated> isolate(const Dyadic& x, int k) const;
+    /// The k-th root after low, where that is known to be no greater than high.
+    [[nodiscard]] Isolated isolate(const Isolated& within, int k) const;
     void halve(Isolated& root) const;
+    /// The sign of root - x.
+    [[nodiscard]] Sign compare(const Isolated& root, const Dyadic& x) const;
     /// Infinity where the nearest one would be beyond the doubles.
     [[nodiscard]] double nearest_double(const Isolated& root) const;
     /// The same of the k-th root after x; infinity where there are fewer.
     [[nodiscard]] double nearest_double(const Dyadic& x, int k) const;
 
  private:
-    /// The sign of root - x.
-    [[nodiscard]] Sign compare(const Isolated& root, const Dyadic& x) const;
     template <class SignOf>
     [[nodiscard]] int changes(const SignOf& sign_of) const;
 

@@ -3,20 +3,10 @@
 #include "meeting.hpp"
 
 namespace signum::motion {
-namespace {
 
 using exact::Dyadic;
 using exact::Polynomial;
 using exact::Roots;
-
-/// The sign of p right after t: that of the first derivative that is not 0 there.
-Sign sign_after(Polynomial p, const Dyadic& t) {
-    for (; p.degree() >= 0; p = p.derivative())
-        if (const Sign sign = p.sign_at(t)) return sign;
-    return 0;
-}
-
-}  // namespace
 
 /// Above 0 the gap can only fall through 0: where it first changes its sign. Below 0 and rising it
 /// first turns (or never does). Where it has not crossed 0 until then, the meeting is where it
@@ -28,7 +18,7 @@ double first_descent(const Polynomial& gap, double start) {
     const Dyadic now(start);
     const Polynomial slope = gap.derivative();
     const Sign sign = gap.sign_at(now);
-    const bool falls = sign_after(slope, now) < 0;
+    const bool falls = exact::sign_after(slope, now) < 0;
     if (falls && sign <= 0) return start;
 
     const Roots crossings(exact::odd_part(gap));

@@ -52,7 +52,7 @@ const Arrows& allowed() {
         Arrows table = drawn(0);
         // What these two see are results.
         for (const char* layer : {"io", "draw"})
-            for (const char* hidden : {"exact", "filters", "predicates"})
+            for (const char* hidden : {"exact", "filters", "roots", "predicates"})
                 table.at(layer).erase(hidden);
         return table;
     }();

@@ -1,0 +1,413 @@
+#include "filter.hpp"
+
+#include <bit>
+#include <cmath>
+
+namespace signum::roots::filter {
+namespace {
+
+using filters::epsilon;
+using filters::magnitude;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Exact: of a number that has a sign and is no denormal, whose exponent is wrong but harmless: it
+/// only scales.
+int exponent_of(double value) noexcept {
+    return static_cast<int>(std::bit_cast<std::uint64_t>(value) >> 52 & 0x7FF) - 1023;
+}
+double power_of_two(int exponent) noexcept {
+    return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
+}
+
+template <int N>
+using Coefficients = std::array<Approximation, N + 1>;
+
+template <int N>
+Approximation horner(const Coefficients<N>& c, const Approximation& t) noexcept {
+    Approximation value = c[N];
+    for (std::size_t i = N; i-- > 0;) value = value * t + c[i];
+    return value;
+}
+
+/// p(t + s) in the powers of s, by Horner's rule again and again.
+template <int N>
+Coefficients<N> shifted(Coefficients<N> c, double t) noexcept {
+    const Approximation by(t);
+    for (std::size_t i = 0; i < N; ++i)
+        for (std::size_t j = N; j-- > i;) c[j] = c[j] + by * c[j + 1];
+    return c;
+}
+
+template <int N>
+constexpr std::array<double, N + 1> binomials() noexcept {
+    std::array<double, N + 1> row{};
+    row[0] = 1.0;
+    for (std::size_t n = 1; n <= N; ++n)
+        for (std::size_t i = n; i > 0; --i) row[i] += row[i - 1];
+    return row;
+}
+
+/// The roots after a double, piece by piece from the left.
+template <int N>
+class Bisection {
+ public:
+    /// q is p(t + s) in the powers of s.
+    Bisection(const Coefficients<N>& c, double t, const Coefficients<N>& q) noexcept
+        : c_(c), start_(t), q_(q) {}
+
+    /// Calls found(root) with one root after the other until that returns true. Whether it told all
+    /// that was asked for, and for certain.
+    template <class Callback>
+    bool run(const Callback& found) noexcept {
+        if (!set_up()) return false;
+        int pieces = 1;
+        for (int steps = 0; pieces > 0; ++steps) {
+            Piece& piece = pieces_[static_cast<std::size_t>(pieces - 1)];
+            const int changes = changes_of(piece);
+            if (changes == 0) {
+                --pieces;
+                continue;
+            }
+            if (changes == 1) {
+                const std::optional<Root> root = root_in(piece);
+                if (!root) return false;
+                if (found(*root)) return true;
+                --pieces;
+                continue;
+            }
+            if (steps == most_steps || pieces == most_pieces) return false;
+            // The left half is to come first: on top.
+            Piece& left = pieces_[static_cast<std::size_t>(pieces++)];
+            if (!split<4>(piece, left) && !split<3>(piece, left) && !split<5>(piece, left))
+                return false;
+        }
+        return true;
+    }
+
+ private:
+    static constexpr int most_pieces = 40;
+    static constexpr int most_steps = 100;
+    static constexpr int most_bits = 50;
+
+    /// The Bernstein coefficients between two dyadic places of so many bits. The polynomial is not
+    /// 0 at an end, but perhaps at 1.
+    struct Piece {
+        std::array<double, N + 1> value;
+        std::array<double, N + 1> error;
+        double low;
+        double high;
+        int bits;
+    };
+
+    /// The first piece is all of (0, 1). Where the polynomial is exactly 0 at the start, it is
+    /// divided by s, which is above 0.
+    bool set_up() noexcept {
+        zeros_ = 0;
+        Coefficients<N> q = q_;
+        while (zeros_ <= N && q[0].is_zero()) {
+            for (std::size_t i = 0; i < N; ++i) q[i] = q[i + 1];
+            q[N] = Approximation();
+            ++zeros_;
+        }
+        if (!q[0].has_sign()) return false;
+        int last = N;
+        while (!q[static_cast<std::size_t>(last)].has_sign()) --last;
+        // The mean size of the roots, as far as one can know it.
+        exponent_ =
+            last == 0
+                ? 0
+                : (exponent_of(q[0].value) - exponent_of(q[static_cast<std::size_t>(last)].value)) /
+                      last;
+        if (N * std::abs(exponent_) > 1000) return false;
+        static constexpr std::array<double, N + 1> binomial = binomials<N>();
+        Piece& all = pieces_[0];
+        for (std::size_t i = 0; i <= N; ++i) {
+            const double factor = power_of_two(static_cast<int>(i) * exponent_) / binomial[i];
+            const Approximation b = q[i] * Approximation(factor, epsilon * factor);
+            all.value[i] = b.value;
+            all.error[i] = b.error;
+        }
+        all.low = 0.0;
+        all.high = 1.0;
+        all.bits = 0;
+        return Approximation(all.value[0], all.error[0]).has_sign();
+    }
+
+    /// 0 and 1 where the number of changes is that, for whatever the coefficients are; 2 where it
+    /// may be greater. A single unknown between different signs makes no difference.
+    static int changes_of(const Piece& piece) noexcept {
+        int changes = 0;
+        int unknown = 0;
+        bool last = piece.value[0] > 0.0;
+        for (std::size_t i = 1; i <= N; ++i) {
+            const double size = magnitude(piece.value[i]);
+            if (!(size > Approximation::slack * piece.error[i])) {
+                // An exact 0 is no change and hides none.
+                if (piece.value[i] != 0.0 || piece.error[i] != 0.0) ++unknown;
+                continue;
+            }
+            const bool next = piece.value[i] > 0.0;
+            if (unknown > 1 || (unknown == 1 && next == last)) return 2;
+            unknown = 0;
+            changes += static_cast<int>(next != last);
+            last = next;
+        }
+        return unknown > 0 || changes > 1 ? 2 : changes;
+    }
+
+    /// De Casteljau's rule: in place of the whole the right part, and the left one apart. Weights
+    /// are exact, so that w a + (1 - w) b errs by u(|wa| + |(1-w)b| + |sum|), or at one half by
+    /// u|sum|.
+    template <int Eighths>
+    static bool split(Piece& piece, Piece& left) noexcept {
+        constexpr double of_next = Eighths / 8.0;
+        constexpr double of_this = 1.0 - of_next;
+        Piece right = piece;
+        right.bits += Eighths == 4 ? 1 : 3;
+        if (right.bits > most_bits) return false;
+        left.value[0] = piece.value[0];
+        left.error[0] = piece.error[0];
+        for (std::size_t level = 1; level <= N; ++level) {
+            for (std::size_t i = 0; i + level <= N; ++i) {
+                const double a = of_this * right.value[i];
+                const double b = of_next * right.value[i + 1];
+                const double sum = a + b;
+                const double rounded =
+                    Eighths == 4 ? magnitude(sum) : 2.0 * (magnitude(a) + magnitude(b));
+                right.error[i] = (of_this * right.error[i] + of_next * right.error[i + 1]) +
+                                 (epsilon * rounded + Approximation::underflow);
+                right.value[i] = sum;
+            }
+            left.value[level] = right.value[0];
+            left.error[level] = right.error[0];
+        }
+        if (!Approximation(right.value[0], right.error[0]).has_sign()) return false;
+        left.bits = right.bits;
+        left.low = piece.low;
+        right.low = left.high = of_this * piece.low + of_next * piece.high;
+        piece = right;
+        return true;
+    }
+
+    /// s where x is.
+    [[nodiscard]] double distance(double x) const noexcept {
+        return power_of_two(exponent_) * (x / (1.0 - x));
+    }
+
+    /// The only root in a piece: found in doubles by Newton's method, which proves nothing, and
+    /// then enclosed between two doubles with different signs, which does.
+    std::optional<Root> root_in(const Piece& piece) const noexcept {
+        const bool from_start = piece.low == 0.0;
+        const bool to_infinity = piece.high == 1.0;
+        const double least = from_start ? 0.0 : distance(piece.low);
+        const double most = to_infinity ? infinity : distance(piece.high);
+        const bool positive = piece.value[0] > 0.0;
+        // Outside of this range the quotient's relative error would not be what it is.
+        const auto usual = [](double s) { return 0x1p-1000 < s && s < 0x1p1000; };
+        if ((!from_start && !usual(least)) || (!to_infinity && !usual(most))) return std::nullopt;
+
+        // Where the control polygon crosses 0.
+        std::size_t i = 0;
+        while (i + 1 < N && (piece.value[i + 1] > 0.0) == positive) ++i;
+        const double part = piece.value[i] / (piece.value[i] - piece.value[i + 1]);
+        const double x = piece.low + (piece.high - piece.low) * (static_cast<double>(i) + part) / N;
+        double s = distance(x);
+        double below = least;
+        double above = most;
+        for (int steps = 0; steps < 60; ++steps) {
+            double value = q_[N].value;
+            double slope = 0.0;
+            for (std::size_t k = N; k-- > 0;) {
+                slope = slope * s + value;
+                value = value * s + q_[k].value;
+            }
+            ((value > 0.0) == positive ? below : above) = s;
+            double next = s - value / slope;
+            if (!(next > below && next < above)) {
+                if (above == infinity) {
+                    next = 2.0 * s;
+                } else {
+                    next = below + 0.5 * (above - below);
+                }
+            }
+            const double step = magnitude(next - s);
+            s = next;
+            // Steps are squared: after this one no other is worth while.
+            if (!(step > 0x1p-30 * s)) break;
+        }
+
+        // One step more from the coefficients themselves, at a double.
+        double t = start_ + s;
+        const Approximation there = horner<N>(c_, Approximation(t));
+        double slope = 0.0;
+        double value = c_[N].value;
+        for (std::size_t k = N; k-- > 0;) {
+            slope = slope * t + value;
+            value = value * t + c_[k].value;
+        }
+        const double step = value / slope;
+        if (magnitude(step) < 0x1p-20 * s) t -= step;
+        double width = 2.0 * there.error / magnitude(slope) + 0x1p-51 * magnitude(t);
+        for (int trial = 0; trial < 6; ++trial, width *= 8.0) {
+            double low = t - width;
+            double high = t + width;
+            if (!(low < high && magnitude(low) < 0x1p1000 && magnitude(high) < 0x1p1000))
+                return std::nullopt;
+            bool at_start = false;
+            if (low <= start_ && from_start) {
+                if (zeros_ > 0) return std::nullopt;
+                low = start_;
+                at_start = true;
+            }
+            // The differences and distances err by less than 4 ulps in all.
+            if (!from_start && !(low - start_ > least * (1.0 + 8.0 * epsilon))) return std::nullopt;
+            if (!(high > start_) ||
+                (!to_infinity && !(high - start_ < most * (1.0 - 8.0 * epsilon))))
+                return std::nullopt;
+            const Approximation at_high = horner<N>(c_, Approximation(high));
+            if (!at_high.has_sign() || (at_high.value > 0.0) == positive) continue;
+            if (!at_start) {
+                const Approximation at_low = horner<N>(c_, Approximation(low));
+                if (!at_low.has_sign() || (at_low.value > 0.0) != positive) continue;
+            }
+            return Root{low, high, 1, 1, static_cast<std::int8_t>(positive ? -1 : 1), true};
+        }
+        return std::nullopt;
+    }
+
+    Coefficients<N> c_;
+    double start_;
+    Coefficients<N> q_;
+    int zeros_ = 0;
+    int exponent_ = 0;
+    std::array<Piece, most_pieces + 1> pieces_;
+};
+
+template <int N>
+Coefficients<N> coefficients_of(const Approximations& p) noexcept {
+    Coefficients<N> c;
+    for (std::size_t i = 0; i <= N; ++i) c[i] = p.c[i];
+    return c;
+}
+
+template <int N, class Callback>
+bool roots_after(const Approximations& p, const Approximations* better, double t,
+                 const Callback& found) noexcept {
+    const Coefficients<N> c = coefficients_of<N>(p);
+    const Coefficients<N> q = better != nullptr ? coefficients_of<N>(*better)
+                              : t == 0.0        ? c
+                                                : shifted<N>(c, t);
+    return Bisection<N>(c, t, q).run(found);
+}
+
+template <class Callback>
+bool roots_after(const Approximations& p, const Approximations* better, double t,
+                 const Callback& found) noexcept {
+    switch (p.degree) {
+        case 0:
+            return p.c[0].has_sign();
+        case 1:
+            return roots_after<1>(p, better, t, found);
+        case 2:
+            return roots_after<2>(p, better, t, found);
+        case 3:
+            return roots_after<3>(p, better, t, found);
+        case 4:
+            return roots_after<4>(p, better, t, found);
+        case 5:
+            return roots_after<5>(p, better, t, found);
+        case 6:
+            return roots_after<6>(p, better, t, found);
+        case 7:
+            return roots_after<7>(p, better, t, found);
+        case 8:
+            return roots_after<8>(p, better, t, found);
+        default:
+            return true;
+    }
+}
+
+Found first_found(const Approximations& p, const Approximations* better, double t) noexcept {
+    Found result{false, std::nullopt};
+    if (!filters::environment_is_default()) return result;
+    result.certain = roots_after(p, better, t, [&](const Root& root) {
+        result.root = root;
+        return true;
+    });
+    return result;
+}
+
+}  // namespace
+
+filters::Verdict sign(const Approximation& value) noexcept {
+    using filters::Verdict;
+    if (!filters::environment_is_default()) return Verdict::uncertain();
+    if (value.has_sign()) return Verdict::certain(value.value > 0.0 ? 1 : -1);
+    return value.is_zero() ? Verdict::certain(0) : Verdict::uncertain();
+}
+
+Approximation value_at(const Approximations& p, const Approximation& t) noexcept {
+    if (p.degree < 0) return Approximation();
+    auto i = static_cast<std::size_t>(p.degree);
+    Approximation value = p.c[i];
+    while (i-- > 0) value = value * t + p.c[i];
+    return value;
+}
+
+filters::Verdict sign_between(const Approximations& p, double low, double high) noexcept {
+    // The middle may err by an ulp, for which there is one in the radius.
+    const double middle = 0.5 * low + 0.5 * high;
+    const double radius = high - middle > middle - low ? high - middle : middle - low;
+    const double more =
+        4.0 * epsilon * (magnitude(low) + magnitude(high)) + Approximation::underflow;
+    return sign(value_at(p, Approximation(middle, radius + more)));
+}
+
+Found first_change(const Approximations& p, double t) noexcept {
+    return first_found(p, nullptr, t);
+}
+Found first_change(const Approximations& p, const Approximations& shifted, double t) noexcept {
+    return first_found(p, &shifted, t);
+}
+
+std::optional<RealRoots> real_roots(const Approximations& p) noexcept {
+    if (!filters::environment_is_default()) return std::nullopt;
+    RealRoots result;
+    result.everywhere = p.degree < 0;
+    if (p.degree <= 0) {
+        if (p.degree == 0 && !p.c[0].has_sign()) return std::nullopt;
+        return result;
+    }
+    // Those below 0 are those of p(-t) above 0, in the opposite order.
+    Approximations reflected = p;
+    for (std::size_t i = 1; i < reflected.c.size(); i += 2) reflected.c[i] = -reflected.c[i];
+    std::array<Root, most_degree> below;
+    int count = 0;
+    const bool told = roots_after(reflected, nullptr, 0.0, [&](const Root& root) {
+        Root mirrored = root.of_negative();
+        mirrored.low = -root.high;
+        mirrored.high = -root.low;
+        below[static_cast<std::size_t>(count++)] = mirrored;
+        return false;
+    });
+    if (!told) return std::nullopt;
+    while (count > 0)
+        result.roots[static_cast<std::size_t>(result.count++)] =
+            below[static_cast<std::size_t>(--count)];
+    std::int8_t zeros = 0;
+    while (p.c[static_cast<std::size_t>(zeros)].is_zero()) ++zeros;
+    if (zeros > 0) {
+        const bool positive = p.c[static_cast<std::size_t>(zeros)].value > 0.0;
+        result.roots[static_cast<std::size_t>(result.count++)] =
+            Root{0.0, 0.0, zeros, 1, static_cast<std::int8_t>(positive ? 1 : -1), false};
+    }
+    const bool all = roots_after(p, nullptr, 0.0, [&](const Root& root) {
+        result.roots[static_cast<std::size_t>(result.count++)] = root;
+        return false;
+    });
+    if (!all) return std::nullopt;
+    return result;
+}
+
+}  // namespace signum::roots::filter

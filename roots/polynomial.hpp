@@ -1,0 +1,179 @@
+#pragma once
+/// Signs and real roots of polynomials of degree 8 at most, whose coefficients are sums of products
+/// of doubles: what kinetic structures ask for. For sources only.
+///
+/// A polynomial is known twice: by approximate coefficients, which are always there, and by dyadic
+/// ones, which are made when a question needs them. Both come of one form, which a user writes as
+///
+///     struct Ccw {
+///         MovingPoint a, b, c;
+///         template <class Number> PolynomialIn<Number, 2> in() const;
+///     };
+///
+/// Laws:
+///  1. Every answer is exact, for all finite doubles. Where these are 0 or within 2^±150 the
+///     approximations of polynomials of degree 4 do not leave a double's range.
+///  2. Each question is asked of the approximations first (filter.hpp) and, where these cannot
+///     tell, of integers (exact/polynomial.hpp): of coefficients that are rounded only at the very
+///     place, and at last of Sturm's chains. A question that the filter answers allocates nothing.
+///     Outside the default floating-point environment all answers are exact ones.
+///  3. Equal roots of different polynomials are found equal by the greatest common divisor; no loop
+///     waits for two numbers to part that may be the same.
+///
+/// A root is a small record apart from its polynomial, as events wait in queues by the million; who
+/// asks about it brings the polynomial again (RootOf), the same one or another made of the same
+/// form. Exact coefficients and chains are kept in the polynomial for the next question, so that
+/// one polynomial is not for two threads at a time.
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "../core/sign.hpp"
+#include "../exact/polynomial.hpp"
+#include "polynomial_in.hpp"
+
+namespace signum::roots {
+
+/// Questions by what answered them.
+struct Tally {
+    std::uint64_t filtered = 0;
+    std::uint64_t exact = 0;
+};
+
+/// A real root of a polynomial. One of these holds:
+///  - low == high, and the root is this double;
+///  - `alone`: the root is the only one in [low, high] and is neither, and the polynomial changes
+///  its
+///    sign there;
+///  - low and high are neighbours among the doubles with both infinities, and it is the place-th of
+///    the distinct roots that are greater than low; less than high.
+struct Root {
+    double low;
+    double high;
+    std::int8_t multiplicity;
+    std::int8_t place;  ///< from 1
+    std::int8_t after;  ///< the sign of the polynomial right after the root
+    bool alone;
+
+    [[nodiscard]] bool is_double() const noexcept { return low == high; }
+    [[nodiscard]] bool changes_sign() const noexcept { return multiplicity % 2 == 1; }
+    /// The sign right before the root.
+    [[nodiscard]] Sign before() const noexcept { return changes_sign() ? -after : after; }
+    /// The same root of the polynomial times -1.
+    [[nodiscard]] Root of_negative() const noexcept {
+        Root result = *this;
+        result.after = static_cast<std::int8_t>(-after);
+        return result;
+    }
+};
+
+/// All real roots in order, each once; where the polynomial is 0, `everywhere` and none.
+struct RealRoots {
+    bool everywhere = false;
+    int count = 0;
+    std::array<Root, most_degree> roots{};
+
+    [[nodiscard]] const Root* begin() const noexcept { return roots.data(); }
+    [[nodiscard]] const Root* end() const noexcept { return roots.data() + count; }
+    [[nodiscard]] int size() const noexcept { return count; }
+    [[nodiscard]] const Root& operator[](int i) const noexcept {
+        return roots[static_cast<std::size_t>(i)];
+    }
+};
+
+static_assert(sizeof(Root) == 24);
+
+class Polynomial;
+
+/// A root and a polynomial of which it is one. The root may be one of its negative, too, if
+/// of_negative() was asked for.
+struct RootOf {
+    const Polynomial& polynomial;
+    Root root;
+};
+
+/// What filter and exact stages know the polynomial by.
+struct Approximations {
+    std::array<Approximation, most_degree + 1> c;
+    /// Coefficients from here on are exactly 0; -1 where all are.
+    int degree;
+};
+
+class Polynomial {
+ public:
+    /// The form has to outlive the polynomial.
+    template <class Form>
+    explicit Polynomial(const Form& form)
+        : form_(&form), exact_([](const void* f) {
+              const auto p = static_cast<const Form*>(f)->template in<exact::Dyadic>();
+              return exact::Polynomial(std::span<const exact::Dyadic>(p.c));
+          }) {
+        const auto p = form.template in<Approximation>();
+        const bool usable = filters::environment_is_default();
+        for (std::size_t i = 0; i < p.c.size(); ++i) {
+            approximate_.c[i] = p.c[i];
+            if (!usable) approximate_.c[i].error = std::numeric_limits<double>::infinity();
+        }
+        approximate_.degree = static_cast<int>(p.c.size()) - 1;
+        while (approximate_.degree >= 0 &&
+               approximate_.c[static_cast<std::size_t>(approximate_.degree)].is_zero())
+            --approximate_.degree;
+    }
+
+    /// Whether it is 0 everywhere.
+    [[nodiscard]] bool is_zero(Tally* tally = nullptr) const;
+
+    // Preconditions: t is finite.
+    [[nodiscard]] Sign sign_at(double t, Tally* tally = nullptr) const;
+    /// Right after t: 0 only where the polynomial is 0 everywhere.
+    [[nodiscard]] Sign sign_after(double t, Tally* tally = nullptr) const;
+    [[nodiscard]] Sign sign_at(const RootOf& t, Tally* tally = nullptr) const;
+    [[nodiscard]] Sign sign_after(const RootOf& t, Tally* tally = nullptr) const;
+
+    /// The least root greater than t at which the sign changes, that is, of odd multiplicity.
+    [[nodiscard]] std::optional<Root> first_change(double t, Tally* tally = nullptr) const;
+    [[nodiscard]] std::optional<Root> first_change(const RootOf& t, Tally* tally = nullptr) const;
+    [[nodiscard]] RealRoots real_roots(Tally* tally = nullptr) const;
+
+    /// The same root between neighbouring doubles, or as a double.
+    [[nodiscard]] Root narrowed(const Root& root, Tally* tally = nullptr) const;
+    /// Halves to even; infinity where that would be beyond the doubles.
+    [[nodiscard]] double nearest_double(const Root& root, Tally* tally = nullptr) const;
+
+    /// The sign of root - x.
+    friend Sign compare(const RootOf& a, double x, Tally* tally);
+    /// The sign of a - b.
+    friend Sign compare(const RootOf& a, const RootOf& b, Tally* tally);
+
+    [[nodiscard]] const Approximations& approximate() const noexcept { return approximate_; }
+
+ private:
+    struct Exact;
+    struct Forget {
+        void operator()(Exact* known) const noexcept;
+    };
+    /// Whether a question went on to the exact stage.
+    struct Asked;
+
+    [[nodiscard]] Exact& exact() const;
+    [[nodiscard]] Sign sign_at(double t, Asked& asked) const;
+    [[nodiscard]] std::optional<Root> first_change(double t, Asked& asked) const;
+    [[nodiscard]] std::optional<Root> first_change(const Root& mine, Asked& asked) const;
+    [[nodiscard]] Root narrowed(const Root& root, Asked& asked) const;
+    [[nodiscard]] static Sign compare(const RootOf& a, double x, Asked& asked);
+    [[nodiscard]] static Sign compare(const RootOf& a, const RootOf& b, Asked& asked);
+
+    Approximations approximate_;
+    const void* form_;
+    exact::Polynomial (*exact_)(const void*);
+    mutable std::unique_ptr<Exact, Forget> known_;
+};
+
+[[nodiscard]] Sign compare(const RootOf& a, double x, Tally* tally = nullptr);
+[[nodiscard]] Sign compare(const RootOf& a, const RootOf& b, Tally* tally = nullptr);
+
+}  // namespace signum::roots
