@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -145,6 +146,15 @@ TEST(OracleKinetic, HiddenByAHeavyOneOnAnEdge) {
         all.always.end());
 }
 
+TEST(OracleKinetic, TwoThatMeetHidden) {
+    Sites sites{{0, 0}, {10, 0}, {0, 10}, {-10, 0}, {0, -10}, {-0.5, 0.5, 1, 0}, {0.5, 0.5, -1, 0}};
+    sites[0].w = 20;
+    EXPECT_EQ(times(events(sites, fraction(2, 5), fraction(3, 5)).events),
+              (std::vector<double>{0.5}));
+    EXPECT_TRUE(epochs(sites, fraction(2, 5), fraction(3, 5)).changes.empty());
+    EXPECT_FALSE(faces_at(sites, fraction(1, 2)).is_tied());
+}
+
 TEST(OracleKinetic, AVertexOfThreeEdgesComesAndGoes) {
     // The circle of the corners has its centre at (0, -2) and radius 10. A site of weight -84 is
     // visible as long as it is nearer than 4 to the centre.
@@ -189,6 +199,33 @@ TEST(OracleKinetic, TwoTimesWithOneDouble) {
     EXPECT_LT(at_one[0].event.high, at_one[1].event.low);
     EXPECT_EQ(who(at_one[0].event), (std::set<std::vector<std::int32_t>>{{0, 1, 2, 3}}));
     EXPECT_EQ(who(at_one[1].event), (std::set<std::vector<std::int32_t>>{{4, 5, 6, 7}}));
+}
+
+TEST(OracleKinetic, TimesThatDifferLittleOfPolynomialsThatShareAnother) {
+    // The last of the second four is on their circle at 1 + 2^-50 and at 3, that of the first four
+    // at 1 and 3.
+    const double d = 1 - 0x1p-51;
+    const Sites second{{d, 0}, {-d, 0}, {0, d}, {0, 0, 0, 1, 2 + 0x1p-51}};
+    const Candidates all = events(together(moved(riser, 100, 37), second), fraction(1, 2), 4);
+    std::vector<double> first, other;
+    for (const Event& event : all.events) {
+        if (who(event).count({0, 1, 2, 3}) == 1) first.push_back(event.nearest);
+        if (who(event).count({4, 5, 6, 7}) == 1) other.push_back(event.nearest);
+    }
+    EXPECT_EQ(first, (std::vector<double>{1, 3}));
+    EXPECT_EQ(other, (std::vector<double>{1 + 0x1p-50, 3}));
+}
+
+TEST(OracleKinetic, FourTimesOfOnePolynomial) {
+    // With u = t - 5 the circle through (u, 0), (-u, 0) and (0, 1) meets the axis in (0, -u²), too.
+    // (0, 4 u + 3) is there when u is -3 and -1, and at (0, 1) when u is -1/2; the first two
+    // coincide when it is 0.
+    const Sites sites{{0, 0, 1, 0, 5}, {0, 0, -1, 0, 5}, {0, 1}, {0, 3, 0, 4, 5}};
+    const Candidates all = events(sites, 1, 6);
+    std::vector<double> found;
+    for (const Event& event : all.events)
+        if (who(event).count({0, 1, 2, 3}) == 1) found.push_back(event.nearest);
+    EXPECT_EQ(found, (std::vector<double>{2, 4, 4.5, 5}));
 }
 
 TEST(OracleKinetic, ACircleThatIsTouched) {
@@ -584,6 +621,15 @@ TEST(OracleKinetic, Invariances) {
             site.w += 1;
         }
         expect_same_changes(run, epochs(drifting, 0, 1));
+
+        // Far smaller.
+        Sites scaled = sites;
+        for (Site& site : scaled) {
+            for (double* number : {&site.x, &site.y, &site.vx, &site.vy, &site.r})
+                *number = std::ldexp(*number, -500);
+            site.w = std::ldexp(site.w, -1000);
+        }
+        expect_same_changes(run, epochs(scaled, 0, 1));
 
         // All fall: who starts later has that much more speed, and has fallen so far.
         Sites falling = sites;
