@@ -15,8 +15,8 @@
 ///   turn round thus change it. With fewer than three sites, and while all are on one line, it is
 ///   empty, whatever happens to the chain on that line.
 /// - A triangle counts where no other site is nearer, in the power metric, to the centre of its
-///   power circle than its corners are. If another one is exactly as near, four are tied. Centres
-///   are asked for no more: a site in no triangle is hidden, or on the line with all the others.
+///   power circle than its corners are. If another one is exactly as near, four are tied. Hidden
+///   sites are not listed: a site in no triangle is hidden, or on one line with all the others.
 /// - Three on a line are a tie where the line bounds the hull of all centres, hidden ones included,
 ///   for a site that leaves the hull is no longer hidden. Such a tie leaves the set of triangles
 ///   determined: no power circle has a part in it.
