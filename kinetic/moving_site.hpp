@@ -1,0 +1,18 @@
+#pragma once
+/// Sites that move on straight lines.
+
+namespace signum {
+
+/// At time t its centre is (x, y) + (vx, vy)·(t - time); all numbers are doubles and are taken as
+/// exact ones. In the power metric r stands for the weight r².
+struct MovingSite {
+    double x = 0.0;
+    double y = 0.0;
+    double vx = 0.0;
+    double vy = 0.0;
+    double r = 0.0;
+    double time = 0.0;
+    friend bool operator==(const MovingSite&, const MovingSite&) = default;
+};
+
+}  // namespace signum
