@@ -72,6 +72,36 @@ struct InCircle {
     }
 };
 
+/// How far a lies beyond b along an axis.
+struct Beyond {
+    static constexpr int degree = 1;
+    MovingSite a;
+    MovingSite b;
+    bool along_x;
+
+    template <class Number>
+    [[nodiscard]] PolynomialIn<Number, degree> in() const {
+        const Relative<Number> r(a, b);
+        return along_x ? r.x : r.y;
+    }
+};
+
+/// The one-dimensional InCircle of three on a line, times the sign of Beyond{b, a}.
+struct InSegment {
+    static constexpr int degree = 3;
+    MovingSite a;
+    MovingSite b;
+    MovingSite q;
+    bool along_x;
+
+    template <class Number>
+    [[nodiscard]] PolynomialIn<Number, degree> in() const {
+        const Relative<Number> i(a, q);
+        const Relative<Number> j(b, q);
+        return along_x ? i.height() * j.x - j.height() * i.x : i.height() * j.y - j.height() * i.y;
+    }
+};
+
 /// Above 0 where p is nearer to a than to b, in power distances: |p - b|² - w_b less that of a.
 /// Linear but for the squares of a and b.
 struct Nearer {
