@@ -23,6 +23,11 @@ using FourDoubleDoubles = DoubleDoubleOf<Four>;
 [[gnu::always_inline]] inline void magnitude(Four& result, const Four& numbers) noexcept {
     result = (Four)((Flags)numbers & std::numeric_limits<std::int64_t>::max());
 }
+[[gnu::always_inline]] inline void add_magnitude(Four& sum, const Four& numbers) noexcept {
+    Four magnitudes;
+    magnitude(magnitudes, numbers);
+    sum += magnitudes;
+}
 [[gnu::always_inline]] inline void square_root(Four& result, const Four& numbers) noexcept {
     for (std::size_t k = 0; k < lanes; ++k) result[k] = std::sqrt(numbers[k]);
 }

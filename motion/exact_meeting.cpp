@@ -14,6 +14,7 @@ namespace {
 using exact::Dyadic;
 using exact::Rational;
 using exact::to_rational;
+using filters::add_magnitude;
 using filters::DoubleDouble;
 using filters::Four;
 using filters::FourDoubleDoubles;
@@ -138,19 +139,15 @@ template <int D>
     // The sum of the magnitudes of what is added up.
     Four size = shift;
     Four speed{};
-    Four part;
-    const auto include = [&part](Four & sum, const Four& numbers) __attribute__((always_inline)) {
-        magnitude(part, numbers);
-        sum += part;
-    };
-    include(speed, of_a);
-    include(speed, of_b);
+    add_magnitude(speed, of_a);
+    add_magnitude(speed, of_b);
     for (const Vector<D>* const x : {&a.x, &b.x}) {
-        load(part, *x);
-        include(size, Four{part});
+        Four place;
+        load(place, *x);
+        add_magnitude(size, place);
     }
-    include(size, flown_a.high);
-    include(size, flown_b.high);
+    add_magnitude(size, flown_a.high);
+    add_magnitude(size, flown_b.high);
     if (effects.gravity != Vector<D>{}) {
         const DoubleDouble later_a = filters::exact_difference(b.time, a.time);
         Four gravity;
@@ -159,8 +156,8 @@ template <int D>
             (0.5 * gravity) * filters::four_times(later_a * (since_a + since_b));
         d = d + fallen;
         v += gravity * later_a.high;
-        include(size, fallen.high);
-        include(speed, gravity * later_a.high);
+        add_magnitude(size, fallen.high);
+        add_magnitude(speed, gravity * later_a.high);
     }
     const DoubleDouble radii = filters::exact_sum(a.radius, b.radius);
     const DoubleDouble f = filters::dot<D>(d, d) - radii * radii;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <type_traits>
 
 #include "../core/error_free.hpp"
 #include "../core/processor.hpp"
@@ -243,21 +242,32 @@ template <int D>
     return true;
 }
 
-/// The ball brought to time t in one operation a coordinate, which rounds once (0 without its
-/// sign); false where that is not all there is to it.
+/// x + v s in one operation, which rounds once; 0 without its sign.
+template <int D>
+[[gnu::always_inline]] inline double glided(const Ball<D>& ball, int axis, double s) noexcept {
+    return __builtin_fma(ball.v[axis], s, ball.x[axis]) + 0.0;
+}
+/// Whether a place needs no bringing back into a periodic box.
+template <int D>
+[[gnu::always_inline]] inline bool is_at_home(double x, int axis,
+                                              const Effects<D>& effects) noexcept {
+    return !effects.periodic || (x > effects.box->low[axis] && x < effects.box->high[axis]);
+}
+
+/// Brings the ball to time t in one operation a coordinate; false where that is not all there is
+/// to it.
 template <int D>
 [[gnu::always_inline]] inline bool glides(Ball<D>& ball, double t,
                                           const Effects<D>& effects) noexcept {
     const DoubleDouble s = exact_difference(t, ball.time);
     if (s.low != 0.0 || effects.gravity != Vector<D>{}) return false;
     ball.time = t;
-    bool inside = true;
+    bool at_home = true;
     for (int i = 0; i < D; ++i) {
-        double& x = ball.x[i];
-        x = __builtin_fma(ball.v[i], s.high, x) + 0.0;
-        if (effects.periodic) inside &= (x > effects.box->low[i]) & (x < effects.box->high[i]);
+        ball.x[i] = glided(ball, i, s.high);
+        at_home &= is_at_home(ball.x[i], i, effects);
     }
-    return inside;
+    return at_home;
 }
 
 /// The ball at time t, `untold` what double-doubles do not tell.
@@ -270,11 +280,8 @@ template <int D>
     for (int i = 0; i < D; ++i) {
         const double gravity = effects.gravity[i];
         if (s.low == 0.0 && gravity == 0.0) {
-            // One operation that rounds once; 0 without its sign.
-            result.x[i] = __builtin_fma(ball.v[i], s.high, ball.x[i]) + 0.0;
-            if (!effects.periodic ||
-                (result.x[i] > effects.box->low[i] && result.x[i] < effects.box->high[i]))
-                continue;
+            result.x[i] = glided(ball, i, s.high);
+            if (is_at_home(result.x[i], i, effects)) continue;
         }
         const DoubleDouble flown = ball.v[i] * s;
         DoubleDouble x = DoubleDouble{ball.x[i], 0.0} + flown;

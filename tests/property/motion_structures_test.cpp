@@ -143,10 +143,10 @@ TEST(MotionStructures, ImpulseGoesThroughACradle) {
 TEST(MotionStructures, NothingGoesThrough) {
     for (const Structure structure : all_structures) {
         SCOPED_TRACE(name_of(structure));
-        const int looks = 6 * static_cast<int>(thoroughness);
-        expect_nothing_through(gas<2>(64, true, 21), looks, 0.0371, structure);
-        expect_nothing_through(gas<3>(64, false, 22), looks, 0.0371, structure);
-        expect_nothing_through(falling<2>(64, 23), looks, 0.0371, structure);
+        constexpr int looks = 10 * static_cast<int>(thoroughness);
+        expect_nothing_through(gas<2>(64, true, 21), 3 * looks, 0.0371, structure);
+        expect_nothing_through(gas<3>(64, false, 22), 3 * looks, 0.0371, structure);
+        expect_nothing_through(falling<2>(64, 23), 2 * looks, 0.0371, structure);
     }
 }
 

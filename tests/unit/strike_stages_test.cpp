@@ -233,14 +233,15 @@ bool is_nearest(double told, const mpq_class& number) {
     return off(told) <= off(std::nextafter(told, -HUGE_VAL)) &&
            off(told) <= off(std::nextafter(told, HUGE_VAL));
 }
-/// The same of a root, told >= 0: whether it lies between the middles to its neighbours.
+/// The same of a root, which is not negative: whether it lies between the middles to its
+/// neighbours.
 bool is_nearest_root(double told, const mpq_class& square) {
     const auto middle = [&](double to) {
         return mpq_class((mpq_class(told) + mpq_class(std::nextafter(told, to))) / 2);
     };
     const mpq_class below = middle(0.0);
     const mpq_class above = middle(HUGE_VAL);
-    return below * below <= square && square <= above * above;
+    return told >= 0.0 && below * below <= square && square <= above * above;
 }
 
 /// What two balls exchange, from its definition.
