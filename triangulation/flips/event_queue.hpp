@@ -1,80 +1,103 @@
 #pragma once
-/// What is to happen to edges, in an order that the user gives. An event is forgotten as soon as
-/// one of the two faces at its edge has changed.
+/// What is to happen, in an order that the user gives: of every subject, which is named by a number,
+/// one event at most. So nothing that is out of date waits here, and events that an order compares
+/// are all about things as they are.
 
+#include <cstddef>
 #include <cstdint>
-#include <optional>
-#include <queue>
 #include <utility>
 #include <vector>
 
-#include "../../core/index.hpp"
-#include "../structure/topology.hpp"
+#include "../../core/contract.hpp"
 
 namespace signum::triangulation {
 
 /// Compare(a, b) is below 0 where of two values of When the first comes first, and above 0 where
-/// the second does; of equal ones the event that was found first comes first. The marks of the
-/// faces are the queue's.
+/// the second does; of equal ones the event that was set first comes first. A binary heap that knows
+/// where everybody's event is: O(log n) comparisons for every change.
 template <class When, class Compare>
 class EventQueue {
  public:
+    using Subject = std::uint32_t;
     struct Event {
         When when;
         std::uint64_t number;  ///< of discovery
-        HalfEdge edge;
-        Index stamps[2];  ///< of the faces at the edge
+        Subject subject;
     };
 
-    EventQueue(Topology& topology, Compare compare)
-        : topology_(topology), events_(Later{std::move(compare)}) {
-        for (Index f = 0; f < topology_.faces(); ++f)
-            if (!topology_.is_vacant(f)) stamp(f);
+    EventQueue(std::size_t subjects, Compare compare)
+        : place_(subjects, none), compare_(std::move(compare)) {}
+    /// Those that are there stay.
+    void make_room(std::size_t subjects) { place_.resize(subjects, none); }
+
+    [[nodiscard]] bool empty() const noexcept { return heap_.empty(); }
+    [[nodiscard]] std::size_t size() const noexcept { return heap_.size(); }
+    /// The first one. Precondition: not empty.
+    [[nodiscard]] const Event& top() const noexcept { return heap_.front(); }
+    [[nodiscard]] Event pop() {
+        Event first = heap_.front();
+        erase(first.subject);
+        return first;
     }
 
-    /// The face has changed: what is known of its edges is out of date.
-    void stamp(Index f) noexcept { topology_.record(f).mark = ++stamp_; }
-
-    /// Whether f is the face that asks what happens to the edge between f and the twin's face: of
-    /// the two that which changed later, so that an edge is looked at once.
-    [[nodiscard]] bool asks(Index f, HalfEdge h) const noexcept {
-        return topology_.record(Topology::face(topology_.twin(h))).mark <= topology_.record(f).mark;
-    }
-
-    void push(HalfEdge h, const When& when) {
-        events_.push({when, ++number_, h, {stamp_of(h), stamp_of(topology_.twin(h))}});
-    }
-
-    /// The next event that is not out of date.
-    [[nodiscard]] std::optional<Event> pop() {
-        while (!events_.empty()) {
-            const Event event = events_.top();
-            events_.pop();
-            if (!topology_.is_vacant(Topology::face(event.edge)) &&
-                stamp_of(event.edge) == event.stamps[0] &&
-                stamp_of(topology_.twin(event.edge)) == event.stamps[1])
-                return event;
+    /// Gives the subject an event, instead of the one that it may have.
+    void set(Subject subject, const When& when) {
+        std::uint32_t place = place_[subject];
+        if (place == none) {
+            place = static_cast<std::uint32_t>(heap_.size());
+            heap_.push_back({when, ++number_, subject});
+            rise(place, heap_.back());
+        } else {
+            settle(place, {when, ++number_, subject});
         }
-        return std::nullopt;
+    }
+    /// Nothing happens where it has none.
+    void erase(Subject subject) {
+        const std::uint32_t place = place_[subject];
+        if (place == none) return;
+        place_[subject] = none;
+        const Event last = heap_.back();
+        heap_.pop_back();
+        if (last.subject != subject) settle(place, last);
+    }
+    void clear() noexcept {
+        for (const Event& event : heap_) place_[event.subject] = none;
+        heap_.clear();
     }
 
  private:
-    /// As std::priority_queue wants it.
-    struct Later {
-        Compare compare;
-        bool operator()(const Event& a, const Event& b) const {
-            const int order = compare(a.when, b.when);
-            return order != 0 ? order > 0 : a.number > b.number;
+    static constexpr std::uint32_t none = ~std::uint32_t{0};
+
+    [[nodiscard]] bool is_before(const Event& a, const Event& b) const {
+        const int order = compare_(a.when, b.when);
+        return order != 0 ? order < 0 : a.number < b.number;
+    }
+    /// Puts an event where its place is, from a place that is free.
+    void settle(std::uint32_t place, const Event& event) {
+        if (place > 0 && is_before(event, heap_[(place - 1) / 2])) return rise(place, event);
+        for (std::uint32_t child = 2 * place + 1; child < heap_.size(); child = 2 * place + 1) {
+            if (child + 1 < heap_.size() && is_before(heap_[child + 1], heap_[child])) ++child;
+            if (!is_before(heap_[child], event)) break;
+            put(place, heap_[child]);
+            place = child;
         }
-    };
-    [[nodiscard]] Index stamp_of(HalfEdge h) const noexcept {
-        return topology_.record(Topology::face(h)).mark;
+        put(place, event);
+    }
+    void rise(std::uint32_t place, Event event) {
+        for (; place > 0 && is_before(event, heap_[(place - 1) / 2]); place = (place - 1) / 2)
+            put(place, heap_[(place - 1) / 2]);
+        put(place, event);
+    }
+    void put(std::uint32_t place, const Event& event) {
+        SIGNUM_EXPECTS(place < heap_.size());
+        heap_[place] = event;
+        place_[event.subject] = place;
     }
 
-    Topology& topology_;
-    Index stamp_ = 0;
+    std::vector<Event> heap_;
+    std::vector<std::uint32_t> place_;
     std::uint64_t number_ = 0;
-    std::priority_queue<Event, std::vector<Event>, Later> events_;
+    Compare compare_;
 };
 
 }  // namespace signum::triangulation

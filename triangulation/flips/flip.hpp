@@ -1,6 +1,6 @@
 #pragma once
 /// Flips: the two local changes that lead from one triangulation of the same sphere to another.
-/// They know no coordinate; faces keep their marks.
+/// They know no coordinate.
 
 #include <array>
 #include <cstddef>

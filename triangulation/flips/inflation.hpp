@@ -47,7 +47,7 @@ class Inflation {
           order_(order),
           growth_(kernel),
           degree_(hidden_by.size(), 0),
-          events_(topology, growth_) {
+          events_(4 * topology.room(), growth_) {
         for (Index f = 0; f < topology_.faces(); ++f) {
             if (topology_.is_vacant(f)) continue;
             for (const Index v : topology_.vertices(f))
@@ -60,11 +60,14 @@ class Inflation {
     template <class Watch>
     [[nodiscard]] bool run(const Watch& watch) {
         for (Index f = 0; f < topology_.faces(); ++f)
-            if (!topology_.is_vacant(f)) push_edges(f);
-        while (const auto event = events_.pop()) {
-            if (!make_regular(event->edge)) {
+            if (!topology_.is_vacant(f))
+                for (HalfEdge h = Topology::first_edge(f); h < Topology::first_edge(f) + 3; ++h)
+                    if (h < topology_.twin(h)) push(h);
+        while (!events_.empty()) {
+            const HalfEdge edge = events_.pop().subject;
+            if (!make_regular(edge)) {
                 // Waits for another flip of the same time.
-                blocked_.push_back(event->edge);
+                blocked_.push_back(edge);
                 continue;
             }
             ++flips_;
@@ -122,14 +125,20 @@ class Inflation {
         const auto quad = failing(h);
         if (!quad) return;
         // In the order of discovery all times are the same.
-        events_.push(h, order_ == Order::of_time ? growth_.failure(*quad) : at_any_time(*quad));
+        events_.set(topology_.edge(h),
+                    order_ == Order::of_time ? growth_.failure(*quad) : at_any_time(*quad));
     }
     [[nodiscard]] static Failure at_any_time(const Quad& quad) noexcept {
         return {GrowthOrder<Kernel>::before_all, quad};
     }
+    /// The edges of a face that is new.
     void push_edges(Index f) {
+        for (HalfEdge h = Topology::first_edge(f); h < Topology::first_edge(f) + 3; ++h) push(h);
+    }
+    /// The face is about to go, and with it what its edges are called.
+    void forget_edges(Index f) {
         for (HalfEdge h = Topology::first_edge(f); h < Topology::first_edge(f) + 3; ++h)
-            if (events_.asks(f, h)) push(h);
+            events_.erase(topology_.edge(h));
     }
 
     /// Degrees of sites; that of infinity is nobody's concern.
@@ -151,15 +160,16 @@ class Inflation {
         const bool is_convex = b == infinite || c == infinite ||
                                (kernel_.ccw(a, b, d) >= 0 && kernel_.ccw(d, c, a) >= 0);
         if (!is_convex || a == d) return false;
-        flip(topology_, h);
         const Index f = Topology::face(h);
         const Index g = Topology::face(t);
-        events_.stamp(f);
-        events_.stamp(g);
+        forget_edges(f);
+        forget_edges(g);
+        flip(topology_, h);
         for (const Index v : {a, d}) change_degree(v, 1);
         for (const Index v : {b, c}) change_degree(v, -1);
         push_edges(g);
-        push_edges(f);
+        push(Topology::first_edge(f));
+        push(Topology::first_edge(f) + 1);
         return true;
     }
 
@@ -167,8 +177,8 @@ class Inflation {
     bool hide(HalfEdge h) {
         const Index v = topology_.origin(h);
         const Index f = Topology::face(h);
+        for (const HalfEdge spoke : topology_.fan(h)) forget_edges(Topology::face(spoke));
         remove_vertex(topology_, h);
-        events_.stamp(f);
         const auto& corners = topology_.vertices(f);
         for (const Index u : corners) change_degree(u, -1);
         hidden_by_[static_cast<std::size_t>(v)] = corners[0] != infinite ? corners[0] : corners[1];

@@ -99,6 +99,8 @@ class Insertion {
     [[nodiscard]] Index recent() const noexcept { return recent_; }
     /// The face from which the next site is looked for.
     void start_from(Index face) noexcept { recent_ = face; }
+    /// Face slots that wait for reuse: who takes faces out by other means leaves them here.
+    [[nodiscard]] Stack<Index>& vacant() noexcept { return vacant_; }
     /// The sites that the last one hid.
     [[nodiscard]] const std::vector<Index>& enclosed() const noexcept { return enclosed_; }
 

@@ -11,6 +11,7 @@
 ///     coordinate.
 ///  4. A face that was taken out has `vacant` for vertices and waits for reuse.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -59,6 +60,8 @@ class Topology {
     /// The vertex of the face that is not on the edge.
     [[nodiscard]] Index apex(HalfEdge h) const noexcept { return origin(previous(h)); }
     [[nodiscard]] HalfEdge twin(HalfEdge h) const noexcept { return at(h).twin[h & 3]; }
+    /// The name of an edge: the lesser of its two half-edges.
+    [[nodiscard]] HalfEdge edge(HalfEdge h) const noexcept { return std::min(h, twin(h)); }
     /// The next half-edge out of the same origin, counterclockwise.
     [[nodiscard]] HalfEdge around_origin(HalfEdge h) const noexcept { return twin(previous(h)); }
     /// All half-edges out of the origin of h, counterclockwise from h: a range for a range-for. The
