@@ -168,6 +168,32 @@ TEST_P(Dynamic, TheGiant) {
     }
 }
 
+/// A hub with so many neighbours that hiders are looked for in boxes of sites: those that have gone
+/// are in none, however near they would be.
+TEST_P(Dynamic, TheGoneHideNothing) {
+    DynamicTessellation dynamic(GetParam());
+    std::map<Index, Site> sites;
+    const auto in_square = [&](double half) { return half * (2.0 * real() - 1.0); };
+    const auto add = [&](const Site& site) {
+        const Index handle = dynamic.insert(site);
+        sites.emplace(handle, site);
+        return handle;
+    };
+    std::vector<Index> going;
+    for (int i = 0; i < 20; ++i) going.push_back(add({in_square(0.3), in_square(0.3), 9.05}));
+    for (int i = 0; i < 1000; ++i) {
+        const double angle = 6.28 * real();
+        add({10.0 * std::cos(angle), 10.0 * std::sin(angle), 1e-4 * real()});
+    }
+    add({0.0, 0.0, 9.0});
+    for (int i = 0; i < 100; ++i) add({in_square(8.0), in_square(8.0), 0.001});
+    for (const Index handle : going) {
+        dynamic.erase(handle);
+        sites.erase(handle);
+    }
+    expect_canonical(dynamic, sites);
+}
+
 TEST_P(Dynamic, StructureIsChangedAndNotBuiltAnew) {
     DynamicTessellation dynamic(GetParam());
     std::vector<Index> handles;

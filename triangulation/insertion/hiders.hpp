@@ -27,9 +27,10 @@ namespace signum::triangulation {
 template <class Kernel>
 class Boxes {
  public:
-    Boxes(Kernel& kernel, std::span<const Index> hidden_by) : kernel_(kernel) {
-        for (std::size_t i = 0; i < hidden_by.size(); ++i)
-            if (hidden_by[i] < 0) sites_.push_back(static_cast<Index>(i));
+    /// Of the sites that have a face; others are hidden, or not there at all.
+    Boxes(Kernel& kernel, std::span<const Index> face_of) : kernel_(kernel) {
+        for (std::size_t i = 0; i < face_of.size(); ++i)
+            if (face_of[i] >= 0) sites_.push_back(static_cast<Index>(i));
         enclose(1, sites_);
     }
 
@@ -98,11 +99,8 @@ class Boxes {
 template <class Kernel>
 class NearestVisible {
  public:
-    NearestVisible(const Topology& topology, Kernel& kernel, std::span<const Index> hidden_by)
-        : topology_(topology),
-          kernel_(kernel),
-          hidden_by_(hidden_by),
-          face_of_(faces_of_vertices(topology, hidden_by.size())) {}
+    NearestVisible(const Topology& topology, Kernel& kernel, std::size_t sites)
+        : topology_(topology), kernel_(kernel), face_of_(faces_of_vertices(topology, sites)) {}
 
     /// The visible site nearest to the centre of q, from any visible one: the distance has no local
     /// minimum on the tessellation but the global one, so going to a nearer neighbour as long as
@@ -147,13 +145,12 @@ class NearestVisible {
         return nearest;
     }
     [[nodiscard]] Index in_boxes(Index q, Index known) {
-        if (!boxes_) boxes_.emplace(kernel_, hidden_by_);
+        if (!boxes_) boxes_.emplace(kernel_, face_of_);
         return boxes_->nearest(q, known);
     }
 
     const Topology& topology_;
     Kernel& kernel_;
-    std::span<const Index> hidden_by_;
     std::vector<Index> face_of_;
     Index found_last_ = -1;
     std::optional<Boxes<Kernel>> boxes_;
@@ -174,7 +171,7 @@ inline Index end_of_chain(std::span<Index> hidden_by, Index hidden) {
 template <class Kernel>
 void settle_hiders(const Topology& topology, Kernel& kernel, std::span<Index> hidden_by) {
     if (std::all_of(hidden_by.begin(), hidden_by.end(), [](Index by) { return by < 0; })) return;
-    NearestVisible<Kernel> nearest_visible(topology, kernel, hidden_by);
+    NearestVisible<Kernel> nearest_visible(topology, kernel, hidden_by.size());
     for (std::size_t i = 0; i < hidden_by.size(); ++i) {
         if (hidden_by[i] < 0) continue;
         const Index hidden = static_cast<Index>(i);
