@@ -364,10 +364,10 @@ filters::Verdict sign_between(const Approximations& p, double low, double high) 
     return sign(value_at(p, Approximation(middle, radius + more)));
 }
 
-Found first_change(const Approximations& p, double t) noexcept {
+Found first_root(const Approximations& p, double t) noexcept {
     return first_found(p, nullptr, t);
 }
-Found first_change(const Approximations& p, const Approximations& shifted, double t) noexcept {
+Found first_root(const Approximations& p, const Approximations& shifted, double t) noexcept {
     return first_found(p, &shifted, t);
 }
 

@@ -29,12 +29,12 @@ struct Found {
     bool certain;
     std::optional<Root> root;
 };
-/// The first change of sign after t.
-[[nodiscard]] Found first_change(const Approximations& p, double t) noexcept;
+/// The first root after t, a simple one; where it may be another one, nothing is certain.
+[[nodiscard]] Found first_root(const Approximations& p, double t) noexcept;
 /// The same where p(t + s) is known better than from p, or times a positive number. Precondition:
 /// of both the degrees are the same.
-[[nodiscard]] Found first_change(const Approximations& p, const Approximations& shifted,
-                                 double t) noexcept;
+[[nodiscard]] Found first_root(const Approximations& p, const Approximations& shifted,
+                               double t) noexcept;
 
 /// All roots, each of them simple; nothing where that is not certain.
 [[nodiscard]] std::optional<RealRoots> real_roots(const Approximations& p) noexcept;

@@ -226,17 +226,17 @@ struct Polynomial::Exact {
     }
 
     /// Coefficients that are rounded once, at the very place, mostly do, a root at t included.
-    std::optional<Root> first_change(double t) {
+    std::optional<Root> first(Which which, double t) {
         if (p.degree() < 1) return std::nullopt;
-        const filter::Found found = filter::first_change(approximate, shifted(p, t), t);
-        return found.certain ? found.root : first_change(Dyadic(t));
+        const filter::Found found = filter::first_root(approximate, shifted(p, t), t);
+        return found.certain ? found.root : first(which, Dyadic(t));
     }
-    std::optional<Root> first_change(const Dyadic& t) {
+    std::optional<Root> first(Which which, const Dyadic& t) {
         if (p.degree() < 1) return std::nullopt;
         for (int k = roots().after(t); k-- > 0;) {
             const Isolated where = from_last(k);
             const int times = multiplicity(where);
-            if (times % 2 == 1) return root_of(where, times);
+            if (which == Which::all || times % 2 == 1) return root_of(where, times);
         }
         return std::nullopt;
     }
@@ -373,44 +373,57 @@ Sign Polynomial::sign_after(const RootOf& t, Tally* tally) const {
     return asked.counted(tally, exact().signs_at(t.polynomial.exact(), t.root).second);
 }
 
-std::optional<Root> Polynomial::first_change(double t, Asked& asked) const {
-    const filter::Found found = filter::first_change(approximate_, filters::pinned(t));
+std::optional<Root> Polynomial::first(Which which, double t, Asked& asked) const {
+    const filter::Found found = filter::first_root(approximate_, filters::pinned(t));
     if (found.certain) return found.root;
     asked.exact = true;
-    return exact().first_change(t);
-}
-std::optional<Root> Polynomial::first_change(double t, Tally* tally) const {
-    SIGNUM_EXPECTS(filters::magnitude(t) <= std::numeric_limits<double>::max());
-    Asked asked;
-    return asked.counted(tally, first_change(t, asked));
+    return exact().first(which, t);
 }
 
 /// Between a root that is alone and the upper end of its interval there is no other.
-std::optional<Root> Polynomial::first_change(const Root& mine, Asked& asked) const {
+std::optional<Root> Polynomial::first(Which which, const Root& mine, Asked& asked) const {
     if (mine.alone || mine.is_double()) {
-        const filter::Found found = filter::first_change(approximate_, filters::pinned(mine.high));
+        const filter::Found found = filter::first_root(approximate_, filters::pinned(mine.high));
         if (found.certain) return found.root;
     }
     asked.exact = true;
-    if (mine.alone || mine.is_double()) return exact().first_change(mine.high);
-    return exact().first_change(exact().isolated(mine).high);
+    if (mine.alone || mine.is_double()) return exact().first(which, mine.high);
+    return exact().first(which, exact().isolated(mine).high);
 }
 
-std::optional<Root> Polynomial::first_change(const RootOf& t, Tally* tally) const {
-    Asked asked;
-    if (&t.polynomial == this) return asked.counted(tally, first_change(t.root, asked));
-    if (t.root.is_double()) return first_change(t.root.low, tally);
+std::optional<Root> Polynomial::first(Which which, const RootOf& t, Asked& asked) const {
+    if (&t.polynomial == this) return first(which, t.root, asked);
+    if (t.root.is_double()) return first(which, t.root.low, asked);
     std::optional<Root> root;
     if (t.root.low != -infinity) {
-        root = first_change(t.root.low, asked);
+        root = first(which, t.root.low, asked);
     } else {
         asked.exact = true;
-        if (exact().p.degree() < 1) return asked.counted(tally, root);
+        if (exact().p.degree() < 1) return root;
         exact().roots();
-        root = exact().first_change(exact().least);
+        root = exact().first(which, exact().least);
     }
-    while (root && compare({*this, *root}, t, asked) <= 0) root = first_change(*root, asked);
-    return asked.counted(tally, root);
+    while (root && compare({*this, *root}, t, asked) <= 0) root = first(which, *root, asked);
+    return root;
+}
+
+std::optional<Root> Polynomial::first_change(double t, Tally* tally) const {
+    SIGNUM_EXPECTS(filters::magnitude(t) <= std::numeric_limits<double>::max());
+    Asked asked;
+    return asked.counted(tally, first(Which::changes, t, asked));
+}
+std::optional<Root> Polynomial::first_change(const RootOf& t, Tally* tally) const {
+    Asked asked;
+    return asked.counted(tally, first(Which::changes, t, asked));
+}
+std::optional<Root> Polynomial::first_root(double t, Tally* tally) const {
+    SIGNUM_EXPECTS(filters::magnitude(t) <= std::numeric_limits<double>::max());
+    Asked asked;
+    return asked.counted(tally, first(Which::all, t, asked));
+}
+std::optional<Root> Polynomial::first_root(const RootOf& t, Tally* tally) const {
+    Asked asked;
+    return asked.counted(tally, first(Which::all, t, asked));
 }
 
 RealRoots Polynomial::real_roots(Tally* tally) const {
@@ -467,6 +480,11 @@ Sign Polynomial::compare(const RootOf& a, const RootOf& b, Asked& asked) {
     if (a.root.is_double()) return -compare(b, a.root.low, asked);
     if (a.root.high <= b.root.low) return -1;
     if (b.root.high <= a.root.low) return 1;
+    // Two roots of one polynomial, each alone in its interval, are one where the first is in both.
+    if (&a.polynomial == &b.polynomial && a.root.alone && b.root.alone) {
+        if (a.root.low < b.root.low && compare(a, b.root.low, asked) < 0) return -1;
+        return a.root.high > b.root.high && compare(a, b.root.high, asked) > 0 ? 1 : 0;
+    }
     asked.exact = true;
     return a.polynomial.exact().compare(a.root, b.polynomial.exact(), b.root);
 }

@@ -137,6 +137,9 @@ class Polynomial {
     /// The least root greater than t at which the sign changes, that is, of odd multiplicity.
     [[nodiscard]] std::optional<Root> first_change(double t, Tally* tally = nullptr) const;
     [[nodiscard]] std::optional<Root> first_change(const RootOf& t, Tally* tally = nullptr) const;
+    /// The least root greater than t, of whatever multiplicity.
+    [[nodiscard]] std::optional<Root> first_root(double t, Tally* tally = nullptr) const;
+    [[nodiscard]] std::optional<Root> first_root(const RootOf& t, Tally* tally = nullptr) const;
     [[nodiscard]] RealRoots real_roots(Tally* tally = nullptr) const;
 
     /// The same root between neighbouring doubles, or as a double.
@@ -161,8 +164,11 @@ class Polynomial {
 
     [[nodiscard]] Exact& exact() const;
     [[nodiscard]] Sign sign_at(double t, Asked& asked) const;
-    [[nodiscard]] std::optional<Root> first_change(double t, Asked& asked) const;
-    [[nodiscard]] std::optional<Root> first_change(const Root& mine, Asked& asked) const;
+    /// Which roots are looked for.
+    enum class Which : std::uint8_t { changes, all };
+    [[nodiscard]] std::optional<Root> first(Which which, double t, Asked& asked) const;
+    [[nodiscard]] std::optional<Root> first(Which which, const Root& mine, Asked& asked) const;
+    [[nodiscard]] std::optional<Root> first(Which which, const RootOf& t, Asked& asked) const;
     [[nodiscard]] Root narrowed(const Root& root, Asked& asked) const;
     [[nodiscard]] static Sign compare(const RootOf& a, double x, Asked& asked);
     [[nodiscard]] static Sign compare(const RootOf& a, const RootOf& b, Asked& asked);

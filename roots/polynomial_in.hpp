@@ -35,6 +35,15 @@ template <class Number>
     return {{Number(filters::pinned(x)), Number(filters::pinned(v))}};
 }
 
+/// The same one, for who knows a higher degree.
+template <int N, class Number, int M>
+[[nodiscard]] PolynomialIn<Number, N> widened(const PolynomialIn<Number, M>& p) {
+    static_assert(N >= M);
+    PolynomialIn<Number, N> result;
+    for (std::size_t i = 0; i < p.c.size(); ++i) result.c[i] = p.c[i];
+    return result;
+}
+
 template <class Number, int M, int N>
 [[nodiscard]] PolynomialIn<Number, std::max(M, N)> operator+(const PolynomialIn<Number, M>& p,
                                                              const PolynomialIn<Number, N>& q) {
