@@ -5,6 +5,9 @@
 /// All are those of predicates/power at the centres of the time, relative to the last site, so that
 /// what all have in common (a drift, a fall) cancels: a difference of two centres is linear.
 
+#include <array>
+#include <cstddef>
+
 #include "../roots/polynomial_in.hpp"
 #include "moving_site.hpp"
 
@@ -13,11 +16,20 @@ namespace signum::kinetic {
 using roots::constant;
 using roots::PolynomialIn;
 
-/// Along an axis, x + v (t - time).
+/// Along an axis, x + v (t - time) + g (t - time)²/2 but for g t²/2, which all sites have.
 template <class Number>
-[[nodiscard]] PolynomialIn<Number, 1> along(double x, double v, double time) {
+[[nodiscard]] PolynomialIn<Number, 1> along(double x, double v, double time, double g) {
     PolynomialIn<Number, 1> p = roots::line<Number>(x, v);
-    if (time != 0.0) p.c[0] = p.c[0] - constant<Number>(v).c[0] * constant<Number>(time).c[0];
+    if (time == 0.0) return p;
+    const Number t = constant<Number>(time).c[0];
+    if (g != 0.0) {
+        const Number gained = constant<Number>(g).c[0] * t;
+        p.c[0] = p.c[0] + constant<Number>(0.5).c[0] * (gained * t);
+        p.c[0] = p.c[0] - p.c[1] * t;
+        p.c[1] = p.c[1] - gained;
+    } else {
+        p.c[0] = p.c[0] - p.c[1] * t;
+    }
     return p;
 }
 
@@ -28,9 +40,9 @@ struct Relative {
     PolynomialIn<Number, 1> y;
     PolynomialIn<Number, 0> weight;
 
-    Relative(const MovingSite& m, const MovingSite& q)
-        : x(along<Number>(m.x, m.vx, m.time) - along<Number>(q.x, q.vx, q.time)),
-          y(along<Number>(m.y, m.vy, m.time) - along<Number>(q.y, q.vy, q.time)),
+    Relative(const MovingSite& m, const MovingSite& q, const Fall& g)
+        : x(along<Number>(m.x, m.vx, m.time, g.x) - along<Number>(q.x, q.vx, q.time, g.x)),
+          y(along<Number>(m.y, m.vy, m.time, g.y) - along<Number>(q.y, q.vy, q.time, g.y)),
           weight((constant<Number>(m.r) - constant<Number>(q.r)) *
                  (constant<Number>(m.r) + constant<Number>(q.r))) {}
 
@@ -43,77 +55,49 @@ template <class Number>
 }
 
 /// Above 0 where a, b and q turn left.
-struct Orientation {
-    static constexpr int degree = 2;
-    MovingSite a;
-    MovingSite b;
-    MovingSite q;
-
-    template <class Number>
-    [[nodiscard]] PolynomialIn<Number, degree> in() const {
-        return cross(Relative<Number>(a, q), Relative<Number>(b, q));
-    }
-};
+template <class Number>
+[[nodiscard]] PolynomialIn<Number, 2> orientation(const MovingSite& a, const MovingSite& b,
+                                                  const MovingSite& q, const Fall& g) {
+    return cross(Relative<Number>(a, q, g), Relative<Number>(b, q, g));
+}
 
 /// Above 0 where q is in conflict with the power circle of a, b and c, which turn left.
-struct InCircle {
-    static constexpr int degree = 4;
-    MovingSite a;
-    MovingSite b;
-    MovingSite c;
-    MovingSite q;
-
-    template <class Number>
-    [[nodiscard]] PolynomialIn<Number, degree> in() const {
-        const Relative<Number> i(a, q);
-        const Relative<Number> j(b, q);
-        const Relative<Number> k(c, q);
-        return (i.height() * cross(j, k) + j.height() * cross(k, i)) + k.height() * cross(i, j);
-    }
-};
+template <class Number>
+[[nodiscard]] PolynomialIn<Number, 4> in_circle(const MovingSite& a, const MovingSite& b,
+                                                const MovingSite& c, const MovingSite& q,
+                                                const Fall& g) {
+    const Relative<Number> i(a, q, g);
+    const Relative<Number> j(b, q, g);
+    const Relative<Number> k(c, q, g);
+    return (i.height() * cross(j, k) + j.height() * cross(k, i)) + k.height() * cross(i, j);
+}
 
 /// How far a lies beyond b along an axis.
-struct Beyond {
-    static constexpr int degree = 1;
-    MovingSite a;
-    MovingSite b;
-    bool along_x;
+template <class Number>
+[[nodiscard]] PolynomialIn<Number, 1> beyond(const MovingSite& a, const MovingSite& b, bool along_x,
+                                             const Fall& g) {
+    const Relative<Number> r(a, b, g);
+    return along_x ? r.x : r.y;
+}
 
-    template <class Number>
-    [[nodiscard]] PolynomialIn<Number, degree> in() const {
-        const Relative<Number> r(a, b);
-        return along_x ? r.x : r.y;
-    }
-};
-
-/// The one-dimensional InCircle of three on a line, times the sign of Beyond{b, a}.
-struct InSegment {
-    static constexpr int degree = 3;
-    MovingSite a;
-    MovingSite b;
-    MovingSite q;
-    bool along_x;
-
-    template <class Number>
-    [[nodiscard]] PolynomialIn<Number, degree> in() const {
-        const Relative<Number> i(a, q);
-        const Relative<Number> j(b, q);
-        return along_x ? i.height() * j.x - j.height() * i.x : i.height() * j.y - j.height() * i.y;
-    }
-};
+/// Of three on a line: above 0 where q is in conflict with the stretch from a to b, be it beyond it
+/// or below the chord of their heights.
+template <class Number>
+[[nodiscard]] PolynomialIn<Number, 4> in_segment(const MovingSite& a, const MovingSite& b,
+                                                 const MovingSite& q, bool along_x, const Fall& g) {
+    const Relative<Number> i(a, q, g);
+    const Relative<Number> j(b, q, g);
+    const PolynomialIn<Number, 1>& to_a = along_x ? i.x : i.y;
+    const PolynomialIn<Number, 1>& to_b = along_x ? j.x : j.y;
+    return (i.height() * to_b - j.height() * to_a) * beyond<Number>(b, a, along_x, g);
+}
 
 /// Above 0 where p is nearer to a than to b, in power distances: |p - b|² - w_b less that of a.
 /// Linear but for the squares of a and b.
-struct Nearer {
-    static constexpr int degree = 2;
-    MovingSite p;
-    MovingSite a;
-    MovingSite b;
-
-    template <class Number>
-    [[nodiscard]] PolynomialIn<Number, degree> in() const {
-        return Relative<Number>(b, p).height() - Relative<Number>(a, p).height();
-    }
-};
+template <class Number>
+[[nodiscard]] PolynomialIn<Number, 2> nearer(const MovingSite& p, const MovingSite& a,
+                                             const MovingSite& b, const Fall& g) {
+    return Relative<Number>(b, p, g).height() - Relative<Number>(a, p, g).height();
+}
 
 }  // namespace signum::kinetic

@@ -1,10 +1,10 @@
 #pragma once
-/// Sites that move on straight lines.
+/// Sites that move on straight lines, or all fall alike.
 
 namespace signum {
 
-/// At time t its centre is (x, y) + (vx, vy)·(t - time); all numbers are doubles and are taken as
-/// exact ones. In the power metric r stands for the weight r².
+/// At time t its centre is (x, y) + (vx, vy)·(t - time), and in a fall g·(t - time)²/2 more; all
+/// numbers are doubles and are taken as exact ones. In the power metric r stands for the weight r².
 struct MovingSite {
     double x = 0.0;
     double y = 0.0;
@@ -13,6 +13,13 @@ struct MovingSite {
     double r = 0.0;
     double time = 0.0;
     friend bool operator==(const MovingSite&, const MovingSite&) = default;
+};
+
+/// By how much the velocities of all sites grow in a unit of time.
+struct Fall {
+    double x = 0.0;
+    double y = 0.0;
+    friend bool operator==(const Fall&, const Fall&) = default;
 };
 
 }  // namespace signum

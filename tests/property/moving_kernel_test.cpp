@@ -22,13 +22,13 @@ using oracle_test::Random;
 using triangulation::Insertion;
 using triangulation::Topology;
 
-struct Sites {
+struct Both {
     std::vector<MovingSite> moving;
     std::vector<brute::Site> of_oracle;
 };
 /// Dyadic numbers; of every third set some have no weight.
-Sites any(int number, Random& random, bool weighted) {
-    Sites sites;
+Both any(int number, Random& random, bool weighted) {
+    Both sites;
     const auto pick = [&](double size) { return size * (random.below(4096) - 2048) / 2048.0; };
     for (int i = 0; i < number; ++i) {
         const double r = weighted && i % 2 == 0 ? std::fabs(pick(2.0)) : 0.0;
@@ -41,7 +41,8 @@ Sites any(int number, Random& random, bool weighted) {
 
 template <class Moment>
 brute::Triangles triangles(const std::vector<MovingSite>& sites, const Moment& moment) {
-    MovingKernel kernel(sites, moment);
+    const Sites all{sites, {}};
+    MovingKernel kernel(all, moment);
     const auto number = static_cast<Index>(sites.size());
     Index third = 2;
     while (third < number && kernel.ccw(0, 1, third) == 0) ++third;
@@ -86,18 +87,12 @@ TEST(MovingKernel, TriangulatesRightAfterEveryEvent) {
         ASSERT_EQ(triangles(sites, 0.0), epochs.first);
         for (const brute::Change& change : epochs.changes) {
             const auto& of = change.event.certificates.back().sites;
-            const auto site = [&, &moving = sites](std::size_t k) {
-                return moving[static_cast<std::size_t>(of[k])];
-            };
             const double time = change.event.nearest;
             ++changes;
-            if (of.size() == 4)
-                ASSERT_EQ(
-                    triangles_after(sites, InCircle{site(0), site(1), site(2), site(3)}, time),
-                    change.after);
-            else
-                ASSERT_EQ(triangles_after(sites, Orientation{site(0), site(1), site(2)}, time),
-                          change.after);
+            Certificate certificate{{of[0], of[1], of[2], of[2]}, Certificate::Kind::left_turn};
+            if (of.size() == 4) certificate = {{of[0], of[1], of[2], of[3]}};
+            ASSERT_EQ(triangles_after(sites, CertificateForm(certificate, {sites, {}}), time),
+                      change.after);
         }
     }
     EXPECT_GT(changes, 200);

@@ -1,7 +1,7 @@
 #pragma once
-/// What is to happen, in an order that the user gives: of every subject, which is named by a number,
-/// one event at most. So nothing that is out of date waits here, and events that an order compares
-/// are all about things as they are.
+/// What is to happen, in an order that the user gives: of every subject, which is named by a
+/// number, one event at most. So nothing that is out of date waits here, and events that an order
+/// compares are all about things as they are.
 
 #include <cstddef>
 #include <cstdint>
@@ -13,8 +13,8 @@
 namespace signum::triangulation {
 
 /// Compare(a, b) is below 0 where of two values of When the first comes first, and above 0 where
-/// the second does; of equal ones the event that was set first comes first. A binary heap that knows
-/// where everybody's event is: O(log n) comparisons for every change.
+/// the second does; of equal ones the event that was set first comes first. A binary heap that
+/// knows where everybody's event is: O(log n) comparisons for every change.
 template <class When, class Compare>
 class EventQueue {
  public:

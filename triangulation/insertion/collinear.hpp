@@ -2,31 +2,24 @@
 /// Power tessellations whose centres all lie on one line: the lower hull of the lifted sites.
 
 #include <algorithm>
+#include <numeric>
 #include <span>
 #include <vector>
 
 #include "../../core/index.hpp"
-#include "../../core/site.hpp"
+#include "../../core/sign.hpp"
 #include "../structure/topology.hpp"
 
 namespace signum::triangulation {
 
-/// The visible sites in their order along the line; hidden_by of the others becomes a site that
-/// hides them. Sites with equal centres count as collinear. O(n log n).
+/// The visible ones of sites in their order along the line, of equal centres the first in the tie
+/// rule's order before the others; hidden_by of the rest becomes a site that hides them. O(n).
 template <class Kernel>
-[[nodiscard]] std::vector<Index> visible_on_line(Kernel& kernel, std::size_t sites,
-                                                 std::span<Index> hidden_by) {
-    std::vector<Index> along(sites);
-    for (std::size_t i = 0; i < sites; ++i) along[i] = static_cast<Index>(i);
-    std::sort(along.begin(), along.end(), [&](Index a, Index b) {
-        const Point p = kernel.centre(a);
-        const Point q = kernel.centre(b);
-        return p.x != q.x ? p.x < q.x : p.y != q.y ? p.y < q.y : kernel.precedes(a, b);
-    });
-
+[[nodiscard]] std::vector<Index> visible_in_order(Kernel& kernel, std::span<const Index> along,
+                                                  std::span<Index> hidden_by) {
     std::vector<Index> chain;
     for (const Index site : along) {
-        if (!chain.empty() && kernel.centre(chain.back()) == kernel.centre(site)) {
+        if (!chain.empty() && kernel.compare_along(chain.back(), site) == 0) {
             hidden_by[static_cast<std::size_t>(site)] = chain.back();
             continue;
         }
@@ -38,6 +31,27 @@ template <class Kernel>
         chain.push_back(site);
     }
     return chain;
+}
+
+/// Brings sites into their order along a line.
+template <class Kernel>
+void sort_along(Kernel& kernel, std::span<Index> sites) {
+    std::sort(sites.begin(), sites.end(), [&](Index a, Index b) {
+        if (a == b) return false;
+        const Sign order = kernel.compare_along(a, b);
+        return order != 0 ? order < 0 : kernel.precedes(a, b);
+    });
+}
+
+/// The visible ones of all sites in their order along the line. Sites with equal centres count as
+/// collinear. O(n log n).
+template <class Kernel>
+[[nodiscard]] std::vector<Index> visible_on_line(Kernel& kernel, std::size_t sites,
+                                                 std::span<Index> hidden_by) {
+    std::vector<Index> along(sites);
+    std::iota(along.begin(), along.end(), 0);
+    sort_along(kernel, along);
+    return visible_in_order(kernel, along, hidden_by);
 }
 
 /// The tessellation of visible sites along a line: between neighbours a and b the two faces (a, b,

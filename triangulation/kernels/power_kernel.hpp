@@ -70,6 +70,14 @@ class PowerKernel {
         return power::in_segment_tie(centre(a), centre(b), centre(q), places({a, b, q})) > 0;
     }
 
+    /// Below 0 where a comes before b along any line: by x and then by y. 0 at equal centres.
+    [[nodiscard]] Sign compare_along(Index a, Index b) const noexcept {
+        const Point p = centre(a);
+        const Point q = centre(b);
+        return p.x != q.x ? filters::compare_numbers(p.x, q.x)
+                          : filters::compare_numbers(p.y, q.y);
+    }
+
     /// Whether a comes before b in the tie rule's order.
     [[nodiscard]] bool precedes(Index a, Index b) const noexcept {
         return power::precedes(site(a), original_[a], site(b), original_[b]);

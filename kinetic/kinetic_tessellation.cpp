@@ -1,0 +1,230 @@
+#include "kinetic_tessellation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "../core/error_free.hpp"
+#include "../exact/dyadic.hpp"
+#include "../exact/floating_environment.hpp"
+#include "../exact/nearest_double.hpp"
+#include "../predicates/ccw.hpp"
+#include "../predicates/power.hpp"
+#include "../triangulation/insertion/hiders.hpp"
+#include "../triangulation/kernels/power_kernel.hpp"
+#include "../triangulation/structure/assemble.hpp"
+#include "../triangulation/triangulate.hpp"
+#include "moving_triangulation.hpp"
+
+namespace signum {
+
+using kinetic::MovingTriangulation;
+
+class KineticTessellation::State {
+ public:
+    State(double start, Fall fall) : triangulation(start, fall), time(start) {}
+
+    MovingTriangulation triangulation;
+    double time;
+};
+
+namespace {
+
+void check(std::initializer_list<double> numbers, const char* what) {
+    for (const double number : numbers)
+        if (!std::isfinite(number))
+            throw std::invalid_argument(std::string("a number of the ") + what + " is not finite");
+}
+void check(const MovingSite& site) {
+    check({site.x, site.y, site.vx, site.vy, site.r, site.time}, "site");
+}
+
+/// The double nearest to x + v s + g s²/2, s = t - start.
+double nearest_place(double x, double v, double g, double start, double t) {
+    if (g == 0.0) {
+        const auto s = two_difference(t, start);
+        const auto way = two_product(v, s.high);
+        const auto sum = two_sum(x, way.high);
+        const double rest = sum.low + (way.low + v * s.low);
+        // A few units in the last place of what is small beside the sum.
+        const double error =
+            0x1p-48 * (std::fabs(sum.low) + std::fabs(way.low) + std::fabs(v * s.low)) + 0x1p-1000;
+        const double low = sum.high + (rest - error);
+        if (low == sum.high + (rest + error)) return low;
+    }
+    using exact::Dyadic;
+    const Dyadic s = Dyadic(t) - Dyadic(start);
+    const Dyadic place = Dyadic(x) + s * (Dyadic(v) + Dyadic(0.5) * (Dyadic(g) * s));
+    return exact::nearest_double([&](const Dyadic& at) { return (place - at).sign(); });
+}
+
+/// Whether these faces make a power triangulation of sites where they are now: all turn left and
+/// are regular across each edge. Then they cover the hull once, as they did a moment ago.
+bool are_valid(const triangulation::Topology& topology, std::span<const Site> sites) {
+    using triangulation::HalfEdge;
+    using triangulation::Topology;
+    const auto site = [&](Index i) { return sites[static_cast<std::size_t>(i)]; };
+    const auto turn = [&](Index a, Index b, Index c) {
+        return ccw(power::centre(site(a)), power::centre(site(b)), power::centre(site(c)));
+    };
+    for (Index f = 0; f < topology.faces(); ++f) {
+        if (topology.is_vacant(f)) continue;
+        const auto& v = topology.vertices(f);
+        if (topology.is_infinite(f)) {
+            // Between neighbours of the hull.
+            const HalfEdge h = topology.finite_edge(f);
+            const Index next = topology.apex(topology.twin(Topology::previous(h)));
+            if (turn(topology.target(h), topology.origin(h), next) < 0) return false;
+            continue;
+        }
+        if (turn(v[0], v[1], v[2]) <= 0) return false;
+        for (HalfEdge h = Topology::first_edge(f); h < Topology::first_edge(f) + 3; ++h) {
+            const Index across = topology.apex(topology.twin(h));
+            if (h < topology.twin(h) && across != infinite &&
+                power::in_circle(site(v[0]), site(v[1]), site(v[2]), site(across)) > 0)
+                return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+KineticTessellation::KineticTessellation(double start, Fall fall) {
+    check({start, fall.x, fall.y}, "start");
+    state_ = std::make_unique<State>(start, fall);
+}
+KineticTessellation::KineticTessellation(std::span<const MovingSite> sites, double start, Fall fall)
+    : KineticTessellation(start, fall) {
+    for (const MovingSite& site : sites) check(site);
+    if (sites.size() > max_sites) throw std::invalid_argument("there are too many sites");
+    const exact::IeeeEnvironment environment;
+    state_->triangulation.insert(sites);
+}
+KineticTessellation::KineticTessellation(KineticTessellation&&) noexcept = default;
+KineticTessellation& KineticTessellation::operator=(KineticTessellation&&) noexcept = default;
+KineticTessellation::~KineticTessellation() = default;
+
+void KineticTessellation::require(Index handle) const {
+    if (!contains(handle))
+        throw std::out_of_range("there is no site with handle " + std::to_string(handle));
+}
+
+Index KineticTessellation::insert(const MovingSite& site) {
+    check(site);
+    const exact::IeeeEnvironment environment;
+    return state_->triangulation.insert(site);
+}
+void KineticTessellation::erase(Index handle) {
+    require(handle);
+    const exact::IeeeEnvironment environment;
+    state_->triangulation.erase(handle);
+}
+void KineticTessellation::change(Index handle, const MovingSite& site) {
+    require(handle);
+    check(site);
+    const exact::IeeeEnvironment environment;
+    state_->triangulation.change(handle, site);
+}
+
+bool KineticTessellation::contains(Index handle) const noexcept {
+    return state_->triangulation.contains(handle);
+}
+std::size_t KineticTessellation::size() const noexcept {
+    return state_->triangulation.size();
+}
+MovingSite KineticTessellation::site(Index handle) const {
+    require(handle);
+    return state_->triangulation.site(handle);
+}
+
+double KineticTessellation::time() const noexcept {
+    return state_->time;
+}
+std::optional<double> KineticTessellation::next_event() const {
+    const kinetic::Event* event = state_->triangulation.next_event();
+    if (event == nullptr) return std::nullopt;
+    const exact::IeeeEnvironment environment;
+    const double time = state_->triangulation.not_before(*event);
+    if (!std::isfinite(time)) return std::nullopt;
+    return time;
+}
+void KineticTessellation::advance(double time) {
+    check({time}, "time");
+    if (time < state_->time)
+        throw std::invalid_argument("a tessellation that moves does not go back in time");
+    const exact::IeeeEnvironment environment;
+    state_->triangulation.advance(time);
+    state_->time = time;
+}
+
+std::vector<Face> KineticTessellation::faces() const {
+    std::vector<Face> result;
+    const MovingTriangulation& of = state_->triangulation;
+    if (of.is_line()) return result;
+    for (Index f = 0; f < of.topology().faces(); ++f) {
+        if (of.topology().is_vacant(f) || of.topology().is_infinite(f)) continue;
+        const auto& v = of.topology().vertices(f);
+        Face face = {v[0], v[1], v[2]};
+        std::ranges::rotate(face, std::ranges::min_element(face));
+        result.push_back(face);
+    }
+    std::ranges::sort(result);
+    return result;
+}
+
+Tessellation KineticTessellation::tessellation() const {
+    const exact::IeeeEnvironment environment;
+    const MovingTriangulation& of = state_->triangulation;
+    const double t = state_->time;
+    std::vector<Site> sites;
+    std::vector<Index> number(of.numbers(), -1);
+    std::vector<Site> by_handle(of.numbers());
+    for (Index i = 0; static_cast<std::size_t>(i) < of.numbers(); ++i) {
+        if (!of.contains(i)) continue;
+        const MovingSite& m = of.site(i);
+        const Site site = {nearest_place(m.x, m.vx, of.fall().x, m.time, t),
+                           nearest_place(m.y, m.vy, of.fall().y, m.time, t), m.r};
+        if (!std::isfinite(site.x) || !std::isfinite(site.y))
+            throw std::overflow_error("site " + std::to_string(i) +
+                                      " is beyond the doubles at this time");
+        number[static_cast<std::size_t>(i)] = static_cast<Index>(sites.size());
+        by_handle[static_cast<std::size_t>(i)] = site;
+        sites.push_back(site);
+    }
+    if (of.is_line() || !are_valid(of.topology(), by_handle))
+        return triangulate(sites, Metric::power);
+
+    using namespace triangulation;
+    using Kernel = PowerKernel<Site, Arithmetic::exact, filters::NoTally>;
+    std::vector<Index> numbers(by_handle.size());
+    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = static_cast<Index>(i);
+    Kernel kernel(by_handle.data(), numbers.data());
+    std::vector<Index> hidden_by(by_handle.size(), -1);
+    for (Index i = 0; static_cast<std::size_t>(i) < hidden_by.size(); ++i)
+        if (of.contains(i) && of.is_hidden(i)) hidden_by[static_cast<std::size_t>(i)] = of.near(i);
+    settle_hiders(of.topology(), kernel, hidden_by);
+    TessellationArrays arrays;
+    arrays.metric = Metric::power;
+    arrays.sites = static_cast<std::int64_t>(sites.size());
+    for (std::size_t i = 0; i < hidden_by.size(); ++i)
+        if (hidden_by[i] >= 0)
+            arrays.hidden.push_back({number[i], number[static_cast<std::size_t>(hidden_by[i])]});
+    assemble(Topology(of.topology()), number, arrays);
+    return constructed(std::move(arrays), std::move(sites), {});
+}
+
+void KineticTessellation::watch(std::function<void(Index a, Index b, bool comes)> on_edge) {
+    state_->triangulation.watch(std::move(on_edge));
+}
+
+KineticStatistics KineticTessellation::statistics() const noexcept {
+    const kinetic::Work& work = state_->triangulation.work();
+    const roots::Tally tally = state_->triangulation.tally();
+    return {work.times,    work.events,   work.flips,     work.hidden,
+            work.appeared, work.rebuilds, tally.filtered, tally.exact};
+}
+
+}  // namespace signum

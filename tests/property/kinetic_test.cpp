@@ -1,0 +1,259 @@
+/// Tessellations whose sites move, beside the oracle's at every event, and beside triangulations of
+/// where the sites are at any time.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "../../kinetic/kinetic_tessellation.hpp"
+#include "../../triangulation/triangulate.hpp"
+#include "../../triangulation/validate.hpp"
+#include "../oracle/kinetic.hpp"
+#include "../oracle/oracle_test_support.hpp"
+
+namespace signum {
+namespace {
+
+namespace brute = oracle::kinetic;
+using oracle_test::Random;
+
+std::vector<brute::Site> of_oracle(const std::vector<MovingSite>& sites) {
+    std::vector<brute::Site> result;
+    for (const MovingSite& m : sites) result.push_back({m.x, m.y, m.vx, m.vy, m.time, m.r, 0.0});
+    return result;
+}
+std::string text(const std::vector<MovingSite>& sites) {
+    std::string result;
+    for (const MovingSite& m : sites)
+        result += "{" + std::to_string(m.x) + "," + std::to_string(m.y) + "," +
+                  std::to_string(m.vx) + "," + std::to_string(m.vy) + "," + std::to_string(m.r) +
+                  "," + std::to_string(m.time) + "}, ";
+    return result;
+}
+
+/// Systems of moving sites by kind; numbers are dyadic and short, so that at times k/64 the places
+/// are doubles.
+struct Systems {
+    Random random;
+    explicit Systems(std::uint64_t seed) : random(seed) {}
+    double pick(double size, int parts) {
+        return size * (random.below(2 * parts + 1) - parts) / parts;
+    }
+    std::vector<MovingSite> make(int kind, int number) {
+        std::vector<MovingSite> sites;
+        for (int i = 0; i < number; ++i) {
+            const auto k = static_cast<double>(i);
+            switch (kind) {
+                case 0:  // anywhere
+                    sites.push_back(
+                        {pick(8, 1024), pick(8, 1024), pick(1, 256), pick(1, 256), 0, 0});
+                    break;
+                case 1:  // anywhere, weighted, from their own times
+                    sites.push_back({pick(8, 1024), pick(8, 1024), pick(1, 256), pick(1, 256),
+                                     random.below(2) * std::fabs(pick(2, 64)), pick(1, 4)});
+                    break;
+                case 2:  // small integers: ties everywhere
+                    sites.push_back({pick(4, 4), pick(4, 4), pick(2, 2), pick(2, 2),
+                                     static_cast<double>(random.below(2)), 0});
+                    break;
+                case 3:  // two streams that cross
+                    if (i % 2 == 0)
+                        sites.push_back({pick(8, 1024), pick(1, 1024), 1, 0, 0, 0});
+                    else
+                        sites.push_back({pick(1, 1024), pick(8, 1024), 0, -1, 0, 0});
+                    break;
+                case 4:  // parallel lines, each at its speed
+                    sites.push_back({pick(8, 16), static_cast<double>(i % 4), pick(1, 2), 0,
+                                     0.25 * random.below(2), 0});
+                    break;
+                case 5:  // a lattice whose rows slide
+                    sites.push_back({static_cast<double>(i % 4), static_cast<double>(i / 4),
+                                     0.5 * static_cast<double>(i / 4 % 3), 0, 0.5, 0});
+                    break;
+                case 6:  // on one line for ever
+                    sites.push_back(
+                        {pick(8, 32), 2.0 * 0, pick(1, 8), 0, 0.5 * random.below(3), 0});
+                    sites.back().y = 0.5 * sites.back().x;
+                    sites.back().vy = 0.5 * sites.back().vx;
+                    break;
+                case 7:  // all through one place at time 2: a star
+                    sites.push_back({-2 * pick(2, 8), -2 * pick(2, 8), 0, 0, 0, 0});
+                    sites.back().vx = -0.5 * sites.back().x;
+                    sites.back().vy = -0.5 * sites.back().y;
+                    break;
+                case 8:  // all on one line at time 2: the hull turns over
+                    sites.push_back({pick(8, 64), 0, 0, pick(1, 16), 0.25 * random.below(3), 2});
+                    break;
+                default:  // a lattice that spins as a top does, seen as a shear and back
+                    sites.push_back({static_cast<double>(i % 5) - 2, static_cast<double>(i / 5) - 2,
+                                     -0.5 * (static_cast<double>(i / 5) - 2),
+                                     0.5 * (static_cast<double>(i % 5) - 2), 0.5 * (i % 3 == 0),
+                                     0});
+                    static_cast<void>(k);
+            }
+        }
+        return sites;
+    }
+    static constexpr int kinds = 10;
+};
+
+/// At every epoch between two events of the oracle, and right after those that are doubles.
+TEST(Kinetic, EqualsTheOracleAfterEveryEvent) {
+    int changes = 0;
+    int tied = 0;
+    for (int trial = 0; trial < 400; ++trial) {
+        Systems systems(static_cast<std::uint64_t>(700 + trial));
+        const int kind = trial % Systems::kinds;
+        const auto sites = systems.make(kind, 3 + trial / Systems::kinds % 6);
+        SCOPED_TRACE("kind " + std::to_string(kind) + " trial " + std::to_string(trial) + ": " +
+                     text(sites));
+        const brute::Epochs epochs = brute::epochs(of_oracle(sites), 0, 6);
+        if (!epochs.tied.empty()) {
+            ++tied;
+            continue;
+        }
+        KineticTessellation moving(sites, 0.0);
+        ASSERT_EQ(moving.faces(), epochs.first);
+        for (std::size_t k = 0; k < epochs.changes.size(); ++k) {
+            const brute::Change& change = epochs.changes[k];
+            // A double right after it, before the next one.
+            const oracle::Rational high = change.event.high;
+            const oracle::Rational until = k + 1 < epochs.changes.size()
+                                               ? epochs.changes[k + 1].event.low
+                                               : oracle::Rational(6);
+            double time = static_cast<double>(high);
+            while (oracle::Rational(time) < high) time = std::nextafter(time, 10.0);
+            if (oracle::Rational(time) >= until || time < moving.time()) continue;
+            moving.advance(time);
+            ASSERT_EQ(moving.faces(), change.after) << "after " << time;
+            ++changes;
+        }
+    }
+    EXPECT_GT(changes, 500);
+    EXPECT_LT(tied, 200);
+}
+
+/// Where the sites are at a time, if these are doubles.
+std::vector<Site> places(const std::vector<MovingSite>& sites, double t) {
+    std::vector<Site> result;
+    for (const MovingSite& m : sites)
+        result.push_back({m.x + m.vx * (t - m.time), m.y + m.vy * (t - m.time), m.r});
+    return result;
+}
+
+std::vector<Face> finite_faces(const Tessellation& tessellation) {
+    std::vector<Face> result;
+    for (const Face& face : tessellation.faces())
+        if (std::ranges::find(face, infinite) == face.end()) result.push_back(face);
+    std::ranges::sort(result);
+    return result;
+}
+
+std::set<Edge> edges_of(const std::vector<Face>& faces) {
+    std::set<Edge> result;
+    for (const Face& face : faces)
+        for (std::size_t k = 0; k < 3; ++k)
+            result.insert(
+                {std::min(face[k], face[(k + 1) % 3]), std::max(face[k], face[(k + 1) % 3])});
+    return result;
+}
+
+/// All the sites of a system at once; every step is looked at. Whether a step was tied.
+bool expect_right(const KineticTessellation& moving, const std::vector<MovingSite>& sites) {
+    const double t = moving.time();
+    const std::vector<Site> now = places(sites, t);
+    const Tessellation result = moving.tessellation();
+    EXPECT_TRUE(std::ranges::equal(result.sites(), now));
+    const Validation validation = validate(result);
+    EXPECT_TRUE(validation.valid) << validation.message;
+    const Tessellation fresh = triangulate(now, Metric::power);
+    const std::vector<Face> faces = moving.faces();
+    if (faces == finite_faces(fresh)) {
+        EXPECT_EQ(result.arrays().faces.size(), fresh.arrays().faces.size());
+        return false;
+    }
+    const brute::Snapshot snapshot = brute::faces_at(of_oracle(sites), t);
+    EXPECT_TRUE(snapshot.is_tied()) << "neither tied nor equal";
+    return true;
+}
+
+TEST(Kinetic, IsValidAndCanonicalAtDyadicTimes) {
+    int tied = 0;
+    for (int trial = 0; trial < 60; ++trial) {
+        Systems systems(static_cast<std::uint64_t>(9000 + trial));
+        const int kind = trial % Systems::kinds;
+        const auto sites = systems.make(kind, 3 + (trial * 7) % 30);
+        KineticTessellation moving(0.0);
+        std::set<Edge> edges;
+        bool told_twice = false;
+        moving.watch([&](Index a, Index b, bool comes) {
+            told_twice |= comes ? !edges.insert({a, b}).second : edges.erase({a, b}) == 0;
+        });
+        for (const MovingSite& site : sites) moving.insert(site);
+        for (int step = 0; step <= 5 * 64; step += 3) {
+            moving.advance(step / 64.0);
+            tied += static_cast<int>(expect_right(moving, sites));
+            if (!moving.faces().empty()) {
+                EXPECT_EQ(edges, edges_of(moving.faces()));
+            }
+            ASSERT_FALSE(told_twice);
+            ASSERT_FALSE(HasFailure()) << "kind " << kind << " trial " << trial << " at "
+                                       << moving.time() << ": " << text(sites);
+        }
+    }
+    EXPECT_GT(tied, 20);
+}
+
+/// Sites come and go, and change their ways, at dyadic times.
+TEST(Kinetic, StaysRightWhileSitesComeAndGo) {
+    for (int trial = 0; trial < 60; ++trial) {
+        Systems systems(static_cast<std::uint64_t>(5000 + trial));
+        const int kind = trial % Systems::kinds;
+        std::vector<MovingSite> sites = systems.make(kind, 4 + trial % 20);
+        const std::vector<MovingSite> more = systems.make((kind + trial / 10) % Systems::kinds, 60);
+        KineticTessellation moving(sites, 0.0);
+        std::size_t next = 0;
+        for (int step = 1; step <= 60; ++step) {
+            const double t = step / 16.0;
+            moving.advance(t);
+            const auto any = systems.random.below(static_cast<int>(sites.size()));
+            MovingSite site = more[next++ % more.size()];
+            site.time = t;
+            switch (step % 3) {
+                case 0:
+                    ASSERT_EQ(moving.insert(site), static_cast<Index>(sites.size()));
+                    sites.push_back(site);
+                    break;
+                case 1: {
+                    // Where it is, another way.
+                    const MovingSite was = sites[static_cast<std::size_t>(any)];
+                    site.x = was.x + was.vx * (t - was.time);
+                    site.y = was.y + was.vy * (t - was.time);
+                    moving.change(any, site);
+                    sites[static_cast<std::size_t>(any)] = site;
+                    break;
+                }
+                default:
+                    // Somewhere else.
+                    moving.erase(any);
+                    ASSERT_FALSE(moving.contains(any));
+                    ASSERT_EQ(moving.insert(site), any);
+                    sites[static_cast<std::size_t>(any)] = site;
+            }
+            expect_right(moving, sites);
+            ASSERT_FALSE(HasFailure())
+                << "kind " << kind << " trial " << trial << " at " << t << ": " << text(sites);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace signum
