@@ -59,22 +59,23 @@ struct CertificateForm {
     }
 
     template <class Number>
-    [[nodiscard]] PolynomialIn<Number, 4> in() const {
+    [[nodiscard]] PolynomialIn<Number, 4> in(double origin) const {
         const auto& [a, b, c, d] = sites;
+        const Frame at{fall, origin};
         switch (kind) {
             case Certificate::Kind::outside:
-                return in_circle<Number>(b, a, c, d, fall);
+                return in_circle<Number>(b, a, c, d, at);
             case Certificate::Kind::left_turn:
-                return roots::widened<4>(orientation<Number>(a, b, c, fall));
+                return roots::widened<4>(orientation<Number>(a, b, c, at));
             case Certificate::Kind::in_segment:
-                return in_segment<Number>(a, b, c, along_x, fall);
+                return in_segment<Number>(a, b, c, along_x, at);
             case Certificate::Kind::beyond:
-                return roots::widened<4>(beyond<Number>(a, b, along_x, fall));
+                return roots::widened<4>(beyond<Number>(a, b, along_x, at));
             case Certificate::Kind::ahead:
-                return roots::widened<4>(beyond<Number>(a, b, along_x, fall) *
-                                         beyond<Number>(c, d, along_x, fall));
+                return roots::widened<4>(beyond<Number>(a, b, along_x, at) *
+                                         beyond<Number>(c, d, along_x, at));
             default:
-                return roots::widened<4>(nearer<Number>(a, b, c, fall));
+                return roots::widened<4>(nearer<Number>(a, b, c, at));
         }
     }
 };

@@ -16,19 +16,26 @@ namespace signum::kinetic {
 using roots::constant;
 using roots::PolynomialIn;
 
-/// Along an axis, x + v (t - time) + g (t - time)²/2 but for g t²/2, which all sites have.
+/// Where polynomials begin: they are about t - origin.
+struct Frame {
+    Fall fall;
+    double origin;
+};
+
+/// Along an axis, x + v (t - time) + g (t - time)²/2 but for g (t - origin)²/2, which all sites
+/// have.
 template <class Number>
-[[nodiscard]] PolynomialIn<Number, 1> along(double x, double v, double time, double g) {
+[[nodiscard]] PolynomialIn<Number, 1> along(double x, double v, double time, double g,
+                                            double origin) {
     PolynomialIn<Number, 1> p = roots::line<Number>(x, v);
-    if (time == 0.0) return p;
-    const Number t = constant<Number>(time).c[0];
-    if (g != 0.0) {
-        const Number gained = constant<Number>(g).c[0] * t;
-        p.c[0] = p.c[0] + constant<Number>(0.5).c[0] * (gained * t);
-        p.c[0] = p.c[0] - p.c[1] * t;
-        p.c[1] = p.c[1] - gained;
+    if (time == origin) return p;
+    const Number flown = constant<Number>(origin).c[0] - constant<Number>(time).c[0];
+    if (g == 0.0) {
+        p.c[0] = p.c[0] + flown * p.c[1];
     } else {
-        p.c[0] = p.c[0] - p.c[1] * t;
+        const Number gained = constant<Number>(g).c[0] * flown;
+        p.c[0] = p.c[0] + flown * (p.c[1] + constant<Number>(0.5).c[0] * gained);
+        p.c[1] = p.c[1] + gained;
     }
     return p;
 }
@@ -40,12 +47,18 @@ struct Relative {
     PolynomialIn<Number, 1> y;
     PolynomialIn<Number, 0> weight;
 
-    Relative(const MovingSite& m, const MovingSite& q, const Fall& g)
-        : x(along<Number>(m.x, m.vx, m.time, g.x) - along<Number>(q.x, q.vx, q.time, g.x)),
-          y(along<Number>(m.y, m.vy, m.time, g.y) - along<Number>(q.y, q.vy, q.time, g.y)),
+    Relative(const MovingSite& m, const MovingSite& q, const Frame& at)
+        : x(axis(m.x, m.vx, m.time, q.x, q.vx, q.time, at.fall.x, at.origin)),
+          y(axis(m.y, m.vy, m.time, q.y, q.vy, q.time, at.fall.y, at.origin)),
           weight((constant<Number>(m.r) - constant<Number>(q.r)) *
                  (constant<Number>(m.r) + constant<Number>(q.r))) {}
 
+    [[nodiscard]] static PolynomialIn<Number, 1> axis(double x, double v, double time,
+                                                      double from_x, double from_v,
+                                                      double from_time, double g, double origin) {
+        return along<Number>(x, v, time, g, origin) -
+               along<Number>(from_x, from_v, from_time, g, origin);
+    }
     /// |m - q|² - (w_m - w_q).
     [[nodiscard]] PolynomialIn<Number, 2> height() const { return (x * x + y * y) - weight; }
 };
@@ -57,26 +70,26 @@ template <class Number>
 /// Above 0 where a, b and q turn left.
 template <class Number>
 [[nodiscard]] PolynomialIn<Number, 2> orientation(const MovingSite& a, const MovingSite& b,
-                                                  const MovingSite& q, const Fall& g) {
-    return cross(Relative<Number>(a, q, g), Relative<Number>(b, q, g));
+                                                  const MovingSite& q, const Frame& at) {
+    return cross(Relative<Number>(a, q, at), Relative<Number>(b, q, at));
 }
 
 /// Above 0 where q is in conflict with the power circle of a, b and c, which turn left.
 template <class Number>
 [[nodiscard]] PolynomialIn<Number, 4> in_circle(const MovingSite& a, const MovingSite& b,
                                                 const MovingSite& c, const MovingSite& q,
-                                                const Fall& g) {
-    const Relative<Number> i(a, q, g);
-    const Relative<Number> j(b, q, g);
-    const Relative<Number> k(c, q, g);
+                                                const Frame& at) {
+    const Relative<Number> i(a, q, at);
+    const Relative<Number> j(b, q, at);
+    const Relative<Number> k(c, q, at);
     return (i.height() * cross(j, k) + j.height() * cross(k, i)) + k.height() * cross(i, j);
 }
 
 /// How far a lies beyond b along an axis.
 template <class Number>
 [[nodiscard]] PolynomialIn<Number, 1> beyond(const MovingSite& a, const MovingSite& b, bool along_x,
-                                             const Fall& g) {
-    const Relative<Number> r(a, b, g);
+                                             const Frame& at) {
+    const Relative<Number> r(a, b, at);
     return along_x ? r.x : r.y;
 }
 
@@ -84,20 +97,21 @@ template <class Number>
 /// or below the chord of their heights.
 template <class Number>
 [[nodiscard]] PolynomialIn<Number, 4> in_segment(const MovingSite& a, const MovingSite& b,
-                                                 const MovingSite& q, bool along_x, const Fall& g) {
-    const Relative<Number> i(a, q, g);
-    const Relative<Number> j(b, q, g);
+                                                 const MovingSite& q, bool along_x,
+                                                 const Frame& at) {
+    const Relative<Number> i(a, q, at);
+    const Relative<Number> j(b, q, at);
     const PolynomialIn<Number, 1>& to_a = along_x ? i.x : i.y;
     const PolynomialIn<Number, 1>& to_b = along_x ? j.x : j.y;
-    return (i.height() * to_b - j.height() * to_a) * beyond<Number>(b, a, along_x, g);
+    return (i.height() * to_b - j.height() * to_a) * beyond<Number>(b, a, along_x, at);
 }
 
 /// Above 0 where p is nearer to a than to b, in power distances: |p - b|² - w_b less that of a.
 /// Linear but for the squares of a and b.
 template <class Number>
 [[nodiscard]] PolynomialIn<Number, 2> nearer(const MovingSite& p, const MovingSite& a,
-                                             const MovingSite& b, const Fall& g) {
-    return Relative<Number>(b, p, g).height() - Relative<Number>(a, p, g).height();
+                                             const MovingSite& b, const Frame& at) {
+    return Relative<Number>(b, p, at).height() - Relative<Number>(a, p, at).height();
 }
 
 }  // namespace signum::kinetic

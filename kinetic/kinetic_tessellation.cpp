@@ -204,7 +204,8 @@ Tessellation KineticTessellation::tessellation() const {
     Kernel kernel(by_handle.data(), numbers.data());
     std::vector<Index> hidden_by(by_handle.size(), -1);
     for (Index i = 0; static_cast<std::size_t>(i) < hidden_by.size(); ++i)
-        if (of.contains(i) && of.is_hidden(i)) hidden_by[static_cast<std::size_t>(i)] = of.near(i);
+        if (of.contains(i) && of.is_hidden(i))
+            hidden_by[static_cast<std::size_t>(i)] = of.beside(i);
     settle_hiders(of.topology(), kernel, hidden_by);
     TessellationArrays arrays;
     arrays.metric = Metric::power;

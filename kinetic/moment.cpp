@@ -36,12 +36,12 @@ Sign compare(const Sites& sites, const Event& a, const Event& b, roots::Tally* t
     if (a.root.high < b.root.low) return -1;
     if (b.root.high < a.root.low) return 1;
     const CertificateForm form(a.certificate, sites);
-    const roots::Polynomial p(form);
+    const roots::Polynomial p(form, near(a.root));
     const Sign same = relation(a.certificate, b.certificate);
     if (same != 0)
         return roots::compare({p, a.root}, {p, same > 0 ? b.root : b.root.of_negative()}, tally);
     const CertificateForm other_form(b.certificate, sites);
-    const roots::Polynomial q(other_form);
+    const roots::Polynomial q(other_form, near(b.root));
     return roots::compare({p, a.root}, {q, b.root}, tally);
 }
 
@@ -49,7 +49,7 @@ Sign compare(const Sites& sites, const Event& a, double t, roots::Tally* tally) 
     if (a.root.high < t) return -1;
     if (t < a.root.low) return 1;
     const CertificateForm form(a.certificate, sites);
-    const roots::Polynomial p(form);
+    const roots::Polynomial p(form, near(a.root));
     return roots::compare({p, a.root}, t, tally);
 }
 
@@ -62,8 +62,24 @@ Sign Moment::compare(const Sites& sites, const Event& event, roots::Tally* tally
         return roots::compare({*polynomial_, same > 0 ? event.root : event.root.of_negative()},
                               root(), tally);
     const CertificateForm form(event.certificate, sites);
-    const roots::Polynomial p(form);
+    const roots::Polynomial p(form, near(event.root));
     return roots::compare({p, event.root}, root(), tally);
+}
+
+Sign Moment::sign_after(const Sites& sites, const Certificate& certificate,
+                        roots::Tally* tally) const {
+    if (const Sign same = relation_to(certificate); same != 0) return same * event_.root.after;
+    const CertificateForm form(certificate, sites);
+    const roots::Polynomial p(form, time_);
+    return is_double() ? p.sign_after(time_, tally) : p.sign_after(root(), tally);
+}
+
+Sign Moment::sign_then(const Sites& sites, const Certificate& certificate,
+                       roots::Tally* tally) const {
+    if (relation_to(certificate) != 0) return 0;
+    const CertificateForm form(certificate, sites);
+    const roots::Polynomial p(form, time_);
+    return is_double() ? p.sign_at(time_, tally) : p.sign_at(root(), tally);
 }
 
 std::optional<Moment::Ahead> Moment::ahead(const Sites& sites, const Certificate& certificate,
@@ -77,7 +93,7 @@ std::optional<Moment::Ahead> Moment::ahead(const Sites& sites, const Certificate
         return result;
     }
     const CertificateForm form(certificate, sites);
-    const roots::Polynomial p(form);
+    const roots::Polynomial p(form, time_);
     result.root = is_double() ? p.first_root(time_, tally) : p.first_root(root(), tally);
     // From the moment to the root the sign does not change.
     if (result.root) {

@@ -1,6 +1,7 @@
 #pragma once
 /// Right after which time a triangulation of moving sites stands. For sources only.
 
+#include <limits>
 #include <optional>
 
 #include "../core/sign.hpp"
@@ -8,6 +9,11 @@
 #include "certificate.hpp"
 
 namespace signum::kinetic {
+
+/// A double not far from a root.
+[[nodiscard]] inline double near(const roots::Root& root) noexcept {
+    return root.low >= -std::numeric_limits<double>::max() ? root.low : root.high;
+}
 
 /// That a certificate becomes 0. Another one of the same sites has the same polynomial, or the
 /// opposite one.
@@ -40,14 +46,15 @@ class Moment {
         if (event.root.is_double()) return set(event.root.low);
         polynomial_.reset();
         form_.emplace(event.certificate, sites);
-        polynomial_.emplace(*form_);
+        polynomial_.emplace(*form_, near(event.root));
         event_ = event;
+        time_ = near(event.root);
         is_current_ = true;
     }
     /// One of the sites has become another one; the time stays.
     void sites_have_changed() noexcept { is_current_ = false; }
     [[nodiscard]] bool is_double() const noexcept { return !polynomial_; }
-    /// Precondition: is_double().
+    /// The double, or one not far from the event.
     [[nodiscard]] double time() const noexcept { return time_; }
     /// Precondition: not is_double().
     [[nodiscard]] roots::RootOf root() const { return {*polynomial_, event_.root}; }
@@ -59,6 +66,13 @@ class Moment {
 
     /// The sign of the event's time less the moment's.
     [[nodiscard]] Sign compare(const Sites& sites, const Event& event, roots::Tally* tally) const;
+
+    /// The sign of a certificate right after the time: 0 where it is 0 for ever.
+    [[nodiscard]] Sign sign_after(const Sites& sites, const Certificate& certificate,
+                                  roots::Tally* tally) const;
+    /// At the time itself.
+    [[nodiscard]] Sign sign_then(const Sites& sites, const Certificate& certificate,
+                                 roots::Tally* tally) const;
 
     /// The sign of a certificate right after, and its first root from then on.
     struct Ahead {

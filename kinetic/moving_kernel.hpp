@@ -11,12 +11,10 @@
 ///  3. At the moment right after a double at which no polynomial that is asked for is 0, answers
 ///     are those of the kernel of the positions then (triangulation/kernels/power_kernel.hpp).
 
-#include <optional>
-
 #include "../core/index.hpp"
 #include "../core/sign.hpp"
-#include "../roots/polynomial.hpp"
 #include "certificate.hpp"
+#include "moment.hpp"
 
 namespace signum::kinetic {
 
@@ -25,20 +23,9 @@ class MovingKernel {
     static constexpr bool is_exact = true;
     static constexpr bool is_straight = true;
 
-    /// Right after a double.
-    MovingKernel(const Sites& sites, double time) : sites_(sites), time_(time) {}
-    /// Right after a root, whose polynomial has to outlive the kernel's stay there.
-    MovingKernel(const Sites& sites, const roots::RootOf& time) : sites_(sites), time_(0.0) {
-        move_to(time);
-    }
-    void move_to(double time) {
-        root_.reset();
-        time_ = time;
-    }
-    void move_to(const roots::RootOf& time) {
-        if (time.root.is_double()) return move_to(time.root.low);
-        root_.emplace(time);
-    }
+    /// At a moment that may be set anew. Neither is copied.
+    MovingKernel(const Sites& sites, const Moment& moment, roots::Tally& tally)
+        : sites_(sites), moment_(moment), tally_(tally) {}
 
     [[nodiscard]] Sign ccw(Index a, Index b, Index q) {
         return sign({{a, b, q, q}, Certificate::Kind::left_turn});
@@ -83,26 +70,15 @@ class MovingKernel {
         return sign({{a, b, b, b}, Certificate::Kind::beyond, along_x});
     }
 
-    /// Right after the moment; 0 where it is 0 for ever.
+    /// Right after the time; 0 where it is 0 for ever.
     [[nodiscard]] Sign sign(const Certificate& certificate) {
-        const CertificateForm form(certificate, sites_);
-        const roots::Polynomial p(form);
-        return root_ ? p.sign_after(*root_, &tally_) : p.sign_after(time_, &tally_);
+        return moment_.sign_after(sites_, certificate, &tally_);
     }
-    /// At the time itself.
-    [[nodiscard]] Sign sign_then(const Certificate& certificate) {
-        const CertificateForm form(certificate, sites_);
-        const roots::Polynomial p(form);
-        return root_ ? p.sign_at(*root_, &tally_) : p.sign_at(time_, &tally_);
-    }
-    [[nodiscard]] const Sites& sites() const noexcept { return sites_; }
-    [[nodiscard]] const roots::Tally& tally() const noexcept { return tally_; }
 
  private:
     const Sites& sites_;
-    double time_;
-    std::optional<roots::RootOf> root_;
-    roots::Tally tally_;
+    const Moment& moment_;
+    roots::Tally& tally_;
 };
 
 }  // namespace signum::kinetic

@@ -20,7 +20,7 @@ using triangulation::Gap;
 MovingTriangulation::MovingTriangulation(double start, Fall fall)
     : sites_{{}, fall},
       moment_(start),
-      kernel_(sites_, start),
+      kernel_(sites_, moment_, tally_),
       queue_(0, Order{&sites_, &tally_}) {}
 MovingTriangulation::~MovingTriangulation() = default;
 
@@ -186,7 +186,6 @@ bool MovingTriangulation::take_out(Index i) {
 void MovingTriangulation::advance(double t) {
     while (!queue_.empty() && compare(queue_.top().when, t) <= 0) process_events();
     moment_.set(t);
-    kernel_.move_to(t);
 }
 
 void MovingTriangulation::step() {
@@ -200,16 +199,12 @@ Sign MovingTriangulation::compare_moment(double t) const {
 
 double MovingTriangulation::not_before(const Event& event) const {
     const CertificateForm form(event.certificate, sites_);
-    return roots::Polynomial(form).narrowed(event.root, &tally_).high;
+    return roots::Polynomial(form, near(event.root)).narrowed(event.root, &tally_).high;
 }
 
 /// All events of the next time.
 void MovingTriangulation::process_events() {
     moment_.set(sites_, queue_.top().when);
-    if (moment_.is_double())
-        kernel_.move_to(moment_.time());
-    else
-        kernel_.move_to(moment_.root());
     ++work_.times;
     if (is_line_) {
         ++work_.events;
@@ -242,7 +237,7 @@ void MovingTriangulation::note_flat(std::span<const HalfEdge> edges) {
         if (topology_.is_infinite(f) || topology_.record(f).mark != 0) return;
         const auto& v = topology_.vertices(f);
         const Certificate turn{{v[0], v[1], v[2], v[2]}, Kind::left_turn};
-        if (moment_.relation_to(turn) == 0 && kernel_.sign_then(turn) != 0) return;
+        if (moment_.sign_then(sites_, turn, &tally_) != 0) return;
         topology_.record(f).mark = 1;
         suspect(f);
     };
@@ -550,9 +545,8 @@ void MovingTriangulation::schedule_hidden(Index q) {
 // ---- all anew ----
 
 std::array<double, 2> MovingTriangulation::roughly(Index i) const noexcept {
-    const double t = moment_.is_double() ? moment_.time() : moment_.root().root.low;
     const MovingSite& site = moving_[at(i)];
-    const double s = t - site.time;
+    const double s = moment_.time() - site.time;
     const auto along = [&](double x, double v, double g) {
         const double place = x + s * (v + 0.5 * g * s);
         return std::isfinite(place) ? place : 0.0;

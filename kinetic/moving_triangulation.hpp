@@ -122,17 +122,14 @@ class MovingTriangulation {
     [[nodiscard]] Index face_of(Index i) const noexcept { return face_of_[at(i)]; }
 
     /// A visible site not far from a hidden one.
-    [[nodiscard]] Index near(Index hidden) const noexcept {
+    [[nodiscard]] Index beside(Index hidden) const noexcept {
         const auto& v = topology_.vertices(home_[at(hidden)]);
         return v[0] != infinite ? v[0] : v[1];
     }
     [[nodiscard]] const Fall& fall() const noexcept { return sites_.fall; }
 
     [[nodiscard]] const Work& work() const noexcept { return work_; }
-    [[nodiscard]] roots::Tally tally() const noexcept {
-        const roots::Tally& of_kernel = kernel_.tally();
-        return {tally_.filtered + of_kernel.filtered, tally_.exact + of_kernel.exact};
-    }
+    [[nodiscard]] const roots::Tally& tally() const noexcept { return tally_; }
 
  private:
     struct Order {
@@ -206,8 +203,8 @@ class MovingTriangulation {
     std::set<Index> free_;
     std::size_t count_ = 0;
     Moment moment_;
-    MovingKernel kernel_;
     mutable roots::Tally tally_;
+    MovingKernel kernel_;
     Watch watch_;
 
     bool is_line_ = true;

@@ -30,10 +30,14 @@ Approximation horner(const Coefficients<N>& c, const Approximation& t) noexcept 
     return value;
 }
 
+/// t - origin.
+Approximation since(double origin, double t) noexcept {
+    return origin == 0.0 ? Approximation(t) : Approximation(t) - Approximation(origin);
+}
+
 /// p(t + s) in the powers of s, by Horner's rule again and again.
 template <int N>
-Coefficients<N> shifted(Coefficients<N> c, double t) noexcept {
-    const Approximation by(t);
+Coefficients<N> shifted(Coefficients<N> c, const Approximation& by) noexcept {
     for (std::size_t i = 0; i < N; ++i)
         for (std::size_t j = N; j-- > i;) c[j] = c[j] + by * c[j + 1];
     return c;
@@ -52,9 +56,11 @@ constexpr std::array<double, N + 1> binomials() noexcept {
 template <int N>
 class Bisection {
  public:
-    /// q is p(t + s) in the powers of s.
-    Bisection(const Coefficients<N>& c, double t, const Coefficients<N>& q) noexcept
-        : c_(c), start_(t), q_(q) {}
+    /// c are the coefficients about the origin, q those of p(t + s) in the powers of s.
+    /// known is the sign at t, 0 where it is not known.
+    Bisection(const Coefficients<N>& c, double origin, double t, const Coefficients<N>& q,
+              Sign known) noexcept
+        : c_(c), origin_(origin), start_(t), q_(q), known_(known) {}
 
     /// Calls found(root) with one root after the other until that returns true. Whether it told all
     /// that was asked for, and for certain.
@@ -110,15 +116,16 @@ class Bisection {
             q[N] = Approximation();
             ++zeros_;
         }
-        if (!q[0].has_sign()) return false;
+        if (zeros_ > 0) known_ = 0;
+        if (known_ == 0 && !q[0].has_sign()) return false;
         int last = N;
-        while (!q[static_cast<std::size_t>(last)].has_sign()) --last;
+        while (last > 0 && !q[static_cast<std::size_t>(last)].has_sign()) --last;
         // The mean size of the roots, as far as one can know it.
+        const double size = q[0].size() + q[0].error;
         exponent_ =
             last == 0
                 ? 0
-                : (exponent_of(q[0].value) - exponent_of(q[static_cast<std::size_t>(last)].value)) /
-                      last;
+                : (exponent_of(size) - exponent_of(q[static_cast<std::size_t>(last)].value)) / last;
         if (N * std::abs(exponent_) > 1000) return false;
         static constexpr std::array<double, N + 1> binomial = binomials<N>();
         Piece& all = pieces_[0];
@@ -131,15 +138,20 @@ class Bisection {
         all.low = 0.0;
         all.high = 1.0;
         all.bits = 0;
-        return Approximation(all.value[0], all.error[0]).has_sign();
+        return known_ != 0 || Approximation(all.value[0], all.error[0]).has_sign();
+    }
+
+    /// The sign at the lower end of a piece.
+    [[nodiscard]] bool is_positive_at_low(const Piece& piece) const noexcept {
+        return known_ != 0 && piece.low == 0.0 ? known_ > 0 : piece.value[0] > 0.0;
     }
 
     /// 0 and 1 where the number of changes is that, for whatever the coefficients are; 2 where it
     /// may be greater. A single unknown between different signs makes no difference.
-    static int changes_of(const Piece& piece) noexcept {
+    [[nodiscard]] int changes_of(const Piece& piece) const noexcept {
         int changes = 0;
         int unknown = 0;
-        bool last = piece.value[0] > 0.0;
+        bool last = is_positive_at_low(piece);
         for (std::size_t i = 1; i <= N; ++i) {
             const double size = magnitude(piece.value[i]);
             if (!(size > Approximation::slack * piece.error[i])) {
@@ -202,7 +214,7 @@ class Bisection {
         const bool to_infinity = piece.high == 1.0;
         const double least = from_start ? 0.0 : distance(piece.low);
         const double most = to_infinity ? infinity : distance(piece.high);
-        const bool positive = piece.value[0] > 0.0;
+        const bool positive = is_positive_at_low(piece);
         // Outside of this range the quotient's relative error would not be what it is.
         const auto usual = [](double s) { return 0x1p-1000 < s && s < 0x1p1000; };
         if ((!from_start && !usual(least)) || (!to_infinity && !usual(most))) return std::nullopt;
@@ -210,7 +222,8 @@ class Bisection {
         // Where the control polygon crosses 0.
         std::size_t i = 0;
         while (i + 1 < N && (piece.value[i + 1] > 0.0) == positive) ++i;
-        const double part = piece.value[i] / (piece.value[i] - piece.value[i + 1]);
+        double part = piece.value[i] / (piece.value[i] - piece.value[i + 1]);
+        if (!(part >= 0.0 && part <= 1.0)) part = 0.5;
         const double x = piece.low + (piece.high - piece.low) * (static_cast<double>(i) + part) / N;
         double s = distance(x);
         double below = least;
@@ -239,12 +252,13 @@ class Bisection {
 
         // One step more from the coefficients themselves, at a double.
         double t = start_ + s;
-        const Approximation there = horner<N>(c_, Approximation(t));
+        const Approximation since_origin = since(origin_, t);
+        const Approximation there = horner<N>(c_, since_origin);
         double slope = 0.0;
         double value = c_[N].value;
         for (std::size_t k = N; k-- > 0;) {
-            slope = slope * t + value;
-            value = value * t + c_[k].value;
+            slope = slope * since_origin.value + value;
+            value = value * since_origin.value + c_[k].value;
         }
         const double step = value / slope;
         if (magnitude(step) < 0x1p-20 * s) t -= step;
@@ -265,10 +279,10 @@ class Bisection {
             if (!(high > start_) ||
                 (!to_infinity && !(high - start_ < most * (1.0 - 8.0 * epsilon))))
                 return std::nullopt;
-            const Approximation at_high = horner<N>(c_, Approximation(high));
+            const Approximation at_high = horner<N>(c_, since(origin_, high));
             if (!at_high.has_sign() || (at_high.value > 0.0) == positive) continue;
             if (!at_start) {
-                const Approximation at_low = horner<N>(c_, Approximation(low));
+                const Approximation at_low = horner<N>(c_, since(origin_, low));
                 if (!at_low.has_sign() || (at_low.value > 0.0) != positive) continue;
             }
             return Root{low, high, 1, 1, static_cast<std::int8_t>(positive ? -1 : 1), true};
@@ -277,8 +291,10 @@ class Bisection {
     }
 
     Coefficients<N> c_;
+    double origin_;
     double start_;
     Coefficients<N> q_;
+    Sign known_;
     int zeros_ = 0;
     int exponent_ = 0;
     std::array<Piece, most_pieces + 1> pieces_;
@@ -292,46 +308,47 @@ Coefficients<N> coefficients_of(const Approximations& p) noexcept {
 }
 
 template <int N, class Callback>
-bool roots_after(const Approximations& p, const Approximations* better, double t,
+bool roots_after(const Approximations& p, const Approximations* better, double t, Sign known,
                  const Callback& found) noexcept {
     const Coefficients<N> c = coefficients_of<N>(p);
     const Coefficients<N> q = better != nullptr ? coefficients_of<N>(*better)
-                              : t == 0.0        ? c
-                                                : shifted<N>(c, t);
-    return Bisection<N>(c, t, q).run(found);
+                              : t == p.origin   ? c
+                                                : shifted<N>(c, since(p.origin, t));
+    return Bisection<N>(c, p.origin, t, q, known).run(found);
 }
 
 template <class Callback>
-bool roots_after(const Approximations& p, const Approximations* better, double t,
+bool roots_after(const Approximations& p, const Approximations* better, double t, Sign known,
                  const Callback& found) noexcept {
     switch (p.degree) {
         case 0:
             return p.c[0].has_sign();
         case 1:
-            return roots_after<1>(p, better, t, found);
+            return roots_after<1>(p, better, t, known, found);
         case 2:
-            return roots_after<2>(p, better, t, found);
+            return roots_after<2>(p, better, t, known, found);
         case 3:
-            return roots_after<3>(p, better, t, found);
+            return roots_after<3>(p, better, t, known, found);
         case 4:
-            return roots_after<4>(p, better, t, found);
+            return roots_after<4>(p, better, t, known, found);
         case 5:
-            return roots_after<5>(p, better, t, found);
+            return roots_after<5>(p, better, t, known, found);
         case 6:
-            return roots_after<6>(p, better, t, found);
+            return roots_after<6>(p, better, t, known, found);
         case 7:
-            return roots_after<7>(p, better, t, found);
+            return roots_after<7>(p, better, t, known, found);
         case 8:
-            return roots_after<8>(p, better, t, found);
+            return roots_after<8>(p, better, t, known, found);
         default:
             return true;
     }
 }
 
-Found first_found(const Approximations& p, const Approximations* better, double t) noexcept {
+Found first_found(const Approximations& p, const Approximations* better, double t,
+                  Sign known) noexcept {
     Found result{false, std::nullopt};
     if (!filters::environment_is_default()) return result;
-    result.certain = roots_after(p, better, t, [&](const Root& root) {
+    result.certain = roots_after(p, better, t, known, [&](const Root& root) {
         result.root = root;
         return true;
     });
@@ -347,12 +364,16 @@ filters::Verdict sign(const Approximation& value) noexcept {
     return value.is_zero() ? Verdict::certain(0) : Verdict::uncertain();
 }
 
-Approximation value_at(const Approximations& p, const Approximation& t) noexcept {
+Approximation value_since(const Approximations& p, const Approximation& s) noexcept {
     if (p.degree < 0) return Approximation();
     auto i = static_cast<std::size_t>(p.degree);
     Approximation value = p.c[i];
-    while (i-- > 0) value = value * t + p.c[i];
+    while (i-- > 0) value = value * s + p.c[i];
     return value;
+}
+
+Approximation value_at(const Approximations& p, double t) noexcept {
+    return value_since(p, since(p.origin, t));
 }
 
 filters::Verdict sign_between(const Approximations& p, double low, double high) noexcept {
@@ -361,18 +382,20 @@ filters::Verdict sign_between(const Approximations& p, double low, double high) 
     const double radius = high - middle > middle - low ? high - middle : middle - low;
     const double more =
         4.0 * epsilon * (magnitude(low) + magnitude(high)) + Approximation::underflow;
-    return sign(value_at(p, Approximation(middle, radius + more)));
+    Approximation s = since(p.origin, middle);
+    s.error += radius + more;
+    return sign(value_since(p, s));
 }
 
-Found first_root(const Approximations& p, double t) noexcept {
-    return first_found(p, nullptr, t);
+Found first_root(const Approximations& p, double t, Sign known) noexcept {
+    return first_found(p, nullptr, t, known);
 }
 Found first_root(const Approximations& p, const Approximations& shifted, double t) noexcept {
-    return first_found(p, &shifted, t);
+    return first_found(p, &shifted, t, 0);
 }
 
 std::optional<RealRoots> real_roots(const Approximations& p) noexcept {
-    if (!filters::environment_is_default()) return std::nullopt;
+    if (!filters::environment_is_default() || p.origin != 0.0) return std::nullopt;
     RealRoots result;
     result.everywhere = p.degree < 0;
     if (p.degree <= 0) {
@@ -384,7 +407,7 @@ std::optional<RealRoots> real_roots(const Approximations& p) noexcept {
     for (std::size_t i = 1; i < reflected.c.size(); i += 2) reflected.c[i] = -reflected.c[i];
     std::array<Root, most_degree> below;
     int count = 0;
-    const bool told = roots_after(reflected, nullptr, 0.0, [&](const Root& root) {
+    const bool told = roots_after(reflected, nullptr, 0.0, 0, [&](const Root& root) {
         Root mirrored = root.of_negative();
         mirrored.low = -root.high;
         mirrored.high = -root.low;
@@ -402,7 +425,7 @@ std::optional<RealRoots> real_roots(const Approximations& p) noexcept {
         result.roots[static_cast<std::size_t>(result.count++)] =
             Root{0.0, 0.0, zeros, 1, static_cast<std::int8_t>(positive ? 1 : -1), false};
     }
-    const bool all = roots_after(p, nullptr, 0.0, [&](const Root& root) {
+    const bool all = roots_after(p, nullptr, 0.0, 0, [&](const Root& root) {
         result.roots[static_cast<std::size_t>(result.count++)] = root;
         return false;
     });

@@ -20,7 +20,7 @@ namespace signum::roots::filter {
 /// Of a number that is known approximately, in the default environment.
 [[nodiscard]] filters::Verdict sign(const Approximation& value) noexcept;
 
-[[nodiscard]] Approximation value_at(const Approximations& p, const Approximation& t) noexcept;
+[[nodiscard]] Approximation value_at(const Approximations& p, double t) noexcept;
 /// In all of [low, high].
 [[nodiscard]] filters::Verdict sign_between(const Approximations& p, double low,
                                             double high) noexcept;
@@ -29,14 +29,15 @@ struct Found {
     bool certain;
     std::optional<Root> root;
 };
-/// The first root after t, a simple one; where it may be another one, nothing is certain.
-[[nodiscard]] Found first_root(const Approximations& p, double t) noexcept;
+/// The first root after t, a simple one; where it may be another one, nothing is certain. Who knows
+/// the sign at t says so (not 0): it may be too near to a root for the filter.
+[[nodiscard]] Found first_root(const Approximations& p, double t, Sign known = 0) noexcept;
 /// The same where p(t + s) is known better than from p, or times a positive number. Precondition:
 /// of both the degrees are the same.
 [[nodiscard]] Found first_root(const Approximations& p, const Approximations& shifted,
                                double t) noexcept;
 
-/// All roots, each of them simple; nothing where that is not certain.
+/// All roots, each of them simple; nothing where that is not certain, or the origin is not 0.
 [[nodiscard]] std::optional<RealRoots> real_roots(const Approximations& p) noexcept;
 
 }  // namespace signum::roots::filter

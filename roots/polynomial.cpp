@@ -46,7 +46,7 @@ bool vanishes_in(const exact::Polynomial& p, const Isolated& where) {
 
 filters::Verdict sign_of(const Approximations& p, double t) {
     if (filters::magnitude(t) == infinity) return filters::Verdict::uncertain();
-    return filter::sign(filter::value_at(p, Approximation(filters::pinned(t))));
+    return filter::sign(filter::value_at(p, filters::pinned(t)));
 }
 
 /// Integers times powers of two, to the relative precision of a double, all of them times one power
@@ -383,7 +383,8 @@ std::optional<Root> Polynomial::first(Which which, double t, Asked& asked) const
 /// Between a root that is alone and the upper end of its interval there is no other.
 std::optional<Root> Polynomial::first(Which which, const Root& mine, Asked& asked) const {
     if (mine.alone || mine.is_double()) {
-        const filter::Found found = filter::first_root(approximate_, filters::pinned(mine.high));
+        const filter::Found found = filter::first_root(approximate_, filters::pinned(mine.high),
+                                                       mine.alone ? Sign{mine.after} : 0);
         if (found.certain) return found.root;
     }
     asked.exact = true;

@@ -10,6 +10,10 @@
 ///         template <class Number> PolynomialIn<Number, 2> in() const;
 ///     };
 ///
+/// Who asks about times far from 0 writes `in<Number>(double origin)` instead, for the polynomial
+/// in t - origin, and gives an origin nearby: there the approximate coefficients are what they
+/// would be at 0, and the answers about t are the same.
+///
 /// Laws:
 ///  1. Every answer is exact, for all finite doubles. Where these are 0 or within 2^±150 the
 ///     approximations of polynomials of degree 4 do not leave a double's range.
@@ -101,6 +105,8 @@ struct Approximations {
     std::array<Approximation, most_degree + 1> c;
     /// Coefficients from here on are exactly 0; -1 where all are.
     int degree;
+    /// They are those of powers of t - origin.
+    double origin = 0.0;
 };
 
 class Polynomial {
@@ -108,20 +114,18 @@ class Polynomial {
     /// The form has to outlive the polynomial.
     template <class Form>
     explicit Polynomial(const Form& form)
-        : form_(&form), exact_([](const void* f) {
-              const auto p = static_cast<const Form*>(f)->template in<exact::Dyadic>();
-              return exact::Polynomial(std::span<const exact::Dyadic>(p.c));
+        : Polynomial(&form, [](const void* f) {
+              return exact_of(static_cast<const Form*>(f)->template in<exact::Dyadic>().c);
           }) {
-        const auto p = form.template in<Approximation>();
-        const bool usable = filters::environment_is_default();
-        for (std::size_t i = 0; i < p.c.size(); ++i) {
-            approximate_.c[i] = p.c[i];
-            if (!usable) approximate_.c[i].error = std::numeric_limits<double>::infinity();
-        }
-        approximate_.degree = static_cast<int>(p.c.size()) - 1;
-        while (approximate_.degree >= 0 &&
-               approximate_.c[static_cast<std::size_t>(approximate_.degree)].is_zero())
-            --approximate_.degree;
+        know(form.template in<Approximation>().c, 0.0);
+    }
+    /// The same; the origin is finite.
+    template <class Form>
+    Polynomial(const Form& form, double origin)
+        : Polynomial(&form, [](const void* f) {
+              return exact_of(static_cast<const Form*>(f)->template in<exact::Dyadic>(0.0).c);
+          }) {
+        know(form.template in<Approximation>(filters::pinned(origin)).c, origin);
     }
 
     /// Whether it is 0 everywhere.
@@ -161,6 +165,25 @@ class Polynomial {
     };
     /// Whether a question went on to the exact stage.
     struct Asked;
+
+    Polynomial(const void* form, exact::Polynomial (*make_exact)(const void*))
+        : form_(form), exact_(make_exact) {}
+    [[nodiscard]] static exact::Polynomial exact_of(std::span<const exact::Dyadic> c) {
+        return exact::Polynomial(c);
+    }
+    template <std::size_t n>
+    void know(const std::array<Approximation, n>& c, double origin) noexcept {
+        const bool usable = filters::environment_is_default();
+        for (std::size_t i = 0; i < n; ++i) {
+            approximate_.c[i] = c[i];
+            if (!usable) approximate_.c[i].error = std::numeric_limits<double>::infinity();
+        }
+        approximate_.origin = origin;
+        approximate_.degree = static_cast<int>(n) - 1;
+        while (approximate_.degree >= 0 &&
+               approximate_.c[static_cast<std::size_t>(approximate_.degree)].is_zero())
+            --approximate_.degree;
+    }
 
     [[nodiscard]] Exact& exact() const;
     [[nodiscard]] Sign sign_at(double t, Asked& asked) const;

@@ -39,10 +39,14 @@ Both any(int number, Random& random, bool weighted) {
     return sites;
 }
 
-template <class Moment>
-brute::Triangles triangles(const std::vector<MovingSite>& sites, const Moment& moment) {
+/// Right after the moment that `set` sets.
+template <class Set>
+brute::Triangles triangles_at(const std::vector<MovingSite>& sites, const Set& set) {
     const Sites all{sites, {}};
-    MovingKernel kernel(all, moment);
+    Moment moment(0.0);
+    set(moment, all);
+    roots::Tally tally;
+    MovingKernel kernel(all, moment, tally);
     const auto number = static_cast<Index>(sites.size());
     Index third = 2;
     while (third < number && kernel.ccw(0, 1, third) == 0) ++third;
@@ -65,13 +69,19 @@ brute::Triangles triangles(const std::vector<MovingSite>& sites, const Moment& m
     return result;
 }
 
-/// The triangles right after the first root of the form that rounds to a double.
-template <class Form>
-brute::Triangles triangles_after(const std::vector<MovingSite>& sites, const Form& form,
-                                 double nearest) {
-    const roots::Polynomial p(form);
+brute::Triangles triangles(const std::vector<MovingSite>& sites, double time) {
+    return triangles_at(sites, [&](Moment& moment, const Sites&) { moment.set(time); });
+}
+/// The triangles right after the first root of the certificate that rounds to a double.
+brute::Triangles triangles_after(const std::vector<MovingSite>& sites,
+                                 const Certificate& certificate, double nearest) {
+    const CertificateForm form(certificate, {sites, {}});
+    const roots::Polynomial p(form, 0.0);
     for (const roots::Root& root : p.real_roots())
-        if (p.nearest_double(root) == nearest) return triangles(sites, roots::RootOf{p, root});
+        if (p.nearest_double(root) == nearest)
+            return triangles_at(sites, [&](Moment& moment, const Sites& all) {
+                moment.set(all, {root, certificate});
+            });
     ADD_FAILURE() << "no root at " << nearest;
     return {};
 }
@@ -91,8 +101,7 @@ TEST(MovingKernel, TriangulatesRightAfterEveryEvent) {
             ++changes;
             Certificate certificate{{of[0], of[1], of[2], of[2]}, Certificate::Kind::left_turn};
             if (of.size() == 4) certificate = {{of[0], of[1], of[2], of[3]}};
-            ASSERT_EQ(triangles_after(sites, CertificateForm(certificate, {sites, {}}), time),
-                      change.after);
+            ASSERT_EQ(triangles_after(sites, certificate, time), change.after);
         }
     }
     EXPECT_GT(changes, 200);
