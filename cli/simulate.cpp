@@ -225,6 +225,8 @@ Movie::Meaning meaning_of(motion::Structure structure) {
             return {"boxes", "partners, whose boxes overlap", expected};
         case motion::Structure::lists:
             return {"shells", "pairs in the lists", expected};
+        case motion::Structure::delaunay:
+            return {"", "neighbours", expected};
         case motion::Structure::automatic:
         case motion::Structure::pairs:
             break;

@@ -728,10 +728,9 @@ std::unique_ptr<typename Simulation<D>::Engine> make_engine(
 }
 
 /// Compiles the loops over a structure, in a source of its own.
-#define SIGNUM_LOOPS_OVER(STRUCTURE)                                                              \
-    template std::unique_ptr<Simulation<2>::Engine> make_engine<2, STRUCTURE>(                    \
-        Structure, const State<2>&, const Effects<2>&, Kernel, const std::vector<std::int32_t>&); \
-    template std::unique_ptr<Simulation<3>::Engine> make_engine<3, STRUCTURE>(                    \
-        Structure, const State<3>&, const Effects<3>&, Kernel, const std::vector<std::int32_t>&);
+#define SIGNUM_LOOPS_IN(D, STRUCTURE)                                          \
+    template std::unique_ptr<Simulation<D>::Engine> make_engine<D, STRUCTURE>( \
+        Structure, const State<D>&, const Effects<D>&, Kernel, const std::vector<std::int32_t>&);
+#define SIGNUM_LOOPS_OVER(STRUCTURE) SIGNUM_LOOPS_IN(2, STRUCTURE) SIGNUM_LOOPS_IN(3, STRUCTURE)
 
 }  // namespace signum::motion

@@ -19,6 +19,8 @@ template <int D>
 class Segments;
 template <int D>
 class Lists;
+template <int D>
+class Delaunay;
 
 namespace {
 
@@ -31,17 +33,18 @@ struct Row {
                                                             const std::vector<std::int32_t>&);
 };
 template <int D>
-constexpr std::array<Row<D>, 6> rows = {{
-    {Structure::pairs, make_engine<D, Pairs>},
-    {Structure::cells, make_engine<D, Grid>},
-    {Structure::tree, make_engine<D, Grid>},
-    {Structure::segments, make_engine<D, Segments>},
-    {Structure::levels, make_engine<D, Grid>},
-    {Structure::lists, make_engine<D, Lists>},
-}};
+std::vector<Row<D>> rows() {
+    std::vector<Row<D>> result = {
+        {Structure::pairs, make_engine<D, Pairs>}, {Structure::cells, make_engine<D, Grid>},
+        {Structure::tree, make_engine<D, Grid>},   {Structure::segments, make_engine<D, Segments>},
+        {Structure::levels, make_engine<D, Grid>}, {Structure::lists, make_engine<D, Lists>},
+    };
+    if constexpr (D == 2) result.push_back({Structure::delaunay, make_engine<2, Delaunay>});
+    return result;
+}
 
-constexpr std::array<std::string_view, 7> names = {"auto",     "pairs",  "cells", "tree",
-                                                   "segments", "levels", "lists"};
+constexpr std::array<std::string_view, 8> names = {"auto",     "pairs",  "cells", "tree",
+                                                   "segments", "levels", "lists", "delaunay"};
 
 /// What the choice depends on.
 struct Sizes {
@@ -125,6 +128,12 @@ Choice choose(Structure wish, const State<D>& state, const Effects<D>& effects) 
         wish == Structure::cells || wish == Structure::tree || wish == Structure::levels;
     if (few_cells && in_cells)
         return {Structure::pairs, "the periodic box has fewer than five cells along an axis"};
+    if (wish == Structure::delaunay) {
+        const Structure instead = few_cells ? Structure::lists : Structure::levels;
+        if (D != 2) return {instead, "delaunay is a structure of the plane"};
+        if (!(sizes.smallest > 0.0 && sizes.smallest >= 0x1p-12 * sizes.largest))
+            return {instead, "delaunay is for discs whose radii are within a factor of 4096"};
+    }
     return {wish, "asked for"};
 }
 
@@ -133,7 +142,8 @@ Simulation<D>::Simulation(const State<D>& state, const Effects<D>& effects,
                           const Options& options) {
     check(state, effects);
     const Structure structure = choose(options.structure, state, effects).structure;
-    const auto row = std::ranges::find(rows<D>, structure, &Row<D>::structure);
+    const std::vector<Row<D>> all = rows<D>();
+    const auto row = std::ranges::find(all, structure, &Row<D>::structure);
     engine_ = row->make(structure, state, effects, options.kernel, along_a_curve(state, effects));
 }
 template <int D>

@@ -162,10 +162,10 @@ struct Outcome {
 };
 
 /// The structures that propose pairs, in the order of their names; automatic chooses one.
-enum class Structure { automatic, pairs, cells, tree, segments, levels, lists };
+enum class Structure { automatic, pairs, cells, tree, segments, levels, lists, delaunay };
 inline constexpr std::array all_structures = {
     Structure::automatic, Structure::pairs,  Structure::cells, Structure::tree,
-    Structure::segments,  Structure::levels, Structure::lists};
+    Structure::segments,  Structure::levels, Structure::lists, Structure::delaunay};
 [[nodiscard]] std::string_view name_of(Structure structure) noexcept;
 
 struct Options {
