@@ -31,6 +31,8 @@ struct RoundingCount {
     friend constexpr RoundingCount operator-(RoundingCount a, RoundingCount b) noexcept {
         return a + b;
     }
+    /// Exact.
+    friend constexpr RoundingCount operator-(RoundingCount a) noexcept { return a; }
     friend constexpr RoundingCount max(RoundingCount a, RoundingCount b) noexcept {
         return a.roundings > b.roundings ? a : b;
     }

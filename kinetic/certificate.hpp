@@ -8,9 +8,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 
 #include "../core/index.hpp"
 #include "../core/sign.hpp"
+#include "bounded_forms.hpp"
 #include "forms.hpp"
 
 namespace signum::kinetic {
@@ -62,6 +64,12 @@ struct CertificateForm {
     [[nodiscard]] PolynomialIn<Number, 4> in(double origin) const {
         const auto& [a, b, c, d] = sites;
         const Frame at{fall, origin};
+        if constexpr (std::is_same_v<Number, Approximation>) {
+            if (kind == Certificate::Kind::outside)
+                if (const auto p = bounded_in_circle(b, a, c, d, at)) return *p;
+            if (kind == Certificate::Kind::left_turn)
+                if (const auto p = bounded_orientation(a, b, c, at)) return *p;
+        }
         switch (kind) {
             case Certificate::Kind::outside:
                 return in_circle<Number>(b, a, c, d, at);

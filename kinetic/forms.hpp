@@ -47,6 +47,7 @@ struct Relative {
     PolynomialIn<Number, 1> y;
     PolynomialIn<Number, 0> weight;
 
+    constexpr Relative() = default;
     Relative(const MovingSite& m, const MovingSite& q, const Frame& at)
         : x(axis(m.x, m.vx, m.time, q.x, q.vx, q.time, at.fall.x, at.origin)),
           y(axis(m.y, m.vy, m.time, q.y, q.vy, q.time, at.fall.y, at.origin)),
@@ -60,11 +61,20 @@ struct Relative {
                along<Number>(from_x, from_v, from_time, g, origin);
     }
     /// |m - q|² - (w_m - w_q).
-    [[nodiscard]] PolynomialIn<Number, 2> height() const { return (x * x + y * y) - weight; }
+    [[nodiscard]] constexpr PolynomialIn<Number, 2> height() const {
+        return (x * x + y * y) - weight;
+    }
 };
 template <class Number>
-[[nodiscard]] PolynomialIn<Number, 2> cross(const Relative<Number>& a, const Relative<Number>& b) {
+[[nodiscard]] constexpr PolynomialIn<Number, 2> cross(const Relative<Number>& a,
+                                                      const Relative<Number>& b) {
     return a.x * b.y - b.x * a.y;
+}
+template <class Number>
+[[nodiscard]] constexpr PolynomialIn<Number, 4> determinant(const Relative<Number>& i,
+                                                            const Relative<Number>& j,
+                                                            const Relative<Number>& k) {
+    return (i.height() * cross(j, k) + j.height() * cross(k, i)) + k.height() * cross(i, j);
 }
 
 /// Above 0 where a, b and q turn left.
@@ -79,10 +89,8 @@ template <class Number>
 [[nodiscard]] PolynomialIn<Number, 4> in_circle(const MovingSite& a, const MovingSite& b,
                                                 const MovingSite& c, const MovingSite& q,
                                                 const Frame& at) {
-    const Relative<Number> i(a, q, at);
-    const Relative<Number> j(b, q, at);
-    const Relative<Number> k(c, q, at);
-    return (i.height() * cross(j, k) + j.height() * cross(k, i)) + k.height() * cross(i, j);
+    return determinant(Relative<Number>(a, q, at), Relative<Number>(b, q, at),
+                       Relative<Number>(c, q, at));
 }
 
 /// How far a lies beyond b along an axis.

@@ -37,17 +37,17 @@ template <class Number>
 
 /// The same one, for who knows a higher degree.
 template <int N, class Number, int M>
-[[nodiscard]] PolynomialIn<Number, N> widened(const PolynomialIn<Number, M>& p) {
+[[nodiscard]] constexpr PolynomialIn<Number, N> widened(const PolynomialIn<Number, M>& p) {
     static_assert(N >= M);
-    PolynomialIn<Number, N> result;
+    PolynomialIn<Number, N> result{};
     for (std::size_t i = 0; i < p.c.size(); ++i) result.c[i] = p.c[i];
     return result;
 }
 
 template <class Number, int M, int N>
-[[nodiscard]] PolynomialIn<Number, std::max(M, N)> operator+(const PolynomialIn<Number, M>& p,
-                                                             const PolynomialIn<Number, N>& q) {
-    PolynomialIn<Number, std::max(M, N)> sum;
+[[nodiscard]] constexpr PolynomialIn<Number, std::max(M, N)> operator+(
+    const PolynomialIn<Number, M>& p, const PolynomialIn<Number, N>& q) {
+    PolynomialIn<Number, std::max(M, N)> sum{};
     for (int i = 0; i <= std::max(M, N); ++i) {
         const auto k = static_cast<std::size_t>(i);
         if (i <= M && i <= N) {
@@ -59,20 +59,20 @@ template <class Number, int M, int N>
     return sum;
 }
 template <class Number, int M>
-[[nodiscard]] PolynomialIn<Number, M> operator-(const PolynomialIn<Number, M>& p) {
-    PolynomialIn<Number, M> result;
+[[nodiscard]] constexpr PolynomialIn<Number, M> operator-(const PolynomialIn<Number, M>& p) {
+    PolynomialIn<Number, M> result{};
     for (std::size_t i = 0; i < p.c.size(); ++i) result.c[i] = -p.c[i];
     return result;
 }
 template <class Number, int M, int N>
-[[nodiscard]] PolynomialIn<Number, std::max(M, N)> operator-(const PolynomialIn<Number, M>& p,
-                                                             const PolynomialIn<Number, N>& q) {
+[[nodiscard]] constexpr PolynomialIn<Number, std::max(M, N)> operator-(
+    const PolynomialIn<Number, M>& p, const PolynomialIn<Number, N>& q) {
     return p + -q;
 }
 template <class Number, int M, int N>
-[[nodiscard]] PolynomialIn<Number, M + N> operator*(const PolynomialIn<Number, M>& p,
-                                                    const PolynomialIn<Number, N>& q) {
-    PolynomialIn<Number, M + N> product;
+[[nodiscard]] constexpr PolynomialIn<Number, M + N> operator*(const PolynomialIn<Number, M>& p,
+                                                              const PolynomialIn<Number, N>& q) {
+    PolynomialIn<Number, M + N> product{};
     std::array<bool, M + N + 1> begun{};
     for (std::size_t i = 0; i <= M; ++i)
         for (std::size_t j = 0; j <= N; ++j) {
@@ -83,8 +83,8 @@ template <class Number, int M, int N>
     return product;
 }
 template <class Number, int M>
-[[nodiscard]] PolynomialIn<Number, M> operator*(int a, const PolynomialIn<Number, M>& p) {
-    PolynomialIn<Number, M> result;
+[[nodiscard]] constexpr PolynomialIn<Number, M> operator*(int a, const PolynomialIn<Number, M>& p) {
+    PolynomialIn<Number, M> result{};
     for (std::size_t i = 0; i < p.c.size(); ++i) result.c[i] = a * p.c[i];
     return result;
 }
