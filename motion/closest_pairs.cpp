@@ -33,7 +33,7 @@ class List {
     /// balls; the default floating-point environment.
     void add(std::span<const Ball<D>> balls, double from, double to) {
         const NearPairs<D> near(balls, effects_, from, to);
-        const std::size_t usual = 8 * balls.size() + 64;
+        const std::size_t usual = 2 * balls.size() + 64;
         std::optional<std::vector<NearPair<D>>> pairs = near.closest(usual);
         if (!pairs) {
             const double middle = from + 0.5 * (to - from);
@@ -74,6 +74,7 @@ class List {
             best_ = &pairs_.front();
             double least = gap_between(*best_, 0.0, 0.0).high;
             for (const NearPair<D>& pair : pairs_) {
+                if (pair.gap.low > least) continue;
                 const Interval gap = gap_between(pair, 0.0, 0.0);
                 if (gap.low > least || !is_closer(pair, *best_, now_)) continue;
                 best_ = &pair;
@@ -111,7 +112,9 @@ class List {
             const NearPair<D>* next = nullptr;
             std::optional<Moment<D>> when;
             for (const NearPair<D>& pair : pairs_) {
-                if (&pair == best_ || gap_between(pair, low, high).low > most) continue;
+                if (&pair == best_ || pair.gap.low > most ||
+                    gap_between(pair, low, high).low > most)
+                    continue;
                 const std::optional<Moment<D>> moment =
                     order_of(pair, *best_)
                         .first_less(now_, numbers_of(pair) < numbers_of(*best_),
@@ -177,6 +180,7 @@ ClosestPairs closest_pairs(const State<D>& state, const Effects<D>& effects, dou
         result.outcome = ahead.run({.until = end, .strikes = 1, .stop = stop},
                                    [&](const Strike& strike) { to = strike.time; });
         if (result.outcome.ending == Ending::stopped) break;
+        if (result.outcome.ending == Ending::collapse) to = result.outcome.last.time;
         if (from < to || list.pairs().empty()) {
             const exact::IeeeEnvironment environment;
             list.add(now.balls, from, to);

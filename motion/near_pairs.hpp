@@ -285,15 +285,18 @@ class NearPairs {
     }
 
     typename BoxTree<D>::Node box_of(const Ball<D>& ball) const {
-        static const Interval half(0.5);
+        constexpr Interval half(0.5);
         const Interval since = Interval(from_) - Interval(ball.time);
         typename BoxTree<D>::Node node;
         node.radius = ball.radius;
         for (int k = 0; k < D; ++k) {
-            const Interval g(effects_.gravity[k]);
-            const Interval v = Interval(ball.v[k]) + g * since;
-            const Interval x =
-                Interval(ball.x[k]) + (Interval(ball.v[k]) + half * g * since) * since;
+            Interval v(ball.v[k]);
+            Interval x = Interval(ball.x[k]) + v * since;
+            if (effects_.gravity[k] != 0.0) {
+                const Interval gained = Interval(effects_.gravity[k]) * since;
+                v = v + gained;
+                x = x + half * gained * since;
+            }
             if (effects_.periodic) refuse_far(x, length_[k]);
             const Interval both = hull(x, x + v * time_);
             node.box.low[k] = both.low;

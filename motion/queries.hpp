@@ -35,7 +35,7 @@ template <int D>
 
 struct StrikeList {
     std::vector<Strike> strikes;
-    /// A collapse: the list is complete up to its last strike.
+    /// A collapse: the list is complete up to the time of outcome.last.
     Outcome outcome;
 };
 /// All strikes at `begin`, at `end` and between, in their order; without those that are done when
@@ -81,7 +81,7 @@ template <int D>
 
 struct ClosestPairs {
     std::vector<ClosestPair> pairs;
-    /// A collapse or a stop: the list is complete up to the last strike.
+    /// A collapse: the list is complete up to the time of outcome.last; a stop: up to some strike.
     Outcome outcome;
 };
 /// Which pair is the closest one from `begin` to `end`: the one right after `begin`, and from each

@@ -10,6 +10,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -39,6 +40,9 @@ std::string in_words(const ClosestPair& p) {
     text.precision(17);
     text << p.time << ": " << p.a << " " << p.b << " " << p.gap;
     return text.str();
+}
+std::pair<int, int> numbers(const ClosestPair& pair) {
+    return {pair.a, pair.b};
 }
 ClosestPair of_oracle(const brute::Near& near) {
     return {near.time, near.a, near.b, near.gap};
@@ -127,6 +131,12 @@ State<D> state_of(Kind kind, int number, const Effects<D>& effects, Random& rand
         state.masses.push_back(1.0);
     }
     state.in_place.resize(state.balls.size());
+    // Nothing may be left to do before the time of a state.
+    const std::vector<brute::Ball> balls = to_brute<D>(state.balls);
+    for (std::size_t i = 0; i < balls.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (brute::meeting_time(balls[i], balls[j], to_brute<D>(effects), state.time))
+                for (Ball<D>& ball : state.balls) ball.time = state.time;
     return state;
 }
 
@@ -173,6 +183,7 @@ std::vector<ClosestPair> brute_list(const State<D>& state, const Effects<D>& eff
         double to = end;
         const Outcome outcome = simulation.run({.until = end, .strikes = 1},
                                                [&](const Strike& strike) { to = strike.time; });
+        if (outcome.ending == Ending::collapse) to = outcome.last.time;
         if (from < to) {
             for (const brute::Near& near :
                  brute::closest_list(to_brute<D>(now.balls), world, from, to))
@@ -252,6 +263,169 @@ TEST(MotionQueries, ListsAreThoseOfBruteForceInThePlane) {
 }
 TEST(MotionQueries, ListsAreThoseOfBruteForceInSpace) {
     expect_lists_in_all<3>(is_fast ? 8 : 2, 4);
+}
+
+/// An end that leaves so many strikes, for scenes that have a million of them.
+template <int D>
+double end_of(const Scene<D>& scene, double end, std::uint64_t strikes) {
+    Simulation<D> simulation(start<D>(scene.bodies, scene.effects), scene.effects);
+    simulation.run({.until = end, .strikes = strikes});
+    return std::min(end, simulation.state().time);
+}
+/// At times of all kinds the list names the pair that is the closest one then.
+template <int D>
+void expect_list_at_times(const Scene<D>& scene, double begin, double end, int looks) {
+    SCOPED_TRACE(scene.name);
+    const State<D> first = start<D>(scene.bodies, scene.effects);
+    const ClosestPairs list = closest_pairs(first, scene.effects, begin, end);
+    ASSERT_NE(list.outcome.ending, Ending::collapse);
+    ASSERT_FALSE(list.pairs.empty());
+    ASSERT_EQ(list.pairs.front().time, begin);
+    for (std::size_t i = 1; i < list.pairs.size(); ++i) {
+        ASSERT_LE(list.pairs[i - 1].time, list.pairs[i].time);
+        ASSERT_NE(numbers(list.pairs[i - 1]), numbers(list.pairs[i]));
+    }
+    for (int look = 0; look < looks; ++look) {
+        const double time = begin + (end - begin) * (look + 0.375) / looks;
+        const State<D> then = state_at(first, scene.effects, time);
+        ASSERT_EQ(then.time, time);
+        const auto pair = closest_pair(then, scene.effects);
+        const auto next = std::ranges::upper_bound(list.pairs, time, {}, &ClosestPair::time);
+        const ClosestPair& listed = *(next - 1);
+        ASSERT_EQ(numbers(*pair), numbers(listed)) << in_words(*pair) << ", " << in_words(listed);
+        // The nearest neighbour of each of the two is no farther.
+        ASSERT_EQ(nearest(then, scene.effects, pair->a)->gap, pair->gap);
+        ASSERT_EQ(nearest(then, scene.effects, pair->b)->gap, pair->gap);
+    }
+}
+TEST(MotionQueries, ListsOfManyBallsNameTheClosestPairOfEachTime) {
+    const int looks = is_fast ? 50 : 5;
+    for (const Scene<2>& scene : all_scenes<2>(is_fast ? 144 : 36))
+        expect_list_at_times(scene, 0.125, end_of(scene, 0.75, 2000), looks);
+    for (const Scene<3>& scene : all_scenes<3>(is_fast ? 125 : 27))
+        expect_list_at_times(scene, 0.125, end_of(scene, 0.75, 2000), looks);
+}
+/// So long a flight that all pairs may come near is taken in parts.
+TEST(MotionQueries, LongFlightsOfManyPointsAreTakenInParts) {
+    for (const bool periodic : {false, true}) {
+        Scene<2> scene = gas<2>(is_fast ? 225 : 49, periodic, 11);
+        if (!periodic) scene.effects.box.reset();
+        for (Body<2>& body : scene.bodies) body.radius = 0.0;
+        expect_list_at_times(scene, 1.0, 9.0, is_fast ? 100 : 10);
+    }
+    // Two balls go around a box many times.
+    Scene<3> fast{"fast", {}, {}};
+    fast.effects.box = cube<3>(1.0);
+    fast.effects.periodic = true;
+    fast.bodies = {{{0.25, 0.25, 0.25}, {}, 0.0, 1.0},
+                   {{0.5, 0.75, 0.125}, {1000.0, 1.0, 30.0}, 0.0, 1.0},
+                   {{0.75, 0.5, 0.125}, {-10.0, 20.0, 500.0}, 0.0, 1.0}};
+    expect_list_at_times(fast, 0.0, 1.0, is_fast ? 100 : 10);
+}
+/// Many pairs are equally close all the time: no part of it has fewer.
+TEST(MotionQueries, PointsThatFlyTogether) {
+    Scene<2> scene{"points that fly together", {}, {}};
+    for (int i = 0; i < 60; ++i)
+        scene.bodies.push_back({{0.0, 0.0}, {i % 2 == 0 ? 1.0 : -1.0, 0.5}, 0.0, 1.0});
+    expect_list_at_times(scene, 0.0, 4.0, 7);
+    const State<2> first = start<2>(scene.bodies, scene.effects);
+    const ClosestPairs list = closest_pairs(first, scene.effects, 1.0, 4.0);
+    ASSERT_EQ(list.pairs, (std::vector<ClosestPair>{{1.0, 0, 2, 0.0}}));
+}
+
+TEST(MotionQueries, StrikesAheadAreThoseOfTheRun) {
+    for (const Scene<2>& scene : all_scenes<2>(64)) {
+        SCOPED_TRACE(scene.name);
+        const State<2> first = start<2>(scene.bodies, scene.effects);
+        std::vector<Strike> log;
+        const double last = end_of(scene, 2.0, 1000);
+        Simulation<2>(first, scene.effects).run({.until = last}, [&](const Strike& strike) {
+            log.push_back(strike);
+        });
+        // Asked from where a simulation stands, which goes on as if nobody had.
+        Simulation<2> simulation(first, scene.effects);
+        std::vector<Strike> same;
+        const auto record = [&](const Strike& strike) { same.push_back(strike); };
+        simulation.run({.until = 0.25 * last}, record);
+        const State<2> then = simulation.state();
+        const double begin =
+            log.size() > 4 ? std::max(0.25 * last, log[log.size() / 2].time) : 0.5 * last;
+        const double end = log.empty() ? last : log.back().time;
+        if (begin <= end) {
+            std::vector<Strike> expected;
+            for (std::size_t i = same.size(); i < log.size(); ++i)
+                if (begin <= log[i].time && log[i].time <= end) expected.push_back(log[i]);
+            EXPECT_EQ(strikes_between(then, scene.effects, begin, end).strikes, expected);
+            EXPECT_EQ(expected.empty(), log.size() == same.size());
+        }
+        for (std::size_t i = same.size(); i < log.size(); i += 7) {
+            const double time = log[i].time;
+            const auto next = std::ranges::upper_bound(log, time, {}, &Strike::time);
+            const auto told = next_strike(then, scene.effects, time, last);
+            ASSERT_EQ(told.has_value(), next != log.end());
+            if (told.has_value()) {
+                ASSERT_EQ(*told, *next);
+            }
+        }
+        simulation.run({.until = last}, record);
+        EXPECT_EQ(same, log);
+    }
+}
+
+TEST(MotionQueries, WhatCannotBeAskedIsRefused) {
+    const std::vector<Body<2>> bodies = {{{0, 0}, {1, 0}, 1, 1}, {{5, 0}, {0, 0}, 1, 1}};
+    const Effects<2> effects;
+    const State<2> first = start<2>(bodies, effects);
+    const State<2> later = state_at(first, effects, 2.0);
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const double time : {1.0, nan, infinity, -infinity}) {
+        EXPECT_THROW((void)state_at(later, effects, time), std::invalid_argument);
+        EXPECT_THROW((void)closest_pairs(later, effects, time, time), std::invalid_argument);
+        if (time == infinity) continue;
+        EXPECT_THROW((void)strikes_between(later, effects, time, 9.0), std::invalid_argument);
+        EXPECT_THROW((void)strikes_between(later, effects, 4.0, time), std::invalid_argument);
+        EXPECT_THROW((void)closest_pairs(later, effects, 4.0, time), std::invalid_argument);
+        EXPECT_THROW((void)next_strike(later, effects, time), std::invalid_argument);
+    }
+    EXPECT_THROW((void)nearest(first, effects, 2), std::out_of_range);
+    EXPECT_THROW((void)nearest(first, effects, -1), std::out_of_range);
+    EXPECT_EQ(next_strike(later, effects, 2.0)->time, 3.0);
+    EXPECT_EQ(next_strike(later, effects, 3.0), std::nullopt);
+
+    const State<2> one = start<2>(std::vector<Body<2>>(1), effects);
+    EXPECT_EQ(nearest(one, effects, 0), std::nullopt);
+    EXPECT_EQ(closest_pair(one, effects), std::nullopt);
+    EXPECT_TRUE(closest_pairs(one, effects, 0.0, 1.0).pairs.empty());
+
+    Effects<2> box;
+    box.box = cube<2>(1.0);
+    box.periodic = true;
+    const std::vector<Body<2>> points = {{{0.5, 0.5}, {1, 0}, 0, 1}, {{0.25, 0.75}, {0, 0}, 0, 1}};
+    State<2> far = start<2>(points, box);
+    EXPECT_EQ(closest_pair(far, box)->gap, std::sqrt(0.125));
+    far.balls[1].x[0] += 0x1p29;
+    EXPECT_THROW((void)closest_pair(far, box), std::range_error);
+    EXPECT_THROW((void)nearest(far, box, 0), std::range_error);
+}
+TEST(MotionQueries, ACollapseIsTold) {
+    // A ball that bounces on a floor and comes to rest before t = 2.
+    Effects<2> effects;
+    effects.box = cube<2>(8.0);
+    effects.gravity[1] = -1.0;
+    effects.restitution = effects.wall_restitution = 0.125;
+    const std::vector<Body<2>> bodies = {
+        {{2, 2}, {0, 0}, 1, 1}, {{5, 5}, {0, 0}, 1, 1}, {{7, 2.5}, {0, 0}, 1, 1}};
+    const State<2> first = start<2>(bodies, effects);
+    const StrikeList strikes = strikes_between(first, effects, 0.0, 9.0);
+    ASSERT_EQ(strikes.outcome.ending, Ending::collapse);
+    const double last = strikes.outcome.last.time;
+    EXPECT_EQ(strikes.strikes.back().time, last);
+    const ClosestPairs list = closest_pairs(first, effects, 0.0, 9.0);
+    EXPECT_EQ(list.outcome.ending, Ending::collapse);
+    EXPECT_EQ(list.pairs, brute_list(first, effects, 9.0));
+    for (const ClosestPair& pair : list.pairs) EXPECT_LE(pair.time, last);
+    EXPECT_THROW((void)state_at(first, effects, 9.0), std::range_error);
+    EXPECT_EQ(next_strike(first, effects, 8.0), std::nullopt);
 }
 
 }  // namespace
