@@ -197,9 +197,10 @@ std::vector<Near> closest_list(const std::vector<Ball>& balls, const World& worl
         }
     }
     std::ranges::sort(events, [](const Event& a, const Event& b) { return compare(a, b) < 0; });
-    const auto [same, last] = std::ranges::unique(
-        events, [](const Event& a, const Event& b) { return compare(a, b) == 0; });
-    events.erase(same, last);
+    const auto same = std::unique(events.begin(), events.end(), [](const Event& a, const Event& b) {
+        return compare(a, b) == 0;
+    });
+    events.erase(same, events.end());
     const auto point_between = [&](const Event* a, const Event* b) {
         Rational low = a ? a->low : begin, high = b ? b->high : end;
         for (;;) {
