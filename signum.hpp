@@ -8,6 +8,7 @@
 #include "core/strided_sites.hpp"
 #include "exact/sign_of_sum.hpp"
 #include "motion/meeting_time.hpp"
+#include "motion/queries.hpp"
 #include "motion/shaking_wall.hpp"
 #include "motion/simulation.hpp"
 #include "predicates/arithmetic.hpp"

@@ -18,6 +18,7 @@
 #include "../io/output_file.hpp"
 #include "../io/read_balls.hpp"
 #include "../io/write_motion.hpp"
+#include "../motion/queries.hpp"
 #include "../motion/simulation.hpp"
 
 #include "commands.hpp"
@@ -42,6 +43,7 @@ struct SimulateCall : OutputsCall {
     std::optional<double> wall_restitution;
     std::optional<double> every;
     std::string show;
+    std::string closest;
     std::string save;
     std::string resume;
     bool statistics = false;
@@ -252,6 +254,7 @@ class Recording {
             sinks_.push_back(std::move(sink));
         }
         if (!call.save.empty()) save_ = std::make_unique<OutputFile>(call.save);
+        if (!call.closest.empty()) closest_ = std::make_unique<OutputFile>(call.closest);
         for (Sink& sink : sinks_)
             if (sink.format == "csv") sink.log = std::make_unique<LogWriter>(sink.stream());
         shown_ = effects_.box ? *effects_.box : around(start);
@@ -290,7 +293,8 @@ class Recording {
         movie_->add(time, balls, shapes_of(sketch));
     }
     /// All files under their names.
-    void publish(const MotionState<D>& end) {
+    void publish(const MotionState<D>& end,
+                 const std::optional<std::vector<motion::ClosestPair>>& closest) {
         for (Sink& sink : sinks_) {
             if (sink.log) sink.log->finish();
             if (sink.format == "svg") {
@@ -306,9 +310,11 @@ class Recording {
             if (sink.standard) sink.standard->flush();
         }
         if (save_) write_motion_state(save_->stream(), end);
+        if (closest) write_closest(closest_->stream(), *closest);
         for (Sink& sink : sinks_)
             if (sink.file) sink.file->publish();
         if (save_) save_->publish();
+        if (closest) closest_->publish();
     }
 
  private:
@@ -342,6 +348,7 @@ class Recording {
     motion::Box<D> shown_;
     std::vector<Sink> sinks_;
     std::unique_ptr<OutputFile> save_;
+    std::unique_ptr<OutputFile> closest_;
     std::optional<Movie> movie_;
     bool has_frames_ = false;
 };
@@ -461,18 +468,39 @@ motion::Outcome run_all(motion::Simulation<D>& simulation, const SimulateCall& c
     }
 }
 
-void refuse_bad_save(const SimulateCall& call, std::span<const Target> targets) {
-    if (call.save.empty()) return;
-    if (call.save == standard_output)
-        throw CallError("--save -: a state goes to a file; give its name");
-    if (is_same_file(call.input, call.save))
+/// A file beside those of -o: its option, its name and what goes there.
+void refuse_bad_file(std::string_view option, const std::string& path, std::string_view what,
+                     const SimulateCall& call, std::span<const Target> targets) {
+    if (path.empty()) return;
+    if (path == standard_output)
+        throw CallError(fmt::format("{} -: {} goes to a file; give its name", option, what));
+    if (is_same_file(call.input, path))
         throw CallError(
-            fmt::format("--save {} would overwrite the input; give another name", call.save));
+            fmt::format("{} {} would overwrite the input; give another name", option, path));
     for (const Target& target : targets) {
-        if (is_same_path(target.path, call.save))
+        if (is_same_path(target.path, path))
             throw CallError(
-                fmt::format("--save {} is where -o goes, too; give another name", call.save));
+                fmt::format("{} {} is where -o goes, too; give another name", option, path));
     }
+}
+void refuse_bad_files(const SimulateCall& call, std::span<const Target> targets) {
+    refuse_bad_file("--save", call.save, "a state", call, targets);
+    refuse_bad_file("--closest", call.closest, "the list", call, targets);
+    if (!call.closest.empty() && is_same_path(call.closest, call.save))
+        throw CallError(
+            fmt::format("--closest {} is where --save goes, too; give another name", call.closest));
+}
+
+/// From the start to where the run has come, in a run of its own. Who ends the first run waits for
+/// the list of that; who ends the second one has it up to there.
+template <int D>
+std::optional<std::vector<motion::ClosestPair>> closest_until(double end, const SimulateCall& call,
+                                                              const MotionState<D>& start,
+                                                              const motion::Options& options) {
+    if (call.closest.empty()) return std::nullopt;
+    const auto stop = [before = static_cast<int>(interrupted)] { return interrupted != before; };
+    return motion::closest_pairs(start.state, start.effects, start.state.time, end, options, stop)
+        .pairs;
 }
 
 template <int D>
@@ -491,7 +519,7 @@ void run(const SimulateCall& call, const MotionState<D>& start) {
             throw CallError(fmt::format(
                 "--every {}: more than 10 million frames; give a longer one", *call.every));
     }
-    refuse_bad_save(call, targets);
+    refuse_bad_files(call, targets);
     if (!call.show.empty() && !is_written(targets, "svg"))
         throw CallError("--show is for a movie; add -o FILE.svg");
     if (D == 3 && !call.show.empty())
@@ -508,18 +536,21 @@ void run(const SimulateCall& call, const MotionState<D>& start) {
     const auto begin = std::chrono::steady_clock::now();
     motion::Simulation<D> simulation(start.state, start.effects, options);
     std::optional<motion::Outcome> outcome;
+    std::optional<std::vector<motion::ClosestPair>> closest;
+    std::chrono::duration<double> seconds{};
     std::string too_fast;
     {
         const InterruptNoted noted;
         try {
             outcome = run_all(simulation, call, recording, start.state.time);
+            seconds = std::chrono::steady_clock::now() - begin;
+            closest = closest_until(simulation.state().time, call, start, options);
         } catch (const std::range_error& error) {
             too_fast = error.what();
         }
     }
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
     const MotionState<D> end = {simulation.state(), start.effects};
-    recording.publish(end);
+    recording.publish(end, closest);
     if (!too_fast.empty()) throw CallError(too_fast + "; the log up to there is complete");
     const Summary<D> summary{start, end, choice, simulation.counts(), seconds.count()};
     if (call.statistics) {
@@ -541,6 +572,7 @@ void run(const SimulateCall& call, const MotionState<D>& start) {
         say("time     {:.6g}, {}\n", end.state.time, in_words(outcome->ending));
         say("seconds  {:.3g}\n", summary.seconds);
         say("{}", written(targets));
+        if (closest) say("closest  {}, {} lines\n", call.closest, closest->size());
     }
     // As if nobody had caught it.
     if (outcome->ending == motion::Ending::stopped) ::raise(static_cast<int>(interrupted));
@@ -660,6 +692,11 @@ void add_simulate(CLI::App& tool) {
             "expects to strike next")
         ->transform(one_of({"structure"}))
         ->type_name("WHAT");
+    command
+        ->add_option("--closest", call->closest,
+                     "Where the list of closest pairs goes: CSV, a line from\n"
+                     "each time on at which another pair is the closest one")
+        ->type_name("LIST");
     command->add_option("--save", call->save, "Where the state at the end goes")
         ->type_name("STATE");
     command->add_option("--resume", call->resume, "Goes on from a state, instead of FILE")

@@ -16,7 +16,7 @@ set(public_headers
   triangulation/edge_list.hpp triangulation/space.hpp
   voronoi/voronoi.hpp voronoi/curve.hpp voronoi/conic.hpp voronoi/clip.hpp voronoi/polygon.hpp
   voronoi/contacts.hpp voronoi/compare.hpp
-  motion/simulation.hpp motion/meeting_time.hpp motion/shaking_wall.hpp)
+  motion/simulation.hpp motion/queries.hpp motion/meeting_time.hpp motion/shaking_wall.hpp)
 # What these include in their turn: the filters, which are inline. Nobody includes them by name.
 set(headers_behind
   core/contract.hpp core/handle.hpp

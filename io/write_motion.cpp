@@ -13,6 +13,14 @@ void LogWriter::put(const motion::Strike& strike) {
               strike.b, strike.impulse);
 }
 
+void write_closest(std::ostream& out, std::span<const motion::ClosestPair> list) {
+    TextWriter text(out);
+    text.put("time,a,b,gap\n");
+    for (const motion::ClosestPair& pair : list)
+        text.put(FMT_COMPILE("{},{},{},{}\n"), pair.time, pair.a, pair.b, pair.gap);
+    text.flush();
+}
+
 void write_xyz(std::ostream& out, const MotionFrame& frame) {
     TextWriter text(out);
     const std::array<double, 3>& low = frame.low;

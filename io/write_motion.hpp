@@ -1,10 +1,11 @@
 #pragma once
-/// What a simulation leaves behind: its log, and frames of it.
+/// What a simulation leaves behind: its log, its closest pairs, and frames of it.
 
 #include <array>
 #include <iosfwd>
 #include <span>
 
+#include "../motion/queries.hpp"
 #include "../motion/simulation.hpp"
 #include "text_writer.hpp"
 
@@ -22,6 +23,9 @@ class LogWriter {
  private:
     TextWriter text_;
 };
+
+/// The list of closest pairs as CSV: time,a,b,gap.
+void write_closest(std::ostream& out, std::span<const motion::ClosestPair> list);
 
 /// Where the balls are at one time.
 struct MotionFrame {

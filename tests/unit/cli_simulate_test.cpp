@@ -104,6 +104,48 @@ TEST_F(Simulate, AStateGoesOnWithTheLogItWouldHaveHad) {
     EXPECT_EQ(run({"simulate", "--resume", state, "--events", "1", "--periodic"}).code, 2);
 }
 
+TEST_F(Simulate, ClosestPairsAreListed) {
+    const std::string balls = scratch.file("three.txt", "0 0 1 1 0\n9 0 1 -1 0\n0 5 1 0 0\n");
+    const std::string list = scratch.path("closest.csv");
+    const std::string log = scratch.path("log.csv");
+    const Outcome result =
+        run({"simulate", balls, "--until", "5", "--closest", list, "-o", log, "--quiet"});
+    EXPECT_EQ(result.code, 0) << result.err;
+    // The gaps are 7 - 2t and √(t² + 25) - 2, equal where 3t² - 36t + 56 = 0; the strike at 3.5
+    // sends the two back.
+    EXPECT_EQ(contents(list),
+              "time,a,b,gap\n"
+              "0,0,2,3\n"
+              "1.8366680010677345,0,1,3.326663997864531\n");
+    EXPECT_EQ(contents(log), "time,kind,a,b,impulse\n3.5,ball,0,1,2\n");
+    // Until the last strike, where no time is given; from a state as well.
+    const std::string state = scratch.path("state.json");
+    EXPECT_EQ(
+        run({"simulate", balls, "--events", "1", "--closest", list, "--save", state, "--quiet"})
+            .code,
+        0);
+    EXPECT_EQ(
+        run({"simulate", "--resume", state, "--until", "9", "--closest", list, "--quiet"}).code, 0);
+    EXPECT_EQ(contents(list).substr(0, 21), "time,a,b,gap\n3.5,0,1,");
+}
+
+TEST_F(Simulate, WhereClosestPairsCannotGoIsSaid) {
+    const std::string balls = scratch.file("two.txt", "0 0 1 1 0\n5 0 1 0 0\n");
+    const std::string other = scratch.path("other.csv");
+    const auto refused = [&](const Words& more, const std::string& reason) {
+        Words words = {"simulate", balls, "--until", "1"};
+        words.insert(words.end(), more.begin(), more.end());
+        const Outcome result = run(words);
+        EXPECT_EQ(result.code, 2);
+        EXPECT_NE(result.err.find(reason), std::string::npos) << result.err;
+    };
+    refused({"--closest", "-"}, "goes to a file");
+    refused({"--closest", balls}, "would overwrite the input");
+    refused({"--closest", other, "-o", other}, "is where -o goes");
+    refused({"--closest", other, "--save", other}, "is where --save goes");
+    refused({"--save", "-"}, "a state goes to a file");
+}
+
 TEST_F(Simulate, FramesAndAMovie) {
     const std::string balls = gas(3);
     const std::string frames = scratch.path("frames.xyz");

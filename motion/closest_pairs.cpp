@@ -1,0 +1,204 @@
+/// The list of closest pairs: the least of many gaps as time goes on, from strike to strike.
+
+#include <cmath>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+#include "../exact/floating_environment.hpp"
+#include "gap.hpp"
+#include "near_pairs.hpp"
+#include "queries.hpp"
+
+namespace signum::motion {
+namespace {
+
+/// 0 at a time, which is none of `from`.
+struct Instant {
+    double from;
+    double time;
+    template <class Number>
+    [[nodiscard]] roots::PolynomialIn<Number, 1> in() const {
+        return roots::line<Number>(from, 1.0) - roots::constant<Number>(time);
+    }
+};
+
+template <int D>
+class List {
+ public:
+    explicit List(const Effects<D>& effects) : effects_(effects) {}
+
+    /// Goes on with balls that fly in [from, to] without a strike. Precondition: at least two
+    /// balls; the default floating-point environment.
+    void add(std::span<const Ball<D>> balls, double from, double to) {
+        const NearPairs<D> near(balls, effects_, from, to);
+        const std::size_t usual = 2 * balls.size() + 64;
+        std::optional<std::vector<NearPair<D>>> pairs = near.closest(usual);
+        if (!pairs) {
+            const double middle = from + 0.5 * (to - from);
+            const bool is_between = from < middle && middle < to;
+            std::size_t limit = NearPairs<D>::no_limit;
+            if (is_between) {
+                // As many may be equally close at any moment.
+                const NearPairs<D> then(balls, effects_, middle, middle);
+                limit = usual + 2 * then.closest(NearPairs<D>::no_limit)->size();
+            }
+            pairs = near.closest(limit);
+            if (!pairs) {
+                add(balls, from, middle);
+                add(balls, middle, to);
+                return;
+            }
+        }
+        Walk(*this, balls, near, *pairs, from, to).go();
+    }
+    [[nodiscard]] std::vector<ClosestPair>& pairs() noexcept { return pairs_; }
+
+ private:
+    /// From the closest pair to the one that comes below it first, and on.
+    class Walk {
+     public:
+        Walk(List& list, std::span<const Ball<D>> balls, const NearPairs<D>& near,
+             const std::vector<NearPair<D>>& pairs, double from, double to)
+            : list_(list),
+              balls_(balls),
+              near_(near),
+              pairs_(pairs),
+              from_(from),
+              to_(to),
+              end_(Instant{from, to}),
+              root_of_end_(end_.polynomial.real_roots()[0]) {}
+
+        void go() {
+            best_ = &pairs_.front();
+            double least = gap_between(*best_, 0.0, 0.0).high;
+            for (const NearPair<D>& pair : pairs_) {
+                if (pair.gap.low > least) continue;
+                const Interval gap = gap_between(pair, 0.0, 0.0);
+                if (gap.low > least || !is_closer(pair, *best_, now_)) continue;
+                best_ = &pair;
+                least = gap.high;
+            }
+            put();
+            if (from_ == to_) return;
+            while (find_next()) put();
+        }
+
+     private:
+        /// Right after a moment.
+        [[nodiscard]] bool is_closer(const NearPair<D>& pair, const NearPair<D>& other,
+                                     const Moment<D>& moment) const {
+            if (&pair == &other) return false;
+            const Sign order = order_of(pair, other).after(moment);
+            return order < 0 || (order == 0 && numbers_of(pair) < numbers_of(other));
+        }
+        [[nodiscard]] GapOrder<D> order_of(const NearPair<D>& p, const NearPair<D>& q) const {
+            return {couple_of(p, balls_), couple_of(q, balls_), list_.effects_, from_};
+        }
+        [[nodiscard]] Interval gap_between(const NearPair<D>& pair, double low, double high) const {
+            return near_.gap_between(pair, low, high);
+        }
+        [[nodiscard]] bool is_before_end(const Moment<D>& moment) const {
+            return compare(roots::RootOf{moment.curve->polynomial, moment.root},
+                           roots::RootOf{end_.polynomial, root_of_end_}) < 0;
+        }
+
+        /// The next pair, and the moment from which on it is the closest one.
+        bool find_next() {
+            const double low = filters::max(0.0, now_.root.low);
+            double high = near_.duration();
+            double most = gap_between(*best_, low, high).high;
+            const NearPair<D>* next = nullptr;
+            std::optional<Moment<D>> when;
+            for (const NearPair<D>& pair : pairs_) {
+                if (&pair == best_ || pair.gap.low > most ||
+                    gap_between(pair, low, high).low > most)
+                    continue;
+                const std::optional<Moment<D>> moment =
+                    order_of(pair, *best_)
+                        .first_less(now_, numbers_of(pair) < numbers_of(*best_),
+                                    [&](const Moment<D>& each) { return is_before_end(each); });
+                if (!moment) continue;
+                const Sign order = when ? compare(*moment, *when) : -1;
+                if (order > 0 || (order == 0 && !is_closer(pair, *next, *moment))) continue;
+                next = &pair;
+                when = moment;
+                high = filters::min(high, when->root.high);
+                most = gap_between(*best_, low, high).high;
+            }
+            if (next == nullptr) return false;
+            best_ = next;
+            now_ = *when;
+            return true;
+        }
+
+        void put() {
+            std::vector<ClosestPair>& list = list_.pairs_;
+            if (!list.empty() && list.back().a == best_->a && list.back().b == best_->b) return;
+            const double time = now_.nearest_time(from_);
+            const Gap gap(couple_of(*best_, balls_), list_.effects_, time);
+            list.push_back({time, best_->a, best_->b, gap.nearest_double()});
+        }
+
+        List& list_;
+        std::span<const Ball<D>> balls_;
+        const NearPairs<D>& near_;
+        const std::vector<NearPair<D>>& pairs_;
+        double from_;
+        double to_;
+        Curve<Instant> end_;
+        roots::Root root_of_end_;
+        const NearPair<D>* best_ = nullptr;
+        Moment<D> now_{};
+    };
+
+    const Effects<D>& effects_;
+    std::vector<ClosestPair> pairs_;
+};
+
+}  // namespace
+
+template <int D>
+ClosestPairs closest_pairs(const State<D>& state, const Effects<D>& effects, double begin,
+                           double end, const Options& options, const std::function<bool()>& stop) {
+    if (!(state.time <= begin && begin <= end && std::isfinite(end)))
+        throw std::invalid_argument(
+            "closest_pairs: give a begin that is not before the state, and a later, finite end");
+    ClosestPairs result;
+    Simulation<D> ahead(state, effects, options);
+    result.outcome = ahead.run({.until = begin, .stop = stop});
+    const auto is_over = [&] {
+        return result.outcome.ending == Ending::collapse ||
+               result.outcome.ending == Ending::stopped;
+    };
+    if (is_over() || state.balls.size() < 2) return result;
+    List<D> list(effects);
+    for (double from = begin;;) {
+        const State<D> now = ahead.state();
+        double to = end;
+        result.outcome = ahead.run({.until = end, .strikes = 1, .stop = stop},
+                                   [&](const Strike& strike) { to = strike.time; });
+        if (result.outcome.ending == Ending::stopped) break;
+        if (result.outcome.ending == Ending::collapse) to = result.outcome.last.time;
+        if (from < to || list.pairs().empty()) {
+            const exact::IeeeEnvironment environment;
+            list.add(now.balls, from, to);
+        }
+        from = to;
+        if (result.outcome.ending != Ending::strikes) break;
+        if (stop && stop()) {
+            result.outcome = {Ending::stopped, {}};
+            break;
+        }
+    }
+    result.pairs = std::move(list.pairs());
+    return result;
+}
+
+template ClosestPairs closest_pairs(const State<2>&, const Effects<2>&, double, double,
+                                    const Options&, const std::function<bool()>&);
+template ClosestPairs closest_pairs(const State<3>&, const Effects<3>&, double, double,
+                                    const Options&, const std::function<bool()>&);
+
+}  // namespace signum::motion

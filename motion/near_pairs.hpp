@@ -1,0 +1,401 @@
+#pragma once
+/// Which pairs may be the closest ones at some moment of a time in which nothing strikes. For
+/// sources only.
+///
+/// Law: at each moment of it the closest pair, and all that are as close, are among those told.
+/// Why: of a pair in one image the square root of a convex q is a convex gap, so that it is nowhere
+/// greater than at one of the two ends. The least such number of the pairs seen is the bound; a
+/// pair whose gap is greater all the time is never the closest one. All numbers are intervals.
+///
+/// Pairs are found in a tree of boxes (a k-d tree of where balls are in that time), in which nodes
+/// that are farther apart than the bound are passed over together. What all have in common, the
+/// fall, is left out of the boxes: so all fly straight, and a box is around two places.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "../filters/interval.hpp"
+#include "gap.hpp"
+#include "meeting.hpp"
+
+namespace signum::motion {
+
+using filters::Interval;
+
+[[nodiscard]] inline Interval hull(const Interval& a, const Interval& b) noexcept {
+    return {filters::min(a.low, b.low), filters::max(a.high, b.high)};
+}
+/// Of what is not below 0 of an interval.
+[[nodiscard]] inline Interval square_root(const Interval& a) noexcept {
+    return {a.low > 0.0 ? std::sqrt(a.low) * (1.0 - filters::epsilon) : 0.0,
+            std::sqrt(filters::max(a.high, 0.0)) * (1.0 + 2.0 * filters::epsilon)};
+}
+template <int D>
+[[nodiscard]] Interval size_of(const PerAxis<Interval, D>& v) noexcept {
+    Interval square = v[0] * v[0];
+    for (int k = 1; k < D; ++k) square = square + v[k] * v[k];
+    return square_root(square);
+}
+
+/// Two balls, by their numbers a < b, and their gap: its least value is not below gap.low, and it
+/// is nowhere above gap.high.
+template <int D>
+struct NearPair {
+    std::int32_t a;
+    std::int32_t b;
+    Image<D> image;
+    Interval gap;
+};
+/// Of equal gaps the pair with the smaller numbers is the closer one.
+template <int D>
+[[nodiscard]] std::pair<std::int32_t, std::int32_t> numbers_of(const NearPair<D>& pair) noexcept {
+    return {pair.a, pair.b};
+}
+template <int D>
+[[nodiscard]] Couple<D> couple_of(const NearPair<D>& pair,
+                                  std::span<const Ball<D>> balls) noexcept {
+    return {&balls[static_cast<std::size_t>(pair.a)], &balls[static_cast<std::size_t>(pair.b)],
+            pair.image};
+}
+
+/// Boxes around balls, each with the largest radius in it; nodes of a binary tree.
+template <int D>
+class BoxTree {
+ public:
+    struct Node {
+        Box<D> box;
+        double radius = 0.0;
+        /// The balls in it, in the order of the tree.
+        std::uint32_t first = 0;
+        std::uint32_t last = 0;
+        /// Its second half; the first one is the next node. 0 of a leaf.
+        std::uint32_t second = 0;
+    };
+
+    /// `length`: of a periodic box; infinite of a world without images.
+    BoxTree(const std::vector<Node>& balls, const Vector<D>& length) : length_(length) {
+        order_.resize(balls.size());
+        std::iota(order_.begin(), order_.end(), 0U);
+        nodes_.reserve(balls.size());
+        build(balls, 0, static_cast<std::uint32_t>(balls.size()));
+        balls_.reserve(balls.size());
+        for (const std::uint32_t i : order_) balls_.push_back(balls[i]);
+    }
+
+    /// Calls visit(i, j), i != j, once for each pair of balls whose gap may be bound() or less,
+    /// until it returns false.
+    template <class Bound, class Visit>
+    bool visit_pairs(const Bound& bound, const Visit& visit) const {
+        const auto with = Search<Bound, Visit>{*this, bound, visit};
+        return with.within(0);
+    }
+
+ private:
+    static constexpr std::uint32_t most_in_a_leaf = 4;
+
+    std::uint32_t build(const std::vector<Node>& balls, std::uint32_t first, std::uint32_t last) {
+        const auto number = static_cast<std::uint32_t>(nodes_.size());
+        Node node = balls[order_[first]];
+        for (std::uint32_t i = first + 1; i < last; ++i) {
+            const Node& ball = balls[order_[i]];
+            node.radius = std::max(node.radius, ball.radius);
+            for (int k = 0; k < D; ++k) {
+                node.box.low[k] = std::min(node.box.low[k], ball.box.low[k]);
+                node.box.high[k] = std::max(node.box.high[k], ball.box.high[k]);
+            }
+        }
+        node.first = first;
+        node.last = last;
+        node.second = 0;
+        nodes_.push_back(node);
+        if (last - first <= most_in_a_leaf) return number;
+        int axis = 0;
+        for (int k = 1; k < D; ++k)
+            if (node.box.high[k] - node.box.low[k] > node.box.high[axis] - node.box.low[axis])
+                axis = k;
+        const auto middle = first + (last - first) / 2;
+        const auto place = [&](std::uint32_t i) {
+            const double twice = balls[i].box.low[axis] + balls[i].box.high[axis];
+            return std::isfinite(twice) ? twice : 0.0;
+        };
+        std::nth_element(order_.begin() + first, order_.begin() + middle, order_.begin() + last,
+                         [&](std::uint32_t i, std::uint32_t j) { return place(i) < place(j); });
+        build(balls, first, middle);
+        nodes_[number].second = build(balls, middle, last);
+        return number;
+    }
+
+    /// How far two boxes are apart along an axis, or less.
+    [[nodiscard]] double apart(const Box<D>& a, const Box<D>& b, int axis) const noexcept {
+        const double from = a.low[axis] - b.high[axis];
+        const double to = a.high[axis] - b.low[axis];
+        const double length = length_[axis];
+        if (length == infinity) return std::max({0.0, from, -to});
+        const double over = from - length * std::floor(from / length);
+        const double under = length - (over + (to - from));
+        const double error = 0x1p-48 * (std::fabs(from) + std::fabs(to) + length);
+        // NaN where a box has no end.
+        const double least = std::min(over, under) - error;
+        return least > 0.0 ? least : 0.0;
+    }
+    /// Whether all gaps between balls of the two are certainly above the bound. Each sum and
+    /// product errs by a few parts in 2^53, in every rounding mode.
+    [[nodiscard]] bool are_apart(const Node& a, const Node& b, double bound) const noexcept {
+        const double radii = a.radius + b.radius;
+        const double reach = (radii + bound) + 0x1p-48 * (radii + std::fabs(bound));
+        if (reach < 0.0) return true;
+        double square = 0.0;
+        for (int k = 0; k < D; ++k) {
+            const double d = apart(a.box, b.box, k);
+            square += d * d;
+        }
+        return square * (1.0 - 0x1p-48) > reach * reach + 0x1p-1000;
+    }
+
+    template <class Bound, class Visit>
+    struct Search {
+        const BoxTree& tree;
+        const Bound& bound;
+        const Visit& visit;
+
+        bool pair(std::uint32_t i, std::uint32_t j) const {
+            if (tree.are_apart(tree.balls_[i], tree.balls_[j], bound())) return true;
+            return visit(tree.order_[i], tree.order_[j]);
+        }
+        bool within(std::uint32_t number) const {
+            const Node& node = tree.nodes_[number];
+            if (node.second != 0)
+                return within(number + 1) && within(node.second) &&
+                       between(number + 1, node.second);
+            for (std::uint32_t i = node.first; i < node.last; ++i)
+                for (std::uint32_t j = node.first; j < i; ++j)
+                    if (!pair(i, j)) return false;
+            return true;
+        }
+        bool between(std::uint32_t one, std::uint32_t other) const {
+            const Node& a = tree.nodes_[one];
+            const Node& b = tree.nodes_[other];
+            if (tree.are_apart(a, b, bound())) return true;
+            if (a.second == 0 && b.second == 0) {
+                for (std::uint32_t i = a.first; i < a.last; ++i)
+                    for (std::uint32_t j = b.first; j < b.last; ++j)
+                        if (!pair(i, j)) return false;
+                return true;
+            }
+            if (b.second == 0 || (a.second != 0 && a.last - a.first >= b.last - b.first))
+                return between(one + 1, other) && between(a.second, other);
+            return between(one, other + 1) && between(one, b.second);
+        }
+    };
+
+    Vector<D> length_;
+    std::vector<std::uint32_t> order_;
+    std::vector<Node> nodes_;
+    std::vector<Node> balls_;  // in that order
+};
+
+template <int D>
+class NearPairs {
+ public:
+    static constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
+
+    /// Of balls that fly in [from, to] without a strike. Precondition: at least one; from and to
+    /// are finite, and no own time is later than from; the default floating-point environment.
+    NearPairs(std::span<const Ball<D>> balls, const Effects<D>& effects, double from, double to)
+        : balls_(balls), effects_(effects), from_(from), time_(Interval(to) - Interval(from)) {
+        if (from == to) time_ = Interval(0.0);
+        length_.fill(infinity);
+        if (!effects.periodic) return;
+        for (int k = 0; k < D; ++k) length_[k] = effects.box->high[k] - effects.box->low[k];
+    }
+
+    /// Those that may be the closest ones; nothing where they are more than a limit, or more than a
+    /// million images of one pair.
+    [[nodiscard]] std::optional<std::vector<NearPair<D>>> closest(std::size_t limit) const {
+        std::vector<typename BoxTree<D>::Node> boxes;
+        boxes.reserve(balls_.size());
+        for (const Ball<D>& ball : balls_) boxes.push_back(box_of(ball));
+        const BoxTree<D> tree(boxes, length_);
+        Found found{infinity, limit, {}};
+        const bool all = tree.visit_pairs(
+            [&] { return found.bound; },
+            [&](std::uint32_t i, std::uint32_t j) { return look_at(i, j, found); });
+        found.forget_far();
+        if (!all) return std::nullopt;
+        return std::move(found.pairs);
+    }
+    /// Those that may be the closest ones with a ball. Precondition: from == to.
+    [[nodiscard]] std::vector<NearPair<D>> closest_to(std::uint32_t ball) const {
+        for (const Ball<D>& each : balls_) box_of(each);
+        Found found{infinity, no_limit, {}};
+        for (std::uint32_t i = 0; i < balls_.size(); ++i)
+            if (i != ball) look_at(ball, i, found);
+        found.forget_far();
+        return std::move(found.pairs);
+    }
+    /// Of a pair's gap in [from + low, from + high]: not below and not above.
+    [[nodiscard]] Interval gap_between(const NearPair<D>& pair, double low, double high) const {
+        const PerAxis<Linear<Interval>, D> d =
+            difference_of_centres<Interval>(couple_of(pair, balls_), effects_, from_);
+        PerAxis<Interval, D> at_low;
+        PerAxis<Interval, D> at_high;
+        for (int k = 0; k < D; ++k) {
+            at_low[k] = d[k].c[0] + d[k].c[1] * Interval(low);
+            at_high[k] = d[k].c[0] + d[k].c[1] * Interval(high);
+        }
+        return gap_of(at_low, at_high, radii_of(pair.a, pair.b));
+    }
+    /// Not less than how long it takes.
+    [[nodiscard]] double duration() const noexcept { return time_.high; }
+
+ private:
+    struct Found {
+        double bound;
+        std::size_t limit;
+        std::vector<NearPair<D>> pairs;
+
+        void forget_far() {
+            std::erase_if(pairs, [&](const NearPair<D>& pair) { return pair.gap.low > bound; });
+        }
+        bool add(const NearPair<D>& pair) {
+            bound = std::min(bound, pair.gap.high);
+            if (pair.gap.low > bound) return true;
+            if (pairs.size() >= limit) {
+                forget_far();
+                if (pairs.size() >= limit) return false;
+            }
+            pairs.push_back(pair);
+            return true;
+        }
+    };
+
+    [[nodiscard]] const Ball<D>& ball(std::int32_t number) const noexcept {
+        return balls_[static_cast<std::size_t>(number)];
+    }
+    [[nodiscard]] Interval radii_of(std::int32_t a, std::int32_t b) const noexcept {
+        return Interval(ball(a).radius) + Interval(ball(b).radius);
+    }
+
+    typename BoxTree<D>::Node box_of(const Ball<D>& ball) const {
+        constexpr Interval half(0.5);
+        const Interval since = Interval(from_) - Interval(ball.time);
+        typename BoxTree<D>::Node node;
+        node.radius = ball.radius;
+        for (int k = 0; k < D; ++k) {
+            Interval v(ball.v[k]);
+            Interval x = Interval(ball.x[k]) + v * since;
+            if (effects_.gravity[k] != 0.0) {
+                const Interval gained = Interval(effects_.gravity[k]) * since;
+                v = v + gained;
+                x = x + half * gained * since;
+            }
+            if (effects_.periodic) refuse_far(x, length_[k]);
+            const Interval both = hull(x, x + v * time_);
+            node.box.low[k] = both.low;
+            node.box.high[k] = both.high;
+        }
+        return node;
+    }
+    static void refuse_far(const Interval& x, double length) {
+        if (!(std::max(std::fabs(x.low), std::fabs(x.high)) <= 0x1p29 * length))
+            throw std::range_error("a ball has flown more than 2^29 lengths of the periodic box");
+    }
+
+    /// Of a straight flight relative to one another: its ends, and the box around it.
+    [[nodiscard]] static Interval gap_of(const PerAxis<Interval, D>& begin,
+                                         const PerAxis<Interval, D>& end, const Interval& radii) {
+        PerAxis<Interval, D> between;
+        for (int k = 0; k < D; ++k) between[k] = filters::magnitude(hull(begin[k], end[k]));
+        const Interval least = size_of(between) - radii;
+        const Interval at_begin = size_of(begin) - radii;
+        const Interval at_end = size_of(end) - radii;
+        return {least.low, filters::max(at_begin.high, at_end.high)};
+    }
+
+    /// False where there are too many.
+    bool look_at(std::uint32_t i, std::uint32_t j, Found& found) const {
+        Seen seen{this, &found, {}, {}, {}, {}, {}};
+        seen.pair.a = static_cast<std::int32_t>(std::min(i, j));
+        seen.pair.b = static_cast<std::int32_t>(std::max(i, j));
+        seen.radii = radii_of(seen.pair.a, seen.pair.b);
+        const PerAxis<Linear<Interval>, D> d = difference_of_centres<Interval>(
+            {&ball(seen.pair.a), &ball(seen.pair.b), {}}, effects_, from_);
+        for (int k = 0; k < D; ++k) {
+            seen.begin[k] = d[k].c[0];
+            seen.end[k] = d[k].c[0] + d[k].c[1] * time_;
+        }
+        if (!effects_.periodic) return seen.add(seen.begin, seen.end);
+        // An image that is about the nearest one at the beginning makes the bound finite.
+        for (int k = 0; k < D; ++k)
+            seen.pair.image[k] = static_cast<int>(std::floor(seen.begin[k].low / length_[k] + 0.5));
+        const double near = seen.gap(seen.begin, seen.end).high;
+        found.bound = std::min(found.bound, near);
+        const double reach = std::max(seen.radii.high + found.bound, 0.0);
+        for (int k = 0; k < D; ++k) {
+            const Interval both = hull(seen.begin[k], seen.end[k]);
+            const double low = (both.low - reach) / length_[k];
+            const double high = (both.high + reach) / length_[k];
+            constexpr double most = 0x1p31 - 1.0;
+            if (!(high - low < 0x1p20) || !(std::fabs(low) < most) || !(std::fabs(high) < most)) {
+                if (found.limit == no_limit)
+                    throw std::range_error(
+                        "a ball flies a million lengths of the box within one step of the clock");
+                return false;
+            }
+            seen.first[k] = static_cast<int>(std::ceil(low - 0x1p-40 * (1.0 + std::fabs(low))));
+            seen.last[k] = static_cast<int>(std::floor(high + 0x1p-40 * (1.0 + std::fabs(high))));
+        }
+        return seen.images(0);
+    }
+
+    /// A pair in all images that may be near.
+    struct Seen {
+        const NearPairs* all;
+        Found* found;
+        PerAxis<Interval, D> begin;
+        PerAxis<Interval, D> end;
+        Interval radii;
+        Image<D> first;
+        Image<D> last;
+        NearPair<D> pair{};
+
+        [[nodiscard]] PerAxis<Interval, D> shifted(PerAxis<Interval, D> d) const {
+            for (int k = 0; k < D; ++k)
+                if (pair.image[k] != 0)
+                    d[k] = d[k] - pair.image[k] * length<Interval>(all->effects_, k);
+            return d;
+        }
+        [[nodiscard]] Interval gap(const PerAxis<Interval, D>& at_begin,
+                                   const PerAxis<Interval, D>& at_end) const {
+            return gap_of(shifted(at_begin), shifted(at_end), radii);
+        }
+        bool add(const PerAxis<Interval, D>& at_begin, const PerAxis<Interval, D>& at_end) {
+            pair.gap = gap(at_begin, at_end);
+            return found->add(pair);
+        }
+        bool images(int axis) {
+            if (axis == D) return add(begin, end);
+            for (int k = first[axis]; k <= last[axis]; ++k) {
+                pair.image[axis] = k;
+                if (!images(axis + 1)) return false;
+            }
+            return true;
+        }
+    };
+
+    std::span<const Ball<D>> balls_;
+    const Effects<D>& effects_;
+    double from_;
+    Interval time_;
+    Vector<D> length_;
+};
+
+}  // namespace signum::motion
