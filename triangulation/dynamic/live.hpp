@@ -552,9 +552,11 @@ class Live {
     bool mend(std::vector<S>& moved) {
         Kernel kernel = kernel_of(moved);
         Repair<Kernel> repair(*topology_, kernel, face_of_);
-        if (!repair.survey(64 + count_ / most_wrong)) return false;
+        const std::size_t most = 64 + count_ / most_wrong;
+        const std::size_t wrong = repair.survey(most);
+        if (wrong > most) return false;
         std::vector<Index> out;
-        const bool has_work = repair.has_work();
+        const bool has_work = wrong > 0;
         if (has_work) {
             const auto take_out = [&](Index h, const auto& look_at) {
                 out.push_back(h);

@@ -22,6 +22,10 @@
 ///
 /// Hidden sites are another matter: see Live.
 
+#include <algorithm>
+#include <cstddef>
+#include <span>
+
 #include "../../core/index.hpp"
 #include "../../core/site.hpp"
 #include "../insertion/edge_interior.hpp"
@@ -65,26 +69,45 @@ class LocalChecks {
                                       exists_twice(Topology::face(topology_.twin(h))));
     }
 
-    /// Tells what is wrong with a face; and, if nothing is, with its edges, where nobody else is
-    /// going to: each edge is judged once when all faces are. An edge beside a wrong face may be
-    /// left out.
-    template <class WrongFace, class WrongEdge>
-    void judge(Index f, const WrongFace& wrong_face, const WrongEdge& wrong_edge) {
-        if (!face(f)) {
-            wrong_face(f);
-            return;
-        }
-        const bool twice = exists_twice(f);
-        for (unsigned k = 0; k < 3; ++k) {
-            const HalfEdge h = Topology::first_edge(f) + k;
-            const Index across = Topology::face(topology_.twin(h));
-            if constexpr (is_straight) {
-                if (f < across && !straight_edge(h)) wrong_edge(h);
-            } else {
-                if (twice ? face(across) && !curved_edge(h, true)
-                          : f < across && !curved_edge(h, false))
-                    wrong_edge(h);
+    /// Tells what is wrong: every face that is, and every edge of two faces that are not; as long
+    /// as it is not enough, which is asked now and then.
+    ///
+    /// A few faces are looked at, and then their edges. Which of its two faces looks at an edge is
+    /// anybody's guess, and the face across lies anywhere: what is known early is neither guessed
+    /// nor waited for.
+    template <class WrongFace, class WrongEdge, class IsEnough>
+    void survey(const WrongFace& wrong_face, const WrongEdge& wrong_edge,
+                const IsEnough& is_enough) {
+        constexpr Index few = 32;
+        HalfEdge edges[3 * few];
+        for (Index first = 0; first < topology_.faces() && !is_enough(); first += few) {
+            std::size_t count = 0;
+            const Index end = std::min(first + few, topology_.faces());
+            for (Index f = first; f < end; ++f) {
+                if (topology_.is_vacant(f)) [[unlikely]]
+                    continue;
+                if (!face(f)) [[unlikely]] {
+                    wrong_face(f);
+                    continue;
+                }
+                if (exists_twice(f)) [[unlikely]] {
+                    survey_all_edges(f, wrong_edge);
+                    continue;
+                }
+                for (unsigned k = 0; k < 3; ++k) {
+                    const HalfEdge h = Topology::first_edge(f) + k;
+                    const Index across = Topology::face(topology_.twin(h));
+                    __builtin_prefetch(&topology_.record(across));
+                    edges[count] = h;
+                    count += static_cast<std::size_t>(f < across);
+                }
             }
+            const std::span<const HalfEdge> found(edges, count);
+            for (const HalfEdge h : found)
+                __builtin_prefetch(&kernel_.site(std::max(topology_.apex(topology_.twin(h)), 0)));
+            for (const HalfEdge h : found)
+                if (!edge_of_once(h)) [[unlikely]]
+                    wrong_edge(h);
         }
     }
 
@@ -135,6 +158,20 @@ class LocalChecks {
             return false;
         else
             return (v[0] | v[1] | v[2]) < 0 || kernel_.exist_twice(v[0], v[1], v[2]);
+    }
+    template <class WrongEdge>
+    void survey_all_edges(Index f, const WrongEdge& wrong_edge) {
+        for (unsigned k = 0; k < 3; ++k) {
+            const HalfEdge h = Topology::first_edge(f) + k;
+            if (face(Topology::face(topology_.twin(h))) && !edge(h)) wrong_edge(h);
+        }
+    }
+    /// Of an edge whose face exists once; where the one across does not, that one looks at it.
+    [[nodiscard]] bool edge_of_once(HalfEdge h) {
+        if constexpr (is_straight)
+            return straight_edge(h);
+        else
+            return topology_.apex(topology_.twin(h)) == infinite || curved_edge(h, false);
     }
     /// Neither end lies nearer to the site across, and on the way between them the bisector does
     /// not pass through infinity. Where no three of the sites exist `twice` one question answers

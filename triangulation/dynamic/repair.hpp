@@ -9,8 +9,8 @@
 ///
 /// Deletion is for tessellations that are right. So sites are taken out for the old centres, from
 /// the structure as it was: before all flips, or after these are undone. Then it is flipped again.
-/// Every round but the last takes out a site, and flips are so many at most; where rounds or flips
-/// are too many, nothing is promised and all must be built anew.
+/// Every round but the last takes out a site; where rounds are too many, nothing is promised and
+/// all must be built anew.
 ///
 /// Nothing has to be shown about the way: what the flips and deletions leave is a sphere of faces,
 /// each of which was asked about, and all of whose edges were.
@@ -36,20 +36,15 @@ class Repair {
     Repair(Topology& topology, Kernel& moved, std::span<Index> face_of)
         : topology_(topology), checks_(topology, moved), kernel_(moved), face_of_(face_of) {}
 
-    /// Looks at everything; false where more than `most` faces and edges are wrong.
-    [[nodiscard]] bool survey(std::size_t most) {
-        for (Index f = 0; f < topology_.faces(); ++f) {
-            if (topology_.is_vacant(f)) continue;
-            if (outer_ < 0 && topology_.is_infinite(f)) outer_ = f;
-            checks_.judge(
-                f, [&](Index face) { faces_.push_back(face); },
-                [&](HalfEdge edge) { edges_.push_back(edge); });
-            if (faces_.size() + edges_.size() > most) return false;
-        }
-        return true;
+    /// Looks at everything, and tells how many faces and edges are wrong; where they are more than
+    /// `most`, some more than that.
+    [[nodiscard]] std::size_t survey(std::size_t most) {
+        const auto wrong = [&] { return faces_.size() + edges_.size(); };
+        checks_.survey([&](Index face) { faces_.push_back(face); },
+                       [&](HalfEdge edge) { edges_.push_back(edge); },
+                       [&] { return wrong() > most; });
+        return wrong();
     }
-    /// Whether the survey found something.
-    [[nodiscard]] bool has_work() const noexcept { return !faces_.empty() || !edges_.empty(); }
     /// How many edges have been flipped.
     [[nodiscard]] std::size_t flips() const noexcept { return journal_.size(); }
 
@@ -59,7 +54,6 @@ class Repair {
     template <class TakeOut>
     [[nodiscard]] bool mend(const TakeOut& take_out) {
         constexpr int most_rounds = 32;
-        const std::size_t most_flips = 64 + 16 * edges_.size();
         const auto take = [&](Index site) {
             return take_out(site, [&](Index f) {
                 faces_.push_back(f);
@@ -73,12 +67,12 @@ class Repair {
                 if (topology_.is_vacant(f) || checks_.face(f)) continue;
                 if (!take(culprit(f))) return false;
             }
-            if (!flip_all(most_flips)) return false;
+            flip_all();
             if (stuck_.empty()) return hull_is_right();
             // Whom to take out is read off the structure that is stuck.
             std::vector<Index> sites;
             for (const HalfEdge h : stuck_) sites.push_back(obstacle(h));
-            undo();
+            while (!journal_.empty()) undo_last();
             std::ranges::sort(sites);
             const auto equal = std::ranges::unique(sites);
             sites.erase(equal.begin(), equal.end());
@@ -93,9 +87,9 @@ class Repair {
         const auto is_outer = [&](Index f) {
             return !topology_.is_vacant(f) && topology_.is_infinite(f);
         };
-        if (!is_outer(outer_))
-            for (outer_ = 0; !is_outer(outer_);) ++outer_;
-        return checks_.hull(outer_);
+        Index f = 0;
+        while (!is_outer(f)) ++f;
+        return checks_.hull(f);
     }
 
  private:
@@ -107,33 +101,37 @@ class Repair {
         Topology::Record was_g;
     };
 
-    /// Flips wrong edges until none is left but those that no flip helps; false where that takes
-    /// too many.
-    [[nodiscard]] bool flip_all(std::size_t most) {
+    /// Flips wrong edges until none is left but those that no flip helps; after very many flips,
+    /// which may go in circles where edges are curved, none helps any more.
+    void flip_all() {
+        const std::size_t most_flips = 64 + 4 * edges_.size();
         journal_.clear();
         stuck_.clear();
         pending_ = edges_;
-        while (!pending_.empty()) {
-            const HalfEdge h = pending_.back();
-            pending_.pop_back();
+        for (std::size_t next = 0; next < pending_.size(); ++next) {
+            const HalfEdge h = pending_[next];
             if (is_settled(h)) continue;
-            if (!can_flip(h)) {
-                stuck_.push_back(h);
-                continue;
-            }
-            if (journal_.size() == most) return false;
-            const Index f = Topology::face(h);
-            const Index g = Topology::face(topology_.twin(h));
-            journal_.push_back({f, g, topology_.record(f), topology_.record(g)});
-            flip(topology_, h);
-            note(f);
-            note(g);
-            // The sides of the two, which may have got other numbers.
-            for (const Index face : {f, g})
-                for (unsigned k = 0; k < 2; ++k) pending_.push_back(Topology::first_edge(face) + k);
+            if (journal_.size() == most_flips || !try_flip(h)) stuck_.push_back(h);
         }
         // A flip near by may have helped.
         std::erase_if(stuck_, [&](HalfEdge h) { return is_settled(h); });
+    }
+    /// Flips an edge, and its sides are to be looked at again; false, and nothing is done, where
+    /// faces or the edge would be wrong then.
+    [[nodiscard]] bool try_flip(HalfEdge h) {
+        if (!can_flip(h)) return false;
+        const Index f = Topology::face(h);
+        const Index g = Topology::face(topology_.twin(h));
+        journal_.push_back({f, g, topology_.record(f), topology_.record(g)});
+        flip(topology_, h);
+        if (!checks_.edge(Topology::first_edge(f) + 2)) {
+            undo_last();
+            return false;
+        }
+        note(f);
+        note(g);
+        for (const Index face : {f, g})
+            for (unsigned k = 0; k < 2; ++k) pending_.push_back(Topology::first_edge(face) + k);
         return true;
     }
     [[nodiscard]] bool is_settled(HalfEdge h) {
@@ -147,16 +145,15 @@ class Repair {
         return k != l && checks_.may_be_face(i, l, k) && checks_.may_be_face(l, j, k);
     }
 
-    void undo() {
-        for (; !journal_.empty(); journal_.pop_back()) {
-            const Flip& last = journal_.back();
-            topology_.record(last.f) = last.was_f;
-            topology_.record(last.g) = last.was_g;
-            for (const Index f : {last.f, last.g}) {
-                for (unsigned k = 0; k < 3; ++k)
-                    topology_.glue(Topology::first_edge(f) + k, topology_.record(f).twin[k]);
-                note(f);
-            }
+    void undo_last() {
+        const Flip last = journal_.back();
+        journal_.pop_back();
+        topology_.record(last.f) = last.was_f;
+        topology_.record(last.g) = last.was_g;
+        for (const Index f : {last.f, last.g}) {
+            for (unsigned k = 0; k < 3; ++k)
+                topology_.glue(Topology::first_edge(f) + k, topology_.record(f).twin[k]);
+            note(f);
         }
     }
 
@@ -213,7 +210,6 @@ class Repair {
     LocalChecks<Kernel> checks_;
     Kernel& kernel_;
     std::span<Index> face_of_;
-    Index outer_ = -1;               ///< a face at infinity
     std::vector<Index> faces_;       ///< to be looked at
     std::vector<HalfEdge> edges_;    ///< to be looked at in every round
     std::vector<HalfEdge> pending_;  ///< ... in this one
