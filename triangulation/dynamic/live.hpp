@@ -37,7 +37,7 @@ namespace signum::triangulation {
 ///     line_ is empty. Where they have none, all centres on one line in the power metric, one
 ///     visible site or none in the others, they stand in line_, in order.
 ///  2. hidden_by_ is -1 for visible sites alone. face_of_ is a face at a visible site of the
-///     structure, and -1 for every other handle.
+///     structure, and -1 for every other place.
 ///  3. A hidden site is kept by one that hides it alone, whether that is visible itself or not: in
 ///     the power metric one with the same centre. Or, in the power metric, by a visible corner of
 ///     a face, or end of a stretch of the line, that contains its centre. So it can reappear only
@@ -148,9 +148,10 @@ class Live {
  private:
     /// So many sites, and what belongs to them, lie in a processor's caches, in whatever order.
     static constexpr std::size_t large = std::size_t{1} << 14;
-    /// Where of so many sites more than one edge or face is wrong, to build is quicker than to
-    /// mend.
+    /// Where of so many sites more than one edge or face is wrong, or more than one site must be
+    /// taken out, to build is quicker than to mend (benchmarks/moves_benchmark.cpp).
     static constexpr std::size_t most_wrong = 4;
+    static constexpr std::size_t most_taken = 16;
 
     [[nodiscard]] Site site_at(Index h) const noexcept {
         const S& s = sites_[at(h)];
@@ -565,7 +566,7 @@ class Live {
                 for (const Index f : patch_) look_at(f);
                 return true;
             };
-            if (!repair.mend(take_out)) return false;
+            if (!repair.mend(64 + count_ / most_taken, take_out)) return false;
             changes_ += repair.flips();
         } else if (!repair.hull_is_right()) {
             return false;

@@ -13,14 +13,15 @@
 /// orientation or the border turns elsewhere. A triangulation that is regular across each edge is
 /// regular, and the regular one of perturbed weights is unique.
 ///
-/// Additive metrics. What is asked is what validate() asks (check/additive_check.hpp): every face
-/// has its vertex, every edge its stretch of the bisector, and the hull turns once; so the sphere
-/// covers the plane once. There nothing is asked about how the faces came about. Where j's and k's
-/// and i's and l's bisectors with no third site have two vertices, the part of the bisector of i
-/// and j that k takes is a ray, as that of l is: neither takes the other's vertex, or both do. So
-/// one question does for both.
+/// Additive metrics. What is asked is what validate() asks: every face has its vertex, every edge
+/// its stretch of the bisector, and the hull turns once. So the sphere of faces covers the plane
+/// once (check/additive_check.hpp), and nothing is asked there about how the faces came about.
+/// validate() asks about both ends of an edge. Where i, j, k have one vertex alone, and i, j, l
+/// too, what k takes of the bisector of i and j is all that lies beyond its vertex, and what l
+/// takes all before its own: each takes the other's vertex, or neither does, and one question
+/// suffices.
 ///
-/// Hidden sites are another matter: see Live.
+/// Hidden sites are no part of the structure; Live looks after them.
 
 #include <algorithm>
 #include <cstddef>

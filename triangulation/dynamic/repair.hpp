@@ -2,8 +2,8 @@
 /// From a tessellation for some centres to one for others, near by.
 ///
 /// What is right for the new centres stays (local_checks.hpp). What is wrong is mended in two ways:
-///  - an edge is flipped, if the two faces that come of it may be faces for the new centres, and
-///    so are the edges around it that are wrong then;
+///  - an edge is flipped, if the two faces and the edge that come of it are right for the new
+///    centres; then the edges around it are looked at again;
 ///  - otherwise a site is taken out: one at a face that may be none, or one that stands in the way
 ///    of a flip. It is put in again when all is over, by whoever takes it out.
 ///
@@ -48,14 +48,16 @@ class Repair {
     /// How many edges have been flipped.
     [[nodiscard]] std::size_t flips() const noexcept { return journal_.size(); }
 
-    /// Makes all right; false where that would take too long, or a site could not be taken out.
-    /// take_out(site, look_at) takes a visible site out for the old centres, calls look_at for all
-    /// faces that were not there before, and returns whether there is a structure left.
+    /// Makes all right; false where that takes too long, more than `most` sites would have to be
+    /// taken out, or one could not. take_out(site, look_at) takes a visible site out for the old
+    /// centres, calls look_at for all faces that were not there before, and returns whether there
+    /// is a structure left.
     template <class TakeOut>
-    [[nodiscard]] bool mend(const TakeOut& take_out) {
+    [[nodiscard]] bool mend(std::size_t most, const TakeOut& take_out) {
         constexpr int most_rounds = 32;
+        std::size_t taken = 0;
         const auto take = [&](Index site) {
-            return take_out(site, [&](Index f) {
+            return ++taken <= most && take_out(site, [&](Index f) {
                 faces_.push_back(f);
                 for (unsigned k = 0; k < 3; ++k) edges_.push_back(Topology::first_edge(f) + k);
             });
@@ -76,6 +78,7 @@ class Repair {
             std::ranges::sort(sites);
             const auto equal = std::ranges::unique(sites);
             sites.erase(equal.begin(), equal.end());
+            if (taken + sites.size() > most) return false;
             for (const Index site : sites)
                 if (!take(site)) return false;
         }
