@@ -556,13 +556,16 @@ class Live {
         const std::size_t most = 64 + count_ / most_wrong;
         const std::size_t wrong = repair.survey(most);
         if (wrong > most) return false;
-        std::vector<Index> out;
+        std::vector<std::pair<Index, Index>> out;  // sites, and one that was beside
         const bool has_work = wrong > 0;
         if (has_work) {
             const auto take_out = [&](Index h, const auto& look_at) {
-                out.push_back(h);
-                if (!detach(h, out) || !is_built_) return false;
+                const HalfEdge spoke = spoke_of(h);
+                const Index beside = std::max(topology_->target(spoke), topology_->apex(spoke));
+                std::vector<Index> freed = {h};
+                if (!detach(h, freed) || !is_built_) return false;
                 face_of_[at(h)] = -1;
+                for (const Index site : freed) out.emplace_back(site, beside);
                 for (const Index f : patch_) look_at(f);
                 return true;
             };
@@ -573,11 +576,19 @@ class Live {
         }
         sites_.swap(moved);
         *kernel_ = kernel_of(sites_);
-        for (const Index h : out) hidden_by_[at(h)] = -1;
+        for (const auto& [h, beside] : out) hidden_by_[at(h)] = -1;
         ++(keep_hidden() && !has_work ? moves_.kept : moves_.mended);
         // Places lie along the curve.
         std::ranges::sort(out);
-        for (const Index h : out) add(h);
+        for (const auto& [h, beside] : out) {
+            const Index near = face_of_[at(beside)];
+            if (!is_built_ || near < 0) {
+                add(h);
+            } else {
+                insertion_->start_from(near);
+                add_near_recent(h);
+            }
+        }
         return true;
     }
 
