@@ -76,8 +76,7 @@ class Repair {
             for (const HalfEdge h : stuck_) sites.push_back(obstacle(h));
             while (!journal_.empty()) undo_last();
             std::ranges::sort(sites);
-            const auto equal = std::ranges::unique(sites);
-            sites.erase(equal.begin(), equal.end());
+            sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
             if (taken + sites.size() > most) return false;
             for (const Index site : sites)
                 if (!take(site)) return false;
