@@ -21,7 +21,7 @@
 #include "../kinetic/forms.hpp"
 #include "../kinetic/moving_triangulation.hpp"
 #include "../triangulation/flips/event_queue.hpp"
-#include "../triangulation/flips/flip.hpp"
+#include "../triangulation/structure/flip.hpp"
 
 namespace signum::benchmarks {
 namespace {

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <utility>
 
-#include "../triangulation/flips/flip.hpp"
+#include "../triangulation/structure/flip.hpp"
 #include "../triangulation/insertion/collinear.hpp"
 #include "../triangulation/insertion/delete.hpp"
 #include "../triangulation/insertion/hiders.hpp"

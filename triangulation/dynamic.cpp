@@ -101,6 +101,24 @@ void DynamicTessellation::change(Index handle, double third) {
     state_->visit([&](auto& live) { live.change(handle, third); });
 }
 
+void DynamicTessellation::move(Index handle, Point centre) {
+    require(handle);
+    for (const double value : {centre.x, centre.y}) check(value);
+    const exact::IeeeEnvironment environment;
+    state_->visit([&](auto& live) { live.move(handle, centre); });
+}
+
+void DynamicTessellation::move_all(std::span<const Point> centres) {
+    if (centres.size() != size())
+        throw std::invalid_argument(std::to_string(centres.size()) + " centres for " +
+                                    std::to_string(size()) + " sites");
+    for (const Point& centre : centres)
+        for (const double value : {centre.x, centre.y}) check(value);
+    if (centres.empty()) return;
+    const exact::IeeeEnvironment environment;
+    state_->visit([&](auto& live) { live.move_all(centres); });
+}
+
 bool DynamicTessellation::contains(Index handle) const noexcept {
     return state_ != nullptr && state_->visit([&](auto& live) { return live.contains(handle); });
 }
@@ -122,6 +140,10 @@ Tessellation DynamicTessellation::tessellation() const {
 
 std::size_t DynamicTessellation::rebuilds() const noexcept {
     return state_ == nullptr ? 0 : state_->visit([](auto& live) { return live.rebuilds(); });
+}
+
+Moves DynamicTessellation::moves() const noexcept {
+    return state_ == nullptr ? Moves() : state_->visit([](auto& live) { return live.moves(); });
 }
 
 std::uint64_t DynamicTessellation::insertions() const noexcept {

@@ -1,16 +1,26 @@
 #pragma once
-/// A tessellation that changes: sites come, go and grow, and at any time it is the canonical one of
-/// the sites that are there.
+/// A tessellation that changes: sites come, go, grow and move, and at any time it is the canonical
+/// one of the sites that are there.
 
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 
 #include "../core/index.hpp"
 #include "../core/site.hpp"
 #include "tessellation.hpp"
 
 namespace signum {
+
+/// How many moves, of one site or all, came to what.
+struct Moves {
+    std::uint64_t kept = 0;    ///< all was as right as before
+    std::uint64_t mended = 0;  ///< what was not has been changed
+    std::uint64_t built = 0;   ///< all was built anew
+
+    friend bool operator==(const Moves&, const Moves&) = default;
+};
 
 /// Laws:
 ///  1. tessellation() depends on the sites alone, not on how they came together: it is
@@ -38,6 +48,21 @@ class DynamicTessellation {
     /// Gives a site another radius (or weight), and keeps its handle. As erase and insert.
     void change(Index handle, double third);
 
+    /// Gives a site another centre; its third number and its handle stay. Throws
+    /// std::invalid_argument unless the centre is finite. O(degree) and nothing more where its
+    /// neighbours stay and it is not on the hull; elsewhere as erase and insert.
+    void move(Index handle, Point centre);
+    /// Gives every site another centre: one for each, in the order of their handles. Throws
+    /// std::invalid_argument unless there are size() of them, all finite; then nothing has changed.
+    ///
+    /// Every face and edge is asked whether it is right for the new centres, exactly; what is not
+    /// is mended, and where too much is not, or there is no structure, all is built anew. So it is
+    /// O(n), and the less sites move, the faster it is; at worst as triangulate(). Of many sites
+    /// (16 384) that came one by one, the first time all is built anew, so that neighbours lie
+    /// near one another in memory; and again after some dozens of moves of a hundredth of the
+    /// sites' distance, as neighbours change.
+    void move_all(std::span<const Point> centres);
+
     [[nodiscard]] bool contains(Index handle) const noexcept;
     [[nodiscard]] std::size_t size() const noexcept;
     /// Throws std::out_of_range unless contains(handle).
@@ -52,6 +77,8 @@ class DynamicTessellation {
     /// How often all had to be built anew: where a gap that a site left could not be closed in
     /// one way alone. No input is known that does it.
     [[nodiscard]] std::size_t rebuilds() const noexcept;
+    /// What move() and move_all() did up to now.
+    [[nodiscard]] Moves moves() const noexcept;
 
  private:
     class State;

@@ -118,20 +118,10 @@ class AdditiveCheck : private ArraysCheck {
                     forbid([&] { return extended_.conflicts(i, j, k, l); },
                            [&] { return name(l) + " is in conflict with " + face_name(f); });
                 if (apart && i < j && i != infinite && k != infinite && l != infinite &&
-                    !runs_forward(i, j, k, l))
+                    !runs_forward(kernel_, i, j, k, l))
                     throw Invalid{"the edge of " + face_name(f) + " and " + face_name(across) +
                                   " would pass through infinity"};
             }
-    }
-
-    /// Whether the bisector leads from vertex (j,i,l) to (i,j,k) without passing through infinity:
-    /// where k or l takes an end of the bisector it must; otherwise the part of l comes first.
-    [[nodiscard]] bool runs_forward(Index i, Index j, Index k, Index l) {
-        if (!kernel_.exist_twice(i, j, k) || !kernel_.exist_twice(i, j, l)) return true;
-        for (const Index side : {k, l})
-            if (kernel_.conflicts_infinite(j, i, side) || kernel_.conflicts_infinite(i, j, side))
-                return true;
-        return k != l && kernel_.precedes_on_bisector(i, j, l, k);
     }
 
     /// The hull turns once: one of its arcs of directions contains the first direction.

@@ -1,5 +1,5 @@
 #pragma once
-/// Sites of one metric that come and go, and their tessellation.
+/// Sites of one metric that come, go and move, and their tessellation.
 
 #include <algorithm>
 #include <cmath>
@@ -8,23 +8,27 @@
 #include <iterator>
 #include <limits>
 #include <memory>
-#include <numeric>
 #include <set>
+#include <span>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "../../core/index.hpp"
 #include "../../core/site.hpp"
+#include "../dynamic.hpp"
 #include "../insertion/collinear.hpp"
 #include "../insertion/delete.hpp"
 #include "../insertion/hiders.hpp"
 #include "../insertion/insert.hpp"
 #include "../structure/assemble.hpp"
+#include "../structure/spatial_order.hpp"
 #include "../structure/topology.hpp"
 #include "../triangulate.hpp"
 #include "lists.hpp"
+#include "local_checks.hpp"
 #include "ranks.hpp"
+#include "repair.hpp"
 
 namespace signum::triangulation {
 
@@ -33,71 +37,97 @@ namespace signum::triangulation {
 ///     line_ is empty. Where they have none, all centres on one line in the power metric, one
 ///     visible site or none in the others, they stand in line_, in order.
 ///  2. hidden_by_ is -1 for visible sites alone. face_of_ is a face at a visible site of the
-///     structure, and -1 for every other handle.
+///     structure, and -1 for every other place.
 ///  3. A hidden site is kept by one that hides it alone, whether that is visible itself or not: in
 ///     the power metric one with the same centre. Or, in the power metric, by a visible corner of
 ///     a face, or end of a stretch of the line, that contains its centre. So it can reappear only
 ///     where the one that keeps it goes, or, in the latter case, that face.
+///  4. A site has a place for as long as nothing is built anew: place_of_ says which, handle_of_ is
+///     the other way round, and free handles have the places that are left. All below speaks of
+///     places but for the public functions. The tie rule knows sites by their handles.
 template <class Kernel>
 class Live {
  public:
     using S = typename Kernel::SiteType;
     static constexpr bool is_straight = Kernel::is_straight;
 
-    explicit Live(Metric metric) : metric_(metric), ranks_(sites_), line_(Along{&sites_}) {
+    explicit Live(Metric metric)
+        : metric_(metric), ranks_(sites_, handle_of_), line_(Along{&sites_}) {
         grow(16);
     }
     Live(const Live&) = delete;
     Live& operator=(const Live&) = delete;
 
-    [[nodiscard]] bool contains(Index h) const noexcept {
-        return h >= 0 && at(h) < live_.size() && live_[at(h)];
+    [[nodiscard]] bool contains(Index handle) const noexcept {
+        return handle >= 0 && at(handle) < live_.size() && live_[at(place_of_[at(handle)])];
     }
     [[nodiscard]] std::size_t size() const noexcept { return count_; }
     [[nodiscard]] std::size_t rebuilds() const noexcept { return rebuilds_; }
     [[nodiscard]] std::uint64_t insertions() const noexcept { return insertions_; }
-    [[nodiscard]] Site site(Index h) const noexcept {
-        const S& s = sites_[at(h)];
-        if constexpr (requires { s.w; })
-            return {s.x, s.y, s.w};
-        else
-            return {s.x, s.y, s.r};
-    }
+    [[nodiscard]] const Moves& moves() const noexcept { return moves_; }
+    [[nodiscard]] Site site(Index handle) const noexcept { return site_at(place_of_[at(handle)]); }
 
     Index insert(const Site& site) {
-        Index h = 0;
+        Index handle = 0;
         if (free_.empty()) {
-            h = static_cast<Index>(count_);
+            handle = static_cast<Index>(count_);
         } else {
-            h = *free_.begin();
+            handle = *free_.begin();
             free_.erase(free_.begin());
         }
-        if (at(h) == live_.size()) grow(2 * live_.size());
+        if (at(handle) == live_.size()) grow(2 * live_.size());
+        const Index h = place_of_[at(handle)];
         put(h, site);
         add(h);
-        return h;
+        return handle;
     }
 
-    void erase(Index h) {
-        take(h);
-        free_.insert(h);
+    void erase(Index handle) {
+        take(place_of_[at(handle)]);
+        free_.insert(handle);
     }
 
-    void change(Index h, double third) {
-        Site site = this->site(h);
+    void change(Index handle, double third) {
+        Site site = this->site(handle);
         site.r = third;
-        take(h);
-        put(h, site);
-        add(h);
+        replace(handle, site);
+    }
+
+    void move(Index handle, Point centre) {
+        const Index h = place_of_[at(handle)];
+        if (is_built_ && face_of_[at(h)] >= 0 && move_inside(h, centre)) {
+            ++moves_.kept;
+            return;
+        }
+        ++moves_.mended;
+        replace(handle, {centre.x, centre.y, site_at(h).r});
+    }
+
+    /// See repair.hpp. Of a large set that came in no order the memory is read in no order, too: it
+    /// is built anew, along a curve, and again when as many edges have changed as there are.
+    void move_all(std::span<const Point> centres) {
+        std::vector<S>& moved = moved_;
+        moved = sites_;
+        std::size_t next = 0;
+        for (std::size_t handle = 0; next < centres.size(); ++handle)
+            if (const Index h = place_of_[handle]; live_[at(h)])
+                set_centre(moved[at(h)], centres[next++]);
+        if constexpr (!is_straight) ranks_.renew(moved);
+        const bool is_scattered = count_ > large && changes_ > 2 * count_;
+        if (!is_built_ || is_scattered || !mend(moved)) {
+            ++moves_.built;
+            sites_.swap(moved);
+            build();
+        }
     }
 
     [[nodiscard]] Tessellation tessellation() const {
         std::vector<Site> live;
-        std::vector<Index> number(live_.size(), -1);
-        for (Index h = 0; at(h) < live_.size(); ++h)
+        std::vector<Index> number(live_.size(), -1);  // by place
+        for (const Index h : place_of_)
             if (live_[at(h)]) {
                 number[at(h)] = static_cast<Index>(live.size());
-                live.push_back(site(h));
+                live.push_back(site_at(h));
             }
         constexpr WeightIs weight_is =
             std::is_same_v<S, power::Site> ? WeightIs::weight : WeightIs::radius;
@@ -108,7 +138,7 @@ class Live {
         arrays.metric = metric_;
         arrays.weight_is = weight_is;
         arrays.sites = static_cast<std::int64_t>(live.size());
-        for (Index h = 0; at(h) < live_.size(); ++h)
+        for (const Index h : place_of_)
             if (live_[at(h)] && hidden_by[at(h)] >= 0)
                 arrays.hidden.push_back({number[at(h)], number[at(hidden_by[at(h)])]});
         assemble(Topology(*topology_), number, arrays);
@@ -116,6 +146,33 @@ class Live {
     }
 
  private:
+    /// So many sites, and what belongs to them, lie in a processor's caches, in whatever order.
+    static constexpr std::size_t large = std::size_t{1} << 14;
+    /// Where of so many sites more than one edge or face is wrong, or more than one site must be
+    /// taken out, to build is quicker than to mend (benchmarks/moves_benchmark.cpp).
+    static constexpr std::size_t most_wrong = 4;
+    static constexpr std::size_t most_taken = 16;
+
+    [[nodiscard]] Site site_at(Index h) const noexcept {
+        const S& s = sites_[at(h)];
+        if constexpr (requires { s.w; })
+            return {s.x, s.y, s.w};
+        else
+            return {s.x, s.y, s.r};
+    }
+    static void set_centre(S& site, Point centre) noexcept {
+        site.x = centre.x;
+        site.y = centre.y;
+    }
+
+    /// Another site under the same handle.
+    void replace(Index handle, const Site& site) {
+        take(place_of_[at(handle)]);
+        const Index h = place_of_[at(handle)];
+        put(h, site);
+        add(h);
+    }
+
     void put(Index h, const Site& site) {
         if constexpr (is_straight) {
             sites_[at(h)] = S{site.x, site.y, site.r};
@@ -136,28 +193,64 @@ class Live {
         none_hidden_.resize(capacity, -1);
         face_of_.resize(capacity, -1);
         kept_.make_room(2 * capacity, capacity);
-        numbers_.resize(capacity);
-        std::iota(numbers_.begin(), numbers_.end(), 0);
-        if constexpr (is_straight)
-            kernel_ = std::make_unique<Kernel>(sites_.data(), numbers_.data());
-        else
-            kernel_ = std::make_unique<Kernel>(sites_.data());
+        for (std::size_t h = handle_of_.size(); h < capacity; ++h) {
+            handle_of_.push_back(static_cast<Index>(h));
+            place_of_.push_back(static_cast<Index>(h));
+        }
+        kernel_ = std::make_unique<Kernel>(kernel_of(sites_));
         if (!is_built_) return;
         topology_->make_room(capacity);
         const Index recent = insertion_->recent();
         insertion_ = std::make_unique<Insertion<Kernel>>(*topology_, *kernel_, hidden_by_, recent);
     }
 
-    /// From scratch.
+    [[nodiscard]] Kernel kernel_of(const std::vector<S>& sites) const noexcept {
+        if constexpr (is_straight)
+            return Kernel(sites.data(), handle_of_.data());
+        else
+            return Kernel(sites.data());
+    }
+
+    /// From scratch, along a curve.
     void build() {
-        ++rebuilds_;
         is_built_ = false;
         line_.clear();
         kept_.clear();
         std::fill(hidden_by_.begin(), hidden_by_.end(), -1);
         std::fill(face_of_.begin(), face_of_.end(), -1);
-        for (Index h = 0; at(h) < live_.size(); ++h)
-            if (live_[at(h)]) add(h);
+        sort_places();
+        *kernel_ = kernel_of(sites_);
+        if constexpr (!is_straight) ranks_.restart(count_);
+        for (Index h = 0; at(h) < count_; ++h) add_near_recent(h);
+        changes_ = 0;
+    }
+
+    /// The live sites get the first places, in the order of insertion, the free handles the rest.
+    void sort_places() {
+        std::vector<Index> handles;
+        std::vector<S> sites;
+        std::vector<Index> free;
+        for (std::size_t h = 0; h < live_.size(); ++h) {
+            if (!live_[h]) {
+                free.push_back(handle_of_[h]);
+                continue;
+            }
+            handles.push_back(handle_of_[h]);
+            sites.push_back(sites_[h]);
+        }
+        std::ranges::sort(free);
+        StridedSites view;
+        if (!sites.empty()) view = {sites.size(), sizeof(S), &sites[0].x, &sites[0].y};
+        std::size_t place = 0;
+        for (const Index i : spatial_order(view, 1)) {
+            sites_[place] = sites[at(i)];
+            handle_of_[place++] = handles[at(i)];
+        }
+        std::ranges::copy(free, handle_of_.begin() + static_cast<std::ptrdiff_t>(place));
+        for (std::size_t h = 0; h < live_.size(); ++h) {
+            live_[h] = h < place;
+            place_of_[at(handle_of_[h])] = static_cast<Index>(h);
+        }
     }
 
     /// From the line, of two sites at least, to a structure: the same sites, tied to infinity.
@@ -239,10 +332,14 @@ class Live {
 
     /// Inserts a live site that is in no list.
     void add(Index h) {
+        if (is_built_) insertion_->start_from(face_near(sites_[at(h)]));
+        add_near_recent(h);
+    }
+    /// The same where the one inserted last is not far.
+    void add_near_recent(Index h) {
         ++insertions_;
         hidden_by_[at(h)] = -1;
         if (!is_built_) return add_to_line(h);
-        insertion_->start_from(face_near(sites_[at(h)]));
         if (!insertion_->insert(h)) return add_above_all(h);
         if (Index by = hidden_by_[at(h)]; by >= 0) {
             if constexpr (is_straight)
@@ -251,6 +348,7 @@ class Live {
             keep(by, h);
             return;
         }
+        changes_ += 3;
         for (const Index v : insertion_->enclosed()) hide(v, h);
         face_of_[at(h)] = insertion_->recent();
         for (const HalfEdge of : topology_->fan(spoke_of(h))) note_face(Topology::face(of));
@@ -367,22 +465,29 @@ class Live {
         std::vector<Index> freed = kept_.release(alone(h));
         pair_off(freed);
         bool is_whole = true;
-        if (hidden_by_[at(h)] >= 0) {
+        if (hidden_by_[at(h)] >= 0)
             kept_.remove(h);
-        } else {
-            const std::vector<Index> others = kept_.release(with_others(h));
-            freed.insert(freed.end(), others.begin(), others.end());
-            is_whole = is_built_ ? take_from_structure(h, freed) : take_from_line(h, freed);
-        }
+        else
+            is_whole = detach(h, freed);
         live_[at(h)] = false;
         hidden_by_[at(h)] = -1;
         face_of_[at(h)] = -1;
         if constexpr (!is_straight) ranks_.erase(h);
         --count_;
-        if (!is_whole) return build();
-        // The earlier in the rule's order, the less often a site is hidden again.
-        std::ranges::sort(freed, [&](Index a, Index b) { return precedes(a, b); });
-        for (const Index site : freed) add(site);
+        if (!is_whole) {
+            ++rebuilds_;
+            return build();
+        }
+        add_all(freed);
+    }
+
+    /// A visible site out of what is built, and those that it keeps with others, which are freed;
+    /// false where all has to be built anew.
+    bool detach(Index h, std::vector<Index>& freed) {
+        const std::vector<Index> others = kept_.release(with_others(h));
+        freed.insert(freed.end(), others.begin(), others.end());
+        changes_ += 3;
+        return is_built_ ? take_from_structure(h, freed) : take_from_line(h, freed);
     }
 
     /// Of sites that one alone hid many may hide one another. In pairs, one keeps the other: half
@@ -422,11 +527,11 @@ class Live {
         if constexpr (is_straight)
             for (const Index hidden : taken_from_star(h)) freed.push_back(hidden);
         std::vector<Index> ring;
-        std::vector<Index> faces;
+        patch_.clear();
         for (const HalfEdge of : topology_->fan(spoke)) {
             if (const Index v = topology_->target(of); v != infinite) ring.push_back(v);
-            faces.push_back(Topology::face(of));
-            faces.push_back(Topology::face(topology_->twin(Topology::next(of))));
+            patch_.push_back(Topology::face(of));
+            patch_.push_back(Topology::face(topology_->twin(Topology::next(of))));
         }
         switch (Deletion<Kernel>(*insertion_, none_hidden_).erase(spoke)) {
             case Gap::closed:
@@ -438,9 +543,120 @@ class Live {
                 return false;
         }
         // The faces of the patch take places of the star's.
-        for (const Index f : faces)
-            if (!topology_->is_vacant(f)) note_face(f);
+        std::erase_if(patch_, [&](Index f) { return topology_->is_vacant(f); });
+        for (const Index f : patch_) note_face(f);
         return true;
+    }
+
+    /// All sites to the places where they are in `moved`; false, and what is built is of no use any
+    /// more, where that is better done from scratch.
+    bool mend(std::vector<S>& moved) {
+        Kernel kernel = kernel_of(moved);
+        Repair<Kernel> repair(*topology_, kernel, face_of_);
+        const std::size_t most = 64 + count_ / most_wrong;
+        const std::size_t wrong = repair.survey(most);
+        if (wrong > most) return false;
+        std::vector<std::pair<Index, Index>> out;  // sites, and one that was beside
+        const bool has_work = wrong > 0;
+        if (has_work) {
+            const auto take_out = [&](Index h, const auto& look_at) {
+                const HalfEdge spoke = spoke_of(h);
+                const Index beside = std::max(topology_->target(spoke), topology_->apex(spoke));
+                std::vector<Index> freed = {h};
+                if (!detach(h, freed) || !is_built_) return false;
+                face_of_[at(h)] = -1;
+                for (const Index site : freed) out.emplace_back(site, beside);
+                for (const Index f : patch_) look_at(f);
+                return true;
+            };
+            if (!repair.mend(64 + count_ / most_taken, take_out)) return false;
+            changes_ += repair.flips();
+        } else if (!repair.hull_is_right()) {
+            return false;
+        }
+        sites_.swap(moved);
+        *kernel_ = kernel_of(sites_);
+        for (const auto& [h, beside] : out) hidden_by_[at(h)] = -1;
+        ++(keep_hidden() && !has_work ? moves_.kept : moves_.mended);
+        // Places lie along the curve.
+        std::ranges::sort(out);
+        for (const auto& [h, beside] : out) {
+            const Index near = face_of_[at(beside)];
+            if (!is_built_ || near < 0) {
+                add(h);
+            } else {
+                insertion_->start_from(near);
+                add_near_recent(h);
+            }
+        }
+        return true;
+    }
+
+    /// Gives the hidden sites to those that keep them now that all have moved; whether all stay
+    /// hidden. Some are looked at where others do not lie yet in the star of their keepers: these
+    /// are looked at in their turn.
+    bool keep_hidden() {
+        bool are_hidden = true;
+        for (Index h = 0; at(h) < live_.size(); ++h) {
+            const Index by = hidden_by_[at(h)];
+            if (by < 0) continue;
+            if (precedes(by, h) && hides_alone(by, h)) {
+                kept_.remove(h);
+                keep(by, h);
+                continue;
+            }
+            kept_.remove(h);
+            if (face_of_[at(by)] >= 0) insertion_->start_from(face_of_[at(by)]);
+            add_near_recent(h);
+            are_hidden = are_hidden && hidden_by_[at(h)] >= 0;
+        }
+        return are_hidden;
+    }
+
+    /// A site to another centre, if its star is as right there and is not at the hull, so that the
+    /// hull stays as it is; otherwise nothing is done.
+    bool move_inside(Index h, Point centre) {
+        const HalfEdge spoke = spoke_of(h);
+        for (const HalfEdge of : topology_->fan(spoke))
+            if (topology_->target(of) == infinite) return false;
+        const S& s = sites_[at(h)];
+        const Point before = {s.x, s.y};
+        displace(h, centre);
+        if (!is_star_right(spoke)) {
+            displace(h, before);
+            return false;
+        }
+        // The star is divided otherwise among its faces.
+        std::vector<Index> freed;
+        if constexpr (is_straight) {
+            freed = taken_from_star(h);
+            for (const Index list : {alone(h), with_others(h)})
+                for (const Index hidden : kept_.release(list)) freed.push_back(hidden);
+        } else {
+            kept_.extract(alone(h), freed,
+                          [&](Index hidden) { return !kernel_->hides(h, hidden); });
+        }
+        add_all(freed);
+        return true;
+    }
+    void displace(Index h, Point centre) {
+        if constexpr (!is_straight) ranks_.erase(h);
+        set_centre(sites_[at(h)], centre);
+        if constexpr (!is_straight) ranks_.insert(h);
+    }
+    [[nodiscard]] bool is_star_right(HalfEdge spoke) {
+        LocalChecks<Kernel> checks(*topology_, *kernel_);
+        for (const HalfEdge of : topology_->fan(spoke))
+            if (!checks.face(Topology::face(of))) return false;
+        for (const HalfEdge of : topology_->fan(spoke))
+            if (!checks.edge(of) || !checks.edge(Topology::next(of))) return false;
+        return true;
+    }
+
+    /// The earlier in the rule's order, the less often a site is hidden again.
+    void add_all(std::vector<Index>& sites) {
+        std::ranges::sort(sites, [&](Index a, Index b) { return precedes(a, b); });
+        for (const Index site : sites) add(site);
     }
 
     [[nodiscard]] bool precedes(Index a, Index b) const {
@@ -461,7 +677,7 @@ class Live {
         }
     };
     struct NoRanks {
-        explicit NoRanks(std::vector<S>&) {}
+        NoRanks(std::vector<S>&, std::vector<Index>&) {}
     };
 
     Metric metric_;
@@ -471,8 +687,13 @@ class Live {
     std::vector<Index> none_hidden_;
     std::vector<Index> face_of_;
     Lists kept_;
-    std::vector<Index> numbers_;
-    std::set<Index> free_;
+    std::vector<Index> handle_of_;
+    std::vector<Index> place_of_;
+    std::set<Index> free_;      // handles
+    std::vector<S> moved_;      // the sites at other centres, while all move
+    std::vector<Index> patch_;  // the faces that the last deletion made
+    std::size_t changes_ = 0;   // edges, roughly, since the last time that all was built
+    Moves moves_;
     std::size_t count_ = 0;
     std::size_t rebuilds_ = 0;
     std::uint64_t insertions_ = 0;

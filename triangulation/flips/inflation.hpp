@@ -25,9 +25,9 @@
 
 #include "../../core/index.hpp"
 #include "../options.hpp"
+#include "../structure/flip.hpp"
 #include "../structure/topology.hpp"
 #include "event_queue.hpp"
-#include "flip.hpp"
 #include "growth_order.hpp"
 
 namespace signum::triangulation {

@@ -52,6 +52,18 @@ class ExtendedKernel {
     Kernel& kernel_;
 };
 
+/// Whether the bisector of i and j leads from vertex (j,i,l) to (i,j,k), of which neither l nor k
+/// takes the other's, without passing through infinity: where k or l takes an end of the bisector
+/// it must; otherwise the part of l comes first. All four are sites.
+template <class Kernel>
+[[nodiscard]] bool runs_forward(Kernel& kernel, Index i, Index j, Index k, Index l) {
+    if (!kernel.exist_twice(i, j, k) || !kernel.exist_twice(i, j, l)) return true;
+    for (const Index side : {k, l})
+        if (kernel.conflicts_infinite(j, i, side) || kernel.conflicts_infinite(i, j, side))
+            return true;
+    return k != l && kernel.precedes_on_bisector(i, j, l, k);
+}
+
 /// Whether both vertices of q on the bisector of h's two sites lie on the edge h, both of whose
 /// ends q takes (`taken`) or neither: then q leaves, or takes, no more than its middle.
 template <class Kernel>

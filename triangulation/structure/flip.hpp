@@ -6,7 +6,7 @@
 #include <cstddef>
 
 #include "../../core/index.hpp"
-#include "../structure/topology.hpp"
+#include "topology.hpp"
 
 namespace signum::triangulation {
 
