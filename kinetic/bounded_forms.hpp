@@ -55,8 +55,8 @@ struct Rounded {
     double error = 0.0;  ///< h
     bool is_usable = true;
 
-    Rounded(const MovingSite& m, const MovingSite& q, const Frame& at) {
-        const Relative<Approximation> of(m, q, at);
+    Rounded(const Placed<Approximation>& m, const Placed<Approximation>& q) {
+        const Relative<Approximation> of(m, q);
         for (std::size_t k = 0; k < 2; ++k) {
             values.x.c[k] = of.x.c[k].value;
             values.y.c[k] = of.y.c[k].value;
@@ -104,9 +104,10 @@ template <int N>
     const MovingSite& a, const MovingSite& b, const MovingSite& c, const MovingSite& q,
     const Frame& at) {
     using namespace bounded;
-    const Rounded i(a, q, at);
-    const Rounded j(b, q, at);
-    const Rounded k(c, q, at);
+    const Placed<Approximation> last(q, at);
+    const Rounded i({a, at}, last);
+    const Rounded j({b, at}, last);
+    const Rounded k({c, at}, last);
     if (!(i.is_usable && j.is_usable && k.is_usable)) return std::nullopt;
     return with_errors(determinant(i.values, j.values, k.values),
                        (i.height_size() * cross_size(j, k) + j.height_size() * cross_size(k, i)) +
@@ -118,8 +119,9 @@ template <int N>
 [[nodiscard]] inline std::optional<PolynomialIn<Approximation, 4>> bounded_orientation(
     const MovingSite& a, const MovingSite& b, const MovingSite& q, const Frame& at) {
     using namespace bounded;
-    const Rounded i(a, q, at);
-    const Rounded j(b, q, at);
+    const Placed<Approximation> last(q, at);
+    const Rounded i({a, at}, last);
+    const Rounded j({b, at}, last);
     if (!(i.is_usable && j.is_usable)) return std::nullopt;
     return with_errors(cross(i.values, j.values), cross_size(i, j), std::max(i.error, j.error),
                        roundings_of_cross);

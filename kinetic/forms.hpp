@@ -40,6 +40,19 @@ template <class Number>
     return p;
 }
 
+/// Where a site is.
+template <class Number>
+struct Placed {
+    PolynomialIn<Number, 1> x;
+    PolynomialIn<Number, 1> y;
+    double r;
+
+    Placed(const MovingSite& m, const Frame& at)
+        : x(along<Number>(m.x, m.vx, m.time, at.fall.x, at.origin)),
+          y(along<Number>(m.y, m.vy, m.time, at.fall.y, at.origin)),
+          r(m.r) {}
+};
+
 /// A site relative to another one.
 template <class Number>
 struct Relative {
@@ -48,18 +61,12 @@ struct Relative {
     PolynomialIn<Number, 0> weight;
 
     constexpr Relative() = default;
-    Relative(const MovingSite& m, const MovingSite& q, const Frame& at)
-        : x(axis(m.x, m.vx, m.time, q.x, q.vx, q.time, at.fall.x, at.origin)),
-          y(axis(m.y, m.vy, m.time, q.y, q.vy, q.time, at.fall.y, at.origin)),
+    Relative(const Placed<Number>& m, const Placed<Number>& q)
+        : x(m.x - q.x),
+          y(m.y - q.y),
           weight((constant<Number>(m.r) - constant<Number>(q.r)) *
                  (constant<Number>(m.r) + constant<Number>(q.r))) {}
 
-    [[nodiscard]] static PolynomialIn<Number, 1> axis(double x, double v, double time,
-                                                      double from_x, double from_v,
-                                                      double from_time, double g, double origin) {
-        return along<Number>(x, v, time, g, origin) -
-               along<Number>(from_x, from_v, from_time, g, origin);
-    }
     /// |m - q|² - (w_m - w_q).
     [[nodiscard]] constexpr PolynomialIn<Number, 2> height() const {
         return (x * x + y * y) - weight;
@@ -81,7 +88,8 @@ template <class Number>
 template <class Number>
 [[nodiscard]] PolynomialIn<Number, 2> orientation(const MovingSite& a, const MovingSite& b,
                                                   const MovingSite& q, const Frame& at) {
-    return cross(Relative<Number>(a, q, at), Relative<Number>(b, q, at));
+    const Placed<Number> last(q, at);
+    return cross(Relative<Number>({a, at}, last), Relative<Number>({b, at}, last));
 }
 
 /// Above 0 where q is in conflict with the power circle of a, b and c, which turn left.
@@ -89,15 +97,16 @@ template <class Number>
 [[nodiscard]] PolynomialIn<Number, 4> in_circle(const MovingSite& a, const MovingSite& b,
                                                 const MovingSite& c, const MovingSite& q,
                                                 const Frame& at) {
-    return determinant(Relative<Number>(a, q, at), Relative<Number>(b, q, at),
-                       Relative<Number>(c, q, at));
+    const Placed<Number> last(q, at);
+    return determinant(Relative<Number>({a, at}, last), Relative<Number>({b, at}, last),
+                       Relative<Number>({c, at}, last));
 }
 
 /// How far a lies beyond b along an axis.
 template <class Number>
 [[nodiscard]] PolynomialIn<Number, 1> beyond(const MovingSite& a, const MovingSite& b, bool along_x,
                                              const Frame& at) {
-    const Relative<Number> r(a, b, at);
+    const Relative<Number> r({a, at}, {b, at});
     return along_x ? r.x : r.y;
 }
 
@@ -107,8 +116,9 @@ template <class Number>
 [[nodiscard]] PolynomialIn<Number, 4> in_segment(const MovingSite& a, const MovingSite& b,
                                                  const MovingSite& q, bool along_x,
                                                  const Frame& at) {
-    const Relative<Number> i(a, q, at);
-    const Relative<Number> j(b, q, at);
+    const Placed<Number> last(q, at);
+    const Relative<Number> i({a, at}, last);
+    const Relative<Number> j({b, at}, last);
     const PolynomialIn<Number, 1>& to_a = along_x ? i.x : i.y;
     const PolynomialIn<Number, 1>& to_b = along_x ? j.x : j.y;
     return (i.height() * to_b - j.height() * to_a) * beyond<Number>(b, a, along_x, at);
@@ -119,7 +129,8 @@ template <class Number>
 template <class Number>
 [[nodiscard]] PolynomialIn<Number, 2> nearer(const MovingSite& p, const MovingSite& a,
                                              const MovingSite& b, const Frame& at) {
-    return Relative<Number>(b, p, at).height() - Relative<Number>(a, p, at).height();
+    const Placed<Number> from(p, at);
+    return Relative<Number>({b, at}, from).height() - Relative<Number>({a, at}, from).height();
 }
 
 }  // namespace signum::kinetic

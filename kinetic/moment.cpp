@@ -14,6 +14,12 @@ std::size_t sites_of(Certificate::Kind kind) {
 
 Sign relation(const Certificate& a, const Certificate& b) noexcept {
     if (a.kind != b.kind || a.along_x != b.along_x) return 0;
+    // Nearly all have other sites.
+    const auto sum = [](const Certificate& c) {
+        return c.sites[0] + c.sites[1] + c.sites[2] +
+               (c.kind == Certificate::Kind::outside ? c.sites[3] : 0);
+    };
+    if (sum(a) != sum(b)) return 0;
     if (a.sites == b.sites) return 1;
     if (a.kind != Certificate::Kind::outside && a.kind != Certificate::Kind::left_turn) return 0;
     // Determinants: every exchange of two sites changes the sign.
@@ -32,9 +38,7 @@ Sign relation(const Certificate& a, const Certificate& b) noexcept {
     return sign;
 }
 
-Sign compare(const Sites& sites, const Event& a, const Event& b, roots::Tally* tally) {
-    if (a.root.high < b.root.low) return -1;
-    if (b.root.high < a.root.low) return 1;
+Sign compare_overlapping(const Sites& sites, const Event& a, const Event& b, roots::Tally* tally) {
     const CertificateForm form(a.certificate, sites);
     const roots::Polynomial p(form, near(a.root));
     const Sign same = relation(a.certificate, b.certificate);

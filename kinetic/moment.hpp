@@ -26,8 +26,16 @@ struct Event {
 /// otherwise 0.
 [[nodiscard]] Sign relation(const Certificate& a, const Certificate& b) noexcept;
 
+/// The sign of a - b where their intervals overlap.
+[[nodiscard]] Sign compare_overlapping(const Sites& sites, const Event& a, const Event& b,
+                                       roots::Tally* tally);
 /// The sign of a - b.
-[[nodiscard]] Sign compare(const Sites& sites, const Event& a, const Event& b, roots::Tally* tally);
+[[nodiscard]] inline Sign compare(const Sites& sites, const Event& a, const Event& b,
+                                  roots::Tally* tally) {
+    if (a.root.high < b.root.low) return -1;
+    if (b.root.high < a.root.low) return 1;
+    return compare_overlapping(sites, a, b, tally);
+}
 [[nodiscard]] Sign compare(const Sites& sites, const Event& a, double t, roots::Tally* tally);
 
 /// A double, or the time of an event, with sites as they were when it was set.

@@ -5,11 +5,11 @@
 #include <iterator>
 #include <utility>
 
-#include "../triangulation/structure/flip.hpp"
 #include "../triangulation/insertion/collinear.hpp"
 #include "../triangulation/insertion/delete.hpp"
 #include "../triangulation/insertion/hiders.hpp"
 #include "../triangulation/options.hpp"
+#include "../triangulation/structure/flip.hpp"
 #include "../triangulation/structure/spatial_order.hpp"
 
 namespace signum::kinetic {

@@ -1,5 +1,6 @@
 #include "filter.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -23,13 +24,6 @@ double power_of_two(int exponent) noexcept {
 template <int N>
 using Coefficients = std::array<Approximation, N + 1>;
 
-template <int N>
-Approximation horner(const Coefficients<N>& c, const Approximation& t) noexcept {
-    Approximation value = c[N];
-    for (std::size_t i = N; i-- > 0;) value = value * t + c[i];
-    return value;
-}
-
 /// t - origin.
 Approximation since(double origin, double t) noexcept {
     return origin == 0.0 ? Approximation(t) : Approximation(t) - Approximation(origin);
@@ -51,6 +45,9 @@ constexpr std::array<double, N + 1> binomials() noexcept {
         for (std::size_t i = n; i > 0; --i) row[i] += row[i - 1];
     return row;
 }
+
+/// A number and the bound on its error, for one operation on both.
+using Bounded = double __attribute__((vector_size(16)));
 
 /// The roots after a double, piece by piece from the left.
 template <int N>
@@ -92,18 +89,21 @@ class Bisection {
     }
 
  private:
-    static constexpr int most_pieces = 40;
     static constexpr int most_steps = 100;
     static constexpr int most_bits = 50;
+    /// How often a piece may have been split, the pieces of all splits waiting at once.
+    static constexpr int most_splits = 24;
+    static constexpr int most_pieces = most_splits + 1;
 
     /// The Bernstein coefficients between two dyadic places of so many bits. The polynomial is not
-    /// 0 at an end, but perhaps at 1.
+    /// 0 at an end, but perhaps at 1. (One bound for all of them would be cheaper, but where roots
+    /// are of different sizes so are these.)
     struct Piece {
-        std::array<double, N + 1> value;
-        std::array<double, N + 1> error;
+        std::array<Bounded, N + 1> b;
         double low;
         double high;
         int bits;
+        int splits;
     };
 
     /// The first piece is all of (0, 1). Where the polynomial is exactly 0 at the start, it is
@@ -126,24 +126,35 @@ class Bisection {
             last == 0
                 ? 0
                 : (exponent_of(size) - exponent_of(q[static_cast<std::size_t>(last)].value)) / last;
-        if (N * std::abs(exponent_) > 1000) return false;
         static constexpr std::array<double, N + 1> binomial = binomials<N>();
         Piece& all = pieces_[0];
-        for (std::size_t i = 0; i <= N; ++i) {
-            const double factor = power_of_two(static_cast<int>(i) * exponent_) / binomial[i];
-            const Approximation b = q[i] * Approximation(factor, epsilon * factor);
-            all.value[i] = b.value;
-            all.error[i] = b.error;
+        // The first and the last coefficient become about 1.
+        const int unit = exponent_of(size);
+        for (int k = 0; k <= N; ++k) {
+            const auto i = static_cast<std::size_t>(k);
+            const int exponent = k * exponent_ - unit;
+            if (std::abs(exponent) > 1000) return false;
+            const double factor = power_of_two(exponent) / binomial[i];
+            const double value = q[i].value * factor;
+            // The factor and the product are rounded, and then what split() says. Beside 2^-500
+            // all underflows are nothing, also after means that take a part of 2^-288.
+            all.b[i] = Bounded{value, q[i].error * factor +
+                                          ((2 * N * most_splits + 3) * epsilon * magnitude(value) +
+                                           (q[i].is_zero() ? 0.0 : 0x1p-500))};
         }
         all.low = 0.0;
         all.high = 1.0;
-        all.bits = 0;
-        return known_ != 0 || Approximation(all.value[0], all.error[0]).has_sign();
+        all.bits = all.splits = 0;
+        return known_ != 0 || has_sign(all.b[0]);
+    }
+    [[nodiscard]] static bool has_sign(const Bounded& b) noexcept { return has_sign(b[0], b[1]); }
+    [[nodiscard]] static bool has_sign(double value, double error) noexcept {
+        return magnitude(value) > Approximation::slack * error;
     }
 
     /// The sign at the lower end of a piece.
     [[nodiscard]] bool is_positive_at_low(const Piece& piece) const noexcept {
-        return known_ != 0 && piece.low == 0.0 ? known_ > 0 : piece.value[0] > 0.0;
+        return known_ != 0 && piece.low == 0.0 ? known_ > 0 : piece.b[0][0] > 0.0;
     }
 
     /// 0 and 1 where the number of changes is that, for whatever the coefficients are; 2 where it
@@ -153,13 +164,12 @@ class Bisection {
         int unknown = 0;
         bool last = is_positive_at_low(piece);
         for (std::size_t i = 1; i <= N; ++i) {
-            const double size = magnitude(piece.value[i]);
-            if (!(size > Approximation::slack * piece.error[i])) {
+            if (!has_sign(piece.b[i])) {
                 // An exact 0 is no change and hides none.
-                if (piece.value[i] != 0.0 || piece.error[i] != 0.0) ++unknown;
+                if (piece.b[i][0] != 0.0 || piece.b[i][1] != 0.0) ++unknown;
                 continue;
             }
-            const bool next = piece.value[i] > 0.0;
+            const bool next = piece.b[i][0] > 0.0;
             if (unknown > 1 || (unknown == 1 && next == last)) return 2;
             unknown = 0;
             changes += static_cast<int>(next != last);
@@ -169,33 +179,25 @@ class Bisection {
     }
 
     /// De Casteljau's rule: in place of the whole the right part, and the left one apart. Weights
-    /// are exact, so that w a + (1 - w) b errs by u(|wa| + |(1-w)b| + |sum|), or at one half by
-    /// u|sum|.
+    /// are exact, so that w a + (1 - w) b errs by u(|wa| + |(1-w)b| + |sum|), at most by epsilon
+    /// times the same mean of what their sizes may be. So errors, which begin with 2N epsilon of
+    /// the sizes for every split that may come, go on as means of errors.
     template <int Eighths>
     static bool split(Piece& piece, Piece& left) noexcept {
         constexpr double of_next = Eighths / 8.0;
         constexpr double of_this = 1.0 - of_next;
         Piece right = piece;
         right.bits += Eighths == 4 ? 1 : 3;
-        if (right.bits > most_bits) return false;
-        left.value[0] = piece.value[0];
-        left.error[0] = piece.error[0];
+        if (right.bits > most_bits || ++right.splits > most_splits) return false;
+        left.b[0] = piece.b[0];
         for (std::size_t level = 1; level <= N; ++level) {
-            for (std::size_t i = 0; i + level <= N; ++i) {
-                const double a = of_this * right.value[i];
-                const double b = of_next * right.value[i + 1];
-                const double sum = a + b;
-                const double rounded =
-                    Eighths == 4 ? magnitude(sum) : 2.0 * (magnitude(a) + magnitude(b));
-                right.error[i] = (of_this * right.error[i] + of_next * right.error[i + 1]) +
-                                 (epsilon * rounded + Approximation::underflow);
-                right.value[i] = sum;
-            }
-            left.value[level] = right.value[0];
-            left.error[level] = right.error[0];
+            for (std::size_t i = 0; i + level <= N; ++i)
+                right.b[i] = of_this * right.b[i] + of_next * right.b[i + 1];
+            left.b[level] = right.b[0];
         }
-        if (!Approximation(right.value[0], right.error[0]).has_sign()) return false;
+        if (!has_sign(right.b[0])) return false;
         left.bits = right.bits;
+        left.splits = right.splits;
         left.low = piece.low;
         right.low = left.high = of_this * piece.low + of_next * piece.high;
         piece = right;
@@ -221,8 +223,8 @@ class Bisection {
 
         // Where the control polygon crosses 0.
         std::size_t i = 0;
-        while (i + 1 < N && (piece.value[i + 1] > 0.0) == positive) ++i;
-        double part = piece.value[i] / (piece.value[i] - piece.value[i + 1]);
+        while (i + 1 < N && (piece.b[i + 1][0] > 0.0) == positive) ++i;
+        double part = piece.b[i][0] / (piece.b[i][0] - piece.b[i + 1][0]);
         if (!(part >= 0.0 && part <= 1.0)) part = 0.5;
         const double x = piece.low + (piece.high - piece.low) * (static_cast<double>(i) + part) / N;
         double s = distance(x);
@@ -252,17 +254,17 @@ class Bisection {
 
         // One step more from the coefficients themselves, at a double.
         double t = start_ + s;
-        const Approximation since_origin = since(origin_, t);
-        const Approximation there = horner<N>(c_, since_origin);
+        const double since_origin = t - origin_;
         double slope = 0.0;
         double value = c_[N].value;
         for (std::size_t k = N; k-- > 0;) {
-            slope = slope * since_origin.value + value;
-            value = value * since_origin.value + c_[k].value;
+            slope = slope * since_origin + value;
+            value = value * since_origin + c_[k].value;
         }
         const double step = value / slope;
         if (magnitude(step) < 0x1p-20 * s) t -= step;
-        double width = 2.0 * there.error / magnitude(slope) + 0x1p-51 * magnitude(t);
+        double width =
+            2.0 * error_at(magnitude(since_origin)) / magnitude(slope) + 0x1p-51 * magnitude(t);
         for (int trial = 0; trial < 6; ++trial, width *= 8.0) {
             double low = t - width;
             double high = t + width;
@@ -279,15 +281,34 @@ class Bisection {
             if (!(high > start_) ||
                 (!to_infinity && !(high - start_ < most * (1.0 - 8.0 * epsilon))))
                 return std::nullopt;
-            const Approximation at_high = horner<N>(c_, since(origin_, high));
-            if (!at_high.has_sign() || (at_high.value > 0.0) == positive) continue;
+            const double error =
+                error_at(std::max(magnitude(low - origin_), magnitude(high - origin_)));
+            const double at_high = value_at(high);
+            if (!has_sign(at_high, error) || (at_high > 0.0) == positive) continue;
             if (!at_start) {
-                const Approximation at_low = horner<N>(c_, since(origin_, low));
-                if (!at_low.has_sign() || (at_low.value > 0.0) != positive) continue;
+                const double at_low = value_at(low);
+                if (!has_sign(at_low, error) || (at_low > 0.0) != positive) continue;
             }
             return Root{low, high, 1, 1, static_cast<std::int8_t>(positive ? -1 : 1), true};
         }
         return std::nullopt;
+    }
+
+    /// By Horner's rule at a double; off by slack · error_at() of its distance from the origin, or
+    /// of a greater one, at most. In c_i s^i there are 2i + 1 roundings, and i of the distance.
+    [[nodiscard]] double value_at(double t) const noexcept {
+        const double s = t - origin_;
+        double value = c_[N].value;
+        for (std::size_t k = N; k-- > 0;) value = value * s + c_[k].value;
+        return value;
+    }
+    [[nodiscard]] double error_at(double distance) const noexcept {
+        double error = 0.0;
+        for (std::size_t k = N + 1; k-- > 0;)
+            error =
+                error * distance +
+                (c_[k].error + ((3 * N + 3) * epsilon * c_[k].size() + Approximation::underflow));
+        return error;
     }
 
     Coefficients<N> c_;
