@@ -48,21 +48,24 @@ struct Sites {
     }
 };
 
-/// A certificate with the sites themselves. As a form (roots/polynomial.hpp).
+/// A certificate of sites, which have to outlive it: a form (roots/polynomial.hpp).
 struct CertificateForm {
-    std::array<MovingSite, 4> sites;
+    std::array<const MovingSite*, 4> sites;
     Fall fall;
     Certificate::Kind kind;
     bool along_x;
 
     CertificateForm(const Certificate& certificate, const Sites& all)
         : fall(all.fall), kind(certificate.kind), along_x(certificate.along_x) {
-        for (std::size_t k = 0; k < 4; ++k) sites[k] = all[certificate.sites[k]];
+        for (std::size_t k = 0; k < 4; ++k) sites[k] = &all[certificate.sites[k]];
     }
 
     template <class Number>
     [[nodiscard]] PolynomialIn<Number, 4> in(double origin) const {
-        const auto& [a, b, c, d] = sites;
+        const MovingSite& a = *sites[0];
+        const MovingSite& b = *sites[1];
+        const MovingSite& c = *sites[2];
+        const MovingSite& d = *sites[3];
         const Frame at{fall, origin};
         if constexpr (std::is_same_v<Number, Approximation>) {
             if (kind == Certificate::Kind::outside)

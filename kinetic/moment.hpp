@@ -54,6 +54,10 @@ class Moment {
         if (event.root.is_double()) return set(event.root.low);
         polynomial_.reset();
         form_.emplace(event.certificate, sites);
+        for (std::size_t k = 0; k < 4; ++k) {
+            sites_[k] = *form_->sites[k];
+            form_->sites[k] = &sites_[k];
+        }
         polynomial_.emplace(*form_, near(event.root));
         event_ = event;
         time_ = near(event.root);
@@ -95,6 +99,7 @@ class Moment {
     double time_;
     bool is_current_ = false;
     Event event_{};
+    std::array<MovingSite, 4> sites_;
     std::optional<CertificateForm> form_;
     std::optional<roots::Polynomial> polynomial_;
 };
