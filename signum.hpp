@@ -7,6 +7,7 @@
 #include "core/site.hpp"
 #include "core/strided_sites.hpp"
 #include "exact/sign_of_sum.hpp"
+#include "kinetic/kinetic_tessellation.hpp"
 #include "motion/meeting_time.hpp"
 #include "motion/queries.hpp"
 #include "motion/shaking_wall.hpp"

@@ -32,18 +32,19 @@ struct SumOfProducts {
     std::array<Term, 3> terms{};
 
     template <class Number, std::size_t Count>
-    static auto product(const std::array<Line, Degree>& lines) {
+    static auto product(const std::array<Line, Degree>& lines, double origin) {
+        auto last = roots::line<Number>(lines[Count - 1].x, lines[Count - 1].v);
+        if (origin != 0.0) last.c[0] = last.c[0] + roots::constant<Number>(origin).c[0] * last.c[1];
         if constexpr (Count == 1) {
-            return roots::line<Number>(lines[0].x, lines[0].v);
+            return last;
         } else {
-            return product<Number, Count - 1>(lines) *
-                   roots::line<Number>(lines[Count - 1].x, lines[Count - 1].v);
+            return product<Number, Count - 1>(lines, origin) * last;
         }
     }
     template <class Number>
-    [[nodiscard]] roots::PolynomialIn<Number, Degree> in() const {
-        const auto term = [](const Term& t) {
-            return roots::constant<Number>(t.sign) * product<Number, Degree>(t.lines);
+    [[nodiscard]] roots::PolynomialIn<Number, Degree> in(double origin = 0.0) const {
+        const auto term = [&](const Term& t) {
+            return roots::constant<Number>(t.sign) * product<Number, Degree>(t.lines, origin);
         };
         return term(terms[0]) + term(terms[1]) + term(terms[2]);
     }
@@ -142,8 +143,12 @@ struct Judge {
     [[nodiscard]] const char* judge(Kind kind, const Form& f, const Form& g, double t) {
         const int scale = scale_of(kind);
         const std::vector<IntegerPolynomial> both = {f.exactly(scale), g.exactly(scale)};
-        const roots::Polynomial p(f);
-        const roots::Polynomial q(g);
+        const auto origin = [&] {
+            const int kind_of = random.below(4);
+            return kind_of < 2 ? 0.0 : kind_of == 2 ? t : random.in_binades(-20, 3);
+        };
+        const roots::Polynomial p(f, origin());
+        const roots::Polynomial q(g, origin());
         if (p.is_zero(&tally) != both[0].empty()) return "is_zero";
         if (both[0].empty()) {
             if (!p.real_roots(&tally).everywhere || p.first_change(t, &tally)) return "zero";
@@ -164,6 +169,11 @@ struct Judge {
         const auto change_after = [&](int i) {
             for (const int k : of_p)
                 if (k > i && table.multiplicity(k, 0) % 2 == 1) return k;
+            return -1;
+        };
+        const auto root_after = [&](int i) {
+            for (const int k : of_p)
+                if (k > i) return k;
             return -1;
         };
         const mpq_class at(t);
@@ -200,6 +210,14 @@ struct Judge {
             if (*wrong != 0) return wrong;
         }
 
+        const std::optional<roots::Root> root = p.first_root(t, &tally);
+        const int first = root_after(before_t);
+        if (root.has_value() != (first >= 0)) return "first_root";
+        if (root) {
+            const char* wrong = judge_root(table, first, p, *root, change_after(first));
+            if (*wrong != 0) return wrong;
+        }
+
         // At a root of the other one.
         for (int j = 0; j < others.count; ++j) {
             const int k = of_q[static_cast<std::size_t>(j)];
@@ -211,6 +229,11 @@ struct Judge {
             if (next.has_value() != (change_after(k) >= 0)) return "first_change after a root";
             if (next && p.nearest_double(*next) != table.nearest_double(change_after(k)))
                 return "first_change after a root: which";
+            const std::optional<roots::Root> first_after = p.first_root(there, &tally);
+            if (first_after.has_value() != (root_after(k) >= 0)) return "first_root after a root";
+            if (first_after &&
+                p.nearest_double(*first_after) != table.nearest_double(root_after(k)))
+                return "first_root after a root: which";
             for (int i = 0; i < found.count; ++i) {
                 ++questions;
                 const int order = of_p[static_cast<std::size_t>(i)] - k;
