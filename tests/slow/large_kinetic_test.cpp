@@ -244,6 +244,8 @@ class LargeKinetic : public testing::TestWithParam<int> {
         }
     }
 
+    Tally tally_;
+
  private:
     /// Until the next event the faces stay, and none of them is flat.
     void look_right_after(const KineticTessellation& moving, const std::vector<MovingSite>& sites,
@@ -269,8 +271,6 @@ class LargeKinetic : public testing::TestWithParam<int> {
         ASSERT_TRUE(std::ranges::equal(result.faces(), fresh.faces())) << "at " << moving.time();
         ++tally_.compared;
     }
-
-    Tally tally_;
 };
 
 TEST_P(LargeKinetic, IsAPowerTriangulationAtAnyTime) {
@@ -283,6 +283,8 @@ TEST_P(LargeKinetic, IsAPowerTriangulationAtAnyTime) {
         look_at(sites);
         if (HasFailure()) return;
     }
+    EXPECT_EQ(tally_.looks, systems_of_a_kind * times);
+    EXPECT_GT(tally_.compared, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, LargeKinetic, testing::Range(0, Systems::kinds),
