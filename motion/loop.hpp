@@ -104,6 +104,7 @@ class Loop final : public Simulation<D>::Engine {
                     return {Ending::nothing, {}};
                 }
                 ++counts_.own;
+                const std::uint64_t asked_before = counts_.checks;
                 Inquiry& inquiry = inquiries_[0];
                 open(inquiry, i, next);
                 structure_->own_event(
@@ -112,6 +113,7 @@ class Loop final : public Simulation<D>::Engine {
                 refuse_standstill(i);
                 see_clock(i);
                 look(inquiry);
+                counts_.own_checks += counts_.checks - asked_before;
                 end(inquiry);
             } else if (is_stale(next)) {
                 ++counts_.stale;

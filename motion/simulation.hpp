@@ -129,6 +129,8 @@ struct Counts {
     std::uint64_t checks = 0;
     /// Events of the structure.
     std::uint64_t own = 0;
+    /// Of the pairs asked, those at events of the structure.
+    std::uint64_t own_checks = 0;
     /// Events whose partner had struck something else.
     std::uint64_t stale = 0;
     /// Meeting times told by double-doubles, and by rationals.

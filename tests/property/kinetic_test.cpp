@@ -17,93 +17,18 @@
 #include "../../triangulation/triangulate.hpp"
 #include "../../triangulation/validate.hpp"
 #include "../oracle/kinetic.hpp"
-#include "../oracle/oracle_test_support.hpp"
+#include "moving_systems.hpp"
 
 namespace signum {
 namespace {
 
 namespace brute = oracle::kinetic;
-using oracle_test::Random;
 
 std::vector<brute::Site> of_oracle(const std::vector<MovingSite>& sites) {
     std::vector<brute::Site> result;
     for (const MovingSite& m : sites) result.push_back({m.x, m.y, m.vx, m.vy, m.time, m.r, 0.0});
     return result;
 }
-std::string text(const std::vector<MovingSite>& sites) {
-    std::string result;
-    for (const MovingSite& m : sites)
-        result += "{" + std::to_string(m.x) + "," + std::to_string(m.y) + "," +
-                  std::to_string(m.vx) + "," + std::to_string(m.vy) + "," + std::to_string(m.r) +
-                  "," + std::to_string(m.time) + "}, ";
-    return result;
-}
-
-/// Systems of moving sites by kind; numbers are dyadic and short, so that at times k/64 the places
-/// are doubles.
-struct Systems {
-    Random random;
-    explicit Systems(std::uint64_t seed) : random(seed) {}
-    double pick(double size, int parts) {
-        return size * (random.below(2 * parts + 1) - parts) / parts;
-    }
-    std::vector<MovingSite> make(int kind, int number) {
-        std::vector<MovingSite> sites;
-        for (int i = 0; i < number; ++i) {
-            const auto k = static_cast<double>(i);
-            switch (kind) {
-                case 0:  // anywhere
-                    sites.push_back(
-                        {pick(8, 1024), pick(8, 1024), pick(1, 256), pick(1, 256), 0, 0});
-                    break;
-                case 1:  // anywhere, weighted, from their own times
-                    sites.push_back({pick(8, 1024), pick(8, 1024), pick(1, 256), pick(1, 256),
-                                     random.below(2) * std::fabs(pick(2, 64)), pick(1, 4)});
-                    break;
-                case 2:  // small integers: ties everywhere
-                    sites.push_back({pick(4, 4), pick(4, 4), pick(2, 2), pick(2, 2),
-                                     static_cast<double>(random.below(2)), 0});
-                    break;
-                case 3:  // two streams that cross
-                    if (i % 2 == 0)
-                        sites.push_back({pick(8, 1024), pick(1, 1024), 1, 0, 0, 0});
-                    else
-                        sites.push_back({pick(1, 1024), pick(8, 1024), 0, -1, 0, 0});
-                    break;
-                case 4:  // parallel lines, each at its speed
-                    sites.push_back({pick(8, 16), static_cast<double>(i % 4), pick(1, 2), 0,
-                                     0.25 * random.below(2), 0});
-                    break;
-                case 5:  // a lattice whose rows slide
-                    sites.push_back({static_cast<double>(i % 4), static_cast<double>(i / 4),
-                                     0.5 * static_cast<double>(i / 4 % 3), 0, 0.5, 0});
-                    break;
-                case 6:  // on one line for ever
-                    sites.push_back(
-                        {pick(8, 32), 2.0 * 0, pick(1, 8), 0, 0.5 * random.below(3), 0});
-                    sites.back().y = 0.5 * sites.back().x;
-                    sites.back().vy = 0.5 * sites.back().vx;
-                    break;
-                case 7:  // all through one place at time 2: a star
-                    sites.push_back({-2 * pick(2, 8), -2 * pick(2, 8), 0, 0, 0, 0});
-                    sites.back().vx = -0.5 * sites.back().x;
-                    sites.back().vy = -0.5 * sites.back().y;
-                    break;
-                case 8:  // all on one line at time 2: the hull turns over
-                    sites.push_back({pick(8, 64), 0, 0, pick(1, 16), 0.25 * random.below(3), 2});
-                    break;
-                default:  // a lattice that spins as a top does, seen as a shear and back
-                    sites.push_back({static_cast<double>(i % 5) - 2, static_cast<double>(i / 5) - 2,
-                                     -0.5 * (static_cast<double>(i / 5) - 2),
-                                     0.5 * (static_cast<double>(i % 5) - 2), 0.5 * (i % 3 == 0),
-                                     0});
-                    static_cast<void>(k);
-            }
-        }
-        return sites;
-    }
-    static constexpr int kinds = 10;
-};
 
 /// At every epoch between two events of the oracle, and right after those that are doubles.
 TEST(Kinetic, EqualsTheOracleAfterEveryEvent) {
@@ -139,22 +64,6 @@ TEST(Kinetic, EqualsTheOracleAfterEveryEvent) {
     }
     EXPECT_GT(changes, 500);
     EXPECT_LT(tied, 200);
-}
-
-/// Where the sites are at a time, if these are doubles.
-std::vector<Site> places(const std::vector<MovingSite>& sites, double t) {
-    std::vector<Site> result;
-    for (const MovingSite& m : sites)
-        result.push_back({m.x + m.vx * (t - m.time), m.y + m.vy * (t - m.time), m.r});
-    return result;
-}
-
-std::vector<Face> finite_faces(const Tessellation& tessellation) {
-    std::vector<Face> result;
-    for (const Face& face : tessellation.faces())
-        if (std::ranges::find(face, infinite) == face.end()) result.push_back(face);
-    std::ranges::sort(result);
-    return result;
 }
 
 std::set<Edge> edges_of(const std::vector<Face>& faces) {
