@@ -21,6 +21,7 @@
 #include "../motion/queries.hpp"
 #include "../motion/simulation.hpp"
 
+#include "borders.hpp"
 #include "commands.hpp"
 #include "outputs.hpp"
 #include "progress.hpp"
@@ -242,7 +243,7 @@ class Recording {
  public:
     Recording(const SimulateCall& call, std::span<const Target> targets,
               const MotionState<D>& start, motion::Structure structure)
-        : effects_(start.effects), structure_(structure), shows_structure_(!call.show.empty()) {
+        : effects_(start.effects), structure_(structure), show_(call.show) {
         for (const Target& target : targets) {
             Sink sink;
             sink.format = target.format;
@@ -271,7 +272,7 @@ class Recording {
         return std::ranges::any_of(sinks_, [](const Sink& sink) { return sink.log != nullptr; });
     }
     [[nodiscard]] bool has_frames() const noexcept { return has_frames_; }
-    [[nodiscard]] bool shows_structure() const noexcept { return shows_structure_; }
+    [[nodiscard]] bool shows_structure() const noexcept { return show_ == "structure"; }
     void strike(const motion::Strike& strike) {
         for (Sink& sink : sinks_)
             if (sink.log) sink.log->put(strike);
@@ -284,13 +285,16 @@ class Recording {
         for (Sink& sink : sinks_)
             if (sink.format == "xyz") write_xyz(sink.stream(), frame);
         if (!movie_) return;
+        Movie::Shapes shapes = shapes_of(sketch);
+        if constexpr (D == 2)
+            if (shows_cells() && movie_->keeps_next()) shapes.borders = borders_of(frame);
         std::vector<Movie::Ball> balls;
         for (const MotionFrame::Ball& ball : frame.balls) {
             const double depth =
                 D == 3 ? (frame.high[2] - ball.x[2]) / (frame.high[2] - frame.low[2]) : 0.0;
             balls.push_back({ball.x[0], ball.x[1], depth});
         }
-        movie_->add(time, balls, shapes_of(sketch));
+        movie_->add(time, balls, shapes);
     }
     /// All files under their names.
     void publish(const MotionState<D>& end,
@@ -301,10 +305,9 @@ class Recording {
                 const std::string title = fmt::format(
                     "{} ball{}{}{}", end.state.balls.size(), end.state.balls.size() == 1 ? "" : "s",
                     D == 3 ? ", seen along z" : "",
-                    shows_structure_ ? fmt::format("; structure {}", name_of(structure_))
-                                     : std::string());
-                movie_->write(sink.stream(), title,
-                              shows_structure_ ? meaning_of(structure_) : Movie::Meaning{});
+                    shows_structure() ? fmt::format("; structure {}", name_of(structure_))
+                                      : std::string());
+                movie_->write(sink.stream(), title, meaning());
             }
             if (sink.file) sink.file->finish();
             if (sink.standard) sink.standard->flush();
@@ -326,6 +329,22 @@ class Recording {
         [[nodiscard]] std::ostream& stream() { return file ? file->stream() : *standard; }
     };
 
+    [[nodiscard]] bool shows_cells() const noexcept { return show_ == "cells"; }
+    [[nodiscard]] Movie::Meaning meaning() const {
+        if (shows_structure()) return meaning_of(structure_);
+        if (shows_cells())
+            return {.borders = "borders of cells (power diagram)", .new_borders = "new neighbours"};
+        return {};
+    }
+    [[nodiscard]] std::vector<Movie::Border> borders_of(const MotionFrame& frame) const {
+        std::vector<Site> discs;
+        for (const MotionFrame::Ball& ball : frame.balls)
+            discs.push_back({ball.x[0], ball.x[1], ball.radius});
+        return borders_of_cells(discs,
+                                {shown_.low[0], shown_.low[1], shown_.high[0], shown_.high[1]},
+                                effects_.periodic);
+    }
+
     static motion::Box<D> around(const MotionState<D>& start) {
         motion::Box<D> box;
         box.low.fill(std::numeric_limits<double>::infinity());
@@ -344,7 +363,7 @@ class Recording {
 
     motion::Effects<D> effects_;
     motion::Structure structure_;
-    bool shows_structure_;
+    std::string show_;
     motion::Box<D> shown_;
     std::vector<Sink> sinks_;
     std::unique_ptr<OutputFile> save_;
@@ -688,9 +707,10 @@ void add_simulate(CLI::App& tool) {
     command
         ->add_option(
             "--show", call->show,
-            "structure: in a movie of the plane what proposes the\npairs, and whom each ball "
-            "expects to strike next")
-        ->transform(one_of({"structure"}))
+            "In a movie of the plane. structure: what proposes the\npairs, and whom each ball "
+            "expects to strike next;\ncells: those of the power diagram, and who has become\na "
+            "neighbour of whom")
+        ->transform(one_of({"structure", "cells"}))
         ->type_name("WHAT");
     command
         ->add_option("--closest", call->closest,

@@ -23,11 +23,13 @@ struct Pen {
     const char* attributes;
     const char* colour;
 };
-constexpr std::array<Pen, 6> pens = {
+constexpr std::array<Pen, 8> pens = {
     {{R"(fill="#cc79a7" fill-opacity="0.1" stroke="#d9a3c2" stroke-width="2.6")", "#a34f7c"},
      {R"(fill="#009e73" fill-opacity="0.1" stroke="#66bfa3" stroke-width="2.2")", "#007a59"},
      {R"(fill="#e69f00" fill-opacity="0.1" stroke="#e8bc5c" stroke-width="1.6")", "#946600"},
      {R"(fill="#0072b2" fill-opacity="0.08" stroke="#6f9fbf" stroke-width="0.8")", "#3f7fa8"},
+     {R"(fill="none" stroke="#777" stroke-width="1" stroke-linecap="round")", "#666"},
+     {R"(fill="none" stroke="#d0007f" stroke-width="4" stroke-linecap="round")", "#d0007f"},
      {R"(fill="none" stroke="#666" stroke-width="1")", "#666"},
      {R"(fill="none" stroke="#d0007f" stroke-width="1.8")", "#d0007f"}}};
 
@@ -88,7 +90,8 @@ bool Movie::is_shown(int ball) const {
 }
 
 Movie::Drawn Movie::drawn(const std::vector<Ball>& balls, const Shapes& shapes) {
-    Drawn paths;
+    Drawn result;
+    std::array<Paths, kinds>& paths = result.paths;
     const double wide = scale() * (high_[0] - low_[0]);
     const double high = scale() * (high_[1] - low_[1]);
     const auto is_seen = [&](double left, double top, double right, double bottom) {
@@ -114,8 +117,19 @@ Movie::Drawn Movie::drawn(const std::vector<Ball>& balls, const Shapes& shapes) 
                         "a{2:.1f} {2:.1f} 0 0 1-{3:.1f} 0z",
                         x - r, y, r, 2.0 * r));
     }
+    for (const Border& border : shapes.borders) {
+        if (!is_shown_[border.a] && !is_shown_[border.b]) continue;
+        const auto place = [&](const std::array<double, 2>& end) {
+            return fmt::format("{:.1f} {:.1f}", x_of(end[0]), y_of(end[1]));
+        };
+        const std::string from = place(border.from);
+        const std::string to = place(border.to);
+        if (from == to) continue;
+        paths[borders].push_back(fmt::format("M{}L{}", from, to));
+        result.neighbours.emplace_back(border.a, border.b);
+    }
     // Their ends lie under balls: whole pixels will do.
-    const auto lines = [&](const auto& pairs, std::vector<std::string>& to) {
+    const auto lines = [&](const auto& pairs, Paths& to) {
         for (const auto& [a, b] : pairs) {
             if (!is_shown_[a] || !is_shown_[b]) continue;
             const bool is_across = 2.0 * std::fabs(balls[a].x - balls[b].x) > high_[0] - low_[0] ||
@@ -130,26 +144,48 @@ Movie::Drawn Movie::drawn(const std::vector<Ball>& balls, const Shapes& shapes) 
     };
     lines(shapes.links, paths[links]);
     lines(shapes.expected, paths[expected]);
-    for (std::vector<std::string>& of_kind : paths) {
+    for (Paths& of_kind : paths) {
         if (of_kind.size() <= most_shapes) continue;
         of_kind.resize(most_shapes);
         leaves_out_shapes_ = true;
     }
-    return paths;
+    return result;
 }
 
-void Movie::write_shapes(std::ostream& out, std::size_t kind) const {
-    const std::size_t count = shapes_.size();
+void Movie::mark_new_borders(std::vector<Drawn>& frames) {
+    constexpr double marked_seconds = 0.5;
+    const auto count = static_cast<double>(frames.size());
+    const auto marked =
+        static_cast<std::size_t>(std::max(1.0, std::round(marked_seconds / seconds * count)));
+    // Of each two neighbours the first and the last of the frames in a row in which they are.
+    std::map<std::pair<std::size_t, std::size_t>, std::pair<std::size_t, std::size_t>> rows;
+    for (std::size_t f = 0; f < frames.size(); ++f) {
+        Drawn& frame = frames[f];
+        for (std::size_t i = 0; i < frame.neighbours.size(); ++i) {
+            const auto& neighbours = frame.neighbours[i];
+            auto& [first, last] = rows.try_emplace(neighbours, f, f).first->second;
+            if (last + 1 < f) first = f;
+            last = f;
+            const bool is_new =
+                first > 0 && f - first < marked && neighbours.first != neighbours.second;
+            if (is_new && i < frame.paths[borders].size())
+                frame.paths[new_borders].push_back(frame.paths[borders][i]);
+        }
+    }
+}
+
+void Movie::write_shapes(std::ostream& out, std::span<const Drawn> frames, std::size_t kind) const {
+    const std::size_t count = frames.size();
     // In which frames each is, and by the first and the last of frames in a row what they show.
     std::map<std::string, std::vector<std::size_t>> frames_of;
     for (std::size_t f = 0; f < count; ++f)
-        for (const std::string& path : shapes_[f][kind]) frames_of[path].push_back(f);
+        for (const std::string& path : frames[f].paths[kind]) frames_of[path].push_back(f);
     std::map<std::pair<std::size_t, std::size_t>, std::string> rows;
-    for (const auto& [path, frames] : frames_of) {
-        for (auto f = frames.begin(); f != frames.end();) {
+    for (const auto& [path, shown] : frames_of) {
+        for (auto f = shown.begin(); f != shown.end();) {
             const std::size_t first = *f;
             std::size_t last = first;
-            while (++f != frames.end() && *f <= last + 1) last = *f;
+            while (++f != shown.end() && *f <= last + 1) last = *f;
             rows[{first, last}] += path;
         }
     }
@@ -161,8 +197,8 @@ void Movie::write_shapes(std::ostream& out, std::size_t kind) const {
                          : (frame - 0.5) / (static_cast<double>(count) - 1.0);
     };
     out << fmt::format("<g {}>\n", pens[kind].attributes);
-    for (const auto& [frames, path] : rows) {
-        const auto [first, last] = frames;
+    for (const auto& [row, path] : rows) {
+        const auto [first, last] = row;
         const bool from_start = first == 0;
         const bool to_end = last + 1 == count;
         out << fmt::format("<path{} d=\"{}\"", from_start ? "" : " display=\"none\"", path);
@@ -203,6 +239,8 @@ void Movie::write(std::ostream& out, const std::string& title, const Meaning& me
                                     colours_mean.empty() ? "" : "; ", pens[kind].colour, words);
     };
     add_meaning(finest, meaning.outlines);
+    add_meaning(borders, meaning.borders);
+    add_meaning(new_borders, meaning.new_borders);
     add_meaning(links, meaning.links);
     add_meaning(expected, meaning.expected);
     if (leaves_out_shapes_)
@@ -221,7 +259,9 @@ void Movie::write(std::ostream& out, const std::string& title, const Meaning& me
                              : fmt::format("<text x=\"0\" y=\"{:.1f}\" fill=\"#333\">{}</text>\n",
                                            high + 40.0, colours_mean),
         wide, high);
-    for (std::size_t kind = 0; kind < pens.size(); ++kind) write_shapes(out, kind);
+    std::vector<Drawn> shapes = shapes_;
+    mark_new_borders(shapes);
+    for (std::size_t kind = 0; kind < kinds; ++kind) write_shapes(out, shapes, kind);
     std::vector<std::size_t> order(shown_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     if (!frames_.empty()) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <iosfwd>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,6 +21,8 @@ namespace signum {
 ///     so.
 ///  3. Shapes lie under the balls, and are those of the nearest frame; a shape of several frames in
 ///     a row is written once.
+///  4. The border of two balls that had none in the frame before is marked as new, for half a
+///     second of the movie and for a frame at least. A border too short to be seen is none.
 class Movie {
  public:
     static constexpr std::size_t most_balls = 600;
@@ -32,8 +35,18 @@ class Movie {
         double depth = 0.0;  ///< from 0, near, to 1
     };
 
-    /// What else is to be seen in a frame: outlines, and lines between balls, by their numbers. In
-    /// a periodic movie lines across more than half of what is shown are left out.
+    /// A straight part of the border between two balls' cells, a < b, or a == b where a periodic
+    /// world makes a ball its own neighbour.
+    struct Border {
+        std::size_t a = 0;
+        std::size_t b = 0;
+        std::array<double, 2> from{};
+        std::array<double, 2> to{};
+    };
+
+    /// What else is to be seen in a frame: outlines, borders of cells, and lines between balls, by
+    /// their numbers. In a periodic movie lines across more than half of what is shown are left
+    /// out.
     struct Shapes {
         struct Box {
             std::array<double, 2> low{};
@@ -49,14 +62,17 @@ class Movie {
         };
         std::vector<Box> boxes;
         std::vector<Round> rounds;
+        std::vector<Border> borders;
         std::vector<std::pair<std::size_t, std::size_t>> links;
         std::vector<std::pair<std::size_t, std::size_t>> expected;
     };
     /// What the legend says of them; nothing of a kind that is not there.
     struct Meaning {
-        std::string outlines;
-        std::string links;
-        std::string expected;
+        std::string outlines{};
+        std::string links{};
+        std::string expected{};
+        std::string borders{};
+        std::string new_borders{};
     };
 
     /// The radii of all balls, and the corners of what is shown. `periodic`: balls leave on one
@@ -64,23 +80,36 @@ class Movie {
     Movie(std::vector<double> radii, std::array<double, 2> low, std::array<double, 2> high,
           bool periodic);
 
+    /// Whether the next frame is one that is kept, as far as is known: of another one no shapes are
+    /// needed.
+    [[nodiscard]] bool keeps_next() const noexcept { return added_ % every_ == 0; }
     /// A ball for each radius.
     void add(double time, const std::vector<Ball>& balls, const Shapes& shapes = {});
     /// `title` stands in the legend.
-    void write(std::ostream& out, const std::string& title, const Meaning& meaning = {}) const;
+    void write(std::ostream& out, const std::string& title, const Meaning& meaning) const;
 
  private:
-    /// Kinds of shapes: outlines by their levels from the highest on, links, what is expected.
+    /// Kinds of shapes: outlines by their levels from the highest on, borders and those that are
+    /// new, links, what is expected.
     static constexpr std::size_t most_levels = 4;
     static constexpr std::size_t finest = most_levels - 1;
-    static constexpr std::size_t links = most_levels;
-    static constexpr std::size_t expected = most_levels + 1;
-    /// Of each kind the shapes, as data of paths.
-    using Drawn = std::array<std::vector<std::string>, most_levels + 2>;
+    static constexpr std::size_t borders = most_levels;
+    static constexpr std::size_t new_borders = most_levels + 1;
+    static constexpr std::size_t links = most_levels + 2;
+    static constexpr std::size_t expected = most_levels + 3;
+    static constexpr std::size_t kinds = most_levels + 4;
+    /// Shapes of a frame, as data of paths.
+    using Paths = std::vector<std::string>;
+    /// Of each kind, and between whom borders lie, those left out, too.
+    struct Drawn {
+        std::array<Paths, kinds> paths;
+        std::vector<std::pair<std::size_t, std::size_t>> neighbours;
+    };
 
     [[nodiscard]] Drawn drawn(const std::vector<Ball>& balls, const Shapes& shapes);
+    static void mark_new_borders(std::vector<Drawn>& frames);
     [[nodiscard]] bool is_shown(int ball) const;
-    void write_shapes(std::ostream& out, std::size_t kind) const;
+    void write_shapes(std::ostream& out, std::span<const Drawn> frames, std::size_t kind) const;
     [[nodiscard]] double scale() const;
     [[nodiscard]] double x_of(double x) const;
     [[nodiscard]] double y_of(double y) const;

@@ -11,10 +11,10 @@
 ///     m = p - q - c²,
 /// so it is that of p - q where c = 0, negative where m < 0, that of E = m² - 4 c² q where m > 0,
 /// and that of -q where m = 0. All of these are polynomials, E of degree 4. The gaps are equal at
-/// roots of E alone, so that between two roots their order stays. Where E is 0 everywhere, q and
-/// (√q + c)² are squares of linear functions; then √q and √p have kinks at their roots, the
-/// difference of the gaps is linear between these, and is 0 nowhere else unless it is 0 in all of
-/// the time between two of them.
+/// roots of E alone, so that between two roots their order stays. Where E is 0 everywhere and c is
+/// not, q = l² and p = q + 2cl + c² = (l + c)² with l = m / 2c, which is linear: the gaps are equal
+/// where l >= 0 and the first one is less where l < 0, so that their order changes at the root of q
+/// alone.
 
 #include <array>
 #include <cmath>
@@ -120,7 +120,7 @@ struct Gap {
 /// One of the polynomials by which two gaps are compared, in u, the time since `from`.
 template <int D>
 struct GapForm {
-    enum class Kind { first, second, difference, excess, crossing };
+    enum class Kind { second, difference, excess, crossing };
     Couple<D> p;
     Couple<D> q;
     const Effects<D>* effects;
@@ -133,12 +133,11 @@ struct GapForm {
         const auto of = [&](const Couple<D>& couple) {
             return square_of_distance<Number>(couple, *effects, from);
         };
-        if (kind == Kind::first || kind == Kind::second) {
-            const Quadratic<Number> square = of(kind == Kind::first ? p : q);
+        const Quadratic<Number> square = of(q);
+        if (kind == Kind::second) {
             std::ranges::copy(square.c, result.c.begin());
             return result;
         }
-        const Quadratic<Number> square = of(q);
         Quadratic<Number> m = of(p) - square;
         const Number c = excess_of_radii<Number>(p, q);
         if (kind != Kind::difference) m.c[0] = m.c[0] - c * c;
@@ -202,34 +201,20 @@ class GapOrder {
         return swapped_ ? -sign : sign;
     }
     /// The first moment after one, and before an end, right after which the first gap is less; with
-    /// `no_greater` less or equal.
+    /// `no_greater` less or equal. Precondition: right after the moment itself it is not.
     template <class IsBeforeEnd>
     [[nodiscard]] std::optional<Moment<D>> first_less(const Moment<D>& moment, bool no_greater,
                                                       const IsBeforeEnd& is_before_end) {
-        std::optional<Moment<D>> first;
-        const auto look_at = [&](Kind kind) {
-            const auto& curve = this->curve(kind);
-            const roots::RealRoots roots = curve->polynomial.real_roots();
-            for (int i = 0; i < roots.size(); ++i) {
-                const Moment<D> next{curve, curve->polynomial.narrowed(roots[i]), i};
-                if (compare(next, moment) <= 0) continue;
-                if (!is_before_end(next) || (first && compare(next, *first) >= 0)) return;
-                const Sign sign = after(next);
-                if (sign < 0 || (no_greater && sign == 0)) {
-                    first = next;
-                    return;
-                }
-            }
-        };
-        if (radii_are_equal_) {
-            look_at(Kind::difference);
-        } else if (!curve(Kind::crossing)->polynomial.is_zero()) {
-            look_at(Kind::crossing);
-        } else {
-            look_at(Kind::first);
-            look_at(Kind::second);
+        const auto& curve = where_they_may_change_places();
+        const roots::RealRoots roots = curve->polynomial.real_roots();
+        for (int i = 0; i < roots.size(); ++i) {
+            const Moment<D> next{curve, curve->polynomial.narrowed(roots[i]), i};
+            if (compare(next, moment) <= 0) continue;
+            if (!is_before_end(next)) break;
+            const Sign sign = after(next);
+            if (sign < 0 || (no_greater && sign == 0)) return next;
         }
-        return first;
+        return {};
     }
 
  private:
@@ -241,6 +226,12 @@ class GapOrder {
         const Sign excess = sign(Kind::excess);
         if (excess < 0) return excess;
         return excess > 0 ? sign(Kind::crossing) : -sign(Kind::second);
+    }
+    /// The order changes at roots of this one alone.
+    [[nodiscard]] const std::shared_ptr<const Curve<GapForm<D>>>& where_they_may_change_places() {
+        if (radii_are_equal_) return curve(Kind::difference);
+        const auto& crossing = curve(Kind::crossing);
+        return crossing->polynomial.is_zero() ? curve(Kind::second) : crossing;
     }
     [[nodiscard]] const std::shared_ptr<const Curve<GapForm<D>>>& curve(Kind kind) {
         auto& known = curves_[static_cast<std::size_t>(kind)];
@@ -255,7 +246,7 @@ class GapOrder {
     bool swapped_;
     GapForm<D> form_;
     bool radii_are_equal_;
-    std::array<std::shared_ptr<const Curve<GapForm<D>>>, 5> curves_;
+    std::array<std::shared_ptr<const Curve<GapForm<D>>>, 4> curves_;
 };
 
 }  // namespace signum::motion

@@ -273,6 +273,52 @@ TEST(MotionQueries, ListsAreThoseOfBruteForceInSpace) {
     expect_lists_in_all<3>(is_fast ? 8 : 2, 4);
 }
 
+/// At rest, or along the first axis.
+template <int D>
+Ball<D> on_a_line(double x, double v, double radius, double beside) {
+    Ball<D> ball;
+    ball.x[0] = x;
+    ball.v[0] = v;
+    ball.x[D - 1] = beside;
+    ball.radius = radius;
+    return ball;
+}
+/// Two gaps that are equal for some time and not for all of it. Two points are |l| apart, l linear
+/// in time with its root at 1 / speed, and two balls of radius 1/2 are |l + 1| apart: where l >= 0
+/// the gaps are equal, and where l < 0 the balls are closer.
+template <int D>
+void expect_change_at_a_kink(double speed, bool is_rising, bool points_come_first) {
+    SCOPED_TRACE(testing::Message()
+                 << D << " axes, speed " << speed << (is_rising ? ", rising" : "")
+                 << (points_come_first ? ", points first" : ""));
+    const double sign = is_rising ? 1.0 : -1.0;
+    State<D> state;
+    state.balls = {on_a_line<D>(-sign, sign * speed, 0, 0), on_a_line<D>(0, 0, 0, 0),
+                   on_a_line<D>(1 - sign, sign * speed, 0.5, 20), on_a_line<D>(0, 0, 0.5, 20)};
+    if (!points_come_first) std::ranges::rotate(state.balls, state.balls.begin() + 2);
+    state.masses.assign(4, 1.0);
+    state.in_place.resize(4);
+    std::size_t entries = 0;
+    for (const Effects<D>& effects : worlds<D>())
+        if (!effects.periodic) expect_list(state, effects, 1.5 / speed, entries);
+    // Falling, the balls strike at about 1 / speed.
+    if (!is_rising) return;
+    const ClosestPairs list = closest_pairs(state, Effects<D>{}, 0.0, 1.5 / speed);
+    ASSERT_EQ(list.pairs.size(), points_come_first ? 2U : 1U);
+    EXPECT_EQ(list.pairs.back().time, points_come_first ? 1.0 / speed : 0.0);
+    EXPECT_EQ(numbers(list.pairs.back()), std::pair(0, 1));
+}
+TEST(MotionQueries, GapsThatAreEqualForSomeTime) {
+    for (const double speed : {1.0, 3.0, 10.0, 0.7}) {
+        for (const bool is_rising : {false, true}) {
+            for (const bool points_come_first : {false, true}) {
+                expect_change_at_a_kink<2>(speed, is_rising, points_come_first);
+                expect_change_at_a_kink<3>(speed, is_rising, points_come_first);
+            }
+        }
+    }
+}
+
 /// An end that leaves so many strikes, for scenes that have a million of them.
 template <int D>
 double end_of(const Scene<D>& scene, double end, std::uint64_t strikes) {

@@ -1,12 +1,16 @@
 /// signum simulate from outside: its log, what it refuses, how it ends and goes on.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -245,6 +249,180 @@ TEST_F(Simulate, AMovieShowsTheStructure) {
     EXPECT_GT(lines, 100U);
 }
 
+/// The lines of a group's paths in pixels, each path once for each time that it is shown.
+std::vector<std::array<double, 4>> lines_of(const std::string& group) {
+    std::vector<std::array<double, 4>> lines;
+    std::istringstream text(group);
+    for (std::string word; std::getline(text, word, 'M');) {
+        std::array<double, 4> line{};
+        if (std::sscanf(word.c_str(), "%lf %lfL%lf %lf", &line[0], &line[1], &line[2], &line[3]) ==
+            4)
+            lines.push_back(line);
+    }
+    return lines;
+}
+const std::string borders = "fill=\"none\" stroke=\"#777\"";
+const std::string new_borders = "fill=\"none\" stroke=\"#d0007f\"";
+
+/// A disc in pixels.
+struct Disc {
+    double x, y, r;
+};
+/// Which is the nearest disc, |p - c|^2 - r^2, of all and of their copies.
+std::size_t nearest_disc(const std::vector<Disc>& discs, double x, double y, double width,
+                         double height) {
+    std::size_t nearest = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < discs.size(); ++i) {
+        for (const double shift_x : {-width, 0.0, width}) {
+            for (const double shift_y : {-height, 0.0, height}) {
+                const double dx = discs[i].x + shift_x - x;
+                const double dy = discs[i].y + shift_y - y;
+                const double power = dx * dx + dy * dy - discs[i].r * discs[i].r;
+                if (power < least) nearest = i;
+                least = std::min(least, power);
+            }
+        }
+    }
+    return nearest;
+}
+double distance(const std::array<double, 4>& line, double x, double y) {
+    const double dx = line[2] - line[0];
+    const double dy = line[3] - line[1];
+    const double along = ((x - line[0]) * dx + (y - line[1]) * dy) / (dx * dx + dy * dy);
+    const double s = std::clamp(along, 0.0, 1.0);
+    return std::hypot(line[0] + s * dx - x, line[1] + s * dy - y);
+}
+
+TEST_F(Simulate, BordersLieWhereTheNearestDiscChanges) {
+    struct Case {
+        std::string name;
+        std::string balls;
+        double width, height;
+        bool walls, periodic;
+    };
+    std::string random;
+    std::string row;
+    unsigned state = 1;
+    const auto next = [&state] { return (state = state * 1103515245U + 12345U) >> 16 & 1023U; };
+    for (int i = 0; i < 48; ++i) {
+        random += fmt::format("{} {} {} 1 0 1\n", i % 8 + 0.5 + next() / 4096.0,
+                              i / 8 + 0.5 + next() / 4096.0, 0.3 * next() / 1024.0);
+        row += fmt::format("{} 3 {} 0 0 1\n", 0.5 * i + 0.25, 0.0625 * (i % 5));
+    }
+    const std::vector<Case> cases = {
+        {"walls", random, 9, 7, true, false},
+        {"periodic", random, 9, 7, true, true},
+        {"on one line", row, 24, 6, true, false},
+        {"on one line, periodic", row, 24, 6, true, true},
+        {"a lattice that touches", "1 1 1 0 0 1\n3 1 1 0 0 1\n1 3 1 0 0 1\n3 3 1 0 0 1\n", 4, 4,
+         true, false},
+        {"one, periodic", "1 2 0.25 0 0 1\n", 4, 4, true, true},
+        {"two, periodic", "1 2 0.25 0 0 1\n3.5 0.5 0.4 0 0 1\n", 4, 4, true, true},
+        {"one", "1 2 0.25 0 0 1\n", 4, 4, true, false},
+        {"points at one place", "1 2 0 0 0 1\n1 2 0 0 0 1\n3 2 1 0 0 1\n", 4, 4, true, false},
+        {"no walls", "0 0 0 0 0 1\n4 0 0 0 0 1\n0 4 0 0 0 1\n4 4 0 0 0 1\n1.5 2 1 0 0 1\n", 4, 4,
+         false, false}};
+    for (const Case& each : cases) {
+        SCOPED_TRACE(each.name);
+        const std::string movie = scratch.path("movie.svg");
+        Words words = {"simulate", scratch.file("balls.txt", each.balls),
+                       "--until",  "0",
+                       "--show",   "cells",
+                       "-o",       movie,
+                       "--quiet"};
+        if (each.walls)
+            for (const std::string& word :
+                 {std::string("--box"), std::string("0"), std::string("0"),
+                  fmt::format("{}", each.width), fmt::format("{}", each.height)})
+                words.push_back(word);
+        if (each.periodic) words.emplace_back("--periodic");
+        const Outcome result = run(words);
+        ASSERT_EQ(result.code, 0) << result.err;
+        const std::string svg = contents(movie);
+        EXPECT_TRUE(is_well_formed(svg));
+        EXPECT_EQ(lines_of(group(svg, new_borders)).size(), 0U);
+        const double scale = 640.0 / std::max(each.width, each.height);
+        const double wide = scale * each.width;
+        const double high = scale * each.height;
+        std::vector<Disc> discs;
+        std::istringstream text(each.balls);
+        for (double x, y, r, vx, vy, mass; text >> x >> y >> r >> vx >> vy >> mass;)
+            discs.push_back({scale * x, high - scale * y, scale * r});
+        const double beyond = each.periodic ? 1.0 : 1e9;  // where copies are not
+        const auto nearest = [&](double x, double y) {
+            return nearest_disc(discs, x, y, beyond * wide, beyond * high);
+        };
+        const auto lines = lines_of(group(svg, borders));
+        // Each line has another disc on either side; two discs may have one another's copies there.
+        for (const auto& line : lines) {
+            const double length = std::hypot(line[2] - line[0], line[3] - line[1]);
+            if (length < 2.0 || discs.size() < 3) continue;
+            const double x = 0.5 * (line[0] + line[2]);
+            const double y = 0.5 * (line[1] + line[3]);
+            const double nx = (line[3] - line[1]) / length;
+            const double ny = (line[0] - line[2]) / length;
+            EXPECT_NE(nearest(x + nx, y + ny), nearest(x - nx, y - ny)) << x << " " << y;
+        }
+        // Where the nearest disc changes there is a line.
+        constexpr double step = 4.0;
+        std::size_t changes = 0;
+        for (double y = 2.0; y + step < high; y += step) {
+            for (double x = 2.0; x + step < wide; x += step) {
+                const std::size_t here = nearest(x, y);
+                for (const auto& [right, down] : {std::pair{x + step, y}, std::pair{x, y + step}}) {
+                    if (nearest(right, down) == here) continue;
+                    ++changes;
+                    EXPECT_TRUE(std::ranges::any_of(lines,
+                                                    [&](const auto& line) {
+                                                        return distance(line, 0.5 * (x + right),
+                                                                        0.5 * (y + down)) <=
+                                                               0.5 * step + 0.2;
+                                                    }))
+                        << x << " " << y;
+                }
+            }
+        }
+        EXPECT_EQ(changes > 0, discs.size() > 1);
+        EXPECT_EQ(lines.empty(), each.name == "one");
+    }
+}
+
+TEST_F(Simulate, NewNeighboursAreMarked) {
+    // Two points go apart between two that rest; on one circle they are at t = 0.5.
+    const std::string balls =
+        scratch.file("four.txt", "-1 0 0 -1 0 1\n1 0 0 1 0 1\n0 1.5 0 0 0 1\n0 -1.5 0 0 0 1\n");
+    const auto marks_of = [&](const std::string& every) {
+        const std::string movie = scratch.path("movie.svg");
+        const Words words = {"simulate", balls,     "--box", "-4",      "-4",  "4",
+                             "4",        "--until", "1",     "--every", every, "--show",
+                             "cells",    "-o",      movie,   "--quiet"};
+        EXPECT_EQ(run(words).code, 0);
+        const std::string svg = contents(movie);
+        EXPECT_TRUE(is_well_formed(svg));
+        EXPECT_EQ(run(words).code, 0);
+        EXPECT_EQ(contents(movie), svg);
+        EXPECT_LT(svg.find(group(svg, borders)), svg.find(group(svg, new_borders)));
+        EXPECT_LT(svg.find(group(svg, new_borders)), svg.find("<circle"));
+        return group(svg, new_borders);
+    };
+    const std::string marks = marks_of("0.125");
+    EXPECT_NE(marks.find("values=\"none;inline;none\" keyTimes=\"0;0.5625;0.6875\""),
+              std::string::npos);
+    const auto lines = lines_of(marks);
+    ASSERT_EQ(lines.size(), 1U);
+    // At t = 0.625 between those that rest: (x + 1.625)^2 = x^2 + 1.5^2.
+    const double half = 80.0 * (1.625 * 1.625 - 2.25) / 3.25;
+    EXPECT_NEAR(std::min(lines[0][0], lines[0][2]), 320.0 - half, 0.06);
+    EXPECT_NEAR(std::max(lines[0][0], lines[0][2]), 320.0 + half, 0.06);
+    EXPECT_EQ(lines[0][1], 320.0);
+    EXPECT_EQ(lines[0][3], 320.0);
+    // Half a second: of 129 frames in 12 seconds five, and of 257, of which every second one is
+    // shown, the same.
+    EXPECT_EQ(lines_of(marks_of("0.0078125")).size(), 5U);
+    EXPECT_EQ(marks_of("0.00390625"), marks_of("0.0078125"));
+}
+
 TEST_F(Simulate, AMovieOfManyBallsSaysWhatItLeavesOut) {
     const std::string movie = scratch.path("movie.svg");
     const Outcome result =
@@ -255,6 +433,15 @@ TEST_F(Simulate, AMovieOfManyBallsSaysWhatItLeavesOut) {
     EXPECT_TRUE(is_well_formed(text));
     EXPECT_NE(text.find("the 600 largest of 2500 balls"), std::string::npos);
     EXPECT_NE(text.find("of a kind the first 2000 alone"), std::string::npos);
+
+    EXPECT_EQ(run({"simulate", gas(50), "--box", "0", "0", "50", "50", "--periodic", "--until",
+                   "0.1", "--every", "0.05", "--show", "cells", "-o", movie, "--quiet"})
+                  .code,
+              0);
+    const std::string cells = contents(movie);
+    EXPECT_TRUE(is_well_formed(cells));
+    EXPECT_NE(cells.find("the 600 largest of 2500 balls"), std::string::npos);
+    EXPECT_NE(cells.find("of a kind the first 2000 alone"), std::string::npos);
 }
 
 TEST_F(Simulate, WhatCannotBeShownIsSaid) {
@@ -271,9 +458,22 @@ TEST_F(Simulate, WhatCannotBeShownIsSaid) {
     fails({"simulate", plane, "--until", "1", "--show", "structure", "-o", scratch.path("a.xyz")},
           "add -o FILE.svg");
     fails({"simulate", plane, "--until", "1", "--show", "balls", "-o", movie},
-          "it is one of structure");
-    fails({"simulate", space, "--until", "1", "--show", "structure", "-o", movie},
-          "in the plane alone");
+          "it is one of structure, cells");
+    for (const std::string what : {"structure", "cells"}) {
+        fails({"simulate", space, "--until", "1", "--show", what, "-o", movie},
+              "in the plane alone");
+        fails({"simulate", plane, "--until", "1", "--show", what}, "add -o FILE.svg");
+    }
+    fails(
+        {"simulate", plane, "--until", "1", "--show", "structure", "--show", "cells", "-o", movie},
+        "--show is given 2 times");
+    // Cells that doubles cannot compute beside the box; the log is there.
+    const std::string far = scratch.file("far.txt", "0 0 1 1e45 0\n0 5 1 -1e45 0\n");
+    const std::string log = scratch.path("log.csv");
+    fails({"simulate", far, "--until", "1e150", "--every", "1e150", "--show", "cells", "-o", movie,
+           "-o", log, "--quiet"},
+          "too far away for their cells");
+    EXPECT_EQ(contents(log), "time,kind,a,b,impulse\n");
 }
 
 TEST_F(Simulate, WhatCannotBeIsNamedByItsLine) {
