@@ -14,13 +14,14 @@ set(public_headers
   triangulation/tessellation.hpp triangulation/triangulate.hpp
   triangulation/validate.hpp triangulation/vertices.hpp triangulation/dynamic.hpp
   triangulation/edge_list.hpp triangulation/space.hpp
-  kinetic/kinetic_tessellation.hpp kinetic/moving_site.hpp
+  kinetic/kinetic_tessellation.hpp
   voronoi/voronoi.hpp voronoi/curve.hpp voronoi/conic.hpp voronoi/clip.hpp voronoi/polygon.hpp
   voronoi/contacts.hpp voronoi/compare.hpp
   motion/simulation.hpp motion/queries.hpp motion/meeting_time.hpp motion/shaking_wall.hpp)
 # What these include in their turn: the filters, which are inline. Nobody includes them by name.
 set(headers_behind
   core/contract.hpp core/handle.hpp
+  kinetic/moving_site.hpp
   motion/ball.hpp motion/meeting.hpp
   filters/bounds.hpp filters/environment.hpp filters/interval.hpp filters/rounding_count.hpp
   filters/tally.hpp
