@@ -24,13 +24,16 @@ Polynomial path(const Ball& ball, const World& world, std::size_t axis) {
     return Polynomial{x - v * since + half * since * since, v - 2 * half * since, half};
 }
 
-/// All images that are among the nearest at some time from one to another.
+/// All images that are among the nearest at some time from one to another, of a ball's pairs or of
+/// all. An image is the nearest one along an axis where it is no farther than half a length.
 std::vector<Couple> couples_of(const std::vector<Ball>& balls, const World& world,
-                               const Rational& from, const Rational& to) {
+                               const Rational& from, const Rational& to,
+                               std::optional<int> of = {}) {
     std::vector<Couple> couples;
     const auto dimension = static_cast<std::size_t>(world.dimension);
     for (int a = 0; a < static_cast<int>(balls.size()); ++a) {
         for (int b = a + 1; b < static_cast<int>(balls.size()); ++b) {
+            if (of && a != *of && b != *of) continue;
             const Ball& first = balls[static_cast<std::size_t>(a)];
             const Ball& second = balls[static_cast<std::size_t>(b)];
             // Sums of squares over the axes done so far, one an image.
@@ -42,8 +45,8 @@ std::vector<Couple> couples_of(const std::vector<Ball>& balls, const World& worl
                     shifted.clear();
                     const Rational length = exactly(world.high[k]) - exactly(world.low[k]);
                     const auto [low, high] = std::minmax({d(from), d(to)});
-                    for (Rational turns = floor(low / length + Rational(1) / 2) - 1;
-                         turns * length <= high + length; turns += 1)
+                    for (Rational turns = floor(low / length - Rational(1) / 2);
+                         turns * length <= high + length / 2; turns += 1)
                         shifted.push_back(d - Polynomial{turns * length});
                 }
                 std::vector<Polynomial> sums;
@@ -139,9 +142,7 @@ int compare(const Event& a, const Event& b) {
 std::optional<Near> closest(const std::vector<Ball>& balls, const World& world, double time,
                             std::optional<int> of) {
     const Rational t = exactly(time);
-    std::vector<Couple> couples = couples_of(balls, world, t, t);
-    if (of)
-        std::erase_if(couples, [&](const Couple& each) { return each.a != *of && each.b != *of; });
+    const std::vector<Couple> couples = couples_of(balls, world, t, t, of);
     if (couples.empty()) return std::nullopt;
     const Couple& best = least(couples, t);
     return Near{time, best.a, best.b, rounded_gap(best, t)};

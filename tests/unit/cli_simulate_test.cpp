@@ -319,6 +319,11 @@ TEST_F(Simulate, BordersLieWhereTheNearestDiscChanges) {
          true, false},
         {"one, periodic", "1 2 0.25 0 0 1\n", 4, 4, true, true},
         {"two, periodic", "1 2 0.25 0 0 1\n3.5 0.5 0.4 0 0 1\n", 4, 4, true, true},
+        // A copy that is almost half a side away is seen.
+        {"below, periodic", "1 1.5 0.25 0 0 1\n1 2 0.25 0 0 1\n", 4, 4, true, true},
+        {"above, periodic", "1 2.5 0.25 0 0 1\n1 2 0.25 0 0 1\n", 4, 4, true, true},
+        {"left, periodic", "1.5 1 0.25 0 0 1\n2 1 0.25 0 0 1\n", 4, 4, true, true},
+        {"right, periodic", "2.5 1 0.25 0 0 1\n2 1 0.25 0 0 1\n", 4, 4, true, true},
         {"one", "1 2 0.25 0 0 1\n", 4, 4, true, false},
         {"points at one place", "1 2 0 0 0 1\n1 2 0 0 0 1\n3 2 1 0 0 1\n", 4, 4, true, false},
         {"no walls", "0 0 0 0 0 1\n4 0 0 0 0 1\n0 4 0 0 0 1\n4 4 0 0 0 1\n1.5 2 1 0 0 1\n", 4, 4,
