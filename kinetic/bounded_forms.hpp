@@ -65,7 +65,8 @@ struct Rounded {
         }
         values.weight.c[0] = of.weight.c[0].value;
         weight_size = of.weight.c[0].size();
-        is_usable &= weight_size == 0.0 || (weight_size > 0x1p-400 && weight_size < 0x1p400);
+        // A square that has underflown is not 0.
+        is_usable &= of.weight.c[0].is_zero() || (weight_size > 0x1p-400 && weight_size < 0x1p400);
     }
     void take(double of_size, double of_error, double most) noexcept {
         if (of_size == 0.0 && of_error == 0.0) return;

@@ -107,18 +107,18 @@ template <std::size_t n>
 
 /// Shows the certificates by which q is not in conflict with the circle of i, j and k, one after
 /// the other until one is taken: the next is meant where all before it are 0 for ever. By the tie
-/// rule every weight is less by an infinitesimal, which is infinitely larger for the later site;
-/// where the last one that matters is q itself, nothing is to be certified.
+/// rule every weight is less by an infinitesimal, which is infinitely larger for the later site.
 template <class Take>
 void certify_outside(const Sites& all, Index i, Index j, Index k, Index q, const Take& take) {
     using Kind = Certificate::Kind;
     if (take(Certificate{{i, j, k, q}, Kind::outside})) [[likely]]
         return;
     for (const std::size_t raised : last_first<4>(all, {i, j, k, q})) {
-        if (raised == 3) return;
+        // Of q it is the turn of the face: above 0, but it has a root where the face turns over.
         const Certificate turn = raised == 0   ? Certificate{{k, j, q, q}, Kind::left_turn}
                                  : raised == 1 ? Certificate{{i, k, q, q}, Kind::left_turn}
-                                               : Certificate{{j, i, q, q}, Kind::left_turn};
+                                 : raised == 2 ? Certificate{{j, i, q, q}, Kind::left_turn}
+                                               : Certificate{{i, j, k, k}, Kind::left_turn};
         if (take(turn)) return;
     }
 }

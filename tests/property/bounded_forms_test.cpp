@@ -99,6 +99,9 @@ TEST(BoundedForms, DeclineWhatIsOutOfRange) {
     q.vx = 0x1p300;
     EXPECT_FALSE(bounded_in_circle(a, b, c, q, {{}, 0.0}).has_value());
     EXPECT_FALSE(bounded_orientation(a, b, q, {{}, 0.0}).has_value());
+    // The square of a radius underflows, but is not 0.
+    q = {0.0, -1.0, 0.0, 0.0, 1e-180, 0.0};
+    EXPECT_FALSE(bounded_in_circle(a, b, c, q, {{}, 0.0}).has_value());
     // Where it is now is known to some hundreds: too badly beside a distance of 1.
     q = {0x1p60, -1.0, -1.0, 0.0, 0.0, -0x1p60};
     EXPECT_FALSE(bounded_in_circle(a, b, c, q, {{}, 0.0}).has_value());

@@ -164,5 +164,26 @@ TEST(Kinetic, StaysRightWhileSitesComeAndGo) {
     }
 }
 
+/// Five on one power circle for ever, of which a face turns over at 0: the edge through which the
+/// fifth leaves it is tied for ever, and the site across comes last in the order.
+TEST(Kinetic, AFaceOfSitesThatAreTiedForEverDoesNotTurnOver) {
+    const std::vector<MovingSite> sites = {{-3, 0, 0, 0, 3, 0},
+                                           {-1, -1, -1, 1, 2, 0},
+                                           {0.5, 0, 0, 0, 0.5, 0},
+                                           {0, 2, 0, 2, 0, 0},
+                                           {-1, 0, -1, 1, 1, 0}};
+    std::array<std::size_t, 5> order = {0, 1, 2, 3, 4};
+    do {
+        std::vector<MovingSite> in_order;
+        for (const std::size_t k : order) in_order.push_back(sites[k]);
+        KineticTessellation moving(-0.125);
+        for (const MovingSite& site : in_order) moving.insert(site);
+        for (const double t : {-0.0625, 0.125, 1.0}) {
+            moving.advance(t);
+            ASSERT_EQ(moving.faces(), KineticTessellation(in_order, t).faces()) << t;
+        }
+    } while (std::ranges::next_permutation(order).found);
+}
+
 }  // namespace
 }  // namespace signum
