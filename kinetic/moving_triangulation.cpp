@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "../triangulation/dynamic/local_checks.hpp"
 #include "../triangulation/insertion/collinear.hpp"
 #include "../triangulation/insertion/delete.hpp"
 #include "../triangulation/insertion/hiders.hpp"
@@ -161,7 +162,6 @@ bool MovingTriangulation::take_out(Index i) {
     }
     const Gap gap = triangulation::Deletion<MovingKernel>(*insertion_, none_hidden_).erase(spoke);
     face_of_[at(i)] = -1;
-    --visible_;
     if (gap != Gap::closed) return false;
     for (const Index v : ring) tell(i, v, false);
     recent_ = outside;
@@ -184,12 +184,8 @@ bool MovingTriangulation::take_out(Index i) {
 // ---- time ----
 
 void MovingTriangulation::advance(double t) {
-    while (!queue_.empty() && compare(queue_.top().when, t) <= 0) process_events();
+    while (!queue_.empty() && compare(queue_.top().when, t) <= 0) step();
     moment_.set(t);
-}
-
-void MovingTriangulation::step() {
-    process_events();
 }
 
 Sign MovingTriangulation::compare_moment(double t) const {
@@ -203,7 +199,7 @@ double MovingTriangulation::not_before(const Event& event) const {
 }
 
 /// All events of the next time.
-void MovingTriangulation::process_events() {
+void MovingTriangulation::step() {
     moment_.set(sites_, queue_.top().when);
     ++work_.times;
     if (is_line_) {
@@ -324,24 +320,8 @@ bool MovingTriangulation::is_cleared(const Face& suspect) {
            kernel_.ccw(v[0], v[1], v[2]) > 0;
 }
 
-/// By x and then by y, who walks along a convex polygon goes up once and down once.
 bool MovingTriangulation::hull_winds_once() {
-    int turns = 0;
-    Sign first = 0;
-    Sign last = 0;
-    const HalfEdge spoke = topology_.spoke(infinite_face_, infinite);
-    for (const HalfEdge h : topology_.fan(spoke)) {
-        // The apex of one face is the target of the next spoke.
-        const Index u = topology_.target(h);
-        const Sign direction = kernel_.compare_along(topology_.apex(h), u);
-        if (direction == 0) return false;
-        if (last == 0)
-            first = direction;
-        else
-            turns += static_cast<int>(direction != last);
-        last = direction;
-    }
-    return turns + static_cast<int>(first != last) == 2;
+    return triangulation::LocalChecks<MovingKernel>(topology_, kernel_).hull(infinite_face_);
 }
 
 // ---- changes ----
@@ -432,7 +412,6 @@ bool MovingTriangulation::hide(HalfEdge h) {
     insertion_->vacant().push(faces[1]);
     insertion_->vacant().push(faces[2]);
     ++work_.hidden;
-    --visible_;
     face_of_[at(v)] = -1;
     is_hidden_[at(v)] = true;
     home_[at(v)] = faces[0];
@@ -482,7 +461,6 @@ void MovingTriangulation::place(Index q) {
     const Index f = triangulation::locate(topology_, kernel_, start, q);
     const auto& v = topology_.vertices(f);
     if (topology_.is_infinite(f) || kernel_.conflicts(v[0], v[1], v[2], q)) return appear(f, q);
-    ++work_.moved;
     home_[at(q)] = f;
     lodgers_.add(f, q);
     schedule_hidden(q);
@@ -506,7 +484,6 @@ void MovingTriangulation::appear(Index face, Index q) {
     for (std::size_t k = 0; k < 3; ++k)
         topology_.record(faces[k]) = {{corners[k], corners[(k + 1) % 3], q}, 0, {0, 0, 0}};
     is_hidden_[at(q)] = false;
-    ++visible_;
     ++work_.appeared;
     for (std::size_t k = 0; k < 3; ++k) {
         const HalfEdge h = Topology::first_edge(faces[k]);
@@ -605,14 +582,14 @@ void MovingTriangulation::build() {
     ++work_.rebuilds;
     for_each_edge([&](Index a, Index b) { tell(a, b, false); });
     queue_.clear();
-    for (auto* list : {&pending_, &blocked_}) list->clear();
+    pending_.clear();
+    blocked_.clear();
     homeless_.clear();
     suspects_.clear();
     hull_is_suspect_ = false;
     lodgers_.clear();
     line_.clear();
     is_line_ = true;
-    visible_ = 0;
     insertion_.reset();
     topology_ = Topology(room_);
     std::ranges::fill(hidden_by_, -1);
@@ -665,7 +642,6 @@ void MovingTriangulation::build_faces(std::vector<Index> order, std::size_t seco
     for (const Index i : order) {
         is_hidden_[at(i)] = hidden_by_[at(i)] >= 0;
         if (!is_hidden_[at(i)]) {
-            ++visible_;
             continue;
         }
         home_[at(i)] = face_of_[at(triangulation::end_of_chain(hidden_by_, i))];
@@ -678,7 +654,6 @@ void MovingTriangulation::build_faces(std::vector<Index> order, std::size_t seco
 void MovingTriangulation::build_line(std::vector<Index> along) {
     triangulation::sort_along(kernel_, along);
     line_ = triangulation::visible_in_order(kernel_, along, hidden_by_);
-    visible_ = line_.size();
     for (const Index i : along) is_hidden_[at(i)] = true;
     for (const Index i : line_) is_hidden_[at(i)] = false;
     if (line_.size() < 2) return;

@@ -66,7 +66,6 @@ struct Work {
     std::uint64_t flips = 0;
     std::uint64_t hidden = 0;    ///< sites that became hidden
     std::uint64_t appeared = 0;  ///< sites that became visible
-    std::uint64_t moved = 0;     ///< hidden sites that went from face to face
     std::uint64_t rebuilds = 0;
 };
 
@@ -158,7 +157,6 @@ class MovingTriangulation {
     [[nodiscard]] bool take_out(Index i);
     [[nodiscard]] bool keeps_star(Index i);
 
-    void process_events();
     void note_flat(std::span<const HalfEdge> edges);
     /// False where all has to be built anew.
     [[nodiscard]] bool settle();
@@ -210,7 +208,6 @@ class MovingTriangulation {
     bool is_line_ = true;
     std::vector<Index> line_;
     std::size_t room_ = 0;
-    std::size_t visible_ = 0;
     Topology topology_{0};
     std::vector<Index> hidden_by_;  ///< the insertion's
     std::vector<Index> none_hidden_;

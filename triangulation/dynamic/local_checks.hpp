@@ -146,12 +146,7 @@ class LocalChecks {
         if (side != 0) return side > 0;
         return rises(a, b) == rises(b, c) && !kernel_.conflicts_on_line(a, b, c);
     }
-    /// Whether b lies above a, or as high and farther to the right.
-    [[nodiscard]] bool rises(Index a, Index b) const {
-        const Point p = kernel_.centre(a);
-        const Point q = kernel_.centre(b);
-        return q.y != p.y ? q.y > p.y : q.x > p.x;
-    }
+    [[nodiscard]] bool rises(Index a, Index b) const { return kernel_.compare_along(a, b) < 0; }
 
     [[nodiscard]] bool exists_twice(Index f) {
         const auto& v = topology_.vertices(f);
