@@ -108,37 +108,40 @@ template <std::size_t n>
 /// Shows the certificates by which q is not in conflict with the circle of i, j and k, one after
 /// the other until one is taken: the next is meant where all before it are 0 for ever. By the tie
 /// rule every weight is less by an infinitesimal, which is infinitely larger for the later site.
+/// Whether one was taken.
 template <class Take>
-void certify_outside(const Sites& all, Index i, Index j, Index k, Index q, const Take& take) {
+bool certify_outside(const Sites& all, Index i, Index j, Index k, Index q, const Take& take) {
     using Kind = Certificate::Kind;
     if (take(Certificate{{i, j, k, q}, Kind::outside})) [[likely]]
-        return;
+        return true;
     for (const std::size_t raised : last_first<4>(all, {i, j, k, q})) {
         // Of q it is the turn of the face: above 0, but it has a root where the face turns over.
         const Certificate turn = raised == 0   ? Certificate{{k, j, q, q}, Kind::left_turn}
                                  : raised == 1 ? Certificate{{i, k, q, q}, Kind::left_turn}
                                  : raised == 2 ? Certificate{{j, i, q, q}, Kind::left_turn}
                                                : Certificate{{i, j, k, k}, Kind::left_turn};
-        if (take(turn)) return;
+        if (take(turn)) return true;
     }
+    return false;
 }
 
 /// The same, by which q is in conflict with the stretch from a to b, where all three are for ever
 /// on one line; a and b are not for ever at one place of the axis. Where none is taken q is in no
 /// conflict.
 template <class Take>
-void certify_in_segment(const Sites& all, Index a, Index b, Index q, bool along_x,
+bool certify_in_segment(const Sites& all, Index a, Index b, Index q, bool along_x,
                         const Take& take) {
     using Kind = Certificate::Kind;
     if (take(Certificate{{a, b, q, q}, Kind::in_segment, along_x})) [[likely]]
-        return;
+        return true;
     for (const std::size_t raised : last_first<3>(all, {a, b, q})) {
-        if (raised == 2) return;
+        if (raised == 2) return false;
         // By the height of a the determinant grows as b is beyond q, by that of b as q beyond a.
         const Certificate ahead = raised == 0 ? Certificate{{b, q, b, a}, Kind::ahead, along_x}
                                               : Certificate{{q, a, b, a}, Kind::ahead, along_x};
-        if (take(ahead)) return;
+        if (take(ahead)) return true;
     }
+    return false;
 }
 
 }  // namespace signum::kinetic

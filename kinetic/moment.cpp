@@ -20,8 +20,8 @@ Sign relation(const Certificate& a, const Certificate& b) noexcept {
                (c.kind == Certificate::Kind::outside ? c.sites[3] : 0);
     };
     if (sum(a) != sum(b)) return 0;
-    if (a.sites == b.sites) return 1;
-    if (a.kind != Certificate::Kind::outside && a.kind != Certificate::Kind::left_turn) return 0;
+    if (a.kind != Certificate::Kind::outside && a.kind != Certificate::Kind::left_turn)
+        return a.sites == b.sites ? 1 : 0;
     // Determinants: every exchange of two sites changes the sign.
     const std::size_t n = sites_of(a.kind);
     std::array<Index, 4> from = b.sites;
@@ -70,9 +70,20 @@ Sign Moment::compare(const Sites& sites, const Event& event, roots::Tally* tally
     return roots::compare({p, event.root}, root(), tally);
 }
 
+filters::Verdict Moment::turn(const Sites& sites, const Certificate& certificate,
+                              roots::Tally* tally) const {
+    if (certificate.kind != Certificate::Kind::left_turn) return filters::Verdict::uncertain();
+    const auto& [a, b, c, rest] = certificate.sites;
+    const auto verdict = bounded_turn(sites[a], sites[b], sites[c], {sites.fall, time_}, radius_);
+    if (verdict.is_certain() && tally != nullptr) ++tally->filtered;
+    return verdict;
+}
+
 Sign Moment::sign_after(const Sites& sites, const Certificate& certificate,
                         roots::Tally* tally) const {
-    if (const Sign same = relation_to(certificate); same != 0) return same * event_.root.after;
+    if (const Sign own = own_sign(certificate); own != 0) return own;
+    if (const auto verdict = turn(sites, certificate, tally); verdict.is_certain())
+        return verdict.sign();
     const CertificateForm form(certificate, sites);
     const roots::Polynomial p(form, time_);
     return is_double() ? p.sign_after(time_, tally) : p.sign_after(root(), tally);
@@ -81,6 +92,8 @@ Sign Moment::sign_after(const Sites& sites, const Certificate& certificate,
 Sign Moment::sign_then(const Sites& sites, const Certificate& certificate,
                        roots::Tally* tally) const {
     if (relation_to(certificate) != 0) return 0;
+    if (const auto verdict = turn(sites, certificate, tally); verdict.is_certain())
+        return verdict.sign();
     const CertificateForm form(certificate, sites);
     const roots::Polynomial p(form, time_);
     return is_double() ? p.sign_at(time_, tally) : p.sign_at(root(), tally);

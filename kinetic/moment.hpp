@@ -49,6 +49,7 @@ class Moment {
         polynomial_.reset();
         is_current_ = false;
         time_ = t;
+        radius_ = 0.0;
     }
     void set(const Sites& sites, const Event& event) {
         if (event.root.is_double()) return set(event.root.low);
@@ -61,6 +62,7 @@ class Moment {
         polynomial_.emplace(*form_, near(event.root));
         event_ = event;
         time_ = near(event.root);
+        radius_ = event.root.high - event.root.low;
         is_current_ = true;
     }
     /// One of the sites has become another one; the time stays.
@@ -74,6 +76,12 @@ class Moment {
     /// Whether a certificate has the event's polynomial; 0 where that cannot be told at once.
     [[nodiscard]] Sign relation_to(const Certificate& certificate) const noexcept {
         return is_current_ ? relation(certificate, event_.certificate) : 0;
+    }
+
+    /// The sign of a certificate right after the time where it has the event's polynomial; 0 where
+    /// that cannot be told at once.
+    [[nodiscard]] Sign own_sign(const Certificate& certificate) const noexcept {
+        return relation_to(certificate) * event_.root.after;
     }
 
     /// The sign of the event's time less the moment's.
@@ -96,7 +104,12 @@ class Moment {
                                              roots::Tally* tally) const;
 
  private:
+    /// Where three sites turn the same way at all times near this one, for certain.
+    [[nodiscard]] filters::Verdict turn(const Sites& sites, const Certificate& certificate,
+                                        roots::Tally* tally) const;
+
     double time_;
+    double radius_ = 0.0;  ///< the event is no farther from the time
     bool is_current_ = false;
     Event event_{};
     std::array<MovingSite, 4> sites_;

@@ -263,11 +263,16 @@ bool MovingTriangulation::is_right(HalfEdge h) {
     }
     Sign sign = 0;
     const auto take = [&](const Certificate& certificate) {
-        const auto ahead = moment_.ahead(sites_, certificate, &tally_);
-        if (!ahead) return false;
-        sign = ahead->sign;
-        if (sign > 0 && ahead->root)
-            queue_.set(edge, {*ahead->root, certificate});
+        std::optional<roots::Root> root;
+        sign = moment_.own_sign(certificate);
+        if (sign >= 0) {
+            const auto ahead = moment_.ahead(sites_, certificate, &tally_);
+            if (!ahead) return false;
+            sign = ahead->sign;
+            root = ahead->root;
+        }
+        if (sign > 0 && root)
+            queue_.set(edge, {*root, certificate});
         else
             queue_.erase(edge);
         return true;
@@ -292,8 +297,7 @@ bool MovingTriangulation::is_right(HalfEdge h) {
         }
         return sign > 0;
     }
-    queue_.erase(edge);
-    certify_outside(sites_, a, b, c, d, take);
+    if (!certify_outside(sites_, a, b, c, d, take)) queue_.erase(edge);
     return sign >= 0;
 }
 
@@ -370,10 +374,8 @@ bool MovingTriangulation::make_right(HalfEdge h) {
     if (!may_be(a, b, d) || !may_be(d, c, a)) return false;
     const Index f = Topology::face(h);
     const Index g = Topology::face(t);
-    for (const Index face : {f, g}) {
-        forget_edges(face);
-        release_hidden(face);
-    }
+    release_hidden(f);
+    release_hidden(g);
     tell(b, c, false);
     flip(topology_, h);
     tell(a, d, true);
@@ -384,7 +386,12 @@ bool MovingTriangulation::make_right(HalfEdge h) {
     }
     const HalfEdge in_f = Topology::first_edge(f);
     const HalfEdge in_g = Topology::first_edge(g);
-    for (const HalfEdge edge : {in_f, in_f + 1, in_g, in_g + 1, in_f + 2}) pending_.push_back(edge);
+    // Their events stay in the queue until they get others, but for those of half-edges that stand
+    // for their edges no more.
+    for (const HalfEdge edge : {in_f, in_f + 1, in_g, in_g + 1, in_f + 2}) {
+        queue_.erase(std::max(edge, topology_.twin(edge)));
+        pending_.push_back(edge);
+    }
     return true;
 }
 

@@ -126,16 +126,22 @@ class Bisection {
             last == 0
                 ? 0
                 : (exponent_of(size) - exponent_of(q[static_cast<std::size_t>(last)].value)) / last;
-        static constexpr std::array<double, N + 1> binomial = binomials<N>();
+        static constexpr std::array<double, N + 1> shares = [] {
+            std::array<double, N + 1> row = binomials<N>();
+            for (double& x : row) x = 1.0 / x;
+            return row;
+        }();
+        if (std::abs(exponent_) > 1000) return false;
         Piece& all = pieces_[0];
         // The first and the last coefficient become about 1.
-        const int unit = exponent_of(size);
+        unit_ = exponent_of(size);
         for (int k = 0; k <= N; ++k) {
             const auto i = static_cast<std::size_t>(k);
-            const int exponent = k * exponent_ - unit;
+            const int exponent = k * exponent_ - unit_;
             if (std::abs(exponent) > 1000) return false;
-            const double factor = power_of_two(exponent) / binomial[i];
+            const double factor = power_of_two(exponent) * shares[i];
             const double value = q[i].value * factor;
+            scaled_[i] = q[i].value * power_of_two(exponent);
             // The factor and the product are rounded, and then what split() says. Beside 2^-500
             // all underflows are nothing, also after means that take a part of 2^-288.
             all.b[i] = Bounded{value, q[i].error * factor +
@@ -204,18 +210,19 @@ class Bisection {
         return true;
     }
 
-    /// s where x is.
-    [[nodiscard]] double distance(double x) const noexcept {
-        return power_of_two(exponent_) * (x / (1.0 - x));
-    }
+    /// s / 2^exponent_ where x is.
+    [[nodiscard]] static double scaled(double x) noexcept { return x / (1.0 - x); }
 
-    /// The only root in a piece: found in doubles by Newton's method, which proves nothing, and
+    /// The only root in a piece: found in doubles by Halley's method, which proves nothing, and
     /// then enclosed between two doubles with different signs, which does.
     std::optional<Root> root_in(const Piece& piece) const noexcept {
         const bool from_start = piece.low == 0.0;
         const bool to_infinity = piece.high == 1.0;
-        const double least = from_start ? 0.0 : distance(piece.low);
-        const double most = to_infinity ? infinity : distance(piece.high);
+        const double unit = power_of_two(exponent_);
+        double below = from_start ? 0.0 : scaled(piece.low);
+        double above = to_infinity ? infinity : scaled(piece.high);
+        const double least = unit * below;
+        const double most = unit * above;
         const bool positive = is_positive_at_low(piece);
         // Outside of this range the quotient's relative error would not be what it is.
         const auto usual = [](double s) { return 0x1p-1000 < s && s < 0x1p1000; };
@@ -226,45 +233,48 @@ class Bisection {
         while (i + 1 < N && (piece.b[i + 1][0] > 0.0) == positive) ++i;
         double part = piece.b[i][0] / (piece.b[i][0] - piece.b[i + 1][0]);
         if (!(part >= 0.0 && part <= 1.0)) part = 0.5;
-        const double x = piece.low + (piece.high - piece.low) * (static_cast<double>(i) + part) / N;
-        double s = distance(x);
-        double below = least;
-        double above = most;
+        double z =
+            scaled(piece.low + (piece.high - piece.low) * (static_cast<double>(i) + part) / N);
+        double slope = 0.0;
         for (int steps = 0; steps < 60; ++steps) {
-            double value = q_[N].value;
-            double slope = 0.0;
+            double value = scaled_[N];
+            double bend = 0.0;  // half of the second derivative
+            slope = 0.0;
             for (std::size_t k = N; k-- > 0;) {
-                slope = slope * s + value;
-                value = value * s + q_[k].value;
+                bend = bend * z + slope;
+                slope = slope * z + value;
+                value = value * z + scaled_[k];
             }
-            ((value > 0.0) == positive ? below : above) = s;
-            double next = s - value / slope;
-            if (!(next > below && next < above)) {
-                if (above == infinity) {
-                    next = 2.0 * s;
-                } else {
-                    next = below + 0.5 * (above - below);
-                }
+            const double step = value * slope / (slope * slope - value * bend);
+            // Errors are cubed: after this step no other is worth while.
+            if (magnitude(step) < 0x1p-20 * z) {
+                z -= step;
+                break;
             }
-            const double step = magnitude(next - s);
-            s = next;
-            // Steps are squared: after this one no other is worth while.
-            if (!(step > 0x1p-30 * s)) break;
+            ((value > 0.0) == positive ? below : above) = z;
+            z -= step;
+            if (!(z > below && z < above))
+                z = above == infinity ? 2.0 * below : below + 0.5 * (above - below);
         }
 
-        // One step more from the coefficients themselves, at a double.
-        double t = start_ + s;
-        const double since_origin = t - origin_;
-        double slope = 0.0;
-        double value = c_[N].value;
-        for (std::size_t k = N; k-- > 0;) {
-            slope = slope * since_origin + value;
-            value = value * since_origin + c_[k].value;
+        double t = start_ + unit * z;
+        slope *= power_of_two(unit_) / unit;
+        // Away from the origin the coefficients about it are better known.
+        if (start_ != origin_) {
+            const double since_origin = t - origin_;
+            slope = 0.0;
+            double value = c_[N].value;
+            for (std::size_t k = N; k-- > 0;) {
+                slope = slope * since_origin + value;
+                value = value * since_origin + c_[k].value;
+            }
+            const double step = value / slope;
+            if (magnitude(step) < 0x1p-20 * unit * z) t -= step;
         }
-        const double step = value / slope;
-        if (magnitude(step) < 0x1p-20 * s) t -= step;
-        double width =
-            2.0 * error_at(magnitude(since_origin)) / magnitude(slope) + 0x1p-51 * magnitude(t);
+        // An error at the root and a little farther.
+        double since_origin = 1.0001 * magnitude(t - origin_);
+        double error = error_at(since_origin);
+        double width = 2.0 * error / magnitude(slope) + 0x1p-51 * magnitude(t);
         for (int trial = 0; trial < 6; ++trial, width *= 8.0) {
             double low = t - width;
             double high = t + width;
@@ -281,8 +291,10 @@ class Bisection {
             if (!(high > start_) ||
                 (!to_infinity && !(high - start_ < most * (1.0 - 8.0 * epsilon))))
                 return std::nullopt;
-            const double error =
-                error_at(std::max(magnitude(low - origin_), magnitude(high - origin_)));
+            if (!(magnitude(low - origin_) <= since_origin &&
+                  magnitude(high - origin_) <= since_origin))
+                error = error_at(since_origin =
+                                     std::max(magnitude(low - origin_), magnitude(high - origin_)));
             const double at_high = value_at(high);
             if (!has_sign(at_high, error) || (at_high > 0.0) == positive) continue;
             if (!at_start) {
@@ -315,9 +327,11 @@ class Bisection {
     double origin_;
     double start_;
     Coefficients<N> q_;
+    std::array<double, N + 1> scaled_;  ///< q in s / 2^exponent_, all about 1
     Sign known_;
     int zeros_ = 0;
     int exponent_ = 0;
+    int unit_ = 0;  ///< scaled_ times 2^unit_ is q
     std::array<Piece, most_pieces + 1> pieces_;
 };
 

@@ -78,6 +78,38 @@ TEST(BoundedForms, ErrorsAreWithinTheirBounds) {
     EXPECT_EQ(orientation_is_near, 1.0);
 }
 
+/// A turn that is certain is that of all times within the radius: asked at the ends and between.
+TEST(BoundedForms, ATurnThatIsCertainIsRightWithinTheRadius) {
+    Systems systems{Random(78)};
+    int certain = 0;
+    for (int trial = 0; trial < 20'000; ++trial) {
+        const int kind = systems.random.below(210);
+        const MovingSite a = systems.site(kind);
+        MovingSite b = systems.site(kind);
+        const MovingSite q = systems.site(kind);
+        // On a line but for roundings, at some time.
+        if (trial % 3 == 1) b = a;
+        if (trial % 3 == 2) {
+            b.x = 0.5 * (a.x + q.x);
+            b.y = 0.5 * (a.y + q.y);
+            b.time = trial % 2 == 0 ? a.time : q.time;
+        }
+        const Fall fall = trial % 4 == 0 ? Fall{systems.real(1.0), systems.real(1.0)} : Fall{};
+        const double origin = trial % 5 == 0 ? b.time : systems.real(4.0);
+        const double radius = trial % 7 == 0 ? 0.0 : std::ldexp(1.0, -1 - systems.random.below(60));
+        const auto verdict = bounded_turn(a, b, q, {fall, origin}, radius);
+        if (!verdict.is_certain()) continue;
+        ++certain;
+        const auto turn = orientation<Dyadic>(a, b, q, {fall, origin});
+        for (const double part : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
+            const Dyadic s(part * radius);
+            const Dyadic value = turn.c[0] + s * (turn.c[1] + s * turn.c[2]);
+            ASSERT_EQ(value.sign(), verdict.sign()) << "trial " << trial << " part " << part;
+        }
+    }
+    EXPECT_GT(certain, 10'000);
+}
+
 /// What moves alone makes no coefficients beyond its degree: these are 0, and known to be.
 TEST(BoundedForms, SitesAtRestLeaveHighCoefficientsZero) {
     const MovingSite a{1.0, 0.25, 0.0, 0.0, 0.5, 0.0};

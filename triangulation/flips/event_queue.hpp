@@ -3,6 +3,7 @@
 /// number, one event at most. So nothing that is out of date waits here, and events that an order
 /// compares are all about things as they are.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -67,25 +68,35 @@ class EventQueue {
 
  private:
     static constexpr std::uint32_t none = ~std::uint32_t{0};
+    /// As many children has a place, which lie side by side: memory is waited for half as often as
+    /// with two.
+    static constexpr std::uint32_t ways = 4;
 
     [[nodiscard]] bool is_before(const Event& a, const Event& b) const {
         const int order = compare_(a.when, b.when);
         return order != 0 ? order < 0 : a.number < b.number;
     }
+    [[nodiscard]] static std::uint32_t parent(std::uint32_t place) noexcept {
+        return (place - 1) / ways;
+    }
     /// Puts an event where its place is, from a place that is free.
     void settle(std::uint32_t place, const Event& event) {
-        if (place > 0 && is_before(event, heap_[(place - 1) / 2])) return rise(place, event);
-        for (std::uint32_t child = 2 * place + 1; child < heap_.size(); child = 2 * place + 1) {
-            if (child + 1 < heap_.size() && is_before(heap_[child + 1], heap_[child])) ++child;
-            if (!is_before(heap_[child], event)) break;
-            put(place, heap_[child]);
-            place = child;
+        if (place > 0 && is_before(event, heap_[parent(place)])) return rise(place, event);
+        const auto size = static_cast<std::uint32_t>(heap_.size());
+        for (std::uint32_t child = ways * place + 1; child < size; child = ways * place + 1) {
+            std::uint32_t first = child;
+            const std::uint32_t end = std::min(child + ways, size);
+            while (++child < end)
+                if (is_before(heap_[child], heap_[first])) first = child;
+            if (!is_before(heap_[first], event)) break;
+            put(place, heap_[first]);
+            place = first;
         }
         put(place, event);
     }
     void rise(std::uint32_t place, Event event) {
-        for (; place > 0 && is_before(event, heap_[(place - 1) / 2]); place = (place - 1) / 2)
-            put(place, heap_[(place - 1) / 2]);
+        for (; place > 0 && is_before(event, heap_[parent(place)]); place = parent(place))
+            put(place, heap_[parent(place)]);
         put(place, event);
     }
     void put(std::uint32_t place, const Event& event) {
