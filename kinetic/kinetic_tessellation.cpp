@@ -10,9 +10,10 @@
 #include "../exact/dyadic.hpp"
 #include "../exact/floating_environment.hpp"
 #include "../exact/nearest_double.hpp"
-#include "../predicates/ccw.hpp"
 #include "../predicates/power.hpp"
+#include "../triangulation/dynamic/local_checks.hpp"
 #include "../triangulation/insertion/hiders.hpp"
+#include "../triangulation/insertion/locate.hpp"
 #include "../triangulation/kernels/power_kernel.hpp"
 #include "../triangulation/structure/assemble.hpp"
 #include "../triangulation/triangulate.hpp"
@@ -60,34 +61,34 @@ double nearest_place(double x, double v, double g, double start, double t) {
     return exact::nearest_double([&](const Dyadic& at) { return (place - at).sign(); });
 }
 
-/// Whether these faces make a power triangulation of sites where they are now: all turn left and
-/// are regular across each edge. Then they cover the hull once, as they did a moment ago.
-bool are_valid(const triangulation::Topology& topology, std::span<const Site> sites) {
-    using triangulation::HalfEdge;
-    using triangulation::Topology;
-    const auto site = [&](Index i) { return sites[static_cast<std::size_t>(i)]; };
-    const auto turn = [&](Index a, Index b, Index c) {
-        return ccw(power::centre(site(a)), power::centre(site(b)), power::centre(site(c)));
-    };
-    for (Index f = 0; f < topology.faces(); ++f) {
-        if (topology.is_vacant(f)) continue;
-        const auto& v = topology.vertices(f);
-        if (topology.is_infinite(f)) {
-            // Between neighbours of the hull.
-            const HalfEdge h = topology.finite_edge(f);
-            const Index next = topology.apex(topology.twin(Topology::previous(h)));
-            if (turn(topology.target(h), topology.origin(h), next) < 0) return false;
-            continue;
-        }
-        if (turn(v[0], v[1], v[2]) <= 0) return false;
-        for (HalfEdge h = Topology::first_edge(f); h < Topology::first_edge(f) + 3; ++h) {
-            const Index across = topology.apex(topology.twin(h));
-            if (h < topology.twin(h) && across != infinite &&
-                power::in_circle(site(v[0]), site(v[1]), site(v[2]), site(across)) > 0)
-                return false;
-        }
+/// Of sites where they are now, and by their weights alone: who is tied is in no conflict.
+class TolerantKernel
+    : public triangulation::PowerKernel<Site, Arithmetic::exact, filters::NoTally> {
+ public:
+    using PowerKernel::PowerKernel;
+    [[nodiscard]] bool conflicts(Index i, Index j, Index k, Index q) const {
+        return power::in_circle(site(i), site(j), site(k), site(q)) > 0;
     }
-    return true;
+    [[nodiscard]] bool conflicts_on_line(Index a, Index b, Index q) const {
+        return power::in_segment_decision(site(a), site(b), site(q)).sign > 0;
+    }
+};
+
+/// Whether the faces make a power triangulation of these sites (local_checks.hpp), and the hidden
+/// ones are hidden there, too.
+bool is_valid(const MovingTriangulation& of, TolerantKernel& kernel) {
+    bool valid = true;
+    triangulation::LocalChecks<TolerantKernel> checks(of.topology(), kernel);
+    checks.survey([&](Index) { valid = false; }, [&](triangulation::HalfEdge) { valid = false; },
+                  [&] { return !valid; });
+    valid = valid && checks.hull(of.infinite_face());
+    for (Index q = 0; valid && static_cast<std::size_t>(q) < of.numbers(); ++q) {
+        if (!of.contains(q) || !of.is_hidden(q)) continue;
+        const Index f = triangulation::locate(of.topology(), kernel, of.face_of(of.beside(q)), q);
+        const auto& v = of.topology().vertices(f);
+        valid = !of.topology().is_infinite(f) && !kernel.conflicts(v[0], v[1], v[2], q);
+    }
+    return valid;
 }
 
 }  // namespace
@@ -194,14 +195,14 @@ Tessellation KineticTessellation::tessellation() const {
         by_handle[static_cast<std::size_t>(i)] = site;
         sites.push_back(site);
     }
-    if (of.is_line() || !are_valid(of.topology(), by_handle))
-        return triangulate(sites, Metric::power);
+    if (of.is_line()) return triangulate(sites, Metric::power);
 
     using namespace triangulation;
-    using Kernel = PowerKernel<Site, Arithmetic::exact, filters::NoTally>;
     std::vector<Index> numbers(by_handle.size());
     for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = static_cast<Index>(i);
-    Kernel kernel(by_handle.data(), numbers.data());
+    TolerantKernel kernel(by_handle.data(), numbers.data());
+    if (!is_valid(of, kernel)) return triangulate(sites, Metric::power);
+
     std::vector<Index> hidden_by(by_handle.size(), -1);
     for (Index i = 0; static_cast<std::size_t>(i) < hidden_by.size(); ++i)
         if (of.contains(i) && of.is_hidden(i))

@@ -125,6 +125,8 @@ class MovingTriangulation {
         const auto& v = topology_.vertices(home_[at(hidden)]);
         return v[0] != infinite ? v[0] : v[1];
     }
+    /// Precondition: not is_line().
+    [[nodiscard]] Index infinite_face() const noexcept { return infinite_face_; }
     [[nodiscard]] const Fall& fall() const noexcept { return sites_.fall; }
 
     [[nodiscard]] const Work& work() const noexcept { return work_; }

@@ -28,7 +28,7 @@ struct Systems {
         std::vector<MovingSite> sites;
         for (int i = 0; i < number; ++i) {
             switch (kind) {
-                case 0:  // anywhere
+                case anywhere:
                     sites.push_back(
                         {pick(8, 1024), pick(8, 1024), pick(1, 256), pick(1, 256), 0, 0});
                     break;
@@ -67,6 +67,19 @@ struct Systems {
                 case 8:  // all on one line at time 2: the hull turns over
                     sites.push_back({pick(8, 64), 0, 0, pick(1, 16), 0.25 * random.below(3), 2});
                     break;
+                case tied_for_ever: {  // all orthogonal to one circle, at every time: tied for ever
+                    const double p = pick(4, 8);
+                    // Its centre is (0, t - 3).
+                    if (i % 3 == 0) {
+                        sites.push_back({p, 0, 0, 0, std::fabs(p), 0});
+                    } else if (i % 3 == 1) {
+                        const double side = random.below(2) == 0 ? 1.0 : -1.0;
+                        sites.push_back({3 * side, p - 2, -side, 1, std::fabs(1 + p), 0});
+                    } else {
+                        sites.push_back({p, -6, 0, 2, std::fabs(p), 0});
+                    }
+                    break;
+                }
                 default:  // a lattice that spins as a top does, seen as a shear and back
                     sites.push_back({static_cast<double>(i % 5) - 2, static_cast<double>(i / 5) - 2,
                                      -0.5 * (static_cast<double>(i / 5) - 2),
@@ -76,8 +89,11 @@ struct Systems {
         }
         return sites;
     }
-    static constexpr std::array names = {"anywhere", "weighted", "integers", "streams", "parallel",
-                                         "sliding",  "one_line", "star",     "turning", "spinning"};
+    static constexpr int anywhere = 0;
+    static constexpr int tied_for_ever = 9;
+    static constexpr std::array names = {"anywhere", "weighted", "integers", "streams",
+                                         "parallel", "sliding",  "one_line", "star",
+                                         "turning",  "tied",     "spinning"};
     static constexpr int kinds = static_cast<int>(names.size());
 };
 
