@@ -42,6 +42,10 @@ void check(const MovingSite& site) {
     check({site.x, site.y, site.vx, site.vy, site.r, site.time}, "site");
 }
 
+void check_number(std::size_t sites) {
+    if (sites > max_sites) throw std::invalid_argument("there are too many sites");
+}
+
 /// The double nearest to x + v s + g s²/2, s = t - start.
 double nearest_place(double x, double v, double g, double start, double t) {
     if (g == 0.0) {
@@ -100,7 +104,7 @@ KineticTessellation::KineticTessellation(double start, Fall fall) {
 KineticTessellation::KineticTessellation(std::span<const MovingSite> sites, double start, Fall fall)
     : KineticTessellation(start, fall) {
     for (const MovingSite& site : sites) check(site);
-    if (sites.size() > max_sites) throw std::invalid_argument("there are too many sites");
+    check_number(sites.size());
     const exact::IeeeEnvironment environment;
     state_->triangulation.insert(sites);
 }
@@ -115,6 +119,7 @@ void KineticTessellation::require(Index handle) const {
 
 Index KineticTessellation::insert(const MovingSite& site) {
     check(site);
+    check_number(size() + 1);
     const exact::IeeeEnvironment environment;
     return state_->triangulation.insert(site);
 }

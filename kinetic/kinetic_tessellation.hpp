@@ -28,14 +28,15 @@ struct KineticStatistics {
 };
 
 /// Laws:
-///  1. The faces are those right after time(): of the power triangulation of the exact places,
-///  which
-///     no event of the same time has still to change. Where sites are tied for ever, the rule of
-///     ties decides, with the order by falling weight and then rising handle. So faces are a
-///     function of the sites and the time: neither of the way there nor of the steps of advance().
-///  2. At a time at which nothing is tied they are those of triangulate() of the places.
+///  1. The faces are those right after time(): of the power triangulation of the exact places, as
+///     it stays until the next event. Where sites are tied for ever, the rule of ties decides, with
+///     the order by falling weight and then rising handle. So faces are a function of the sites and
+///     the time: neither of the way there nor of the steps of advance().
+///  2. At a time at which nothing is tied, and places are doubles, they are those of triangulate().
 ///  3. Sites may meet, overlap and pass through one another.
 ///  4. A handle names its site until that is erased; afterwards it may be given to another one.
+///  5. Whoever is left by std::bad_alloc, or by what on_edge throws (watch), may only be destroyed
+///     or given a new value.
 ///
 /// An event, a root of one of its polynomials in time, costs O(log n) beside O(1) such roots
 /// expected; one at which two sites of one weight are at one place, the hull turns over, or three
@@ -56,7 +57,9 @@ class KineticTessellation {
     ~KineticTessellation();
 
     /// Adds a site at time() and gives its handle, the least that is free. Throws
-    /// std::invalid_argument unless its numbers are finite. O(n^(1/3)) expected.
+    /// std::invalid_argument unless its numbers are finite, and beyond max_sites. O(n^(1/3))
+    /// expected; while all sites are on one line O(n log n), so that many at once are for the
+    /// constructor.
     Index insert(const MovingSite& site);
     /// Takes a site away. Throws std::out_of_range unless contains(handle). O(degree²) at most,
     /// and a search for each hidden site around it.
@@ -88,8 +91,10 @@ class KineticTessellation {
     /// std::overflow_error where a site is beyond the doubles. O(n log n).
     [[nodiscard]] Tessellation tessellation() const;
 
-    /// Calls on_edge(a, b, comes) for every edge between two sites that comes or goes from now on,
-    /// while advance() and the other functions are at work; these must not be called from it.
+    /// Calls on_edge(a, b, comes) with a < b for every edge between two sites that comes or goes
+    /// from now on, while advance() and the other functions are at work; these must not be called
+    /// from it. All that happens at one time is told at once, and nothing of what comes and goes
+    /// within it.
     void watch(std::function<void(Index a, Index b, bool comes)> on_edge);
 
     [[nodiscard]] KineticStatistics statistics() const noexcept;

@@ -29,17 +29,21 @@ MovingTriangulation::~MovingTriangulation() = default;
 
 void MovingTriangulation::make_room(std::size_t sites) {
     if (sites <= room_) return;
-    room_ = std::max(sites, 2 * room_);
-    const std::size_t faces = room_ < 2 ? 0 : 2 * room_ - 2;
-    moving_.reserve(room_);
-    hidden_by_.resize(room_, -1);
-    none_hidden_.resize(room_, -1);
-    is_hidden_.resize(room_, false);
-    face_of_.resize(room_, -1);
-    home_.resize(room_, -1);
-    lodgers_.make_room(faces, room_);
-    queue_.make_room(4 * std::max(faces, room_));
-    topology_.make_room(room_);
+    // Where memory is short all is as it was, but for what is larger than it has to be.
+    const std::size_t room = std::max(sites, 2 * room_);
+    const std::size_t faces = room < 2 ? 0 : 2 * room - 2;
+    moving_.reserve(room);
+    sites_.moving = moving_;
+    live_.reserve(room);
+    hidden_by_.resize(room, -1);
+    none_hidden_.resize(room, -1);
+    is_hidden_.resize(room, false);
+    face_of_.resize(room, -1);
+    home_.resize(room, -1);
+    lodgers_.make_room(faces, room);
+    queue_.make_room(4 * std::max(faces, room));
+    topology_.make_room(room);
+    room_ = room;
     if (!is_line_)
         insertion_ = std::make_unique<Insertion>(topology_, kernel_, hidden_by_, recent_);
 }
@@ -165,18 +169,18 @@ bool MovingTriangulation::take_out(Index i) {
     if (gap != Gap::closed) return false;
     for (const Index v : ring) tell(i, v, false);
     recent_ = outside;
-    const auto is_new = [&](Index f) {
-        return std::find(faces.begin(), faces.end(), f) != faces.end();
-    };
+    std::erase_if(faces, [&](Index f) { return topology_.is_vacant(f); });
+    for (const Index f : faces) topology_.record(f).mark = 1;
     for (const Index f : faces) {
-        if (topology_.is_vacant(f)) continue;
         note_corners(f);
         for (HalfEdge h = Topology::first_edge(f); h < Topology::first_edge(f) + 3; ++h) {
             pending_.push_back(h);
-            if (h < topology_.twin(h) && is_new(Topology::face(topology_.twin(h))))
+            const HalfEdge t = topology_.twin(h);
+            if (h < t && topology_.record(Topology::face(t)).mark != 0)
                 tell(topology_.origin(h), topology_.target(h), true);
         }
     }
+    for (const Index f : faces) topology_.record(f).mark = 0;
     home_[at(i)] = recent_;
     return true;
 }
@@ -218,6 +222,8 @@ void MovingTriangulation::step() {
         }
     } while (!queue_.empty() && moment_.compare(sites_, queue_.top().when, &tally_) == 0);
     note_flat(pending_);
+    // The hull winds otherwise only where it has been folded back at a corner. There the faces in
+    // the corner are flat, and the hull's edges at both sides of it have a root, too.
     if (pending_.size() > 1)
         for (const HalfEdge h : pending_)
             hull_is_suspect_ |= topology_.is_infinite(Topology::face(h)) ||
@@ -430,7 +436,8 @@ bool MovingTriangulation::hide(HalfEdge h) {
 }
 
 bool MovingTriangulation::settle() {
-    // More than flips in good order take; they would come to an end, but building is sooner done.
+    // More than flips in good order take, and what is asked again after one; that would come to an
+    // end, but building is sooner done.
     std::uint64_t left = 64 + 8 * static_cast<std::uint64_t>(topology_.faces());
     for (;;) {
         while (!pending_.empty()) {
@@ -441,7 +448,8 @@ bool MovingTriangulation::settle() {
                 blocked_.push_back(h);
                 continue;
             }
-            if (left-- == 0) return false;
+            if (left < 1 + blocked_.size()) return false;
+            left -= 1 + blocked_.size();
             pending_.insert(pending_.end(), blocked_.begin(), blocked_.end());
             blocked_.clear();
         }
@@ -575,14 +583,16 @@ void MovingTriangulation::for_each_edge(const Visit& visit) const {
 
 /// On the way edges may come and go again.
 void MovingTriangulation::tell_all() {
-    std::ranges::sort(told_);
-    for (std::size_t k = 0; k < told_.size();) {
-        const auto [a, b, by] = told_[k];
+    std::ranges::sort(changed_edges_);
+    for (std::size_t k = 0; k < changed_edges_.size();) {
+        const auto [a, b, by] = changed_edges_[k];
         int sum = 0;
-        for (; k < told_.size() && told_[k][0] == a && told_[k][1] == b; ++k) sum += told_[k][2];
+        for (; k < changed_edges_.size() && changed_edges_[k][0] == a && changed_edges_[k][1] == b;
+             ++k)
+            sum += changed_edges_[k][2];
         if (sum != 0) watch_(a, b, sum > 0);
     }
-    told_.clear();
+    changed_edges_.clear();
 }
 
 void MovingTriangulation::build() {

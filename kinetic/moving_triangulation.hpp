@@ -20,14 +20,14 @@
 ///     regular.
 ///  2. What is above 0 right before a time and has no root there is above 0 right after. An edge
 ///     with a root that changes its sign fails; then it is flipped, or an end of it that has three
-///     edges is hidden. Either takes the lifted surface down (or, of a mirrored face, up in the
-///     same sense of its signed volume), so that this comes to an end.
-///  3. Faces have no certificates of their own. A face that is flat at the time lies, together with
-///     the flat ones beside it, where weights that are less by infinitesimals (which have a
-///     triangulation at the time itself, of faces none of which is flat) have another
-///     triangulation; so an edge of that patch fails infinitely near the time, and has a root
-///     there. From the edges with a root, then, all flat faces are found; they are asked once the
-///     flips are through.
+///     edges is hidden. Either takes the lifted surface down, by a volume that counts as the faces
+///     turn. So no structure comes back, and this ends.
+///  3. Faces have no certificates of their own: from the edges with a root all flat faces are
+///     found, and these are asked once the flips are through. For a flat face lies in a patch of
+///     flat faces of which some edge has a root. Make all weights less by infinitesimals: then the
+///     sites at the time itself have a triangulation in which no face is flat. In the patch it is
+///     another one than that at hand, so that there some edge is not regular at the time; right
+///     before it was.
 ///  4. Where the flips of a time do not lead there (an edge cannot be flipped, a face is turned
 ///     over, the hull winds twice), all is built anew. That takes two sites of one weight that are
 ///     at one place, or three on a line at the hull, or a hull that turns over.
@@ -178,6 +178,7 @@ class MovingTriangulation {
     /// Whether a face that is to come turns left or is flat, and then suspect; infinite ones do.
     [[nodiscard]] bool may_be(Index a, Index b, Index c);
     void suspect(Index face);
+    /// Whether it is no longer there, or turns left.
     [[nodiscard]] bool is_cleared(const Face& suspect);
 
     void forget_edges(Index face);
@@ -185,7 +186,7 @@ class MovingTriangulation {
     void note_corners(Index face);
     void tell(Index a, Index b, bool comes) {
         if (watch_ && a != infinite && b != infinite)
-            told_.push_back({std::min(a, b), std::max(a, b), comes ? 1 : -1});
+            changed_edges_.push_back({std::min(a, b), std::max(a, b), comes ? 1 : -1});
     }
     void tell_all();
     template <class Visit>
@@ -226,9 +227,9 @@ class MovingTriangulation {
     std::vector<Face> suspects_;     ///< faces that may not turn left
     bool suspects_flat_ = false;     ///< whether may_be saw a flat one
     bool hull_is_suspect_ = false;
-    Index recent_ = 0;                        ///< a face that is not vacant
-    Index infinite_face_ = 0;                 ///< one of them
-    std::vector<std::array<Index, 3>> told_;  ///< edges of which the watch is to hear: ±1
+    Index recent_ = 0;                                 ///< a face that is not vacant
+    Index infinite_face_ = 0;                          ///< one of them
+    std::vector<std::array<Index, 3>> changed_edges_;  ///< edges of which the watch is to hear: ±1
     Work work_;
 };
 
