@@ -408,23 +408,24 @@ std::optional<Root> Polynomial::first(Which which, const RootOf& t, Asked& asked
     return root;
 }
 
+template <class Time>
+std::optional<Root> Polynomial::counted_first(Which which, const Time& t, Tally* tally) const {
+    Asked asked;
+    return asked.counted(tally, first(which, t, asked));
+}
 std::optional<Root> Polynomial::first_change(double t, Tally* tally) const {
     SIGNUM_EXPECTS(filters::magnitude(t) <= std::numeric_limits<double>::max());
-    Asked asked;
-    return asked.counted(tally, first(Which::changes, t, asked));
+    return counted_first(Which::changes, t, tally);
 }
 std::optional<Root> Polynomial::first_change(const RootOf& t, Tally* tally) const {
-    Asked asked;
-    return asked.counted(tally, first(Which::changes, t, asked));
+    return counted_first(Which::changes, t, tally);
 }
 std::optional<Root> Polynomial::first_root(double t, Tally* tally) const {
     SIGNUM_EXPECTS(filters::magnitude(t) <= std::numeric_limits<double>::max());
-    Asked asked;
-    return asked.counted(tally, first(Which::all, t, asked));
+    return counted_first(Which::all, t, tally);
 }
 std::optional<Root> Polynomial::first_root(const RootOf& t, Tally* tally) const {
-    Asked asked;
-    return asked.counted(tally, first(Which::all, t, asked));
+    return counted_first(Which::all, t, tally);
 }
 
 RealRoots Polynomial::real_roots(Tally* tally) const {

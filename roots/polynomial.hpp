@@ -51,8 +51,7 @@ struct Tally {
 /// A real root of a polynomial. One of these holds:
 ///  - low == high, and the root is this double;
 ///  - `alone`: the root is the only one in [low, high] and is neither, and the polynomial changes
-///  its
-///    sign there;
+///    its sign there;
 ///  - low and high are neighbours among the doubles with both infinities, and it is the place-th of
 ///    the distinct roots that are greater than low; less than high.
 struct Root {
@@ -192,6 +191,8 @@ class Polynomial {
     [[nodiscard]] std::optional<Root> first(Which which, double t, Asked& asked) const;
     [[nodiscard]] std::optional<Root> first(Which which, const Root& mine, Asked& asked) const;
     [[nodiscard]] std::optional<Root> first(Which which, const RootOf& t, Asked& asked) const;
+    template <class Time>
+    [[nodiscard]] std::optional<Root> counted_first(Which which, const Time& t, Tally* tally) const;
     [[nodiscard]] Root narrowed(const Root& root, Asked& asked) const;
     [[nodiscard]] static Sign compare(const RootOf& a, double x, Asked& asked);
     [[nodiscard]] static Sign compare(const RootOf& a, const RootOf& b, Asked& asked);
