@@ -60,8 +60,8 @@ class Delaunay {
         for (const Index site : discs_[i].copies)
             if (site >= 0) collect_neighbours(i, site);
         std::ranges::sort(neighbours_);
-        const auto rest = std::ranges::unique(neighbours_);
-        for (auto j = neighbours_.begin(); j != rest.begin(); ++j) propose(*j);
+        neighbours_.erase(std::unique(neighbours_.begin(), neighbours_.end()), neighbours_.end());
+        for (const Slot j : neighbours_) propose(j);
     }
 
     /// When the disc is to be asked again, its copies change, or the triangulation does, of which

@@ -388,7 +388,8 @@ void expect_change_at_a_kink(double speed, bool is_rising, bool points_come_firs
     State<D> state;
     state.balls = {on_a_line<D>(-sign, sign * speed, 0, 0), on_a_line<D>(0, 0, 0, 0),
                    on_a_line<D>(1 - sign, sign * speed, 0.5, 20), on_a_line<D>(0, 0, 0.5, 20)};
-    if (!points_come_first) std::ranges::rotate(state.balls, state.balls.begin() + 2);
+    if (!points_come_first)
+        std::rotate(state.balls.begin(), state.balls.begin() + 2, state.balls.end());
     state.masses.assign(4, 1.0);
     state.in_place.resize(4);
     std::size_t entries = 0;
