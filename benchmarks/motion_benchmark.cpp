@@ -8,20 +8,16 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
-#include <ctime>
-#include <fstream>
 #include <numbers>
 #include <random>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include <malloc.h>
-#include <unistd.h>
-
 #include <fmt/format.h>
 
 #include "../motion/simulation.hpp"
+#include "measuring.hpp"
 
 namespace signum::benchmarks {
 namespace {
@@ -80,23 +76,6 @@ struct Gas {
         }
     }
 };
-
-double seconds() {
-    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
-/// What is taken of the machine's memory; of arrays that lie on pages of their own the heap's own
-/// count would include what is left out to reach the next page, and never touched.
-double bytes_taken() {
-    ::malloc_trim(0);
-    long all = 0;
-    long resident = 0;
-    std::ifstream("/proc/self/statm") >> all >> resident;
-    return static_cast<double>(resident) * static_cast<double>(::sysconf(_SC_PAGESIZE));
-}
-double median(std::vector<double> values) {
-    std::ranges::sort(values);
-    return values[values.size() / 2];
-}
 
 template <int D>
 void measure(std::size_t number, double packing, Structure structure) {

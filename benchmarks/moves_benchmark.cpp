@@ -9,7 +9,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
-#include <ctime>
 #include <random>
 #include <string_view>
 #include <vector>
@@ -19,6 +18,7 @@
 #include "../generate/generate.hpp"
 #include "../triangulation/dynamic.hpp"
 #include "../triangulation/triangulate.hpp"
+#include "measuring.hpp"
 
 namespace signum::benchmarks {
 namespace {
@@ -33,16 +33,11 @@ constexpr Kind kinds[] = {
     {"Euclidean, radii", Metric::euclidean, 0.3}, {"Euclidean, one radius", Metric::euclidean, 0.0},
     {"Manhattan, radii", Metric::manhattan, 0.3}, {"supremum, radii", Metric::supremum, 0.3}};
 
-double median(std::vector<double> values) {
-    std::ranges::sort(values);
-    return values[values.size() / 2];
-}
-
 template <class Work>
 double seconds_of(const Work& work) {
-    const std::clock_t begin = std::clock();
+    const double begin = seconds();
     work();
-    return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+    return seconds() - begin;
 }
 
 /// Whether the two agree.

@@ -11,8 +11,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
-#include <ctime>
-#include <fstream>
 #include <functional>
 #include <numbers>
 #include <optional>
@@ -20,12 +18,10 @@
 #include <string>
 #include <vector>
 
-#include <malloc.h>
-#include <unistd.h>
-
 #include <fmt/format.h>
 
 #include "../motion/simulation.hpp"
+#include "measuring.hpp"
 
 namespace signum::benchmarks {
 namespace {
@@ -114,22 +110,6 @@ class Gas {
     std::size_t columns_ = 0;
     std::vector<std::vector<std::size_t>> cells_;
 };
-
-double seconds() {
-    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
-/// What is taken of the machine's memory.
-double bytes_taken() {
-    ::malloc_trim(0);
-    long all = 0;
-    long resident = 0;
-    std::ifstream("/proc/self/statm") >> all >> resident;
-    return static_cast<double>(resident) * static_cast<double>(::sysconf(_SC_PAGESIZE));
-}
-double median(std::vector<double> values) {
-    std::ranges::sort(values);
-    return values[values.size() / 2];
-}
 
 struct Measured {
     Counts before;

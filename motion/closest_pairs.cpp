@@ -10,6 +10,7 @@
 #include "gap.hpp"
 #include "near_pairs.hpp"
 #include "queries.hpp"
+#include "stop.hpp"
 
 namespace signum::motion {
 namespace {
@@ -27,14 +28,17 @@ struct Instant {
 template <int D>
 class List {
  public:
-    explicit List(const Effects<D>& effects) : effects_(effects) {}
+    /// Neither is copied.
+    List(const Effects<D>& effects, Stop& stop) : effects_(effects), stop_(stop) {}
 
-    /// Goes on with balls that fly in [from, to] without a strike. Precondition: at least two
-    /// balls; the default floating-point environment.
+    /// Goes on with balls that fly in [from, to] without a strike; where it is stopped, up to the
+    /// last pair of the list. Precondition: at least two balls; the default floating-point
+    /// environment.
     void add(std::span<const Ball<D>> balls, double from, double to) {
+        if (stop_.is_told()) return;
         const NearPairs<D> near(balls, effects_, from, to);
         const std::size_t usual = 2 * balls.size() + 64;
-        std::optional<std::vector<NearPair<D>>> pairs = near.closest(usual);
+        std::optional<std::vector<NearPair<D>>> pairs = near.closest(usual, stop_);
         if (!pairs) {
             const double middle = from + 0.5 * (to - from);
             const bool is_between = from < middle && middle < to;
@@ -42,16 +46,18 @@ class List {
             if (is_between) {
                 // As many may be equally close at any moment.
                 const NearPairs<D> then(balls, effects_, middle, middle);
-                limit = usual + 2 * then.closest(NearPairs<D>::no_limit)->size();
+                const auto tied = then.closest(NearPairs<D>::no_limit, stop_);
+                if (!tied) return;
+                limit = usual + 2 * tied->size();
             }
-            pairs = near.closest(limit);
-            if (!pairs) {
+            pairs = near.closest(limit, stop_);
+            if (!pairs && !stop_.is_told()) {
                 add(balls, from, middle);
                 add(balls, middle, to);
                 return;
             }
         }
-        Walk(*this, balls, near, *pairs, from, to).go();
+        if (pairs) Walk(*this, balls, near, *pairs, from, to).go();
     }
     [[nodiscard]] std::vector<ClosestPair>& pairs() noexcept { return pairs_; }
 
@@ -74,6 +80,7 @@ class List {
             best_ = &pairs_.front();
             double least = gap_between(*best_, 0.0, 0.0).high;
             for (const NearPair<D>& pair : pairs_) {
+                if (list_.stop_.turn()) return;
                 if (pair.gap.low > least) continue;
                 const Interval gap = gap_between(pair, 0.0, 0.0);
                 if (gap.low > least || !is_closer(pair, *best_, now_)) continue;
@@ -104,7 +111,8 @@ class List {
                            roots::RootOf{end_.polynomial, root_of_end_}) < 0;
         }
 
-        /// The next pair, and the moment from which on it is the closest one.
+        /// The next pair, and the moment from which on it is the closest one; none where it is
+        /// stopped.
         bool find_next() {
             const double low = filters::max(0.0, now_.root.low);
             double high = near_.duration();
@@ -112,6 +120,7 @@ class List {
             const NearPair<D>* next = nullptr;
             std::optional<Moment<D>> when;
             for (const NearPair<D>& pair : pairs_) {
+                if (list_.stop_.turn()) return false;
                 if (&pair == best_ || pair.gap.low > most ||
                     gap_between(pair, low, high).low > most)
                     continue;
@@ -154,6 +163,7 @@ class List {
     };
 
     const Effects<D>& effects_;
+    Stop& stop_;
     std::vector<ClosestPair> pairs_;
 };
 
@@ -173,7 +183,8 @@ ClosestPairs closest_pairs(const State<D>& state, const Effects<D>& effects, dou
                result.outcome.ending == Ending::stopped;
     };
     if (is_over() || state.balls.size() < 2) return result;
-    List<D> list(effects);
+    Stop told_to_stop(stop);
+    List<D> list(effects, told_to_stop);
     for (double from = begin;;) {
         const State<D> now = ahead.state();
         double to = end;
@@ -186,11 +197,12 @@ ClosestPairs closest_pairs(const State<D>& state, const Effects<D>& effects, dou
             list.add(now.balls, from, to);
         }
         from = to;
-        if (result.outcome.ending != Ending::strikes) break;
-        if (stop && stop()) {
+        const bool is_last = result.outcome.ending != Ending::strikes;
+        if (told_to_stop.is_told() || (!is_last && told_to_stop.ask())) {
             result.outcome = {Ending::stopped, {}};
             break;
         }
+        if (is_last) break;
     }
     result.pairs = std::move(list.pairs());
     return result;

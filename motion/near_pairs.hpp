@@ -25,6 +25,7 @@
 #include "../filters/interval.hpp"
 #include "gap.hpp"
 #include "meeting.hpp"
+#include "stop.hpp"
 
 namespace signum::motion {
 
@@ -206,6 +207,9 @@ template <int D>
 class NearPairs {
  public:
     static constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
+    /// All axes together. In a box four diameters wide a pair has 3^D, unless it flies far in the
+    /// time.
+    static constexpr double most_images = 0x1p20;
 
     /// Of balls that fly in [from, to] without a strike. Precondition: at least one; from and to
     /// are finite, and no own time is later than from; the default floating-point environment.
@@ -217,9 +221,11 @@ class NearPairs {
         for (int k = 0; k < D; ++k) length_[k] = effects.box->high[k] - effects.box->low[k];
     }
 
-    /// Those that may be the closest ones; nothing where they are more than a limit, or more than a
-    /// million images of one pair.
-    [[nodiscard]] std::optional<std::vector<NearPair<D>>> closest(std::size_t limit) const {
+    /// Those that may be the closest ones, each image of a pair for itself; nothing where they are
+    /// more than a limit, where `stop` is told to, or, with a limit, where a pair has too many
+    /// images (most_images). Throws std::range_error for the latter without a limit.
+    [[nodiscard]] std::optional<std::vector<NearPair<D>>> closest(std::size_t limit,
+                                                                  Stop& stop) const {
         std::vector<typename BoxTree<D>::Node> boxes;
         boxes.reserve(balls_.size());
         for (const Ball<D>& ball : balls_) boxes.push_back(box_of(ball));
@@ -227,7 +233,7 @@ class NearPairs {
         Found found{infinity, limit, {}};
         const bool all = tree.visit_pairs(
             [&] { return found.bound; },
-            [&](std::uint32_t i, std::uint32_t j) { return look_at(i, j, found); });
+            [&](std::uint32_t i, std::uint32_t j) { return !stop.turn() && look_at(i, j, found); });
         found.forget_far();
         if (!all) return std::nullopt;
         return std::move(found.pairs);
@@ -339,15 +345,18 @@ class NearPairs {
         const double near = seen.gap(seen.begin, seen.end).high;
         found.bound = std::min(found.bound, near);
         const double reach = std::max(seen.radii.high + found.bound, 0.0);
+        double images = 1.0;
         for (int k = 0; k < D; ++k) {
             const Interval both = hull(seen.begin[k], seen.end[k]);
             const double low = (both.low - reach) / length_[k];
             const double high = (both.high + reach) / length_[k];
             constexpr double most = 0x1p31 - 1.0;
-            if (!(high - low < 0x1p20) || !(std::fabs(low) < most) || !(std::fabs(high) < most)) {
+            images *= high - low + 1.0;
+            if (!(images < most_images) || !(std::fabs(low) < most) || !(std::fabs(high) < most)) {
                 if (found.limit == no_limit)
                     throw std::range_error(
-                        "a ball flies a million lengths of the box within one step of the clock");
+                        "a pair of balls may be nearest in a million images: they fly too fast "
+                        "for the clock, or are too large for the periodic box");
                 return false;
             }
             seen.first[k] = static_cast<int>(std::ceil(low - 0x1p-40 * (1.0 + std::fabs(low))));

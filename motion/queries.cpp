@@ -1,6 +1,7 @@
 #include "queries.hpp"
 
 #include <cmath>
+#include <functional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -9,6 +10,7 @@
 #include "../exact/floating_environment.hpp"
 #include "gap.hpp"
 #include "near_pairs.hpp"
+#include "stop.hpp"
 
 namespace signum::motion {
 namespace {
@@ -99,7 +101,9 @@ std::optional<ClosestPair> closest_pair(const State<D>& state, const Effects<D>&
     if (state.balls.size() < 2) return std::nullopt;
     const exact::IeeeEnvironment environment;
     const NearPairs<D> near(state.balls, effects, state.time, state.time);
-    const std::vector<NearPair<D>> pairs = *near.closest(NearPairs<D>::no_limit);
+    const std::function<bool()> nobody;
+    Stop never(nobody);
+    const std::vector<NearPair<D>> pairs = *near.closest(NearPairs<D>::no_limit, never);
     const auto [best, gap] = closest_of<D>(pairs, state, effects);
     return ClosestPair{state.time, best.a, best.b, gap.nearest_double()};
 }

@@ -12,8 +12,9 @@
 ///
 /// All throw as Simulation does, and std::invalid_argument for times that are before the state's,
 /// not finite or in the wrong order. Those about gaps throw std::range_error where, in a periodic
-/// box, a ball has flown more than 2^29 box lengths, or flies so fast that it passes a million of
-/// them between two neighbouring doubles of time.
+/// box, a ball has flown more than 2^29 box lengths, or where a pair may be nearest in a million
+/// images, since it flies so far between two neighbouring doubles of time, or its radii are more
+/// than 2^50 box lengths. A `stop` that throws ends a question with what it throws.
 ///
 /// Source: M. Gavrilova, Proximity and Applications in General Metrics, thesis, Calgary 1998, 8.7.
 
@@ -81,14 +82,15 @@ template <int D>
 
 struct ClosestPairs {
     std::vector<ClosestPair> pairs;
-    /// A collapse: the list is complete up to the time of outcome.last; a stop: up to some strike.
+    /// A collapse: the list is complete up to the time of outcome.last; a stop: up to its last
+    /// pair.
     Outcome outcome;
 };
 /// Which pair is the closest one from `begin` to `end`: the one right after `begin`, and from each
 /// time on, right after which it is another one, that one. These times, which are roots of
 /// polynomials, are in their exact order, so that two may have the same nearest double; at such a
 /// time itself two gaps are equal. Of a time of strikes what is right after them. `stop` is asked
-/// now and then: whether to stop.
+/// at every strike and now and then between: whether to stop.
 ///
 /// From strike to strike O(n log n) expected and O(k) a change, k the number of pairs that may come
 /// as near as the closest one; where these are too many the time is halved.

@@ -24,7 +24,7 @@ class Delaunay;
 
 namespace {
 
-// One line a structure.
+/// How to make a structure's engine.
 template <int D>
 struct Row {
     Structure structure;
@@ -32,6 +32,7 @@ struct Row {
                                                             const Effects<D>&, Kernel,
                                                             const std::vector<std::int32_t>&);
 };
+/// All structures but automatic.
 template <int D>
 std::vector<Row<D>> rows() {
     std::vector<Row<D>> result = {
@@ -51,7 +52,8 @@ struct Sizes {
     double smallest = std::numeric_limits<double>::infinity();
     double largest = 0.0;
     double shortest_box = std::numeric_limits<double>::infinity();
-    double packing = 0.0;  ///< the share of the box that balls fill
+    double packing = 0.0;   ///< the share of the box that balls fill
+    double farthest = 0.0;  ///< the largest coordinate
 };
 template <int D>
 Sizes sizes_of(const State<D>& state, const Effects<D>& effects) {
@@ -61,12 +63,15 @@ Sizes sizes_of(const State<D>& state, const Effects<D>& effects) {
         sizes.smallest = std::min(sizes.smallest, ball.radius);
         sizes.largest = std::max(sizes.largest, ball.radius);
         sizes.packing += of_radius_1 * std::pow(ball.radius, D);
+        for (const double x : ball.x) sizes.farthest = std::max(sizes.farthest, std::fabs(x));
     }
     if (!effects.box) return sizes;
     for (int k = 0; k < D; ++k) {
         const double length = effects.box->high[k] - effects.box->low[k];
         sizes.shortest_box = std::min(sizes.shortest_box, length);
         sizes.packing /= length;
+        sizes.farthest = std::max(
+            {sizes.farthest, std::fabs(effects.box->low[k]), std::fabs(effects.box->high[k])});
     }
     return sizes;
 }
@@ -133,6 +138,9 @@ Choice choose(Structure wish, const State<D>& state, const Effects<D>& effects) 
         if (D != 2) return {instead, "delaunay is a structure of the plane"};
         if (!(sizes.smallest > 0.0 && sizes.smallest >= 0x1p-12 * sizes.largest))
             return {instead, "delaunay is for discs whose radii are within a factor of 4096"};
+        // Its margin is more than places are rounded by.
+        if (sizes.smallest * (sizes.smallest / sizes.largest) < 0x1p-40 * sizes.farthest)
+            return {instead, "delaunay is for discs that are not tiny beside their coordinates"};
     }
     return {wish, "asked for"};
 }

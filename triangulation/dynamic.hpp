@@ -57,8 +57,8 @@ class DynamicTessellation {
     ///
     /// Every face and edge is asked whether it is right for the new centres, exactly; what is not
     /// is mended, and where too much is not, or there is no structure, all is built anew. So it is
-    /// O(n), and the less sites move, the faster it is; at worst as triangulate(). Of many sites
-    /// (16 384) that came one by one, the first time all is built anew, so that neighbours lie
+    /// O(n), and the less sites move, the faster it is; at worst as triangulate(). Of more than
+    /// 16 384 sites that came one by one, the first time all is built anew, so that neighbours lie
     /// near one another in memory; and again after some dozens of moves of a hundredth of the
     /// sites' distance, as neighbours change.
     void move_all(std::span<const Point> centres);

@@ -7,11 +7,16 @@
 /// the pair has an edge when it meets; the edge came with an event, which proposed the pair, or was
 /// there at the start; and at a strike all neighbours are proposed.
 ///
+/// Time. When it is asked the triangulation is that right after the time of the clock, exactly. It
+/// is asked at the first double that is surely not before an event, or later by so little that
+/// discs fly past one another by less than the margin.
+///
 /// Roundings. The third of three discs that touch one another, of radii a, b and c, has the power
 /// 4abc/(a+b) at the place where the others touch, and no disc a lesser one. Places that are off by
 /// d change powers by some d times the largest radius. So the pair has its edge already when places
-/// and times are off by the margin, which is far less than the square of the smallest radius by the
-/// largest one. Where radii are too different the structure is not used (choose).
+/// are off by the margin: that is far less than the square of the smallest radius by the largest
+/// one. Where radii are too different, or too small beside the coordinates, the structure is not
+/// used (choose).
 ///
 /// In a periodic box a pair may meet across the boundary. Each disc has a copy in the box, and
 /// where it is near the lower side of an axis another one a length farther, beyond the upper side;
@@ -21,6 +26,10 @@
 /// largest diameter and the slack, and a copy that is no more needed goes a slack later. As images
 /// are seen that are nearest, a disc is asked again when it has flown an eighth of the box
 /// (pairs.hpp): at that time, or when the edge came, the image that it strikes is the nearest one.
+///
+/// A row. Discs that are on one line for ever have no faces, and every event and every strike
+/// builds their line anew, O(n log n); to ask for the neighbours of one takes O(n). That is for few
+/// discs; a row of many is for any other structure.
 
 #include <algorithm>
 #include <array>
@@ -51,18 +60,17 @@ class Delaunay {
         for (const Index site : discs_[i].copies)
             if (site >= 0) collect_neighbours(i, site);
         std::ranges::sort(neighbours_);
-        const auto rest = std::ranges::unique(neighbours_);
-        for (auto j = neighbours_.begin(); j != rest.begin(); ++j) propose(*j);
+        neighbours_.erase(std::unique(neighbours_.begin(), neighbours_.end()), neighbours_.end());
+        for (const Slot j : neighbours_) propose(j);
     }
 
-    /// When the disc's copies change, or the triangulation does, which one disc after the other
-    /// takes care of: whoever knows of an earlier event than the last one.
+    /// When the disc is to be asked again, its copies change, or the triangulation does, of which
+    /// one disc takes care: whoever hears of an event that is earlier than the one taken care of.
     [[nodiscard]] double next(Slot i, double now) {
         follow(i, now);
         double time = std::min(discs_[i].ask_at, border(i, now));
-        if (!discs_[i].news.empty() || !fresh_.empty()) time = now;
-        const kinetic::Event* event = triangulation_->next_event();
-        const double due = event != nullptr ? event->root.low : infinity;
+        if (!discs_[i].untold.empty() || !new_pairs_.empty()) time = now;
+        const double due = next_flip();
         if (i == holder_ || due < held_) {
             holder_ = i;
             held_ = due;
@@ -74,26 +82,25 @@ class Delaunay {
     template <class Propose, class Touch>
     void own_event(Slot i, double now, const Propose& propose, const Touch& touch) {
         cross(i, now);
-        for (const kinetic::Event* event = triangulation_->next_event();
-             event != nullptr && event->root.low <= now; event = triangulation_->next_event())
-            triangulation_->step();
+        triangulation_->advance(now);
         if (now >= discs_[i].ask_at) {
             discs_[i].ask_at = now + time_for(i, now, stride_);
             near(i, propose);
         }
-        note_edges();
-        tell_.swap(fresh_);
-        for (const auto& [a, b] : tell_) {
+        note_new_pairs();
+        // A touch may bring new ones.
+        pairs_told_.swap(new_pairs_);
+        for (const auto& [a, b] : pairs_told_) {
             if (a == i || b == i) {
                 propose(a == i ? b : a);
             } else {
-                discs_[a].news.push_back(b);
+                discs_[a].untold.push_back(b);
                 touch(a);
             }
         }
-        tell_.clear();
-        for (const Slot j : discs_[i].news) propose(j);
-        discs_[i].news.clear();
+        pairs_told_.clear();
+        for (const Slot j : discs_[i].untold) propose(j);
+        discs_[i].untold.clear();
     }
 
     [[nodiscard]] double margin() const noexcept { return margin_; }
@@ -115,8 +122,8 @@ class Delaunay {
         /// The sites of the copy in the box and, 1 and 2 more, of those beyond its sides; or -1.
         std::array<Index, 4> copies = {-1, -1, -1, -1};
         double ask_at = infinity;
-        /// New neighbours, of which the loop does not know yet.
-        std::vector<Slot> news;
+        /// New neighbours that are to be proposed at its next event.
+        std::vector<Slot> untold;
     };
 
     Delaunay(const World<D>& world, const Spread<D>& spread)
@@ -150,18 +157,18 @@ class Delaunay {
         }
         triangulation_->insert(sites);
         triangulation_->watch([this](Index a, Index b, bool comes) {
-            if (comes) come_.emplace_back(a, b);
+            if (comes) new_edges_.emplace_back(a, b);
         });
     }
 
-    /// Edges that have come, as pairs of discs: a site's owner is known when it is in.
-    void note_edges() {
-        for (const auto& [a, b] : come_) {
+    /// Of edges that have come the discs; a site's owner is known only when it is in.
+    void note_new_pairs() {
+        for (const auto& [a, b] : new_edges_) {
             const Slot i = owners_[static_cast<std::size_t>(a)];
             const Slot j = owners_[static_cast<std::size_t>(b)];
-            if (i != j) fresh_.emplace_back(i, j);
+            if (i != j) new_pairs_.emplace_back(i, j);
         }
-        come_.clear();
+        new_edges_.clear();
     }
 
     /// A place along an axis, from the box's lower side on, of the copy in the box.
@@ -191,22 +198,41 @@ class Delaunay {
         }
         const kinetic::Topology& topology = triangulation_->topology();
         const Index face = triangulation_->face_of(site);
-        // Rounding may have left a disc within another one: that hides none that is wider than it.
+        // No disc of a packing is hidden, nor one that lies a margin inside another one.
         if (face < 0) return;
         for (const kinetic::HalfEdge h : topology.fan(topology.spoke(face, site)))
             take(topology.target(h));
     }
 
-    /// Before the triangulation is changed it is brought to the time; it may have been taken to an
-    /// event a rounding later.
-    void bring_to(double now) {
-        if (triangulation_->compare_moment(now) <= 0) triangulation_->advance(now);
+    /// When the triangulation's next event is over, or up to so little later as its discs fly past
+    /// one another by less than the margin: to narrow its root takes as long as some flips.
+    [[nodiscard]] double next_flip() const {
+        const kinetic::Event* event = triangulation_->next_event();
+        if (event == nullptr) return infinity;
+        const auto& sites = event->certificate.sites;
+        const Vector<D> v = velocity_at_start(sites[0]);
+        double fastest = 0.0;
+        for (const Index site : sites) {
+            const Vector<D> u = velocity_at_start(site);
+            fastest = std::max(fastest, std::hypot(u[0] - v[0], u[1] - v[1]));
+        }
+        const double width = event->root.high - event->root.low;
+        return 2.0 * fastest * width <= margin_ ? event->root.high
+                                                : triangulation_->not_before(*event);
     }
+    /// As if it had flown like that since then: what falls keeps its velocity to all that falls.
+    [[nodiscard]] Vector<D> velocity_at_start(Index site) const {
+        const MovingSite& s = triangulation_->site(site);
+        const Vector<D>& g = world_.effects.gravity;
+        const double since = s.time - world_.start;
+        return {s.vx - g[0] * since, s.vy - g[1] * since};
+    }
+
     /// The disc may have struck something.
     void follow(Slot i, double now) {
         const MovingSite& was = triangulation_->site(discs_[i].copies[0]);
         if (was == site_of(i, 0)) return;
-        bring_to(now);
+        triangulation_->advance(now);
         // At a strike places are brought into the box; copies stay where they are.
         if (world_.effects.periodic) {
             const Ball<D> before{{was.x, was.y}, {was.vx, was.vy}, was.r, was.time};
@@ -218,7 +244,7 @@ class Delaunay {
         for (unsigned copy = 0; copy < 4; ++copy)
             if (const Index site = discs_[i].copies[copy]; site >= 0)
                 triangulation_->change(site, site_of(i, copy));
-        note_edges();
+        note_new_pairs();
         discs_[i].ask_at = now + time_for(i, now, stride_);
     }
 
@@ -264,7 +290,7 @@ class Delaunay {
             const auto [low, high] = stay(i, k);
             const double place = inside(i, k, world_.centre(i, now)[k]);
             if (place > low + 2.0 * margin_ && place < high - 2.0 * margin_) continue;
-            bring_to(now);
+            triangulation_->advance(now);
             Disc& disc = discs_[i];
             const unsigned bit = 1U << k;
             const bool was_low = disc.copies[bit] >= 0;
@@ -300,7 +326,7 @@ class Delaunay {
             owners_.resize(static_cast<std::size_t>(site) + 1);
         owners_[static_cast<std::size_t>(site)] = i;
         discs_[i].copies[copy] = site;
-        note_edges();
+        note_new_pairs();
     }
 
     const World<D>& world_;
@@ -313,9 +339,9 @@ class Delaunay {
     std::unique_ptr<kinetic::MovingTriangulation> triangulation_;
     Slot holder_ = ~Slot{0};  ///< who takes care of the triangulation's next event, and when
     double held_ = infinity;
-    std::vector<std::pair<Index, Index>> come_;
-    std::vector<std::pair<Slot, Slot>> fresh_;  ///< edges that the loop does not know of yet
-    std::vector<std::pair<Slot, Slot>> tell_;
+    std::vector<std::pair<Index, Index>> new_edges_;  ///< between sites
+    std::vector<std::pair<Slot, Slot>> new_pairs_;    ///< of discs that have become neighbours
+    std::vector<std::pair<Slot, Slot>> pairs_told_;   ///< those that are just being told
     mutable std::vector<Slot> neighbours_;
 };
 

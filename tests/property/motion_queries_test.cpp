@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <sstream>
@@ -15,6 +16,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../../motion/near_pairs.hpp"
 #include "../../motion/queries.hpp"
 #include "../oracle/gaps.hpp"
 #include "../unit/exact_reference.hpp"
@@ -266,6 +268,97 @@ TEST(MotionQueries, NearestAndClosestAreThoseOfBruteForce) {
     expect_near_in_all<3>(is_fast ? 4 : 2, 2);
 }
 
+/// Balls that are larger than the periodic box, and lie in it many times over.
+template <int D>
+State<D> in_a_small_box(Kind kind, double largest, const Effects<D>& effects, Random& random) {
+    State<D> state = state_of<D>(kind, random.between(2, 4), effects, random);
+    for (Ball<D>& ball : state.balls) ball.radius = largest * 0.125 * random.between(0, 8);
+    return state;
+}
+template <int D>
+Effects<D> small_box(bool falls) {
+    Effects<D> effects;
+    effects.box = cube<D>(1.0);
+    effects.box->high[0] = 0.75;
+    effects.periodic = true;
+    if (falls) effects.gravity[D - 1] = -1.0;
+    return effects;
+}
+template <int D>
+void expect_near_in_a_small_box(int rounds, std::uint64_t seed) {
+    Random random(seed);
+    for (int round = 0; round < rounds; ++round)
+        for (const Kind kind : {Kind::random, Kind::grid, Kind::beside, Kind::parallel})
+            for (const double largest : {0.5, 8.0, 0x1p30})
+                ASSERT_NO_FATAL_FAILURE(
+                    expect_near(in_a_small_box(kind, largest, small_box<D>(round % 2 == 0), random),
+                                small_box<D>(round % 2 == 0)));
+}
+TEST(MotionQueries, NearestAndClosestInABoxSmallerThanTheBalls) {
+    expect_near_in_a_small_box<2>(is_fast ? 12 : 3, 6);
+    expect_near_in_a_small_box<3>(is_fast ? 6 : 2, 7);
+}
+
+/// At any moment of a flight through many images the closest pair is one of those told.
+template <int D>
+void expect_closest_among_those_told(int rounds, std::uint64_t seed) {
+    Random random(seed);
+    const std::function<bool()> nobody;
+    Stop never(nobody);
+    int lists = 0;
+    for (int round = 0; round < rounds; ++round) {
+        for (const Kind kind : {Kind::random, Kind::grid, Kind::parallel}) {
+            const Effects<D> effects = small_box<D>(round % 2 == 0);
+            const State<D> state =
+                in_a_small_box(kind, round % 3 == 0 ? 0.0 : 2.0, effects, random);
+            const double end =
+                state.time + random.significand() * (round % 2 == 0 ? 0.25 : 4.0 / D);
+            const NearPairs<D> near(state.balls, effects, state.time, end);
+            const auto told = near.closest(NearPairs<D>::no_limit - 1, never);
+            if (!told) continue;
+            ++lists;
+            for (int look = 0; look <= 8; ++look) {
+                const double time = state.time + (end - state.time) * look / 8;
+                const auto closest =
+                    *brute::closest(to_brute<D>(state.balls), to_brute<D>(effects), time);
+                const auto is_it = [&](const NearPair<D>& pair) {
+                    return pair.a == closest.a && pair.b == closest.b &&
+                           pair.gap.low <= closest.gap + 1e-12 &&
+                           closest.gap - 1e-12 <= pair.gap.high;
+                };
+                ASSERT_TRUE(std::ranges::any_of(*told, is_it)) << round << ", " << look;
+            }
+        }
+    }
+    // Few flights are too long.
+    ASSERT_GT(lists, 2 * rounds);
+}
+TEST(MotionQueries, TheClosestPairIsAmongThoseToldInABoxSmallerThanTheBalls) {
+    expect_closest_among_those_told<2>(is_fast ? 30 : 6, 8);
+    expect_closest_among_those_told<3>(is_fast ? 10 : 3, 9);
+}
+
+/// A pair that may be nearest in a million images is refused at once, however these are spread over
+/// the axes.
+TEST(MotionQueries, AMillionImagesAreTooMany) {
+    Effects<2> effects;
+    effects.box = cube<2>(1.0);
+    effects.periodic = true;
+    State<2> state;
+    state.time = 1.0;
+    state.masses.assign(2, 1.0);
+    state.in_place.resize(2);
+    for (const double far : {0x1p62, 0x1p64, 0x1p80}) {
+        // It is known within some thousand lengths, or more, where it is.
+        state.balls = {{{-far, -far}, {far, far}, 0.0, 0.0}, {{0.5, 0.5}, {0, 0}, 0.0, 0.0}};
+        EXPECT_THROW((void)closest_pair(state, effects), std::range_error) << far;
+        EXPECT_THROW((void)nearest(state, effects, 1), std::range_error) << far;
+        // Such balls cannot be told from others that are larger by a length.
+        state.balls = {{{0.25, 0.25}, {0, 0}, far, 0.0}, {{0.5, 0.5}, {0, 0}, 0.0, 0.0}};
+        EXPECT_THROW((void)closest_pair(state, effects), std::range_error) << far;
+    }
+}
+
 TEST(MotionQueries, ListsAreThoseOfBruteForceInThePlane) {
     expect_lists_in_all<2>(is_fast ? 5 : 2, 3);
 }
@@ -295,7 +388,8 @@ void expect_change_at_a_kink(double speed, bool is_rising, bool points_come_firs
     State<D> state;
     state.balls = {on_a_line<D>(-sign, sign * speed, 0, 0), on_a_line<D>(0, 0, 0, 0),
                    on_a_line<D>(1 - sign, sign * speed, 0.5, 20), on_a_line<D>(0, 0, 0.5, 20)};
-    if (!points_come_first) std::ranges::rotate(state.balls, state.balls.begin() + 2);
+    if (!points_come_first)
+        std::rotate(state.balls.begin(), state.balls.begin() + 2, state.balls.end());
     state.masses.assign(4, 1.0);
     state.in_place.resize(4);
     std::size_t entries = 0;
@@ -386,6 +480,42 @@ TEST(MotionQueries, PointsThatFlyTogether) {
     const State<2> first = start<2>(scene.bodies, scene.effects);
     const ClosestPairs list = closest_pairs(first, scene.effects, 1.0, 4.0);
     ASSERT_EQ(list.pairs, (std::vector<ClosestPair>{{1.0, 0, 2, 0.0}}));
+}
+
+/// A list is stopped between strikes, too, and is right as far as it goes.
+TEST(MotionQueries, AListIsStoppedWithinAFlight) {
+    Scene<2> points = gas<2>(is_fast ? 400 : 100, false, 12);
+    points.effects.box.reset();
+    for (Body<2>& body : points.bodies) body.radius = 0.0;
+    // All pairs are equally close for ever, and there is no part of the time with fewer.
+    Scene<2> one_place = points;
+    for (std::size_t i = 0; i < one_place.bodies.size(); ++i)
+        one_place.bodies[i] = {{0.0, 0.0}, {i % 2 == 0 ? 1.0 : -1.0, 0.5}, 0.0, 1.0};
+    for (const Scene<2>& scene : {points, one_place}) {
+        const State<2> first = start<2>(scene.bodies, scene.effects);
+        std::uint64_t questions = 0;
+        const auto list_until = [&](std::uint64_t most) {
+            questions = 0;
+            // Pairs have no events of their own: the run itself asks nobody.
+            return closest_pairs(first, scene.effects, 1.0, 9.0, {Structure::pairs},
+                                 [&] { return ++questions > most; });
+        };
+        const ClosestPairs whole = list_until(~std::uint64_t{0});
+        ASSERT_EQ(whole.outcome.ending, Ending::nothing);
+        const std::uint64_t all = questions;
+        ASSERT_GT(all, 10U);
+        for (const std::uint64_t most : {std::uint64_t{0}, all / 4, all / 2, all - 1}) {
+            const ClosestPairs part = list_until(most);
+            EXPECT_EQ(part.outcome.ending, Ending::stopped);
+            EXPECT_EQ(questions, most + 1);
+            ASSERT_LE(part.pairs.size(), whole.pairs.size());
+            EXPECT_TRUE(std::equal(part.pairs.begin(), part.pairs.end(), whole.pairs.begin()));
+        }
+        struct Thrown {};
+        EXPECT_THROW((void)closest_pairs(first, scene.effects, 1.0, 9.0, {Structure::pairs},
+                                         []() -> bool { throw Thrown(); }),
+                     Thrown);
+    }
 }
 
 TEST(MotionQueries, StrikesAheadAreThoseOfTheRun) {
