@@ -9,12 +9,9 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
-#include <ctime>
 #include <optional>
 #include <random>
 #include <vector>
-
-#include <malloc.h>
 
 #include <fmt/format.h>
 
@@ -22,22 +19,13 @@
 #include "../kinetic/moving_triangulation.hpp"
 #include "../triangulation/flips/event_queue.hpp"
 #include "../triangulation/structure/flip.hpp"
+#include "measuring.hpp"
 
 namespace signum::benchmarks {
 namespace {
 
 using triangulation::HalfEdge;
 using triangulation::Topology;
-
-double seconds() {
-    timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-double median(std::vector<double> values) {
-    std::ranges::sort(values);
-    return values[values.size() / 2];
-}
 
 /// One site a unit of area, velocities in a square of side 2; weights up to a radius.
 std::vector<MovingSite> sites(std::size_t number, double radius) {
@@ -206,7 +194,7 @@ void measure(std::size_t number, double radius) {
     double memory = 0.0;
     kinetic::Work work;
     for (int round = 0; round < 5; ++round) {
-        const auto before = static_cast<double>(mallinfo2().uordblks + mallinfo2().hblkhd);
+        const double before = bytes_taken();
         double begin = seconds();
         kinetic::MovingTriangulation exact(0.0, {});
         exact.insert(moving);
@@ -216,7 +204,7 @@ void measure(std::size_t number, double radius) {
         begin = seconds();
         exact.advance(until);
         const double time = seconds() - begin;
-        memory = static_cast<double>(mallinfo2().uordblks + mallinfo2().hblkhd) - before;
+        memory = bytes_taken() - before;
         work = exact.work();
         rates.push_back(static_cast<double>(work.events) / time);
         if (!naive) continue;

@@ -174,7 +174,7 @@ std::vector<Face> KineticTessellation::faces() const {
         if (of.topology().is_vacant(f) || of.topology().is_infinite(f)) continue;
         const auto& v = of.topology().vertices(f);
         Face face = {v[0], v[1], v[2]};
-        std::ranges::rotate(face, std::ranges::min_element(face));
+        std::rotate(face.begin(), std::ranges::min_element(face), face.end());
         result.push_back(face);
     }
     std::ranges::sort(result);

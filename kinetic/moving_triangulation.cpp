@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "../triangulation/dynamic/local_checks.hpp"
+#include "../triangulation/dynamic/near_face.hpp"
 #include "../triangulation/insertion/collinear.hpp"
 #include "../triangulation/insertion/delete.hpp"
 #include "../triangulation/insertion/hiders.hpp"
@@ -546,27 +547,15 @@ std::array<double, 2> MovingTriangulation::roughly(Index i) const noexcept {
     return {along(site.x, site.vx, sites_.fall.x), along(site.y, site.vy, sites_.fall.y)};
 }
 
-/// Of some 2n^(1/3) sites spread over all numbers, a face at the one that is nearest or so.
 Index MovingTriangulation::face_near(Index q) const {
     const std::array<double, 2> there = roughly(q);
-    const auto numbers = static_cast<std::uint64_t>(live_.size());
-    const auto samples = static_cast<std::uint64_t>(2.0 * std::cbrt(static_cast<double>(numbers)));
-    Index best = recent_;
-    double least = std::numeric_limits<double>::infinity();
-    for (std::uint64_t k = 0; k < samples; ++k) {
-        const std::uint64_t fraction = k * 0x9E37'79B9'7F4A'7C15U >> 32;
-        const auto v = static_cast<Index>(fraction * numbers >> 32);
-        if (!live_[at(v)] || face_of_[at(v)] < 0) continue;
+    const std::span<const Index> face_of(face_of_.data(), live_.size());
+    return triangulation::near_face(topology_, face_of, recent_, [&](Index v) {
         const std::array<double, 2> here = roughly(v);
         const double dx = here[0] - there[0];
         const double dy = here[1] - there[1];
-        const double distance = dx * dx + dy * dy;
-        if (distance < least) {
-            least = distance;
-            best = face_of_[at(v)];
-        }
-    }
-    return best;
+        return dx * dx + dy * dy;
+    });
 }
 
 template <class Visit>

@@ -62,7 +62,7 @@ brute::Triangles triangles_at(const std::vector<MovingSite>& sites, const Set& s
         if (topology.is_vacant(f) || topology.is_infinite(f)) continue;
         brute::Triangle corners;
         std::ranges::copy(topology.vertices(f), corners.begin());
-        std::ranges::rotate(corners, std::ranges::min_element(corners));
+        std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
         result.push_back(corners);
     }
     std::ranges::sort(result);

@@ -27,6 +27,7 @@
 #include "../triangulate.hpp"
 #include "lists.hpp"
 #include "local_checks.hpp"
+#include "near_face.hpp"
 #include "ranks.hpp"
 #include "repair.hpp"
 
@@ -298,36 +299,13 @@ class Live {
         for (const Index of_v : kept_.release(with_others(v))) keep(h, of_v);
     }
 
-    /// A face from which it is not far to a new site: that of the nearest of some 2n^(1/3) sites,
-    /// or of the site changed last. From there a walk takes O(n^(1/3)) steps on uniform sites
-    /// (Mücke, Saias and Zhu 1999), from a face anywhere O(n^(1/2)), and O(n) where sites lie on
-    /// curves.
     [[nodiscard]] Index face_near(const S& site) const noexcept {
-        const auto distance = [&](Index v) {
+        const std::span<const Index> face_of(face_of_.data(), count_ + free_.size());
+        return near_face(*topology_, face_of, insertion_->recent(), [&](Index v) {
             const double x = sites_[at(v)].x - site.x;
             const double y = sites_[at(v)].y - site.y;
             return x * x + y * y;
-        };
-        Index best = insertion_->recent();
-        double least = std::numeric_limits<double>::infinity();
-        for (int k = 0; k < 3; ++k)
-            if (const Index v = topology_->vertices(best)[k]; v != infinite)
-                least = std::min(least, distance(v));
-        const std::uint64_t handles = count_ + free_.size();
-        const auto samples =
-            static_cast<std::uint64_t>(2.0 * std::cbrt(static_cast<double>(handles)));
-        for (std::uint64_t i = 0; i < samples; ++i) {
-            // Multiples of the golden section are spread evenly.
-            const std::uint64_t fraction = i * 0x9E37'79B9'7F4A'7C15U >> 32;
-            const auto v = static_cast<Index>(fraction * handles >> 32);
-            if (face_of_[at(v)] < 0) continue;
-            const double d = distance(v);
-            if (d < least) {
-                least = d;
-                best = face_of_[at(v)];
-            }
-        }
-        return best;
+        });
     }
 
     /// Inserts a live site that is in no list.
