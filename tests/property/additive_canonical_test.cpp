@@ -13,6 +13,7 @@
 
 #include "../oracle/euclidean.hpp"
 #include "../oracle/rectangular.hpp"
+#include "../thoroughness.hpp"
 #include "degenerate_sites.hpp"
 
 namespace {
@@ -20,11 +21,8 @@ namespace {
 using namespace signum;
 using Sites = std::vector<Site>;
 
-#if defined(__SANITIZE_ADDRESS__) || !defined(__OPTIMIZE__)
-constexpr int share = 20;  // of the trials one in so many: the oracles take long there
-#else
-constexpr int share = 1;
-#endif
+/// Of the trials one in so many: the oracles take long there.
+constexpr int share = is_fast ? 1 : 20;
 
 template <class Metric>
 oracle::Tessellation oracle_of(const Sites& sites) {
@@ -156,7 +154,7 @@ TYPED_TEST(AdditiveCanonical, EveryOrderOfFiveSites) {
 TYPED_TEST(AdditiveCanonical, SeedAndArithmeticChangeNothing) {
     std::mt19937_64 random(4);
     for (int family = 0; family < 4; ++family) {
-        Sites sites(400);
+        Sites sites(400 / std::min(share, 4));
         std::uniform_real_distribution<double> place(0, 100);
         for (std::size_t i = 0; i < sites.size(); ++i) {
             Site& s = sites[i];

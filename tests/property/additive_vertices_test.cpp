@@ -15,6 +15,7 @@
 
 #include "../../triangulation/triangulate.hpp"
 #include "../../triangulation/vertices.hpp"
+#include "../thoroughness.hpp"
 
 #include "rounded.hpp"
 
@@ -23,6 +24,7 @@ namespace {
 
 using Triple = std::array<Site, 3>;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr int share = is_fast ? 1 : 10;  // of the trials one in so many
 
 // Squares -----------------------------------------------------------------------------------------
 
@@ -275,17 +277,17 @@ class AdditiveVertices : public testing::TestWithParam<Metric> {
 };
 
 TEST_P(AdditiveVertices, Random) {
-    for (int round = 0; round < 3000; ++round) {
+    for (int round = 0; round < 3000 / share; ++round) {
         Triple sites;
         for (Site& s : sites) s = {700 * real(), 700 * real(), 200 * real() - 50};
         ASSERT_NO_FATAL_FAILURE(check(sites));
     }
-    EXPECT_GT(found_, 1500);
+    EXPECT_GT(found_, 1500 / share);
 }
 
 TEST_P(AdditiveVertices, Integers) {
     bits_ = 4000;
-    for (int round = 0; round < 6000; ++round) {
+    for (int round = 0; round < 6000 / share; ++round) {
         const int size = 2 + below(12);
         const double scale = round % 3 == 0 ? 0x1p50 : 1.0;
         Triple sites;
@@ -296,14 +298,14 @@ TEST_P(AdditiveVertices, Integers) {
         if (sites[0] == sites[1] || sites[0] == sites[2] || sites[1] == sites[2]) continue;
         ASSERT_NO_FATAL_FAILURE(check(sites));
     }
-    EXPECT_GT(found_, 2000);
+    EXPECT_GT(found_, 2000 / share);
 }
 
 /// Sites a few units in the last place apart: the sums and the circles of right triangles have
 /// their last bit half way between doubles.
 TEST_P(AdditiveVertices, ExactHalves) {
     bits_ = 4000;
-    for (int round = 0; round < 2000; ++round) {
+    for (int round = 0; round < 2000 / share; ++round) {
         const double base = std::ldexp(1.0, below(100) - 50);
         const auto at = [&](int steps) { return base * (1.0 + 0x1p-52 * steps); };
         const auto few = [&] { return base * 0x1p-52 * below(4); };
@@ -318,12 +320,12 @@ TEST_P(AdditiveVertices, ExactHalves) {
         if (sites[0] == sites[1] || sites[0] == sites[2] || sites[1] == sites[2]) continue;
         ASSERT_NO_FATAL_FAILURE(check(sites));
     }
-    EXPECT_GT(found_, 1000);
+    EXPECT_GT(found_, 1000 / share);
 }
 
 TEST_P(AdditiveVertices, NearlyDegenerate) {
     bits_ = 6000;
-    for (int round = 0; round < 3000; ++round) {
+    for (int round = 0; round < 3000 / share; ++round) {
         const double angle = 7 * real();
         Triple sites;
         for (Site& s : sites) {
@@ -349,14 +351,14 @@ TEST_P(AdditiveVertices, NearlyDegenerate) {
         }
         ASSERT_NO_FATAL_FAILURE(check(sites));
     }
-    EXPECT_GT(found_, 500);
+    EXPECT_GT(found_, 500 / share);
 }
 
 /// Three discs on a common line, exactly: Q = 0 in the Euclidean metric, and 45° lines in the
 /// others.
 TEST_P(AdditiveVertices, CommonTangentLine) {
     bits_ = 4000;
-    for (int round = 0; round < 2000; ++round) {
+    for (int round = 0; round < 2000 / share; ++round) {
         Triple sites;
         const int along = below(4);
         for (Site& s : sites) {
@@ -371,12 +373,12 @@ TEST_P(AdditiveVertices, CommonTangentLine) {
         if (sites[0] == sites[1] || sites[0] == sites[2] || sites[1] == sites[2]) continue;
         ASSERT_NO_FATAL_FAILURE(check(sites));
     }
-    EXPECT_GT(found_, 500);
+    EXPECT_GT(found_, 500 / share);
 }
 
 TEST_P(AdditiveVertices, HugeAndTiny) {
     bits_ = 3000;
-    for (int round = 0; round < 1200; ++round) {
+    for (int round = 0; round < 1200 / share; ++round) {
         Triple sites;
         const auto number = [&]() -> double {
             switch (round % 6) {
@@ -398,21 +400,21 @@ TEST_P(AdditiveVertices, HugeAndTiny) {
         if (sites[0] == sites[1] || sites[0] == sites[2] || sites[1] == sites[2]) continue;
         ASSERT_NO_FATAL_FAILURE(check(sites));
     }
-    EXPECT_GT(found_, 500);
-    EXPECT_GT(denormals_, 100);
-    EXPECT_GT(not_finite_, 3);
+    EXPECT_GT(found_, 500 / share);
+    EXPECT_GT(denormals_, 100 / share);
+    EXPECT_GT(not_finite_, 3 / share);
 }
 
 TEST_P(AdditiveVertices, MixedExponents) {
     bits_ = 30000;
     static constexpr int places[] = {-1060, -900, -300, -160, -60, 0, 60, 160, 300, 900, 1020};
-    for (int round = 0; round < 150; ++round) {
+    for (int round = 0; round < 150 / share; ++round) {
         Triple sites;
         const auto number = [&] { return std::ldexp(2 * real() - 1, places[below(11)]); };
         for (Site& s : sites) s = {number(), number(), below(2) * 1e-3 * number()};
         ASSERT_NO_FATAL_FAILURE(check(sites));
     }
-    EXPECT_GT(found_, 40);
+    EXPECT_GT(found_, 40 / share);
 }
 
 TEST_P(AdditiveVertices, OfATessellation) {

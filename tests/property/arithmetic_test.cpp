@@ -15,6 +15,7 @@
 
 #include "../../triangulation/validate.hpp"
 
+#include "../thoroughness.hpp"
 #include "degenerate_sites.hpp"
 
 namespace {
@@ -22,11 +23,7 @@ namespace {
 using namespace signum;
 using Sites = std::vector<Site>;
 
-#if defined(__SANITIZE_ADDRESS__) || !defined(__OPTIMIZE__)
-constexpr int share = 10;  // of the trials one in so many
-#else
-constexpr int share = 1;
-#endif
+constexpr int share = is_fast ? 1 : 10;  // of the trials one in so many
 
 constexpr Arithmetic others[] = {Arithmetic::interval, Arithmetic::sum, Arithmetic::multiprecision};
 
@@ -94,8 +91,9 @@ TEST_P(Arithmetics, ExactOnesAgreeInDegeneratePositions) {
 TEST_P(Arithmetics, ExactOnesAgreeOnGridsAndCircles) {
     for (const double scale : {1.0, 1.0 / 3, 0x1p-530, 0x1.8p300})
         for (const double third : {0.0, 0.25 * scale}) {
-            ASSERT_NO_FATAL_FAILURE(expect_agreement(grid(9, scale, third))) << scale;
-            ASSERT_NO_FATAL_FAILURE(expect_agreement(circle(60, 100 * scale, third))) << scale;
+            ASSERT_NO_FATAL_FAILURE(expect_agreement(grid(is_fast ? 9 : 5, scale, third))) << scale;
+            ASSERT_NO_FATAL_FAILURE(expect_agreement(circle(is_fast ? 60 : 24, 100 * scale, third)))
+                << scale;
         }
 }
 

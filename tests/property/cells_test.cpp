@@ -6,6 +6,7 @@
 #include "../../draw/shapes.hpp"
 #include "../../predicates/additive.hpp"
 #include "../../triangulation/triangulate.hpp"
+#include "../thoroughness.hpp"
 
 #include <gtest/gtest.h>
 
@@ -28,11 +29,7 @@ struct Near {
     Index site;
 };
 
-#ifdef __SANITIZE_ADDRESS__
-constexpr int share = 5;  // of the trials one in so many
-#else
-constexpr int share = 1;
-#endif
+constexpr int share = is_fast ? 1 : 5;  // of the trials one in so many
 
 class Cells : public testing::TestWithParam<Metric> {
  protected:

@@ -15,6 +15,7 @@
 #include "../oracle/power.hpp"
 #include "../oracle/rectangular.hpp"
 #include "../oracle/valid_edges.hpp"
+#include "../thoroughness.hpp"
 #include "degenerate_sites.hpp"
 
 namespace {
@@ -22,11 +23,8 @@ namespace {
 using namespace signum;
 using Sites = std::vector<Site>;
 
-#if defined(__SANITIZE_ADDRESS__) || !defined(__OPTIMIZE__)
-constexpr int share = 10;  // of the trials one in so many: the oracles take long there
-#else
-constexpr int share = 1;
-#endif
+/// Of the trials one in so many: the oracles take long there.
+constexpr int share = is_fast ? 1 : 10;
 
 /// Discs that shrink in this order, each by an ever higher power of the one before; or the first
 /// two by high powers, the others by steps.

@@ -18,16 +18,11 @@
 #include "../../triangulation/dynamic.hpp"
 #include "../../triangulation/triangulate.hpp"
 
+#include "../thoroughness.hpp"
 #include "degenerate_sites.hpp"
 
 namespace signum {
 namespace {
-
-#if defined(__SANITIZE_ADDRESS__) || !defined(__OPTIMIZE__)
-constexpr int thoroughness = 1;
-#else
-constexpr int thoroughness = 8;
-#endif
 
 class Dynamic : public testing::TestWithParam<Metric> {
  protected:

@@ -18,6 +18,7 @@
 #include <gtest/gtest.h>
 
 #include "../oracle/euclidean.hpp"
+#include "../thoroughness.hpp"
 #include "../unit/exact_reference.hpp"
 #include "additive_brute_force.hpp"
 #include "degenerate_sites.hpp"
@@ -41,11 +42,8 @@ using Exact = Perturbed<Arithmetic::exact>;
 using Multiprecision = Perturbed<Arithmetic::multiprecision>;
 using Judging = Perturbed<signum::predicates::judging>;
 
-#if defined(__SANITIZE_ADDRESS__) || !defined(__OPTIMIZE__)
-constexpr int share = 10;  // of the trials one in so many: rationals take long there
-#else
-constexpr int share = 1;
-#endif
+/// Of the trials one in so many: rationals take long there.
+constexpr int share = signum::is_fast ? 1 : 10;
 
 std::string text(const Site* first, std::size_t count) {
     std::string result;
@@ -233,14 +231,14 @@ TEST(EuclideanPredicates, AgreeWithRationalsForEveryDoubleInEveryEnvironment) {
 
 TEST(EuclideanPredicates, NaiveOnesAlwaysReturn) {
     Degenerate degenerate(12);
-    for (int trial = 0; trial < 20'000; ++trial) {
+    for (int trial = 0; trial < 20'000 / share; ++trial) {
         Site s[4];
         hurt(degenerate, trial, s);
         for (const int sign : answers<Perturbed<Arithmetic::naive>>(s, ranks_of(s)))
             ASSERT_LE(std::abs(sign), 1);
     }
     // Integers are not rounded: nothing is wrong, ties included.
-    for (int trial = 0; trial < 20'000; ++trial) {
+    for (int trial = 0; trial < 20'000 / share; ++trial) {
         Site s[4];
         degenerate.fill(trial % Degenerate::families, s, 4);
         const auto r = ranks_of(s);
@@ -466,7 +464,7 @@ TEST(EuclideanPredicates, OrderIntervalsOnABisectorAsTheirEnds) {
     std::array<int, 2> rests{};
     std::array<int, 3> ties{};
     std::array<int, 2> answers{};
-    for (int trial = 0; trial < 20'000; ++trial) {
+    for (int trial = 0; trial < 20'000 / share; ++trial) {
         Site s[4];  // i, j, q, k
         fill_bisector(degenerate, trial, s);
         if (random.coin()) std::swap(s[0], s[1]);
@@ -498,9 +496,9 @@ TEST(EuclideanPredicates, OrderIntervalsOnABisectorAsTheirEnds) {
         ++answers[before ? 1 : 0];
         ASSERT_EQ(given.tied, of_q.tied || of_k.tied);
     }
-    for (const int count : rests) EXPECT_GT(count, 50);
-    for (const int count : ties) EXPECT_GT(count, 10);
-    for (const int count : answers) EXPECT_GT(count, 50);
+    for (const int count : rests) EXPECT_GT(count, 50 / share);
+    for (const int count : ties) EXPECT_GT(count, 10 / share);
+    for (const int count : answers) EXPECT_GT(count, 50 / share);
 }
 
 TEST(EuclideanPredicates, OrderArcsAtInfinityAsTheirMiddles) {
@@ -513,7 +511,7 @@ TEST(EuclideanPredicates, OrderArcsAtInfinityAsTheirMiddles) {
     struct Arc {
         double middle, half;
     };
-    for (int trial = 0; trial < 100'000; ++trial) {
+    for (int trial = 0; trial < 100'000 / share; ++trial) {
         Site s[4];
         if (trial % 4 == 0) {
             degenerate.fill(trial % Degenerate::families, s, 4);
@@ -564,9 +562,9 @@ TEST(EuclideanPredicates, OrderArcsAtInfinityAsTheirMiddles) {
                 opposite += std::abs(ahead(arcs[m], arcs[(m + 1) % 3]) - turn / 2) < 1e-9;
         }
     }
-    for (const int count : rests) EXPECT_GT(count, 100);
-    for (const int count : answers) EXPECT_GT(count, 100);
-    EXPECT_GT(opposite, 100);
+    for (const int count : rests) EXPECT_GT(count, 100 / share);
+    for (const int count : answers) EXPECT_GT(count, 100 / share);
+    EXPECT_GT(opposite, 100 / share);
 }
 
 }  // namespace

@@ -11,16 +11,11 @@
 
 #include "../../generate/generate.hpp"
 #include "../../triangulation/triangulate.hpp"
+#include "../thoroughness.hpp"
 #include "adversarial_sites.hpp"
 
 namespace signum {
 namespace {
-
-#ifdef __SANITIZE_ADDRESS__
-constexpr bool is_sanitized = true;
-#else
-constexpr bool is_sanitized = false;
-#endif
 
 /// Calls a site.
 double calls(const std::vector<Site>& sites, Metric metric, Method method) {
@@ -32,10 +27,10 @@ double calls(const std::vector<Site>& sites, Metric metric, Method method) {
 /// Quadratic were n/20 calls a site and more; random sites take 10 of in_circle.
 constexpr double bound = 120;
 
-/// The sizes tested, under a sanitizer all but the last.
+/// The sizes tested, where there is no time all but the last.
 std::span<const int> sizes() {
     static constexpr std::array<int, 2> all = {10'000, 100'000};
-    return std::span(all).first(is_sanitized ? 1 : 2);
+    return std::span(all).first(is_fast ? 2 : 1);
 }
 
 class Growth : public testing::TestWithParam<std::tuple<Metric, Distribution>> {};

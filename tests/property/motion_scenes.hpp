@@ -12,15 +12,9 @@
 #include <gtest/gtest.h>
 
 #include "../../motion/simulation.hpp"
+#include "../thoroughness.hpp"
 
 namespace signum::motion {
-
-/// Whether the program is optimized and without a sanitizer: there is time for many strikes.
-#if defined(__SANITIZE_ADDRESS__) || !defined(__OPTIMIZE__)
-inline constexpr bool is_fast = false;
-#else
-inline constexpr bool is_fast = true;
-#endif
 
 template <int D>
 struct Scene {

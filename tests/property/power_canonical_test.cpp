@@ -12,9 +12,12 @@
 
 #include "../../triangulation/triangulate.hpp"
 #include "../../triangulation/validate.hpp"
+#include "../thoroughness.hpp"
 
 namespace signum {
 namespace {
+
+constexpr int share = is_fast ? 1 : 5;  // of the trials one in so many
 
 oracle::Tessellation plain(const Tessellation& t) {
     oracle::Tessellation result;
@@ -115,7 +118,7 @@ class PowerCanonical : public testing::TestWithParam<Family> {};
 
 TEST_P(PowerCanonical, EqualsTheOracleInEveryOrderTried) {
     std::mt19937_64 random(7);
-    for (int round = 0; round < 250; ++round) {
+    for (int round = 0; round < 250 / share; ++round) {
         std::vector<Site> sites(1 + static_cast<std::size_t>(roll(random, 12)));
         for (Site& site : sites) site = GetParam().draw(random);
         const oracle::Tessellation expected = oracle::power(sites);
@@ -134,7 +137,7 @@ TEST_P(PowerCanonical, EqualsTheOracleInEveryOrderTried) {
 
 TEST_P(PowerCanonical, WeightsGiveTheSameAsRadii) {
     std::mt19937_64 random(8);
-    for (int round = 0; round < 100; ++round) {
+    for (int round = 0; round < 100 / share; ++round) {
         std::vector<power::Site> sites(1 + static_cast<std::size_t>(roll(random, 10)));
         for (power::Site& site : sites) {
             const Site s = GetParam().draw(random);
@@ -147,7 +150,7 @@ TEST_P(PowerCanonical, WeightsGiveTheSameAsRadii) {
 
 TEST_P(PowerCanonical, MultiprecisionKernelAgrees) {
     std::mt19937_64 random(9);
-    for (int round = 0; round < 50; ++round) {
+    for (int round = 0; round < 50 / share; ++round) {
         std::vector<Site> sites(1 + static_cast<std::size_t>(roll(random, 30)));
         for (Site& site : sites) site = GetParam().draw(random);
         Options options;
@@ -160,7 +163,7 @@ TEST_P(PowerCanonical, MultiprecisionKernelAgrees) {
 
 TEST_P(PowerCanonical, NaiveKernelEndsWithAResultOrAClearWord) {
     std::mt19937_64 random(10);
-    for (int round = 0; round < 300; ++round) {
+    for (int round = 0; round < 300 / share; ++round) {
         std::vector<Site> sites(1 + static_cast<std::size_t>(roll(random, 60)));
         for (Site& site : sites) site = GetParam().draw(random);
         Options options;
@@ -182,11 +185,7 @@ INSTANTIATE_TEST_SUITE_P(Families, PowerCanonical, testing::ValuesIn(families),
 
 TEST(PowerPermutations, EveryOrderOfAFewSitesGivesTheSame) {
     std::mt19937_64 random(11);
-#ifdef __SANITIZE_ADDRESS__
-    constexpr std::size_t count = 5;
-#else
-    constexpr std::size_t count = 6;
-#endif
+    constexpr std::size_t count = is_fast ? 6 : 5;
     for (const Family& family : families) {
         std::vector<Site> sites(count);
         for (Site& site : sites) site = family.draw(random);

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "../oracle/rectangular.hpp"
+#include "../thoroughness.hpp"
 #include "../unit/exact_reference.hpp"
 #include "additive_brute_force.hpp"
 #include "degenerate_sites.hpp"
@@ -31,11 +32,8 @@ using signum::rectangular::Manhattan;
 using signum::rectangular::Perturbed;
 using signum::rectangular::Supremum;
 
-#if defined(__SANITIZE_ADDRESS__) || !defined(__OPTIMIZE__)
-constexpr int share = 10;  // of the trials one in so many: rationals take long there
-#else
-constexpr int share = 1;
-#endif
+/// Of the trials one in so many: rationals take long there.
+constexpr int share = signum::is_fast ? 1 : 10;
 
 template <class Directions>
 signum::oracle::Tessellation oracle_of(const Sites& sites) {

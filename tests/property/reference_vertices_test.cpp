@@ -22,19 +22,14 @@
 
 #include "../../triangulation/triangulate.hpp"
 #include "../../triangulation/vertices.hpp"
+#include "../thoroughness.hpp"
 
 namespace signum {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__) || !defined(__OPTIMIZE__)
-constexpr std::size_t sites_of_a_set = 1000;
-constexpr int rounds = 1;
-constexpr int share = 50;  // of what is counted in a release build
-#else
-constexpr std::size_t sites_of_a_set = 4000;
-constexpr int rounds = 3;
-constexpr int share = 1;
-#endif
+constexpr std::size_t sites_of_a_set = is_fast ? 4000 : 1000;
+constexpr int rounds = is_fast ? 3 : 1;
+constexpr int share = is_fast ? 1 : 50;  // of what is counted in a release build
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -15,6 +15,7 @@
 
 #include "../../generate/generate.hpp"
 
+#include "../thoroughness.hpp"
 #include "degenerate_sites.hpp"
 
 namespace {
@@ -22,11 +23,7 @@ namespace {
 using namespace signum;
 using Sites = std::vector<Site>;
 
-#if defined(__SANITIZE_ADDRESS__) || !defined(__OPTIMIZE__)
-constexpr int share = 10;  // of the trials one in so many
-#else
-constexpr int share = 1;
-#endif
+constexpr int share = is_fast ? 1 : 10;  // of the trials one in so many
 
 Options sweeping() {
     Options options;
@@ -105,8 +102,8 @@ TEST_P(Swept, ArithmeticAndCountingChangeNothing) {
     }
 }
 
-/// On a grid sums of forms are exact, and no tie goes further than the filter, but for the questions
-/// of a site whether it is hidden and by whom; with radii of a third they are not.
+/// On a grid sums of forms are exact, and no tie goes further than the filter, but for the
+/// questions of a site whether it is hidden and by whom; with radii of a third they are not.
 TEST_P(Swept, StageOfTies) {
     Sites sites;
     for (int x = 0; x < 30; ++x)

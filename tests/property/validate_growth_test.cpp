@@ -13,16 +13,13 @@
 #include "../../generate/generate.hpp"
 #include "../../triangulation/triangulate.hpp"
 #include "../../triangulation/validate.hpp"
+#include "../thoroughness.hpp"
 
 namespace signum {
 namespace {
 
 // Exact numbers take their time under the sanitizers.
-#if defined(__SANITIZE_ADDRESS__) || !defined(__OPTIMIZE__)
-constexpr int most_sites = 1000;
-#else
-constexpr int most_sites = 10000;
-#endif
+constexpr int most_sites = is_fast ? 10000 : 1000;
 
 struct Family {
     const char* name;

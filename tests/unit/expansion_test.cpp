@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "../../exact/floating_environment.hpp"
+#include "../thoroughness.hpp"
 
 #include "exact_reference.hpp"
 
@@ -29,6 +30,8 @@ using signum::reference::scaled;
 
 /// In the window a number of degree d is an integer at the scale d·unit.
 constexpr int unit = 252;
+
+constexpr int share = signum::is_fast ? 1 : 10;  // of the trials one in so many
 
 int lowest_bit(double value) {
     int exponent = 0;
@@ -201,7 +204,7 @@ void expect_exact(const Results& r, const Operands& o, int mode) {
 
 TEST(Expansion, IsExactUpToDegree4InTheWholeWindowFromEveryEnvironment) {
     Random random(1);
-    for (int trial = 0; trial < 100'000; ++trial) {
+    for (int trial = 0; trial < 100'000 / share; ++trial) {
         const Operands operands = random_operands(random);
         for (const double c : operands.c) ASSERT_TRUE(signum::exact::in_expansion_window(c));
         for (const double w : operands.w) ASSERT_TRUE(signum::exact::weight_in_expansion_window(w));
@@ -215,7 +218,7 @@ TEST(Expansion, IsExactUpToDegree4InTheWholeWindowFromEveryEnvironment) {
 TEST(Expansion, OfNeighbouringProductsHasTheSignOfTheLastBit) {
     // a·d - b·c where the products differ by a place or so: every rounding decides wrongly.
     Random random(2);
-    for (int trial = 0; trial < 200'000; ++trial) {
+    for (int trial = 0; trial < 200'000 / share; ++trial) {
         const double a = random.in_binades(-2, 2);
         const double b = random.in_binades(-2, 2);
         const double k = std::ldexp(1.0, random.between(-5, 5));
@@ -253,7 +256,7 @@ Expansion<Capacity> expansion_of(const std::vector<double>& terms) {
 
 TEST(Expansion, SumOfAnyNonadjacentTermsIsExactAndNonadjacent) {
     Random random(3);
-    for (int trial = 0; trial < 150'000; ++trial) {
+    for (int trial = 0; trial < 150'000 / share; ++trial) {
         auto e_terms = random_terms(random, random.between(0, 8));
         auto f_terms = random_terms(random, random.between(0, 8));
         if (random.below(4) == 0) {
@@ -274,7 +277,7 @@ TEST(Expansion, SumOfAnyNonadjacentTermsIsExactAndNonadjacent) {
 
 TEST(Expansion, ProductOfAnyNonadjacentTermsIsExactAndNonadjacent) {
     Random random(4);
-    for (int trial = 0; trial < 100'000; ++trial) {
+    for (int trial = 0; trial < 100'000 / share; ++trial) {
         const auto e_terms = random_terms(random, random.between(0, 6));
         const auto f_terms = random_terms(random, random.between(0, 3));
         const auto e = expansion_of<6>(e_terms);
@@ -301,7 +304,7 @@ TEST(Expansion, SumKeepsTermsNonadjacentWhereOnePassDoesNot) {
 
 TEST(Expansion, OfIntegersHasOneTermWhereDoublesAreExact) {
     Random random(5);
-    for (int trial = 0; trial < 50'000; ++trial) {
+    for (int trial = 0; trial < 50'000 / share; ++trial) {
         const auto integer = [&] { return static_cast<double>(random.between(-2048, 2048)); };
         const auto x = difference(integer(), integer());
         const auto y = difference(integer(), integer());

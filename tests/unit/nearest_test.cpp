@@ -2,6 +2,7 @@
 // hidden sites, grids, few sites; triangulate() for a metric known at run time.
 
 #include "../../triangulation/triangulate.hpp"
+#include "../thoroughness.hpp"
 
 #include <algorithm>
 #include <array>
@@ -20,11 +21,7 @@ namespace {
 
 using Sites = std::vector<Site>;
 
-#ifdef __SANITIZE_ADDRESS__
-constexpr int share = 5;  // of the questions one in so many
-#else
-constexpr int share = 1;
-#endif
+constexpr int share = is_fast ? 1 : 5;  // of the questions one in so many
 
 std::size_t at(Index i) {
     return static_cast<std::size_t>(i);

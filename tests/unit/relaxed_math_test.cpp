@@ -11,6 +11,7 @@
 
 #include "../../predicates/euclidean.hpp"
 #include "../../predicates/power.hpp"
+#include "../thoroughness.hpp"
 
 namespace {
 
@@ -20,7 +21,7 @@ using signum::Sign;
 using signum::Site;
 using signum::Stage;
 
-constexpr int rounds = 40000;
+constexpr int rounds = signum::is_fast ? 40000 : 4000;
 
 mpq_class square(const mpq_class& x) {
     return x * x;

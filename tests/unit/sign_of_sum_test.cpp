@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../thoroughness.hpp"
 #include "exact_reference.hpp"
 
 namespace {
@@ -45,6 +46,7 @@ using Terms = std::vector<double>;
 
 constexpr double largest = std::numeric_limits<double>::max();
 constexpr double least = std::numeric_limits<double>::denorm_min();
+constexpr int share = signum::is_fast ? 1 : 10;  // of the trials one in so many
 
 /// Sums in GMP integers, with memory that is used again and again.
 class Reference {
@@ -172,7 +174,7 @@ TEST_F(SignOfSum, OfOneTermIsItsSign) {
 
 TEST_F(SignOfSum, IsExactForAnyFiniteDoubles) {
     Terms terms;
-    for (int trial = 0; trial < 100'000; ++trial) {
+    for (int trial = 0; trial < 100'000 / share; ++trial) {
         terms.clear();
         for (int i = length(); i > 0; --i) terms.push_back(random_.finite());
         check(terms);
@@ -181,7 +183,7 @@ TEST_F(SignOfSum, IsExactForAnyFiniteDoubles) {
 
 TEST_F(SignOfSum, IsExactForOppositePairsAndTheirNeighbours) {
     Terms terms;
-    for (int trial = 0; trial < 70'000; ++trial) {
+    for (int trial = 0; trial < 70'000 / share; ++trial) {
         terms.clear();
         for (int i = length(); i > 0; --i) {
             terms.push_back(random_.finite());
@@ -189,12 +191,12 @@ TEST_F(SignOfSum, IsExactForOppositePairsAndTheirNeighbours) {
         }
         check_with_neighbours(terms);
     }
-    EXPECT_GT(summary_.zeros, 70'000U);
+    EXPECT_GT(summary_.zeros, 70'000U / share);
 }
 
 TEST_F(SignOfSum, IsExactForEqualTermsAndTheirMultiples) {
     Terms terms;
-    for (int trial = 0; trial < 60'000; ++trial) {
+    for (int trial = 0; trial < 60'000 / share; ++trial) {
         const double x = random_.in_binades(-1050, 1000);
         const int copies = length();
         terms.assign(static_cast<std::size_t>(copies), x);
@@ -206,7 +208,7 @@ TEST_F(SignOfSum, IsExactForEqualTermsAndTheirMultiples) {
 TEST_F(SignOfSum, IsExactForSumsCompletedToZero) {
     // Random numbers within some binades of each other, completed by what cancels them exactly.
     Terms terms;
-    for (int trial = 0; trial < 70'000; ++trial) {
+    for (int trial = 0; trial < 70'000 / share; ++trial) {
         terms.clear();
         const int spread = 1 << random_.between(0, 8);
         const int low = random_.between(-1074, 1020 - spread);
@@ -219,7 +221,7 @@ TEST_F(SignOfSum, IsExactForSumsCompletedToZero) {
 TEST_F(SignOfSum, IsExactForPowersOfTwoThatTelescope) {
     // 2^k - 2^(k-1) - ... - 2^l - 2^l = 0, in steps of one binade or several.
     Terms terms;
-    for (int trial = 0; trial < 30'000; ++trial) {
+    for (int trial = 0; trial < 30'000 / share; ++trial) {
         terms.clear();
         const int low = random_.between(-1074, 1020);
         const int high = std::min(1023, low + random_.between(0, 30));
@@ -240,7 +242,7 @@ TEST_F(SignOfSum, IsExactForPowersOfTwoThatTelescope) {
 TEST_F(SignOfSum, IsExactAtTheVergeOfTheStoppingRule) {
     // n·2^F against n numbers of the binade below 2^F, and a whisker beside.
     Terms terms;
-    for (int trial = 0; trial < 60'000; ++trial) {
+    for (int trial = 0; trial < 60'000 / share; ++trial) {
         terms.clear();
         const int n = length();
         const int f = random_.between(-1073, 1010);
@@ -260,7 +262,7 @@ TEST_F(SignOfSum, IsExactAtTheVergeOfTheStoppingRule) {
 
 TEST_F(SignOfSum, IsExactBesideTheLargestDouble) {
     Terms terms;
-    for (int trial = 0; trial < 40'000; ++trial) {
+    for (int trial = 0; trial < 40'000 / share; ++trial) {
         terms.clear();
         for (int i = length(); i > 0; --i) {
             const double x = random_.below(3) == 0 ? largest : random_.in_binades(1021, 1023);
@@ -274,7 +276,7 @@ TEST_F(SignOfSum, IsExactBesideTheLargestDouble) {
 
 TEST_F(SignOfSum, IsExactForDenormals) {
     Terms terms;
-    for (int trial = 0; trial < 40'000; ++trial) {
+    for (int trial = 0; trial < 40'000 / share; ++trial) {
         terms.clear();
         for (int i = length(); i > 0; --i) terms.push_back(random_.in_binades(-1074, -1020));
         check(terms);
@@ -291,7 +293,7 @@ TEST_F(SignOfSum, IsExactForDeterminantsOfNeighbouringProducts) {
         terms.push_back(high);
         terms.push_back(std::fma(a, b, -high));
     };
-    for (int trial = 0; trial < 60'000; ++trial) {
+    for (int trial = 0; trial < 60'000 / share; ++trial) {
         terms.clear();
         for (int i = random_.between(1, 6); i > 0; --i) {
             const double a = random_.in_binades(-5, 5);
@@ -307,7 +309,7 @@ TEST_F(SignOfSum, IsExactForDeterminantsOfNeighbouringProducts) {
 TEST_F(SignOfSum, IsExactForNumbersThatLoseOneBitAStep) {
     // u - b is barely shorter than b if the bits of b alternate.
     Terms terms;
-    for (int trial = 0; trial < 60'000; ++trial) {
+    for (int trial = 0; trial < 60'000 / share; ++trial) {
         terms.clear();
         for (int i = length(); i > 0; --i) {
             const double b = random_.coin() ? 0x1.5555555555555p0 : 0x1.aaaaaaaaaaaaap0;
@@ -321,7 +323,7 @@ TEST_F(SignOfSum, IsExactForNumbersThatLoseOneBitAStep) {
 
 TEST_F(SignOfSum, IsExactForThousandsOfTerms) {
     Terms terms;
-    for (int trial = 0; trial < 60; ++trial) {
+    for (int trial = 0; trial < 60 / share; ++trial) {
         terms.clear();
         const int spread = trial % 3 == 0 ? 2000 : trial % 3 == 1 ? 100 : 2;
         const int low = trial % 3 == 0 ? -1000 : random_.between(-1074, 800);

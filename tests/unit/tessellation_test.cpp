@@ -25,9 +25,12 @@
 
 #include "../../triangulation/triangulate.hpp"
 #include "../../triangulation/vertices.hpp"
+#include "../thoroughness.hpp"
 
 namespace signum {
 namespace {
+
+constexpr int share = is_fast ? 1 : 5;  // of the trials one in so many
 
 std::size_t at(Index i) {
     return static_cast<std::size_t>(i);
@@ -277,7 +280,7 @@ TEST_P(TessellationQuestions, LocateAndNearest) {
         for (const bool as_weights : {false, true}) {
             const Tessellation t =
                 as_weights ? triangulate(weights, Power{}) : triangulate(sites, Power{});
-            for (int question = 0; question < 30; ++question) {
+            for (int question = 0; question < 30 / share; ++question) {
                 const Site a = GetParam().draw(random_);
                 const Site b = GetParam().draw(random_);
                 const Point p = random_.below(3) == 0
@@ -303,7 +306,7 @@ TEST(TessellationQuestionsMore, LargerSets) {
     std::vector<Site> sites(3000);
     for (Site& s : sites) s = {random.real(), random.real(), 0.02 * random.real()};
     const Tessellation t = triangulate(sites, Power{});
-    for (int question = 0; question < 60; ++question) {
+    for (int question = 0; question < 60 / share; ++question) {
         const Point p{1.4 * random.real() - 0.2, 1.4 * random.real() - 0.2};
         ASSERT_TRUE(located(t, p));
         ASSERT_EQ(t.nearest(p), nearest_by_force(t, p));
@@ -547,7 +550,7 @@ TEST(TriangulateOptions, StatisticsAddUp) {
     Random random(11);
     for (const Family& family : families) {
         std::vector<Site> sites;
-        for (int i = 0; i < 150; ++i) sites.push_back(family.draw(random));
+        for (int i = 0; i < 150 / share; ++i) sites.push_back(family.draw(random));
         for (const Metric metric : all_metrics)
             for (const Arithmetic arithmetic : all_arithmetics) {
                 if (!is_exact(arithmetic)) continue;
@@ -600,7 +603,7 @@ TEST(TriangulateOptions, NaiveArithmeticAgreesWhereNothingIsClose) {
 TEST(TessellationRegression, RadiiFarApart) {
     Random random(13);
     static constexpr double radii[] = {0, 1, 0x1p-60, 0x1p-70, 2, 0x1p-30, -1, 1 + 0x1p-52};
-    for (int round = 0; round < 400; ++round) {
+    for (int round = 0; round < 400 / share; ++round) {
         std::vector<Site> sites(static_cast<std::size_t>(random.between(4, 9)));
         for (Site& s : sites)
             s = {1.0 * random.between(-2, 2), 1.0 * random.between(-2, 2), radii[random.below(8)]};
