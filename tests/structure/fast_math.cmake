@@ -8,13 +8,13 @@ set(headers core/contract.hpp core/error_free.hpp predicates/ccw.hpp predicates/
 set(hostile -ffast-math -Ofast -ffinite-math-only -funsafe-math-optimizations
     "-fassociative-math -fno-signed-zeros -fno-trapping-math")
 
-# Compiles a program that includes one header.
+# Compiles a program that includes one header, up to the first error.
 function(try header flags code output)
   set(source "${scratch}/header.cpp")
   file(WRITE "${source}" "#include <signum/${header}>\n")
   separate_arguments(options UNIX_COMMAND "${flags}")
   execute_process(COMMAND "${compiler}" ${FLAGS} ${options} -std=c++20 "-I${BUILD}/include"
-                          -fsyntax-only "${source}"
+                          -fsyntax-only -Wfatal-errors "${source}"
                   RESULT_VARIABLE result OUTPUT_VARIABLE out ERROR_VARIABLE error)
   set(${code} "${result}" PARENT_SCOPE)
   set(${output} "${out}${error}" PARENT_SCOPE)
