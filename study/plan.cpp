@@ -13,10 +13,11 @@ namespace {
 using Names = std::vector<std::string>;
 using Sizes = std::vector<std::int64_t>;
 
-constexpr std::array four = {Distribution::random, Distribution::circle, Distribution::square,
-                             Distribution::grid};
-constexpr std::array hard = {Distribution::random,  Distribution::circle, Distribution::rings,
-                             Distribution::lattice, Distribution::offset, Distribution::tangent};
+constexpr std::array four_distributions = {Distribution::random, Distribution::circle,
+                                           Distribution::square, Distribution::grid};
+constexpr std::array hard_distributions = {Distribution::random, Distribution::circle,
+                                           Distribution::rings,  Distribution::lattice,
+                                           Distribution::offset, Distribution::tangent};
 
 constexpr std::array perturbations = {1e-1, 1e-2,  1e-3,  1e-4,  1e-5,  1e-6,  1e-7, 1e-8,
                                       1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15};
@@ -91,14 +92,14 @@ std::vector<Cell> plan(const Scope& scope) {
             cells.add("margin", Work::margin, metric, distribution, scope.quick ? 2000 : 10000, 0.0,
                       radii_of(distribution), {});
     for (const Metric metric : scope.metrics)
-        for (const Distribution distribution : four)
+        for (const Distribution distribution : four_distributions)
             for (const std::int64_t sites : pick({100, 1000, 10000}, {100, 1000, 10000, 100000}))
                 cells.add("first_error", Work::first_error, metric, distribution, sites, 0.0,
                           radii_of(distribution), {"naive", "single"});
 
     // Figures 4.7.4 and 4.7.5: against the perturbation.
     for (const Metric metric : scope.metrics)
-        for (const Distribution distribution : four)
+        for (const Distribution distribution : four_distributions)
             for (std::size_t i = 0; i < perturbations.size(); i += scope.quick ? 2 : 1)
                 cells.add("perturbation", Work::construction, metric, distribution, 100,
                           perturbations[i], radii_of(distribution),
@@ -113,7 +114,7 @@ std::vector<Cell> plan(const Scope& scope) {
 
     // All arithmetics side by side.
     for (const Metric metric : scope.metrics)
-        for (const Distribution distribution : four)
+        for (const Distribution distribution : four_distributions)
             cells.add("kernels", Work::construction, metric, distribution, scope.quick ? 200 : 1000,
                       0.0, radii_of(distribution),
                       {"naive", "exact", "single", "interval", "sum", "multiprecision"});
@@ -131,7 +132,7 @@ std::vector<Cell> plan(const Scope& scope) {
 
     // Figures 6.7.1 and 6.7.2: from Delaunay to power by flips.
     for (const Metric metric : built_by(Method::flips))
-        for (const Distribution distribution : four)
+        for (const Distribution distribution : four_distributions)
             for (const std::int64_t sites :
                  pick({100, 300, 1000, 3000}, {100, 200, 500, 1000, 2000, 3000, 10000, 100000}))
                 cells.add("flips", Work::construction, metric, distribution, sites, 0.0, small,
@@ -146,7 +147,7 @@ std::vector<Cell> plan(const Scope& scope) {
 
     // Figure 5.7.2: the sweep.
     for (const Metric metric : built_by(Method::sweep))
-        for (const Distribution distribution : four)
+        for (const Distribution distribution : four_distributions)
             for (const std::int64_t sites :
                  pick({1000, 3000, 10000}, {1000, 2000, 4000, 6000, 8000, 10000, 100000, 1000000}))
                 cells.add("sweep", Work::construction, metric, distribution, sites, 0.0, small,
@@ -159,7 +160,7 @@ std::vector<Cell> plan(const Scope& scope) {
 
     // What stays hard at any size, beside what does not.
     for (const Metric metric : scope.metrics)
-        for (const Distribution distribution : hard)
+        for (const Distribution distribution : hard_distributions)
             for (const std::int64_t sites : pick({1000, 10000}, {1000, 10000, 100000}))
                 cells.add("hard", Work::construction, metric, distribution, sites, 0.0,
                           radii_of(distribution), {"naive", "exact"});
@@ -169,7 +170,7 @@ std::vector<Cell> plan(const Scope& scope) {
          pick({100, 200, 500, 1000, 10000, 100000},
               {100, 200, 300, 500, 700, 1000, 3000, 10000, 30000, 100000, 300000, 1000000}))
         for (const Metric metric : scope.metrics)
-            for (const Distribution distribution : four) {
+            for (const Distribution distribution : four_distributions) {
                 if (scope.quick && sites > 10000 && !traits_of(metric).edges_are_straight) continue;
                 cells.add("sites", Work::construction, metric, distribution, sites, 0.0,
                           radii_of(distribution), {"naive", "exact", "interval", "single"});
