@@ -17,6 +17,7 @@
 #include "../../triangulation/triangulate.hpp"
 #include "../../triangulation/validate.hpp"
 #include "../oracle/kinetic.hpp"
+#include "../thoroughness.hpp"
 #include "moving_systems.hpp"
 
 namespace signum {
@@ -34,7 +35,7 @@ std::vector<brute::Site> of_oracle(const std::vector<MovingSite>& sites) {
 TEST(Kinetic, EqualsTheOracleAfterEveryEvent) {
     int changes = 0;
     int tied = 0;
-    for (int trial = 0; trial < 400; ++trial) {
+    for (int trial = 0; trial < 50 * thoroughness; ++trial) {
         Systems systems(static_cast<std::uint64_t>(700 + trial));
         const int kind = trial % Systems::kinds;
         const auto sites = systems.make(kind, 3 + trial / Systems::kinds % 6);
@@ -67,9 +68,11 @@ TEST(Kinetic, EqualsTheOracleAfterEveryEvent) {
             EXPECT_EQ(moving.statistics().rebuilds, 1);
         }
     }
-    EXPECT_GT(changes, 500);
-    EXPECT_LT(tied, 200);
+    EXPECT_GT(changes, 60 * thoroughness);
+    EXPECT_LT(tied, 25 * thoroughness);
 }
+
+constexpr int trials = (is_fast ? 6 : 2) * Systems::kinds;
 
 std::set<Edge> edges_of(const std::vector<Face>& faces) {
     std::set<Edge> result;
@@ -106,7 +109,7 @@ bool expect_right(const KineticTessellation& moving, const std::vector<MovingSit
 
 TEST(Kinetic, IsValidAndCanonicalAtDyadicTimes) {
     int tied = 0;
-    for (int trial = 0; trial < 60; ++trial) {
+    for (int trial = 0; trial < trials; ++trial) {
         Systems systems(static_cast<std::uint64_t>(9000 + trial));
         const int kind = trial % Systems::kinds;
         // Of what is tied at every look, the oracle tells so in rationals.
@@ -135,7 +138,7 @@ TEST(Kinetic, IsValidAndCanonicalAtDyadicTimes) {
 
 /// Sites come and go, and change their ways, at dyadic times.
 TEST(Kinetic, StaysRightWhileSitesComeAndGo) {
-    for (int trial = 0; trial < 60; ++trial) {
+    for (int trial = 0; trial < trials; ++trial) {
         Systems systems(static_cast<std::uint64_t>(5000 + trial));
         const int kind = trial % Systems::kinds;
         std::vector<MovingSite> sites = systems.make(kind, 4 + trial % 20);

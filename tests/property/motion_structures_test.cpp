@@ -69,8 +69,12 @@ void expect_one_long_log(const Scene<D>& scene, const Limits& limits, std::size_
 }
 template <int D>
 void expect_one_log_of_all_scenes(std::size_t balls, std::uint64_t strikes) {
-    for (const Scene<D>& scene : all_scenes<D>(balls))
-        ASSERT_NO_FATAL_FAILURE(expect_one_long_log(scene, {.strikes = strikes}, 1));
+    for (const Scene<D>& scene : all_scenes<D>(balls)) {
+        // There all flips are tied with others at times that are no doubles: 10 ms a strike.
+        const bool is_tied = D == 2 && scene.name == "grazing";
+        ASSERT_NO_FATAL_FAILURE(
+            expect_one_long_log(scene, {.strikes = is_tied ? strikes / 8 : strikes}, 1));
+    }
 }
 
 TEST(MotionStructures, AllWriteOneLogInThePlane) {
