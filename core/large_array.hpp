@@ -36,6 +36,7 @@ class LargeAllocator {
 
     [[nodiscard]] T* allocate(std::size_t count) {
         if (count > static_cast<std::size_t>(-1) / 2 / sizeof(T)) throw std::bad_array_new_length();
+        static_assert(alignof(T) <= 64);
         const std::size_t bytes = count * sizeof(T);
         void* const memory = ::operator new(bytes, alignment(bytes));
 #if defined(__linux__)

@@ -7,6 +7,7 @@
 #include <span>
 #include <type_traits>
 
+#include "contract.hpp"
 #include "site.hpp"
 
 namespace signum {
@@ -44,6 +45,8 @@ class StridedSites {
     }
 
     /// `size` sites whose numbers stand `stride` bytes apart; third may be null, which means 0.
+    /// Precondition: a double may lie at each of these places, so that the stride is a multiple of
+    /// its alignment.
     StridedSites(std::size_t size, std::ptrdiff_t stride, const double* x, const double* y,
                  const double* third = nullptr, bool third_is_weight = false) noexcept
         : x_(x),
@@ -51,7 +54,9 @@ class StridedSites {
           third_(third),
           stride_(stride),
           size_(size),
-          third_is_weight_(third_is_weight) {}
+          third_is_weight_(third_is_weight) {
+        SIGNUM_EXPECTS(stride % static_cast<std::ptrdiff_t>(alignof(double)) == 0);
+    }
 
     [[nodiscard]] std::size_t size() const noexcept { return size_; }
     [[nodiscard]] bool third_is_weight() const noexcept { return third_is_weight_; }
