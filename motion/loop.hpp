@@ -33,6 +33,7 @@
 #include "meeting.hpp"
 #include "naive_strike.hpp"
 #include "simulation.hpp"
+#include "sketch.hpp"
 #include "strike.hpp"
 #include "world.hpp"
 
@@ -156,30 +157,16 @@ class Loop final : public Simulation<D>::Engine {
     [[nodiscard]] Sketch<D> sketch() const override {
         Sketch<D> sketch;
         structure_->sketch(now_, sketch);
-        for (auto& round : sketch.rounds)
-            for (int k = 0; k < D; ++k)
-                round.centre[k] = in_box(round.centre[k], k, world_.effects);
-        const auto renumber = [this](std::int32_t& ball) {
-            if (ball >= 0) ball = particles_[static_cast<Slot>(ball)].number;
-        };
-        for (auto& area : sketch.areas) renumber(area.ball);
-        for (auto& round : sketch.rounds) renumber(round.ball);
-        for (auto& [a, b] : sketch.links) {
-            renumber(a);
-            renumber(b);
-            if (a > b) std::swap(a, b);
-        }
-        std::ranges::stable_sort(sketch.areas, {}, &Sketch<D>::Area::ball);
-        std::ranges::sort(sketch.rounds, {}, &Sketch<D>::Round::ball);
-        std::ranges::sort(sketch.links);
-        for (const Particle& particle : particles_) {
-            const Proposal& next = particle.next;
+        std::vector<std::int32_t> numbers;
+        for (Slot i = 0; i < particles_.size(); ++i) {
+            numbers.push_back(particles_[i].number);
+            const Proposal& next = particles_[i].next;
             if (next.partner == nobody || is_stale(next)) continue;
-            sketch.expected.push_back(
-                {particle.number,
-                 is_wall(next) ? -1 - wall_of(next) : particles_[next.partner].number, next.early});
+            const auto partner = static_cast<std::int32_t>(next.partner);
+            sketch.expected.push_back({static_cast<std::int32_t>(i),
+                                       is_wall(next) ? -1 - wall_of(next) : partner, next.early});
         }
-        std::ranges::sort(sketch.expected, {}, &Sketch<D>::Expected::ball);
+        put_in_order<D>(sketch, numbers, world_.effects);
         return sketch;
     }
 

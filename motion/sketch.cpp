@@ -1,0 +1,37 @@
+#include "sketch.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace signum::motion {
+
+template <int D>
+void put_in_order(Sketch<D>& sketch, std::span<const std::int32_t> numbers,
+                  const Effects<D>& effects) {
+    for (auto& round : sketch.rounds)
+        for (int k = 0; k < D; ++k) round.centre[k] = in_box(round.centre[k], k, effects);
+    const auto renumber = [&](std::int32_t& ball) {
+        if (ball >= 0) ball = numbers[static_cast<std::size_t>(ball)];
+    };
+    for (auto& area : sketch.areas) renumber(area.ball);
+    for (auto& round : sketch.rounds) renumber(round.ball);
+    for (auto& [a, b] : sketch.links) {
+        renumber(a);
+        renumber(b);
+        if (a > b) std::swap(a, b);
+    }
+    for (auto& expected : sketch.expected) {
+        renumber(expected.ball);
+        renumber(expected.partner);
+    }
+    std::ranges::stable_sort(sketch.areas, {}, &Sketch<D>::Area::ball);
+    std::ranges::sort(sketch.rounds, {}, &Sketch<D>::Round::ball);
+    std::ranges::sort(sketch.links);
+    std::ranges::sort(sketch.expected, {}, &Sketch<D>::Expected::ball);
+}
+
+template void put_in_order(Sketch<2>&, std::span<const std::int32_t>, const Effects<2>&);
+template void put_in_order(Sketch<3>&, std::span<const std::int32_t>, const Effects<3>&);
+
+}  // namespace signum::motion

@@ -1,0 +1,17 @@
+#pragma once
+/// What a structure and the loop over it have sketched of themselves, as it is shown.
+
+#include <cstdint>
+#include <span>
+
+#include "ball.hpp"
+#include "simulation.hpp"
+
+namespace signum::motion {
+
+/// From slots to the numbers of their balls, into the box, and in order. Walls keep theirs.
+template <int D>
+void put_in_order(Sketch<D>& sketch, std::span<const std::int32_t> numbers,
+                  const Effects<D>& effects);
+
+}  // namespace signum::motion
