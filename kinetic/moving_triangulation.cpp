@@ -460,10 +460,7 @@ bool MovingTriangulation::settle() {
         suspects_.clear();
         if (hull_is_suspect_ && !hull_winds_once()) return false;
         hull_is_suspect_ = false;
-        if (homeless_.empty()) {
-            tell_all();
-            return true;
-        }
+        if (homeless_.empty()) return true;
         const Index q = homeless_.back();
         homeless_.pop_back();
         place(q);

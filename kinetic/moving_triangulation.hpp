@@ -163,7 +163,10 @@ class MovingTriangulation {
     /// False where all has to be built anew.
     [[nodiscard]] bool settle();
     void settle_or_build() {
-        if (!settle()) build();
+        if (settle())
+            tell_all();
+        else
+            build();
     }
     /// Whether the edge is right; then its next event is in the queue.
     [[nodiscard]] bool is_right(HalfEdge h);

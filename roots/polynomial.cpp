@@ -470,8 +470,8 @@ double Polynomial::nearest_double(const Root& root, Tally* tally) const {
 
 Sign Polynomial::compare(const RootOf& a, double x, Asked& asked) {
     if (a.root.is_double()) return filters::compare_numbers(a.root.low, x);
-    if (x <= a.root.low) return 1;
-    if (x >= a.root.high) return -1;
+    if (filters::compare_numbers(x, a.root.low) <= 0) return 1;
+    if (filters::compare_numbers(x, a.root.high) >= 0) return -1;
     // Not between neighbours, so that the root is alone.
     const Sign sign = a.polynomial.sign_at(x, asked);
     return sign == 0 ? 0 : sign == a.root.before() ? 1 : -1;
@@ -480,12 +480,12 @@ Sign Polynomial::compare(const RootOf& a, double x, Asked& asked) {
 Sign Polynomial::compare(const RootOf& a, const RootOf& b, Asked& asked) {
     if (b.root.is_double()) return compare(a, b.root.low, asked);
     if (a.root.is_double()) return -compare(b, a.root.low, asked);
-    if (a.root.high <= b.root.low) return -1;
-    if (b.root.high <= a.root.low) return 1;
+    if (filters::compare_numbers(a.root.high, b.root.low) <= 0) return -1;
+    if (filters::compare_numbers(b.root.high, a.root.low) <= 0) return 1;
     // Two roots of one polynomial, each alone in its interval, are one where the first is in both.
     if (&a.polynomial == &b.polynomial && a.root.alone && b.root.alone) {
-        if (a.root.low < b.root.low && compare(a, b.root.low, asked) < 0) return -1;
-        return a.root.high > b.root.high && compare(a, b.root.high, asked) > 0 ? 1 : 0;
+        if (compare(a, b.root.low, asked) < 0) return -1;
+        return compare(a, b.root.high, asked) > 0 ? 1 : 0;
     }
     asked.exact = true;
     return a.polynomial.exact().compare(a.root, b.polynomial.exact(), b.root);

@@ -62,7 +62,7 @@ struct Root {
     std::int8_t after;  ///< the sign of the polynomial right after the root
     bool alone;
 
-    [[nodiscard]] bool is_double() const noexcept { return low == high; }
+    [[nodiscard]] bool is_double() const noexcept { return filters::same_number(low, high); }
     [[nodiscard]] bool changes_sign() const noexcept { return multiplicity % 2 == 1; }
     /// The sign right before the root.
     [[nodiscard]] Sign before() const noexcept { return changes_sign() ? -after : after; }

@@ -84,6 +84,20 @@ TEST(MotionStructures, AllWriteOneLogInSpace) {
     expect_one_log_of_all_scenes<3>(125, 300 * thoroughness);
 }
 
+/// A flip may be isolated by an interval that is as long as the flight: it is not due at its
+/// begin.
+TEST(MotionStructures, DiscsNearlyInARowWriteOneLog) {
+    Scene<2> scene{"nearly in a row", {}, {}};
+    scene.effects.box = cube<2>(16.0);
+    scene.effects.gravity = {0.0, -3.0};
+    scene.bodies = {{{3.0, 5.0}, {0, 0}, 0.25, 0.0625},
+                    {{5.0, 5.0}, {-1, 0}, 0.25, 1.0},
+                    {{2.0, 5.0}, {0, 0}, 0.25, 0.0625},
+                    {{4.0, 5.0}, {-1, 0}, 0.5, 1.0},
+                    {{1.0, 5.0}, {-1, 0}, 0.5, 1.0}};
+    expect_one_long_log(scene, {.until = 0x1.720c77761a474p+0}, 26);
+}
+
 /// A row of discs stays one, whichever way it lies: no face, and every event builds it anew.
 TEST(MotionStructures, ARowOfDiscsWritesOneLog) {
     constexpr Vector<2> ways[] = {{1.0, 0.0}, {0.0, 1.0}, {1.0, 1.0}, {-3.0, 4.0}};

@@ -6,6 +6,7 @@
 #include <cfenv>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -100,6 +101,18 @@ TEST(KineticTessellation, OnALineAnotherOneMayBeHidden) {
     EXPECT_EQ(told, (std::vector<std::array<Index, 3>>{{1, 2, 1}}));
     EXPECT_TRUE(moving.tessellation().hidden().empty());
     EXPECT_FALSE(moving.next_event().has_value());
+}
+
+TEST(KineticTessellation, AnEdgeThatIsBackAtOnceIsNotTold) {
+    // All three are on one line at 2, where all is built anew, and turn the other way.
+    KineticTessellation moving(
+        std::vector<MovingSite>{{-4, 0, 2, 0, 0, 0}, {4, -1, -2, 1, 0, 0}, {0, -2, 0, 1, 0, 0}});
+    int told = 0;
+    moving.watch([&](Index, Index, bool) { ++told; });
+    const std::uint64_t rebuilds = moving.statistics().rebuilds;
+    moving.advance(2.0);
+    EXPECT_GT(moving.statistics().rebuilds, rebuilds);
+    EXPECT_EQ(told, 0);
 }
 
 TEST(KineticTessellation, Moves) {

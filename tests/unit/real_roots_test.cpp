@@ -10,10 +10,13 @@
 #include <gtest/gtest.h>
 
 #include "../../roots/filter.hpp"
+#include "exact_reference.hpp"
 
 namespace {
 
 using namespace signum::roots;
+using signum::Sign;
+using signum::reference::Hostile;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double most = std::numeric_limits<double>::max();
@@ -373,6 +376,35 @@ TEST(RealRoots, InOtherRoundingModesAreExact) {
     EXPECT_EQ(nearest, 1.0);
     EXPECT_EQ(sign, 1);
     EXPECT_EQ(p.sign_at(2.5, &tally), 1);
+}
+
+/// (2x - 2d)(4x - 4d) + x with the denormal d: the last root, near -8d², lies between -d and 0.
+struct AtADenormal {
+    template <class Number>
+    [[nodiscard]] PolynomialIn<Number, 2> in() const {
+        constexpr double d = std::numeric_limits<double>::denorm_min();
+        const auto x = line<Number>(0.0, 1.0);
+        const auto twice = line<Number>(-2.0 * d, 2.0);
+        const auto four_times = line<Number>(-4.0 * d, 4.0);
+        return twice * four_times + x;
+    }
+};
+TEST(RealRoots, WhereDenormalsAreFlushedAreExact) {
+    const AtADenormal form;
+    for (int mode = 0; mode < Hostile::modes; ++mode) {
+        double nearest = 1.0;
+        Sign order = 0;
+        {
+            const Hostile environment(mode);
+            const Polynomial p(form);
+            const RealRoots roots = p.real_roots();
+            const Root& last = roots[roots.size() - 1];
+            nearest = p.nearest_double(last);
+            order = compare({p, last}, -std::numeric_limits<double>::denorm_min());
+        }
+        EXPECT_EQ(nearest, 0.0) << "mode " << mode;
+        EXPECT_EQ(order, 1) << "mode " << mode;
+    }
 }
 
 }  // namespace
