@@ -29,19 +29,19 @@ class KineticTessellation::State {
 
     MovingTriangulation triangulation;
     double time;
+    bool is_telling = false;  ///< on_edge is at work
 };
 
 namespace {
 
-void check(std::initializer_list<double> numbers, const char* what) {
+void check(std::initializer_list<double> numbers, const std::string& what) {
     for (const double number : numbers)
         if (!std::isfinite(number))
-            throw std::invalid_argument(std::string("a number of the ") + what + " is not finite");
+            throw std::invalid_argument("a number of " + what + " is not finite");
 }
-void check(const MovingSite& site) {
-    check({site.x, site.y, site.vx, site.vy, site.r, site.time}, "site");
+void check(const MovingSite& site, const std::string& name) {
+    check({site.x, site.y, site.vx, site.vy, site.r, site.time}, name);
 }
-
 void check_number(std::size_t sites) {
     if (sites > max_sites) throw std::invalid_argument("there are too many sites");
 }
@@ -98,13 +98,13 @@ bool is_valid(const MovingTriangulation& of, TolerantKernel& kernel) {
 }  // namespace
 
 KineticTessellation::KineticTessellation(double start, Fall fall) {
-    check({start, fall.x, fall.y}, "start");
+    check({start, fall.x, fall.y}, "the start or the fall");
     state_ = std::make_unique<State>(start, fall);
 }
 KineticTessellation::KineticTessellation(std::span<const MovingSite> sites, double start, Fall fall)
     : KineticTessellation(start, fall) {
-    for (const MovingSite& site : sites) check(site);
     check_number(sites.size());
+    for (std::size_t i = 0; i < sites.size(); ++i) check(sites[i], "site " + std::to_string(i));
     const exact::IeeeEnvironment environment;
     state_->triangulation.insert(sites);
 }
@@ -117,20 +117,29 @@ void KineticTessellation::require(Index handle) const {
         throw std::out_of_range("there is no site with handle " + std::to_string(handle));
 }
 
+void KineticTessellation::require_quiet() const {
+    if (state_->is_telling)
+        throw std::logic_error(
+            "on_edge changes the tessellation that is just telling it something");
+}
+
 Index KineticTessellation::insert(const MovingSite& site) {
-    check(site);
+    check(site, "the site");
     check_number(size() + 1);
+    require_quiet();
     const exact::IeeeEnvironment environment;
     return state_->triangulation.insert(site);
 }
 void KineticTessellation::erase(Index handle) {
     require(handle);
+    require_quiet();
     const exact::IeeeEnvironment environment;
     state_->triangulation.erase(handle);
 }
 void KineticTessellation::change(Index handle, const MovingSite& site) {
     require(handle);
-    check(site);
+    check(site, "the site");
+    require_quiet();
     const exact::IeeeEnvironment environment;
     state_->triangulation.change(handle, site);
 }
@@ -158,7 +167,8 @@ std::optional<double> KineticTessellation::next_event() const {
     return time;
 }
 void KineticTessellation::advance(double time) {
-    check({time}, "time");
+    check({time}, "the time");
+    require_quiet();
     if (time < state_->time)
         throw std::invalid_argument("a tessellation that moves does not go back in time");
     const exact::IeeeEnvironment environment;
@@ -224,7 +234,14 @@ Tessellation KineticTessellation::tessellation() const {
 }
 
 void KineticTessellation::watch(std::function<void(Index a, Index b, bool comes)> on_edge) {
-    state_->triangulation.watch(std::move(on_edge));
+    require_quiet();
+    if (!on_edge) return state_->triangulation.watch({});
+    state_->triangulation.watch(
+        [state = state_.get(), tell = std::move(on_edge)](Index a, Index b, bool comes) {
+            state->is_telling = true;
+            tell(a, b, comes);
+            state->is_telling = false;
+        });
 }
 
 KineticStatistics KineticTessellation::statistics() const noexcept {

@@ -32,7 +32,8 @@ struct KineticStatistics {
 ///     it stays until the next event. Where sites are tied for ever, the rule of ties decides, with
 ///     the order by falling weight and then rising handle. So faces are a function of the sites and
 ///     the time: neither of the way there nor of the steps of advance().
-///  2. At a time at which nothing is tied, and places are doubles, they are those of triangulate().
+///  2. At a time at which nothing is tied, and places are doubles, they are the finite ones of
+///  triangulate().
 ///  3. Sites may meet, overlap and pass through one another.
 ///  4. A handle names its site until that is erased; afterwards it may be given to another one.
 ///  5. Whoever is left by std::bad_alloc, or by what on_edge throws (watch), may only be destroyed
@@ -81,20 +82,21 @@ class KineticTessellation {
     /// std::invalid_argument unless it is finite and not before time().
     void advance(double time);
 
-    /// Counterclockwise triples of handles, the smallest first, sorted; none while all sites are on
-    /// one line. Law 1. O(n log n).
+    /// Counterclockwise triples of handles, the smallest first, sorted: the finite faces alone, and
+    /// none while all sites are on one line. Law 1. O(n log n).
     [[nodiscard]] std::vector<Face> faces() const;
     /// The result of the sites as they are at time(), numbered from 0 in the order of their
-    /// handles, at the doubles nearest to their places. It has the faces of law 1 where those are
-    /// faces of a power triangulation of these doubles. Where they are not (three on a line right
-    /// then, or so near that rounding counts) it is that of triangulate(). Throws
-    /// std::overflow_error where a site is beyond the doubles. O(n log n).
+    /// handles (so that number and handle are the same as long as no site has been erased), at the
+    /// doubles nearest to their places. It has the faces of law 1 where those are faces of a power
+    /// triangulation of these doubles. Where they are not (three on a line right then, or so near
+    /// that rounding counts) it is that of triangulate(). Throws std::overflow_error where a site
+    /// is beyond the doubles. O(n log n).
     [[nodiscard]] Tessellation tessellation() const;
 
     /// Calls on_edge(a, b, comes) with a < b for every edge between two sites that comes or goes
-    /// from now on, while advance() and the other functions are at work; these must not be called
-    /// from it. All that happens at one time is told at once, and nothing of what comes and goes
-    /// within it.
+    /// from now on, while advance() and the other functions are at work; from it these throw
+    /// std::logic_error. All that happens at one time is told at once, and nothing of what comes
+    /// and goes within it.
     void watch(std::function<void(Index a, Index b, bool comes)> on_edge);
 
     [[nodiscard]] KineticStatistics statistics() const noexcept;
@@ -102,6 +104,7 @@ class KineticTessellation {
  private:
     class State;
     void require(Index handle) const;
+    void require_quiet() const;
 
     std::unique_ptr<State> state_;
 };

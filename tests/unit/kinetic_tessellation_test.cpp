@@ -37,6 +37,11 @@ TEST(KineticTessellation, RefusesWhatIsNoNumber) {
         KineticTessellation moving(std::vector{MovingSite{}, MovingSite{1, 0, 0, 0, 0, 0}});
         EXPECT_THROW(moving.insert(bad), std::invalid_argument);
         EXPECT_THROW(moving.change(1, bad), std::invalid_argument);
+        try {
+            static_cast<void>(KineticTessellation(std::vector{MovingSite{}, bad}));
+        } catch (const std::invalid_argument& error) {
+            EXPECT_STREQ(error.what(), "a number of site 1 is not finite");
+        }
         // Nothing has happened.
         EXPECT_EQ(moving.size(), 2);
         EXPECT_EQ(moving.site(1), (MovingSite{1, 0, 0, 0, 0, 0}));
@@ -101,6 +106,25 @@ TEST(KineticTessellation, OnALineAnotherOneMayBeHidden) {
     EXPECT_EQ(told, (std::vector<std::array<Index, 3>>{{1, 2, 1}}));
     EXPECT_TRUE(moving.tessellation().hidden().empty());
     EXPECT_FALSE(moving.next_event().has_value());
+}
+
+TEST(KineticTessellation, IsNotChangedWhileItTells) {
+    KineticTessellation moving(std::vector<MovingSite>{
+        {0, 0, 0, 0, 0, 0}, {8, 0, 0, 0, 0, 0}, {8, 8, 0, 0, 0, 0}, {4, 1, 0, 0.5, 0, 0}});
+    int refused = 0;
+    moving.watch([&](Index, Index, bool) {
+        EXPECT_THROW(moving.advance(100.0), std::logic_error);
+        EXPECT_THROW(moving.erase(0), std::logic_error);
+        EXPECT_THROW(moving.insert({}), std::logic_error);
+        EXPECT_THROW(moving.change(0, {}), std::logic_error);
+        EXPECT_THROW(moving.watch({}), std::logic_error);
+        ++refused;
+    });
+    moving.advance(20.0);
+    EXPECT_GT(refused, 0);
+    EXPECT_EQ(moving.size(), 4);
+    moving.watch({});
+    moving.advance(30.0);
 }
 
 TEST(KineticTessellation, AnEdgeThatIsBackAtOnceIsNotTold) {
