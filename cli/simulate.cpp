@@ -668,7 +668,8 @@ void add_simulate(CLI::App& tool) {
         ->type_name("N");
     command
         ->add_option("--box", call->box,
-                     "Walls: the lower corner, then the upper one;\nX0 Y0 Z0 X1 Y1 Z1 in space")
+                     "Walls: the lower corner, then the upper one;\nX0 Y0 Z0 X1 Y1 Z1 in space. A "
+                     "movie without it\nshows the place where the balls are at the start")
         ->check(finite_number())
         ->type_name("X0 Y0 X1 Y1")
         ->expected(4, 6);

@@ -40,11 +40,20 @@ Movie::Movie(std::vector<double> radii, std::array<double, 2> low, std::array<do
     : radii_(std::move(radii)), low_(low), high_(high), periodic_(periodic) {
     shown_.resize(radii_.size());
     std::iota(shown_.begin(), shown_.end(), std::size_t{0});
+}
+
+void Movie::choose(const std::vector<Ball>& balls, const Shapes& shapes) {
     is_shown_.assign(radii_.size(), shown_.size() <= most_balls);
     if (shown_.size() <= most_balls) return;
+    shows_middle_ = !shapes.borders.empty();
+    std::vector<double> far;
+    for (const Ball& ball : balls)
+        far.push_back(std::hypot(ball.x - std::midpoint(low_[0], high_[0]),
+                                 ball.y - std::midpoint(low_[1], high_[1])));
     // Of equal ones some from everywhere: multiples of the golden ratio lie evenly.
     const auto spread = [](std::size_t i) { return i * 0x9E3779B97F4A7C15; };
     std::ranges::sort(shown_, [&](std::size_t a, std::size_t b) {
+        if (shows_middle_) return far[a] != far[b] ? far[a] < far[b] : a < b;
         return radii_[a] != radii_[b] ? radii_[a] > radii_[b] : spread(a) < spread(b);
     });
     shown_.resize(most_balls);
@@ -64,6 +73,7 @@ double Movie::y_of(double y) const {
 }
 
 void Movie::add(double time, const std::vector<Ball>& balls, const Shapes& shapes) {
+    if (added_ == 0) choose(balls, shapes);
     if (added_++ % every_ != 0) return;
     std::vector<Ball> frame;
     frame.reserve(shown_.size());
@@ -224,12 +234,38 @@ void Movie::write_shapes(std::ostream& out, std::span<const Drawn> frames, std::
     out << "</g>\n";
 }
 
+double Movie::drawn_radius(std::size_t ball) const {
+    return std::max(scale() * radii_[ball], 1.0);
+}
+
+std::vector<std::array<double, 2>> Movie::copies_of(std::size_t k) const {
+    std::vector<std::array<double, 2>> copies;
+    if (!periodic_) return copies;
+    const double wide = scale() * (high_[0] - low_[0]);
+    const double high = scale() * (high_[1] - low_[1]);
+    const double r = drawn_radius(shown_[k]);
+    for (const double dx : {-wide, 0.0, wide}) {
+        for (const double dy : {-high, 0.0, high}) {
+            if (dx == 0.0 && dy == 0.0) continue;
+            if (std::ranges::any_of(frames_, [&](const std::vector<Ball>& frame) {
+                    const double x = x_of(frame[k].x) + dx;
+                    const double y = y_of(frame[k].y) + dy;
+                    return x + r > 0.0 && x - r < wide && y + r > 0.0 && y - r < high;
+                }))
+                copies.push_back({dx, dy});
+        }
+    }
+    return copies;
+}
+
 void Movie::write(std::ostream& out, const std::string& title, const Meaning& meaning) const {
     const double wide = scale() * (high_[0] - low_[0]);
     const double high = scale() * (high_[1] - low_[1]);
     std::string legend = title;
     if (shown_.size() < radii_.size())
-        legend += fmt::format("; the {} largest of {} balls", shown_.size(), radii_.size());
+        legend += shows_middle_
+                      ? fmt::format("; {} of them, in the middle at the start", shown_.size())
+                      : fmt::format("; the {} largest of {} balls", shown_.size(), radii_.size());
     if (!times_.empty())
         legend += fmt::format("; t = {:.4g} to {:.4g}", times_.front(), times_.back());
     std::string colours_mean;
@@ -239,12 +275,15 @@ void Movie::write(std::ostream& out, const std::string& title, const Meaning& me
                                     colours_mean.empty() ? "" : "; ", pens[kind].colour, words);
     };
     add_meaning(finest, meaning.outlines);
-    add_meaning(borders, meaning.borders);
+    add_meaning(borders,
+                shown_.size() < radii_.size() && !meaning.borders.empty()
+                    ? fmt::format("{} of the {} balls shown", meaning.borders, shown_.size())
+                    : meaning.borders);
     add_meaning(new_borders, meaning.new_borders);
     add_meaning(links, meaning.links);
     add_meaning(expected, meaning.expected);
     if (leaves_out_shapes_)
-        colours_mean += fmt::format("{}of a kind the first {} alone",
+        colours_mean += fmt::format("{}not all are drawn, at most {} of a kind",
                                     colours_mean.empty() ? "" : "; ", most_shapes);
     const double below = colours_mean.empty() ? 44.0 : 62.0;
     out << fmt::format(
@@ -272,10 +311,11 @@ void Movie::write(std::ostream& out, const std::string& title, const Meaning& me
     for (const std::size_t k : order) {
         const std::size_t number = shown_[k];
         const Ball first = frames_.empty() ? Ball{} : frames_.front()[k];
+        const auto copies = copies_of(k);
         out << fmt::format(
-            "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.2f}\" fill=\"{}\"><title>{}</title>",
-            x_of(first.x), y_of(first.y), std::max(scale() * radii_[number], 1.0),
-            colours[number % colours.size()], number);
+            "<circle{} cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.2f}\" fill=\"{}\"><title>{}</title>",
+            copies.empty() ? "" : fmt::format(" id=\"ball{}\"", number), x_of(first.x),
+            y_of(first.y), drawn_radius(number), colours[number % colours.size()], number);
         if (frames_.size() > 1) {
             const char* const mode = periodic_ ? "discrete" : "linear";
             for (const bool of_x : {true, false}) {
@@ -292,6 +332,8 @@ void Movie::write(std::ostream& out, const std::string& title, const Meaning& me
             }
         }
         out << "</circle>\n";
+        for (const auto& [x, y] : copies)
+            out << fmt::format("<use href=\"#ball{}\" x=\"{:.1f}\" y=\"{:.1f}\"/>\n", number, x, y);
     }
     out << "</g>\n</svg>\n";
 }

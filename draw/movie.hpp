@@ -15,19 +15,22 @@ namespace signum {
 ///
 /// Laws:
 ///  1. Same frames: the same bytes.
-///  2. A browser bears it: of more than `most_balls` balls the smallest are left out, of more than
-///     `most_frames` frames every second one, and again; shapes of balls that are left out are,
-///     too, and of more than `most_shapes` of one kind in a frame the last ones; the legend says
-///     so.
+///  2. A browser bears it: of more than `most_balls` balls the smallest are left out, and, where
+///     cells are shown, those that are far from the middle in the first frame, so that the cells of
+///     the others lie side by side; of more than `most_frames` frames every second one, and again;
+///     shapes of balls that are left out are, too, and of more than `most_shapes` of one kind in a
+///     frame the last ones; the legend says so.
 ///  3. Shapes lie under the balls, and are those of the nearest frame; a shape of several frames in
 ///     a row is written once.
 ///  4. The border of two balls that had none in the frame before is marked as new, for half a
 ///     second of the movie and for a frame at least. A border too short to be seen is none.
+///  5. In a periodic movie a ball across a side is seen on both.
 class Movie {
  public:
     static constexpr std::size_t most_balls = 600;
     static constexpr std::size_t most_frames = 240;
-    static constexpr std::size_t most_shapes = 2000;
+    /// As cells have six borders on the average, all those of `most_balls` are drawn.
+    static constexpr std::size_t most_shapes = 4000;
 
     struct Ball {
         double x = 0.0;
@@ -106,10 +109,16 @@ class Movie {
         std::vector<std::pair<std::size_t, std::size_t>> neighbours;
     };
 
+    /// Which balls are shown, by the first frame.
+    void choose(const std::vector<Ball>& balls, const Shapes& shapes);
     [[nodiscard]] Drawn drawn(const std::vector<Ball>& balls, const Shapes& shapes);
     static void mark_new_borders(std::vector<Drawn>& frames);
     [[nodiscard]] bool is_shown(int ball) const;
     void write_shapes(std::ostream& out, std::span<const Drawn> frames, std::size_t kind) const;
+    /// In pixels.
+    [[nodiscard]] double drawn_radius(std::size_t ball) const;
+    /// By how many pixels the copies of the k-th ball shown are shifted that are seen in a frame.
+    [[nodiscard]] std::vector<std::array<double, 2>> copies_of(std::size_t k) const;
     [[nodiscard]] double scale() const;
     [[nodiscard]] double x_of(double x) const;
     [[nodiscard]] double y_of(double y) const;
@@ -125,6 +134,7 @@ class Movie {
     std::vector<std::vector<Ball>> frames_;  // of the balls shown
     std::vector<bool> is_shown_;
     std::vector<Drawn> shapes_;
+    bool shows_middle_ = false;
     bool leaves_out_shapes_ = false;
 };
 

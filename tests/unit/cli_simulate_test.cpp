@@ -431,13 +431,13 @@ TEST_F(Simulate, NewNeighboursAreMarked) {
 TEST_F(Simulate, AMovieOfManyBallsSaysWhatItLeavesOut) {
     const std::string movie = scratch.path("movie.svg");
     const Outcome result =
-        run({"simulate", gas(50), "--box", "0", "0", "50", "50", "--until", "0.1", "--every",
+        run({"simulate", gas(70), "--box", "0", "0", "70", "70", "--until", "0.1", "--every",
              "0.05", "--structure", "cells", "--show", "structure", "-o", movie, "--quiet"});
     EXPECT_EQ(result.code, 0) << result.err;
     const std::string text = contents(movie);
     EXPECT_TRUE(is_well_formed(text));
-    EXPECT_NE(text.find("the 600 largest of 2500 balls"), std::string::npos);
-    EXPECT_NE(text.find("of a kind the first 2000 alone"), std::string::npos);
+    EXPECT_NE(text.find("the 600 largest of 4900 balls"), std::string::npos);
+    EXPECT_NE(text.find("not all are drawn, at most 4000 of a kind"), std::string::npos);
 
     EXPECT_EQ(run({"simulate", gas(50), "--box", "0", "0", "50", "50", "--periodic", "--until",
                    "0.1", "--every", "0.05", "--show", "cells", "-o", movie, "--quiet"})
@@ -445,8 +445,62 @@ TEST_F(Simulate, AMovieOfManyBallsSaysWhatItLeavesOut) {
               0);
     const std::string cells = contents(movie);
     EXPECT_TRUE(is_well_formed(cells));
-    EXPECT_NE(cells.find("the 600 largest of 2500 balls"), std::string::npos);
-    EXPECT_NE(cells.find("of a kind the first 2000 alone"), std::string::npos);
+    EXPECT_NE(cells.find("600 of them, in the middle at the start"), std::string::npos);
+    EXPECT_NE(cells.find("borders of cells (power diagram) of the 600 balls shown"),
+              std::string::npos);
+    EXPECT_EQ(cells.find("not all are drawn"), std::string::npos);
+    // They lie around the middle, and at the start each is in a cell that is closed: from its
+    // centre the first border is met within a few pixels, wherever one looks.
+    const auto lines = lines_of(group(cells, borders));
+    std::vector<std::array<double, 2>> centres;
+    for (auto at = cells.find("<circle"); at != cells.npos; at = cells.find("<circle", at + 1)) {
+        std::array<double, 2> centre{};
+        ASSERT_EQ(std::sscanf(cells.c_str() + cells.find("cx=", at), "cx=\"%lf\" cy=\"%lf\"",
+                              &centre[0], &centre[1]),
+                  2);
+        centres.push_back(centre);
+    }
+    ASSERT_EQ(centres.size(), 600U);
+    for (const auto& [x, y] : centres) {
+        EXPECT_LT(std::hypot(x - 320.0, y - 320.0), 640.0 / 50.0 * 15.0);
+        for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+            const bool is_closed = std::ranges::any_of(lines, [&](const auto& line) {
+                const double from = dx * (line[1] - y) - dy * (line[0] - x);
+                const double to = dx * (line[3] - y) - dy * (line[2] - x);
+                if (from * to > 0.0 || from == to) return false;
+                const double s = from / (from - to);
+                const double ahead = dx * (line[0] + s * (line[2] - line[0]) - x) +
+                                     dy * (line[1] + s * (line[3] - line[1]) - y);
+                return ahead > 0.0 && ahead < 32.0;
+            });
+            EXPECT_TRUE(is_closed) << x << " " << y << " " << dx << " " << dy;
+        }
+    }
+}
+
+TEST_F(Simulate, APeriodicMovieShowsABallAcrossASideOnBoth) {
+    const std::string movie = scratch.path("movie.svg");
+    // Across a side from the start on, in a corner, on its way across a side, and far from all.
+    const std::string balls = scratch.file(
+        "four.txt", "0.5 5 1 0 0 1\n7.5 7.5 1 0 0 1\n3 1.25 1 0 -1 1\n4.25 4.5 1 0 0 1\n");
+    const Outcome result = run({"simulate", balls, "--box", "0", "0", "8", "8", "--periodic",
+                                "--until", "1", "--every", "0.5", "-o", movie, "--quiet"});
+    ASSERT_EQ(result.code, 0) << result.err;
+    const std::string svg = contents(movie);
+    EXPECT_TRUE(is_well_formed(svg));
+    std::vector<std::string> copies;
+    for (auto at = svg.find("<use"); at != svg.npos; at = svg.find("<use", at + 1))
+        copies.push_back(svg.substr(at, svg.find('>', at) + 1 - at));
+    std::ranges::sort(copies);
+    const std::vector<std::string> expected = {"<use href=\"#ball0\" x=\"640.0\" y=\"0.0\"/>",
+                                               "<use href=\"#ball1\" x=\"-640.0\" y=\"0.0\"/>",
+                                               "<use href=\"#ball1\" x=\"-640.0\" y=\"640.0\"/>",
+                                               "<use href=\"#ball1\" x=\"0.0\" y=\"640.0\"/>",
+                                               "<use href=\"#ball2\" x=\"0.0\" y=\"-640.0\"/>"};
+    EXPECT_EQ(copies, expected);
+    for (const int ball : {0, 1, 2})
+        EXPECT_NE(svg.find(fmt::format("<circle id=\"ball{}\"", ball)), std::string::npos);
+    EXPECT_EQ(svg.find("id=\"ball3\""), std::string::npos);
 }
 
 TEST_F(Simulate, WhatCannotBeShownIsSaid) {
