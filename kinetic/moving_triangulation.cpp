@@ -349,14 +349,15 @@ void MovingTriangulation::release_hidden(Index face) {
         homeless_.push_back(q);
     }
 }
+void MovingTriangulation::note_corner(Index v, Index face) {
+    if (v == infinite)
+        infinite_face_ = face;
+    else
+        face_of_[at(v)] = face;
+}
 void MovingTriangulation::note_corners(Index face) {
     recent_ = face;
-    for (const Index v : topology_.vertices(face)) {
-        if (v == infinite)
-            infinite_face_ = face;
-        else
-            face_of_[at(v)] = face;
-    }
+    for (const Index v : topology_.vertices(face)) note_corner(v, face);
 }
 
 /// Flips an edge that fails, or hides one of its ends; false where neither can be done.
@@ -387,9 +388,13 @@ bool MovingTriangulation::make_right(HalfEdge h) {
     flip(topology_, h);
     tell(a, d, true);
     ++work_.flips;
-    for (const Index face : {f, g}) {
-        note_corners(face);
-        if (suspects_flat_) suspect(face);
+    recent_ = f;
+    // The others have kept the face that they had.
+    note_corner(b, f);
+    note_corner(c, g);
+    if (suspects_flat_) {
+        suspect(f);
+        suspect(g);
     }
     const HalfEdge in_f = Topology::first_edge(f);
     const HalfEdge in_g = Topology::first_edge(g);

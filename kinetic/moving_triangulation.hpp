@@ -186,6 +186,7 @@ class MovingTriangulation {
 
     void forget_edges(Index face);
     void release_hidden(Index face);
+    void note_corner(Index v, Index face);
     void note_corners(Index face);
     void tell(Index a, Index b, bool comes) {
         if (watch_ && a != infinite && b != infinite)

@@ -19,12 +19,17 @@ class Lists {
     }
     void clear() noexcept {
         for (Index& first : first_) first = none;
+        items_ = 0;
     }
 
-    [[nodiscard]] bool is_empty(Index list) const noexcept { return first_[at(list)] == none; }
+    /// Where all lists are empty none is looked at.
+    [[nodiscard]] bool is_empty(Index list) const noexcept {
+        return items_ == 0 || first_[at(list)] == none;
+    }
 
     /// Precondition: the item is in no list.
     void add(Index list, Index item) noexcept {
+        ++items_;
         Index& first = first_[at(list)];
         links_[at(item)] = {~list, first};
         if (first != none) links_[at(first)].before = item;
@@ -32,6 +37,7 @@ class Lists {
     }
     /// Precondition: the item is in a list.
     void remove(Index item) noexcept {
+        --items_;
         const auto [before, after] = links_[at(item)];
         if (after != none) links_[at(after)].before = before;
         (before < 0 ? first_[at(~before)] : links_[at(before)].after) = after;
@@ -54,6 +60,7 @@ class Lists {
         for (Index item = std::exchange(first_[at(list)], none); item != none;
              item = links_[at(item)].after)
             items.push_back(item);
+        items_ -= items.size();
         return items;
     }
 
@@ -67,6 +74,7 @@ class Lists {
 
     std::vector<Index> first_;
     std::vector<Link> links_;
+    std::size_t items_ = 0;
 };
 
 }  // namespace signum::triangulation
