@@ -530,5 +530,51 @@ TEST_F(Simulate, AnInterruptLeavesACompleteLog) {
     EXPECT_EQ(std::count(last.begin(), last.end(), ','), 4);
 }
 
+/// The run takes some ms, and the list of its closest pairs many seconds.
+TEST_F(Simulate, AListThatIsInterruptedSaysHowFarItGoes) {
+    const std::string balls = gas(50);
+    const std::string list = scratch.path("closest.csv");
+    const std::string log = scratch.path("log.csv");
+    const Outcome result = run({"simulate", balls, "--box", "0", "0", "50", "50", "--events",
+                                "4000", "-o", log, "--closest", list},
+                               {.signal_after_ms = 1500});
+    EXPECT_EQ(result.code, -SIGINT);
+    EXPECT_NE(result.err.find("the strikes are done"), std::string::npos) << result.err;
+    const std::string whole_log = contents(log);
+    EXPECT_EQ(std::count(whole_log.begin(), whole_log.end(), '\n'), 4001);
+    const std::string text = contents(list);
+    const auto lines = std::count(text.begin(), text.end(), '\n') - 1;
+    ASSERT_GE(lines, 1);
+    const std::string line = fmt::format("closest  {}, {} lines, ", list, lines);
+    const std::size_t place = result.err.find(line);
+    ASSERT_NE(place, std::string::npos) << result.err;
+    double seconds = 0.0;
+    double reached = 0.0;
+    ASSERT_EQ(std::sscanf(result.err.c_str() + place + line.size(),
+                          "%lf seconds, up to time %lf, interrupted", &seconds, &reached),
+              2)
+        << result.err;
+    EXPECT_TRUE(result.err.ends_with(", interrupted\n")) << result.err;
+    EXPECT_GT(seconds, 0.0);
+    const double last_of_list = std::stod(text.substr(text.rfind('\n', text.size() - 2) + 1));
+    const double last_of_log =
+        std::stod(whole_log.substr(whole_log.rfind('\n', whole_log.size() - 2) + 1));
+    EXPECT_GE(reached, last_of_list * (1.0 - 1e-5));
+    EXPECT_LT(reached, last_of_log);
+}
+
+TEST_F(Simulate, WhereTheClockEndsARunItsListIsSaidToBeMissing) {
+    const std::string balls =
+        scratch.file("fast.txt", "-1e17 0 0.5 1e7 0\n0 0 0.5 0 0\n0 9 0.5 1 0\n9 9 0.5 0 0\n");
+    const std::string list = scratch.file("closest.csv", "old\n");
+    const Outcome result = run({"simulate", balls, "--until", "1e11", "--closest", list});
+    EXPECT_EQ(result.code, 2);
+    EXPECT_TRUE(result.err.ends_with("; the log up to there is complete; the list " + list +
+                                     " is not written\n"))
+        << result.err;
+    EXPECT_EQ(contents(list), "old\n");
+    EXPECT_EQ(result.out, "time,kind,a,b,impulse\n8,ball,2,3,0.25\n");
+}
+
 }  // namespace
 }  // namespace signum
