@@ -703,13 +703,15 @@ void add_simulate(CLI::App& tool) {
         ->add_option("--box", call->box,
                      "Walls: the lower corner, then the upper one;\nX0 Y0 Z0 X1 Y1 Z1 in space")
         ->check(finite_number())
-        ->type_name("X0 Y0 X1 Y1")
+        ->type_name("X0 Y0 [Z0] X1 Y1 [Z1]")
+        ->option_text("X0 Y0 X1 Y1")
         ->expected(4, 6);
     command->add_flag("--periodic", call->periodic,
                       "No walls: who leaves the box comes in on the other\nside");
     command->add_option("--gravity", call->gravity, "The acceleration of all balls")
         ->check(finite_number())
         ->type_name("GX GY [GZ]")
+        ->option_text("GX GY [GZ]")
         ->expected(2, 3);
     command
         ->add_option("--restitution", call->restitution,
@@ -722,7 +724,11 @@ void add_simulate(CLI::App& tool) {
         ->check(number_from(0.0, 1.0))
         ->type_name("E");
     command
-        ->add_option("--structure", call->structure, "What proposes the pairs; the log is the same")
+        ->add_option("--structure", call->structure,
+                     fmt::format("What proposes the pairs; the log is the same: {},\n{};\nthe "
+                                 "last one in the plane alone",
+                                 structures.front(),
+                                 fmt::join(structures.begin() + 1, structures.end(), ", ")))
         ->transform(one_of(structures))
         ->type_name("NAME")
         ->capture_default_str();
@@ -749,10 +755,13 @@ void add_simulate(CLI::App& tool) {
         ->add_option("--closest", call->closest,
                      "Where the list of closest pairs goes: CSV, a line from\n"
                      "each time on at which another pair is the closest one")
+        ->check(name_of_file())
         ->type_name("LIST");
     command->add_option("--save", call->save, "Where the state at the end goes")
+        ->check(name_of_file())
         ->type_name("STATE");
     command->add_option("--resume", call->resume, "Goes on from a state, instead of FILE")
+        ->check(name_of_file())
         ->type_name("STATE");
     command->add_flag("--stats", call->statistics,
                       "Counts, energies and pressure as JSON, to standard\n"
