@@ -523,7 +523,9 @@ TEST(MotionQueries, AListIsStoppedWithinAFlight) {
             if (part.pairs.size() < whole.pairs.size()) {
                 EXPECT_LE(part.time, whole.pairs[part.pairs.size()].time);
             }
-            if (!part.pairs.empty()) EXPECT_GE(part.time, part.pairs.back().time);
+            if (!part.pairs.empty()) {
+                EXPECT_GE(part.time, part.pairs.back().time);
+            }
         }
         struct Thrown {};
         EXPECT_THROW((void)closest_pairs(first, scene.effects, 1.0, 9.0, {Structure::pairs},
