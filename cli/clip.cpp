@@ -12,6 +12,7 @@ void add_clip(CLI::App& command, std::vector<double>& clip, const std::string& d
     command.add_option("--clip", clip, description)
         ->check(finite_number())
         ->type_name("X0 Y0 X1 Y1")
+        ->option_text("X0 Y0 X1 Y1")
         ->expected(4);
 }
 

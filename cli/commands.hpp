@@ -57,6 +57,9 @@ CLI::Validator number_from(double least, double most);
 /// Accepts finite numbers.
 CLI::Validator finite_number();
 
+/// Accepts names of files, which are not empty; whether one is there is not looked at.
+CLI::Validator name_of_file();
+
 /// Accepts the names and aliases of metrics, in any case; as a transform() it turns them into the
 /// name.
 CLI::Validator name_of_metric();

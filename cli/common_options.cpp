@@ -50,6 +50,13 @@ CLI::Validator finite_number() {
     return number_from(-largest, largest);
 }
 
+CLI::Validator name_of_file() {
+    const auto check = [](const std::string& word) {
+        return std::string(word.empty() ? "an empty name; give the name of a file" : "");
+    };
+    return {check, ""};
+}
+
 CLI::Validator name_of_metric() {
     const auto find = [](std::string& word) {
         if (const std::optional<Metric> metric = metric_named(word)) {

@@ -78,12 +78,15 @@ std::string explain_mismatch(const CLI::App& command, const std::string& message
     if (option == nullptr) return message;
     const std::string name = short_name(*option);
     if (is_flag(*option)) return fmt::format("{} takes no value", name);
+    const int least = option->get_items_expected_min();
     const int most = option->get_items_expected_max();
     const auto given = static_cast<int>(option->count());
     if (most > 1 && given > 0) {
-        return fmt::format("{} takes {} words after it, {}; {} given", name, most,
-                           option->get_type_name(),
-                           given == 1 ? "one is" : fmt::format("{} are", given));
+        // What is for the plane and for space takes either number and none between.
+        return fmt::format(
+            "{} takes {} words after it, {}; {} given", name,
+            least == most ? fmt::format("{}", most) : fmt::format("{} or {}", least, most),
+            option->get_type_name(), given == 1 ? "one is" : fmt::format("{} are", given));
     }
     if (given > most) return fmt::format("{} is given {} times; give it once", name, given);
     return fmt::format("{} needs a word after it: {} {}", name, name, option->get_type_name());

@@ -297,8 +297,7 @@ class Recording {
         movie_->add(time, balls, shapes);
     }
     /// All files under their names.
-    void publish(const MotionState<D>& end,
-                 const std::optional<std::vector<motion::ClosestPair>>& closest) {
+    void publish(const MotionState<D>& end, const std::optional<motion::ClosestPairs>& closest) {
         for (Sink& sink : sinks_) {
             if (sink.log) sink.log->finish();
             if (sink.format == "svg") {
@@ -313,7 +312,7 @@ class Recording {
             if (sink.standard) sink.standard->flush();
         }
         if (save_) write_motion_state(save_->stream(), end);
-        if (closest) write_closest(closest_->stream(), *closest);
+        if (closest) write_closest(closest_->stream(), closest->pairs);
         for (Sink& sink : sinks_)
             if (sink.file) sink.file->publish();
         if (save_) save_->publish();
@@ -513,13 +512,37 @@ void refuse_bad_files(const SimulateCall& call, std::span<const Target> targets)
 /// From the start to where the run has come, in a run of its own. Who ends the first run waits for
 /// the list of that; who ends the second one has it up to there.
 template <int D>
-std::optional<std::vector<motion::ClosestPair>> closest_until(double end, const SimulateCall& call,
-                                                              const MotionState<D>& start,
-                                                              const motion::Options& options) {
+std::optional<motion::ClosestPairs> closest_until(double end, const SimulateCall& call,
+                                                  const MotionState<D>& start,
+                                                  const motion::Options& options) {
     if (call.closest.empty()) return std::nullopt;
-    const auto stop = [before = static_cast<int>(interrupted)] { return interrupted != before; };
-    return motion::closest_pairs(start.state, start.effects, start.state.time, end, options, stop)
-        .pairs;
+    const double begin = start.state.time;
+    std::optional<Progress> progress;
+    if (!call.quiet) progress.emplace();
+    const int before = interrupted;
+    interrupted = 0;
+    const InterruptNoted noted_again;
+    const auto stop = [&](double time) {
+        if (progress && begin < end) progress->show((time - begin) / (end - begin));
+        return interrupted != 0;
+    };
+    motion::ClosestPairs list =
+        motion::closest_pairs(start.state, start.effects, begin, end, options, stop);
+    if (interrupted == 0) interrupted = before;
+    return list;
+}
+
+bool is_interrupted(const std::optional<motion::ClosestPairs>& closest) {
+    return closest && closest->outcome.ending == motion::Ending::stopped;
+}
+
+std::string describe_list(const SimulateCall& call, const motion::ClosestPairs& closest,
+                          double seconds) {
+    std::string text =
+        fmt::format("{}, {} lines, {:.3g} seconds", call.closest, closest.pairs.size(), seconds);
+    if (is_interrupted(closest))
+        text += fmt::format(", up to time {:.6g}, interrupted", closest.time);
+    return text;
 }
 
 template <int D>
@@ -555,8 +578,9 @@ void run(const SimulateCall& call, const MotionState<D>& start) {
     const auto begin = std::chrono::steady_clock::now();
     motion::Simulation<D> simulation(start.state, start.effects, options);
     std::optional<motion::Outcome> outcome;
-    std::optional<std::vector<motion::ClosestPair>> closest;
+    std::optional<motion::ClosestPairs> closest;
     std::chrono::duration<double> seconds{};
+    std::chrono::duration<double> seconds_of_list{};
     std::string too_fast;
     {
         const InterruptNoted noted;
@@ -564,13 +588,17 @@ void run(const SimulateCall& call, const MotionState<D>& start) {
             outcome = run_all(simulation, call, recording, start.state.time);
             seconds = std::chrono::steady_clock::now() - begin;
             closest = closest_until(simulation.state().time, call, start, options);
+            seconds_of_list = std::chrono::steady_clock::now() - begin - seconds;
         } catch (const std::range_error& error) {
-            too_fast = error.what();
+            too_fast = fmt::format("{}; the log {}is complete", error.what(),
+                                   outcome ? "" : "up to there ");
+            if (!call.closest.empty())
+                too_fast += fmt::format("; the list {} is not written", call.closest);
         }
     }
     const MotionState<D> end = {simulation.state(), start.effects};
     recording.publish(end, closest);
-    if (!too_fast.empty()) throw CallError(too_fast + "; the log up to there is complete");
+    if (!too_fast.empty()) throw CallError(too_fast);
     const Summary<D> summary{start, end, choice, simulation.counts(), seconds.count()};
     if (call.statistics) {
         const bool log_is_there = std::ranges::any_of(
@@ -583,18 +611,23 @@ void run(const SimulateCall& call, const MotionState<D>& start) {
             out.flush();
         }
     }
-    if (outcome->ending == motion::Ending::collapse)
-        throw CheckFailure(describe_collapse(outcome->last));
+    if (outcome->ending == motion::Ending::collapse) {
+        std::string what = describe_collapse(outcome->last);
+        if (is_interrupted(closest))
+            what += "; closest pairs: " + describe_list(call, *closest, seconds_of_list.count());
+        throw CheckFailure(what);
+    }
     if (!call.quiet) {
         say("balls    {}\n", end.state.balls.size());
         say("strikes  {}\n", summary.counts.strikes);
         say("time     {:.6g}, {}\n", end.state.time, in_words(outcome->ending));
         say("seconds  {:.3g}\n", summary.seconds);
         say("{}", written(targets));
-        if (closest) say("closest  {}, {} lines\n", call.closest, closest->size());
+        if (closest) say("closest  {}\n", describe_list(call, *closest, seconds_of_list.count()));
     }
     // As if nobody had caught it.
-    if (outcome->ending == motion::Ending::stopped) ::raise(static_cast<int>(interrupted));
+    if (outcome->ending == motion::Ending::stopped || is_interrupted(closest))
+        ::raise(static_cast<int>(interrupted));
 }
 
 /// A state that can be; a damaged one is named.
@@ -671,13 +704,15 @@ void add_simulate(CLI::App& tool) {
                      "Walls: the lower corner, then the upper one;\nX0 Y0 Z0 X1 Y1 Z1 in space. A "
                      "movie without it\nshows the place where the balls are at the start")
         ->check(finite_number())
-        ->type_name("X0 Y0 X1 Y1")
+        ->type_name("X0 Y0 [Z0] X1 Y1 [Z1]")
+        ->option_text("X0 Y0 X1 Y1")
         ->expected(4, 6);
     command->add_flag("--periodic", call->periodic,
                       "No walls: who leaves the box comes in on the other\nside");
     command->add_option("--gravity", call->gravity, "The acceleration of all balls")
         ->check(finite_number())
         ->type_name("GX GY [GZ]")
+        ->option_text("GX GY [GZ]")
         ->expected(2, 3);
     command
         ->add_option("--restitution", call->restitution,
@@ -690,7 +725,11 @@ void add_simulate(CLI::App& tool) {
         ->check(number_from(0.0, 1.0))
         ->type_name("E");
     command
-        ->add_option("--structure", call->structure, "What proposes the pairs; the log is the same")
+        ->add_option("--structure", call->structure,
+                     fmt::format("What proposes the pairs; the log is the same: {},\n{};\nthe "
+                                 "last one in the plane alone",
+                                 structures.front(),
+                                 fmt::join(structures.begin() + 1, structures.end(), ", ")))
         ->transform(one_of(structures))
         ->type_name("NAME")
         ->capture_default_str();
@@ -717,10 +756,13 @@ void add_simulate(CLI::App& tool) {
         ->add_option("--closest", call->closest,
                      "Where the list of closest pairs goes: CSV, a line from\n"
                      "each time on at which another pair is the closest one")
+        ->check(name_of_file())
         ->type_name("LIST");
     command->add_option("--save", call->save, "Where the state at the end goes")
+        ->check(name_of_file())
         ->type_name("STATE");
     command->add_option("--resume", call->resume, "Goes on from a state, instead of FILE")
+        ->check(name_of_file())
         ->type_name("STATE");
     command->add_flag("--stats", call->statistics,
                       "Counts, energies and pressure as JSON, to standard\n"

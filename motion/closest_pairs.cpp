@@ -28,8 +28,9 @@ struct Instant {
 template <int D>
 class List {
  public:
-    /// Neither is copied.
-    List(const Effects<D>& effects, Stop& stop) : effects_(effects), stop_(stop) {}
+    /// None is copied.
+    List(const Effects<D>& effects, Stop& stop, ClosestPairs& result)
+        : effects_(effects), stop_(stop), result_(result) {}
 
     /// Goes on with balls that fly in [from, to] without a strike; where it is stopped, up to the
     /// last pair of the list. Precondition: at least two balls; the default floating-point
@@ -58,8 +59,8 @@ class List {
             }
         }
         if (pairs) Walk(*this, balls, near, *pairs, from, to).go();
+        if (!stop_.is_told()) result_.time = to;
     }
-    [[nodiscard]] std::vector<ClosestPair>& pairs() noexcept { return pairs_; }
 
  private:
     /// From the closest pair to the one that comes below it first, and on.
@@ -143,9 +144,10 @@ class List {
         }
 
         void put() {
-            std::vector<ClosestPair>& list = list_.pairs_;
-            if (!list.empty() && list.back().a == best_->a && list.back().b == best_->b) return;
+            std::vector<ClosestPair>& list = list_.result_.pairs;
             const double time = now_.nearest_time(from_);
+            list_.result_.time = time;
+            if (!list.empty() && list.back().a == best_->a && list.back().b == best_->b) return;
             const Gap gap(couple_of(*best_, balls_), list_.effects_, time);
             list.push_back({time, best_->a, best_->b, gap.nearest_double()});
         }
@@ -164,35 +166,43 @@ class List {
 
     const Effects<D>& effects_;
     Stop& stop_;
-    std::vector<ClosestPair> pairs_;
+    ClosestPairs& result_;
 };
 
 }  // namespace
 
 template <int D>
 ClosestPairs closest_pairs(const State<D>& state, const Effects<D>& effects, double begin,
-                           double end, const Options& options, const std::function<bool()>& stop) {
+                           double end, const Options& options,
+                           const std::function<bool(double)>& stop) {
     if (!(state.time <= begin && begin <= end && std::isfinite(end)))
         throw std::invalid_argument(
             "closest_pairs: give a begin that is not before the state, and a later, finite end");
     ClosestPairs result;
+    result.time = begin;
+    std::function<bool()> asked;
+    if (stop) asked = [&] { return stop(result.time); };
     Simulation<D> ahead(state, effects, options);
-    result.outcome = ahead.run({.until = begin, .stop = stop});
+    result.outcome = ahead.run({.until = begin, .stop = asked});
     const auto is_over = [&] {
         return result.outcome.ending == Ending::collapse ||
                result.outcome.ending == Ending::stopped;
     };
-    if (is_over() || state.balls.size() < 2) return result;
-    Stop told_to_stop(stop);
-    List<D> list(effects, told_to_stop);
+    if (is_over()) return result;
+    if (state.balls.size() < 2) {
+        result.time = end;
+        return result;
+    }
+    Stop told_to_stop(asked);
+    List<D> list(effects, told_to_stop, result);
     for (double from = begin;;) {
         const State<D> now = ahead.state();
         double to = end;
-        result.outcome = ahead.run({.until = end, .strikes = 1, .stop = stop},
+        result.outcome = ahead.run({.until = end, .strikes = 1, .stop = asked},
                                    [&](const Strike& strike) { to = strike.time; });
         if (result.outcome.ending == Ending::stopped) break;
         if (result.outcome.ending == Ending::collapse) to = result.outcome.last.time;
-        if (from < to || list.pairs().empty()) {
+        if (from < to || result.pairs.empty()) {
             const exact::IeeeEnvironment environment;
             list.add(now.balls, from, to);
         }
@@ -204,13 +214,12 @@ ClosestPairs closest_pairs(const State<D>& state, const Effects<D>& effects, dou
         }
         if (is_last) break;
     }
-    result.pairs = std::move(list.pairs());
     return result;
 }
 
 template ClosestPairs closest_pairs(const State<2>&, const Effects<2>&, double, double,
-                                    const Options&, const std::function<bool()>&);
+                                    const Options&, const std::function<bool(double)>&);
 template ClosestPairs closest_pairs(const State<3>&, const Effects<3>&, double, double,
-                                    const Options&, const std::function<bool()>&);
+                                    const Options&, const std::function<bool(double)>&);
 
 }  // namespace signum::motion

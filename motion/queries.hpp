@@ -82,21 +82,23 @@ template <int D>
 
 struct ClosestPairs {
     std::vector<ClosestPair> pairs;
-    /// A collapse: the list is complete up to the time of outcome.last; a stop: up to its last
-    /// pair.
+    /// The list is complete up to here: the end, after a collapse the time of outcome.last, after a
+    /// stop some time before.
+    double time = 0.0;
     Outcome outcome;
 };
 /// Which pair is the closest one from `begin` to `end`: the one right after `begin`, and from each
 /// time on, right after which it is another one, that one. These times, which are roots of
 /// polynomials, are in their exact order, so that two may have the same nearest double; at such a
-/// time itself two gaps are equal. Of a time of strikes what is right after them. `stop` is asked
-/// at every strike and now and then between: whether to stop.
+/// time itself two gaps are equal. Of a time of strikes what is right after them. `stop` is told
+/// at every strike and now and then between up to when the list is complete, and asked whether to
+/// stop.
 ///
 /// From strike to strike O(n log n) expected and O(k) a change, k the number of pairs that may come
 /// as near as the closest one; where these are too many the time is halved.
 template <int D>
 [[nodiscard]] ClosestPairs closest_pairs(const State<D>& state, const Effects<D>& effects,
                                          double begin, double end, const Options& options = {},
-                                         const std::function<bool()>& stop = {});
+                                         const std::function<bool(double)>& stop = {});
 
 }  // namespace signum::motion

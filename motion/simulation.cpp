@@ -136,7 +136,11 @@ Choice choose(Structure wish, const State<D>& state, const Effects<D>& effects) 
     if (wish == Structure::delaunay) {
         const Structure instead = few_cells ? Structure::lists : Structure::levels;
         if (D != 2) return {instead, "delaunay is a structure of the plane"};
-        if (!(sizes.smallest > 0.0 && sizes.smallest >= 0x1p-12 * sizes.largest))
+        if (sizes.smallest == 0.0)
+            return {instead,
+                    "delaunay needs radii above 0: what it allows for rounding is a part of the "
+                    "least one"};
+        if (sizes.smallest < 0x1p-12 * sizes.largest)
             return {instead, "delaunay is for discs whose radii are within a factor of 4096"};
         // Its margin is more than places are rounded by.
         if (sizes.smallest * (sizes.smallest / sizes.largest) < 0x1p-40 * sizes.farthest)

@@ -494,14 +494,22 @@ TEST(MotionQueries, AListIsStoppedWithinAFlight) {
     for (const Scene<2>& scene : {points, one_place}) {
         const State<2> first = start<2>(scene.bodies, scene.effects);
         std::uint64_t questions = 0;
+        double reached = 1.0;
         const auto list_until = [&](std::uint64_t most) {
             questions = 0;
+            reached = 1.0;
             // Pairs have no events of their own: the run itself asks nobody.
             return closest_pairs(first, scene.effects, 1.0, 9.0, {Structure::pairs},
-                                 [&] { return ++questions > most; });
+                                 [&](double time) {
+                                     EXPECT_GE(time, reached);
+                                     EXPECT_LE(time, 9.0);
+                                     reached = time;
+                                     return ++questions > most;
+                                 });
         };
         const ClosestPairs whole = list_until(~std::uint64_t{0});
         ASSERT_EQ(whole.outcome.ending, Ending::nothing);
+        EXPECT_EQ(whole.time, 9.0);
         const std::uint64_t all = questions;
         ASSERT_GT(all, 10U);
         for (const std::uint64_t most : {std::uint64_t{0}, all / 4, all / 2, all - 1}) {
@@ -510,10 +518,18 @@ TEST(MotionQueries, AListIsStoppedWithinAFlight) {
             EXPECT_EQ(questions, most + 1);
             ASSERT_LE(part.pairs.size(), whole.pairs.size());
             EXPECT_TRUE(std::equal(part.pairs.begin(), part.pairs.end(), whole.pairs.begin()));
+            // It is complete up to the time that was told last.
+            EXPECT_EQ(part.time, reached);
+            if (part.pairs.size() < whole.pairs.size()) {
+                EXPECT_LE(part.time, whole.pairs[part.pairs.size()].time);
+            }
+            if (!part.pairs.empty()) {
+                EXPECT_GE(part.time, part.pairs.back().time);
+            }
         }
         struct Thrown {};
         EXPECT_THROW((void)closest_pairs(first, scene.effects, 1.0, 9.0, {Structure::pairs},
-                                         []() -> bool { throw Thrown(); }),
+                                         [](double) -> bool { throw Thrown(); }),
                      Thrown);
     }
 }

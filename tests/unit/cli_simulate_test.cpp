@@ -148,6 +148,8 @@ TEST_F(Simulate, WhereClosestPairsCannotGoIsSaid) {
     refused({"--closest", other, "-o", other}, "is where -o goes");
     refused({"--closest", other, "--save", other}, "is where --save goes");
     refused({"--save", "-"}, "a state goes to a file");
+    for (const std::string option : {"--closest", "--save", "--resume"})
+        refused({option, ""}, option + ": an empty name; give the name of a file");
 }
 
 TEST_F(Simulate, FramesAndAMovie) {
@@ -559,6 +561,48 @@ TEST_F(Simulate, WhatCannotBeIsNamedByItsLine) {
     EXPECT_EQ(run({"simulate", one, "--events", "1", "-o", scratch.path("a.xyz")}).code, 2);
 }
 
+/// Plane and space take different numbers of words.
+TEST_F(Simulate, TooFewWordsAreCounted) {
+    const std::string one = scratch.file("one.txt", "0 0 1 0 0\n");
+    const auto refused = [&](const Words& more, const std::string& reason) {
+        Words words = {"simulate", one, "--until", "1"};
+        words.insert(words.end(), more.begin(), more.end());
+        const Outcome result = run(words);
+        EXPECT_EQ(result.code, 2);
+        EXPECT_EQ(result.err, "signum: " + reason + "\n");
+    };
+    const std::string help = "; see signum simulate --help";
+    refused({"--box", "0", "0", "8"},
+            "--box takes 4 or 6 words after it, X0 Y0 [Z0] X1 Y1 [Z1]; 3 are given" + help);
+    refused({"--gravity", "0"},
+            "--gravity takes 2 or 3 words after it, GX GY [GZ]; one is given" + help);
+    refused({"--box", "0", "0", "8", "8", "8"},
+            "--box: 5 numbers, but the balls lie in the plane; give 4");
+}
+
+TEST_F(Simulate, TheHelpNamesTheStructures) {
+    const std::string text = run({"simulate", "--help"}).out;
+    EXPECT_NE(text.find("auto,"), std::string::npos);
+    EXPECT_NE(text.find("pairs, cells, tree, segments, levels, lists, delaunay"),
+              std::string::npos);
+    EXPECT_EQ(text.find(" x 4"), std::string::npos);
+    EXPECT_EQ(text.find(" x 2"), std::string::npos);
+}
+
+/// Where delaunay cannot be used the true reason is said.
+TEST_F(Simulate, WhyDelaunayIsNotUsedIsSaid) {
+    const auto note_of = [&](const std::string& text) {
+        const std::string balls = scratch.file("balls.txt", text);
+        return run({"simulate", balls, "--until", "1", "--structure", "delaunay"}).err;
+    };
+    EXPECT_TRUE(note_of("0 0 0 1 0 1\n4 0 0 0 0 1\n")
+                    .starts_with("structure levels: delaunay needs radii above 0"));
+    EXPECT_TRUE(note_of("0 0 1 1 0\n9000 0 5000 0 0\n")
+                    .starts_with("structure levels: delaunay is for discs whose radii are within"));
+    EXPECT_TRUE(note_of("0 0 0 1 1 0 0\n")
+                    .starts_with("structure levels: delaunay is a structure of the plane"));
+}
+
 TEST_F(Simulate, ACollapseEndsWithACompleteLog) {
     const std::string balls = scratch.file("bounce.txt", "0 2 1 0 0\n");
     const std::string log = scratch.path("log.csv");
@@ -582,6 +626,52 @@ TEST_F(Simulate, AnInterruptLeavesACompleteLog) {
     EXPECT_EQ(text.back(), '\n');
     const std::string last = text.substr(text.rfind('\n', text.size() - 2) + 1);
     EXPECT_EQ(std::count(last.begin(), last.end(), ','), 4);
+}
+
+/// The run takes some ms, and the list of its closest pairs many seconds.
+TEST_F(Simulate, AListThatIsInterruptedSaysHowFarItGoes) {
+    const std::string balls = gas(100);
+    const std::string list = scratch.path("closest.csv");
+    const std::string log = scratch.path("log.csv");
+    const Outcome result = run({"simulate", balls, "--box", "0", "0", "50", "50", "--events",
+                                "4000", "-o", log, "--closest", list},
+                               {.signal_after_ms = 1500});
+    EXPECT_EQ(result.code, -SIGINT);
+    EXPECT_NE(result.err.find("the strikes are done"), std::string::npos) << result.err;
+    const std::string whole_log = contents(log);
+    EXPECT_EQ(std::count(whole_log.begin(), whole_log.end(), '\n'), 1001);
+    const std::string text = contents(list);
+    const auto lines = std::count(text.begin(), text.end(), '\n') - 1;
+    ASSERT_GE(lines, 1);
+    const std::string line = fmt::format("closest  {}, {} lines, ", list, lines);
+    const std::size_t place = result.err.find(line);
+    ASSERT_NE(place, std::string::npos) << result.err;
+    double seconds = 0.0;
+    double reached = 0.0;
+    ASSERT_EQ(std::sscanf(result.err.c_str() + place + line.size(),
+                          "%lf seconds, up to time %lf, interrupted", &seconds, &reached),
+              2)
+        << result.err;
+    EXPECT_TRUE(result.err.ends_with(", interrupted\n")) << result.err;
+    EXPECT_GT(seconds, 0.0);
+    const double last_of_list = std::stod(text.substr(text.rfind('\n', text.size() - 2) + 1));
+    const double last_of_log =
+        std::stod(whole_log.substr(whole_log.rfind('\n', whole_log.size() - 2) + 1));
+    EXPECT_GE(reached, last_of_list * (1.0 - 1e-5));
+    EXPECT_LT(reached, last_of_log);
+}
+
+TEST_F(Simulate, WhereTheClockEndsARunItsListIsSaidToBeMissing) {
+    const std::string balls =
+        scratch.file("fast.txt", "-1e17 0 0.5 1e7 0\n0 0 0.5 0 0\n0 9 0.5 1 0\n9 9 0.5 0 0\n");
+    const std::string list = scratch.file("closest.csv", "old\n");
+    const Outcome result = run({"simulate", balls, "--until", "1e11", "--closest", list});
+    EXPECT_EQ(result.code, 2);
+    EXPECT_TRUE(result.err.ends_with("; the log up to there is complete; the list " + list +
+                                     " is not written\n"))
+        << result.err;
+    EXPECT_EQ(contents(list), "old\n");
+    EXPECT_EQ(result.out, "time,kind,a,b,impulse\n8,ball,2,3,0.25\n");
 }
 
 }  // namespace
