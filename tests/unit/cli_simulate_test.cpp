@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "../thoroughness.hpp"
 #include "io_scratch.hpp"
 #include "tool_call.hpp"
 
@@ -628,18 +629,19 @@ TEST_F(Simulate, AnInterruptLeavesACompleteLog) {
     EXPECT_EQ(std::count(last.begin(), last.end(), ','), 4);
 }
 
-/// The run takes some ms, and the list of its closest pairs many seconds.
+/// The run takes a tenth of a second, and the list of its closest pairs many.
 TEST_F(Simulate, AListThatIsInterruptedSaysHowFarItGoes) {
     const std::string balls = gas(100);
     const std::string list = scratch.path("closest.csv");
     const std::string log = scratch.path("log.csv");
-    const Outcome result = run({"simulate", balls, "--box", "0", "0", "50", "50", "--events",
-                                "4000", "-o", log, "--closest", list},
+    const int strikes = is_fast ? 16'000 : 1000;
+    const Outcome result = run({"simulate", balls, "--box", "0", "0", "100", "100", "--events",
+                                std::to_string(strikes), "-o", log, "--closest", list},
                                {.signal_after_ms = 1500});
     EXPECT_EQ(result.code, -SIGINT);
     EXPECT_NE(result.err.find("the strikes are done"), std::string::npos) << result.err;
     const std::string whole_log = contents(log);
-    EXPECT_EQ(std::count(whole_log.begin(), whole_log.end(), '\n'), 1001);
+    EXPECT_EQ(std::count(whole_log.begin(), whole_log.end(), '\n'), strikes + 1);
     const std::string text = contents(list);
     const auto lines = std::count(text.begin(), text.end(), '\n') - 1;
     ASSERT_GE(lines, 1);
