@@ -33,7 +33,10 @@ struct Spread {
                 box.high[k] = std::max(box.high[k], x[k] + ball.radius);
             }
         }
-        if (world.effects.box) box = *world.effects.box;
+        if (world.effects.box)
+            box = *world.effects.box;
+        else if (balls == 0)
+            box = {};
         double widest = largest_radius > 0.0 ? largest_radius : 1.0;
         for (int k = 0; k < D; ++k) widest = std::max(widest, box.high[k] - box.low[k]);
         for (int k = 0; k < D; ++k)

@@ -484,7 +484,7 @@ TEST(MotionQueries, PointsThatFlyTogether) {
 
 /// A list is stopped between strikes, too, and is right as far as it goes.
 TEST(MotionQueries, AListIsStoppedWithinAFlight) {
-    Scene<2> points = gas<2>(is_fast ? 400 : 100, false, 12);
+    Scene<2> points = gas<2>(is_fast ? 400 : 200, false, 12);
     points.effects.box.reset();
     for (Body<2>& body : points.bodies) body.radius = 0.0;
     // All pairs are equally close for ever, and there is no part of the time with fewer.
