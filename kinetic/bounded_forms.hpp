@@ -23,6 +23,7 @@
 #include <optional>
 
 #include "../filters/bounds.hpp"
+#include "../filters/interval.hpp"
 #include "../filters/rounding_count.hpp"
 #include "../filters/verdict.hpp"
 #include "../roots/approximation.hpp"
@@ -52,10 +53,6 @@ inline constexpr int roundings_of_cross = [] {
     return most;
 }();
 
-[[nodiscard]] inline double larger(double a, double b) noexcept {
-    return a > b ? a : b;
-}
-
 /// Where a site is, in doubles, and how well that is known.
 struct Here {
     PolynomialIn<double, 1> x;
@@ -70,30 +67,31 @@ struct Here {
           r(filters::pinned(m.r)) {
         const double flown = filters::pinned(at.origin) - filters::pinned(m.time);
         if (flown == 0.0) return;
-        const double speed = larger(magnitude(x.c[1]), magnitude(y.c[1]));
+        const double speed = filters::max(magnitude(x.c[1]), magnitude(y.c[1]));
         if (at.fall.x == 0.0 && at.fall.y == 0.0) {
             x.c[0] += flown * x.c[1];
             y.c[0] += flown * y.c[1];
             // Three roundings, of which each is half an epsilon.
-            place_error =
-                1.01 * epsilon *
-                    (magnitude(flown) * speed + larger(magnitude(x.c[0]), magnitude(y.c[0]))) +
-                (speed == 0.0 ? 0.0 : Approximation::underflow);
+            place_error = 1.01 * epsilon *
+                              (magnitude(flown) * speed +
+                               filters::max(magnitude(x.c[0]), magnitude(y.c[0]))) +
+                          (speed == 0.0 ? 0.0 : Approximation::underflow);
             return;
         }
         const double gained_x = filters::pinned(at.fall.x) * flown;
         const double gained_y = filters::pinned(at.fall.y) * flown;
-        const double gained = larger(magnitude(gained_x), magnitude(gained_y));
+        const double gained = filters::max(magnitude(gained_x), magnitude(gained_y));
         x.c[0] += flown * (x.c[1] + 0.5 * gained_x);
         y.c[0] += flown * (y.c[1] + 0.5 * gained_y);
         x.c[1] += gained_x;
         y.c[1] += gained_y;
         // At most five roundings in what is added.
         place_error = epsilon * (3.0 * (magnitude(flown) * (speed + gained)) +
-                                 larger(magnitude(x.c[0]), magnitude(y.c[0]))) +
+                                 filters::max(magnitude(x.c[0]), magnitude(y.c[0]))) +
                       Approximation::underflow;
-        speed_error = epsilon * (1.01 * gained + larger(magnitude(x.c[1]), magnitude(y.c[1]))) +
-                      Approximation::underflow;
+        speed_error =
+            epsilon * (1.01 * gained + filters::max(magnitude(x.c[1]), magnitude(y.c[1]))) +
+            Approximation::underflow;
     }
 };
 
@@ -111,18 +109,18 @@ struct Sizes {
             r.x.c[k] = m.x.c[k] - q.x.c[k];
             r.y.c[k] = m.y.c[k] - q.y.c[k];
         }
-        const double place = larger(magnitude(r.x.c[0]), magnitude(r.y.c[0]));
-        const double speed = larger(magnitude(r.x.c[1]), magnitude(r.y.c[1]));
+        const double place = filters::max(magnitude(r.x.c[0]), magnitude(r.y.c[0]));
+        const double speed = filters::max(magnitude(r.x.c[1]), magnitude(r.y.c[1]));
         const double speed_error = (m.speed_error + q.speed_error) + epsilon * speed;
-        p.c[0] = larger(p.c[0], place);
-        p.c[1] = larger(p.c[1], speed);
-        error.c[0] = larger(error.c[0], (m.place_error + q.place_error) + epsilon * place);
-        error.c[1] = larger(error.c[1], speed_error);
+        p.c[0] = filters::max(p.c[0], place);
+        p.c[1] = filters::max(p.c[1], speed);
+        error.c[0] = filters::max(error.c[0], (m.place_error + q.place_error) + epsilon * place);
+        error.c[1] = filters::max(error.c[1], speed_error);
         movers += static_cast<int>(speed + speed_error > 0.0);
         const double less = m.r - q.r;
         const double sum = m.r + q.r;
         r.weight.c[0] = less * sum;
-        weight = larger(weight, magnitude(r.weight.c[0]));
+        weight = filters::max(weight, magnitude(r.weight.c[0]));
         // A square that has underflown is not 0.
         underflows |= r.weight.c[0] == 0.0 && less != 0.0 && sum != 0.0;
         return r;
@@ -135,7 +133,7 @@ struct Sizes {
         for (std::size_t k = 0; k < 2; ++k) {
             if (p.c[k] == 0.0 && error.c[k] == 0.0) continue;
             if (!(p.c[k] > 0x1p-200 && p.c[k] < 0x1p200)) return infinity;
-            most = larger(most, error.c[k] / p.c[k]);
+            most = filters::max(most, error.c[k] / p.c[k]);
         }
         const bool usual = weight == 0.0 || (weight > 0x1p-400 && weight < 0x1p400);
         return usual && !underflows ? most : infinity;

@@ -33,7 +33,7 @@ struct KineticStatistics {
 ///     the order by falling weight and then rising handle. So faces are a function of the sites and
 ///     the time: neither of the way there nor of the steps of advance().
 ///  2. At a time at which nothing is tied, and places are doubles, they are the finite ones of
-///  triangulate().
+///     triangulate().
 ///  3. Sites may meet, overlap and pass through one another.
 ///  4. A handle names its site until that is erased; afterwards it may be given to another one.
 ///  5. Whoever is left by std::bad_alloc, or by what on_edge throws (watch), may only be destroyed

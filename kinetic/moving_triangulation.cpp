@@ -193,11 +193,6 @@ void MovingTriangulation::advance(double t) {
     moment_.set(t);
 }
 
-Sign MovingTriangulation::compare_moment(double t) const {
-    return moment_.is_double() ? filters::compare_numbers(moment_.time(), t)
-                               : roots::compare(moment_.root(), t, &tally_);
-}
-
 double MovingTriangulation::not_before(const Event& event) const {
     const CertificateForm form(event.certificate, sites_);
     return roots::Polynomial(form, near(event.root)).narrowed(event.root, &tally_).high;

@@ -106,8 +106,6 @@ class MovingTriangulation {
     [[nodiscard]] Sign compare(const Event& event, double t) const {
         return kinetic::compare(sites_, event, t, &tally_);
     }
-    /// The sign of the moment at hand less t.
-    [[nodiscard]] Sign compare_moment(double t) const;
     /// The least double not before the event.
     [[nodiscard]] double not_before(const Event& event) const;
 
