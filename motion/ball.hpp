@@ -1,40 +1,14 @@
 #pragma once
-/// Balls in flight, and what acts on them. All numbers are doubles and are taken as exact ones.
+/// Balls in flight. All numbers are doubles and are taken as exact ones.
 
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
+
+#include "effects.hpp"
+#include "vector.hpp"
 
 namespace signum::motion {
-
-/// One thing an axis.
-template <class T, int D>
-struct PerAxis {
-    T values[D]{};
-
-    [[nodiscard]] constexpr T& operator[](int axis) noexcept { return values[axis]; }
-    [[nodiscard]] constexpr const T& operator[](int axis) const noexcept { return values[axis]; }
-    [[nodiscard]] constexpr T* begin() noexcept { return values; }
-    [[nodiscard]] constexpr T* end() noexcept { return values + D; }
-    [[nodiscard]] constexpr const T* begin() const noexcept { return values; }
-    [[nodiscard]] constexpr const T* end() const noexcept { return values + D; }
-    constexpr void fill(const T& value) noexcept {
-        for (T& each : values) each = value;
-    }
-    friend bool operator==(const PerAxis&, const PerAxis&) = default;
-};
-
-template <int D>
-using Vector = PerAxis<double, D>;
-
-template <int D>
-[[nodiscard, gnu::always_inline]] inline double dot(const Vector<D>& a,
-                                                    const Vector<D>& b) noexcept {
-    double sum = a[0] * b[0];
-    for (int i = 1; i < D; ++i) sum += a[i] * b[i];
-    return sum;
-}
 
 /// A disc (D = 2) or ball (D = 3). At `time` its centre is x and its velocity v; until its next
 /// strike it flies on x + v s + g s²/2, s = t - time. One of space fills a cache line.
@@ -44,27 +18,6 @@ struct alignas(D == 3 ? 64 : 16) Ball {
     Vector<D> v{};
     double radius = 0.0;
     double time = 0.0;
-};
-
-/// An axis-parallel box: low < high in each coordinate.
-template <int D>
-struct Box {
-    Vector<D> low{};
-    Vector<D> high{};
-};
-
-/// What acts on balls. What is not named is not computed.
-template <int D>
-struct Effects {
-    /// The acceleration of all balls.
-    Vector<D> gravity{};
-    /// The ratio of the speeds after and before a strike along its normal: from 0 to 1, elastic.
-    double restitution = 1.0;
-    /// The same against walls.
-    double wall_restitution = 1.0;
-    /// Walls around all balls, or the cell of a periodic world.
-    std::optional<Box<D>> box;
-    bool periodic = false;
 };
 
 /// Where a ball's centre is along an axis at a time, rounded.

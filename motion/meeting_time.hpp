@@ -13,6 +13,7 @@
 
 #include "ball.hpp"
 #include "meeting.hpp"
+#include "obstacle.hpp"
 
 namespace signum::motion {
 
@@ -20,27 +21,6 @@ template <int D>
 struct GrowingBall : Ball<D> {
     /// q; the radius of Ball is r, that at time 0.
     double growth = 0.0;
-};
-
-/// Balls are where n·x >= offset + speed · t: an oblique wall, at rest or in uniform motion. n need
-/// not be a unit vector. F = n·x - offset - speed · t - |n| (r + q t).
-template <int D>
-struct HalfSpace {
-    Vector<D> normal{};  ///< not 0
-    double offset = 0.0;
-    double speed = 0.0;  ///< of the wall along n, times |n|
-};
-
-/// A circle or sphere with its centre at centre + velocity · t. D is the difference of the centres.
-template <int D>
-struct Sphere {
-    enum class Side { outside, inside };
-    Vector<D> centre{};
-    Vector<D> velocity{};
-    double radius = 0.0;
-    /// Where the balls are: F = |D|² - (radius + r + q t)² outside, (radius - r - q t)² - |D|²
-    /// inside.
-    Side side = Side::outside;
 };
 
 /// Of two balls: F = |D|² - R², R the sum of the radii. In a periodic box it is the least over all

@@ -1,0 +1,50 @@
+#pragma once
+/// What balls strike that is no ball and no side of the box. An obstacle has no mass: strikes leave
+/// it as it is.
+
+#include <variant>
+
+#include "vector.hpp"
+
+namespace signum::motion {
+
+/// Balls are where n·x >= offset + speed · t: an oblique wall, at rest or in uniform motion. n need
+/// not be a unit vector. F = n·x - offset - speed · t - |n| (r + q t).
+template <int D>
+struct HalfSpace {
+    Vector<D> normal{};  ///< not 0
+    double offset = 0.0;
+    double speed = 0.0;  ///< of the wall along n, times |n|
+};
+
+/// A circle or sphere with its centre at centre + velocity · t. D is the difference of the centres.
+template <int D>
+struct Sphere {
+    enum class Side { outside, inside };
+    Vector<D> centre{};
+    Vector<D> velocity{};
+    double radius = 0.0;
+    /// Where the balls are: F = |D|² - (radius + r + q t)² outside, (radius - r - q t)² - |D|²
+    /// inside.
+    Side side = Side::outside;
+};
+
+/// A thin wall at rest in the plane, struck from both sides and at its ends. A polyline is its
+/// segments. F = d² - (r + q t)², d the distance of the centre from the nearest point of it.
+struct Segment {
+    Vector<2> from{};
+    Vector<2> to{};  ///< not from
+};
+
+template <int D>
+struct ObstacleOf {
+    using type = std::variant<HalfSpace<3>, Sphere<3>>;
+};
+template <>
+struct ObstacleOf<2> {
+    using type = std::variant<HalfSpace<2>, Sphere<2>, Segment>;
+};
+template <int D>
+using Obstacle = typename ObstacleOf<D>::type;
+
+}  // namespace signum::motion
