@@ -312,8 +312,7 @@ double meeting_time(const GrowingBall<2>& ball, const Segment& wall, const Effec
         const auto is_behind = [&](const PerAxis<Dyadic, 2>& place) {
             return side * cross(along, place).sign() < 0;
         };
-        if (is_behind(seen) &&
-            (t == ball.time || is_behind(seen_at(std::nextafter(t, -infinity)))))
+        if (is_behind(seen) && (t == ball.time || is_behind(seen_at(std::nextafter(t, -infinity)))))
             continue;
         const Dyadic foot = seen[0] * along[0] + seen[1] * along[1];
         if (foot.sign() >= 0 && (length - foot).sign() >= 0) first = t;
