@@ -60,8 +60,9 @@ struct Fluid {
 /// long as what presses them together does. Needs time steps, and friction is that of Friction.
 struct LastingContacts {
     double speed = 0.0;  ///< the threshold, above 0
-    /// Of the relative change of the reactions at which their iteration ends, and how often it goes
-    /// through all contacts at most.
+    /// Their reactions are found by sweeps through all contacts, until what is left of the laws is
+    /// that part of the largest speed of approach (effects/contact_forces.hpp), or the sweeps are
+    /// spent.
     double tolerance = 1e-10;
     int sweeps = 1000;
 };

@@ -37,6 +37,7 @@
 #include "passed_meetings.hpp"
 #include "simulation.hpp"
 #include "sketch.hpp"
+#include "standing_contacts.hpp"
 #include "strike.hpp"
 #include "time_steps.hpp"
 #include "walls.hpp"
@@ -71,7 +72,8 @@ class Loop final : public Simulation<D>::Engine {
           passed_(order.size()) {
         for (Wall wall = 0; effects.box && !effects.periodic && wall < 2 * D; ++wall)
             if (!has_walls() || !walls_.has(wall)) sides_.push_back(wall);
-        std::vector<Slot> slots(particles_.size());
+        std::vector<Slot>& slots = slots_;
+        slots.resize(particles_.size());
         for (Slot i = 0; i < slots.size(); ++i) {
             const auto number = static_cast<std::size_t>(order[i]);
             slots[number] = i;
@@ -80,6 +82,8 @@ class Loop final : public Simulation<D>::Engine {
             particles_[i].in_place = state.in_place[number];
         }
         laws_.set(state, slots);
+        for (const StandingContact<D>& contact : state.contacts)
+            contacts_.set({contact.a, contact.b}, {contact.push, contact.rub});
         for (const Passed& passed : state.passed) {
             passed_.pass(slots[static_cast<std::size_t>(passed.a)],
                          passed.b < 0 ? first_wall + static_cast<Slot>(-1 - passed.b)
@@ -185,6 +189,8 @@ class Loop final : public Simulation<D>::Engine {
             if (laws_.has_duration()) state.last_strikes[number] = laws_.last_strike(i);
         }
         state.half_steps = steps_.half_steps();
+        for (const auto& [pair, momenta] : contacts_.all())
+            state.contacts.push_back({pair.first, pair.second, momenta.push, momenta.rub});
         return state;
     }
     [[nodiscard]] const Counts& counts() const override { return counts_; }
@@ -598,7 +604,8 @@ class Loop final : public Simulation<D>::Engine {
         counts_.rounded += tally.refined;
         counts_.rounded_exactly += tally.exact;
         refuse_missed_strike(i, j, a, b, exchange.square);
-        if (facts.stays && !is_strike_of_standing(i, j, t, facts.approach)) exchange.struck = false;
+        if (facts.stays && waits(i, j, t, facts.approach, facts.distance - (a.radius + b.radius)))
+            exchange.struck = false;
         if (!exchange.struck) {
             passed_.pass(i, j, facts.stays ? std::max(t, turn_) : t);
             ask(i);
@@ -695,7 +702,7 @@ class Loop final : public Simulation<D>::Engine {
         const auto bounce = laws_.bounce({i}, t, world_.effects.wall_restitution, approach);
         WallExchange exchange = strike(ball, faces, mass, bounce.restitution, growth);
         const Slot partner = first_wall + static_cast<Slot>(wall);
-        if (bounce.stays && !is_strike_of_standing(i, partner, t, approach))
+        if (bounce.stays && waits(i, partner, t, approach, walls_.gap(came, wall)))
             exchange.struck = false;
         if (!exchange.struck) {
             if (bounce.stays) {
@@ -749,6 +756,7 @@ class Loop final : public Simulation<D>::Engine {
     struct Facts {
         Vector<D> normal{};   ///< from b to a
         Vector<D> sliding{};  ///< v_a - v_b
+        double distance = 0.0;
         double approach = 0.0;
         bool stays = false;
     };
@@ -758,8 +766,8 @@ class Loop final : public Simulation<D>::Engine {
             facts.normal[k] = apart<double>(a.x, b.x, k, seen, world_.effects);
             facts.sliding[k] = a.v[k] - b.v[k];
         }
-        const double distance = std::sqrt(dot(facts.normal, facts.normal));
-        for (double& each : facts.normal) each /= distance;
+        facts.distance = std::sqrt(dot(facts.normal, facts.normal));
+        for (double& each : facts.normal) each /= facts.distance;
         facts.approach = std::max(-dot(facts.normal, facts.sliding), 0.0);
         return facts;
     }
@@ -800,7 +808,8 @@ class Loop final : public Simulation<D>::Engine {
         const double radii = grown_radius(a) + grown_radius(b);
         if (std::fabs(square - radii * radii) < 0x1p-10 * (radii * radii)) [[likely]]
             return;
-        if (kernel_ == Kernel::naive) return;
+        // Contacts that stand may overlap a little (waits()).
+        if (kernel_ == Kernel::naive || laws_.has_contacts()) return;
         throw std::range_error(
             "balls " + std::to_string(std::min(particles_[i].number, particles_[j].number)) +
             " and " + std::to_string(std::max(particles_[i].number, particles_[j].number)) +
@@ -872,6 +881,7 @@ class Loop final : public Simulation<D>::Engine {
             filter_.include(world_.balls[i]);
         }
         set_turn();
+        if (laws_.has_contacts()) pass_contacts();
         for (Slot i = 0; i < particles_.size(); ++i) particles_[i].next = {};
         for (Slot i = 0; i < particles_.size(); ++i) ask_after_change({i});
     }
@@ -892,13 +902,86 @@ class Loop final : public Simulation<D>::Engine {
             counts_.predictions += steps_.begins() ? particles_.size() : 0;
         }
         passed_.clear();
+        if (laws_.has_contacts() && steps_.begins()) react();
         steps_.advance();
     }
 
     // Contacts that stand.
 
-    [[nodiscard]] bool is_strike_of_standing(Slot, Slot, double, double) const { return true; }
-    void stand(Slot, Slot) {}
+    [[nodiscard]] auto numbers_of(Slot i, Slot partner) const {
+        const std::int32_t a = particles_[i].number;
+        if (partner >= first_wall)
+            return std::pair(a, -1 - static_cast<std::int32_t>(partner - first_wall));
+        const std::int32_t b = particles_[partner].number;
+        return std::pair(std::min(a, b), std::max(a, b));
+    }
+    /// Two in contact that approach so slowly that they do not overlap by a visible part of a
+    /// radius before the next step: that is left to the reactions then. In a chain of contacts each
+    /// strike would bring about others, ever slower ones.
+    [[nodiscard]] bool waits(Slot i, Slot partner, double t, double approach, double gap) const {
+        const double radius = world_.balls[i].radius;
+        return approach * (turn_ - t) <= std::max(0x1p-10 * radius + gap, 0x1p-14 * radius) &&
+               contacts_.has(numbers_of(i, partner));
+    }
+    void stand(Slot i, Slot partner) {
+        if (contacts_.join(numbers_of(i, partner))) ++counts_.joins;
+    }
+    [[nodiscard]] typename StandingContacts<D>::Place place_of(
+        std::pair<std::int32_t, std::int32_t> pair) const {
+        typename StandingContacts<D>::Place place;
+        const Ball<D>& a = world_.balls[slot_of(pair.first)];
+        const bool rubs = laws_.has_friction();
+        if (pair.second >= 0) {
+            const Ball<D>& b = world_.balls[slot_of(pair.second)];
+            const Facts facts = facts_of(a, b, nearest_image(a.x, b.x, world_.effects));
+            place.normal = facts.normal;
+            place.gap = facts.distance - (a.radius + b.radius);
+            if (rubs) place.friction = world_.effects.friction->coefficient;
+            return place;
+        }
+        const Wall wall = -1 - pair.second;
+        const Facing<D> faces = is_side(wall) ? facing_side<D>(wall) : walls_.facing(a, wall);
+        place.normal = unit_normal(faces);
+        place.gap = walls_.gap(a, wall);
+        place.wall_velocity = walls_.mean_velocity(wall, turn_, steps_.length());
+        if (rubs) place.friction = world_.effects.friction->wall_coefficient;
+        return place;
+    }
+    [[nodiscard]] Slot slot_of(std::int32_t number) const noexcept {
+        return slots_[static_cast<std::size_t>(number)];
+    }
+    void react() {
+        const auto body = [&](std::int32_t number) {
+            const Slot i = slot_of(number);
+            const Ball<D>& ball = world_.balls[i];
+            const double mass = particles_[i].mass;
+            ContactBody<D> result{ball.v, {}, {mass, ball.radius, 1.0}};
+            if (laws_.has_friction()) {
+                result.spin = laws_.spin(i);
+                result.inert.inertia =
+                    world_.effects.friction->inertia * mass * (ball.radius * ball.radius);
+            }
+            return result;
+        };
+        const auto take = [&](std::int32_t number, const ContactBody<D>& body_after) {
+            const Slot i = slot_of(number);
+            world_.balls[i].v = body_after.velocity;
+            if (laws_.has_friction()) laws_.spin(i) = body_after.spin;
+        };
+        const ContactReport report = contacts_.begin_step(
+            steps_.length(), *world_.effects.contacts,
+            [&](const auto& pair) { return place_of(pair); }, body, take, counts_.breaks);
+        counts_.residual = std::max(counts_.residual, report.residual);
+        counts_.unsolved += static_cast<std::uint64_t>(!report.converged());
+    }
+    /// Until the next step they are no strikes.
+    void pass_contacts() {
+        for (const auto& [pair, momenta] : contacts_.all())
+            passed_.pass(slot_of(pair.first),
+                         pair.second >= 0 ? slot_of(pair.second)
+                                          : first_wall + static_cast<Slot>(-1 - pair.second),
+                         turn_);
+    }
 
     static constexpr std::uint64_t own_events_a_ball = 16;
     static constexpr double margins_to_fly = 0x1p50;
@@ -929,7 +1012,9 @@ class Loop final : public Simulation<D>::Engine {
     Laws<D, known> laws_;
     TimeSteps<D> steps_;
     PassedMeetings passed_;
-    double turn_ = infinity;  // when something happens to all
+    StandingContacts<D> contacts_;
+    std::vector<Slot> slots_;  // of balls by their numbers
+    double turn_ = infinity;   // when something happens to all
 };
 
 template <int D, template <int> class StructureOf>

@@ -361,15 +361,26 @@ double refined_meeting(const Ball<D>& ball, double growth, const ShakingWall& wa
     return ShakingGap(GrowingBall<D>{ball, growth}, wall, effects).falls_near(about);
 }
 
-double speed_at(const ShakingWall& wall, double t) {
-    const Dyadic size = Dyadic(wall.amplitude) * Dyadic(wall.frequency);
+namespace {
+
+/// size · function(frequency · t + phase).
+double wave_at(Function function, const Dyadic& size, const ShakingWall& wall, double t) {
     const Dyadic argument = Dyadic(wall.frequency) * Dyadic(t) + Dyadic(wall.phase);
     for (int bits = least_bits; bits <= most_bits; bits *= 2) {
-        const Bounded speed = size * enclose(mpfr_cos, argument, bits);
-        const double low = rounded(speed.low);
-        if (low == rounded(speed.high)) return low;
+        const Bounded bounds = size * enclose(function, argument, bits);
+        const double low = rounded(bounds.low);
+        if (low == rounded(bounds.high)) return low;
     }
     refuse();
+}
+
+}  // namespace
+
+double speed_at(const ShakingWall& wall, double t) {
+    return wave_at(mpfr_cos, Dyadic(wall.amplitude) * Dyadic(wall.frequency), wall, t);
+}
+double shift_at(const ShakingWall& wall, double t) {
+    return wave_at(mpfr_sin, Dyadic(wall.amplitude), wall, t);
 }
 
 template <int D>

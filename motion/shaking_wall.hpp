@@ -32,5 +32,7 @@ template <int D>
 /// How fast the wall moves along the axis, amplitude · frequency · cos(frequency · t + phase): the
 /// nearest double. Throws as meeting_time does.
 [[nodiscard]] double speed_at(const ShakingWall& wall, double t);
+/// How far it is from its level, amplitude · sin(frequency · t + phase), in the same way.
+[[nodiscard]] double shift_at(const ShakingWall& wall, double t);
 
 }  // namespace signum::motion

@@ -166,8 +166,10 @@ struct Counts {
     /// Contacts that began to stand, and that ended.
     std::uint64_t joins = 0;
     std::uint64_t breaks = 0;
-    /// Of the reactions of standing contacts, the largest one of all steps (contact_forces.hpp).
+    /// Of the reactions of standing contacts, the largest one of all steps (contact_forces.hpp),
+    /// and in how many steps it stayed above the tolerance.
     double residual = 0.0;
+    std::uint64_t unsolved = 0;
 };
 
 /// How far to go.

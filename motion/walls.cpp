@@ -398,6 +398,61 @@ Vector<D> Walls<D>::velocity(Wall wall, double t) const {
     return v;
 }
 
+template <int D>
+Vector<D> Walls<D>::mean_velocity(Wall wall, double t, double step) const {
+    if (wall >= 2 * D) return velocity(wall, t);
+    Vector<D> v{};
+    for (int k = 0; k < D && effects_.shake; ++k) {
+        const ShakingWall shaking{2 * k, 0.0, effects_.shake->amplitude[k],
+                                  effects_.shake->frequency, effects_.shake->phase};
+        v[k] = (shift_at(shaking, t + step) - shift_at(shaking, t)) / step;
+    }
+    return v;
+}
+
+namespace {
+
+template <int D>
+double gap_of(const Ball<D>& ball, const ShakingWall& wall) {
+    const double d = ball.x[wall.wall / 2] - (wall.level + shift_at(wall, ball.time));
+    return (wall.wall % 2 != 0 ? -d : d) - ball.radius;
+}
+template <int D>
+double gap_of(const Ball<D>& ball, const HalfSpace<D>& wall) {
+    const double height = dot(wall.normal, ball.x) - (wall.offset + wall.speed * ball.time);
+    return height / std::sqrt(dot(wall.normal, wall.normal)) - ball.radius;
+}
+template <int D>
+double gap_of(const Ball<D>& ball, const Sphere<D>& wall) {
+    Vector<D> d;
+    for (int k = 0; k < D; ++k) d[k] = ball.x[k] - (wall.centre[k] + wall.velocity[k] * ball.time);
+    const double distance = std::sqrt(dot(d, d));
+    return wall.side == Sphere<D>::Side::outside ? distance - (wall.radius + ball.radius)
+                                                 : wall.radius - ball.radius - distance;
+}
+double gap_of(const Ball<2>& ball, const Segment& wall) {
+    Vector<2> along;
+    Vector<2> d;
+    for (int k = 0; k < 2; ++k) {
+        along[k] = wall.to[k] - wall.from[k];
+        d[k] = ball.x[k] - wall.from[k];
+    }
+    const double foot = std::clamp(dot(along, d) / dot(along, along), 0.0, 1.0);
+    for (int k = 0; k < 2; ++k) d[k] -= foot * along[k];
+    return std::sqrt(dot(d, d)) - ball.radius;
+}
+
+}  // namespace
+
+template <int D>
+double Walls<D>::gap(const Ball<D>& ball, Wall wall) const {
+    if (const Surface* surface = wall_of(wall))
+        return std::visit([&](const auto& each) { return gap_of(ball, each); }, *surface);
+    const double d = wall % 2 != 0 ? effects_.box->high[wall / 2] - ball.x[wall / 2]
+                                   : ball.x[wall / 2] - effects_.box->low[wall / 2];
+    return d - ball.radius;
+}
+
 template class Walls<2>;
 template class Walls<3>;
 

@@ -38,6 +38,10 @@ class Walls {
     /// The velocity of any wall, a side at rest included: such a one moves along itself where the
     /// box shakes. Rounded; of a half space that along its normal.
     [[nodiscard]] Vector<D> velocity(Wall wall, double t) const;
+    /// The same on average from t to t + step.
+    [[nodiscard]] Vector<D> mean_velocity(Wall wall, double t, double step) const;
+    /// How far a ball at its own time is from any wall, rounded; below 0 where they overlap.
+    [[nodiscard]] double gap(const Ball<D>& ball, Wall wall) const;
 
  private:
     template <class... Kinds>

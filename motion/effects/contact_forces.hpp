@@ -54,11 +54,6 @@
 
 namespace signum::motion {
 
-/// An angular velocity: counterclockwise in the plane, a vector in space. In radians per unit of
-/// time.
-template <int D>
-using Spin = PerAxis<double, D == 2 ? 1 : 3>;
-
 struct ContactMass {
     double mass = 1.0;     ///< above 0
     double radius = 0.0;   ///< from 0: from the centre to its contacts
