@@ -1,11 +1,13 @@
 #pragma once
-/// Contacts that stand from one time step to the next: between two strikes that join and a reaction
-/// that has gone to 0, at which they break (thesis 10.3).
+/// Contacts that stand from one time step to the next: from a strike that joins until there is no
+/// reaction any more and the surfaces have come apart, when they break (thesis 10.3). To break
+/// where the reaction is 0 and the gap still none would let a grain that rocks between two others
+/// leave one at each step and strike the other, for ever.
 ///
 /// They are in the order of the numbers of balls and walls, and so is what is solved: it depends on
 /// neither slots nor structures.
 
-#include <cmath>
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <utility>
@@ -73,7 +75,7 @@ class StandingContacts {
         for (const auto& [number, at] : index) put(number, bodies_[at]);
         auto solved = contacts_.begin();
         for (auto each = momenta_.begin(); each != momenta_.end(); ++solved) {
-            if (solved->normal_impulse > 0.0) {
+            if (solved->normal_impulse > 0.0 || stays_close(*solved, step)) {
                 each->second = {solved->normal_impulse, solved->tangential_impulse};
                 ++each;
             } else {
@@ -85,6 +87,20 @@ class StandingContacts {
     }
 
  private:
+    /// Whether the gap after the step is not a visible part of the radii.
+    [[nodiscard]] bool stays_close(const Contact<D>& contact, double step) const {
+        const ContactBody<D>& a = bodies_[contact.a];
+        double radius = a.inert.radius;
+        Vector<D> v = a.velocity;
+        if (contact.b != Contact<D>::wall) {
+            radius = std::min(radius, bodies_[contact.b].inert.radius);
+            for (int k = 0; k < D; ++k) v[k] -= bodies_[contact.b].velocity[k];
+        } else {
+            for (int k = 0; k < D; ++k) v[k] -= contact.wall_velocity[k];
+        }
+        return contact.gap + step * dot(v, contact.normal) < 0x1p-10 * radius;
+    }
+
     std::map<Pair, Momenta> momenta_;
     std::vector<ContactBody<D>> bodies_;
     std::vector<Contact<D>> contacts_;
