@@ -1,0 +1,52 @@
+#pragma once
+/// The balls of a simulation at one time, as frames show them.
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "../io/write_motion.hpp"
+#include "../motion/simulation.hpp"
+
+namespace signum {
+
+/// By how much radii have grown at a time.
+template <int D>
+[[nodiscard]] double growth_at(const motion::Effects<D>& effects, double time) {
+    if (!effects.growth) return 1.0;
+    return 1.0 + effects.growth->rate * std::clamp(time, 0.0, effects.growth->until);
+}
+
+/// The balls at a time, in the box where it is periodic.
+template <int D>
+class Snapshot {
+ public:
+    Snapshot(const motion::State<D>& state, const motion::Effects<D>& effects, double time) {
+        frame_.time = time;
+        frame_.dimension = D;
+        frame_.periodic = effects.periodic;
+        const double growth = growth_at(effects, time);
+        balls_.reserve(state.balls.size());
+        for (const motion::Ball<D>& ball : state.balls) {
+            MotionFrame::Ball shown;
+            for (int k = 0; k < D; ++k) {
+                shown.x[static_cast<std::size_t>(k)] =
+                    in_box(coordinate(ball, k, time, effects), k, effects);
+                shown.v[static_cast<std::size_t>(k)] = speed(ball, k, time, effects);
+            }
+            shown.radius = ball.radius * growth;
+            balls_.push_back(shown);
+        }
+        frame_.balls = balls_;
+    }
+    Snapshot(const Snapshot&) = delete;
+    Snapshot& operator=(const Snapshot&) = delete;
+    [[nodiscard]] MotionFrame& frame() noexcept { return frame_; }
+
+ private:
+    std::vector<MotionFrame::Ball> balls_;
+    MotionFrame frame_;
+};
+
+}  // namespace signum
