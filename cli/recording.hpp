@@ -1,0 +1,169 @@
+#pragma once
+/// Where everything goes while a simulation runs.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "../draw/movie.hpp"
+#include "../io/motion_state.hpp"
+#include "../io/output_file.hpp"
+#include "../io/write_motion.hpp"
+#include "../motion/queries.hpp"
+#include "../scenes/snapshot.hpp"
+
+#include "borders.hpp"
+#include "simulate_call.hpp"
+
+namespace signum::cli {
+
+/// What a movie shows of a structure.
+template <int D>
+[[nodiscard]] Movie::Shapes shapes_of(const motion::Sketch<D>& sketch);
+/// What the legend says of it.
+[[nodiscard]] Movie::Meaning meaning_of(motion::Structure structure);
+
+/// Where everything goes while the simulation runs.
+template <int D>
+class Recording {
+ public:
+    Recording(const SimulateCall& call, std::span<const Target> targets,
+              const MotionState<D>& start, motion::Structure structure)
+        : effects_(start.effects), structure_(structure), show_(call.show) {
+        for (const Target& target : targets) {
+            Sink sink;
+            sink.format = target.format;
+            if (target.path == standard_output) {
+                sink.standard = std::make_unique<DescriptorStream>(1, "standard output");
+            } else {
+                sink.file = std::make_unique<OutputFile>(target.path);
+            }
+            sinks_.push_back(std::move(sink));
+        }
+        if (!call.save.empty()) save_ = std::make_unique<OutputFile>(call.save);
+        if (!call.closest.empty()) closest_ = std::make_unique<OutputFile>(call.closest);
+        for (Sink& sink : sinks_)
+            if (sink.format == "csv") sink.log = std::make_unique<LogWriter>(sink.stream());
+        shown_ = effects_.box ? *effects_.box : around(start);
+        if (is_written(targets, "svg")) {
+            std::vector<double> radii;
+            for (const motion::Ball<D>& ball : start.state.balls) radii.push_back(ball.radius);
+            movie_.emplace(std::move(radii), std::array{shown_.low[0], shown_.low[1]},
+                           std::array{shown_.high[0], shown_.high[1]}, effects_.periodic);
+        }
+        has_frames_ = movie_.has_value() || is_written(targets, "xyz");
+    }
+
+    [[nodiscard]] bool has_log() const {
+        return std::ranges::any_of(sinks_, [](const Sink& sink) { return sink.log != nullptr; });
+    }
+    [[nodiscard]] bool has_frames() const noexcept { return has_frames_; }
+    [[nodiscard]] bool shows_structure() const noexcept { return show_ == "structure"; }
+    void strike(const motion::Strike& strike) {
+        for (Sink& sink : sinks_)
+            if (sink.log) sink.log->put(strike);
+    }
+    void frame(const motion::State<D>& state, double time, const motion::Sketch<D>& sketch) {
+        Snapshot<D> snapshot(state, effects_, time);
+        MotionFrame& frame = snapshot.frame();
+        std::ranges::copy(shown_.low, frame.low.begin());
+        std::ranges::copy(shown_.high, frame.high.begin());
+        for (Sink& sink : sinks_)
+            if (sink.format == "xyz") write_xyz(sink.stream(), frame);
+        if (!movie_) return;
+        Movie::Shapes shapes = shapes_of(sketch);
+        if constexpr (D == 2)
+            if (shows_cells() && movie_->keeps_next()) shapes.borders = borders_of(frame);
+        std::vector<Movie::Ball> balls;
+        for (const MotionFrame::Ball& ball : frame.balls) {
+            const double depth =
+                D == 3 ? (frame.high[2] - ball.x[2]) / (frame.high[2] - frame.low[2]) : 0.0;
+            balls.push_back({ball.x[0], ball.x[1], depth});
+        }
+        movie_->add(time, balls, shapes);
+    }
+    /// All files under their names.
+    void publish(const MotionState<D>& end, const std::optional<motion::ClosestPairs>& closest) {
+        for (Sink& sink : sinks_) {
+            if (sink.log) sink.log->finish();
+            if (sink.format == "svg") {
+                const std::string title = fmt::format(
+                    "{} ball{}{}{}", end.state.balls.size(), end.state.balls.size() == 1 ? "" : "s",
+                    D == 3 ? ", seen along z" : "",
+                    shows_structure() ? fmt::format("; structure {}", name_of(structure_))
+                                      : std::string());
+                movie_->write(sink.stream(), title, meaning());
+            }
+            if (sink.file) sink.file->finish();
+            if (sink.standard) sink.standard->flush();
+        }
+        if (save_) write_motion_state(save_->stream(), end);
+        if (closest) write_closest(closest_->stream(), closest->pairs);
+        for (Sink& sink : sinks_)
+            if (sink.file) sink.file->publish();
+        if (save_) save_->publish();
+        if (closest) closest_->publish();
+    }
+
+ private:
+    struct Sink {
+        std::string format;
+        std::unique_ptr<OutputFile> file;  // or else
+        std::unique_ptr<DescriptorStream> standard;
+        std::unique_ptr<LogWriter> log;
+        [[nodiscard]] std::ostream& stream() { return file ? file->stream() : *standard; }
+    };
+
+    [[nodiscard]] bool shows_cells() const noexcept { return show_ == "cells"; }
+    [[nodiscard]] Movie::Meaning meaning() const {
+        if (shows_structure()) return meaning_of(structure_);
+        if (shows_cells())
+            return {.borders = "borders of cells (power diagram)", .new_borders = "new neighbours"};
+        return {};
+    }
+    [[nodiscard]] std::vector<Movie::Border> borders_of(const MotionFrame& frame) const {
+        std::vector<Site> discs;
+        for (const MotionFrame::Ball& ball : frame.balls)
+            discs.push_back({ball.x[0], ball.x[1], ball.radius});
+        return borders_of_cells(discs,
+                                {shown_.low[0], shown_.low[1], shown_.high[0], shown_.high[1]},
+                                effects_.periodic);
+    }
+
+    static motion::Box<D> around(const MotionState<D>& start) {
+        motion::Box<D> box;
+        box.low.fill(std::numeric_limits<double>::infinity());
+        box.high.fill(-std::numeric_limits<double>::infinity());
+        for (const motion::Ball<D>& ball : start.state.balls) {
+            for (int k = 0; k < D; ++k) {
+                const double reach = std::max(ball.radius, 1e-3 * std::fabs(ball.x[k]));
+                box.low[k] = std::min(box.low[k], ball.x[k] - reach);
+                box.high[k] = std::max(box.high[k], ball.x[k] + reach);
+            }
+        }
+        for (int k = 0; k < D; ++k)
+            if (!(box.low[k] < box.high[k])) box.high[k] = box.low[k] + 1.0;
+        return box;
+    }
+
+    motion::Effects<D> effects_;
+    motion::Structure structure_;
+    std::string show_;
+    motion::Box<D> shown_;
+    std::vector<Sink> sinks_;
+    std::unique_ptr<OutputFile> save_;
+    std::unique_ptr<OutputFile> closest_;
+    std::optional<Movie> movie_;
+    bool has_frames_ = false;
+};
+
+}  // namespace signum::cli
