@@ -12,8 +12,10 @@
 #include <fmt/ranges.h>
 
 #include "../io/motion_state.hpp"
+#include "../io/output_file.hpp"
 #include "../io/read_balls.hpp"
 #include "../motion/simulation.hpp"
+#include "../scenes/explain.hpp"
 #include "../scenes/read_scene.hpp"
 
 #include "commands.hpp"
@@ -174,6 +176,12 @@ void simulate_scene(const SimulateCall& call) {
         const AnyScene any = read_scene(call.input, overrides_of(call));
         std::visit(
             [&]<int D>(const Scene<D>& scene) {
+                if (call.explain) {
+                    DescriptorStream out(1, "standard output");
+                    out << explain(scene);
+                    out.flush();
+                    return;
+                }
                 if (!call.quiet)
                     for (const std::string& note : scene.notes) say("{}\n", note);
                 run_simulation<D>(completed(call, scene), {scene.start, scene.effects});
@@ -310,6 +318,8 @@ void add_simulate(CLI::App& tool) {
     command->add_option("--resume", call->resume, "Goes on from a state, instead of FILE")
         ->check(name_of_file())
         ->type_name("STATE");
+    command->add_flag("--explain", call->explain,
+                      "Says what a scene computes and what it leaves out, and\ndoes not run it");
     command->add_flag("--stats", call->statistics,
                       "Counts, energies and pressure as JSON, to standard\n"
                       "output where the log is not there, else to standard\nerror");
