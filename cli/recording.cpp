@@ -2,6 +2,11 @@
 
 namespace signum::cli {
 
+bool has_frames(std::span<const Target> targets) {
+    return std::ranges::any_of(targets,
+                               [](const Target& target) { return target.format != "csv"; });
+}
+
 template <int D>
 Movie::Shapes shapes_of(const motion::Sketch<D>& sketch) {
     Movie::Shapes shapes;

@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -19,12 +20,19 @@
 #include "../io/output_file.hpp"
 #include "../io/write_motion.hpp"
 #include "../motion/queries.hpp"
+#include "../scenes/energy.hpp"
+#include "../scenes/frame_picture.hpp"
+#include "../scenes/pair_correlation.hpp"
+#include "../scenes/pictures.hpp"
 #include "../scenes/snapshot.hpp"
 
 #include "borders.hpp"
 #include "simulate_call.hpp"
 
 namespace signum::cli {
+
+/// Whether any of them is made from frames.
+[[nodiscard]] bool has_frames(std::span<const Target> targets);
 
 /// What a movie shows of a structure.
 template <int D>
@@ -40,6 +48,8 @@ class Recording {
               const MotionState<D>& start, motion::Structure structure)
         : effects_(start.effects), structure_(structure), show_(call.show) {
         for (const Target& target : targets) {
+            // These are many files, or made by another program.
+            if (target.format == "images" || target.format == "video") continue;
             Sink sink;
             sink.format = target.format;
             if (target.path == standard_output) {
@@ -53,6 +63,14 @@ class Recording {
         if (!call.closest.empty()) closest_ = std::make_unique<OutputFile>(call.closest);
         for (Sink& sink : sinks_)
             if (sink.format == "csv") sink.log = std::make_unique<LogWriter>(sink.stream());
+        for (Sink& sink : sinks_)
+            if (sink.format == "energies")
+                sink.energies = std::make_unique<EnergyWriter<D>>(sink.stream(), effects_);
+        if (is_written(targets, "images") || is_written(targets, "video"))
+            pictures_ =
+                std::make_unique<Pictures>(path_of(targets, "images"), path_of(targets, "video"));
+        has_pairs_ = is_written(targets, "pair_correlation");
+        halfway_ = start.state.time + 0.5 * (call.until.value_or(0.0) - start.state.time);
         shown_ = effects_.box ? *effects_.box : around(start);
         if (is_written(targets, "svg")) {
             std::vector<double> radii;
@@ -60,7 +78,7 @@ class Recording {
             movie_.emplace(std::move(radii), std::array{shown_.low[0], shown_.low[1]},
                            std::array{shown_.high[0], shown_.high[1]}, effects_.periodic);
         }
-        has_frames_ = movie_.has_value() || is_written(targets, "xyz");
+        has_frames_ = cli::has_frames(targets);
     }
 
     [[nodiscard]] bool has_log() const {
@@ -75,10 +93,19 @@ class Recording {
     void frame(const motion::State<D>& state, double time, const motion::Sketch<D>& sketch) {
         Snapshot<D> snapshot(state, effects_, time);
         MotionFrame& frame = snapshot.frame();
-        std::ranges::copy(shown_.low, frame.low.begin());
-        std::ranges::copy(shown_.high, frame.high.begin());
-        for (Sink& sink : sinks_)
+        const motion::Box<D> shown = box_at(shown_, effects_, time);
+        std::ranges::copy(shown.low, frame.low.begin());
+        std::ranges::copy(shown.high, frame.high.begin());
+        for (Sink& sink : sinks_) {
             if (sink.format == "xyz") write_xyz(sink.stream(), frame);
+            if (sink.energies) sink.energies->put(state, time);
+        }
+        // The first half is left to whatever settles.
+        if (has_pairs_ && time >= halfway_) {
+            if (!pairs_) pairs_.emplace(frame);
+            pairs_->add(frame);
+        }
+        if (pictures_) pictures_->add(frame_picture(frame, effects_));
         if (!movie_) return;
         Movie::Shapes shapes = shapes_of(sketch);
         if constexpr (D == 2)
@@ -95,6 +122,8 @@ class Recording {
     void publish(const MotionState<D>& end, const std::optional<motion::ClosestPairs>& closest) {
         for (Sink& sink : sinks_) {
             if (sink.log) sink.log->finish();
+            if (sink.energies) sink.energies->finish();
+            if (sink.format == "pair_correlation" && pairs_) pairs_->write(sink.stream());
             if (sink.format == "svg") {
                 const std::string title = fmt::format(
                     "{} ball{}{}{}", end.state.balls.size(), end.state.balls.size() == 1 ? "" : "s",
@@ -112,6 +141,7 @@ class Recording {
             if (sink.file) sink.file->publish();
         if (save_) save_->publish();
         if (closest) closest_->publish();
+        if (pictures_) pictures_->publish();
     }
 
  private:
@@ -120,6 +150,7 @@ class Recording {
         std::unique_ptr<OutputFile> file;  // or else
         std::unique_ptr<DescriptorStream> standard;
         std::unique_ptr<LogWriter> log;
+        std::unique_ptr<EnergyWriter<D>> energies;
         [[nodiscard]] std::ostream& stream() { return file ? file->stream() : *standard; }
     };
 
@@ -137,6 +168,11 @@ class Recording {
         return borders_of_cells(discs,
                                 {shown_.low[0], shown_.low[1], shown_.high[0], shown_.high[1]},
                                 effects_.periodic);
+    }
+
+    static std::string path_of(std::span<const Target> targets, std::string_view format) {
+        const auto target = std::ranges::find(targets, format, &Target::format);
+        return target == targets.end() ? std::string() : target->path;
     }
 
     static motion::Box<D> around(const MotionState<D>& start) {
@@ -163,6 +199,10 @@ class Recording {
     std::unique_ptr<OutputFile> save_;
     std::unique_ptr<OutputFile> closest_;
     std::optional<Movie> movie_;
+    std::unique_ptr<Pictures> pictures_;
+    std::optional<PairCorrelation> pairs_;
+    bool has_pairs_ = false;
+    double halfway_ = 0.0;
     bool has_frames_ = false;
 };
 

@@ -167,7 +167,7 @@ SimulateCall completed(SimulateCall call, const Scene<D>& scene) {
                 throw CallError(fmt::format(
                     "-o {} would overwrite a file of the scene; give another name", output));
     // A scene may say it for who asks for frames.
-    if (!call.every && has_frames(all_targets(call))) call.every = scene.record.every;
+    if (!call.every && wants_frames(call)) call.every = scene.record.every;
     return call;
 }
 

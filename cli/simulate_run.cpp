@@ -107,6 +107,26 @@ void refuse_bad_files(const SimulateCall& call, std::span<const Target> targets)
             fmt::format("--closest {} is where --save goes, too; give another name", call.closest));
 }
 
+/// Those of -o, and what a scene records that they do not; the log goes to standard output where
+/// there is neither.
+std::vector<Target> all_targets(const SimulateCall& call) {
+    std::vector<Target> targets;
+    if (call.records.empty() || !call.outputs.empty() || !call.format.empty())
+        targets = targets_of(call, call.input, simulate_formats);
+    const std::size_t of_options = targets.size();
+    for (const Target& record : call.records) {
+        const auto typed = std::span(targets).first(of_options);
+        if (is_written(typed, record.format)) continue;
+        for (const Target& target : typed)
+            if (is_same_path(target.path, record.path))
+                throw CallError(
+                    fmt::format("-o {} is where the scene records its {}, too; give another name",
+                                target.path, record.format));
+        targets.push_back(record);
+    }
+    return targets;
+}
+
 /// From the start to where the run has come, in a run of its own. Who ends the first run waits for
 /// the list of that; who ends the second one has it up to there.
 template <int D>
@@ -145,27 +165,8 @@ std::string describe_list(const SimulateCall& call, const motion::ClosestPairs& 
 
 }  // namespace
 
-std::vector<Target> all_targets(const SimulateCall& call) {
-    std::vector<Target> targets;
-    if (call.records.empty() || !call.outputs.empty() || !call.format.empty())
-        targets = targets_of(call, call.input, simulate_formats);
-    const std::size_t of_options = targets.size();
-    for (const Target& record : call.records) {
-        const auto typed = std::span(targets).first(of_options);
-        if (is_written(typed, record.format)) continue;
-        for (const Target& target : typed)
-            if (is_same_path(target.path, record.path))
-                throw CallError(
-                    fmt::format("-o {} is where the scene records its {}, too; give another name",
-                                target.path, record.format));
-        targets.push_back(record);
-    }
-    return targets;
-}
-
-bool has_frames(std::span<const Target> targets) {
-    return std::ranges::any_of(targets,
-                               [](const Target& target) { return target.format != "csv"; });
+bool wants_frames(const SimulateCall& call) {
+    return has_frames(all_targets(call));
 }
 
 template <int D>
@@ -174,9 +175,9 @@ void run_simulation(const SimulateCall& call, const MotionState<D>& start) {
         throw CallError(fmt::format("--until {}: the state is that of time {}; give a later one",
                                     *call.until, start.state.time));
     const std::vector<Target> targets = all_targets(call);
-    const bool wants_frames = has_frames(targets);
-    if (wants_frames && !call.until) throw CallError("frames need to know the end; add --until T");
-    if (call.every && !wants_frames)
+    const bool is_in_frames = has_frames(targets);
+    if (is_in_frames && !call.until) throw CallError("frames need to know the end; add --until T");
+    if (call.every && !is_in_frames)
         throw CallError("--every is for frames; add -o FILE.xyz or -o FILE.svg");
     if (call.every) {
         constexpr double most_frames = 1e7;

@@ -29,4 +29,30 @@ struct Energy {
     }
 };
 
+/// Energies as CSV, a time a line: time,kinetic, and, where there is gravity, height,total.
+template <int D>
+class EnergyWriter {
+ public:
+    /// Writes the header.
+    EnergyWriter(std::ostream& out, const motion::Effects<D>& effects)
+        : text_(out), effects_(effects), has_height_(effects.gravity != motion::Vector<D>{}) {
+        text_.put(has_height_ ? "time,kinetic,height,total\n" : "time,kinetic\n");
+    }
+    /// O(balls).
+    void put(const motion::State<D>& state, double time) {
+        const Energy<D> energy(state, effects_, time);
+        text_.put(FMT_COMPILE("{},{}"), time, energy.kinetic);
+        if (has_height_)
+            text_.put(FMT_COMPILE(",{},{}"), energy.total - energy.kinetic, energy.total);
+        text_.put("\n");
+    }
+    /// To be called at the end.
+    void finish() { text_.flush(); }
+
+ private:
+    TextWriter text_;
+    motion::Effects<D> effects_;
+    bool has_height_;
+};
+
 }  // namespace signum

@@ -14,6 +14,7 @@
 #include "arrangement.hpp"
 #include "normal.hpp"
 #include "read_effects.hpp"
+#include "snapshot.hpp"
 
 namespace signum {
 namespace {
@@ -179,15 +180,8 @@ class Groups {
             return region;
         }
         if (effects_.box) {
-            region.box = *effects_.box;
+            region.box = box_at(*effects_.box, effects_, 0.0);
             region.periodic = effects_.periodic;
-            if (effects_.shake) {
-                const double share = std::sin(effects_.shake->phase);
-                for (int k = 0; k < D; ++k) {
-                    region.box.low[k] += effects_.shake->amplitude[k] * share;
-                    region.box.high[k] += effects_.shake->amplitude[k] * share;
-                }
-            }
             region.volume = volume_of_box();
             return region;
         }

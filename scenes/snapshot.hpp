@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -16,6 +17,19 @@ template <int D>
 [[nodiscard]] double growth_at(const motion::Effects<D>& effects, double time) {
     if (!effects.growth) return 1.0;
     return 1.0 + effects.growth->rate * std::clamp(time, 0.0, effects.growth->until);
+}
+
+/// A box where it is at a time, if it shakes.
+template <int D>
+[[nodiscard]] motion::Box<D> box_at(motion::Box<D> box, const motion::Effects<D>& effects,
+                                    double time) {
+    if (!effects.shake) return box;
+    const double share = std::sin(effects.shake->frequency * time + effects.shake->phase);
+    for (int k = 0; k < D; ++k) {
+        box.low[k] += effects.shake->amplitude[k] * share;
+        box.high[k] += effects.shake->amplitude[k] * share;
+    }
+    return box;
 }
 
 /// The balls at a time, in the box where it is periodic.
