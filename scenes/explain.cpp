@@ -29,7 +29,7 @@ class Explanation {
     explicit Explanation(const Scene<D>& scene) : scene_(scene), effects_(scene.effects) {}
 
     std::string text() {
-        if (!scene_.title.empty()) text_ += scene_.title + "\n\n";
+        if (!scene_.title.empty()) line("scene", scene_.title);
         line("balls", balls());
         line("units", fmt::format("{}, {}, {}", scene_.units.name_of(dimensions::length),
                                   scene_.units.name_of(dimensions::time),
