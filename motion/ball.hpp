@@ -20,18 +20,40 @@ struct alignas(D == 3 ? 64 : 16) Ball {
     double time = 0.0;
 };
 
+/// The rate at which a ball's radius grows: at time t it is radius + rate · t.
+template <int D>
+[[nodiscard, gnu::always_inline]] inline double growth_of(const Ball<D>& ball,
+                                                          const Effects<D>& effects) noexcept {
+    return effects.growth ? effects.growth->rate * ball.radius : 0.0;
+}
+
+/// A ball's radius at the time of the state it is taken from, rounded.
+template <int D>
+[[nodiscard]] inline double radius_at(const Ball<D>& ball, double t,
+                                      const Effects<D>& effects) noexcept {
+    const bool grows = effects.growth && t < effects.growth->until;
+    return grows ? ball.radius + growth_of(ball, effects) * t : ball.radius;
+}
+
+/// The acceleration of flights: gravity, but where it acts by kicks.
+template <int D>
+[[nodiscard, gnu::always_inline]] inline double fall_of(const Effects<D>& effects,
+                                                        int axis) noexcept {
+    return effects.time_step > 0.0 ? 0.0 : effects.gravity[axis];
+}
+
 /// Where a ball's centre is along an axis at a time, rounded.
 template <int D>
 [[nodiscard, gnu::always_inline]] inline double coordinate(const Ball<D>& ball, int axis, double t,
                                                            const Effects<D>& effects) noexcept {
     const double s = t - ball.time;
-    return ball.x[axis] + ball.v[axis] * s + 0.5 * effects.gravity[axis] * (s * s);
+    return ball.x[axis] + ball.v[axis] * s + 0.5 * fall_of(effects, axis) * (s * s);
 }
 /// How fast it is there, rounded.
 template <int D>
 [[nodiscard, gnu::always_inline]] inline double speed(const Ball<D>& ball, int axis, double t,
                                                       const Effects<D>& effects) noexcept {
-    return ball.v[axis] + effects.gravity[axis] * (t - ball.time);
+    return ball.v[axis] + fall_of(effects, axis) * (t - ball.time);
 }
 template <int D>
 [[nodiscard]] inline Vector<D> centre(const Ball<D>& ball, double t,

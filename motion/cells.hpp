@@ -24,17 +24,17 @@ struct Spread {
         box.low.fill(infinity);
         box.high.fill(-infinity);
         for (Slot i = 0; i < balls; ++i) {
-            const Ball<D>& ball = world.balls[i];
+            const double radius = world.radius(i);
             const Vector<D> x = world.centre(i, world.start);
-            largest_radius = std::max(largest_radius, ball.radius);
-            smallest_radius = std::min(smallest_radius, ball.radius);
+            largest_radius = std::max(largest_radius, radius);
+            smallest_radius = std::min(smallest_radius, radius);
             for (int k = 0; k < D; ++k) {
-                box.low[k] = std::min(box.low[k], x[k] - ball.radius);
-                box.high[k] = std::max(box.high[k], x[k] + ball.radius);
+                box.low[k] = std::min(box.low[k], x[k] - radius);
+                box.high[k] = std::max(box.high[k], x[k] + radius);
             }
         }
-        if (world.effects.box)
-            box = *world.effects.box;
+        if (world.region)
+            box = *world.region;
         else if (balls == 0)
             box = {};
         double widest = largest_radius > 0.0 ? largest_radius : 1.0;
@@ -92,7 +92,7 @@ class CellGrid {
     /// nested.
     CellGrid(const World<D>& world, const Spread<D>& spread, double width,
              std::int32_t divisions = 1)
-        : bounded_(world.effects.box.has_value()),
+        : bounded_(world.region.has_value()),
           periodic_(world.effects.periodic),
           low_(spread.box.low) {
         for (int k = 0; k < D; ++k) {

@@ -178,6 +178,7 @@ ClosestPairs closest_pairs(const State<D>& state, const Effects<D>& effects, dou
     if (!(state.time <= begin && begin <= end && std::isfinite(end)))
         throw std::invalid_argument(
             "closest_pairs: give a begin that is not before the state, and a later, finite end");
+    require_free_flight(effects);
     ClosestPairs result;
     result.time = begin;
     std::function<bool()> asked;

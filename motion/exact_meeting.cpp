@@ -7,6 +7,7 @@
 #include "../core/processor.hpp"
 #include "../exact/surd.hpp"
 #include "apart.hpp"
+#include "meeting_time.hpp"
 
 namespace signum::motion {
 namespace {
@@ -70,6 +71,9 @@ Coordinate arrived(double x, double v, double gravity, const Dyadic& s) {
 template <int D>
 double exact_meeting(const Ball<D>& a, const Ball<D>& b, const Image<D>& image,
                      const Effects<D>& effects) {
+    if (effects.growth)
+        return meeting_time(GrowingBall<D>{a, growth_of(a, effects)},
+                            GrowingBall<D>{b, growth_of(b, effects)}, image, effects);
     const double start = std::max(a.time, b.time);
     const Dyadic since_a = Dyadic(start) - Dyadic(a.time);
     const Dyadic since_b = Dyadic(start) - Dyadic(b.time);
@@ -91,14 +95,17 @@ double exact_meeting(const Ball<D>& a, const Ball<D>& b, const Image<D>& image,
 
 template <int D>
 double exact_meeting(const Ball<D>& ball, Wall wall, const Effects<D>& effects) {
+    const Dyadic rate(growth_of(ball, effects));
+    const Dyadic grown = Dyadic(ball.radius) + rate * Dyadic(ball.time);
     const int axis = wall / 2;
     const bool upper = wall % 2 != 0;
     const auto inwards = [upper](double number) { return Dyadic(upper ? -number : number); };
     static const Dyadic half(0.5);
     const double side = upper ? effects.box->high[axis] : effects.box->low[axis];
-    return first_descent({half * inwards(effects.gravity[axis]), half * inwards(ball.v[axis]),
-                          inwards(ball.x[axis]) - inwards(side) - Dyadic(ball.radius)},
-                         ball.time);
+    return first_descent(
+        {half * inwards(effects.gravity[axis]), half * (inwards(ball.v[axis]) - rate),
+         inwards(ball.x[axis]) - inwards(side) - grown},
+        ball.time);
 }
 
 namespace {
@@ -159,15 +166,21 @@ template <int D>
         add_magnitude(size, fallen.high);
         add_magnitude(speed, gravity * later_a.high);
     }
-    const DoubleDouble radii = filters::exact_sum(a.radius, b.radius);
+    DoubleDouble radii = filters::exact_sum(a.radius, b.radius);
+    double rate = 0.0;
+    if (effects.growth) {
+        const DoubleDouble rates = filters::exact_sum(growth_of(a, effects), growth_of(b, effects));
+        rate = rates.high;
+        radii = radii + about * rates;
+    }
     const DoubleDouble f = filters::dot<D>(d, d) - radii * radii;
     Four distance;
     magnitude(distance, d.high);
     const double f_error =
         0x1p-96 * (filters::sum_of(distance * (size + distance)) + radii.high * radii.high);
-    const double p = filters::sum_of(d.high * v);
-    const double p_error = 0x1p-49 * filters::sum_of(distance * speed);
-    const double square = filters::sum_of(v * v);
+    const double p = filters::sum_of(d.high * v) - radii.high * rate;
+    const double p_error = 0x1p-49 * (filters::sum_of(distance * speed) + radii.high * rate);
+    const double square = filters::sum_of(v * v) + rate * rate;
     const double delta = -f.high / (2.0 * p);
     const double bend = std::fabs(square * delta / p);
     if (!(p < -0x1p-400 && p_error < -0x1p-20 * p && bend < 0x1p-20)) return none;
@@ -196,18 +209,19 @@ double refined_meeting(const Ball<D>& ball, Wall wall, const Effects<D>& effects
     const double side = wall % 2 != 0 ? effects.box->high[axis] : effects.box->low[axis];
     const DoubleDouble since = filters::exact_difference(about, ball.time);
     const DoubleDouble flown = v * since;
-    DoubleDouble f = (filters::exact_difference(inwards * ball.x[axis], inwards * side) -
-                      DoubleDouble{ball.radius, 0.0}) +
-                     flown;
-    double size = std::fabs(ball.x[axis]) + std::fabs(side) + ball.radius + std::fabs(flown.high);
-    double slope = v;
-    double slope_error = 0.0;
+    const double rate = growth_of(ball, effects);
+    const DoubleDouble radius = DoubleDouble{ball.radius, 0.0} + rate * DoubleDouble{about, 0.0};
+    DoubleDouble f =
+        (filters::exact_difference(inwards * ball.x[axis], inwards * side) - radius) + flown;
+    double size = std::fabs(ball.x[axis]) + std::fabs(side) + radius.high + std::fabs(flown.high);
+    double slope = v - rate;
+    double slope_error = 0x1p-50 * rate;
     if (gravity != 0.0) {
         const DoubleDouble fallen = 0.5 * gravity * (since * since);
         f = f + fallen;
         size += std::fabs(fallen.high);
         slope += gravity * since.high;
-        slope_error = 0x1p-50 * (std::fabs(v) + std::fabs(gravity * since.high));
+        slope_error = 0x1p-50 * (std::fabs(v) + rate + std::fabs(gravity * since.high));
     }
     const double delta = -f.high / slope;
     const double bend = std::fabs(gravity * delta / slope);

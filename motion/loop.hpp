@@ -18,7 +18,6 @@
 #include <bit>
 #include <cmath>
 #include <initializer_list>
-#include <map>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -27,38 +26,51 @@
 #include <utility>
 #include <vector>
 
+#include "apart.hpp"
+#include "effects/growth.hpp"
 #include "engine.hpp"
 #include "event_queue.hpp"
 #include "exact_meeting.hpp"
+#include "laws.hpp"
 #include "meeting.hpp"
 #include "naive_strike.hpp"
+#include "passed_meetings.hpp"
 #include "simulation.hpp"
 #include "sketch.hpp"
 #include "strike.hpp"
+#include "time_steps.hpp"
+#include "walls.hpp"
 #include "world.hpp"
 
 namespace signum::motion {
 
-template <int D, bool Falls, Kernel kernel, template <int> class StructureOf>
+template <int D, template <int> class StructureOf, Known known = Known{}>
 class Loop final : public Simulation<D>::Engine {
  public:
     /// `order`: the balls' numbers in the order in which memory shall hold them.
-    Loop(Structure structure, const State<D>& state, const Effects<D>& effects,
+    Loop(Structure structure, const State<D>& state, const Effects<D>& effects, Kernel kernel,
          const std::vector<std::int32_t>& order)
-        : world_{in_order(state.balls, order), effects, state.time},
+        : world_{in_order(state.balls, order), in_flight(effects, state.time), state.time},
+          kernel_(kernel),
           particles_(order.size()),
-          filter_(effects),
+          filter_(world_.effects, kernel),
+          walls_(world_.effects, kernel),
           kind_(structure),
           structure_(std::in_place, world_, kind_),
           farthest_(margins_to_fly * structure_->margin()),
           queue_(particles_.size()),
-          walls_(effects.box && !effects.periodic ? 2 * D : 0),
           // Of fewer balls all lies near the processor.
           fetches_(order.size() > 8192),
-          most_in_place_(effects.restitution < 1.0 || effects.wall_restitution < 1.0 || Falls
+          most_in_place_(effects.restitution < 1.0 || effects.wall_restitution < 1.0 ||
+                                 effects.gravity != Vector<D>{}
                              ? most_in_place_dissipative
                              : most_in_place_elastic),
-          now_(state.time) {
+          now_(state.time),
+          laws_(effects, order.size()),
+          steps_(effects, state.half_steps),
+          passed_(order.size()) {
+        for (Wall wall = 0; effects.box && !effects.periodic && wall < 2 * D; ++wall)
+            if (!has_walls() || !walls_.has(wall)) sides_.push_back(wall);
         std::vector<Slot> slots(particles_.size());
         for (Slot i = 0; i < slots.size(); ++i) {
             const auto number = static_cast<std::size_t>(order[i]);
@@ -67,14 +79,16 @@ class Loop final : public Simulation<D>::Engine {
             particles_[i].mass = state.masses[number];
             particles_[i].in_place = state.in_place[number];
         }
+        laws_.set(state, slots);
         for (const Passed& passed : state.passed) {
-            pass(slots[static_cast<std::size_t>(passed.a)],
-                 passed.b < 0 ? first_wall + static_cast<Slot>(-1 - passed.b)
-                              : slots[static_cast<std::size_t>(passed.b)],
-                 passed.time);
+            passed_.pass(slots[static_cast<std::size_t>(passed.a)],
+                         passed.b < 0 ? first_wall + static_cast<Slot>(-1 - passed.b)
+                                      : slots[static_cast<std::size_t>(passed.b)],
+                         passed.time);
         }
         for (const Ball<D>& ball : world_.balls) filter_.include(ball);
         for (Slot i = 0; i < slots.size(); ++i) ask_after_change({i});
+        set_turn();
     }
 
     Outcome run(const Limits& limits, const typename Simulation<D>::Record& record) override {
@@ -90,9 +104,16 @@ class Loop final : public Simulation<D>::Engine {
                 relieve();
             const Slot i = queue_.top(before());
             const double key = queue_.key(i);
+            if constexpr (has_turns()) {
+                if (turn_ < key && is_turn_due(until)) [[unlikely]] {
+                    if (limits.stop && limits.stop()) return {Ending::stopped, {}};
+                    take_turn();
+                    continue;
+                }
+            }
             if (!(key <= until && key < infinity)) {
                 if (until < infinity) now_ = std::max(now_, until);
-                return {key < infinity ? Ending::until : Ending::nothing, {}};
+                return {std::min(key, turn_) < infinity ? Ending::until : Ending::nothing, {}};
             }
             now_ = std::max(now_, key);
             if (fetches_) fetch_ahead();
@@ -144,13 +165,26 @@ class Loop final : public Simulation<D>::Engine {
             state.masses[number] = particles_[i].mass;
             state.in_place[number] = particles_[i].in_place;
         }
-        for (const auto& [pair, time] : passed_) {
-            const auto [i, j] = pair;
-            state.passed.push_back({particles_[i].number,
-                                    j >= first_wall ? -1 - static_cast<std::int32_t>(j - first_wall)
-                                                    : particles_[j].number,
-                                    time});
+        for (Slot i = 0; i < n; ++i) {
+            for (const auto& [j, time] : passed_.of(i)) {
+                if (j < first_wall && particles_[j].number < particles_[i].number) continue;
+                state.passed.push_back({particles_[i].number,
+                                        j >= first_wall
+                                            ? -1 - static_cast<std::int32_t>(j - first_wall)
+                                            : particles_[j].number,
+                                        time});
+            }
         }
+        std::ranges::sort(state.passed, {},
+                          [](const Passed& each) { return std::pair(each.a, each.b); });
+        if (laws_.has_friction()) state.spins.resize(n);
+        if (laws_.has_duration()) state.last_strikes.resize(n);
+        for (Slot i = 0; i < n; ++i) {
+            const auto number = static_cast<std::size_t>(particles_[i].number);
+            if (laws_.has_friction()) state.spins[number] = laws_.spin(i);
+            if (laws_.has_duration()) state.last_strikes[number] = laws_.last_strike(i);
+        }
+        state.half_steps = steps_.half_steps();
         return state;
     }
     [[nodiscard]] const Counts& counts() const override { return counts_; }
@@ -172,11 +206,11 @@ class Loop final : public Simulation<D>::Engine {
 
  private:
     static constexpr Slot nobody = ~Slot{0};
-    static constexpr Slot first_wall = nobody - 6;
+    static constexpr Slot first_wall = nobody - (1 << 20);
     static constexpr std::uint32_t most_in_place_dissipative = 1000;
     static constexpr std::uint32_t most_in_place_elastic = 100'000;
 
-    using Asker = typename MeetingFilter<D, Falls, kernel>::Asker;
+    using Asker = typename MeetingFilter<D>::Asker;
 
     struct Proposal {
         double early = infinity;
@@ -358,15 +392,18 @@ class Loop final : public Simulation<D>::Engine {
         Asker asker;
         Proposal best;
         Crowd crowd;
+        bool asks_walls = false;  ///< but sides at rest, which are asked at once
     };
     void open(Inquiry& inquiry, Slot i, const Proposal& best) {
         inquiry.ball = i;
         inquiry.asker = filter_.asker(world_.balls[i], now_);
         inquiry.best = best;
+        inquiry.asks_walls = false;
     }
     void begin(Inquiry& inquiry, Slot i) {
         open(inquiry, i, {});
-        for (Wall wall = 0; wall < walls_; ++wall) consider_wall(inquiry, wall);
+        if constexpr (has_walls()) inquiry.asks_walls = !walls_.numbers().empty();
+        for (const Wall wall : sides_) consider_side(inquiry, wall);
         if constexpr (requires { structure_->list(i); }) {
             std::span<const Slot> list = structure_->list(i);
             for (; list.size() > Crowd::capacity; list = list.subspan(Crowd::capacity)) {
@@ -382,6 +419,9 @@ class Loop final : public Simulation<D>::Engine {
     }
     void end(Inquiry& inquiry) {
         consider_all(inquiry);
+        if constexpr (has_walls())
+            if (inquiry.asks_walls) [[unlikely]]
+                consider_walls(inquiry);
         particles_[inquiry.ball].next = inquiry.best;
         settle(inquiry.ball);
     }
@@ -437,25 +477,42 @@ class Loop final : public Simulation<D>::Engine {
         // The partner strikes something before, and is then asked again.
         if (meeting.early > particles_[j].next.late) return;
         Proposal candidate{meeting.early, meeting.late, j, particles_[j].strikes};
-        if (!passed_.empty() && is_passed(i, candidate)) return;
+        if (!passed_.is_empty() && is_passed(i, candidate)) return;
         take(i, candidate, best);
     }
-    void consider_wall(Inquiry& inquiry, Wall wall) {
-        const Slot i = inquiry.ball;
-        Proposal& best = inquiry.best;
+    void consider_side(Inquiry& inquiry, Wall wall) {
         const Box<D>& box = *world_.effects.box;
         const double side = wall % 2 != 0 ? box.high[wall / 2] : box.low[wall / 2];
-        Meeting meeting = inquiry.asker.meeting(wall, side);
+        consider_wall(inquiry, wall, inquiry.asker.meeting(wall, side));
+    }
+    void consider_walls(Inquiry& inquiry) {
+        for (const Wall wall : walls_.numbers())
+            consider_wall(inquiry, wall, walls_.meeting(wall, inquiry.asker, inquiry.best.late));
+    }
+    void consider_wall(Inquiry& inquiry, Wall wall, Meeting meeting) {
+        const Slot i = inquiry.ball;
+        Proposal& best = inquiry.best;
         if (!(meeting.early <= best.late)) return;
         if (meeting.early == -infinity) [[unlikely]] {
             ++counts_.exact;
-            const double t = exact_meeting(world_.balls[i], wall, world_.effects);
+            const double t = exactly_at(world_.balls[i], wall);
             meeting = {t, t};
         }
         if (meeting.early == infinity) return;
         Proposal candidate{meeting.early, meeting.late, first_wall + static_cast<Slot>(wall), 0};
-        if (!passed_.empty() && is_passed(i, candidate)) return;
+        if (!passed_.is_empty() && is_passed(i, candidate)) return;
         take(i, candidate, best);
+    }
+    [[nodiscard]] bool is_side(Wall wall) const noexcept {
+        return !has_walls() || walls_.numbers().empty() || !walls_.has(wall);
+    }
+    [[nodiscard]] double exactly_at(const Ball<D>& ball, Wall wall) const {
+        return is_side(wall) ? exact_meeting(ball, wall, world_.effects)
+                             : walls_.exact_meeting(ball, wall);
+    }
+    [[nodiscard]] double refined_at(const Ball<D>& ball, Wall wall, double about) const {
+        return is_side(wall) ? refined_meeting(ball, wall, world_.effects, about)
+                             : walls_.refined_meeting(ball, wall, about);
     }
     /// The earlier of two proposals of a ball.
     void take(Slot i, Proposal candidate, Proposal& best) {
@@ -495,15 +552,20 @@ class Loop final : public Simulation<D>::Engine {
         if (p.early == p.late) return;
         const double about = 0.5 * (p.early + p.late);
         const Ball<D>& ball = world_.balls[i];
-        const auto tell = [&](const auto&... other) {
-            const double t = refined_meeting(ball, other..., world_.effects, about);
-            const bool tells = !std::isnan(t);
+        const auto tell = [&](double refined, const auto& exact) {
+            const bool tells = !std::isnan(refined);
             ++(tells ? counts_.refined : counts_.exact);
-            return tells ? t : exact_meeting(ball, other..., world_.effects);
+            p.early = p.late = tells ? refined : exact();
         };
+        if (is_wall(p)) {
+            tell(refined_at(ball, wall_of(p), about), [&] { return exactly_at(ball, wall_of(p)); });
+            return;
+        }
         // Now another image may be nearer than the one that will be struck.
-        p.early = p.late = is_wall(p) ? tell(wall_of(p))
-                                      : tell(world_.balls[p.partner], image(i, p.partner, about));
+        const Image<D> seen = image(i, p.partner, about);
+        const Ball<D>& other = world_.balls[p.partner];
+        tell(refined_meeting(ball, other, seen, world_.effects, about),
+             [&] { return exact_meeting(ball, other, seen, world_.effects); });
     }
 
     bool strike_ball(Slot i, const typename Simulation<D>::Record& record) {
@@ -515,18 +577,30 @@ class Loop final : public Simulation<D>::Engine {
         const Image<D> seen = nearest_image(a.x, b.x, world_.effects);
         const Ball<D> a_before = a;
         const Ball<D> b_before = b;
+        Law law{world_.effects.restitution, 0.0};
+        Facts facts;
+        if (!laws_.is_plain()) [[unlikely]] {
+            facts = facts_of(a, b, seen);
+            if (world_.effects.growth)
+                law.growth = growth_of(a, world_.effects) + growth_of(b, world_.effects);
+            facts.approach += law.growth;
+            const auto bounce = laws_.bounce({i, j}, t, law.restitution, facts.approach);
+            law.restitution = bounce.restitution;
+            facts.stays = bounce.stays;
+        }
         Exchange exchange;
-        if constexpr (kernel == Kernel::exact)
-            exchange =
-                strike(a, b, seen, particles_[i].mass, particles_[j].mass, world_.effects, tally);
+        const double mass_a = particles_[i].mass;
+        const double mass_b = particles_[j].mass;
+        if (kernel_ == Kernel::exact)
+            exchange = strike(a, b, seen, mass_a, mass_b, law, world_.effects, tally);
         else
-            exchange =
-                naive::strike(a, b, seen, particles_[i].mass, particles_[j].mass, world_.effects);
+            exchange = naive::strike(a, b, seen, mass_a, mass_b, law, world_.effects);
         counts_.rounded += tally.refined;
         counts_.rounded_exactly += tally.exact;
         refuse_missed_strike(i, j, a, b, exchange.square);
+        if (facts.stays && !is_strike_of_standing(i, j, t, facts.approach)) exchange.struck = false;
         if (!exchange.struck) {
-            pass(i, j, t);
+            passed_.pass(i, j, facts.stays ? std::max(t, turn_) : t);
             ask(i);
             return false;
         }
@@ -535,28 +609,38 @@ class Loop final : public Simulation<D>::Engine {
         const std::int32_t second = std::max(particles_[i].number, particles_[j].number);
         last_ = {t, false, first, second, 0.0};
         if (record) {
-            last_.impulse = impulse(a_before, b_before, seen, particles_[i].mass,
-                                    particles_[j].mass, world_.effects, tally);
+            last_.impulse =
+                impulse(a_before, b_before, seen, mass_a, mass_b, law, world_.effects, tally);
             record(last_);
         }
         ++counts_.strikes;
-        count(i, a_before, exchange.approach, exchange.square, [&] {
-            return stayed_in_place_exactly(a_before, b_before, seen, world_.effects,
-                                           world_.balls[i].time);
-        });
-        count(j, b_before, exchange.approach, exchange.square, [&] {
-            // D and V of the pair, whichever comes first.
-            Image<D> back;
-            for (int k = 0; k < D; ++k) back[k] = -seen[k];
-            return stayed_in_place_exactly(b_before, a_before, back, world_.effects,
-                                           world_.balls[j].time);
-        });
-        world_.balls[i] = a;
-        world_.balls[j] = b;
-        filter_.include(a);
-        filter_.include(b);
-        release(i);
-        release(j);
+        ++particles_[i].strikes;
+        ++particles_[j].strikes;
+        if (!facts.stays) [[likely]] {
+            count(i, a_before, exchange.approach, exchange.square, [&] {
+                return stayed_in_place_exactly(a_before, b_before, seen, world_.effects,
+                                               world_.balls[i].time);
+            });
+            count(j, b_before, exchange.approach, exchange.square, [&] {
+                // D and V of the pair, whichever comes first.
+                Image<D> back;
+                for (int k = 0; k < D; ++k) back[k] = -seen[k];
+                return stayed_in_place_exactly(b_before, a_before, back, world_.effects,
+                                               world_.balls[j].time);
+            });
+        }
+        if (!laws_.is_plain()) [[unlikely]] {
+            const double push = exchange.virial / std::sqrt(exchange.square);
+            if (laws_.has_friction())
+                slide<D>({a.v, laws_.spin(i), grown_radius(a), mass_a},
+                         {b.v, laws_.spin(j), grown_radius(b), mass_b}, facts.normal, facts.sliding,
+                         push, *world_.effects.friction);
+            laws_.struck(i, t);
+            laws_.struck(j, t);
+        }
+        put(i, a);
+        put(j, b);
+        if (facts.stays) stand(i, j);
         ask_after_change({i, j});
         return true;
     }
@@ -566,29 +650,108 @@ class Loop final : public Simulation<D>::Engine {
         StrikeTally tally;
         Ball<D> ball = arrive(i, t, tally);
         const Ball<D> ball_before = ball;
-        const bool struck = strike(ball, wall, world_.effects);
+        const double mass = particles_[i].mass;
         last_ = {t, true, particles_[i].number, wall, 0.0};
-        if (!struck) {
+        Law law{world_.effects.wall_restitution, 0.0};
+        if (!laws_.is_plain() || !is_side(wall)) [[unlikely]]
+            return strike_surface(i, wall, ball, record);
+        if (!strike(ball, wall, law)) {
             const double g = world_.effects.gravity[wall / 2];
-            collapses_ = wall % 2 != 0 ? g > 0.0 : g < 0.0;
-            if (collapses_) return false;
-            pass(i, first_wall + static_cast<Slot>(wall), t);
-            ask(i);
-            return false;
+            return rests(i, wall, t, wall % 2 != 0 ? g > 0.0 : g < 0.0);
         }
         if (record) {
-            last_.impulse = impulse(ball_before, wall, particles_[i].mass, world_.effects);
+            last_.impulse = impulse(ball_before, wall, mass, law);
             record(last_);
         }
         ++counts_.strikes;
+        ++particles_[i].strikes;
         count(i, ball_before, std::fabs(ball_before.v[wall / 2]), 1.0,
               [&] { return stayed_in_place_exactly(ball_before, wall, world_.balls[i].time); });
-        world_.balls[i] = ball;
-        filter_.include(ball);
-        release(i);
+        put(i, ball);
         ask_after_change({i});
         return true;
     }
+    /// Any wall, by any law.
+    [[gnu::cold, gnu::noinline]] bool strike_surface(Slot i, Wall wall, const Ball<D>& came,
+                                                     const typename Simulation<D>::Record& record) {
+        const double t = came.time;
+        Ball<D> ball = came;
+        const double mass = particles_[i].mass;
+        const Facing<D> faces = is_side(wall) ? facing_side<D>(wall) : walls_.facing(ball, wall);
+        const double growth = growth_of(ball, world_.effects);
+        const double approach = approach_of(ball, faces, growth);
+        const auto bounce = laws_.bounce({i}, t, world_.effects.wall_restitution, approach);
+        WallExchange exchange = strike(ball, faces, mass, bounce.restitution, growth);
+        const Slot partner = first_wall + static_cast<Slot>(wall);
+        if (bounce.stays && !is_strike_of_standing(i, partner, t, approach))
+            exchange.struck = false;
+        if (!exchange.struck) {
+            if (bounce.stays) {
+                passed_.pass(i, partner, std::max(t, turn_));
+                ask(i);
+                return false;
+            }
+            return rests(i, wall, t, dot(unit_normal(faces), world_.effects.gravity) < 0.0);
+        }
+        if (record) {
+            last_.impulse = exchange.impulse;
+            record(last_);
+        }
+        ++counts_.strikes;
+        ++particles_[i].strikes;
+        if (!bounce.stays)
+            count(i, came, exchange.approach, exchange.square, [&] {
+                return stayed_in_place_exactly(came, faces, growth, world_.balls[i].time);
+            });
+        if (laws_.has_friction()) {
+            Vector<D> sliding = came.v;
+            const Vector<D> velocity = walls_.velocity(wall, t);
+            for (int k = 0; k < D; ++k) sliding[k] -= velocity[k];
+            slide<D>({ball.v, laws_.spin(i), grown_radius(ball), mass}, unit_normal(faces), sliding,
+                     exchange.impulse, *world_.effects.friction);
+        }
+        laws_.struck(i, t);
+        put(i, ball);
+        if (bounce.stays) stand(i, partner);
+        ask_after_change({i});
+        return true;
+    }
+    /// A ball that comes to a wall, and is not changed. Where it is pulled there it lies on it.
+    [[nodiscard]] bool rests(Slot i, Wall wall, double t, bool is_pulled) {
+        collapses_ = is_pulled;
+        if (collapses_) return false;
+        passed_.pass(i, first_wall + static_cast<Slot>(wall), t);
+        ask(i);
+        return false;
+    }
+    void put(Slot i, const Ball<D>& ball) {
+        world_.balls[i] = ball;
+        filter_.include(ball);
+        passed_.release(i);
+    }
+    [[nodiscard]] double grown_radius(const Ball<D>& ball) const noexcept {
+        return ball.radius + growth_of(ball, world_.effects) * ball.time;
+    }
+
+    /// What laws that are not rational go by: doubles, each operation rounded once.
+    struct Facts {
+        Vector<D> normal{};   ///< from b to a
+        Vector<D> sliding{};  ///< v_a - v_b
+        double approach = 0.0;
+        bool stays = false;
+    };
+    [[nodiscard]] Facts facts_of(const Ball<D>& a, const Ball<D>& b, const Image<D>& seen) const {
+        Facts facts;
+        for (int k = 0; k < D; ++k) {
+            facts.normal[k] = apart<double>(a.x, b.x, k, seen, world_.effects);
+            facts.sliding[k] = a.v[k] - b.v[k];
+        }
+        const double distance = std::sqrt(dot(facts.normal, facts.normal));
+        for (double& each : facts.normal) each /= distance;
+        facts.approach = std::max(-dot(facts.normal, facts.sliding), 0.0);
+        return facts;
+    }
+
     /// At time t a ball of speed v along an axis flies v 2^-53 t while an event is told late by a
     /// rounding, and its place, x + v (t - T), is rounded by at most twice that and what the margin
     /// has besides. Where v t is at most 2^50 margins all that is less than half a margin an axis.
@@ -622,10 +785,10 @@ class Loop final : public Simulation<D>::Engine {
     /// apart at the rounded time.
     void refuse_missed_strike(Slot i, Slot j, const Ball<D>& a, const Ball<D>& b,
                               double square) const {
-        const double radii = a.radius + b.radius;
+        const double radii = grown_radius(a) + grown_radius(b);
         if (std::fabs(square - radii * radii) < 0x1p-10 * (radii * radii)) [[likely]]
             return;
-        if constexpr (kernel == Kernel::naive) return;
+        if (kernel_ == Kernel::naive) return;
         throw std::range_error(
             "balls " + std::to_string(std::min(particles_[i].number, particles_[j].number)) +
             " and " + std::to_string(std::max(particles_[i].number, particles_[j].number)) +
@@ -635,17 +798,14 @@ class Loop final : public Simulation<D>::Engine {
     }
 
     [[nodiscard]] Ball<D> arrive(Slot i, double t, StrikeTally& tally) const {
-        if constexpr (kernel == Kernel::exact)
-            return arrived(world_.balls[i], t, world_.effects, tally);
-        else
-            return naive::arrived(world_.balls[i], t, world_.effects);
+        return kernel_ == Kernel::exact ? arrived(world_.balls[i], t, world_.effects, tally)
+                                        : naive::arrived(world_.balls[i], t, world_.effects);
     }
 
     /// Counts a strike of a ball, which is given as it was when it came.
     template <class Exactly>
     void count(Slot i, const Ball<D>& came, double approach, double square,
                const Exactly& exactly) {
-        ++particles_[i].strikes;
         const InPlace stayed =
             stayed_in_place(came, came.time - world_.balls[i].time, approach, square);
         if (stayed == InPlace::no || (stayed == InPlace::uncertain && !exactly())) [[likely]] {
@@ -656,36 +816,94 @@ class Loop final : public Simulation<D>::Engine {
         }
     }
 
-    /// A meeting that is no strike is passed over, as long as neither strikes something else.
-    void pass(Slot i, Slot j, double t) { passed_[{std::min(i, j), std::max(i, j)}] = t; }
     [[nodiscard]] bool is_passed(Slot i, Proposal& candidate) {
-        const Slot j = candidate.partner;
-        const auto found = passed_.find({std::min(i, j), std::max(i, j)});
-        if (found == passed_.end() || candidate.early > found->second) return false;
+        const double until = passed_.until(i, candidate.partner);
+        if (candidate.early > until) return false;
         make_exact(i, candidate);
-        return candidate.early <= found->second;
+        return candidate.early <= until;
     }
-    void release(Slot i) {
-        if (passed_.empty()) return;
-        std::erase_if(passed_, [i](const auto& entry) {
-            return entry.first.first == i || entry.first.second == i;
-        });
+
+    // Turns: what happens to all balls at once.
+
+    [[nodiscard]] static constexpr bool has_turns() noexcept {
+        return known.growth || known.time_steps;
     }
+    [[nodiscard]] static constexpr bool has_walls() noexcept { return known.walls; }
+    /// What acts in flight, from a time on.
+    [[nodiscard]] static Effects<D> in_flight(Effects<D> effects, double time) {
+        if (effects.time_step > 0.0) {
+            effects.gravity = {};
+            effects.fluid.reset();
+        }
+        if (effects.growth && time >= effects.growth->until) effects.growth.reset();
+        return effects;
+    }
+    void set_turn() {
+        turn_ = steps_.next();
+        if (world_.effects.growth) turn_ = std::min(turn_, world_.effects.growth->until);
+    }
+    [[nodiscard]] bool is_turn_due(double until) const noexcept {
+        if (world_.effects.growth && world_.effects.growth->until == turn_) return turn_ <= until;
+        // The state between two steps is that before the next one begins.
+        return steps_.begins() ? turn_ < until : turn_ <= until;
+    }
+    [[gnu::cold, gnu::noinline]] void take_turn() {
+        now_ = std::max(now_, turn_);
+        StrikeTally tally;
+        for (Slot i = 0; i < particles_.size(); ++i) world_.balls[i] = arrive(i, turn_, tally);
+        if (world_.effects.growth && world_.effects.growth->until == turn_)
+            end_growth();
+        else
+            kick();
+        for (Slot i = 0; i < particles_.size(); ++i) {
+            ++particles_[i].strikes;
+            filter_.include(world_.balls[i]);
+        }
+        set_turn();
+        for (Slot i = 0; i < particles_.size(); ++i) particles_[i].next = {};
+        for (Slot i = 0; i < particles_.size(); ++i) ask_after_change({i});
+    }
+    void end_growth() {
+        for (Ball<D>& ball : world_.balls) ball.radius = grown_at(ball, turn_, world_.effects);
+        world_.effects.growth.reset();
+        filter_ = MeetingFilter<D>(world_.effects, kernel_);
+        passed_.clear();
+    }
+    void kick() {
+        if (!steps_.is_idle()) {
+            Kicks<D>& kicks = steps_.kicks();
+            for (Slot i = 0; i < particles_.size(); ++i) {
+                Ball<D>& ball = world_.balls[i];
+                ball.v = kicks.kicked(ball.x, ball.v, ball.radius, particles_[i].mass);
+                particles_[i].in_place = 0;
+            }
+            counts_.predictions += steps_.begins() ? particles_.size() : 0;
+        }
+        passed_.clear();
+        steps_.advance();
+    }
+
+    // Contacts that stand.
+
+    [[nodiscard]] bool is_strike_of_standing(Slot, Slot, double, double) const { return true; }
+    void stand(Slot, Slot) {}
 
     static constexpr std::uint64_t own_events_a_ball = 16;
     static constexpr double margins_to_fly = 0x1p50;
 
     World<D> world_;
+    Kernel kernel_;
     std::array<Inquiry, 2> inquiries_;
     std::array<std::uint32_t, 3> fetched_{};  // up to which bucket
     LargeArray<Particle, Pages::large> particles_;
-    MeetingFilter<D, Falls, kernel> filter_;
+    MeetingFilter<D> filter_;
+    Walls<D> walls_;
+    std::vector<Wall> sides_;  // of the box, those at rest
     Structure kind_;
     std::optional<StructureOf<D>> structure_;
     double farthest_;     // to fly from time 0 on
     Slot late_ = nobody;  // who flies farther
     EventQueue queue_;
-    Wall walls_;
     bool fetches_;
     std::uint32_t most_in_place_;
     bool collapses_ = false;
@@ -696,24 +914,17 @@ class Loop final : public Simulation<D>::Engine {
     double width_ = widest_now();  // after now_, which it needs
     Counts counts_;
     Strike last_;
-    std::map<std::pair<Slot, Slot>, double> passed_;
+    Laws<D, known> laws_;
+    TimeSteps<D> steps_;
+    PassedMeetings passed_;
+    double turn_ = infinity;  // when something happens to all
 };
 
 template <int D, template <int> class StructureOf>
 std::unique_ptr<typename Simulation<D>::Engine> make_engine(
     Structure structure, const State<D>& state, const Effects<D>& effects, Kernel kernel,
     const std::vector<std::int32_t>& order) {
-    const auto make =
-        [&]<bool falls, Kernel k>() -> std::unique_ptr<typename Simulation<D>::Engine> {
-        return std::make_unique<Loop<D, falls, k, StructureOf>>(structure, state, effects, order);
-    };
-    const bool falls = effects.gravity != Vector<D>{};
-    if (kernel == Kernel::naive) {
-        return falls ? make.template operator()<true, Kernel::naive>()
-                     : make.template operator()<false, Kernel::naive>();
-    }
-    return falls ? make.template operator()<true, Kernel::exact>()
-                 : make.template operator()<false, Kernel::exact>();
+    return std::make_unique<Loop<D, StructureOf>>(structure, state, effects, kernel, order);
 }
 
 /// Compiles the loops over a structure, in a source of its own.

@@ -45,6 +45,17 @@ struct Place {
     Vector<D> v;
 };
 
+/// How a centre comes to something flat, all times a scale: its distance from it, speed v and
+/// acceleration g away from it.
+struct Approach {
+    double distance = 0.0;
+    double scale = 1.0;
+    double v = 0.0;
+    double g = 0.0;
+    double extent = 0.0;  ///< of what the distance is a sum
+    double sizes = 0.0;   ///< of what v is a sum; 0 where it is exact
+};
+
 /// As many balls as are asked about at once, and what was told of each.
 struct Crowd {
     static constexpr std::size_t capacity = 64;
@@ -70,6 +81,7 @@ struct Bounds {
     bool periodic = false;
     Vector<D> length{};  ///< of the box
     Vector<D> inverse_length{};
+    double growth = 0.0;       ///< of radii, as a part of those at time 0
     double extent = 0x1p-150;  ///< so that no product of bounds is a denormal
     double speed = 0.0;
     double speed_square = 0.0;
@@ -97,28 +109,23 @@ struct Bounds {
 /// rounded numbers and disc may be twice its error. That B < 0 where a time is told need not be
 /// asked: disc > 2 K (A + W²) and C > 0 make |B| larger than its error, and who recedes is never
 /// met. s is rounded seven times and t = now + s, now >= 0, and the interval's ends once: 2^-49 t.
-template <int D, bool Falls, Kernel kernel>
+///
+/// Radii that grow are one coordinate more, with the other sign: R = (r_a + r_b)(1 + γ t), at most
+/// E, errs by 4 u E, and its rate P by 3 u P. With S = V·V + P² in place of A, B = D·V - R P errs
+/// by less than (82 + 9) u E √S + 60 u E W, C by less than 528 u E², A = V·V - P² by less than 20 u
+/// S + 21 u (S + W²), and B² - AC by less than 2 K (S + W²). Where A may be negative they meet
+/// sooner or later, and B >= 0 tells nothing. The root moves by (δC + 2 s δB + s² δA) / 2√disc,
+/// less than K (2 + 4 s² (S + W²) / E²) / √disc.
+template <int D>
 class MeetingFilter {
  public:
-    explicit MeetingFilter(const Effects<D>& effects) {
-        bounds_.gravity = effects.gravity;
-        bounds_.periodic = effects.periodic;
-        if (effects.box) {
-            for (int i = 0; i < D; ++i) {
-                include(effects.box->low[i]);
-                include(effects.box->high[i]);
-                const double length = effects.box->high[i] - effects.box->low[i];
-                bounds_.length[i] = length;
-                bounds_.inverse_length[i] = 1.0 / length;
-            }
-        }
-    }
+    MeetingFilter(const Effects<D>& effects, Kernel kernel);
 
     /// Takes a ball into the bounds, as it is at its own time.
     void include(const Ball<D>& ball) noexcept {
         for (const double x : ball.x) include(x);
-        include(2.0 * ball.radius);
-        if constexpr (Falls)
+        include(largest_growth_ * 2.0 * ball.radius);
+        if (falls_)
             for (const double v : ball.v)
                 bounds_.speed = std::max(bounds_.speed, filters::magnitude(v));
         set_bounds();
@@ -130,19 +137,38 @@ class MeetingFilter {
         /// When it meets each of a crowd, four at a time and without a branch: which of many are
         /// met is anybody's guess. Precondition: now is not before anybody's own time, and no two
         /// have met between T and now.
-        void meetings(const Ball<D>* balls, Crowd& crowd) const noexcept;
-        /// Of a side of the box: F = x - side - r, x counted inwards. With errors of 24 u E in F
-        /// and 3 u W in the speed, those of the root as above.
+        void meetings(const Ball<D>* balls, Crowd& crowd) const noexcept {
+            answer_(*this, balls, crowd);
+        }
+        /// Of a side of the box: F = x - side - r, x counted inwards.
         [[nodiscard]] Meeting meeting(Wall wall, double side) const noexcept;
+        /// Of anything flat: F = distance - scale · r. With errors of 64 u of the extent in F, and
+        /// of 8 u of the sizes in v; those of the root as above.
+        [[nodiscard]] Meeting descent(const Approach& approach) const noexcept;
+
+        [[nodiscard]] const Place<D>& place() const noexcept { return place_; }
+        [[nodiscard]] double radius() const noexcept {
+            return radius_ * (1.0 + bounds_->growth * now_);
+        }
+        /// The rate at which its radius grows.
+        [[nodiscard]] double growth() const noexcept { return radius_ * bounds_->growth; }
+        [[nodiscard]] double now() const noexcept { return now_; }
+        [[nodiscard]] const Bounds<D>& bounds() const noexcept { return *bounds_; }
 
      private:
         friend MeetingFilter;
+        template <class Flight>
+        static void answer(const Asker& asker, const Ball<D>* balls, Crowd& crowd) noexcept;
+        template <class Flight>
         void fill(const Ball<D>* balls, Crowd& crowd) const noexcept;
+        using Answer = void (*)(const Asker&, const Ball<D>*, Crowd&) noexcept;
 
         Place<D> place_;
         double radius_;
         double now_;
         const Bounds<D>* bounds_;
+        Answer answer_;
+        Kernel kernel_;
     };
     /// Takes a ball into the bounds as it is now; returns where that is.
     Place<D> include(const Ball<D>& ball, double now) noexcept;
@@ -157,10 +183,14 @@ class MeetingFilter {
         const double square = bounds_.extent * bounds_.extent;
         bounds_.gap_error = 0x1p-42 * square;
         bounds_.product_error = 0x1p-92 * square;
-        if constexpr (Falls) bounds_.speed_square = bounds_.speed * bounds_.speed;
+        bounds_.speed_square = bounds_.speed * bounds_.speed;
     }
 
+    bool falls_;
+    Kernel kernel_;
+    double largest_growth_ = 1.0;  ///< of radii, as a factor
     Bounds<D> bounds_;
+    typename Asker::Answer answer_;
 };
 
 }  // namespace signum::motion

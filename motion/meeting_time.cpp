@@ -201,6 +201,16 @@ double meeting_time(const GrowingBall<D>& a, const GrowingBall<D>& b, const Effe
     return infinity;
 }
 
+namespace {
+
+/// A half space, in exact numbers.
+template <int D>
+struct ExactHalfSpace {
+    PerAxis<Dyadic, D> normal;
+    Dyadic offset;
+    Dyadic speed;
+};
+
 /// F = s - |n| r, s the height of the centre over the wall, times |n|. Its coefficients are of the
 /// form u + v √(n·n), so that each of its signs is one of s² - n·n r², taken with the signs of s
 /// and r, and rational. The polynomial s² - n·n r² by itself would not do: it is above 0 for a ball
@@ -209,19 +219,18 @@ double meeting_time(const GrowingBall<D>& a, const GrowingBall<D>& b, const Effe
 /// F is a parabola, and where it goes down through 0 or turns to fall is known by the signs of F
 /// and F' at dyadic points alone.
 template <int D>
-double meeting_time(const GrowingBall<D>& ball, const HalfSpace<D>& wall,
-                    const Effects<D>& effects) {
+double meeting_of(const GrowingBall<D>& ball, const ExactHalfSpace<D>& wall,
+                  const Effects<D>& effects) {
     static const Dyadic half(0.5);
     const Dyadic start(ball.time);
     const Dyadic growth(ball.growth);
-    const Dyadic speed(wall.speed);
     // F(start + y) = c + b y + a y²
     Dyadic square;
     Dyadic a;
-    WithRoot b{-speed, -growth};
-    WithRoot c{-(Dyadic(wall.offset) + speed * start), -(Dyadic(ball.radius) + growth * start)};
+    WithRoot b{-wall.speed, -growth};
+    WithRoot c{-(wall.offset + wall.speed * start), -(Dyadic(ball.radius) + growth * start)};
     for (int i = 0; i < D; ++i) {
-        const Dyadic n(wall.normal[i]);
+        const Dyadic& n = wall.normal[i];
         square += n * n;
         a += half * n * Dyadic(effects.gravity[i]);
         b.u += n * Dyadic(ball.v[i]);
@@ -253,6 +262,58 @@ double meeting_time(const GrowingBall<D>& ball, const HalfSpace<D>& wall,
         const Sign apart = gap(y);
         return rises > 0 || apart > 0 ? 1 : std::max(rises, apart);
     });
+}
+
+Dyadic cross(const PerAxis<Dyadic, 2>& a, const PerAxis<Dyadic, 2>& b) {
+    return a[0] * b[1] - a[1] * b[0];
+}
+PerAxis<Dyadic, 2> exact(const Vector<2>& v) {
+    return {{Dyadic(v[0]), Dyadic(v[1])}};
+}
+PerAxis<Dyadic, 2> difference(const PerAxis<Dyadic, 2>& a, const PerAxis<Dyadic, 2>& b) {
+    return {{a[0] - b[0], a[1] - b[1]}};
+}
+
+}  // namespace
+
+template <int D>
+double meeting_time(const GrowingBall<D>& ball, const HalfSpace<D>& wall,
+                    const Effects<D>& effects) {
+    ExactHalfSpace<D> exact;
+    for (int i = 0; i < D; ++i) exact.normal[i] = Dyadic(wall.normal[i]);
+    exact.offset = Dyadic(wall.offset);
+    exact.speed = Dyadic(wall.speed);
+    return meeting_of(ball, exact, effects);
+}
+
+/// The ends are circles of radius 0. Each side is met as a half space is, if the centre is on that
+/// side and its foot on the segment at the rounded time. A foot off by that rounding loses nothing:
+/// next to an end the circle is met as soon.
+///
+/// Of each side one time is enough: a ball that already falls below it, beside the segment or
+/// behind it, does not come back to fall through it again, for the gap is a parabola.
+double meeting_time(const GrowingBall<2>& ball, const Segment& wall, const Effects<2>& effects) {
+    double first = infinity;
+    for (const Vector<2>& end : {wall.from, wall.to})
+        first = std::min(first, meeting_time(ball, Sphere<2>{.centre = end}, effects));
+    const PerAxis<Dyadic, 2> from = exact(wall.from);
+    const PerAxis<Dyadic, 2> along = difference(exact(wall.to), from);
+    const Path<2> path = path_of<2>(ball, effects.gravity);
+    const auto seen_at = [&](double t) {
+        return difference({{path[0].value_at(Dyadic(t)), path[1].value_at(Dyadic(t))}}, from);
+    };
+    const Dyadic length = along[0] * along[0] + along[1] * along[1];
+    for (const int side : {1, -1}) {
+        const PerAxis<Dyadic, 2> normal{{side * -along[1], side * along[0]}};
+        const double t = meeting_of<2>(
+            ball, {normal, normal[0] * from[0] + normal[1] * from[1], Dyadic()}, effects);
+        if (!(t < first)) continue;
+        const PerAxis<Dyadic, 2> seen = seen_at(t);
+        if (t == ball.time && side * cross(along, seen).sign() < 0) continue;
+        const Dyadic foot = seen[0] * along[0] + seen[1] * along[1];
+        if (foot.sign() >= 0 && (length - foot).sign() >= 0) first = t;
+    }
+    return first;
 }
 
 template <int D>

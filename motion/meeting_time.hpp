@@ -44,4 +44,9 @@ template <int D>
 [[nodiscard]] double meeting_time(const GrowingBall<D>& ball, const Sphere<D>& wall,
                                   const Effects<D>& effects);
 
+/// Of the two sides and the two ends the first one that is met; a side counts where the centre's
+/// foot at that rounded time is on the segment. Precondition: the two ends are different.
+[[nodiscard]] double meeting_time(const GrowingBall<2>& ball, const Segment& wall,
+                                  const Effects<2>& effects);
+
 }  // namespace signum::motion

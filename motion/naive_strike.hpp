@@ -1,6 +1,8 @@
 #pragma once
 /// What a strike does, in plain doubles: beside strike.hpp it shows what exactness costs.
 
+#include <cmath>
+
 #include "ball.hpp"
 #include "strike.hpp"
 
@@ -19,7 +21,7 @@ template <int D>
 
 template <int D>
 [[nodiscard]] Exchange strike(Ball<D>& a, Ball<D>& b, const Image<D>& image, double mass_a,
-                              double mass_b, const Effects<D>& effects) noexcept {
+                              double mass_b, const Law& law, const Effects<D>& effects) noexcept {
     Vector<D> x;
     double product = 0.0;
     double square = 0.0;
@@ -29,9 +31,10 @@ template <int D>
         product += x[i] * (a.v[i] - b.v[i]);
         square += x[i] * x[i];
     }
+    product -= law.growth * std::sqrt(square);
     if (product >= 0.0) return {false, 0.0, square, 0.0};
     const double impulse =
-        (1.0 + effects.restitution) * (mass_a * mass_b / (mass_a + mass_b)) * (product / square);
+        (1.0 + law.restitution) * (mass_a * mass_b / (mass_a + mass_b)) * (product / square);
     for (int i = 0; i < D; ++i) {
         a.v[i] -= impulse / mass_a * x[i];
         b.v[i] += impulse / mass_b * x[i];

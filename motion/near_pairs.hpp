@@ -46,6 +46,14 @@ template <int D>
     return square_root(square);
 }
 
+/// Gaps are those of balls that fly without kicks, and whose radii stay as they are. Throws
+/// std::invalid_argument otherwise.
+template <int D>
+void require_free_flight(const Effects<D>& effects) {
+    if (effects.growth || effects.time_step > 0.0)
+        throw std::invalid_argument("who is near whom is told without growth and time steps alone");
+}
+
 /// Two balls, by their numbers a < b, and their gap: its least value is not below gap.low, and it
 /// is nowhere above gap.high.
 template <int D>

@@ -85,6 +85,7 @@ template <int D>
 std::optional<Neighbour> nearest(const State<D>& state, const Effects<D>& effects,
                                  std::int32_t ball) {
     check(state, effects);
+    require_free_flight(effects);
     if (ball < 0 || static_cast<std::size_t>(ball) >= state.balls.size())
         throw std::out_of_range("ball: a number that no ball has");
     if (state.balls.size() < 2) return std::nullopt;
@@ -98,6 +99,7 @@ std::optional<Neighbour> nearest(const State<D>& state, const Effects<D>& effect
 template <int D>
 std::optional<ClosestPair> closest_pair(const State<D>& state, const Effects<D>& effects) {
     check(state, effects);
+    require_free_flight(effects);
     if (state.balls.size() < 2) return std::nullopt;
     const exact::IeeeEnvironment environment;
     const NearPairs<D> near(state.balls, effects, state.time, state.time);

@@ -59,7 +59,8 @@ struct Neighbour {
     friend bool operator==(const Neighbour&, const Neighbour&) = default;
 };
 /// The nearest neighbour of a ball at the time of the state; none of a ball alone. Throws
-/// std::out_of_range for a number that no ball has. O(n).
+/// std::out_of_range for a number that no ball has and, as all that tells who is near does,
+/// std::invalid_argument for effects with growth or time steps. O(n).
 template <int D>
 [[nodiscard]] std::optional<Neighbour> nearest(const State<D>& state, const Effects<D>& effects,
                                                std::int32_t ball);

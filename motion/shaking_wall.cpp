@@ -21,6 +21,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -28,6 +30,7 @@
 #include <mpfr.h>
 
 #include "../core/contract.hpp"
+#include "../core/error_free.hpp"
 #include "../exact/nearest_double.hpp"
 #include "../exact/polynomial.hpp"
 #include "descent.hpp"
@@ -142,6 +145,9 @@ class ShakingGap {
     }
 
     [[nodiscard]] double first_descent() const;
+    /// The double nearest to where the gap falls through 0, next to `about`; NaN where one look at
+    /// the gap there does not tell it.
+    [[nodiscard]] double falls_near(double about) const;
 
  private:
     [[nodiscard]] Dyadic argument(const Dyadic& t) const { return omega_ * t + phi_; }
@@ -320,7 +326,51 @@ double ShakingGap::first_descent() const {
     return infinity;
 }
 
+double rounded(const Dyadic& number) {
+    return exact::round_to_double(exact::to_rational(number));
+}
+
+/// With F and F' at `about`, and |F''| <= B, the root next to it is about - F/F' (1 + θ), |θ| <= |B
+/// F / F'²|, as long as that is small.
+double ShakingGap::falls_near(double about) const {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    if (!(about >= start_ && about < 0x1p500)) return none;
+    constexpr int bits = 160;
+    const Dyadic t(about);
+    const Bounded gap = value(t, bits);
+    const Bounded fall = slope(t, bits);
+    const double f = rounded(gap.low);
+    const double steep = rounded(fall.high);
+    if (!(steep < -0x1p-400 && rounded(fall.low) > steep * (1.0 + 0x1p-30))) return none;
+    const double bend = std::fabs(rounded(2 * p_[2])) + std::fabs(rounded(a_omega2_));
+    const double delta = -f / steep;
+    const double theta = std::fabs(bend * delta / steep);
+    if (!(theta < 0x1p-20)) return none;
+    const double error =
+        std::fabs(delta) * (0x1p-29 + 2.0 * theta) + 2.0 * rounded(gap.high - gap.low) / -steep;
+    const TwoTerms sum = two_sum(about, delta);
+    const double time = sum.high + (sum.low - error);
+    return time == sum.high + (sum.low + error) ? std::max(time, start_) : none;
+}
+
 }  // namespace
+
+template <int D>
+double refined_meeting(const Ball<D>& ball, double growth, const ShakingWall& wall,
+                       const Effects<D>& effects, double about) {
+    return ShakingGap(GrowingBall<D>{ball, growth}, wall, effects).falls_near(about);
+}
+
+double speed_at(const ShakingWall& wall, double t) {
+    const Dyadic size = Dyadic(wall.amplitude) * Dyadic(wall.frequency);
+    const Dyadic argument = Dyadic(wall.frequency) * Dyadic(t) + Dyadic(wall.phase);
+    for (int bits = least_bits; bits <= most_bits; bits *= 2) {
+        const Bounded speed = size * enclose(mpfr_cos, argument, bits);
+        const double low = rounded(speed.low);
+        if (low == rounded(speed.high)) return low;
+    }
+    refuse();
+}
 
 template <int D>
 double meeting_time(const GrowingBall<D>& ball, const ShakingWall& wall,
@@ -329,6 +379,10 @@ double meeting_time(const GrowingBall<D>& ball, const ShakingWall& wall,
     return ShakingGap(ball, wall, effects).first_descent();
 }
 
+template double refined_meeting(const Ball<2>&, double, const ShakingWall&, const Effects<2>&,
+                                double);
+template double refined_meeting(const Ball<3>&, double, const ShakingWall&, const Effects<3>&,
+                                double);
 template double meeting_time(const GrowingBall<2>&, const ShakingWall&, const Effects<2>&);
 template double meeting_time(const GrowingBall<3>&, const ShakingWall&, const Effects<3>&);
 

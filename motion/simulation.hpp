@@ -27,6 +27,7 @@ struct Body {
     Vector<D> v{};
     double radius = 0.0;
     double mass = 1.0;
+    Spin<D> spin{};  ///< heeded where there is friction
 };
 
 /// A meeting that was no strike: of two balls, or of ball `a` and wall -1 - b.
@@ -35,6 +36,17 @@ struct Passed {
     std::int32_t b = 0;
     double time = 0.0;
     friend bool operator==(const Passed&, const Passed&) = default;
+};
+
+/// Two balls, or ball `a` and wall -1 - b, that stay in contact, and the momenta that they
+/// exchanged in the last time step: along the normal towards a, and along their surfaces.
+template <int D>
+struct StandingContact {
+    std::int32_t a = 0;
+    std::int32_t b = 0;
+    double push = 0.0;
+    Vector<D> rub{};
+    friend bool operator==(const StandingContact&, const StandingContact&) = default;
 };
 
 /// Where a simulation stands: what it needs to go on with the very log it would have had.
@@ -48,6 +60,14 @@ struct State {
     /// How many strikes in a row found each ball in place.
     std::vector<std::uint32_t> in_place;
     std::vector<Passed> passed;
+    /// Those of all balls where there is friction, and none otherwise.
+    std::vector<Spin<D>> spins = {};
+    /// When each ball has struck last, -infinity where it has not, where a contact has a duration;
+    /// none otherwise.
+    std::vector<double> last_strikes = {};
+    std::vector<StandingContact<D>> contacts = {};
+    /// Where there are time steps: 2 k + 1 in step k, counted from 0, 2 k between two steps.
+    std::uint64_t half_steps = 0;
 };
 
 /// What is to be seen of a structure at work, and of the loop over it, at one time. Balls by their
@@ -141,6 +161,13 @@ struct Counts {
     std::uint64_t rounded_exactly = 0;
     /// The sum of (1+e) μ |V·D| over all strikes of two balls.
     double virial = 0.0;
+    /// Balls whose velocity was found anew at a time step.
+    std::uint64_t predictions = 0;
+    /// Contacts that began to stand, and that ended.
+    std::uint64_t joins = 0;
+    std::uint64_t breaks = 0;
+    /// Of the reactions of standing contacts, the largest one of all steps (contact_forces.hpp).
+    double residual = 0.0;
 };
 
 /// How far to go.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <tuple>
 
 #include "apart.hpp"
 #include "simulation.hpp"
@@ -24,21 +25,105 @@ bool is_restitution(double number) noexcept {
     return number >= 0.0 && number <= 1.0;
 }
 
+[[noreturn]] void refuse(const std::string& what) {
+    throw std::invalid_argument(what);
+}
+template <int D>
+bool are_within(const Vector<D>& v) noexcept {
+    return std::ranges::all_of(v, is_within);
+}
+
+template <int D>
+void check_obstacle(const HalfSpace<D>& wall) {
+    if (!are_within<D>(wall.normal) || wall.normal == Vector<D>{})
+        refuse("half space: give a normal other than 0, of numbers within 2^-150 and 2^150");
+    if (!is_within(wall.offset) || !is_within(wall.speed))
+        refuse("half space: an offset or a speed beyond 2^150, or below 2^-150 and not 0");
+}
+template <int D>
+void check_obstacle(const Sphere<D>& wall) {
+    if (!are_within<D>(wall.centre) || !are_within<D>(wall.velocity) || !is_within(wall.radius) ||
+        !(wall.radius >= 0.0))
+        refuse(
+            "sphere: give a centre, a velocity and a radius from 0, each number within 2^-150 and "
+            "2^150");
+}
+void check_obstacle(const Segment& wall) {
+    if (!are_within<2>(wall.from) || !are_within<2>(wall.to))
+        refuse("segment: numbers beyond 2^150, or below 2^-150 and not 0");
+    if (wall.from == wall.to) refuse("segment: its two ends are the same; give two places");
+}
+
+/// Those that take two to make sense, or a number from some range.
+template <int D>
+void check_extended(const Effects<D>& effects) {
+    const auto& [speed_law, friction, shake, growth, fluid, contacts] =
+        std::tie(effects.speed_law, effects.friction, effects.shake, effects.growth, effects.fluid,
+                 effects.contacts);
+    if (speed_law && !(speed_law->speed > 0.0 && is_within(speed_law->speed) &&
+                       speed_law->power > 0.0 && speed_law->power <= 8.0))
+        refuse("speed law: give a speed above 0 and a power above 0, at most 8");
+    if (!(effects.contact_duration >= 0.0) || !is_within(effects.contact_duration))
+        refuse("contact duration: give a time from 0");
+    if (friction) {
+        if (!(friction->coefficient >= 0.0 && friction->wall_coefficient >= 0.0) ||
+            !is_within(friction->coefficient) || !is_within(friction->wall_coefficient))
+            refuse("friction: give coefficients from 0");
+        if (!(std::fabs(friction->tangential_restitution) <= 1.0))
+            refuse("friction: give a tangential restitution from -1 to 1");
+        if (!(friction->inertia > 0.0 && friction->inertia <= 1.0))
+            refuse("friction: give an inertia above 0, at most 1; 1/2 is that of discs");
+    }
+    if (shake) {
+        if (!effects.box || effects.periodic)
+            refuse("a box that shakes needs walls; give a box, and not a periodic one");
+        if (!are_within<D>(shake->amplitude) || !is_within(shake->frequency) ||
+            !is_within(shake->phase))
+            refuse("shake: numbers beyond 2^150, or below 2^-150 and not 0");
+    }
+    for (const Obstacle<D>& obstacle : effects.obstacles)
+        std::visit([](const auto& wall) { check_obstacle(wall); }, obstacle);
+    if (effects.obstacles.size() > 100'000) refuse("more than 100000 obstacles; give fewer");
+    if (!effects.obstacles.empty() && effects.periodic)
+        refuse("obstacles are for a world that is not periodic; leave one of the two out");
+    if (growth) {
+        if (!(growth->rate > 0.0 && growth->until > 0.0) || !is_within(growth->rate) ||
+            !is_within(growth->until))
+            refuse("growth: give a rate above 0, and a time above 0 until when radii grow");
+        if (contacts) refuse("growth and contacts that stand do not go together; leave one out");
+    }
+    if (fluid) {
+        if (!are_within<D>(fluid->velocity) || !std::ranges::all_of(fluid->gradient, are_within<D>))
+            refuse("fluid: a velocity or a gradient beyond 2^150, or below 2^-150 and not 0");
+        if (!(fluid->linear >= 0.0 && fluid->quadratic >= 0.0) || !is_within(fluid->linear) ||
+            !is_within(fluid->quadratic))
+            refuse("fluid: give drags from 0");
+    }
+    if (!(effects.time_step >= 0.0) || !is_within(effects.time_step))
+        refuse("time step: give a time from 0, which stands for none");
+    if (effects.time_step == 0.0 && fluid) refuse("a fluid's drag needs time steps; give one");
+    if (effects.time_step == 0.0 && contacts)
+        refuse("contacts that stand need time steps; give one");
+    if (contacts &&
+        (!(contacts->speed > 0.0) || !is_within(contacts->speed) ||
+         !(contacts->tolerance > 0.0 && contacts->tolerance < 1.0) || contacts->sweeps < 1))
+        refuse("contacts: give a speed above 0, a tolerance between 0 and 1, and sweeps from 1");
+}
+
 template <int D>
 void check(const Effects<D>& effects) {
     for (const double g : effects.gravity)
-        if (!is_within(g))
-            throw std::invalid_argument("gravity: give 0 or finite numbers of 2^-150 to 2^150");
+        if (!is_within(g)) refuse("gravity: give 0 or finite numbers of 2^-150 to 2^150");
     if (!is_restitution(effects.restitution) || !is_restitution(effects.wall_restitution))
-        throw std::invalid_argument("restitution: give a number from 0 to 1");
-    if (effects.periodic && !effects.box)
-        throw std::invalid_argument("a periodic world needs a box");
+        refuse("restitution: give a number from 0 to 1");
+    if (effects.periodic && !effects.box) refuse("a periodic world needs a box");
+    check_extended(effects);
     if (!effects.box) return;
     for (int k = 0; k < D; ++k) {
         const double low = effects.box->low[k];
         const double high = effects.box->high[k];
         if (!is_within(low) || !is_within(high) || !(low < high)) {
-            throw std::invalid_argument(
+            refuse(
                 "box: give the lower corner, then the upper one, each 0 or a finite number of "
                 "2^-150 to 2^150");
         }
@@ -61,16 +146,83 @@ void check(const Body<D>& body, std::int64_t number) {
             throw BallError(number,
                             "a coordinate or speed that is not finite, or beyond 2^150 or "
                             "below 2^-150 and not 0");
+    if (!std::ranges::all_of(body.spin, is_within))
+        throw BallError(number,
+                        "a spin that is not finite, or beyond 2^150 or below 2^-150 and not 0");
     check_radius_and_mass(body.radius, body.mass, number);
 }
 
-/// Exactly.
+/// Whether a ball lies in what an obstacle takes, exactly.
+template <int D>
+bool is_within(const Body<D>& body, const HalfSpace<D>& wall) {
+    Dyadic height = -Dyadic(wall.offset);
+    Dyadic square;
+    for (int k = 0; k < D; ++k) {
+        height += Dyadic(wall.normal[k]) * Dyadic(body.x[k]);
+        square += Dyadic(wall.normal[k]) * Dyadic(wall.normal[k]);
+    }
+    const Dyadic radius(body.radius);
+    return height.sign() < 0 || (height * height - square * radius * radius).sign() < 0;
+}
+template <int D>
+Dyadic square_of_distance(const Vector<D>& a, const Vector<D>& b) {
+    Dyadic square;
+    for (int k = 0; k < D; ++k) {
+        const Dyadic d = Dyadic(a[k]) - Dyadic(b[k]);
+        square += d * d;
+    }
+    return square;
+}
+template <int D>
+bool is_within(const Body<D>& body, const Sphere<D>& wall) {
+    const Dyadic square = square_of_distance<D>(body.x, wall.centre);
+    if (wall.side == Sphere<D>::Side::outside) {
+        const Dyadic reach = Dyadic(wall.radius) + Dyadic(body.radius);
+        return (square - reach * reach).sign() < 0;
+    }
+    const Dyadic room = Dyadic(wall.radius) - Dyadic(body.radius);
+    return room.sign() < 0 || (room * room - square).sign() < 0;
+}
+bool is_within(const Body<2>& body, const Segment& wall) {
+    const Dyadic radius(body.radius);
+    const Dyadic reach = radius * radius;
+    if ((square_of_distance<2>(body.x, wall.from) - reach).sign() < 0 ||
+        (square_of_distance<2>(body.x, wall.to) - reach).sign() < 0)
+        return true;
+    Dyadic foot;
+    Dyadic height;
+    Dyadic length;
+    for (int k = 0; k < 2; ++k) {
+        const Dyadic along = Dyadic(wall.to[k]) - Dyadic(wall.from[k]);
+        const Dyadic across = Dyadic(wall.to[1 - k]) - Dyadic(wall.from[1 - k]);
+        const Dyadic seen = Dyadic(body.x[k]) - Dyadic(wall.from[k]);
+        foot += along * seen;
+        height += (k == 0 ? 1 : -1) * across * seen;
+        length += along * along;
+    }
+    return foot.sign() > 0 && (length - foot).sign() > 0 &&
+           (height * height - length * reach).sign() < 0;
+}
+template <int D>
+void check_obstacles(const Body<D>& body, const Effects<D>& effects, std::int64_t number) {
+    std::size_t wall = 2 * D;
+    for (const Obstacle<D>& obstacle : effects.obstacles) {
+        if (std::visit([&](const auto& each) { return is_within(body, each); }, obstacle))
+            throw BallError(
+                number, "a ball that overlaps wall " + std::to_string(wall) + "; it may touch it");
+        ++wall;
+    }
+}
+
+/// Exactly, but for where a box that shakes is at the start.
 template <int D>
 void check_walls(const Body<D>& body, const Effects<D>& effects, std::int64_t number) {
     for (int k = 0; k < D; ++k) {
         const Dyadic x(body.x[k]);
-        const Dyadic low(effects.box->low[k]);
-        const Dyadic high(effects.box->high[k]);
+        const Dyadic shift(
+            effects.shake ? effects.shake->amplitude[k] * std::sin(effects.shake->phase) : 0.0);
+        const Dyadic low = Dyadic(effects.box->low[k]) + shift;
+        const Dyadic high = Dyadic(effects.box->high[k]) + shift;
         const Dyadic radius(body.radius);
         if (effects.periodic) {
             if ((x - low).sign() < 0 || (high - x).sign() < 0)
@@ -119,10 +271,14 @@ State<D> start(std::span<const Body<D>> bodies, const Effects<D>& effects) {
         const auto number = static_cast<std::int64_t>(i);
         check(bodies[i], number);
         if (effects.box) check_walls(bodies[i], effects, number);
+        check_obstacles(bodies[i], effects, number);
         state.balls.push_back({bodies[i].x, bodies[i].v, bodies[i].radius, 0.0});
         state.masses.push_back(bodies[i].mass);
     }
     state.in_place.resize(bodies.size());
+    if (effects.friction)
+        for (const Body<D>& body : bodies) state.spins.push_back(body.spin);
+    if (effects.contact_duration > 0.0) state.last_strikes.assign(bodies.size(), -infinity);
     const World<D> world({state.balls.begin(), state.balls.end()}, effects, 0.0);
     const Grid<D> levels(world, Structure::levels);
     for (Slot i = 0; i < world.balls.size(); ++i) {
@@ -143,6 +299,18 @@ void check(const State<D>& state, const Effects<D>& effects) {
     const std::size_t balls = state.balls.size();
     if (state.masses.size() != balls || state.in_place.size() != balls)
         throw std::invalid_argument("a state whose balls and masses differ in number");
+    if (state.spins.size() != (effects.friction ? balls : 0) ||
+        state.last_strikes.size() != (effects.contact_duration > 0.0 ? balls : 0))
+        throw std::invalid_argument(
+            "a state that does not have what its effects need of each ball");
+    for (const StandingContact<D>& contact : state.contacts) {
+        const bool is_wall = contact.b < 0;
+        if (!effects.contacts || contact.a < 0 || contact.a >= static_cast<std::int64_t>(balls) ||
+            contact.b >= static_cast<std::int64_t>(balls) ||
+            (is_wall &&
+             -1 - contact.b >= static_cast<std::int64_t>(2 * D + effects.obstacles.size())))
+            throw std::invalid_argument("a state with contacts of balls or walls that it has not");
+    }
     if (!(state.time >= 0.0 && std::isfinite(state.time)))
         throw std::invalid_argument("a state's time: give 0 or more");
     for (std::size_t i = 0; i < balls; ++i) {

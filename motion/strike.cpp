@@ -8,6 +8,7 @@
 #include "../core/processor.hpp"
 #include "../exact/surd.hpp"
 #include "apart.hpp"
+#include "in_place.hpp"
 
 namespace signum::motion {
 namespace {
@@ -143,6 +144,14 @@ constexpr double underflow = 0x1p-1060;
 
 constexpr double untold = std::numeric_limits<double>::quiet_NaN();
 
+/// Off by at most 2^-98 of itself.
+[[gnu::always_inline]] inline DoubleDouble root_of(DoubleDouble square) noexcept {
+    const double first = std::sqrt(square.high);
+    const TwoTerms root =
+        two_sum(first, (square - first * DoubleDouble{first, 0.0}).high / (2.0 * first));
+    return {root.high, root.low};
+}
+
 /// The velocities after a strike, or `untold` components.
 template <int D>
 struct After {
@@ -161,9 +170,14 @@ struct After {
 template <int D>
 [[gnu::always_inline]] inline After<D> refined_strike(const Ball<D>& a, const Ball<D>& b,
                                                       const Image<D>& image, double mass_a,
-                                                      double mass_b,
+                                                      double mass_b, const Law& law,
                                                       const Effects<D>& effects) noexcept {
-    const RefinedSeparation<D> d(a, b, image, effects);
+    RefinedSeparation<D> d(a, b, image, effects);
+    if (law.growth != 0.0) {
+        const DoubleDouble grown = law.growth * root_of(d.square);
+        d.product = d.product - grown;
+        d.size += grown.high;
+    }
     After<D> after;
     after.approach = -d.product.high;
     after.square = d.square.high;
@@ -178,7 +192,7 @@ template <int D>
     after.measured = true;
     const DoubleDouble ratio = quotient(d.product, d.square);
     if (!(std::fabs(ratio.high) > 0x1p-800 && after.square > 0x1p-800)) return after;
-    const Shares share = shares(mass_a, mass_b, effects.restitution);
+    const Shares share = shares(mass_a, mass_b, law.restitution);
     // Elastic, and equal masses.
     const bool is_one = share.of_a.high == 1.0 && share.of_a.low == 0.0;
     const double shifted = std::fabs(ratio.high) * 0x1p-97 * d.shift;
@@ -218,26 +232,38 @@ template <int D>
 template <int D>
 [[gnu::cold, gnu::noinline]] bool strike_exactly(After<D>& after, const Ball<D>& a,
                                                  const Ball<D>& b, const Image<D>& image,
-                                                 double mass_a, double mass_b,
+                                                 double mass_a, double mass_b, const Law& law,
                                                  const Effects<D>& effects) {
     const ExactSeparation<D> d(a, b, image, effects);
+    const Dyadic growth(law.growth);
     if (!after.measured) {
-        after.approach = std::fabs(rounded(to_rational(d.product)));
         after.square = rounded(to_rational(d.square));
+        after.approach =
+            std::fabs(rounded(to_rational(d.product)) - law.growth * std::sqrt(after.square));
     }
-    if (d.product.sign() >= 0) return false;
+    // V·D >= ρ √(D·D), both sides not below 0.
+    if (d.product.sign() >= 0 && (d.product * d.product - growth * growth * d.square).sign() >= 0)
+        return false;
     const Dyadic denominator = d.square * (Dyadic(mass_a) + Dyadic(mass_b));
-    const Dyadic step = (Dyadic(1.0) + Dyadic(effects.restitution)) * d.product;
-    const auto fill = [&](double& velocity, double v, const Dyadic& change) {
+    const Dyadic bounce = Dyadic(1.0) + Dyadic(law.restitution);
+    const auto fill = [&](double& velocity, double v, const Dyadic& share) {
         if (!std::isnan(velocity)) return;
-        const Dyadic numerator = Dyadic(v) * denominator + change;
+        const Dyadic numerator = Dyadic(v) * denominator + share * d.product;
+        if (growth.sign() != 0) {
+            velocity =
+                exact::round_surd(Rational(to_rational(numerator) / to_rational(denominator)),
+                                  Rational(-to_rational(share * growth) / to_rational(denominator)),
+                                  to_rational(d.square)) +
+                0.0;
+            return;
+        }
         velocity = numerator.sign() == 0
                        ? 0.0
                        : rounded(Rational(to_rational(numerator) / to_rational(denominator)));
     };
     for (int i = 0; i < D; ++i) {
-        fill(after.of_a[i], a.v[i], -(step * d.x[i] * Dyadic(mass_b)));
-        fill(after.of_b[i], b.v[i], step * d.x[i] * Dyadic(mass_a));
+        fill(after.of_a[i], a.v[i], -(bounce * d.x[i] * Dyadic(mass_b)));
+        fill(after.of_b[i], b.v[i], bounce * d.x[i] * Dyadic(mass_a));
     }
     return true;
 }
@@ -349,9 +375,9 @@ Ball<D> arrived(const Ball<D>& ball, double t, const Effects<D>& effects, Strike
 
 template <int D>
 Exchange strike(Ball<D>& a, Ball<D>& b, const Image<D>& image, double mass_a, double mass_b,
-                const Effects<D>& effects, StrikeTally& tally) {
+                const Law& law, const Effects<D>& effects, StrikeTally& tally) {
     After<D> after = as_wide_as_possible([&]() __attribute__((always_inline)) {
-        return refined_strike(a, b, image, mass_a, mass_b, effects);
+        return refined_strike(a, b, image, mass_a, mass_b, law, effects);
     });
     const Exchange nothing{false, 0.0, after.square, 0.0};
     if (after.recedes) return nothing;
@@ -359,29 +385,27 @@ Exchange strike(Ball<D>& a, Ball<D>& b, const Image<D>& image, double mass_a, do
         ++tally.refined;
     } else {
         ++tally.exact;
-        if (!strike_exactly(after, a, b, image, mass_a, mass_b, effects)) return nothing;
+        if (!strike_exactly(after, a, b, image, mass_a, mass_b, law, effects)) return nothing;
     }
     const bool changed_a = change(a, after.of_a);
     const bool changed_b = change(b, after.of_b);
-    const double mass = mass_a * (mass_b / (mass_a + mass_b)) * (1.0 + effects.restitution);
+    const double mass = mass_a * (mass_b / (mass_a + mass_b)) * (1.0 + law.restitution);
     return {changed_a || changed_b, after.approach, after.square, mass * after.approach};
 }
 
 template <int D>
 double impulse(const Ball<D>& a, const Ball<D>& b, const Image<D>& image, double mass_a,
-               double mass_b, const Effects<D>& effects, StrikeTally& tally) {
+               double mass_b, const Law& law, const Effects<D>& effects, StrikeTally& tally) {
     const RefinedSeparation<D> d(a, b, image, effects);
-    const DoubleDouble product = d.product;
     const DoubleDouble square = d.square;
-    double relative = 0x1p-98 * d.size / std::fabs(product.high);
+    const DoubleDouble root = root_of(square);
+    const DoubleDouble grown = law.growth * root;
+    const DoubleDouble product = d.product - grown;
+    double relative = 0x1p-98 * (d.size + grown.high) / std::fabs(product.high);
     if (d.shift > 0.0) relative += 0x1p-96 * d.shift / std::sqrt(square.high);
     if (relative < 0x1p-60 && std::fabs(product.high) > 0x1p-800 && square.high > 0x1p-800) {
-        const double first = std::sqrt(square.high);
-        const TwoTerms root =
-            two_sum(first, (square - first * DoubleDouble{first, 0.0}).high / (2.0 * first));
-        const Shares share = shares(mass_a, mass_b, effects.restitution);
-        const DoubleDouble momentum =
-            mass_a * (share.of_a * quotient(product, {root.high, root.low}));
+        const Shares share = shares(mass_a, mass_b, law.restitution);
+        const DoubleDouble momentum = mass_a * (share.of_a * quotient(product, root));
         double nearest = 0.0;
         if (rounds(momentum, (0x1p-92 + relative) * std::fabs(momentum.high) + underflow, nearest))
             return std::fabs(nearest);
@@ -389,30 +413,13 @@ double impulse(const Ball<D>& a, const Ball<D>& b, const Image<D>& image, double
     ++tally.exact;
     const ExactSeparation<D> exact_d(a, b, image, effects);
     const Rational exact_square = to_rational(exact_d.square);
-    const Rational factor = bounce(effects.restitution) * abs(to_rational(exact_d.product)) *
-                            to_rational(mass_a) * to_rational(mass_b) /
-                            ((to_rational(mass_a) + to_rational(mass_b)) * exact_square);
-    if (factor.is_zero()) return 0.0;
-    return exact::round_surd(Rational(0), factor, exact_square);
+    const Rational mass = bounce(law.restitution) * to_rational(mass_a) * to_rational(mass_b) /
+                          (to_rational(mass_a) + to_rational(mass_b));
+    const Rational factor = mass * to_rational(-exact_d.product) / exact_square;
+    const Rational of_growth = mass * to_rational(law.growth);
+    if (factor.is_zero() && of_growth.is_zero()) return 0.0;
+    return std::fabs(exact::round_surd(of_growth, factor, exact_square));
 }
-
-namespace {
-
-template <int D>
-double size_of(const Ball<D>& ball) noexcept {
-    double size = ball.radius;
-    for (const double x : ball.x) size = std::max(size, std::fabs(x));
-    return size;
-}
-template <int D>
-bool in_place(const Ball<D>& ball, double before, const Rational& approach,
-              const Rational& square) {
-    const Rational flown = approach * (to_rational(ball.time) - to_rational(before));
-    const Rational size = to_rational(size_of(ball)) / (Integer(1) << 40);
-    return flown * flown <= size * size * square;
-}
-
-}  // namespace
 
 template <int D>
 InPlace stayed_in_place(const Ball<D>& ball, double since, double approach,
@@ -438,34 +445,34 @@ bool stayed_in_place_exactly(const Ball<D>& ball, Wall wall, double before) {
 }
 
 template <int D>
-bool strike(Ball<D>& ball, Wall wall, const Effects<D>& effects) {
+bool strike(Ball<D>& ball, Wall wall, const Law& law) {
     double& v = ball.v[wall / 2];
     const double inwards = wall % 2 != 0 ? -v : v;
     if (inwards >= 0.0) return false;
-    const double after = 0.0 - effects.wall_restitution * v;
+    const double after = 0.0 - law.restitution * v;
     if (after == v) return false;
     v = after;
     return true;
 }
 
 template <int D>
-double impulse(const Ball<D>& ball, Wall wall, double mass, const Effects<D>& effects) {
+double impulse(const Ball<D>& ball, Wall wall, double mass, const Law& law) {
     const double v = std::fabs(ball.v[wall / 2]);
-    return rounded(bounce(effects.wall_restitution) * to_rational(mass) * to_rational(v));
+    return rounded(bounce(law.restitution) * to_rational(mass) * to_rational(v));
 }
 
-#define SIGNUM_STRIKES_OF(D)                                                                 \
-    template Ball<D> arrived(const Ball<D>&, double, const Effects<D>&, StrikeTally&);       \
-    template Exchange strike(Ball<D>&, Ball<D>&, const Image<D>&, double, double,            \
-                             const Effects<D>&, StrikeTally&);                               \
-    template double impulse(const Ball<D>&, const Ball<D>&, const Image<D>&, double, double, \
-                            const Effects<D>&, StrikeTally&);                                \
-    template InPlace stayed_in_place(const Ball<D>&, double, double, double) noexcept;       \
-    template bool stayed_in_place_exactly(const Ball<D>&, const Ball<D>&, const Image<D>&,   \
-                                          const Effects<D>&, double);                        \
-    template bool stayed_in_place_exactly(const Ball<D>&, Wall, double);                     \
-    template bool strike(Ball<D>&, Wall, const Effects<D>&);                                 \
-    template double impulse(const Ball<D>&, Wall, double, const Effects<D>&);
+#define SIGNUM_STRIKES_OF(D)                                                                  \
+    template Ball<D> arrived(const Ball<D>&, double, const Effects<D>&, StrikeTally&);        \
+    template Exchange strike(Ball<D>&, Ball<D>&, const Image<D>&, double, double, const Law&, \
+                             const Effects<D>&, StrikeTally&);                                \
+    template double impulse(const Ball<D>&, const Ball<D>&, const Image<D>&, double, double,  \
+                            const Law&, const Effects<D>&, StrikeTally&);                     \
+    template InPlace stayed_in_place(const Ball<D>&, double, double, double) noexcept;        \
+    template bool stayed_in_place_exactly(const Ball<D>&, const Ball<D>&, const Image<D>&,    \
+                                          const Effects<D>&, double);                         \
+    template bool stayed_in_place_exactly(const Ball<D>&, Wall, double);                      \
+    template bool strike(Ball<D>&, Wall, const Law&);                                         \
+    template double impulse(const Ball<D>&, Wall, double, const Law&);
 SIGNUM_STRIKES_OF(2)
 SIGNUM_STRIKES_OF(3)
 #undef SIGNUM_STRIKES_OF

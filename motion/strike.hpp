@@ -6,11 +6,12 @@
 /// back into the box). Of these doubles, with V = v_a - v_b, D = x_a - x_b, the law without
 /// friction
 ///
-///     v_a' = v_a - (1+e) m_b/(m_a+m_b) (V·D / D·D) D,     v_b' = v_b + (1+e) m_a/(m_a+m_b) (V·D /
-///     D·D) D
+///     v_a' = v_a - (1+e) m_b/(m_a+m_b) c D,     v_b' = v_b + (1+e) m_a/(m_a+m_b) c D,
+///     c = V·D / D·D - ρ / √(D·D),     ρ the rate at which the sum of the radii grows,
 ///
 /// is exact, and each component of the new velocities the double nearest to it; halves to even, a
-/// zero is +0. Against a wall only the normal component changes, to -e v rounded once.
+/// zero is +0. Against a side of the box at rest only the normal component changes, to -e v rounded
+/// once; other walls are those of wall_strike.hpp.
 ///
 /// It is no strike, and changes nothing, where the two do not approach at the rounded time or where
 /// no component of a velocity would change.
@@ -30,13 +31,19 @@ template <int D>
 [[nodiscard]] Ball<D> arrived(const Ball<D>& ball, double t, const Effects<D>& effects,
                               StrikeTally& tally);
 
+/// What a strike goes by.
+struct Law {
+    double restitution = 1.0;
+    double growth = 0.0;  ///< ρ
+};
+
 /// What two balls exchange.
 struct Exchange {
     bool struck = false;
-    /// |V·D|, where they strike, and D·D; off by less than a part in 2^40.
+    /// |V·D - ρ √(D·D)|, where they strike, and D·D; off by less than a part in 2^40.
     double approach = 0.0;
     double square = 0.0;
-    /// (1+e) μ |V·D|, which is the impulse times the distance; rounded somehow.
+    /// (1+e) μ times that, which is the impulse times the distance; rounded somehow.
     double virial = 0.0;
 };
 
@@ -58,20 +65,20 @@ template <int D>
 /// Changes the velocities of two balls at the same time, or says that it is no strike.
 template <int D>
 [[nodiscard]] Exchange strike(Ball<D>& a, Ball<D>& b, const Image<D>& image, double mass_a,
-                              double mass_b, const Effects<D>& effects, StrikeTally& tally);
+                              double mass_b, const Law& law, const Effects<D>& effects,
+                              StrikeTally& tally);
 
-/// The momentum that strike() exchanges: (1+e) μ |V·D| / |D|, the nearest double. Of the balls
-/// before the strike.
+/// The momentum that strike() exchanges: (1+e) μ (|V·D| / |D| + ρ), the nearest double. Of the
+/// balls before the strike.
 template <int D>
 [[nodiscard]] double impulse(const Ball<D>& a, const Ball<D>& b, const Image<D>& image,
-                             double mass_a, double mass_b, const Effects<D>& effects,
-                             StrikeTally& tally);
+                             double mass_a, double mass_b, const Law& law,
+                             const Effects<D>& effects, StrikeTally& tally);
 
-/// The same of a ball and a side of the box.
+/// The same of a ball and a side of the box at rest; radii that grow are for wall_strike.hpp.
 template <int D>
-[[nodiscard]] bool strike(Ball<D>& ball, Wall wall, const Effects<D>& effects);
+[[nodiscard]] bool strike(Ball<D>& ball, Wall wall, const Law& law);
 template <int D>
-[[nodiscard]] double impulse(const Ball<D>& ball, Wall wall, double mass,
-                             const Effects<D>& effects);
+[[nodiscard]] double impulse(const Ball<D>& ball, Wall wall, double mass, const Law& law);
 
 }  // namespace signum::motion

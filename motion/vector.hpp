@@ -31,6 +31,26 @@ template <int D>
     return sum;
 }
 
+/// An angular velocity, in radians per unit of time: one number in the plane, counterclockwise.
+template <int D>
+using Spin = PerAxis<double, D == 2 ? 1 : 3>;
+
+/// spin × arm.
+[[nodiscard]] inline Vector<2> turned(const Spin<2>& spin, const Vector<2>& arm) noexcept {
+    return {{-spin[0] * arm[1], spin[0] * arm[0]}};
+}
+[[nodiscard]] inline Vector<3> turned(const Spin<3>& spin, const Vector<3>& arm) noexcept {
+    return {{spin[1] * arm[2] - spin[2] * arm[1], spin[2] * arm[0] - spin[0] * arm[2],
+             spin[0] * arm[1] - spin[1] * arm[0]}};
+}
+/// arm × push: the torque.
+[[nodiscard]] inline Spin<2> torque(const Vector<2>& arm, const Vector<2>& push) noexcept {
+    return {{arm[0] * push[1] - arm[1] * push[0]}};
+}
+[[nodiscard]] inline Spin<3> torque(const Vector<3>& arm, const Vector<3>& push) noexcept {
+    return {turned(arm, push)};
+}
+
 /// An axis-parallel box: low < high in each coordinate.
 template <int D>
 struct Box {

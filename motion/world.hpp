@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -29,8 +30,18 @@ struct World {
           effects(effects_then),
           start(start_then),
           falls(effects.gravity != Vector<D>{}),
-          pull(std::sqrt(dot(effects.gravity, effects.gravity))) {
+          pull(std::sqrt(dot(effects.gravity, effects.gravity))),
+          region(effects.box) {
+        if (effects.growth)
+            swelling = (1.0 + effects.growth->rate * effects.growth->until) * (1.0 + 0x1p-40);
         if (!effects.box) return;
+        if (effects.shake) {
+            for (int k = 0; k < D; ++k) {
+                const double reach = std::fabs(effects.shake->amplitude[k]);
+                region->low[k] -= reach;
+                region->high[k] += reach;
+            }
+        }
         for (int k = 0; k < D; ++k) {
             length[k] = effects.box->high[k] - effects.box->low[k];
             inverse_length[k] = 1.0 / length[k];
@@ -45,6 +56,10 @@ struct World {
     /// Whether there is gravity, and how much.
     bool falls;
     double pull;
+    /// In which centres stay: the box, as far as it shakes.
+    std::optional<Box<D>> region;
+    /// By how much radii grow at most, as a factor.
+    double swelling = 1.0;
     /// Of the box, rounded.
     Vector<D> length{};
     Vector<D> inverse_length{};
@@ -52,6 +67,8 @@ struct World {
     /// there are no images.
     double far = infinity;
 
+    /// The largest that it becomes.
+    [[nodiscard]] double radius(Slot i) const noexcept { return balls[i].radius * swelling; }
     /// The centre at a time, rounded.
     [[nodiscard]] Vector<D> centre(Slot i, double now) const noexcept {
         const Ball<D>& ball = balls[i];

@@ -64,7 +64,7 @@ class Grid {
         for (Slot i = 0; i < cell_.size(); ++i) {
             int level = 0;
             while (level + 1 < number &&
-                   std::ldexp(finest, level) < width_for(world.balls[i].radius, spread))
+                   std::ldexp(finest, level) < width_for(world.radius(i), spread))
                 ++level;
             level_[i] = static_cast<std::uint8_t>(level);
             cell_[i] = grids_[level_[i]].cell_of(world.centre(i, world.start));

@@ -98,7 +98,7 @@ class Lists {
     void sketch(double, Sketch<D>& sketch) const {
         for (Slot i = 0; i < centres_.size(); ++i) {
             sketch.rounds.push_back(
-                {static_cast<std::int32_t>(i), centres_[i].place, world_.balls[i].radius + slack_});
+                {static_cast<std::int32_t>(i), centres_[i].place, world_.radius(i) + slack_});
             for (const Slot j : lists_[i])
                 if (i < j)
                     sketch.links.emplace_back(static_cast<std::int32_t>(i),
@@ -140,7 +140,7 @@ class Lists {
     }
 
     [[nodiscard]] double radius_of_shell(Slot i) const noexcept {
-        return (world_.balls[i].radius + slack_ + margin_) * (1.0 + 0x1p-20);
+        return (world_.radius(i) + slack_ + margin_) * (1.0 + 0x1p-20);
     }
     [[nodiscard]] std::uint32_t list_of(const Cell<D>& cell) const noexcept {
         return hashed_ ? hash_of(cell, shells_.size()) : grid_.place(cell);

@@ -130,7 +130,7 @@ class Segments {
     [[nodiscard]] double place(End end, int k, double now) const noexcept {
         const Ball<D>& ball = world_.balls[ball_of(end)];
         const double x = coordinate(ball, k, now, world_.effects);
-        const double reach = ball.radius + margin_;
+        const double reach = world_.radius(ball_of(end)) + margin_;
         return is_upper(end) ? x + reach : x - reach;
     }
     [[nodiscard]] double speed(End end, int k, double now) const noexcept {

@@ -39,13 +39,15 @@ struct Question {
     double now = 3.0;
 };
 
+enum class Flight { straight, falling, growing };
+
 template <int D>
 class Questions {
  public:
     explicit Questions(std::uint64_t seed) : random_(seed) {}
     [[nodiscard]] Random& random() noexcept { return random_; }
 
-    Question<D> next(Kind kind, Space space, bool falls, std::size_t crowd) {
+    Question<D> next(Kind kind, Space space, Flight flight, std::size_t crowd) {
         Question<D> question;
         if (random_.below(2) == 0)  // late, so that a tick of the clock is long
             question.now =
@@ -57,13 +59,21 @@ class Questions {
             effects.box->high.fill(half_side);
             effects.periodic = space == Space::periodic;
         }
-        if (falls)
+        if (flight == Flight::falling || (flight == Flight::growing && random_.below(2) == 0))
             for (double& g : effects.gravity)
                 g = kind == Kind::small_integers ? random_.below(3) - 1
                                                  : number(kind == Kind::old ? 0x1p-24 : 1.0);
         const Ball<D> asker = asking(kind);
         question.balls.push_back(asker);
         for (std::size_t k = 0; k < crowd; ++k) question.balls.push_back(partner(kind, asker));
+        if (flight == Flight::growing) {
+            // So fast that they double, or hardly at all.
+            effects.growth = {(random_.unit() + 0x1p-20) / (1.0 + question.now), 0.0};
+            if (random_.below(2) == 0) effects.growth->rate *= std::ldexp(1.0, -random_.below(60));
+            effects.growth->until = 2.0 * question.now + 1.0;
+            const double factor = 1.0 + effects.growth->rate * question.now;
+            for (Ball<D>& ball : question.balls) ball.radius /= factor;
+        }
         const bool ages = random_.below(4) > 0;
         for (Ball<D>& ball : question.balls) {
             const bool is_young = !ages || (kind == Kind::old && &ball == &question.balls[0]);
@@ -86,6 +96,10 @@ class Questions {
         }
         multiply(question.now, time);
         for (double& g : question.effects.gravity) multiply(g, speed - time);
+        if (question.effects.growth) {
+            multiply(question.effects.growth->rate, -time);
+            multiply(question.effects.growth->until, time);
+        }
         if (question.effects.box) {
             for (double& x : question.effects.box->low) multiply(x, length);
             for (double& x : question.effects.box->high) multiply(x, length);
@@ -228,18 +242,15 @@ bool has_clear_image(const Vector<D>& a, const Vector<D>& b, const Effects<D>& e
     return true;
 }
 
-template <int D, bool Falls>
-using Filter = MeetingFilter<D, Falls, Kernel::exact>;
-
-template <int D, bool Falls>
-Filter<D, Falls> filter_of(const Question<D>& question) {
-    Filter<D, Falls> filter(question.effects);
+template <int D>
+MeetingFilter<D> filter_of(const Question<D>& question) {
+    MeetingFilter<D> filter(question.effects, Kernel::exact);
     for (const Ball<D>& ball : question.balls) filter.include(ball);
     return filter;
 }
 
-template <int D, bool Falls>
-void ask_for_crowd(const Question<D>& question, Filter<D, Falls>& filter, Told& told) {
+template <int D>
+void ask_for_crowd(const Question<D>& question, MeetingFilter<D>& filter, Told& told) {
     const Effects<D>& effects = question.effects;
     const std::vector<Ball<D>>& balls = question.balls;
     const double now = question.now;
@@ -265,8 +276,8 @@ void ask_for_crowd(const Question<D>& question, Filter<D, Falls>& filter, Told& 
     }
 }
 
-template <int D, bool Falls>
-void ask_for_walls(const Question<D>& question, Filter<D, Falls>& filter, Told& told) {
+template <int D>
+void ask_for_walls(const Question<D>& question, MeetingFilter<D>& filter, Told& told) {
     const Effects<D>& effects = question.effects;
     const double now = question.now;
     for (const Ball<D>& ball : question.balls) {
@@ -289,32 +300,32 @@ struct ToldOfBoth {
     Told walls;
 };
 
-template <int D, bool Falls>
+template <int D>
 void ask(const Question<D>& question, ToldOfBoth& told) {
-    Filter<D, Falls> filter = filter_of<D, Falls>(question);
+    MeetingFilter<D> filter = filter_of(question);
     ask_for_crowd(question, filter, told.crowd);
     if (question.effects.box && !question.effects.periodic && !testing::Test::HasFatalFailure())
         ask_for_walls(question, filter, told.walls);
 }
 
-template <class D, class Falls>
+template <int D, Flight its_flight>
 struct World {
-    static constexpr int dimension = D::value;
-    static constexpr bool falls = Falls::value;
+    static constexpr int dimension = D;
+    static constexpr Flight flight = its_flight;
 };
-template <int D>
-using Dimension = std::integral_constant<int, D>;
 
 template <class World>
 class MeetingFilterOf : public testing::Test {};
-using Worlds =
-    testing::Types<World<Dimension<2>, std::false_type>, World<Dimension<2>, std::true_type>,
-                   World<Dimension<3>, std::false_type>, World<Dimension<3>, std::true_type>>;
+using Worlds = testing::Types<World<2, Flight::straight>, World<2, Flight::falling>,
+                              World<2, Flight::growing>, World<3, Flight::straight>,
+                              World<3, Flight::falling>, World<3, Flight::growing>>;
 struct NameOfWorld {
     template <class World>
     static std::string GetName(int /*number*/) {
         return std::string(World::dimension == 2 ? "Plane" : "Space") +
-               (World::falls ? "WithGravity" : "");
+               (World::flight == Flight::falling   ? "WithGravity"
+                : World::flight == Flight::growing ? "WithGrowth"
+                                                   : "");
     }
 };
 TYPED_TEST_SUITE(MeetingFilterOf, Worlds, NameOfWorld);
@@ -327,9 +338,9 @@ TYPED_TEST(MeetingFilterOf, GenericBallsTellsNearlyAlways) {
         for (int i = 0; i < 60; ++i) {
             SCOPED_TRACE("case " + std::to_string(i));
             Question<D> question =
-                questions.next(Kind::generic, space, TypeParam::falls, Crowd::capacity);
+                questions.next(Kind::generic, space, TypeParam::flight, Crowd::capacity);
             if (i % 2 != 0) questions.scale(question);
-            ask<D, TypeParam::falls>(question, told);
+            ask<D>(question, told);
             if (this->HasFatalFailure()) return;
         }
         for (const Told& each : {told.crowd, told.walls}) {
@@ -356,9 +367,9 @@ TYPED_TEST(MeetingFilterOf, HostileBallsIsRightWhereItTells) {
                 SCOPED_TRACE("kind " + std::to_string(static_cast<int>(kind)) + ", space " +
                              std::to_string(static_cast<int>(space)) + ", case " +
                              std::to_string(i));
-                Question<D> question = questions.next(kind, space, TypeParam::falls, 32);
+                Question<D> question = questions.next(kind, space, TypeParam::flight, 32);
                 if (i % 2 != 0) questions.scale(question);
-                ask<D, TypeParam::falls>(question, told);
+                ask<D>(question, told);
                 if (this->HasFatalFailure()) return;
             }
         }
@@ -378,8 +389,8 @@ TYPED_TEST(MeetingFilterOf, CrowdsOfEverySizeTellsWhatItTellsOfOne) {
         SCOPED_TRACE("size " + std::to_string(size));
         const Question<D> question = questions.next(size % 2 != 0 ? Kind::generic : Kind::grazing,
                                                     size % 3 != 0 ? Space::open : Space::periodic,
-                                                    TypeParam::falls, Crowd::capacity);
-        Filter<D, TypeParam::falls> filter = filter_of<D, TypeParam::falls>(question);
+                                                    TypeParam::flight, Crowd::capacity);
+        MeetingFilter<D> filter = filter_of(question);
         const auto asker = filter.asker(question.balls[0], question.now);
         Crowd crowd;
         for (std::size_t k = 0; k < size; ++k)
@@ -406,7 +417,7 @@ TEST(MeetingStages, ThatTheFilterLeavesOpen) {
     a.radius = b.radius = 0.5;
     a.v = {1.0, 0.0};
     const auto told = [&] {
-        MeetingFilter<2, false, Kernel::exact> filter(effects);
+        MeetingFilter<2> filter(effects, Kernel::exact);
         for (const Ball<2>& ball : balls) filter.include(ball);
         Crowd crowd;
         crowd.push(1);

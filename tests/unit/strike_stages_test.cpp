@@ -126,7 +126,8 @@ struct Struck {
 Struck struck(Struck balls, double restitution = 1.0, double mass_b = 1.0) {
     Effects<2> effects;
     effects.restitution = restitution;
-    balls.exchange = strike(balls.a, balls.b, Image<2>{}, 1.0, mass_b, effects, balls.told);
+    balls.exchange = strike(balls.a, balls.b, Image<2>{}, 1.0, mass_b, {effects.restitution},
+                            effects, balls.told);
     return balls;
 }
 Ball<2> ball(const Vector<2>& x, const Vector<2>& v) {
@@ -215,7 +216,9 @@ TEST(StrikeStages, AnImpulseHalfwayIsExact) {
     const Effects<2> effects;
     const auto told = [&](const Struck& balls, double expected) {
         StrikeTally stages;
-        EXPECT_EQ(impulse(balls.a, balls.b, Image<2>{}, 1.0, 1.0, effects, stages), expected);
+        EXPECT_EQ(
+            impulse(balls.a, balls.b, Image<2>{}, 1.0, 1.0, {effects.restitution}, effects, stages),
+            expected);
         EXPECT_EQ(stages.refined, 0U);  // these are not counted
         return stages.exact;
     };
@@ -307,9 +310,12 @@ void expect_refined_nearly_always(std::uint64_t seed) {
         const double mass_b = i % 5 == 0 ? mass_a : 1.0 + random.unit();
         const Image<D> image = nearest_image(balls[0].x, balls[1].x, effects);
         const Law<D> law(balls[0], balls[1], image, mass_a, mass_b, effects);
-        EXPECT_TRUE(is_nearest_root(
-            impulse(balls[0], balls[1], image, mass_a, mass_b, effects, impulses), law.impulse));
-        if (!strike(balls[0], balls[1], image, mass_a, mass_b, effects, strikes).struck) {
+        EXPECT_TRUE(is_nearest_root(impulse(balls[0], balls[1], image, mass_a, mass_b,
+                                            {effects.restitution}, effects, impulses),
+                                    law.impulse));
+        if (!strike(balls[0], balls[1], image, mass_a, mass_b, {effects.restitution}, effects,
+                    strikes)
+                 .struck) {
             ++receding;
             continue;
         }

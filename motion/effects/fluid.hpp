@@ -1,0 +1,38 @@
+#pragma once
+/// Forces by kicks: what velocities become while balls stand still.
+///
+/// A step of time h is half a kick, a flight of h and half a kick (Strang 1968): the error of
+/// places and velocities after a given time goes as h². Kicks of gravity, of linear and of
+/// quadratic drag are each a formula, in the order g/2, linear/2, quadratic, linear/2, g/2, so that
+/// drag never turns a velocity round, however long the step. Doubles, each operation rounded once;
+/// exponentials are those of MPFR.
+
+#include <vector>
+
+#include "../ball.hpp"
+
+namespace signum::motion {
+
+/// Kicks of one length of time.
+template <int D>
+class Kicks {
+ public:
+    /// `time` may be negative: then what a kick of -time did is undone.
+    Kicks(const Effects<D>& effects, double time);
+
+    /// The velocity at a place after one.
+    [[nodiscard]] Vector<D> kicked(const Vector<D>& x, const Vector<D>& v, double radius,
+                                   double mass);
+
+ private:
+    /// exp(-rate · time / 2), which is that of the last rate that was asked for.
+    [[nodiscard]] double decay(double rate);
+
+    Vector<D> gravity_;
+    std::optional<Fluid<D>> fluid_;
+    double time_;
+    double rate_ = 0.0;
+    double decay_ = 1.0;
+};
+
+}  // namespace signum::motion

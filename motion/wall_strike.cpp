@@ -1,0 +1,176 @@
+#include "wall_strike.hpp"
+
+#include <cmath>
+
+#include "../exact/surd.hpp"
+#include "in_place.hpp"
+
+namespace signum::motion {
+namespace {
+
+using exact::Dyadic;
+using exact::Rational;
+using exact::to_rational;
+
+Dyadic product(const PerAxis<Dyadic, 2>& a, const PerAxis<Dyadic, 2>& b) {
+    return a[0] * b[0] + a[1] * b[1];
+}
+Dyadic product(const PerAxis<Dyadic, 3>& a, const PerAxis<Dyadic, 3>& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+template <int D>
+PerAxis<Dyadic, D> exact(const Vector<D>& v) {
+    PerAxis<Dyadic, D> result;
+    for (int k = 0; k < D; ++k) result[k] = Dyadic(v[k]);
+    return result;
+}
+template <int D>
+PerAxis<Dyadic, D> difference(const PerAxis<Dyadic, D>& a, const PerAxis<Dyadic, D>& b) {
+    PerAxis<Dyadic, D> result;
+    for (int k = 0; k < D; ++k) result[k] = a[k] - b[k];
+    return result;
+}
+
+/// w - n·v, n·n and q: how they approach is (w - n·v) / √(n·n) + q.
+template <int D>
+struct Closing {
+    Rational speed;
+    Rational square;
+    Rational growth;
+
+    Closing(const Ball<D>& ball, const Facing<D>& wall, double rate)
+        : speed(to_rational(wall.speed - product(wall.normal, exact<D>(ball.v)))),
+          square(to_rational(product(wall.normal, wall.normal))),
+          growth(to_rational(rate)) {}
+
+    /// Of the speed at which they approach, times a positive number.
+    [[nodiscard]] int sign() const {
+        // Of x + q √c by the squares where the two differ in sign.
+        const int of_speed = speed.sign();
+        const int of_growth = growth.sign();
+        if (of_speed == of_growth || of_growth == 0) return of_speed;
+        if (of_speed == 0) return of_growth;
+        const Rational rest = speed * speed - growth * growth * square;
+        return rest.sign() * of_speed;
+    }
+    /// a times the approach speed.
+    [[nodiscard]] double rounded(const Rational& a) const {
+        return exact::round_surd(Rational(a * growth), Rational(a * speed / square), square) + 0.0;
+    }
+};
+
+}  // namespace
+
+template <int D>
+Facing<D> facing(const Ball<D>& ball, const ShakingWall& wall) {
+    Facing<D> result;
+    const bool is_upper = wall.wall % 2 != 0;
+    const double u = speed_at(wall, ball.time);
+    result.normal[wall.wall / 2] = Dyadic(is_upper ? -1.0 : 1.0);
+    result.speed = Dyadic(is_upper ? -u : u);
+    return result;
+}
+
+template <int D>
+Facing<D> facing_side(Wall wall) {
+    Facing<D> result;
+    result.normal[wall / 2] = Dyadic(wall % 2 != 0 ? -1.0 : 1.0);
+    return result;
+}
+
+template <int D>
+Vector<D> unit_normal(const Facing<D>& wall) {
+    Vector<D> n;
+    for (int k = 0; k < D; ++k) n[k] = exact::round_to_double(to_rational(wall.normal[k]));
+    const double size = std::sqrt(dot(n, n));
+    for (double& each : n) each /= size;
+    return n;
+}
+
+template <int D>
+Facing<D> facing(const Ball<D>&, const HalfSpace<D>& wall) {
+    return {exact<D>(wall.normal), Dyadic(wall.speed)};
+}
+
+template <int D>
+Facing<D> facing(const Ball<D>& ball, const Sphere<D>& wall) {
+    const PerAxis<Dyadic, D> u = exact<D>(wall.velocity);
+    PerAxis<Dyadic, D> centre = exact<D>(wall.centre);
+    for (int k = 0; k < D; ++k) centre[k] += u[k] * Dyadic(ball.time);
+    const PerAxis<Dyadic, D> x = exact<D>(ball.x);
+    const bool is_outside = wall.side == Sphere<D>::Side::outside;
+    Facing<D> result;
+    result.normal = is_outside ? difference<D>(x, centre) : difference<D>(centre, x);
+    result.speed = product(result.normal, u);
+    return result;
+}
+
+Facing<2> facing(const Ball<2>& ball, const Segment& wall) {
+    const PerAxis<Dyadic, 2> from = exact<2>(wall.from);
+    const PerAxis<Dyadic, 2> along = difference<2>(exact<2>(wall.to), from);
+    const PerAxis<Dyadic, 2> seen = difference<2>(exact<2>(ball.x), from);
+    const Dyadic foot = product(seen, along);
+    const Dyadic rest = product(along, along) - foot;
+    if (foot.sign() < 0) return {seen, Dyadic()};
+    if (rest.sign() < 0) return {difference<2>(seen, along), Dyadic()};
+    PerAxis<Dyadic, 2> normal{{-along[1], along[0]}};
+    const int side = product(normal, seen).sign();
+    const int away = product(normal, exact<2>(ball.v)).sign();
+    if (side < 0 || (side == 0 && away > 0)) normal = {{along[1], -along[0]}};
+    return {normal, Dyadic()};
+}
+
+template <int D>
+double approach_of(const Ball<D>& ball, const Facing<D>& wall, double growth) {
+    const Closing<D> closing(ball, wall, growth);
+    return closing.square.is_zero() ? 0.0 : closing.rounded(Rational(1));
+}
+
+template <int D>
+WallExchange strike(Ball<D>& ball, const Facing<D>& wall, double mass, double restitution,
+                    double growth) {
+    const Closing<D> closing(ball, wall, growth);
+    WallExchange exchange;
+    exchange.square = exact::round_to_double(closing.square);
+    if (closing.square.is_zero() || closing.sign() <= 0) return exchange;
+    const Rational bounce = 1 + to_rational(restitution);
+    exchange.approach = closing.rounded(Rational(1)) * std::sqrt(exchange.square);
+    for (int k = 0; k < D; ++k) {
+        const Rational step = bounce * to_rational(wall.normal[k]);
+        const double after =
+            exact::round_surd(
+                Rational(to_rational(ball.v[k]) + step * closing.speed / closing.square),
+                Rational(step * closing.growth / closing.square), closing.square) +
+            0.0;
+        exchange.struck |= after != ball.v[k];
+        ball.v[k] = after;
+    }
+    exchange.impulse = closing.rounded(Rational(bounce * to_rational(mass)));
+    return exchange;
+}
+
+template <int D>
+bool stayed_in_place_exactly(const Ball<D>& ball, const Facing<D>& wall, double growth,
+                             double before) {
+    const Closing<D> closing(ball, wall, growth);
+    if (growth != 0.0) {
+        const double speed = closing.rounded(Rational(1));
+        return in_place(ball, before, to_rational(speed), Rational(1));
+    }
+    return in_place(ball, before, closing.speed, closing.square);
+}
+
+#define SIGNUM_WALL_STRIKES_OF(D)                                                     \
+    template Facing<D> facing(const Ball<D>&, const ShakingWall&);                    \
+    template Facing<D> facing(const Ball<D>&, const HalfSpace<D>&);                   \
+    template Facing<D> facing(const Ball<D>&, const Sphere<D>&);                      \
+    template Facing<D> facing_side(Wall);                                             \
+    template Vector<D> unit_normal(const Facing<D>&);                                 \
+    template double approach_of(const Ball<D>&, const Facing<D>&, double);            \
+    template WallExchange strike(Ball<D>&, const Facing<D>&, double, double, double); \
+    template bool stayed_in_place_exactly(const Ball<D>&, const Facing<D>&, double, double);
+SIGNUM_WALL_STRIKES_OF(2)
+SIGNUM_WALL_STRIKES_OF(3)
+#undef SIGNUM_WALL_STRIKES_OF
+
+}  // namespace signum::motion

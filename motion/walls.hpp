@@ -1,0 +1,55 @@
+#pragma once
+/// The walls that the inner loop does not know: sides of a box that shakes, and obstacles. For
+/// sources only.
+///
+/// Each has three stages, as pairs have (meeting.hpp). The first one, in doubles with a bound, goes
+/// along the gap F from now on in steps that cannot pass its first root: with a bound B of -F'' in
+/// the step, F(t + h) >= F + F' h - B h²/2. Where F > 0 is next to 0 and surely falls, the root is
+/// enclosed; where that does not come about in some steps, it is unknown.
+
+#include <variant>
+#include <vector>
+
+#include "meeting.hpp"
+#include "shaking_wall.hpp"
+#include "wall_strike.hpp"
+
+namespace signum::motion {
+
+template <int D>
+class Walls {
+ public:
+    Walls(const Effects<D>& effects, Kernel kernel);
+
+    using Asker = typename MeetingFilter<D>::Asker;
+
+    /// Their numbers, in order.
+    [[nodiscard]] const std::vector<Wall>& numbers() const noexcept { return numbers_; }
+    [[nodiscard]] bool has(Wall wall) const noexcept { return wall_of(wall) != nullptr; }
+
+    /// When a ball meets a wall, as far as it does so by a time: later ones may be told as later
+    /// than that, whenever they are.
+    [[nodiscard]] Meeting meeting(Wall wall, const Asker& asker, double latest) const;
+    /// The one double.
+    [[nodiscard]] double exact_meeting(const Ball<D>& ball, Wall wall) const;
+    /// The same, of a ball that meets it at some time near `about`; NaN where it is not told.
+    [[nodiscard]] double refined_meeting(const Ball<D>& ball, Wall wall, double about) const;
+    [[nodiscard]] Facing<D> facing(const Ball<D>& ball, Wall wall) const;
+    /// The velocity of any wall, a side at rest included: such a one moves along itself where the
+    /// box shakes. Rounded; of a half space that along its normal.
+    [[nodiscard]] Vector<D> velocity(Wall wall, double t) const;
+
+ private:
+    template <class... Kinds>
+    static std::variant<ShakingWall, Kinds...> with_shaking(const std::variant<Kinds...>&);
+    using Surface = decltype(with_shaking(Obstacle<D>()));
+
+    [[nodiscard]] const Surface* wall_of(Wall wall) const noexcept;
+
+    const Effects<D>& effects_;
+    Kernel kernel_;
+    std::vector<Wall> numbers_;
+    std::vector<Surface> surfaces_;
+};
+
+}  // namespace signum::motion
