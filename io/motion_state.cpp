@@ -1,6 +1,7 @@
 #include "motion_state.hpp"
 
 #include <initializer_list>
+#include <limits>
 #include <ostream>
 #include <type_traits>
 #include <utility>
@@ -218,6 +219,28 @@ void read_effects_of_state(const json& file, motion::Effects<D>& effects) {
     });
 }
 
+/// What effects keep of balls; check() says whether it is what they need.
+template <int D>
+void read_rest_of_state(const json& file, motion::State<D>& state) {
+    const json none = json::array();
+    for (const json& spin : file.value("spins", none)) {
+        motion::Spin<D> result;
+        if (spin.size() != static_cast<std::size_t>(result.end() - result.begin()))
+            throw json::other_error::create(501, "length", nullptr);
+        std::size_t k = 0;
+        for (double& each : result) each = spin.at(k++).get<double>();
+        state.spins.push_back(result);
+    }
+    for (const json& time : file.value("last_strikes", none))
+        state.last_strikes.push_back(time.is_null() ? -std::numeric_limits<double>::infinity()
+                                                    : time.get<double>());
+    for (const json& contact : file.value("standing", none))
+        state.contacts.push_back({contact.at(0).get<std::int32_t>(),
+                                  contact.at(1).get<std::int32_t>(), contact.at(2).get<double>(),
+                                  vector_of<D>(contact.at(3))});
+    state.half_steps = file.value("half_steps", std::uint64_t{0});
+}
+
 }  // namespace
 
 template <int D>
@@ -250,6 +273,28 @@ void write_motion_state(std::ostream& out, const MotionState<D>& state) {
     text.put_array("passed", balls_state.passed, [&](const motion::Passed& passed) {
         text.put(FMT_COMPILE("[{}, {}, {}]"), passed.a, passed.b, passed.time);
     });
+    if (!balls_state.spins.empty()) {
+        text.put_array("spins", balls_state.spins, [&](const motion::Spin<D>& spin) {
+            text.put("[");
+            for (const double& each : spin)
+                text.put(FMT_COMPILE("{}{}"), &each == spin.begin() ? "" : ", ", each);
+            text.put("]");
+        });
+    }
+    // Who has never struck has null: JSON has no infinity.
+    if (!balls_state.last_strikes.empty())
+        text.put_array("last_strikes", balls_state.last_strikes,
+                       [&](double time) { text.put(number_or_null(time)); });
+    if (!balls_state.contacts.empty()) {
+        text.put_array(
+            "standing", balls_state.contacts, [&](const motion::StandingContact<D>& contact) {
+                text.put(FMT_COMPILE("[{}, {}, {}, "), contact.a, contact.b, contact.push);
+                put_vector<D>(text, contact.rub);
+                text.put("]");
+            });
+    }
+    if (balls_state.half_steps != 0)
+        text.put(FMT_COMPILE(",\n\"half_steps\": {}"), balls_state.half_steps);
     text.put("}\n");
     text.flush();
 }
@@ -293,6 +338,7 @@ MotionState<D> read_motion_state(const std::string& path) {
                 throw InputError(path, "a state of a simulation that names a ball it has not");
             state.passed.push_back(each);
         }
+        read_rest_of_state(file, state);
     } catch (const json::exception&) {
         throw InputError(path,
                          "a state of a simulation with something missing or out of place; give a "

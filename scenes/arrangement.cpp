@@ -356,7 +356,7 @@ std::vector<Vector<D>> place_by_growth(const Region<D>& region, std::span<const 
     std::vector<Body<D>> bodies;
     Normal normal(seed + 1);
     for (std::size_t i = 0; i < small.size(); ++i) {
-        Body<D> body{centres[i], {}, small[i], 1.0};
+        Body<D> body{centres[i], {}, small[i], 1.0, {}};
         for (int k = 0; k < D; ++k) body.v[k] = mean * normal();
         bodies.push_back(body);
     }

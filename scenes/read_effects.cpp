@@ -156,7 +156,9 @@ motion::Friction read_friction(const Section& friction) {
                                {number, {-1.0, 1.0, false, "a number from -1 to 1"}})
             .value_or(0.0);
     result.inertia =
-        friction.optional_quantity("inertia", {number, above_0}).value_or(D == 2 ? 0.5 : 0.4);
+        friction
+            .optional_quantity("inertia", {number, {0.0, 1.0, true, "a number above 0, at most 1"}})
+            .value_or(D == 2 ? 0.5 : 0.4);
     return result;
 }
 
@@ -169,7 +171,9 @@ motion::SpeedLaw read_speed_law(const Section& law, const Section& effects, doub
     motion::SpeedLaw result;
     result.speed =
         law.quantity("speed", {speed, above_0}, "give the speed at which restitution is as given");
-    result.power = law.optional_quantity("power", {number, above_0}).value_or(result.power);
+    result.power =
+        law.optional_quantity("power", {number, {0.0, 8.0, true, "a number above 0, at most 8"}})
+            .value_or(result.power);
     return result;
 }
 
@@ -253,7 +257,11 @@ template <int D>
 motion::Effects<D> read_effects(const Section& file) {
     motion::Effects<D> result;
     read_box_of_scene<D>(file, result);
-    for (const Section& wall : file.sections("wall")) add_wall<D>(wall, result.obstacles);
+    for (const Section& wall : file.sections("wall")) {
+        if (result.periodic)
+            wall.fail("a periodic box has no walls beside; leave the wall out, or periodic");
+        add_wall<D>(wall, result.obstacles);
+    }
     if (const auto run = file.optional_section("run"))
         result.time_step = run->optional_quantity("time_step", {time, above_0}).value_or(0.0);
     const auto effects = file.optional_section("effects");

@@ -129,15 +129,17 @@ class Groups {
         for (const toml::node& node : rows_of(group)) {
             const toml::array* const row = node.as_array();
             constexpr std::size_t least = 2 * D + 1;
-            if (row == nullptr || row->size() < least || row->size() > least + 1)
+            constexpr std::size_t most = least + 1 + (D == 2 ? 1 : 3);
+            const std::size_t size = row == nullptr ? 0 : row->size();
+            if (size != least && size != least + 1 && size != most)
                 group.document().fail(
                     node.source(),
-                    fmt::format(
-                        "list: {}, and a ball in {}; write {}",
-                        row == nullptr ? std::string(kind_of(node))
-                                       : fmt::format("{} entries", row->size()),
-                        D == 2 ? "the plane has 5 or 6" : "space has 7 or 8",
-                        D == 2 ? "[x, y, r, vx, vy, mass]" : "[x, y, z, r, vx, vy, vz, mass]"));
+                    fmt::format("list: {}, and a ball in {}; write {}",
+                                row == nullptr ? std::string(kind_of(node))
+                                               : fmt::format("{} entries", size),
+                                D == 2 ? "the plane has 5, 6 or 7" : "space has 7, 8 or 11",
+                                D == 2 ? "[x, y, r, vx, vy, mass, spin]"
+                                       : "[x, y, z, r, vx, vy, vz, mass, sx, sy, sz]"));
             const auto number = [&](std::size_t i, const Quantity& quantity) {
                 return read_quantity(group.document(), (*row)[i], "list", quantity);
             };
@@ -154,6 +156,14 @@ class Groups {
                                       "entry, the last");
             body.mass = row->size() > least ? number(least, {mass, above_0})
                                             : density * mass_of_radius(body.radius, D);
+            for (std::size_t i = least + 1; i < row->size(); ++i) {
+                double& spin = body.spin[static_cast<int>(i - least) - 1];
+                spin = number(i, {angular_speed});
+                if (spin != 0.0 && !effects_.friction)
+                    group.document().fail((*row)[i].source(),
+                                          "list: a spin, and nothing that would heed it; add "
+                                          "[effects.friction], or leave the spin out");
+            }
             begin_at(group.document().place_of(node.source()));
             result_.bodies.push_back(body);
         }
@@ -327,7 +337,7 @@ class Groups {
         const std::size_t first = result_.bodies.size();
         for (std::size_t i = 0; i < radii.size(); ++i)
             result_.bodies.push_back(
-                {centres[i], {}, radii[i], density * mass_of_radius(radii[i], D)});
+                {centres[i], {}, radii[i], density * mass_of_radius(radii[i], D), {}});
         set_velocities(group, std::span(result_.bodies).subspan(first));
     }
 
@@ -390,7 +400,8 @@ int dimension_of_list(const Section& group) {
     const toml::array* const row = rows[0].as_array();
     if (row == nullptr) return 0;
     if (row->size() == 5 || row->size() == 6) return 2;
-    return row->size() == 7 || row->size() == 8 ? 3 : 0;
+    // Seven may be either.
+    return row->size() == 8 || row->size() == 11 ? 3 : 0;
 }
 
 }  // namespace

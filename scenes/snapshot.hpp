@@ -12,13 +12,6 @@
 
 namespace signum {
 
-/// By how much radii have grown at a time.
-template <int D>
-[[nodiscard]] double growth_at(const motion::Effects<D>& effects, double time) {
-    if (!effects.growth) return 1.0;
-    return 1.0 + effects.growth->rate * std::clamp(time, 0.0, effects.growth->until);
-}
-
 /// A box where it is at a time, if it shakes.
 template <int D>
 [[nodiscard]] motion::Box<D> box_at(motion::Box<D> box, const motion::Effects<D>& effects,
@@ -40,7 +33,6 @@ class Snapshot {
         frame_.time = time;
         frame_.dimension = D;
         frame_.periodic = effects.periodic;
-        const double growth = growth_at(effects, time);
         balls_.reserve(state.balls.size());
         for (const motion::Ball<D>& ball : state.balls) {
             MotionFrame::Ball shown;
@@ -49,7 +41,7 @@ class Snapshot {
                     in_box(coordinate(ball, k, time, effects), k, effects);
                 shown.v[static_cast<std::size_t>(k)] = speed(ball, k, time, effects);
             }
-            shown.radius = ball.radius * growth;
+            shown.radius = radius_at(ball, time, effects);
             balls_.push_back(shown);
         }
         frame_.balls = balls_;

@@ -1,5 +1,6 @@
 /// A state comes back from its file as it was, with every effect.
 
+#include <limits>
 #include <sstream>
 #include <string>
 #include <variant>
@@ -77,6 +78,12 @@ MotionState<D> with_all_effects() {
     effects.fluid->quadratic = number();
     effects.contacts = motion::LastingContacts{number(), number(), 17};
     effects.time_step = number();
+    motion::Spin<D> spin;
+    for (double& each : spin) each = number();
+    state.state.spins = {spin};
+    state.state.last_strikes = {-std::numeric_limits<double>::infinity()};
+    state.state.contacts = {{0, -2, number(), vector()}};
+    state.state.half_steps = 41;
     return state;
 }
 
@@ -84,6 +91,10 @@ template <int D>
 void expect_same(const MotionState<D>& a, const MotionState<D>& b) {
     EXPECT_EQ(a.state.time, b.state.time);
     EXPECT_EQ(a.state.balls[0].v, b.state.balls[0].v);
+    EXPECT_EQ(a.state.spins, b.state.spins);
+    EXPECT_EQ(a.state.last_strikes, b.state.last_strikes);
+    EXPECT_EQ(a.state.contacts, b.state.contacts);
+    EXPECT_EQ(a.state.half_steps, b.state.half_steps);
     const motion::Effects<D>& e = a.effects;
     const motion::Effects<D>& f = b.effects;
     EXPECT_EQ(e.gravity, f.gravity);

@@ -73,8 +73,8 @@ TEST(WrongScenes, AnOptionIsNamed) {
     refused({"--set", "balls.list.1=[1, 1, 1, 0, 0]"},
             "--set balls.list.1=[1, 1, 1, 0, 0]: '1' is no entry of an array; they are 0 to 0");
     refused({"--set", "balls.list.0=[1, 1, 1, 0]"},
-            "--set balls.list.0=[1, 1, 1, 0]: list: 4 entries, and a ball in the plane has 5 or 6; "
-            "write [x, y, r, vx, vy, mass]");
+            "--set balls.list.0=[1, 1, 1, 0]: list: 4 entries, and a ball in the plane has 5, 6 or "
+            "7; write [x, y, r, vx, vy, mass, spin]");
     refused({"--gravity", "0", "0", "-1"},
             "--gravity 0 0 -1: gravity: 3 numbers, but the scene lies in the plane; give 2");
     refused({"--box", "0", "0", "8", "8", "9"},
