@@ -630,11 +630,23 @@ class Loop final : public Simulation<D>::Engine {
             });
         }
         if (!laws_.is_plain()) [[unlikely]] {
-            const double push = exchange.virial / std::sqrt(exchange.square);
-            if (laws_.has_friction())
-                slide<D>({a.v, laws_.spin(i), grown_radius(a), mass_a},
-                         {b.v, laws_.spin(j), grown_radius(b), mass_b}, facts.normal, facts.sliding,
-                         push, *world_.effects.friction);
+            if (laws_.has_friction()) {
+                // Sums and products of doubles depend on their order: it is that of the balls'
+                // numbers.
+                const double push = (1.0 + law.restitution) * facts.approach *
+                                    (mass_a * mass_b / (mass_a + mass_b));
+                Slider<D> first{a.v, laws_.spin(i), grown_radius(a), mass_a};
+                Slider<D> second{b.v, laws_.spin(j), grown_radius(b), mass_b};
+                if (particles_[i].number < particles_[j].number) {
+                    slide<D>(first, second, facts.normal, facts.sliding, push,
+                             *world_.effects.friction);
+                } else {
+                    for (double& each : facts.normal) each = -each;
+                    for (double& each : facts.sliding) each = -each;
+                    slide<D>(second, first, facts.normal, facts.sliding, push,
+                             *world_.effects.friction);
+                }
+            }
             laws_.struck(i, t);
             laws_.struck(j, t);
         }

@@ -287,8 +287,8 @@ double meeting_time(const GrowingBall<D>& ball, const HalfSpace<D>& wall,
 }
 
 /// The ends are circles of radius 0. Each side is met as a half space is, if the centre is on that
-/// side and its foot on the segment at the rounded time. A foot off by that rounding loses nothing:
-/// next to an end the circle is met as soon.
+/// side then (or, of a point, was so one double before), and its foot on the segment at the rounded
+/// time. A foot off by that rounding loses nothing: next to an end the circle is met as soon.
 ///
 /// Of each side one time is enough: a ball that already falls below it, beside the segment or
 /// behind it, does not come back to fall through it again, for the gap is a parabola.
@@ -309,7 +309,11 @@ double meeting_time(const GrowingBall<2>& ball, const Segment& wall, const Effec
             ball, {normal, normal[0] * from[0] + normal[1] * from[1], Dyadic()}, effects);
         if (!(t < first)) continue;
         const PerAxis<Dyadic, 2> seen = seen_at(t);
-        if (t == ball.time && side * cross(along, seen).sign() < 0) continue;
+        const auto is_behind = [&](const PerAxis<Dyadic, 2>& place) {
+            return side * cross(along, place).sign() < 0;
+        };
+        if (is_behind(seen) && (t == ball.time || is_behind(seen_at(std::nextafter(t, -infinity)))))
+            continue;
         const Dyadic foot = seen[0] * along[0] + seen[1] * along[1];
         if (foot.sign() >= 0 && (length - foot).sign() >= 0) first = t;
     }

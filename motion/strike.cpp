@@ -399,9 +399,14 @@ double impulse(const Ball<D>& a, const Ball<D>& b, const Image<D>& image, double
     const RefinedSeparation<D> d(a, b, image, effects);
     const DoubleDouble square = d.square;
     const DoubleDouble root = root_of(square);
-    const DoubleDouble grown = law.growth * root;
-    const DoubleDouble product = d.product - grown;
-    double relative = 0x1p-98 * (d.size + grown.high) / std::fabs(product.high);
+    DoubleDouble product = d.product;
+    double size = d.size;
+    if (law.growth != 0.0) [[unlikely]] {
+        const DoubleDouble grown = law.growth * root;
+        product = product - grown;
+        size += grown.high;
+    }
+    double relative = 0x1p-98 * size / std::fabs(product.high);
     if (d.shift > 0.0) relative += 0x1p-96 * d.shift / std::sqrt(square.high);
     if (relative < 0x1p-60 && std::fabs(product.high) > 0x1p-800 && square.high > 0x1p-800) {
         const Shares share = shares(mass_a, mass_b, law.restitution);
