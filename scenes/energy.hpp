@@ -4,6 +4,7 @@
 #include <ostream>
 
 #include "../io/text_writer.hpp"
+#include "../motion/effects/friction.hpp"
 #include "snapshot.hpp"
 
 namespace signum {
@@ -37,9 +38,7 @@ struct Energy {
     static double spin_of(const motion::State<D>& state, const motion::Effects<D>& effects,
                           std::size_t i, double radius) {
         if (!effects.friction) return 0.0;
-        double square = 0.0;
-        for (const double each : state.spins[i]) square += each * each;
-        return 0.5 * effects.friction->inertia * state.masses[i] * radius * radius * square;
+        return motion::energy_of<D>(state.spins[i], radius, state.masses[i], *effects.friction);
     }
 };
 
