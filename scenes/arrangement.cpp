@@ -314,8 +314,9 @@ std::vector<Vector<D>> place_on_lattice(const Region<D>& region, std::span<const
                 "arrangement = \"growth\", fewer balls, or a larger region",
                 radii.size()));
         }
-        std::vector<Vector<D>> points = points_of_lattice<D>(steps, region, largest);
-        std::erase_if(points, [&](const Vector<D>& x) { return !occupied.is_free(x, largest); });
+        std::vector<Vector<D>> points;
+        for (const Vector<D>& x : points_of_lattice<D>(steps, region, largest))
+            if (occupied.is_free(x, largest)) points.push_back(x);
         if (points.size() < radii.size()) continue;
         std::vector<Vector<D>> result;
         for (std::size_t i = 0; i < radii.size(); ++i)

@@ -147,12 +147,12 @@ class Explanation {
     }
 
     [[nodiscard]] std::vector<Row> rows_of_effects() const {
-        using namespace dimensions;
         const motion::Effects<D>& e = effects_;
         const bool loses = e.restitution < 1.0 || e.wall_restitution < 1.0;
         const bool has_walls = (e.box && !e.periodic) || !e.obstacles.empty();
         return {
-            {"gravity", e.gravity != motion::Vector<D>{}, vector(e.gravity, acceleration),
+            {"gravity", e.gravity != motion::Vector<D>{},
+             vector(e.gravity, dimensions::acceleration),
              e.time_step > 0.0 ? "acts once a step"
                                : "parabolas; all fall alike, so that two balls still meet on lines",
              "flights are straight lines; no term is added"},
@@ -162,14 +162,15 @@ class Explanation {
              "the law of a strike stays rational, and is rounded once",
              "strikes are elastic, and energy stays as it is"},
             {"speed_law", e.speed_law.has_value(),
-             e.speed_law ? fmt::format("that restitution at {}; 1 - e goes as speed^{}",
-                                       quantity(e.speed_law->speed, speed), e.speed_law->power)
-                         : "",
+             e.speed_law
+                 ? fmt::format("that restitution at {}; 1 - e goes as speed^{}",
+                               quantity(e.speed_law->speed, dimensions::speed), e.speed_law->power)
+                 : "",
              "a power a strike, in doubles in a fixed order",
              "restitution is the same at all speeds; slow strikes would lose less"},
             {"contact_duration", e.contact_duration > 0.0,
              fmt::format("elastic within {} of the last strike",
-                         quantity(e.contact_duration, time)),
+                         quantity(e.contact_duration, dimensions::time)),
              "the time of each ball's last strike",
              loses ? "a ball that comes to rest strikes ever faster, and that collapse ends the run"
                    : "where strikes are elastic nothing collapses"},
@@ -181,26 +182,28 @@ class Explanation {
              "a spin a ball; strikes exchange momentum along surfaces, too",
              "balls are smooth and have no spin; what slides would be slowed, and roll"},
             {"shake", e.shake.has_value(),
-             e.shake ? fmt::format("by {}, {}", vector(e.shake->amplitude, length),
-                                   quantity(e.shake->frequency, angular_speed))
+             e.shake ? fmt::format("by {}, {}", vector(e.shake->amplitude, dimensions::length),
+                                   quantity(e.shake->frequency, dimensions::angular_speed))
                      : "",
              "meetings with sides are roots of a sine, each told exactly",
              "the box stands still; meetings with its sides are roots of polynomials"},
             {"growth", e.growth.has_value(),
-             e.growth ? fmt::format("radii grow by {} until {}", quantity(e.growth->rate, rate),
-                                    quantity(e.growth->until, time))
+             e.growth ? fmt::format("radii grow by {} until {}",
+                                    quantity(e.growth->rate, dimensions::rate),
+                                    quantity(e.growth->until, dimensions::time))
                       : "",
              "a radius is a line in time; pairs still meet at roots of quadratics",
              "radii are as given"},
             {"fluid", e.fluid.has_value(),
              e.fluid ? fmt::format("flows by {}; linear {}, quadratic {}",
-                                   vector(e.fluid->velocity, speed), e.fluid->linear,
+                                   vector(e.fluid->velocity, dimensions::speed), e.fluid->linear,
                                    e.fluid->quadratic)
                      : "",
              "time steps: velocities change at each",
              "nothing drags; a flight has a formula and needs no steps"},
             {"contacts", e.contacts.has_value(),
-             e.contacts ? fmt::format("below {} after a strike", quantity(e.contacts->speed, speed))
+             e.contacts ? fmt::format("below {} after a strike",
+                                      quantity(e.contacts->speed, dimensions::speed))
                         : "",
              "time steps: at each the reactions of all who touch are solved for",
              "strikes are instants; nothing rests on anything"},

@@ -79,6 +79,21 @@ void draw_segment(Text out, const View& view, const motion::Segment& wall) {
                    view.y(wall.from[1]), view.x(wall.to[0]), view.y(wall.to[1]));
 }
 
+template <int D>
+void draw_walls(Text out, const View& view, const std::vector<motion::Obstacle<D>>& obstacles,
+                double time) {
+    for (const auto& obstacle : obstacles) {
+        std::visit(
+            [&]<class Wall>(const Wall& wall) {
+                if constexpr (std::is_same_v<Wall, motion::Segment>)
+                    draw_segment(out, view, wall);
+                else
+                    draw_wall(out, view, wall, time);
+            },
+            obstacle);
+    }
+}
+
 }  // namespace
 
 template <int D>
@@ -115,16 +130,7 @@ std::string frame_picture(const MotionFrame& frame, const motion::Effects<D>& ef
             view.x(frame.low[0]), view.y(frame.high[1]), view.length(frame.high[0] - frame.low[0]),
             view.length(frame.high[1] - frame.low[1]),
             frame.periodic ? " stroke-dasharray=\"6 4\"" : "");
-    for (const auto& obstacle : effects.obstacles) {
-        std::visit(
-            [&]<class Wall>(const Wall& wall) {
-                if constexpr (std::is_same_v<Wall, motion::Segment>)
-                    draw_segment(out, view, wall);
-                else
-                    draw_wall(out, view, wall, frame.time);
-            },
-            obstacle);
-    }
+    draw_walls<D>(out, view, effects.obstacles, frame.time);
     text += "</g>\n</svg>\n";
     return text;
 }

@@ -10,8 +10,6 @@
 namespace signum {
 namespace {
 
-using namespace dimensions;
-
 template <int D>
 const std::string_view example_of_vector = D == 2 ? "[0, 0]" : "[0, 0, 0]";
 
@@ -19,20 +17,20 @@ template <int D>
 motion::Shake<D> read_shake(const Section& shake) {
     motion::Shake<D> result;
     result.amplitude =
-        shake.vector<D>("amplitude", {length},
+        shake.vector<D>("amplitude", {dimensions::length},
                         "say how far the box goes along each axis, as in amplitude = [0, 5]");
     if (result.amplitude == motion::Vector<D>{})
         shake.fail_at("amplitude",
                       "all 0, and the box would stand still; give one that is not 0, "
                       "or leave [box.shake] out");
     result.frequency = shake.quantity("frequency",
-                                      {angular_speed,
+                                      {dimensions::angular_speed,
                                        {.least = 0.0,
                                         .is_open = true,
                                         .words = "a frequency above 0, as in "
                                                  "\"20 Hz\""}},
                                       "say how often, as in frequency = \"20 Hz\"");
-    result.phase = shake.optional_quantity("phase", {angle}).value_or(0.0);
+    result.phase = shake.optional_quantity("phase", {dimensions::angle}).value_or(0.0);
     return result;
 }
 
@@ -50,19 +48,19 @@ template <int D>
 motion::HalfSpace<D> read_half_space(const Section& wall) {
     refuse_others(wall, "half-space", {"normal", "offset", "point", "speed"});
     motion::HalfSpace<D> result;
-    result.normal = wall.vector<D>("normal", {number},
+    result.normal = wall.vector<D>("normal", {dimensions::number},
                                    "give the direction in which the balls are, as in [0, 1]");
     if (result.normal == motion::Vector<D>{})
         wall.fail_at("normal", "has no direction; give a vector that is not 0");
     if (wall.has("offset") && wall.has("point"))
         wall.fail_at("point", "says the same as offset; leave one of the two out");
-    if (const auto point = wall.optional_vector<D>("point", {length})) {
+    if (const auto point = wall.optional_vector<D>("point", {dimensions::length})) {
         result.offset = motion::dot<D>(result.normal, *point);
     } else {
-        result.offset = wall.quantity("offset", {length},
+        result.offset = wall.quantity("offset", {dimensions::length},
                                       "give the offset along the normal, or a point of the wall");
     }
-    result.speed = wall.optional_quantity("speed", {speed}).value_or(0.0);
+    result.speed = wall.optional_quantity("speed", {dimensions::speed}).value_or(0.0);
     return result;
 }
 
@@ -70,16 +68,17 @@ template <int D>
 motion::Sphere<D> read_sphere(const Section& wall, std::string_view kind) {
     refuse_others(wall, kind, {"centre", "radius", "side", "velocity"});
     motion::Sphere<D> result;
-    result.centre =
-        wall.vector<D>("centre", {length}, fmt::format("give it, as in {}", example_of_vector<D>));
-    result.radius = wall.quantity("radius", {length, above_0}, "give a length above 0");
+    result.centre = wall.vector<D>("centre", {dimensions::length},
+                                   fmt::format("give it, as in {}", example_of_vector<D>));
+    result.radius = wall.quantity("radius", {dimensions::length, above_0}, "give a length above 0");
     const std::array<std::string, 2> sides = {"inside", "outside"};
     const auto side = wall.optional_word("side", sides);
     if (!side)
         wall.fail("side is missing; say where the balls are: side = \"inside\" or \"outside\"");
     result.side =
         *side == "inside" ? motion::Sphere<D>::Side::inside : motion::Sphere<D>::Side::outside;
-    result.velocity = wall.optional_vector<D>("velocity", {speed}).value_or(motion::Vector<D>{});
+    result.velocity =
+        wall.optional_vector<D>("velocity", {dimensions::speed}).value_or(motion::Vector<D>{});
     return result;
 }
 
@@ -98,7 +97,7 @@ void add_polyline(const Section& wall, std::vector<motion::Obstacle<2>>& walls) 
                                            closed ? "a closed polyline" : "a polyline", least));
     std::vector<motion::Vector<2>> points;
     for (const toml::node& each : *array) {
-        const auto point = read_vector<2>(wall.document(), each, "points", {length});
+        const auto point = read_vector<2>(wall.document(), each, "points", {dimensions::length});
         if (!points.empty() && points.back() == point)
             wall.document().fail(each.source(),
                                  "points: a point that is the one before it; leave it out");
@@ -144,8 +143,9 @@ motion::Friction read_friction(const Section& friction) {
     if (!friction.has("coefficient") && !friction.has("wall_coefficient"))
         friction.fail("neither coefficient nor wall_coefficient; give one, or leave the table out");
     motion::Friction result;
-    const auto between = friction.optional_quantity("coefficient", {number, from_0});
-    const auto at_walls = friction.optional_quantity("wall_coefficient", {number, from_0});
+    const auto between = friction.optional_quantity("coefficient", {dimensions::number, from_0});
+    const auto at_walls =
+        friction.optional_quantity("wall_coefficient", {dimensions::number, from_0});
     result.coefficient = between.value_or(0.0);
     result.wall_coefficient = at_walls.value_or(result.coefficient);
     if (result.coefficient == 0.0 && result.wall_coefficient == 0.0)
@@ -153,11 +153,12 @@ motion::Friction read_friction(const Section& friction) {
     result.tangential_restitution =
         friction
             .optional_quantity("tangential_restitution",
-                               {number, {-1.0, 1.0, false, "a number from -1 to 1"}})
+                               {dimensions::number, {-1.0, 1.0, false, "a number from -1 to 1"}})
             .value_or(0.0);
     result.inertia =
         friction
-            .optional_quantity("inertia", {number, {0.0, 1.0, true, "a number above 0, at most 1"}})
+            .optional_quantity(
+                "inertia", {dimensions::number, {0.0, 1.0, true, "a number above 0, at most 1"}})
             .value_or(D == 2 ? 0.5 : 0.4);
     return result;
 }
@@ -169,18 +170,19 @@ motion::SpeedLaw read_speed_law(const Section& law, const Section& effects, doub
                         "with a restitution of 1 it would change nothing; give a "
                         "restitution below 1, which is that at speed_law.speed");
     motion::SpeedLaw result;
-    result.speed =
-        law.quantity("speed", {speed, above_0}, "give the speed at which restitution is as given");
-    result.power =
-        law.optional_quantity("power", {number, {0.0, 8.0, true, "a number above 0, at most 8"}})
-            .value_or(result.power);
+    result.speed = law.quantity("speed", {dimensions::speed, above_0},
+                                "give the speed at which restitution is as given");
+    result.power = law.optional_quantity("power", {dimensions::number,
+                                                   {0.0, 8.0, true, "a number above 0, at most 8"}})
+                       .value_or(result.power);
     return result;
 }
 
 template <int D>
 motion::Fluid<D> read_fluid(const Section& fluid) {
     motion::Fluid<D> result;
-    result.velocity = fluid.optional_vector<D>("velocity", {speed}).value_or(motion::Vector<D>{});
+    result.velocity =
+        fluid.optional_vector<D>("velocity", {dimensions::speed}).value_or(motion::Vector<D>{});
     if (const toml::node* const gradient = fluid.find("gradient")) {
         const toml::array* const rows = gradient->as_array();
         if (rows == nullptr || rows->size() != D)
@@ -190,8 +192,9 @@ motion::Fluid<D> read_fluid(const Section& fluid) {
                             "in {1}",
                             D, D == 2 ? "[[0, 1], [0, 0]]" : "[[0, 1, 0], [0, 0, 0], [0, 0, 0]]"));
         for (int k = 0; k < D; ++k)
-            result.gradient[k] = read_vector<D>(
-                fluid.document(), (*rows)[static_cast<std::size_t>(k)], "gradient", {rate});
+            result.gradient[k] =
+                read_vector<D>(fluid.document(), (*rows)[static_cast<std::size_t>(k)], "gradient",
+                               {dimensions::rate});
     }
     constexpr Dimension linear{.length = -1, .time = -1, .mass = 1};
     constexpr Dimension quadratic{.length = -D, .mass = 1};
@@ -206,10 +209,10 @@ motion::Fluid<D> read_fluid(const Section& fluid) {
 
 motion::LastingContacts read_contacts(const Section& contacts) {
     motion::LastingContacts result;
-    result.speed = contacts.quantity("speed", {speed, above_0},
+    result.speed = contacts.quantity("speed", {dimensions::speed, above_0},
                                      "give the speed below which balls stay in contact");
     result.tolerance = contacts
-                           .optional_quantity("tolerance", {number,
+                           .optional_quantity("tolerance", {dimensions::number,
                                                             {0.0, 1.0, true,
                                                              "a number above 0, at most "
                                                              "1"}})
@@ -243,8 +246,8 @@ motion::Box<D> read_box(const Section& section) {
         "give the lower corner and the upper one, as in low = "
         "{}",
         example_of_vector<D>);
-    box.low = section.vector<D>("low", {length}, advice);
-    box.high = section.vector<D>("high", {length}, advice);
+    box.low = section.vector<D>("low", {dimensions::length}, advice);
+    box.high = section.vector<D>("high", {dimensions::length}, advice);
     for (int k = 0; k < D; ++k)
         if (!(box.low[k] < box.high[k]))
             section.fail_at("high", fmt::format("{} along {} is not above low, {}; give the lower "
@@ -263,28 +266,30 @@ motion::Effects<D> read_effects(const Section& file) {
         add_wall<D>(wall, result.obstacles);
     }
     if (const auto run = file.optional_section("run"))
-        result.time_step = run->optional_quantity("time_step", {time, above_0}).value_or(0.0);
+        result.time_step =
+            run->optional_quantity("time_step", {dimensions::time, above_0}).value_or(0.0);
     const auto effects = file.optional_section("effects");
     if (!effects) return result;
-    result.gravity =
-        effects->optional_vector<D>("gravity", {acceleration}).value_or(motion::Vector<D>{});
+    result.gravity = effects->optional_vector<D>("gravity", {dimensions::acceleration})
+                         .value_or(motion::Vector<D>{});
     result.restitution =
-        effects->optional_quantity("restitution", {number, from_0_to_1}).value_or(1.0);
-    result.wall_restitution = effects->optional_quantity("wall_restitution", {number, from_0_to_1})
-                                  .value_or(result.restitution);
+        effects->optional_quantity("restitution", {dimensions::number, from_0_to_1}).value_or(1.0);
+    result.wall_restitution =
+        effects->optional_quantity("wall_restitution", {dimensions::number, from_0_to_1})
+            .value_or(result.restitution);
     result.contact_duration =
-        effects->optional_quantity("contact_duration", {time, from_0}).value_or(0.0);
+        effects->optional_quantity("contact_duration", {dimensions::time, from_0}).value_or(0.0);
     if (const auto law = effects->optional_section("speed_law"))
         result.speed_law =
             read_speed_law(*law, *effects, result.restitution, result.wall_restitution);
     if (const auto friction = effects->optional_section("friction"))
         result.friction = read_friction<D>(*friction);
     if (const auto growth = effects->optional_section("growth"))
-        result.growth = motion::Growth{
-            growth->quantity("rate", {rate, above_0},
-                             "give the share of its radius by which a "
-                             "ball grows in a unit of time"),
-            growth->quantity("until", {time, above_0}, "give the time at which radii stay")};
+        result.growth = motion::Growth{growth->quantity("rate", {dimensions::rate, above_0},
+                                                        "give the share of its radius by which a "
+                                                        "ball grows in a unit of time"),
+                                       growth->quantity("until", {dimensions::time, above_0},
+                                                        "give the time at which radii stay")};
     const auto needs_steps = [&](std::string_view key, std::string_view what) {
         if (result.time_step == 0.0)
             effects->fail_at(key, fmt::format("{} is computed in steps of time; add time_step to "

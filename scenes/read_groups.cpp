@@ -19,7 +19,6 @@
 namespace signum {
 namespace {
 
-using namespace dimensions;
 using motion::Body;
 using motion::Vector;
 
@@ -96,7 +95,7 @@ class Groups {
 
  private:
     void begin_at(ScenePlace place, bool is_made = false) {
-        result_.origins.push_back({result_.bodies.size(), std::move(place), is_made});
+        result_.origins.push_back({result_.bodies.size(), std::move(place), is_made, {}});
     }
 
     void read_file(const Section& group) {
@@ -112,8 +111,9 @@ class Groups {
                                       "dimension to both",
                                       path, file.dimension == 2 ? "the plane" : "space",
                                       D == 2 ? "the plane" : "space"));
+        begin_at({path, {}, ""});
         for (const BallLine& ball : file.balls) {
-            begin_at({path, ball.position, ""});
+            result_.origins.back().lines.push_back(ball.position);
             Body<D>& body = result_.bodies.emplace_back();
             std::copy_n(ball.x.begin(), D, body.x.begin());
             std::copy_n(ball.v.begin(), D, body.v.begin());
@@ -146,19 +146,19 @@ class Groups {
             Body<D> body;
             for (int k = 0; k < D; ++k) {
                 const auto axis = static_cast<std::size_t>(k);
-                body.x[k] = number(axis, {length});
-                body.v[k] = number(D + 1 + axis, {speed});
+                body.x[k] = number(axis, {dimensions::length});
+                body.v[k] = number(D + 1 + axis, {dimensions::speed});
             }
-            body.radius = number(D, {length, from_0});
+            body.radius = number(D, {dimensions::length, from_0});
             if (row->size() == least && body.radius == 0.0)
                 group.document().fail((*row)[D].source(),
                                       "list: a ball of radius 0 needs a mass; write it as one more "
                                       "entry, the last");
-            body.mass = row->size() > least ? number(least, {mass, above_0})
+            body.mass = row->size() > least ? number(least, {dimensions::mass, above_0})
                                             : density * mass_of_radius(body.radius, D);
             for (std::size_t i = least + 1; i < row->size(); ++i) {
                 double& spin = body.spin[static_cast<int>(i - least) - 1];
-                spin = number(i, {angular_speed});
+                spin = number(i, {dimensions::angular_speed});
                 if (spin != 0.0 && !effects_.friction)
                     group.document().fail((*row)[i].source(),
                                           "list: a spin, and nothing that would heed it; add "
@@ -262,14 +262,16 @@ class Groups {
                 if (range->size() != 2)
                     group.fail_at("radius", fmt::format("{} numbers; a range is [least, largest]",
                                                         range->size()));
-                from = read_quantity(group.document(), (*range)[0], "radius", {length, above_0});
-                to = read_quantity(group.document(), (*range)[1], "radius", {length, above_0});
+                from = read_quantity(group.document(), (*range)[0], "radius",
+                                     {dimensions::length, above_0});
+                to = read_quantity(group.document(), (*range)[1], "radius",
+                                   {dimensions::length, above_0});
                 if (from > to)
                     group.fail_at("radius", fmt::format("the range goes from {} down to {}; write "
                                                         "the least one first",
                                                         from, to));
             } else {
-                from = to = group.quantity("radius", {length, above_0}, "");
+                from = to = group.quantity("radius", {dimensions::length, above_0}, "");
             }
         }
         const std::array<std::string, 2> words = {"uniform", D == 2 ? "area" : "volume"};
@@ -342,8 +344,9 @@ class Groups {
     }
 
     void set_velocities(const Section& group, std::span<Body<D>> bodies) const {
-        const auto one_speed = group.optional_quantity("speed", {speed, from_0});
-        const auto temperature = group.optional_quantity("temperature", {energy, from_0});
+        const auto one_speed = group.optional_quantity("speed", {dimensions::speed, from_0});
+        const auto temperature =
+            group.optional_quantity("temperature", {dimensions::energy, from_0});
         if (one_speed && temperature)
             group.fail_at("temperature", "beside speed; give one of them");
         Normal normal(seed_for(group, 2));
@@ -410,6 +413,8 @@ template <int D>
 void BallsOfScene<D>::fail(std::size_t ball, std::string_view message) const {
     const auto after = std::ranges::upper_bound(origins, ball, {}, &Origin::first);
     const Origin& origin = *std::prev(after);
+    if (!origin.lines.empty())
+        throw InputError(origin.place.file, origin.lines[ball - origin.first], message);
     if (!origin.is_made) origin.place.fail(message);
     origin.place.fail(
         fmt::format("[balls]: ball {} of the group: {}", ball - origin.first, message));

@@ -17,6 +17,8 @@ struct BallsOfScene {
         std::size_t first = 0;  ///< this and all up to the next origin's
         ScenePlace place;
         bool is_made = false;  ///< by a group that tells their number
+        /// Of balls from a file where each is.
+        std::vector<Position> lines = {};
     };
     std::vector<motion::Body<D>> bodies;
     std::vector<Origin> origins;

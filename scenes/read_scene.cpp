@@ -16,13 +16,11 @@
 namespace signum {
 namespace {
 
-using namespace dimensions;
-
 void read_units(const Section& file, Document& document) {
     const auto units = file.optional_section("units");
     if (!units) return;
     constexpr std::array<std::pair<std::string_view, Dimension>, 3> each = {
-        {{"length", length}, {"time", time}, {"mass", mass}}};
+        {{"length", dimensions::length}, {"time", dimensions::time}, {"mass", dimensions::mass}}};
     Units result;
     for (const auto& [key, dimension] : each) {
         const std::string text = units->optional_text(key);
@@ -66,7 +64,7 @@ SceneRun read_run(const Section& file) {
     SceneRun result;
     const auto run = file.optional_section("run");
     if (run) {
-        result.until = run->optional_quantity("until", {time, from_0});
+        result.until = run->optional_quantity("until", {dimensions::time, from_0});
         result.events = run->optional_whole("events", 0, std::uint64_t{1} << 62);
         std::vector<std::string> structures;
         for (const motion::Structure each : motion::all_structures)
@@ -157,7 +155,7 @@ SceneRecord read_record(const Section& file, const SceneRun& run,
         if (!is_of_frames) continue;
         if (!run.until) record->fail_at(key, "frames need to know the end; add until to [run]");
     }
-    result.every = record->optional_quantity("every", {time, above_0});
+    result.every = record->optional_quantity("every", {dimensions::time, above_0});
     if (!result.every || !run.until) return result;
     constexpr double most_frames = 1e7;
     if (*run.until / *result.every > most_frames)

@@ -96,7 +96,7 @@ void reduce(Unit& unit) {
     unit.denominator /= common;
 }
 
-bool is_blank(char c) {
+bool separates_factors(char c) {
     return c == ' ' || c == '\t';
 }
 
@@ -113,7 +113,7 @@ std::variant<Unit, std::string> parse_unit(std::string_view text) {
     bool is_empty = true;
     std::size_t i = 0;
     while (i < text.size()) {
-        if (is_blank(text[i]) || text[i] == '*') {
+        if (separates_factors(text[i]) || text[i] == '*') {
             ++i;
             continue;
         }
@@ -222,7 +222,7 @@ std::size_t begin_of_unit(std::string_view quantity) {
             while (is_digit(i)) ++i;
         }
     }
-    while (i < quantity.size() && is_blank(quantity[i])) ++i;
+    while (i < quantity.size() && separates_factors(quantity[i])) ++i;
     return i;
 }
 

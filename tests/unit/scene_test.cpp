@@ -169,6 +169,30 @@ TEST_F(RightScene, OfAllKindsOfBalls) {
         EXPECT_NEAR(std::hypot(scene.start.balls[i].v[0], scene.start.balls[i].v[1]), 4.0, 1e-12);
 }
 
+TEST_F(RightScene, SpinIsTheLastEntryOfABall) {
+    const std::string friction = "[effects.friction]\ncoefficient = 0.5\n";
+    const Scene<2> plane =
+        read<2>(box + "[balls]\nlist = [[5, 5, 1, 1, 0, 2, \"-1 turn/s\"], [9, 9, 1, 0, 0]]\n" +
+                end + friction);
+    EXPECT_DOUBLE_EQ(plane.start.spins[0][0], -2.0 * std::numbers::pi);
+    EXPECT_EQ(plane.start.spins[1][0], 0.0);
+    const Scene<3> space =
+        read<3>("[balls]\nlist = [[0, 0, 0, 1, 0, 0, 0, 2, 3, 4, 5]]\n" + end + friction);
+    EXPECT_EQ(space.start.spins[0], (motion::Spin<3>{3, 4, 5}));
+    EXPECT_EQ(space.effects.friction->inertia, 0.4);
+}
+
+/// A ball that cannot be is named where it is said.
+TEST_F(RightScene, ABallIsNamedInItsFile) {
+    const std::string balls = scratch.file("some.csv", "x,y,r,vx,vy\n1,1,1,0,0\n2,1,1,0,0\n");
+    try {
+        static_cast<void>(read<2>(box + "[balls]\nfile = \"some.csv\"\n" + end));
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.what(), balls + ":3:1: a ball that overlaps ball 0; balls may touch");
+    }
+}
+
 TEST_F(RightScene, PackingTellsRadiiOrTheirNumber) {
     const auto filled = [](const Scene<2>& scene) {
         double sum = 0.0;
