@@ -20,6 +20,7 @@
 #include "../io/output_file.hpp"
 #include "../io/write_motion.hpp"
 #include "../motion/queries.hpp"
+#include "../scenes/drawn_walls.hpp"
 #include "../scenes/energy.hpp"
 #include "../scenes/frame_picture.hpp"
 #include "../scenes/pair_correlation.hpp"
@@ -71,12 +72,14 @@ class Recording {
                 std::make_unique<Pictures>(path_of(targets, "images"), path_of(targets, "video"));
         has_pairs_ = is_written(targets, "pair_correlation");
         halfway_ = start.state.time + 0.5 * (call.until.value_or(0.0) - start.state.time);
-        shown_ = effects_.box ? *effects_.box : around(start);
+        box_ = effects_.box ? *effects_.box : around(start);
+        shown_ = swept(box_, effects_);
+        walls_ = drawn_walls(effects_, shown_);
         if (is_written(targets, "svg")) {
-            std::vector<double> radii;
-            for (const motion::Ball<D>& ball : start.state.balls) radii.push_back(ball.radius);
-            movie_.emplace(std::move(radii), std::array{shown_.low[0], shown_.low[1]},
+            for (const motion::Ball<D>& ball : start.state.balls) radii_.push_back(ball.radius);
+            movie_.emplace(radii_, std::array{shown_.low[0], shown_.low[1]},
                            std::array{shown_.high[0], shown_.high[1]}, effects_.periodic);
+            for (const Movie::Wall& wall : walls_) movie_->add_wall(wall);
         }
         has_frames_ = cli::has_frames(targets);
     }
@@ -93,9 +96,9 @@ class Recording {
     void frame(const motion::State<D>& state, double time, const motion::Sketch<D>& sketch) {
         Snapshot<D> snapshot(state, effects_, time);
         MotionFrame& frame = snapshot.frame();
-        const motion::Box<D> shown = box_at(shown_, effects_, time);
-        std::ranges::copy(shown.low, frame.low.begin());
-        std::ranges::copy(shown.high, frame.high.begin());
+        const motion::Box<D> box = box_at(box_, effects_, time);
+        std::ranges::copy(box.low, frame.low.begin());
+        std::ranges::copy(box.high, frame.high.begin());
         for (Sink& sink : sinks_) {
             if (sink.format == "xyz") write_xyz(sink.stream(), frame);
             if (sink.energies) sink.energies->put(state, time);
@@ -105,7 +108,9 @@ class Recording {
             if (!pairs_) pairs_.emplace(frame);
             pairs_->add(frame);
         }
-        if (pictures_) pictures_->add(frame_picture(frame, effects_));
+        std::ranges::copy(shown_.low, frame.low.begin());
+        std::ranges::copy(shown_.high, frame.high.begin());
+        if (pictures_) pictures_->add(frame_picture(frame, walls_));
         if (!movie_) return;
         Movie::Shapes shapes = shapes_of(sketch);
         if constexpr (D == 2)
@@ -116,7 +121,7 @@ class Recording {
                 D == 3 ? (frame.high[2] - ball.x[2]) / (frame.high[2] - frame.low[2]) : 0.0;
             balls.push_back({ball.x[0], ball.x[1], depth});
         }
-        movie_->add(time, balls, shapes);
+        movie_->add(time, balls, shapes, growth_of(frame));
     }
     /// All files under their names.
     void publish(const MotionState<D>& end, const std::optional<motion::ClosestPairs>& closest) {
@@ -170,6 +175,12 @@ class Recording {
                                 effects_.periodic);
     }
 
+    /// By how much all radii have grown since the start.
+    [[nodiscard]] double growth_of(const MotionFrame& frame) const {
+        for (std::size_t i = 0; effects_.growth && i < radii_.size(); ++i)
+            if (radii_[i] > 0.0) return frame.balls[i].radius / radii_[i];
+        return 1.0;
+    }
     static std::string path_of(std::span<const Target> targets, std::string_view format) {
         const auto target = std::ranges::find(targets, format, &Target::format);
         return target == targets.end() ? std::string() : target->path;
@@ -194,11 +205,14 @@ class Recording {
     motion::Effects<D> effects_;
     motion::Structure structure_;
     std::string show_;
-    motion::Box<D> shown_;
+    motion::Box<D> box_;
+    motion::Box<D> shown_;  ///< by pictures
+    std::vector<Movie::Wall> walls_;
     std::vector<Sink> sinks_;
     std::unique_ptr<OutputFile> save_;
     std::unique_ptr<OutputFile> closest_;
     std::optional<Movie> movie_;
+    std::vector<double> radii_;
     std::unique_ptr<Pictures> pictures_;
     std::optional<PairCorrelation> pairs_;
     bool has_pairs_ = false;

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <iterator>
 #include <numeric>
-#include <type_traits>
-#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
@@ -48,59 +46,28 @@ class View {
     double scale_ = 1.0;
 };
 
-using Text = std::back_insert_iterator<std::string>;
-
-template <int D>
-void draw_wall(Text out, const View& view, const motion::HalfSpace<D>& wall, double time) {
-    // Of space only what stands upright on the page is a line there.
-    if constexpr (D == 3) {
-        if (wall.normal[2] != 0.0) return;
+void draw_wall(std::back_insert_iterator<std::string> out, const View& view,
+               const Movie::Wall& wall, double time) {
+    const auto [x, y] = wall.shift ? wall.shift(time) : std::array{0.0, 0.0};
+    if (wall.points.empty()) {
+        fmt::format_to(out, "<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.2f}\"/>\n",
+                       view.x(wall.centre[0] + x), view.y(wall.centre[1] + y),
+                       view.length(wall.radius));
+        return;
     }
-    const double a = wall.normal[0];
-    const double b = wall.normal[1];
-    const double square = a * a + b * b;
-    const double offset = (wall.offset + wall.speed * time) / square;
-    constexpr double far = 1e4;
-    const double x = view.x(offset * a);
-    const double y = view.y(offset * b);
-    const double dx = far * b / std::sqrt(square);
-    const double dy = far * a / std::sqrt(square);
-    fmt::format_to(out, "<path d=\"M{:.2f} {:.2f}L{:.2f} {:.2f}\"/>\n", x - dx, y - dy, x + dx,
-                   y + dy);
-}
-template <int D>
-void draw_wall(Text out, const View& view, const motion::Sphere<D>& wall, double time) {
-    fmt::format_to(out, "<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.2f}\"/>\n",
-                   view.x(wall.centre[0] + wall.velocity[0] * time),
-                   view.y(wall.centre[1] + wall.velocity[1] * time), view.length(wall.radius));
-}
-void draw_segment(Text out, const View& view, const motion::Segment& wall) {
-    fmt::format_to(out, "<path d=\"M{:.2f} {:.2f}L{:.2f} {:.2f}\"/>\n", view.x(wall.from[0]),
-                   view.y(wall.from[1]), view.x(wall.to[0]), view.y(wall.to[1]));
-}
-
-template <int D>
-void draw_walls(Text out, const View& view, const std::vector<motion::Obstacle<D>>& obstacles,
-                double time) {
-    for (const auto& obstacle : obstacles) {
-        std::visit(
-            [&]<class Wall>(const Wall& wall) {
-                if constexpr (std::is_same_v<Wall, motion::Segment>)
-                    draw_segment(out, view, wall);
-                else
-                    draw_wall(out, view, wall, time);
-            },
-            obstacle);
-    }
+    std::string path;
+    for (const auto& point : wall.points)
+        path += fmt::format("{}{:.2f} {:.2f}", path.empty() ? "M" : "L", view.x(point[0] + x),
+                            view.y(point[1] + y));
+    fmt::format_to(out, "<path d=\"{}\"/>\n", path);
 }
 
 }  // namespace
 
-template <int D>
-std::string frame_picture(const MotionFrame& frame, const motion::Effects<D>& effects) {
+std::string frame_picture(const MotionFrame& frame, std::span<const Movie::Wall> walls) {
     const View view(frame);
     std::string text;
-    const Text out = std::back_inserter(text);
+    const auto out = std::back_inserter(text);
     fmt::format_to(out,
                    "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" "
                    "viewBox=\"0 0 {0} {1}\">\n<rect width=\"{0}\" height=\"{1}\" fill=\"white\"/>\n"
@@ -108,34 +75,31 @@ std::string frame_picture(const MotionFrame& frame, const motion::Effects<D>& ef
                    view.width(), view.height());
     std::vector<std::size_t> order(frame.balls.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    if (D == 3)
+    if (frame.dimension == 3)
         std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
             return frame.balls[a].x[2] < frame.balls[b].x[2];
         });
     for (const std::size_t i : order) {
         const MotionFrame::Ball& ball = frame.balls[i];
         const double depth =
-            D == 3
+            frame.dimension == 3
                 ? std::clamp((frame.high[2] - ball.x[2]) / (frame.high[2] - frame.low[2]), 0.0, 1.0)
                 : 0.0;
-        fmt::format_to(out, "<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.2f}\" fill=\"{}\"{}/>\n",
-                       view.x(ball.x[0]), view.y(ball.x[1]), view.length(ball.radius),
-                       ball_colours[i % ball_colours.size()],
-                       D == 3 ? fmt::format(" opacity=\"{:.2f}\"", 1.0 - 0.6 * depth) : "");
+        fmt::format_to(
+            out, "<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.2f}\" fill=\"{}\"{}/>\n",
+            view.x(ball.x[0]), view.y(ball.x[1]), view.length(ball.radius),
+            ball_colours[i % ball_colours.size()],
+            frame.dimension == 3 ? fmt::format(" opacity=\"{:.2f}\"", 1.0 - 0.6 * depth) : "");
     }
     fmt::format_to(out, "</g>\n<g fill=\"none\" stroke=\"#444\" stroke-width=\"1.5\">\n");
-    if (effects.box)
-        fmt::format_to(
-            out, "<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\"{}/>\n",
-            view.x(frame.low[0]), view.y(frame.high[1]), view.length(frame.high[0] - frame.low[0]),
-            view.length(frame.high[1] - frame.low[1]),
-            frame.periodic ? " stroke-dasharray=\"6 4\"" : "");
-    draw_walls<D>(out, view, effects.obstacles, frame.time);
+    fmt::format_to(out, "<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\"{}/>\n",
+                   view.x(frame.low[0]), view.y(frame.high[1]),
+                   view.length(frame.high[0] - frame.low[0]),
+                   view.length(frame.high[1] - frame.low[1]),
+                   frame.periodic ? " stroke-dasharray=\"6 4\"" : "");
+    for (const Movie::Wall& wall : walls) draw_wall(out, view, wall, frame.time);
     text += "</g>\n</svg>\n";
     return text;
 }
-
-template std::string frame_picture(const MotionFrame&, const motion::Effects<2>&);
-template std::string frame_picture(const MotionFrame&, const motion::Effects<3>&);
 
 }  // namespace signum

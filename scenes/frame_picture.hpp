@@ -1,18 +1,18 @@
 #pragma once
-/// One frame as an SVG file: the balls, the box and the walls. In space it is seen along z, far
-/// balls first and paler.
+/// One frame as an SVG file: the balls and the walls. In space it is seen along z, far balls first
+/// and paler.
 
+#include <span>
 #include <string>
 
+#include "../draw/movie.hpp"
 #include "../io/write_motion.hpp"
-#include "../motion/effects.hpp"
 
 namespace signum {
 
-/// Its width and height in pixels are even, as videos want them, and at most 800. What the frame
-/// shows is its box. O(balls log balls).
-template <int D>
+/// Shows the frame's box. Its width and height in pixels are even, as videos want them, and at most
+/// 800. O(balls log balls).
 [[nodiscard]] std::string frame_picture(const MotionFrame& frame,
-                                        const motion::Effects<D>& effects);
+                                        std::span<const Movie::Wall> walls);
 
 }  // namespace signum

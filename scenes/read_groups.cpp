@@ -224,6 +224,17 @@ class Groups {
         return D == 2 ? radius * radius : radius * radius * radius;
     }
 
+    /// By Newton's steps from above: libraries round theirs differently, and radii are to be the
+    /// same on every machine.
+    static double cube_root(double x) {
+        double root = std::max(x, 1.0);
+        for (;;) {
+            const double next = root - (root - x / (root * root)) / 3.0;
+            if (!(next < root)) return root;
+            root = next;
+        }
+    }
+
     /// Radii in [from, to], one after the other.
     class Radii {
      public:
@@ -312,7 +323,7 @@ class Groups {
                           "radii");
         if (number && packing) {
             const double ratio = wanted / filled;
-            const double scale = D == 2 ? std::sqrt(ratio) : std::cbrt(ratio);
+            const double scale = D == 2 ? std::sqrt(ratio) : cube_root(ratio);
             for (double& each : radii) each *= scale;
         }
         return radii;

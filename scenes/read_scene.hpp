@@ -4,7 +4,8 @@
 /// Laws:
 ///  1. What cannot be is refused with file, line and column, or with the option that says it: a
 ///     message says what is wrong and what would be right.
-///  2. The same file and overrides give the same scene on every machine.
+///  2. The same file and overrides give the same scene on every machine, but for balls that are
+///     made in a box that shakes and does not begin in its middle: where that is a sine tells.
 
 #include <span>
 #include <string>

@@ -144,6 +144,28 @@ TEST_F(SceneRuns, RecordWhereTheSceneSaysUnlessAnOptionDoes) {
               "signum: --save " + name("log.csv") + " is where -o goes, too; give another name\n");
 }
 
+/// The box goes up and down by 2 of 24 that are shown, in 640 pixels; radii double.
+TEST_F(SceneRuns, ShowWallsAndGrowthInAFilm) {
+    const std::string film = scratch.path("film.svg");
+    const std::string scene = scratch.file(
+        "scene.toml",
+        box +
+            "[box.shake]\namplitude = [0, 2]\nfrequency = \"1 Hz\"\n[[wall]]\nkind = "
+            "\"circle\"\ncentre = [15, 10]\nradius = 3\nside = \"outside\"\n[balls]\nlist = "
+            "[[5, 10, 1.5, 0, 0]]\n[effects]\ngrowth = {rate = 1, until = 1}\n[run]\nuntil = "
+            "1\n[record]\nevery = 0.25\nfilm = \"" +
+            film + "\"\n");
+    EXPECT_EQ(run({"simulate", scene, "--quiet"}).code, 0);
+    const std::string svg = contents(film);
+    EXPECT_NE(svg.find("type=\"translate\" dur=\"12s\" repeatCount=\"indefinite\" "
+                       "calcMode=\"linear\" values=\"0.00 0.00;0.00 -53.33;0.00 "),
+              std::string::npos);
+    EXPECT_NE(svg.find("r=\"80.0\""), std::string::npos);
+    EXPECT_NE(svg.find("attributeName=\"r\" dur=\"12s\" repeatCount=\"indefinite\" "
+                       "calcMode=\"linear\" values=\"40.00;50.00;60.00;70.00;80.00\""),
+              std::string::npos);
+}
+
 /// Friction turns flight into spin, and elastic surfaces give all of it back.
 TEST_F(SceneRuns, EnergiesTellSpin) {
     const std::string energies = scratch.path("energies.csv");

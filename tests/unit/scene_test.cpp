@@ -204,6 +204,14 @@ TEST_F(RightScene, PackingTellsRadiiOrTheirNumber) {
         read<2>(box + "[balls]\nnumber = 50\nradius = [1, 3]\npacking = \"30 %\"\n" + end);
     EXPECT_EQ(radii.start.balls.size(), 50U);
     EXPECT_NEAR(filled(radii), 0.3, 1e-12);
+    const Scene<3> spheres = read<3>(
+        "[box]\nlow = [0, 0, 0]\nhigh = [9, 9, 9]\n[balls]\nnumber = 60\nradius = [1, 2]\n"
+        "packing = 0.2\n" +
+        end);
+    double volume = 0.0;
+    for (const motion::Ball<3>& ball : spheres.start.balls)
+        volume += 4.0 / 3.0 * std::numbers::pi * std::pow(ball.radius, 3);
+    EXPECT_NEAR(volume / 729.0, 0.2, 1e-12);
     const Scene<2> number = read<2>(box + "[balls]\nradius = 0.5\npacking = 0.3\n" + end);
     EXPECT_EQ(number.start.balls.size(), 152U);
     const Scene<2> equal = read<2>(box + "[balls]\nnumber = 50\npacking = 0.3\n" + end);
