@@ -44,6 +44,12 @@ Source source_of(const Section& group) {
     return has_file ? Source::file : has_list ? Source::list : Source::made;
 }
 
+std::vector<Section> groups_of(const Section& file) {
+    std::vector<Section> groups = file.sections("balls");
+    if (groups.empty()) file.fail("no balls; add [balls] with a file, a list, or a number of them");
+    return groups;
+}
+
 std::string path_of(const Section& group) {
     const std::filesystem::path name(group.optional_text("file"));
     const std::filesystem::path here(group.document().path());
@@ -73,10 +79,7 @@ class Groups {
         : file_(file), effects_(effects) {}
 
     BallsOfScene<D> read() {
-        const std::vector<Section> groups = file_.sections("balls");
-        if (groups.empty())
-            file_.fail("no balls; add [balls] with a file, a list, or a number of them");
-        for (const Section& group : groups) {
+        for (const Section& group : groups_of(file_)) {
             switch (source_of(group)) {
                 case Source::file:
                     read_file(group);
@@ -437,7 +440,7 @@ BallsOfScene<D> read_groups(const Section& file, const motion::Effects<D>& effec
 }
 
 int dimension_of_groups(const Section& file) {
-    for (const Section& group : file.sections("balls")) {
+    for (const Section& group : groups_of(file)) {
         int dimension = 0;
         switch (source_of(group)) {
             case Source::file: {
