@@ -1,100 +1,31 @@
 /// signum simulate: balls that move and strike, to the log of their strikes.
 
 #include <algorithm>
-#include <array>
-#include <chrono>
-#include <cmath>
-#include <csignal>
 #include <limits>
 #include <memory>
-#include <optional>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include "../draw/movie.hpp"
 #include "../io/motion_state.hpp"
 #include "../io/output_file.hpp"
 #include "../io/read_balls.hpp"
-#include "../io/write_motion.hpp"
-#include "../motion/queries.hpp"
 #include "../motion/simulation.hpp"
+#include "../scenes/explain.hpp"
+#include "../scenes/read_scene.hpp"
 
-#include "borders.hpp"
 #include "commands.hpp"
 #include "outputs.hpp"
-#include "progress.hpp"
+#include "simulate_call.hpp"
+#include "simulate_run.hpp"
 #include "sites_call.hpp"
 
 namespace signum::cli {
 namespace {
-
-/// The call as it was typed.
-struct SimulateCall : OutputsCall {
-    std::string input;
-    std::optional<double> until;
-    std::optional<std::uint64_t> events;
-    std::string structure = "auto";
-    std::string arithmetic = "exact";
-    std::vector<double> box;
-    bool periodic = false;
-    std::vector<double> gravity;
-    std::optional<double> restitution;
-    std::optional<double> wall_restitution;
-    std::optional<double> every;
-    std::string show;
-    std::string closest;
-    std::string save;
-    std::string resume;
-    bool statistics = false;
-    bool quiet = false;
-};
-
-constexpr std::array<Format, 3> simulate_formats = {
-    {{"csv", "the log: time,kind,a,b,impulse"},
-     {"xyz", "frames in extended XYZ, as OVITO and VMD read them"},
-     {"svg", "a movie"}}};
-
-volatile std::sig_atomic_t interrupted = 0;
-
-extern "C" void note_interrupt(int signal) {
-    interrupted = signal;
-}
-
-/// While it lives, the first Ctrl-C (or what ends a session or a batch job) is noted, and the
-/// second one ends the program.
-class InterruptNoted {
- public:
-    InterruptNoted() {
-        struct sigaction action = {};
-        action.sa_handler = note_interrupt;
-        action.sa_flags = static_cast<int>(SA_RESETHAND);
-        sigemptyset(&action.sa_mask);
-        for (std::size_t k = 0; k < signals.size(); ++k) {
-            is_set_[k] = ::sigaction(signals[k], nullptr, &before_[k]) == 0 &&
-                         before_[k].sa_handler != SIG_IGN &&
-                         ::sigaction(signals[k], &action, nullptr) == 0;
-        }
-    }
-    InterruptNoted(const InterruptNoted&) = delete;
-    InterruptNoted& operator=(const InterruptNoted&) = delete;
-    ~InterruptNoted() {
-        for (std::size_t k = 0; k < signals.size(); ++k)
-            if (is_set_[k]) ::sigaction(signals[k], &before_[k], nullptr);
-    }
-
- private:
-    static constexpr std::array signals = {SIGINT, SIGTERM, SIGHUP};
-    std::array<struct sigaction, signals.size()> before_ = {};
-    std::array<bool, signals.size()> is_set_ = {};
-};
-
-motion::Structure structure_of(const std::string& name) {
-    return *std::ranges::find_if(motion::all_structures, [&](motion::Structure each) {
-        return motion::name_of(each) == name;
-    });
-}
 
 template <int D>
 motion::Vector<D> vector_of(const double* numbers) {
@@ -145,491 +76,6 @@ MotionState<D> started(const SimulateCall& call, const BallsFile& file) {
     }
 }
 
-constexpr std::size_t at(int axis) noexcept {
-    return static_cast<std::size_t>(axis);
-}
-
-/// The balls at a time, in the box where it is periodic.
-template <int D>
-class Snapshot {
- public:
-    Snapshot(const motion::State<D>& state, const motion::Effects<D>& effects, double time) {
-        frame_.time = time;
-        frame_.dimension = D;
-        frame_.periodic = effects.periodic;
-        balls_.reserve(state.balls.size());
-        for (const motion::Ball<D>& ball : state.balls) {
-            MotionFrame::Ball shown;
-            for (int k = 0; k < D; ++k) {
-                shown.x[at(k)] = in_box(coordinate(ball, k, time, effects), k, effects);
-                shown.v[at(k)] = speed(ball, k, time, effects);
-            }
-            shown.radius = ball.radius;
-            balls_.push_back(shown);
-        }
-        frame_.balls = balls_;
-    }
-    Snapshot(const Snapshot&) = delete;
-    Snapshot& operator=(const Snapshot&) = delete;
-    [[nodiscard]] MotionFrame& frame() noexcept { return frame_; }
-
- private:
-    std::vector<MotionFrame::Ball> balls_;
-    MotionFrame frame_;
-};
-
-/// Kinetic energy, and that of height where there is gravity.
-template <int D>
-struct Energy {
-    double kinetic = 0.0;
-    double total = 0.0;
-
-    Energy(const motion::State<D>& state, const motion::Effects<D>& effects, double time) {
-        Snapshot<D> snapshot(state, effects, time);
-        std::size_t i = 0;
-        for (const MotionFrame::Ball& ball : snapshot.frame().balls) {
-            const double mass = state.masses[i++];
-            for (int k = 0; k < D; ++k) {
-                kinetic += 0.5 * mass * ball.v[at(k)] * ball.v[at(k)];
-                total -= mass * effects.gravity[k] * ball.x[at(k)];
-            }
-        }
-        total += kinetic;
-    }
-};
-
-/// What a movie shows of a structure.
-template <int D>
-Movie::Shapes shapes_of(const motion::Sketch<D>& sketch) {
-    Movie::Shapes shapes;
-    for (const auto& [box, level, ball] : sketch.areas)
-        shapes.boxes.push_back({{box.low[0], box.low[1]}, {box.high[0], box.high[1]}, level, ball});
-    for (const auto& [ball, centre, radius] : sketch.rounds)
-        shapes.rounds.push_back({centre[0], centre[1], radius, ball});
-    for (const auto& [a, b] : sketch.links)
-        shapes.links.emplace_back(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
-    for (const auto& expected : sketch.expected) {
-        if (expected.partner >= 0)
-            shapes.expected.emplace_back(static_cast<std::size_t>(expected.ball),
-                                         static_cast<std::size_t>(expected.partner));
-    }
-    return shapes;
-}
-
-Movie::Meaning meaning_of(motion::Structure structure) {
-    const std::string expected = "whom a ball expects to strike next";
-    switch (structure) {
-        case motion::Structure::cells:
-        case motion::Structure::tree:
-            return {"cells with balls in them", "", expected};
-        case motion::Structure::levels:
-            return {"the cells in which balls live, a colour a size", "", expected};
-        case motion::Structure::segments:
-            return {"boxes", "partners, whose boxes overlap", expected};
-        case motion::Structure::lists:
-            return {"shells", "pairs in the lists", expected};
-        case motion::Structure::delaunay:
-            return {"", "neighbours", expected};
-        case motion::Structure::automatic:
-        case motion::Structure::pairs:
-            break;
-    }
-    return {"", "", expected};
-}
-
-/// Where everything goes while the simulation runs.
-template <int D>
-class Recording {
- public:
-    Recording(const SimulateCall& call, std::span<const Target> targets,
-              const MotionState<D>& start, motion::Structure structure)
-        : effects_(start.effects), structure_(structure), show_(call.show) {
-        for (const Target& target : targets) {
-            Sink sink;
-            sink.format = target.format;
-            if (target.path == standard_output) {
-                sink.standard = std::make_unique<DescriptorStream>(1, "standard output");
-            } else {
-                sink.file = std::make_unique<OutputFile>(target.path);
-            }
-            sinks_.push_back(std::move(sink));
-        }
-        if (!call.save.empty()) save_ = std::make_unique<OutputFile>(call.save);
-        if (!call.closest.empty()) closest_ = std::make_unique<OutputFile>(call.closest);
-        for (Sink& sink : sinks_)
-            if (sink.format == "csv") sink.log = std::make_unique<LogWriter>(sink.stream());
-        shown_ = effects_.box ? *effects_.box : around(start);
-        if (is_written(targets, "svg")) {
-            std::vector<double> radii;
-            for (const motion::Ball<D>& ball : start.state.balls) radii.push_back(ball.radius);
-            movie_.emplace(std::move(radii), std::array{shown_.low[0], shown_.low[1]},
-                           std::array{shown_.high[0], shown_.high[1]}, effects_.periodic);
-        }
-        has_frames_ = movie_.has_value() || is_written(targets, "xyz");
-    }
-
-    [[nodiscard]] bool has_log() const {
-        return std::ranges::any_of(sinks_, [](const Sink& sink) { return sink.log != nullptr; });
-    }
-    [[nodiscard]] bool has_frames() const noexcept { return has_frames_; }
-    [[nodiscard]] bool shows_structure() const noexcept { return show_ == "structure"; }
-    void strike(const motion::Strike& strike) {
-        for (Sink& sink : sinks_)
-            if (sink.log) sink.log->put(strike);
-    }
-    void frame(const motion::State<D>& state, double time, const motion::Sketch<D>& sketch) {
-        Snapshot<D> snapshot(state, effects_, time);
-        MotionFrame& frame = snapshot.frame();
-        std::ranges::copy(shown_.low, frame.low.begin());
-        std::ranges::copy(shown_.high, frame.high.begin());
-        for (Sink& sink : sinks_)
-            if (sink.format == "xyz") write_xyz(sink.stream(), frame);
-        if (!movie_) return;
-        Movie::Shapes shapes = shapes_of(sketch);
-        if constexpr (D == 2)
-            if (shows_cells() && movie_->keeps_next()) shapes.borders = borders_of(frame);
-        std::vector<Movie::Ball> balls;
-        for (const MotionFrame::Ball& ball : frame.balls) {
-            const double depth =
-                D == 3 ? (frame.high[2] - ball.x[2]) / (frame.high[2] - frame.low[2]) : 0.0;
-            balls.push_back({ball.x[0], ball.x[1], depth});
-        }
-        movie_->add(time, balls, shapes);
-    }
-    /// All files under their names.
-    void publish(const MotionState<D>& end, const std::optional<motion::ClosestPairs>& closest) {
-        for (Sink& sink : sinks_) {
-            if (sink.log) sink.log->finish();
-            if (sink.format == "svg") {
-                const std::string title = fmt::format(
-                    "{} ball{}{}{}", end.state.balls.size(), end.state.balls.size() == 1 ? "" : "s",
-                    D == 3 ? ", seen along z" : "",
-                    shows_structure() ? fmt::format("; structure {}", name_of(structure_))
-                                      : std::string());
-                movie_->write(sink.stream(), title, meaning());
-            }
-            if (sink.file) sink.file->finish();
-            if (sink.standard) sink.standard->flush();
-        }
-        if (save_) write_motion_state(save_->stream(), end);
-        if (closest) write_closest(closest_->stream(), closest->pairs);
-        for (Sink& sink : sinks_)
-            if (sink.file) sink.file->publish();
-        if (save_) save_->publish();
-        if (closest) closest_->publish();
-    }
-
- private:
-    struct Sink {
-        std::string format;
-        std::unique_ptr<OutputFile> file;  // or else
-        std::unique_ptr<DescriptorStream> standard;
-        std::unique_ptr<LogWriter> log;
-        [[nodiscard]] std::ostream& stream() { return file ? file->stream() : *standard; }
-    };
-
-    [[nodiscard]] bool shows_cells() const noexcept { return show_ == "cells"; }
-    [[nodiscard]] Movie::Meaning meaning() const {
-        if (shows_structure()) return meaning_of(structure_);
-        if (shows_cells())
-            return {.borders = "borders of cells (power diagram)", .new_borders = "new neighbours"};
-        return {};
-    }
-    [[nodiscard]] std::vector<Movie::Border> borders_of(const MotionFrame& frame) const {
-        std::vector<Site> discs;
-        for (const MotionFrame::Ball& ball : frame.balls)
-            discs.push_back({ball.x[0], ball.x[1], ball.radius});
-        return borders_of_cells(discs,
-                                {shown_.low[0], shown_.low[1], shown_.high[0], shown_.high[1]},
-                                effects_.periodic);
-    }
-
-    static motion::Box<D> around(const MotionState<D>& start) {
-        motion::Box<D> box;
-        box.low.fill(std::numeric_limits<double>::infinity());
-        box.high.fill(-std::numeric_limits<double>::infinity());
-        for (const motion::Ball<D>& ball : start.state.balls) {
-            for (int k = 0; k < D; ++k) {
-                const double reach = std::max(ball.radius, 1e-3 * std::fabs(ball.x[k]));
-                box.low[k] = std::min(box.low[k], ball.x[k] - reach);
-                box.high[k] = std::max(box.high[k], ball.x[k] + reach);
-            }
-        }
-        for (int k = 0; k < D; ++k)
-            if (!(box.low[k] < box.high[k])) box.high[k] = box.low[k] + 1.0;
-        return box;
-    }
-
-    motion::Effects<D> effects_;
-    motion::Structure structure_;
-    std::string show_;
-    motion::Box<D> shown_;
-    std::vector<Sink> sinks_;
-    std::unique_ptr<OutputFile> save_;
-    std::unique_ptr<OutputFile> closest_;
-    std::optional<Movie> movie_;
-    bool has_frames_ = false;
-};
-
-/// What the statistics tell beside the counts.
-template <int D>
-struct Summary {
-    const MotionState<D>& start;
-    const MotionState<D>& end;
-    motion::Choice choice;
-    motion::Counts counts;
-    double seconds = 0.0;
-};
-
-/// Z = p V / (N k T), from the virial of the strikes.
-template <int D>
-std::optional<double> compressibility(const Summary<D>& summary, const Energy<D>& before,
-                                      const Energy<D>& after) {
-    const double time = summary.end.state.time - summary.start.state.time;
-    const double kinetic = before.kinetic + after.kinetic;
-    if (summary.start.effects.gravity != motion::Vector<D>{} || !(time > 0.0) || !(kinetic > 0.0))
-        return std::nullopt;
-    return 1.0 + summary.counts.virial / (kinetic * time);
-}
-
-template <int D>
-std::string statistics_of(const Summary<D>& summary) {
-    const Energy<D> before(summary.start.state, summary.start.effects, summary.start.state.time);
-    const Energy<D> after(summary.end.state, summary.end.effects, summary.end.state.time);
-    const motion::Counts& counts = summary.counts;
-    const std::optional<double> z = compressibility(summary, before, after);
-    return fmt::format(
-        "{{\"balls\": {}, \"strikes\": {}, \"checks\": {}, \"own\": {}, \"stale\": {}, \"stages\": "
-        "{{\"filter\": {}, \"exact\": {}, \"multiprecision\": {}}}, \"seconds\": {}, "
-        "\"structure\": \"{}\", \"why\": \"{}\", \"time\": {}, \"energy_start\": {}, "
-        "\"energy_end\": {}, \"pressure\": {}}}\n",
-        summary.end.state.balls.size(), counts.strikes, counts.checks, counts.own, counts.stale,
-        counts.checks - std::min(counts.checks, counts.exact), counts.refined, counts.exact,
-        summary.seconds, motion::name_of(summary.choice.structure), summary.choice.why,
-        summary.end.state.time, before.total, after.total,
-        z ? fmt::format("{}", *z) : std::string("null"));
-}
-
-std::string_view in_words(motion::Ending ending) {
-    switch (ending) {
-        case motion::Ending::until:
-            return "the time came";
-        case motion::Ending::strikes:
-            return "the strikes are done";
-        case motion::Ending::nothing:
-            return "nothing meets any more";
-        case motion::Ending::stopped:
-            return "interrupted";
-        case motion::Ending::collapse:
-            break;
-    }
-    return "a collapse";
-}
-
-std::string describe_collapse(const motion::Strike& last) {
-    return fmt::format(
-        "at time {} ball {} and {} {} strike without end, an inelastic collapse or a ball that "
-        "comes to rest; the log up to there is complete",
-        last.time, last.a, last.wall ? "wall" : "ball", last.b);
-}
-
-/// Runs from one frame to the next, or to the end.
-template <int D>
-motion::Outcome run_all(motion::Simulation<D>& simulation, const SimulateCall& call,
-                        Recording<D>& recording, double begin) {
-    const double until = call.until.value_or(std::numeric_limits<double>::infinity());
-    std::optional<Progress> progress;
-    if (!call.quiet) progress.emplace();
-    const std::uint64_t most = call.events.value_or(std::numeric_limits<std::uint64_t>::max());
-    std::uint64_t done = 0;
-    double now = begin;
-    typename motion::Simulation<D>::Record record;
-    const auto show = [&] {
-        if (!progress) return;
-        const double of_time = until < 1e300 ? (now - begin) / (until - begin) : 0.0;
-        const double of_strikes =
-            call.events ? static_cast<double>(done) / static_cast<double>(*call.events) : 0.0;
-        progress->show(std::max(of_time, of_strikes));
-    };
-    const auto note = [&](const motion::Strike& strike) {
-        ++done;
-        now = strike.time;
-        recording.strike(strike);
-    };
-    motion::Limits limits;
-    limits.stop = [&] {
-        show();
-        return interrupted != 0;
-    };
-    if (recording.has_log() || call.events) record = note;
-    const double step = call.every.value_or((until - begin) / 100.0);
-    for (std::uint64_t number = 0;; ++number) {
-        const double next = begin + static_cast<double>(number) * step;
-        const bool is_last = !recording.has_frames() || !(next < until);
-        limits.until = is_last ? until : next;
-        limits.strikes = most - done;
-        const std::uint64_t before = simulation.counts().strikes;
-        const motion::Outcome outcome = simulation.run(limits, record);
-        if (!record) done += simulation.counts().strikes - before;
-        const bool goes_on =
-            outcome.ending == motion::Ending::until || outcome.ending == motion::Ending::nothing;
-        if (!goes_on) return outcome;
-        if (recording.has_frames()) {
-            recording.frame(
-                simulation.state(), limits.until,
-                recording.shows_structure() ? simulation.sketch() : motion::Sketch<D>{});
-        }
-        if (is_last) return outcome;
-        if (interrupted != 0) return {motion::Ending::stopped, {}};
-        now = limits.until;
-        show();
-    }
-}
-
-/// A file beside those of -o: its option, its name and what goes there.
-void refuse_bad_file(std::string_view option, const std::string& path, std::string_view what,
-                     const SimulateCall& call, std::span<const Target> targets) {
-    if (path.empty()) return;
-    if (path == standard_output)
-        throw CallError(fmt::format("{} -: {} goes to a file; give its name", option, what));
-    if (is_same_file(call.input, path))
-        throw CallError(
-            fmt::format("{} {} would overwrite the input; give another name", option, path));
-    for (const Target& target : targets) {
-        if (is_same_path(target.path, path))
-            throw CallError(
-                fmt::format("{} {} is where -o goes, too; give another name", option, path));
-    }
-}
-void refuse_bad_files(const SimulateCall& call, std::span<const Target> targets) {
-    refuse_bad_file("--save", call.save, "a state", call, targets);
-    refuse_bad_file("--closest", call.closest, "the list", call, targets);
-    if (!call.closest.empty() && is_same_path(call.closest, call.save))
-        throw CallError(
-            fmt::format("--closest {} is where --save goes, too; give another name", call.closest));
-}
-
-/// From the start to where the run has come, in a run of its own. Who ends the first run waits for
-/// the list of that; who ends the second one has it up to there.
-template <int D>
-std::optional<motion::ClosestPairs> closest_until(double end, const SimulateCall& call,
-                                                  const MotionState<D>& start,
-                                                  const motion::Options& options) {
-    if (call.closest.empty()) return std::nullopt;
-    const double begin = start.state.time;
-    std::optional<Progress> progress;
-    if (!call.quiet) progress.emplace();
-    const int before = interrupted;
-    interrupted = 0;
-    const InterruptNoted noted_again;
-    const auto stop = [&](double time) {
-        if (progress && begin < end) progress->show((time - begin) / (end - begin));
-        return interrupted != 0;
-    };
-    motion::ClosestPairs list =
-        motion::closest_pairs(start.state, start.effects, begin, end, options, stop);
-    if (interrupted == 0) interrupted = before;
-    return list;
-}
-
-bool is_interrupted(const std::optional<motion::ClosestPairs>& closest) {
-    return closest && closest->outcome.ending == motion::Ending::stopped;
-}
-
-std::string describe_list(const SimulateCall& call, const motion::ClosestPairs& closest,
-                          double seconds) {
-    std::string text =
-        fmt::format("{}, {} lines, {:.3g} seconds", call.closest, closest.pairs.size(), seconds);
-    if (is_interrupted(closest))
-        text += fmt::format(", up to time {:.6g}, interrupted", closest.time);
-    return text;
-}
-
-template <int D>
-void run(const SimulateCall& call, const MotionState<D>& start) {
-    if (call.until && *call.until < start.state.time)
-        throw CallError(fmt::format("--until {}: the state is that of time {}; give a later one",
-                                    *call.until, start.state.time));
-    const std::vector<Target> targets = targets_of(call, call.input, simulate_formats);
-    const bool wants_frames = is_written(targets, "xyz") || is_written(targets, "svg");
-    if (wants_frames && !call.until) throw CallError("frames need to know the end; add --until T");
-    if (call.every && !wants_frames)
-        throw CallError("--every is for frames; add -o FILE.xyz or -o FILE.svg");
-    if (call.every) {
-        constexpr double most_frames = 1e7;
-        if ((*call.until - start.state.time) / *call.every > most_frames)
-            throw CallError(fmt::format(
-                "--every {}: more than 10 million frames; give a longer one", *call.every));
-    }
-    refuse_bad_files(call, targets);
-    if (!call.show.empty() && !is_written(targets, "svg"))
-        throw CallError("--show is for a movie; add -o FILE.svg");
-    if (D == 3 && !call.show.empty())
-        throw CallError(fmt::format(
-            "--show {}: drawn in the plane alone, but the balls lie in space; leave it out",
-            call.show));
-    motion::Options options;
-    options.structure = structure_of(call.structure);
-    options.kernel = call.arithmetic == "naive" ? motion::Kernel::naive : motion::Kernel::exact;
-    const motion::Choice choice = motion::choose(options.structure, start.state, start.effects);
-    Recording<D> recording(call, targets, start, choice.structure);
-    if (!call.quiet && choice.structure != options.structure)
-        say("{}\n", fmt::format("structure {}: {}", motion::name_of(choice.structure), choice.why));
-    const auto begin = std::chrono::steady_clock::now();
-    motion::Simulation<D> simulation(start.state, start.effects, options);
-    std::optional<motion::Outcome> outcome;
-    std::optional<motion::ClosestPairs> closest;
-    std::chrono::duration<double> seconds{};
-    std::chrono::duration<double> seconds_of_list{};
-    std::string too_fast;
-    {
-        const InterruptNoted noted;
-        try {
-            outcome = run_all(simulation, call, recording, start.state.time);
-            seconds = std::chrono::steady_clock::now() - begin;
-            closest = closest_until(simulation.state().time, call, start, options);
-            seconds_of_list = std::chrono::steady_clock::now() - begin - seconds;
-        } catch (const std::range_error& error) {
-            too_fast = fmt::format("{}; the log {}is complete", error.what(),
-                                   outcome ? "" : "up to there ");
-            if (!call.closest.empty())
-                too_fast += fmt::format("; the list {} is not written", call.closest);
-        }
-    }
-    const MotionState<D> end = {simulation.state(), start.effects};
-    recording.publish(end, closest);
-    if (!too_fast.empty()) throw CallError(too_fast);
-    const Summary<D> summary{start, end, choice, simulation.counts(), seconds.count()};
-    if (call.statistics) {
-        const bool log_is_there = std::ranges::any_of(
-            targets, [](const Target& target) { return target.path == standard_output; });
-        if (log_is_there) {
-            std::fputs(statistics_of(summary).c_str(), stderr);
-        } else {
-            DescriptorStream out(1, "standard output");
-            out << statistics_of(summary);
-            out.flush();
-        }
-    }
-    if (outcome->ending == motion::Ending::collapse) {
-        std::string what = describe_collapse(outcome->last);
-        if (is_interrupted(closest))
-            what += "; closest pairs: " + describe_list(call, *closest, seconds_of_list.count());
-        throw CheckFailure(what);
-    }
-    if (!call.quiet) {
-        say("balls    {}\n", end.state.balls.size());
-        say("strikes  {}\n", summary.counts.strikes);
-        say("time     {:.6g}, {}\n", end.state.time, in_words(outcome->ending));
-        say("seconds  {:.3g}\n", summary.seconds);
-        say("{}", written(targets));
-        if (closest) say("closest  {}\n", describe_list(call, *closest, seconds_of_list.count()));
-    }
-    // As if nobody had caught it.
-    if (outcome->ending == motion::Ending::stopped || is_interrupted(closest))
-        ::raise(static_cast<int>(interrupted));
-}
-
 /// A state that can be; a damaged one is named.
 template <int D>
 MotionState<D> resumed(const std::string& path) {
@@ -654,7 +100,106 @@ void refuse_effects_of_state(const SimulateCall& call) {
     }
 }
 
-void simulate(const SimulateCall& call) {
+/// Options that say what a scene says win over it, as --set does.
+std::vector<Override> overrides_of(const SimulateCall& call) {
+    std::vector<Override> overrides;
+    for (const std::string& setting : call.settings)
+        overrides.push_back({fmt::format("--set {}", setting), setting});
+    const auto put = [&](const std::string& option, const std::string& toml) {
+        overrides.push_back({option, toml});
+    };
+    if (!call.box.empty()) {
+        const std::string option = fmt::format("--box {}", fmt::join(call.box, " "));
+        if (call.box.size() % 2 != 0)
+            throw CallError(fmt::format("{}: {} numbers; give 4 in the plane and 6 in space",
+                                        option, call.box.size()));
+        const auto middle = call.box.begin() + static_cast<std::ptrdiff_t>(call.box.size() / 2);
+        put(option, fmt::format("box.low = [{}]", fmt::join(call.box.begin(), middle, ", ")));
+        put(option, fmt::format("box.high = [{}]", fmt::join(middle, call.box.end(), ", ")));
+    }
+    if (call.periodic) put("--periodic", "box.periodic = true");
+    if (!call.gravity.empty())
+        put(fmt::format("--gravity {}", fmt::join(call.gravity, " ")),
+            fmt::format("effects.gravity = [{}]", fmt::join(call.gravity, ", ")));
+    const auto put_number = [&](std::string_view option, std::string_view key, const auto& number) {
+        if (number)
+            put(fmt::format("{} {}", option, *number), fmt::format("{} = {}", key, *number));
+    };
+    put_number("--restitution", "effects.restitution", call.restitution);
+    put_number("--wall-restitution", "effects.wall_restitution", call.wall_restitution);
+    put_number("--until", "run.until", call.until);
+    put_number("--events", "run.events", call.events);
+    put_number("--every", "record.every", call.every);
+    const auto put_word = [&](std::string_view option, std::string_view key,
+                              const std::string& word) {
+        if (!word.empty())
+            put(fmt::format("{} {}", option, word), fmt::format("{} = \"{}\"", key, word));
+    };
+    put_word("--structure", "run.structure", call.structure);
+    put_word("--arithmetic", "run.arithmetic", call.arithmetic);
+    return overrides;
+}
+
+/// What is recorded, as targets.
+std::vector<Target> targets_of_record(const SceneRecord& record) {
+    std::vector<Target> targets;
+    for (const auto& [path, format] :
+         {std::pair(&record.log, "csv"), std::pair(&record.frames, "xyz"),
+          std::pair(&record.film, "svg"), std::pair(&record.energies, "energies"),
+          std::pair(&record.pair_correlation, "pair_correlation"),
+          std::pair(&record.images, "images"), std::pair(&record.video, "video")})
+        if (!path->empty()) targets.push_back({*path, format});
+    return targets;
+}
+
+/// The call with what the scene says where options say nothing: these it has heeded already.
+template <int D>
+SimulateCall completed(SimulateCall call, const Scene<D>& scene) {
+    call.until = scene.run.until;
+    call.events = scene.run.events;
+    call.structure = motion::name_of(scene.run.structure);
+    call.arithmetic = scene.run.kernel == motion::Kernel::naive ? "naive" : "exact";
+    call.records = targets_of_record(scene.record);
+    if (call.save.empty()) call.save = scene.record.state;
+    for (const std::string& file : scene.files)
+        for (const std::string& output : call.outputs)
+            if (is_same_file(file, output))
+                throw CallError(fmt::format(
+                    "-o {} would overwrite a file of the scene; give another name", output));
+    // A scene may say it for who asks for frames.
+    if (!call.every && wants_frames(call)) call.every = scene.record.every;
+    return call;
+}
+
+void simulate_scene(const SimulateCall& call) {
+    try {
+        const AnyScene any = read_scene(call.input, overrides_of(call));
+        std::visit(
+            [&]<int D>(const Scene<D>& scene) {
+                if (call.explain) {
+                    DescriptorStream out(1, "standard output");
+                    out << explain(scene);
+                    out.flush();
+                    return;
+                }
+                if (!call.quiet)
+                    for (const std::string& note : scene.notes) say("{}\n", note);
+                run_simulation<D>(completed(call, scene), {scene.start, scene.effects});
+            },
+            any);
+    } catch (const OverrideError& error) {
+        throw CallError(error.what());
+    }
+}
+
+void simulate(SimulateCall call) {
+    if (is_name_of_scene(call.input) && call.resume.empty()) {
+        simulate_scene(call);
+        return;
+    }
+    if (!call.settings.empty()) throw CallError("--set is for scenes; give FILE.toml");
+    if (call.structure.empty()) call.structure = "auto";
+    if (call.arithmetic.empty()) call.arithmetic = "exact";
     if (!call.until && !call.events) throw CallError("say when to end: --until T, or --events N");
     if (call.periodic && call.box.empty())
         throw CallError("--periodic: say of what box; add --box");
@@ -663,9 +208,9 @@ void simulate(const SimulateCall& call) {
         if (!call.input.empty())
             throw CallError("FILE and --resume: the state holds the balls; leave FILE out");
         if (dimension_of_motion_state(call.resume) == 2) {
-            run(call, resumed<2>(call.resume));
+            run_simulation(call, resumed<2>(call.resume));
         } else {
-            run(call, resumed<3>(call.resume));
+            run_simulation(call, resumed<3>(call.resume));
         }
         return;
     }
@@ -673,9 +218,9 @@ void simulate(const SimulateCall& call) {
     const BallsFile file = read_balls(call.input);
     if (!file.note.empty() && !call.quiet) say("{}\n", file.note);
     if (file.dimension == 2) {
-        run(call, started<2>(call, file));
+        run_simulation(call, started<2>(call, file));
     } else {
-        run(call, started<3>(call, file));
+        run_simulation(call, started<3>(call, file));
     }
 }
 
@@ -691,8 +236,17 @@ void add_simulate(CLI::App& tool) {
     command
         ->add_option("FILE", call->input,
                      "Balls, one a line: x y r vx vy [mass], or\n"
-                     "x y z r vx vy vz [mass]; - is standard input")
+                     "x y z r vx vy vz [mass]; - is standard input.\n"
+                     "Or a scene, FILE.toml, which options win over")
         ->type_name("");
+    command
+        ->add_option("--set", call->settings,
+                     "A key of a scene, in place of what the file says:\n"
+                     "--set effects.restitution=0.8; several are allowed")
+        ->type_name("KEY=VALUE")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->allow_extra_args(false);
     command->add_option("--until", call->until, "The time to stop at; strikes then are included")
         ->check(number_from(0.0, 1e150))
         ->type_name("T");
@@ -732,13 +286,13 @@ void add_simulate(CLI::App& tool) {
                                  fmt::join(structures.begin() + 1, structures.end(), ", ")))
         ->transform(one_of(structures))
         ->type_name("NAME")
-        ->capture_default_str();
+        ->default_str("auto");
     command
         ->add_option("--arithmetic", call->arithmetic,
                      "exact, or naive: plain doubles, for comparison")
         ->transform(one_of({"exact", "naive"}))
         ->type_name("NAME")
-        ->capture_default_str();
+        ->default_str("exact");
     add_outputs(*command, *call, simulate_formats, "without it the log goes to standard output");
     command
         ->add_option("--every", call->every, "The time between frames; a hundredth of all without")
@@ -764,6 +318,8 @@ void add_simulate(CLI::App& tool) {
     command->add_option("--resume", call->resume, "Goes on from a state, instead of FILE")
         ->check(name_of_file())
         ->type_name("STATE");
+    command->add_flag("--explain", call->explain,
+                      "Says what a scene computes and what it leaves out, and\ndoes not run it");
     command->add_flag("--stats", call->statistics,
                       "Counts, energies and pressure as JSON, to standard\n"
                       "output where the log is not there, else to standard\nerror");

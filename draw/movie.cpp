@@ -72,13 +72,14 @@ double Movie::y_of(double y) const {
     return std::clamp(scale() * (high_[1] - y), -1e5, 1e5);
 }
 
-void Movie::add(double time, const std::vector<Ball>& balls, const Shapes& shapes) {
+void Movie::add(double time, const std::vector<Ball>& balls, const Shapes& shapes, double growth) {
     if (added_ == 0) choose(balls, shapes);
     if (added_++ % every_ != 0) return;
     std::vector<Ball> frame;
     frame.reserve(shown_.size());
     for (const std::size_t i : shown_) frame.push_back(balls[i]);
     times_.push_back(time);
+    growths_.push_back(growth);
     frames_.push_back(std::move(frame));
     shapes_.push_back(drawn(balls, shapes));
     if (frames_.size() <= most_frames) return;
@@ -86,11 +87,13 @@ void Movie::add(double time, const std::vector<Ball>& balls, const Shapes& shape
     std::size_t kept = 0;
     for (std::size_t k = 0; k < frames_.size(); k += 2, ++kept) {
         times_[kept] = times_[k];
+        growths_[kept] = growths_[k];
         if (kept == k) continue;
         frames_[kept] = std::move(frames_[k]);
         shapes_[kept] = std::move(shapes_[k]);
     }
     times_.resize(kept);
+    growths_.resize(kept);
     frames_.resize(kept);
     shapes_.resize(kept);
 }
@@ -258,6 +261,43 @@ std::vector<std::array<double, 2>> Movie::copies_of(std::size_t k) const {
     return copies;
 }
 
+void Movie::write_walls(std::ostream& out) const {
+    if (walls_.empty()) return;
+    out << "<g fill=\"none\" stroke=\"#444\" stroke-width=\"1.5\">\n";
+    for (const Wall& wall : walls_) {
+        const auto shift = [&](double time) {
+            const auto [x, y] = wall.shift ? wall.shift(time) : std::array{0.0, 0.0};
+            return std::array{scale() * x, 0.0 - scale() * y};
+        };
+        const auto [first_x, first_y] = shift(times_.empty() ? 0.0 : times_.front());
+        if (wall.points.empty()) {
+            out << fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\"",
+                               x_of(wall.centre[0]), y_of(wall.centre[1]), scale() * wall.radius);
+        } else {
+            out << "<path d=\"";
+            for (const auto& [x, y] : wall.points)
+                out << fmt::format("{}{:.1f} {:.1f}", &x == wall.points.front().data() ? "M" : "L",
+                                   x_of(x), y_of(y));
+            out << "\"";
+        }
+        out << fmt::format(" transform=\"translate({:.2f} {:.2f})\"", first_x, first_y);
+        if (!wall.shift || times_.size() < 2) {
+            out << "/>\n";
+            continue;
+        }
+        out << fmt::format(
+            "><animateTransform attributeName=\"transform\" type=\"translate\" dur=\"{}s\" "
+            "repeatCount=\"indefinite\" calcMode=\"linear\" values=\"",
+            seconds);
+        for (std::size_t f = 0; f < times_.size(); ++f) {
+            const auto [x, y] = shift(times_[f]);
+            out << (f > 0 ? ";" : "") << fmt::format("{:.2f} {:.2f}", x, y);
+        }
+        out << (wall.points.empty() ? "\"/></circle>\n" : "\"/></path>\n");
+    }
+    out << "</g>\n";
+}
+
 void Movie::write(std::ostream& out, const std::string& title, const Meaning& meaning) const {
     const double wide = scale() * (high_[0] - low_[0]);
     const double high = scale() * (high_[1] - low_[1]);
@@ -301,6 +341,8 @@ void Movie::write(std::ostream& out, const std::string& title, const Meaning& me
     std::vector<Drawn> shapes = shapes_;
     mark_new_borders(shapes);
     for (std::size_t kind = 0; kind < kinds; ++kind) write_shapes(out, shapes, kind);
+    write_walls(out);
+    const bool grows = std::ranges::any_of(growths_, [](double growth) { return growth != 1.0; });
     std::vector<std::size_t> order(shown_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     if (!frames_.empty()) {
@@ -330,6 +372,16 @@ void Movie::write(std::ostream& out, const std::string& title, const Meaning& me
                 }
                 out << "\"/>";
             }
+        }
+        if (grows && growths_.size() > 1) {
+            out << fmt::format(
+                "<animate attributeName=\"r\" dur=\"{}s\" repeatCount=\"indefinite\" "
+                "calcMode=\"{}\" values=\"",
+                seconds, periodic_ ? "discrete" : "linear");
+            for (std::size_t f = 0; f < growths_.size(); ++f)
+                out << (f > 0 ? ";" : "")
+                    << fmt::format("{:.2f}", std::max(scale() * radii_[number] * growths_[f], 1.0));
+            out << "\"/>";
         }
         out << "</circle>\n";
         for (const auto& [x, y] : copies)

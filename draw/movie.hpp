@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <iosfwd>
 #include <span>
 #include <string>
@@ -78,6 +79,14 @@ class Movie {
         std::string new_borders{};
     };
 
+    /// A line or a circle that balls do not cross, and where it has gone at a time.
+    struct Wall {
+        std::vector<std::array<double, 2>> points{};  ///< of a line; empty for a circle
+        std::array<double, 2> centre{};
+        double radius = 0.0;
+        std::function<std::array<double, 2>(double)> shift{};  ///< empty where it rests
+    };
+
     /// The radii of all balls, and the corners of what is shown. `periodic`: balls leave on one
     /// side and come in on the other, so that what lies between two frames is not shown.
     Movie(std::vector<double> radii, std::array<double, 2> low, std::array<double, 2> high,
@@ -86,8 +95,11 @@ class Movie {
     /// Whether the next frame is one that is kept, as far as is known: of another one no shapes are
     /// needed.
     [[nodiscard]] bool keeps_next() const noexcept { return added_ % every_ == 0; }
-    /// A ball for each radius.
-    void add(double time, const std::vector<Ball>& balls, const Shapes& shapes = {});
+    /// Seen in all frames, under the balls.
+    void add_wall(Wall wall) { walls_.push_back(std::move(wall)); }
+    /// A ball for each radius; `growth` is by how much all radii have grown.
+    void add(double time, const std::vector<Ball>& balls, const Shapes& shapes = {},
+             double growth = 1.0);
     /// `title` stands in the legend.
     void write(std::ostream& out, const std::string& title, const Meaning& meaning) const;
 
@@ -115,6 +127,7 @@ class Movie {
     static void mark_new_borders(std::vector<Drawn>& frames);
     [[nodiscard]] bool is_shown(int ball) const;
     void write_shapes(std::ostream& out, std::span<const Drawn> frames, std::size_t kind) const;
+    void write_walls(std::ostream& out) const;
     /// In pixels.
     [[nodiscard]] double drawn_radius(std::size_t ball) const;
     /// By how many pixels the copies of the k-th ball shown are shifted that are seen in a frame.
@@ -131,6 +144,8 @@ class Movie {
     std::size_t every_ = 1;
     std::size_t added_ = 0;
     std::vector<double> times_;
+    std::vector<double> growths_;
+    std::vector<Wall> walls_;
     std::vector<std::vector<Ball>> frames_;  // of the balls shown
     std::vector<bool> is_shown_;
     std::vector<Drawn> shapes_;

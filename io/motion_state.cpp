@@ -1,6 +1,11 @@
 #include "motion_state.hpp"
 
+#include <initializer_list>
+#include <limits>
 #include <ostream>
+#include <type_traits>
+#include <utility>
+#include <variant>
 
 #include <nlohmann/json.hpp>
 
@@ -19,7 +24,8 @@ json parsed(const std::string& path) {
         text += block;
     try {
         json state = json::parse(text);
-        if (state.at("format") != "signum.simulation" || state.at("version") != 1)
+        const bool is_known = state.at("version") == 1 || state.at("version") == 2;
+        if (state.at("format") != "signum.simulation" || !is_known)
             throw InputError(path, "no state of a simulation; give a file that --save wrote");
         return state;
     } catch (const json::exception&) {
@@ -34,12 +40,205 @@ void put_vector(TextWriter& text, const motion::Vector<D>& v) {
     text.put("]");
 }
 
+/// What of an effect is numbers, by name; of an effect that is off nothing is written.
+void put_numbers(TextWriter& text, std::initializer_list<std::pair<std::string_view, double>> all) {
+    bool first = true;
+    for (const auto& [name, value] : all) {
+        text.put(FMT_COMPILE("{}\"{}\": {}"), first ? "" : ", ", name, value);
+        first = false;
+    }
+}
+
+template <int D>
+void put_named(TextWriter& text, std::string_view name, const motion::Vector<D>& v) {
+    text.put(FMT_COMPILE("\"{}\": "), name);
+    put_vector<D>(text, v);
+}
+
+template <int D>
+void put_obstacle(TextWriter& text, const motion::HalfSpace<D>& wall) {
+    text.put("{\"kind\": \"half-space\", ");
+    put_named<D>(text, "normal", wall.normal);
+    text.put(", ");
+    put_numbers(text, {{"offset", wall.offset}, {"speed", wall.speed}});
+    text.put("}");
+}
+template <int D>
+void put_obstacle(TextWriter& text, const motion::Sphere<D>& wall) {
+    const bool is_inside = wall.side == motion::Sphere<D>::Side::inside;
+    text.put(FMT_COMPILE("{{\"kind\": \"sphere\", \"side\": \"{}\", \"radius\": {}, "),
+             is_inside ? "inside" : "outside", wall.radius);
+    put_named<D>(text, "centre", wall.centre);
+    text.put(", ");
+    put_named<D>(text, "velocity", wall.velocity);
+    text.put("}");
+}
+void put_obstacle(TextWriter& text, const motion::Segment& wall) {
+    text.put("{\"kind\": \"segment\", ");
+    put_named<2>(text, "from", wall.from);
+    text.put(", ");
+    put_named<2>(text, "to", wall.to);
+    text.put("}");
+}
+
+template <int D>
+void put_effects(TextWriter& text, const motion::Effects<D>& effects) {
+    if (effects.speed_law) {
+        text.put(", \"speed_law\": {");
+        put_numbers(text,
+                    {{"speed", effects.speed_law->speed}, {"power", effects.speed_law->power}});
+        text.put("}");
+    }
+    if (effects.contact_duration != 0.0)
+        text.put(FMT_COMPILE(", \"contact_duration\": {}"), effects.contact_duration);
+    if (effects.friction) {
+        text.put(", \"friction\": {");
+        put_numbers(text, {{"coefficient", effects.friction->coefficient},
+                           {"wall_coefficient", effects.friction->wall_coefficient},
+                           {"tangential_restitution", effects.friction->tangential_restitution},
+                           {"inertia", effects.friction->inertia}});
+        text.put("}");
+    }
+    if (effects.shake) {
+        text.put(", \"shake\": {");
+        put_named<D>(text, "amplitude", effects.shake->amplitude);
+        text.put(", ");
+        put_numbers(text,
+                    {{"frequency", effects.shake->frequency}, {"phase", effects.shake->phase}});
+        text.put("}");
+    }
+    if (effects.growth) {
+        text.put(", \"growth\": {");
+        put_numbers(text, {{"rate", effects.growth->rate}, {"until", effects.growth->until}});
+        text.put("}");
+    }
+    if (effects.fluid) {
+        text.put(", \"fluid\": {");
+        put_named<D>(text, "velocity", effects.fluid->velocity);
+        text.put(", \"gradient\": [");
+        for (int k = 0; k < D; ++k) {
+            if (k > 0) text.put(", ");
+            put_vector<D>(text, effects.fluid->gradient[k]);
+        }
+        text.put("], ");
+        put_numbers(text,
+                    {{"linear", effects.fluid->linear}, {"quadratic", effects.fluid->quadratic}});
+        text.put("}");
+    }
+    if (effects.contacts) {
+        text.put(", \"contacts\": {");
+        put_numbers(
+            text, {{"speed", effects.contacts->speed}, {"tolerance", effects.contacts->tolerance}});
+        text.put(FMT_COMPILE(", \"sweeps\": {}}}"), effects.contacts->sweeps);
+    }
+    if (effects.time_step != 0.0) text.put(FMT_COMPILE(", \"time_step\": {}"), effects.time_step);
+    if (effects.obstacles.empty()) return;
+    text.put_array("obstacles", effects.obstacles, [&](const motion::Obstacle<D>& obstacle) {
+        std::visit(
+            [&]<class Wall>(const Wall& wall) {
+                if constexpr (std::is_same_v<Wall, motion::Segment>)
+                    put_obstacle(text, wall);
+                else
+                    put_obstacle<D>(text, wall);
+            },
+            obstacle);
+    });
+}
+
 template <int D>
 motion::Vector<D> vector_of(const json& numbers) {
     motion::Vector<D> v{};
     if (numbers.size() != D) throw json::other_error::create(501, "length", nullptr);
     for (int k = 0; k < D; ++k) v[k] = numbers.at(static_cast<std::size_t>(k)).get<double>();
     return v;
+}
+
+template <int D>
+motion::Obstacle<D> obstacle_of(const json& wall) {
+    const std::string kind = wall.at("kind").get<std::string>();
+    if (kind == "half-space")
+        return motion::HalfSpace<D>{vector_of<D>(wall.at("normal")),
+                                    wall.at("offset").get<double>(),
+                                    wall.at("speed").get<double>()};
+    if (kind == "sphere") {
+        using Side = typename motion::Sphere<D>::Side;
+        return motion::Sphere<D>{vector_of<D>(wall.at("centre")), vector_of<D>(wall.at("velocity")),
+                                 wall.at("radius").get<double>(),
+                                 wall.at("side") == "inside" ? Side::inside : Side::outside};
+    }
+    if constexpr (D == 2) {
+        if (kind == "segment")
+            return motion::Segment{vector_of<2>(wall.at("from")), vector_of<2>(wall.at("to"))};
+    }
+    throw json::other_error::create(501, "kind", nullptr);
+}
+
+/// Those that version 1 did not have.
+template <int D>
+void read_effects_of_state(const json& file, motion::Effects<D>& effects) {
+    const auto with = [&](const char* name, const auto& use) {
+        if (file.contains(name)) use(file.at(name));
+    };
+    const auto number = [](const json& table, const char* name) {
+        return table.at(name).get<double>();
+    };
+    with("speed_law", [&](const json& law) {
+        effects.speed_law = motion::SpeedLaw{number(law, "speed"), number(law, "power")};
+    });
+    with("contact_duration",
+         [&](const json& value) { effects.contact_duration = value.get<double>(); });
+    with("friction", [&](const json& friction) {
+        effects.friction = motion::Friction{
+            number(friction, "coefficient"), number(friction, "wall_coefficient"),
+            number(friction, "tangential_restitution"), number(friction, "inertia")};
+    });
+    with("shake", [&](const json& shake) {
+        effects.shake = motion::Shake<D>{vector_of<D>(shake.at("amplitude")),
+                                         number(shake, "frequency"), number(shake, "phase")};
+    });
+    with("growth", [&](const json& growth) {
+        effects.growth = motion::Growth{number(growth, "rate"), number(growth, "until")};
+    });
+    with("fluid", [&](const json& fluid) {
+        motion::Fluid<D> result;
+        result.velocity = vector_of<D>(fluid.at("velocity"));
+        for (int k = 0; k < D; ++k)
+            result.gradient[k] = vector_of<D>(fluid.at("gradient").at(static_cast<std::size_t>(k)));
+        result.linear = number(fluid, "linear");
+        result.quadratic = number(fluid, "quadratic");
+        effects.fluid = result;
+    });
+    with("contacts", [&](const json& contacts) {
+        effects.contacts =
+            motion::LastingContacts{number(contacts, "speed"), number(contacts, "tolerance"),
+                                    contacts.at("sweeps").get<int>()};
+    });
+    with("time_step", [&](const json& value) { effects.time_step = value.get<double>(); });
+    with("obstacles", [&](const json& walls) {
+        for (const json& wall : walls) effects.obstacles.push_back(obstacle_of<D>(wall));
+    });
+}
+
+/// What effects keep of balls; check() says whether it is what they need.
+template <int D>
+void read_rest_of_state(const json& file, motion::State<D>& state) {
+    const json none = json::array();
+    for (const json& spin : file.value("spins", none)) {
+        motion::Spin<D> result;
+        if (spin.size() != static_cast<std::size_t>(result.end() - result.begin()))
+            throw json::other_error::create(501, "length", nullptr);
+        std::size_t k = 0;
+        for (double& each : result) each = spin.at(k++).get<double>();
+        state.spins.push_back(result);
+    }
+    for (const json& time : file.value("last_strikes", none))
+        state.last_strikes.push_back(time.is_null() ? -std::numeric_limits<double>::infinity()
+                                                    : time.get<double>());
+    for (const json& contact : file.value("standing", none))
+        state.contacts.push_back({contact.at(0).get<std::int32_t>(),
+                                  contact.at(1).get<std::int32_t>(), contact.at(2).get<double>(),
+                                  vector_of<D>(contact.at(3))});
+    state.half_steps = file.value("half_steps", std::uint64_t{0});
 }
 
 }  // namespace
@@ -49,7 +248,7 @@ void write_motion_state(std::ostream& out, const MotionState<D>& state) {
     const motion::State<D>& balls_state = state.state;
     const motion::Effects<D>& effects = state.effects;
     TextWriter text(out);
-    text.put(FMT_COMPILE("{{\"format\": \"signum.simulation\", \"version\": 1, \"dimension\": {}, "
+    text.put(FMT_COMPILE("{{\"format\": \"signum.simulation\", \"version\": 2, \"dimension\": {}, "
                          "\"time\": {},\n\"restitution\": {}, \"wall_restitution\": {}, "
                          "\"periodic\": {}, \"gravity\": "),
              D, balls_state.time, effects.restitution, effects.wall_restitution, effects.periodic);
@@ -60,6 +259,7 @@ void write_motion_state(std::ostream& out, const MotionState<D>& state) {
         text.put(", \"high\": ");
         put_vector<D>(text, effects.box->high);
     }
+    put_effects(text, effects);
     std::size_t i = 0;
     text.put_array("balls", balls_state.balls, [&](const motion::Ball<D>& ball) {
         text.put("[");
@@ -73,6 +273,28 @@ void write_motion_state(std::ostream& out, const MotionState<D>& state) {
     text.put_array("passed", balls_state.passed, [&](const motion::Passed& passed) {
         text.put(FMT_COMPILE("[{}, {}, {}]"), passed.a, passed.b, passed.time);
     });
+    if (!balls_state.spins.empty()) {
+        text.put_array("spins", balls_state.spins, [&](const motion::Spin<D>& spin) {
+            text.put("[");
+            for (const double& each : spin)
+                text.put(FMT_COMPILE("{}{}"), &each == spin.begin() ? "" : ", ", each);
+            text.put("]");
+        });
+    }
+    // Who has never struck has null: JSON has no infinity.
+    if (!balls_state.last_strikes.empty())
+        text.put_array("last_strikes", balls_state.last_strikes,
+                       [&](double time) { text.put(number_or_null(time)); });
+    if (!balls_state.contacts.empty()) {
+        text.put_array(
+            "standing", balls_state.contacts, [&](const motion::StandingContact<D>& contact) {
+                text.put(FMT_COMPILE("[{}, {}, {}, "), contact.a, contact.b, contact.push);
+                put_vector<D>(text, contact.rub);
+                text.put("]");
+            });
+    }
+    if (balls_state.half_steps != 0)
+        text.put(FMT_COMPILE(",\n\"half_steps\": {}"), balls_state.half_steps);
     text.put("}\n");
     text.flush();
 }
@@ -100,6 +322,7 @@ MotionState<D> read_motion_state(const std::string& path) {
         if (file.contains("low"))
             effects.box =
                 motion::Box<D>{vector_of<D>(file.at("low")), vector_of<D>(file.at("high"))};
+        read_effects_of_state(file, effects);
         for (const json& ball : file.at("balls")) {
             state.balls.push_back({vector_of<D>(ball.at(0)), vector_of<D>(ball.at(1)),
                                    ball.at(2).get<double>(), ball.at(3).get<double>()});
@@ -107,13 +330,15 @@ MotionState<D> read_motion_state(const std::string& path) {
             state.in_place.push_back(ball.at(5).get<std::uint32_t>());
         }
         const auto balls = static_cast<std::int32_t>(state.balls.size());
+        const auto walls = static_cast<std::int32_t>(2 * D + effects.obstacles.size());
         for (const json& passed : file.at("passed")) {
             const motion::Passed each{passed.at(0).get<std::int32_t>(),
                                       passed.at(1).get<std::int32_t>(), passed.at(2).get<double>()};
-            if (each.a < 0 || each.a >= balls || each.b < -2 * D || each.b >= balls)
+            if (each.a < 0 || each.a >= balls || each.b < -walls || each.b >= balls)
                 throw InputError(path, "a state of a simulation that names a ball it has not");
             state.passed.push_back(each);
         }
+        read_rest_of_state(file, state);
     } catch (const json::exception&) {
         throw InputError(path,
                          "a state of a simulation with something missing or out of place; give a "

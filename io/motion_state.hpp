@@ -1,5 +1,6 @@
 #pragma once
-/// Where a simulation stands, as a JSON file from which it goes on.
+/// Where a simulation stands, as a JSON file from which it goes on. An effect that is off is not in
+/// it. Version 2; version 1, which is read as well, had a box, gravity and restitution alone.
 
 #include <iosfwd>
 #include <string>

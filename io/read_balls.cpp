@@ -42,15 +42,6 @@ double cube_to_nearest(double m) {
     return upper.high + odd;
 }
 
-/// The double nearest to radius^dimension, where that is above the smallest normal double: below,
-/// a cube would be rounded twice.
-double power_to_nearest(double radius, int dimension) {
-    if (dimension == 2) return radius * radius;
-    int exponent = 0;
-    const double m = std::frexp(radius, &exponent);
-    return std::ldexp(cube_to_nearest(m), 3 * exponent);
-}
-
 /// The words with commas and an "and" between them, the first dozen of them.
 std::string enumerated(const std::vector<std::string>& words) {
     constexpr std::size_t most_shown = 12;
@@ -179,7 +170,7 @@ class TextBalls {
     [[nodiscard]] bool has(std::size_t which) const { return places_[which] < columns_.size(); }
 
     [[nodiscard]] double missing_mass(double radius_of_ball) const {
-        const double power = power_to_nearest(radius_of_ball, result_.dimension);
+        const double power = mass_of_radius(radius_of_ball, result_.dimension);
         if (power > std::numeric_limits<double>::min() &&
             power <= std::numeric_limits<double>::max())
             return power;
@@ -227,6 +218,14 @@ class TextBalls {
 };
 
 }  // namespace
+
+// Below the smallest normal double a cube would be rounded twice.
+double mass_of_radius(double radius, int dimension) {
+    if (dimension == 2) return radius * radius;
+    int exponent = 0;
+    const double m = std::frexp(radius, &exponent);
+    return std::ldexp(cube_to_nearest(m), 3 * exponent);
+}
 
 BallsFile read_balls(const std::string& path) {
     InputFile file(path, "a file of balls");

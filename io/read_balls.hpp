@@ -28,6 +28,10 @@ struct BallsFile {
     std::string note;
 };
 
+/// The mass of a ball without one: radius^dimension, rounded to nearest. Precondition: the result
+/// is a normal double. O(1).
+[[nodiscard]] double mass_of_radius(double radius, int dimension);
+
 /// Reads the file `path`, or standard input for "-": lines x y r vx vy [mass] or
 /// x y z r vx vy vz [mass], told apart by their number of columns or by the names of a header
 /// (x, y, z, r or radius, vx, vy, vz, m or mass; others are left out). A mass that is missing is

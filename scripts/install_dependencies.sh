@@ -13,7 +13,7 @@ set -euo pipefail
 
 oldest_gcc=12
 oldest_clang=14
-build=(g++ cmake ninja-build libgmp-dev libmpfr-dev libboost-dev libcli11-dev libfmt-dev nlohmann-json3-dev)
+build=(g++ cmake ninja-build libgmp-dev libmpfr-dev libboost-dev libcli11-dev libfmt-dev nlohmann-json3-dev libtomlplusplus-dev)
 test=("${build[@]}" libgtest-dev gnuplot-nox valgrind)
 benchmark=("${build[@]}" libbenchmark-dev)
 

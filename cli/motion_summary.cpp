@@ -1,0 +1,70 @@
+#include "motion_summary.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "../scenes/energy.hpp"
+
+namespace signum::cli {
+namespace {
+
+/// Z = p V / (N k T), from the virial of the strikes.
+template <int D>
+std::optional<double> compressibility(const Summary<D>& summary, const Energy<D>& before,
+                                      const Energy<D>& after) {
+    const double time = summary.end.state.time - summary.start.state.time;
+    const double kinetic = before.kinetic + after.kinetic;
+    if (summary.start.effects.gravity != motion::Vector<D>{} || !(time > 0.0) || !(kinetic > 0.0))
+        return std::nullopt;
+    return 1.0 + summary.counts.virial / (kinetic * time);
+}
+
+}  // namespace
+
+template <int D>
+std::string statistics_of(const Summary<D>& summary) {
+    const Energy<D> before(summary.start.state, summary.start.effects, summary.start.state.time);
+    const Energy<D> after(summary.end.state, summary.end.effects, summary.end.state.time);
+    const motion::Counts& counts = summary.counts;
+    const std::optional<double> z = compressibility(summary, before, after);
+    return fmt::format(
+        "{{\"balls\": {}, \"strikes\": {}, \"checks\": {}, \"own\": {}, \"stale\": {}, \"stages\": "
+        "{{\"filter\": {}, \"exact\": {}, \"multiprecision\": {}}}, \"seconds\": {}, "
+        "\"structure\": \"{}\", \"why\": \"{}\", \"time\": {}, \"energy_start\": {}, "
+        "\"energy_end\": {}, \"pressure\": {}}}\n",
+        summary.end.state.balls.size(), counts.strikes, counts.checks, counts.own, counts.stale,
+        counts.checks - std::min(counts.checks, counts.exact), counts.refined, counts.exact,
+        summary.seconds, motion::name_of(summary.choice.structure), summary.choice.why,
+        summary.end.state.time, before.total, after.total,
+        z ? fmt::format("{}", *z) : std::string("null"));
+}
+
+std::string_view in_words(motion::Ending ending) {
+    switch (ending) {
+        case motion::Ending::until:
+            return "the time came";
+        case motion::Ending::strikes:
+            return "the strikes are done";
+        case motion::Ending::nothing:
+            return "nothing meets any more";
+        case motion::Ending::stopped:
+            return "interrupted";
+        case motion::Ending::collapse:
+            break;
+    }
+    return "a collapse";
+}
+
+std::string describe_collapse(const motion::Strike& last) {
+    return fmt::format(
+        "at time {} ball {} and {} {} strike without end, an inelastic collapse or a ball that "
+        "comes to rest; the log up to there is complete",
+        last.time, last.a, last.wall ? "wall" : "ball", last.b);
+}
+
+template std::string statistics_of(const Summary<2>&);
+template std::string statistics_of(const Summary<3>&);
+
+}  // namespace signum::cli

@@ -1,0 +1,30 @@
+#pragma once
+/// What is said of a simulation when it is over.
+
+#include <string>
+#include <string_view>
+
+#include "../io/motion_state.hpp"
+#include "../motion/simulation.hpp"
+
+namespace signum::cli {
+
+/// What the statistics tell beside the counts.
+template <int D>
+struct Summary {
+    const MotionState<D>& start;
+    const MotionState<D>& end;
+    motion::Choice choice;
+    motion::Counts counts;
+    double seconds = 0.0;
+};
+
+/// As JSON, one line.
+template <int D>
+[[nodiscard]] std::string statistics_of(const Summary<D>& summary);
+
+/// How a run ended.
+[[nodiscard]] std::string_view in_words(motion::Ending ending);
+[[nodiscard]] std::string describe_collapse(const motion::Strike& last);
+
+}  // namespace signum::cli

@@ -1,0 +1,51 @@
+#include "recording.hpp"
+
+namespace signum::cli {
+
+bool has_frames(std::span<const Target> targets) {
+    return std::ranges::any_of(targets,
+                               [](const Target& target) { return target.format != "csv"; });
+}
+
+template <int D>
+Movie::Shapes shapes_of(const motion::Sketch<D>& sketch) {
+    Movie::Shapes shapes;
+    for (const auto& [box, level, ball] : sketch.areas)
+        shapes.boxes.push_back({{box.low[0], box.low[1]}, {box.high[0], box.high[1]}, level, ball});
+    for (const auto& [ball, centre, radius] : sketch.rounds)
+        shapes.rounds.push_back({centre[0], centre[1], radius, ball});
+    for (const auto& [a, b] : sketch.links)
+        shapes.links.emplace_back(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
+    for (const auto& expected : sketch.expected) {
+        if (expected.partner >= 0)
+            shapes.expected.emplace_back(static_cast<std::size_t>(expected.ball),
+                                         static_cast<std::size_t>(expected.partner));
+    }
+    return shapes;
+}
+
+Movie::Meaning meaning_of(motion::Structure structure) {
+    const std::string expected = "whom a ball expects to strike next";
+    switch (structure) {
+        case motion::Structure::cells:
+        case motion::Structure::tree:
+            return {"cells with balls in them", "", expected};
+        case motion::Structure::levels:
+            return {"the cells in which balls live, a colour a size", "", expected};
+        case motion::Structure::segments:
+            return {"boxes", "partners, whose boxes overlap", expected};
+        case motion::Structure::lists:
+            return {"shells", "pairs in the lists", expected};
+        case motion::Structure::delaunay:
+            return {"", "neighbours", expected};
+        case motion::Structure::automatic:
+        case motion::Structure::pairs:
+            break;
+    }
+    return {"", "", expected};
+}
+
+template Movie::Shapes shapes_of(const motion::Sketch<2>&);
+template Movie::Shapes shapes_of(const motion::Sketch<3>&);
+
+}  // namespace signum::cli

@@ -1,0 +1,46 @@
+#pragma once
+/// A call of signum simulate as it was typed, or as a scene completes it.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "outputs.hpp"
+
+namespace signum::cli {
+
+/// The call as it was typed.
+struct SimulateCall : OutputsCall {
+    std::string input;
+    std::optional<double> until;
+    std::optional<std::uint64_t> events;
+    std::string structure;  ///< empty where nobody says one
+    std::string arithmetic;
+    std::vector<double> box;
+    bool periodic = false;
+    std::vector<double> gravity;
+    std::optional<double> restitution;
+    std::optional<double> wall_restitution;
+    std::optional<double> every;
+    std::string show;
+    std::string closest;
+    std::string save;
+    /// KEY=VALUE, of scenes alone.
+    std::vector<std::string> settings;
+    /// What a scene records beside what -o says: its path, and a format or "energies",
+    /// "pair_correlation", "images", "video".
+    std::vector<Target> records;
+    std::string resume;
+    bool explain = false;
+    bool statistics = false;
+    bool quiet = false;
+};
+
+inline constexpr std::array<Format, 3> simulate_formats = {
+    {{"csv", "the log: time,kind,a,b,impulse"},
+     {"xyz", "frames in extended XYZ, as OVITO and VMD read them"},
+     {"svg", "a movie"}}};
+
+}  // namespace signum::cli

@@ -1,0 +1,153 @@
+#include "document.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "../io/input_file.hpp"
+
+namespace signum {
+namespace {
+
+std::string whole_text(const std::string& path) {
+    InputFile file(path, "a scene");
+    std::string text;
+    for (std::string_view block = file.next_block(); !block.empty(); block = file.next_block())
+        text += block;
+    return text;
+}
+
+/// What the parser says, and what would be right.
+std::string explained(const toml::parse_error& error) {
+    const std::string_view what = error.description();
+    std::string_view advice = "write TOML: key = value, one a line, texts between quotes";
+    if (what.find("redefine") != std::string_view::npos)
+        advice = "give a key once in its table";
+    else if (what.find("array") != std::string_view::npos)
+        advice = "an array is written [1, 2, 3]";
+    else if (what.find("string") != std::string_view::npos)
+        advice = "a text stands between quotes on one line";
+    return fmt::format("{}; {}", what, advice);
+}
+
+/// The entry of an array that a key like "2" means.
+toml::node& entry_of(toml::array& array, std::string_view key, const std::string& option) {
+    std::size_t number = 0;
+    const auto [end, fault] = std::from_chars(key.data(), key.data() + key.size(), number);
+    if (fault == std::errc() && end == key.data() + key.size() && number < array.size())
+        return array[number];
+    throw OverrideError(
+        array.empty()
+            ? fmt::format("{}: there are no entries to name; give the whole array", option)
+            : fmt::format("{}: {} is no entry of an array; they are 0 to {}", option,
+                          in_quotes(key), array.size() - 1));
+}
+
+toml::table parsed_override(const Override& override) {
+    const std::string& text = override.toml;
+    const std::size_t sign = text.find('=');
+    if (sign == std::string::npos || text.find_first_of("\n\r") != std::string::npos ||
+        text.find_first_of("[#") < sign)
+        throw OverrideError(fmt::format(
+            "{}: no key and value; write it like --set effects.restitution=0.8", override.option));
+    try {
+        return toml::parse(text, override.option);
+    } catch (const toml::parse_error&) {
+        throw OverrideError(
+            fmt::format("{}: no TOML; write KEY=VALUE, where a text stands between quotes of its "
+                        "own: --set 'run.structure=\"lists\"'",
+                        override.option));
+    }
+}
+
+}  // namespace
+
+Document::Document(const std::string& path, std::span<const Override> overrides)
+    : path_(path), text_(whole_text(path)) {
+    try {
+        root_ = toml::parse(text_, path_);
+    } catch (const toml::parse_error& error) {
+        throw InputError(path_, position_of(error.source().begin), explained(error));
+    }
+    for (const Override& each : overrides) {
+        toml::table table = parsed_override(each);
+        merge(root_, table, each.option);
+    }
+}
+
+void Document::merge(toml::table& into, toml::table& from, const std::string& option) const {
+    for (auto&& [key, node] : from) {
+        toml::node* const old = into.get(key.str());
+        // A dotted key leads into what is there; a table as a value takes its place.
+        toml::table* const inner = node.as_table();
+        const bool leads_on = inner != nullptr && !inner->is_inline();
+        if (old != nullptr && leads_on && old->is_table()) {
+            merge(*old->as_table(), *inner, option);
+        } else if (old != nullptr && leads_on && old->is_array()) {
+            toml::array& entries = *old->as_array();
+            // Of one [[balls]] alone no number is needed.
+            const bool is_numbered =
+                !inner->empty() && inner->begin()->first.str().find_first_not_of("0123456789") ==
+                                       std::string_view::npos;
+            if (entries.size() == 1 && entries[0].is_table() && !is_numbered) {
+                merge(*entries[0].as_table(), *inner, option);
+                continue;
+            }
+            for (auto&& [number, value] : *inner) {
+                toml::node& entry = entry_of(*old->as_array(), number.str(), option);
+                toml::table* const below = value.as_table();
+                if (below != nullptr && !below->is_inline() && entry.is_table()) {
+                    merge(*entry.as_table(), *below, option);
+                } else {
+                    toml::array& array = *old->as_array();
+                    const auto place = std::ranges::find_if(
+                        array, [&](const toml::node& each) { return &each == &entry; });
+                    array.replace(place, std::move(value));
+                }
+            }
+        } else {
+            into.insert_or_assign(key, std::move(node));
+        }
+    }
+}
+
+Position Document::position_of(const toml::source_position& position) const {
+    Position result{static_cast<std::int64_t>(position.line),
+                    static_cast<std::int64_t>(position.column)};
+    // The parser counts code points, and we bytes.
+    std::size_t begin = 0;
+    for (std::int64_t line = 1; line < result.line && begin != std::string::npos; ++line) {
+        begin = text_.find('\n', begin);
+        if (begin != std::string::npos) ++begin;
+    }
+    if (begin == std::string::npos) return result;
+    const auto is_continuation = [&](std::size_t i) {
+        return i < text_.size() && (static_cast<unsigned char>(text_[i]) & 0xC0) == 0x80;
+    };
+    std::size_t i = begin;
+    for (std::int64_t column = 1; column < static_cast<std::int64_t>(position.column); ++column) {
+        ++i;
+        while (is_continuation(i)) ++i;
+    }
+    result.column = static_cast<std::int64_t>(i - begin) + 1;
+    return result;
+}
+
+ScenePlace Document::place_of(const toml::source_region& where) const {
+    if (where.path && *where.path != path_) return {"", {}, *where.path};
+    return {path_, where.begin ? position_of(where.begin) : Position{}, ""};
+}
+
+void Document::fail(const toml::source_region& where, std::string_view message) const {
+    place_of(where).fail(message);
+}
+
+void ScenePlace::fail(std::string_view message) const {
+    if (file.empty()) throw OverrideError(fmt::format("{}: {}", option, message));
+    throw InputError(file, position, message);
+}
+
+}  // namespace signum

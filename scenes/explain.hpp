@@ -1,0 +1,15 @@
+#pragma once
+/// What a scene says of itself before it runs: which effects are on and what each needs, and what
+/// is left out.
+
+#include <string>
+
+#include "scene.hpp"
+
+namespace signum {
+
+/// A table for people, lines of at most a hundred characters or so. O(balls).
+template <int D>
+[[nodiscard]] std::string explain(const Scene<D>& scene);
+
+}  // namespace signum

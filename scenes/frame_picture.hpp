@@ -1,0 +1,18 @@
+#pragma once
+/// One frame as an SVG file: the balls and the walls. In space it is seen along z, far balls first
+/// and paler.
+
+#include <span>
+#include <string>
+
+#include "../draw/movie.hpp"
+#include "../io/write_motion.hpp"
+
+namespace signum {
+
+/// Shows the frame's box. Its width and height in pixels are even, as videos want them, and at most
+/// 800. O(balls log balls).
+[[nodiscard]] std::string frame_picture(const MotionFrame& frame,
+                                        std::span<const Movie::Wall> walls);
+
+}  // namespace signum

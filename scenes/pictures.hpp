@@ -1,0 +1,37 @@
+#pragma once
+/// Frames as images and as a video, made by two programs: rsvg-convert (Debian: librsvg2-bin) and,
+/// for a video, ffmpeg.
+///
+/// Law: nothing appears under its name before all is made.
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace signum {
+
+class Pictures {
+ public:
+    /// `images` has one %d, as in "image-%04d.png", for the number of a frame from 0 on; either may
+    /// be empty. Throws MachineError where a program that is needed is not there, and says what to
+    /// install.
+    Pictures(std::string images, std::string video);
+    Pictures(const Pictures&) = delete;
+    Pictures& operator=(const Pictures&) = delete;
+    ~Pictures();
+
+    /// A frame, as SVG, all of one size with even sides. Throws MachineError. Some 20 ms.
+    void add(std::string_view svg);
+    /// The images under their names, the video from 25 of them a second. Throws MachineError.
+    void publish();
+
+ private:
+    [[nodiscard]] std::string made(std::size_t number) const;
+
+    std::string images_;
+    std::string video_;
+    std::string folder_;  ///< where images are until all are there
+    std::size_t count_ = 0;
+};
+
+}  // namespace signum

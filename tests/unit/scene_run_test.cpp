@@ -1,0 +1,203 @@
+/// Scenes at work: a run that is saved and resumed writes the log of the whole one, whatever the
+/// effect; dense starts are as dense as asked for; results go where the scene and -o say.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "../../io/motion_state.hpp"
+#include "../../scenes/read_scene.hpp"
+#include "io_scratch.hpp"
+#include "tool_call.hpp"
+
+namespace signum {
+namespace {
+
+using test::contents;
+using test::Outcome;
+using test::run;
+using test::Scratch;
+using test::Words;
+
+/// Shows the first line that differs, not all of them.
+void expect_same_lines(const std::string& a, const std::string& b) {
+    std::istringstream left(a);
+    std::istringstream right(b);
+    std::string left_line;
+    std::string right_line;
+    while (std::getline(left, left_line) && std::getline(right, right_line))
+        ASSERT_EQ(left_line, right_line);
+    EXPECT_EQ(a.size(), b.size());
+}
+
+class SceneRuns : public testing::Test {
+ protected:
+    Scratch scratch;
+    const std::string box = "[box]\nlow = [0, 0]\nhigh = [20, 20]\n";
+    const std::string gas = "[balls]\nnumber = 60\nradius = [0.4, 1]\ntemperature = 2\n";
+};
+
+TEST_F(SceneRuns, GoOnFromAStateWithTheLogTheyWouldHaveHad) {
+    const std::string shake = "[box.shake]\namplitude = [0, 0.5]\nfrequency = 3\n";
+    const std::string lossy = "gravity = [0, -1]\nrestitution = 0.9\n";
+    const std::vector<std::pair<std::string, std::string>> cases = {
+        {"shake", box + shake + gas + "[effects]\nrestitution = 0.95\n"},
+        {"speed law", box + gas + "[effects]\n" + lossy + "speed_law = {speed = 1}\n"},
+        {"contact duration", box + gas + "[effects]\n" + lossy + "contact_duration = 0.01\n"},
+        {"friction", box + gas + "[effects]\n" + lossy + "friction = {coefficient = 0.3}\n"},
+        {"growth", box + gas + "[effects]\ngrowth = {rate = 0.02, until = 4}\n"},
+        {"walls",
+         "[[wall]]\nkind = \"circle\"\ncentre = [0, 0]\nradius = 12\nside = \"inside\"\n"
+         "[[wall]]\nkind = \"half-space\"\nnormal = [0.25, 1]\noffset = -8\n"
+         "[[wall]]\nkind = \"polyline\"\npoints = [[-3, 0], [3, 1], [4, 5]]\n" +
+             gas},
+        {"fluid", box + gas +
+                      "[effects]\nrestitution = 0.9\nfluid = {velocity = [1, 0], gradient = [[0, "
+                      "0.1], [0, 0]], linear = 0.2, quadratic = 0.1}\n[run]\ntime_step = 0.05\n"}};
+    for (const auto& [name, text] : cases) {
+        SCOPED_TRACE(name);
+        const std::string scene = scratch.file("scene.toml", text);
+        const std::string state = scratch.path("state.json");
+        const auto logged = [&](const Words& words) {
+            const Outcome result = run(words);
+            EXPECT_EQ(result.code, 0) << result.err;
+            return result.out;
+        };
+        const std::string whole = logged({"simulate", scene, "--events", "600", "--quiet"});
+        const std::string first =
+            logged({"simulate", scene, "--events", "250", "--save", state, "--quiet"});
+        const std::string rest =
+            logged({"simulate", "--resume", state, "--events", "350", "--quiet"});
+        EXPECT_EQ(std::count(whole.begin(), whole.end(), '\n'), 601);
+        expect_same_lines(first + rest.substr(rest.find('\n') + 1), whole);
+        // The effect is heeded: without it the log is another one.
+        const std::string plain = scratch.file("plain.toml", box + gas);
+        EXPECT_TRUE(logged({"simulate", plain, "--events", "600", "--quiet"}) != whole);
+    }
+}
+
+/// Denser than chance places discs (0.547) and spheres (0.382).
+TEST_F(SceneRuns, StartDenselyByGrowth) {
+    const auto packing_of = [&]<int D>(const Scene<D>& scene) {
+        double filled = 0.0;
+        for (const motion::Ball<D>& ball : scene.start.balls) filled += std::pow(ball.radius, D);
+        for (int k = 0; k < D; ++k)
+            filled /= scene.effects.box->high[k] - scene.effects.box->low[k];
+        return filled * (D == 2 ? std::numbers::pi : 4.0 / 3.0 * std::numbers::pi);
+    };
+    const std::string end = "[run]\nuntil = 1\n";
+    for (const std::string periodic : {"true", "false"}) {
+        const AnyScene plane = read_scene(
+            scratch.file("plane.toml", box + "periodic = " + periodic +
+                                           "\n[balls]\nnumber = 150\npacking = 0.76\nradius = [1, "
+                                           "1.4]\narrangement = \"growth\"\n" +
+                                           end),
+            {});
+        EXPECT_NEAR(packing_of(std::get<Scene<2>>(plane)), 0.76, 1e-9);
+    }
+    const AnyScene space = read_scene(
+        scratch.file("space.toml",
+                     "[box]\nlow = [0, 0, 0]\nhigh = [5, 5, 5]\nperiodic = true\n[balls]\nnumber = "
+                     "100\npacking = 0.5\narrangement = \"growth\"\n" +
+                         end),
+        {});
+    EXPECT_NEAR(packing_of(std::get<Scene<3>>(space)), 0.5, 1e-9);
+    const std::string jammed = scratch.file(
+        "jammed.toml",
+        box + "[balls]\nnumber = 20\npacking = 0.93\narrangement = \"growth\"\n" + end);
+    try {
+        static_cast<void>(read_scene(jammed, {}));
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find(":4:1: [balls]: the balls jam"), std::string::npos)
+            << error.what();
+    }
+}
+
+TEST_F(SceneRuns, RecordWhereTheSceneSaysUnlessAnOptionDoes) {
+    const auto name = [&](const std::string& file) { return scratch.path(file); };
+    const std::string scene =
+        scratch.file("scene.toml", box + gas + "[run]\nuntil = 0.5\n[record]\nlog = \"" +
+                                       name("log.csv") + "\"\nframes = \"" + name("f.xyz") +
+                                       "\"\nstate = \"" + name("s.json") + "\"\n");
+    EXPECT_EQ(run({"simulate", scene, "--quiet"}).out, "");
+    const std::string log = contents(name("log.csv"));
+    EXPECT_TRUE(log.starts_with("time,kind,a,b,impulse\n"));
+    EXPECT_TRUE(contents(name("f.xyz")).starts_with("60\n"));
+    EXPECT_EQ(read_motion_state<2>(name("s.json")).state.time, 0.5);
+    EXPECT_EQ(run({"simulate", scene, "-o", name("other.csv"), "--until", "0.25", "--quiet"}).code,
+              0);
+    EXPECT_TRUE(log.starts_with(contents(name("other.csv"))));
+    EXPECT_LT(contents(name("other.csv")).size(), log.size());
+    EXPECT_EQ(contents(name("log.csv")), log);
+    const Outcome clash = run({"simulate", scene, "-o", name("f.xyz"), "--quiet"});
+    EXPECT_EQ(clash.code, 0) << clash.err;
+    EXPECT_EQ(run({"simulate", scene, "--save", name("log.csv")}).err,
+              "signum: --save " + name("log.csv") + " is where -o goes, too; give another name\n");
+}
+
+/// The box goes up and down by 2 of 24 that are shown, in 640 pixels; radii double.
+TEST_F(SceneRuns, ShowWallsAndGrowthInAFilm) {
+    const std::string film = scratch.path("film.svg");
+    const std::string scene = scratch.file(
+        "scene.toml",
+        box +
+            "[box.shake]\namplitude = [0, 2]\nfrequency = \"1 Hz\"\n[[wall]]\nkind = "
+            "\"circle\"\ncentre = [15, 10]\nradius = 3\nside = \"outside\"\n[balls]\nlist = "
+            "[[5, 10, 1.5, 0, 0]]\n[effects]\ngrowth = {rate = 1, until = 1}\n[run]\nuntil = "
+            "1\n[record]\nevery = 0.25\nfilm = \"" +
+            film + "\"\n");
+    EXPECT_EQ(run({"simulate", scene, "--quiet"}).code, 0);
+    const std::string svg = contents(film);
+    EXPECT_NE(svg.find("type=\"translate\" dur=\"12s\" repeatCount=\"indefinite\" "
+                       "calcMode=\"linear\" values=\"0.00 0.00;0.00 -53.33;0.00 "),
+              std::string::npos);
+    EXPECT_NE(svg.find("r=\"80.0\""), std::string::npos);
+    EXPECT_NE(svg.find("attributeName=\"r\" dur=\"12s\" repeatCount=\"indefinite\" "
+                       "calcMode=\"linear\" values=\"40.00;50.00;60.00;70.00;80.00\""),
+              std::string::npos);
+}
+
+/// Friction turns flight into spin, and elastic surfaces give all of it back.
+TEST_F(SceneRuns, EnergiesTellSpin) {
+    const std::string energies = scratch.path("energies.csv");
+    const std::string scene = scratch.file(
+        "scene.toml", box +
+                          "[balls]\nlist = [[5, 5, 1, 1, 1, 2, 3]]\n[effects]\nfriction = "
+                          "{coefficient = 10, tangential_restitution = 1}\n[run]\nuntil = "
+                          "40\n[record]\nevery = 10\nenergies = \"" +
+                          energies + "\"\n");
+    const Outcome result = run({"simulate", scene, "--quiet"});
+    EXPECT_EQ(result.code, 0) << result.err;
+    std::istringstream lines(contents(energies));
+    std::string line;
+    std::getline(lines, line);
+    EXPECT_EQ(line, "time,kinetic,spin,total");
+    double first_spin = -1.0;
+    bool changes = false;
+    while (std::getline(lines, line)) {
+        double time = 0.0;
+        double kinetic = 0.0;
+        double spin = 0.0;
+        double total = 0.0;
+        ASSERT_EQ(std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf", &time, &kinetic, &spin, &total), 4);
+        // m v² / 2 + m r² ω² / 4 of the start.
+        EXPECT_NEAR(total, 2.0 + 4.5, 1e-9);
+        EXPECT_NEAR(kinetic + spin, total, 1e-9);
+        if (first_spin < 0.0) first_spin = spin;
+        changes = changes || std::fabs(spin - first_spin) > 0.1;
+    }
+    EXPECT_EQ(first_spin, 4.5);
+    EXPECT_TRUE(changes);
+}
+
+}  // namespace
+}  // namespace signum
