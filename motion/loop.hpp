@@ -476,6 +476,7 @@ class Loop final : public Simulation<D>::Engine {
     void consider(Slot i, Slot j, Meeting meeting, Proposal& best) {
         if (!(meeting.early <= best.late)) return;
         if (meeting.early == -infinity) [[unlikely]] {
+            if (waits_for_turn(i, j)) return;
             meeting = exactly(i, j);
             if (!(meeting.early <= best.late)) return;
         }
@@ -492,8 +493,16 @@ class Loop final : public Simulation<D>::Engine {
         consider_wall(inquiry, wall, inquiry.asker.meeting(wall, side));
     }
     void consider_walls(Inquiry& inquiry) {
-        for (const Wall wall : walls_.numbers())
-            consider_wall(inquiry, wall, walls_.meeting(wall, inquiry.asker, inquiry.best.late));
+        for (const Wall wall : walls_.numbers()) {
+            if (waits_for_turn(inquiry.ball, first_wall + static_cast<Slot>(wall))) continue;
+            const double latest = std::min(inquiry.best.late, turn_);
+            const Meeting meeting = walls_.meeting(wall, inquiry.asker, latest);
+            if (meeting.early <= latest) consider_wall(inquiry, wall, meeting);
+        }
+    }
+    /// A pair that is passed over until all are asked anew: when it meets is no question.
+    [[nodiscard]] bool waits_for_turn(Slot i, Slot partner) const noexcept {
+        return !passed_.is_empty() && turn_ < infinity && passed_.until(i, partner) >= turn_;
     }
     void consider_wall(Inquiry& inquiry, Wall wall, Meeting meeting) {
         const Slot i = inquiry.ball;

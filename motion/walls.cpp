@@ -160,6 +160,16 @@ Meeting filtered(const HalfSpace<D>& wall, const typename MeetingFilter<D>::Aske
 }
 
 /// |D|² against the square of a distance, D straight or a parabola.
+/// How far a ball flies until then, no less.
+template <int D>
+double farthest_flight(const typename MeetingFilter<D>::Asker& ball, double latest) {
+    const double wait = std::max(latest - ball.now(), 0.0);
+    const Vector<D>& v = ball.place().v;
+    const Vector<D>& g = ball.bounds().gravity;
+    return (std::sqrt(dot(v, v)) + 0.5 * std::sqrt(dot(g, g)) * wait + ball.growth()) * wait *
+           (1.0 + 0x1p-30);
+}
+
 template <int D>
 Meeting filtered(const Sphere<D>& wall, const typename MeetingFilter<D>::Asker& ball,
                  double latest) {
@@ -180,6 +190,13 @@ Meeting filtered(const Sphere<D>& wall, const typename MeetingFilter<D>::Asker& 
         speed += magnitude(v[k]);
     }
     const double reach = is_outside ? wall.radius + ball.radius() : wall.radius - ball.radius();
+    if (latest < infinity) {
+        const double apart = std::sqrt(dot(d, d)) - reach;
+        const double flown = farthest_flight<D>(ball, latest) +
+                             std::sqrt(dot(wall.velocity, wall.velocity)) * (latest - now);
+        if ((is_outside ? apart : -apart) > flown + 0x1p-40 * (extent + flown))
+            return later_than(latest);
+    }
     const double reach_rate = is_outside ? rate : -rate;
     const auto seen_at = [&](double s, Vector<D>& x, Vector<D>& w) {
         for (int k = 0; k < D; ++k) {
@@ -248,10 +265,8 @@ Meeting filtered(const Segment& wall, const MeetingFilter<2>::Asker& ball, doubl
         4.0 * (ball.bounds().extent + magnitude(wall.from[0]) + magnitude(wall.from[1]) +
                magnitude(wall.to[0]) + magnitude(wall.to[1]));
     // Too far away to be reached by then.
-    const double wait = std::max(latest - ball.now(), 0.0);
-    const double flown = std::sqrt(dot(v, v)) * wait + 0.5 * std::sqrt(dot(g, g)) * wait * wait;
-    const double reach = (ball.radius() + ball.growth() * wait + flown) * (1.0 + 0x1p-30) +
-                         0x1p-40 * (extent + flown);
+    const double flown = farthest_flight<2>(ball, latest);
+    const double reach = ball.radius() + flown + 0x1p-40 * (extent + flown);
     bool is_far = false;
     for (int k = 0; k < 2; ++k) {
         const auto [low, high] = std::minmax(wall.from[k], wall.to[k]);
