@@ -669,6 +669,8 @@ class Loop final : public Simulation<D>::Engine {
         put(i, a);
         put(j, b);
         if (facts.stays) stand(i, j);
+        release(i);
+        release(j);
         ask_after_change({i, j});
         return true;
     }
@@ -696,6 +698,7 @@ class Loop final : public Simulation<D>::Engine {
         count(i, ball_before, std::fabs(ball_before.v[wall / 2]), 1.0,
               [&] { return stayed_in_place_exactly(ball_before, wall, world_.balls[i].time); });
         put(i, ball);
+        release(i);
         ask_after_change({i});
         return true;
     }
@@ -741,6 +744,7 @@ class Loop final : public Simulation<D>::Engine {
         laws_.struck(i, t);
         put(i, ball);
         if (bounce.stays) stand(i, partner);
+        release(i);
         ask_after_change({i});
         return true;
     }
@@ -755,7 +759,20 @@ class Loop final : public Simulation<D>::Engine {
     void put(Slot i, const Ball<D>& ball) {
         world_.balls[i] = ball;
         filter_.include(ball);
+    }
+    /// What a ball was not to strike it may strike now, but for those in contact that wait.
+    void release(Slot i) {
+        if (passed_.is_empty()) return;
+        if (!laws_.has_contacts()) {
+            passed_.release(i);
+            return;
+        }
+        const auto passed = passed_.of(i);
+        std::vector<Slot> waiting;
+        for (const auto& [partner, until] : passed)
+            if (until >= turn_ && waits_still(i, partner)) waiting.push_back(partner);
         passed_.release(i);
+        for (const Slot partner : waiting) passed_.pass(i, partner, turn_);
     }
     [[nodiscard]] double grown_radius(const Ball<D>& ball) const noexcept {
         return ball.radius + growth_of(ball, world_.effects) * ball.time;
@@ -928,9 +945,26 @@ class Loop final : public Simulation<D>::Engine {
     /// radius before the next step: that is left to the reactions then. In a chain of contacts each
     /// strike would bring about others, ever slower ones.
     [[nodiscard]] bool waits(Slot i, Slot partner, double t, double approach, double gap) const {
-        const double radius = world_.balls[i].radius;
+        const double radius = partner < first_wall
+                                  ? std::min(world_.balls[i].radius, world_.balls[partner].radius)
+                                  : world_.balls[i].radius;
         return approach * (turn_ - t) <= std::max(0x1p-10 * radius + gap, 0x1p-14 * radius) &&
                contacts_.has(numbers_of(i, partner));
+    }
+    /// The same of two that have waited, one of which has struck something else now.
+    [[nodiscard]] bool waits_still(Slot i, Slot partner) const {
+        if (partner >= first_wall) return false;
+        const Ball<D> a = at(i, now_);
+        const Ball<D> b = at(partner, now_);
+        const Facts facts = facts_of(a, b, nearest_image(a.x, b.x, world_.effects));
+        return waits(i, partner, now_, facts.approach, facts.distance - (a.radius + b.radius));
+    }
+    [[nodiscard]] Ball<D> at(Slot i, double t) const noexcept {
+        Ball<D> ball = world_.balls[i];
+        ball.x = world_.centre(i, t);
+        ball.v = world_.velocity(i, t);
+        ball.time = t;
+        return ball;
     }
     void stand(Slot i, Slot partner) {
         if (contacts_.join(numbers_of(i, partner))) ++counts_.joins;

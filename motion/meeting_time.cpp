@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "../core/contract.hpp"
+#include "../core/error_free.hpp"
 #include "../exact/nearest_double.hpp"
 #include "../exact/polynomial.hpp"
 #include "descent.hpp"
@@ -335,6 +337,140 @@ double meeting_time(const GrowingBall<D>& ball, const Sphere<D>& wall, const Eff
     return first_descent(room * room - square, ball.time);
 }
 
+namespace {
+
+constexpr double untold = std::numeric_limits<double>::quiet_NaN();
+
+double rounded(const Dyadic& number) {
+    return exact::round_to_double(exact::to_rational(number));
+}
+
+/// Where F, exact and then rounded, falls through 0: next to t at t - F/F' (1 + θ), |θ| <= 2 |bend
+/// F| / F'², as long as that is small. `slope` errs by 2^-40 of its size at most.
+double falls_near(double t, double f, double slope, double size, double bend, double start) {
+    if (!(slope < -0x1p-10 * size)) return untold;
+    const double delta = -f / slope;
+    const double theta = 2.0 * std::fabs(bend * delta / slope);
+    if (!(theta < 0x1p-20)) return untold;
+    const double error = std::fabs(delta) * (0x1p-28 + 2.0 * theta);
+    const TwoTerms sum = two_sum(t, delta);
+    const double time = sum.high + (sum.low - error);
+    return time == sum.high + (sum.low + error) ? std::max(time, start) : untold;
+}
+
+bool is_told(double about, double start) {
+    return about >= start && about < 0x1p300;
+}
+
+/// A centre and its velocity at a time.
+template <int D>
+struct Then {
+    PerAxis<Dyadic, D> x;
+    Vector<D> v;
+    double fast = 0.0;  ///< what v is a sum of
+
+    Then(const GrowingBall<D>& ball, const Effects<D>& effects, double t) {
+        const Path<D> path = path_of<D>(ball, effects.gravity);
+        for (int i = 0; i < D; ++i) {
+            x[i] = path[i].value_at(Dyadic(t));
+            const double fallen = effects.gravity[i] * (t - ball.time);
+            v[i] = ball.v[i] + fallen;
+            fast += std::fabs(ball.v[i]) + std::fabs(fallen);
+        }
+    }
+};
+template <int D>
+double refined_meeting_of(const GrowingBall<D>& ball, const ExactHalfSpace<D>& wall,
+                          const Effects<D>& effects, double about) {
+    if (!is_told(about, ball.time)) return untold;
+    const Then<D> then(ball, effects, about);
+    const Dyadic t(about);
+    Dyadic height = -(wall.offset + wall.speed * t);
+    Dyadic square;
+    double slope = -rounded(wall.speed);
+    double bend = 0.0;
+    for (int i = 0; i < D; ++i) {
+        height += wall.normal[i] * then.x[i];
+        square += wall.normal[i] * wall.normal[i];
+        const double n = rounded(wall.normal[i]);
+        slope += n * then.v[i];
+        bend += std::fabs(n * effects.gravity[i]);
+    }
+    const double scale = std::sqrt(rounded(square));
+    const Dyadic radius = Dyadic(ball.radius) + Dyadic(ball.growth) * t;
+    // h - |n| r = (h² - n² r²) / (h + |n| r)
+    const double sum = rounded(height) + scale * rounded(radius);
+    if (!(sum > 0.0) || height.sign() < 0) return untold;
+    const double f = rounded(height * height - square * radius * radius) / sum;
+    const double size = scale * (then.fast + ball.growth) + std::fabs(rounded(wall.speed));
+    return falls_near(about, f, slope - scale * ball.growth, size, bend, ball.time);
+}
+
+}  // namespace
+
+template <int D>
+double refined_meeting(const GrowingBall<D>& ball, const HalfSpace<D>& wall,
+                       const Effects<D>& effects, double about) {
+    ExactHalfSpace<D> exact;
+    for (int i = 0; i < D; ++i) exact.normal[i] = Dyadic(wall.normal[i]);
+    exact.offset = Dyadic(wall.offset);
+    exact.speed = Dyadic(wall.speed);
+    return refined_meeting_of(ball, exact, effects, about);
+}
+
+template <int D>
+double refined_meeting(const GrowingBall<D>& ball, const Sphere<D>& wall, const Effects<D>& effects,
+                       double about) {
+    if (!is_told(about, ball.time)) return untold;
+    const Then<D> then(ball, effects, about);
+    const Dyadic t(about);
+    const Dyadic radius = Dyadic(ball.radius) + Dyadic(ball.growth) * t;
+    const double sign = wall.side == Sphere<D>::Side::outside ? 1.0 : -1.0;
+    const Dyadic reach = Dyadic(wall.radius) + Dyadic(sign) * radius;
+    Dyadic square;
+    double slope = 0.0;
+    double size = 0.0;
+    double fast = 0.0;
+    double fall = 0.0;
+    for (int i = 0; i < D; ++i) {
+        const Dyadic d = then.x[i] - (Dyadic(wall.centre[i]) + Dyadic(wall.velocity[i]) * t);
+        square += d * d;
+        const double away = rounded(d);
+        const double v = then.v[i] - wall.velocity[i];
+        slope += 2.0 * away * v;
+        const double sizes = then.fast + std::fabs(wall.velocity[i]);
+        size += 2.0 * std::fabs(away) * sizes;
+        fast += sizes * sizes;
+        fall += std::fabs(away * effects.gravity[i]);
+    }
+    const double grown = 2.0 * rounded(reach) * ball.growth;
+    const double f = sign * rounded(square - reach * reach);
+    return falls_near(about, f, sign * slope - grown, size + grown,
+                      2.0 * (fast + fall) + 2.0 * ball.growth * ball.growth, ball.time);
+}
+
+double refined_meeting(const GrowingBall<2>& ball, const Segment& wall, const Effects<2>& effects,
+                       double about) {
+    if (!is_told(about, ball.time)) return untold;
+    const PerAxis<Dyadic, 2> from = exact(wall.from);
+    const PerAxis<Dyadic, 2> along = difference(exact(wall.to), from);
+    const Then<2> then(ball, effects, about);
+    const PerAxis<Dyadic, 2> seen = difference(then.x, from);
+    const double length = rounded(along[0] * along[0] + along[1] * along[1]);
+    const double foot = rounded(seen[0] * along[0] + seen[1] * along[1]) / length;
+    // Next to where a side ends and an end begins all is looked at exactly.
+    constexpr double margin = 0x1p-20;
+    if (foot < -margin)
+        return refined_meeting(ball, Sphere<2>{.centre = wall.from}, effects, about);
+    if (foot > 1.0 + margin)
+        return refined_meeting(ball, Sphere<2>{.centre = wall.to}, effects, about);
+    if (!(foot > margin && foot < 1.0 - margin)) return untold;
+    const int side = cross(along, seen).sign();
+    const PerAxis<Dyadic, 2> normal{{side * -along[1], side * along[0]}};
+    return refined_meeting_of<2>(
+        ball, {normal, normal[0] * from[0] + normal[1] * from[1], Dyadic()}, effects, about);
+}
+
 template double meeting_time(const GrowingBall<2>&, const GrowingBall<2>&, const Image<2>&,
                              const Effects<2>&);
 template double meeting_time(const GrowingBall<3>&, const GrowingBall<3>&, const Image<3>&,
@@ -347,5 +483,12 @@ template double meeting_time(const GrowingBall<2>&, const HalfSpace<2>&, const E
 template double meeting_time(const GrowingBall<3>&, const HalfSpace<3>&, const Effects<3>&);
 template double meeting_time(const GrowingBall<2>&, const Sphere<2>&, const Effects<2>&);
 template double meeting_time(const GrowingBall<3>&, const Sphere<3>&, const Effects<3>&);
+
+template double refined_meeting(const GrowingBall<2>&, const HalfSpace<2>&, const Effects<2>&,
+                                double);
+template double refined_meeting(const GrowingBall<3>&, const HalfSpace<3>&, const Effects<3>&,
+                                double);
+template double refined_meeting(const GrowingBall<2>&, const Sphere<2>&, const Effects<2>&, double);
+template double refined_meeting(const GrowingBall<3>&, const Sphere<3>&, const Effects<3>&, double);
 
 }  // namespace signum::motion

@@ -44,6 +44,17 @@ template <int D>
 [[nodiscard]] double meeting_time(const GrowingBall<D>& ball, const Sphere<D>& wall,
                                   const Effects<D>& effects);
 
+/// The same by one look, of a ball that meets the obstacle at some time near `about`; NaN where
+/// that does not tell the double.
+template <int D>
+[[nodiscard]] double refined_meeting(const GrowingBall<D>& ball, const HalfSpace<D>& wall,
+                                     const Effects<D>& effects, double about);
+template <int D>
+[[nodiscard]] double refined_meeting(const GrowingBall<D>& ball, const Sphere<D>& wall,
+                                     const Effects<D>& effects, double about);
+[[nodiscard]] double refined_meeting(const GrowingBall<2>& ball, const Segment& wall,
+                                     const Effects<2>& effects, double about);
+
 /// Of the two sides and the two ends the first one that is met; a side counts where the centre's
 /// foot at that rounded time is on the segment. Precondition: the two ends are different.
 [[nodiscard]] double meeting_time(const GrowingBall<2>& ball, const Segment& wall,

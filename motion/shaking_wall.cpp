@@ -356,9 +356,9 @@ double ShakingGap::falls_near(double about) const {
 }  // namespace
 
 template <int D>
-double refined_meeting(const Ball<D>& ball, double growth, const ShakingWall& wall,
+double refined_meeting(const GrowingBall<D>& ball, const ShakingWall& wall,
                        const Effects<D>& effects, double about) {
-    return ShakingGap(GrowingBall<D>{ball, growth}, wall, effects).falls_near(about);
+    return ShakingGap(ball, wall, effects).falls_near(about);
 }
 
 namespace {
@@ -390,9 +390,9 @@ double meeting_time(const GrowingBall<D>& ball, const ShakingWall& wall,
     return ShakingGap(ball, wall, effects).first_descent();
 }
 
-template double refined_meeting(const Ball<2>&, double, const ShakingWall&, const Effects<2>&,
+template double refined_meeting(const GrowingBall<2>&, const ShakingWall&, const Effects<2>&,
                                 double);
-template double refined_meeting(const Ball<3>&, double, const ShakingWall&, const Effects<3>&,
+template double refined_meeting(const GrowingBall<3>&, const ShakingWall&, const Effects<3>&,
                                 double);
 template double meeting_time(const GrowingBall<2>&, const ShakingWall&, const Effects<2>&);
 template double meeting_time(const GrowingBall<3>&, const ShakingWall&, const Effects<3>&);

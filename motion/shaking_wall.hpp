@@ -26,7 +26,7 @@ template <int D>
 /// The same by one look, of a ball that meets the wall at some time near `about`; NaN where that
 /// does not tell the double.
 template <int D>
-[[nodiscard]] double refined_meeting(const Ball<D>& ball, double growth, const ShakingWall& wall,
+[[nodiscard]] double refined_meeting(const GrowingBall<D>& ball, const ShakingWall& wall,
                                      const Effects<D>& effects, double about);
 
 /// How fast the wall moves along the axis, amplitude · frequency · cos(frequency · t + phase): the

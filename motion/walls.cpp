@@ -379,9 +379,10 @@ double Walls<D>::exact_meeting(const Ball<D>& ball, Wall wall) const {
 
 template <int D>
 double Walls<D>::refined_meeting(const Ball<D>& ball, Wall wall, double about) const {
-    if (const auto* shaking = std::get_if<ShakingWall>(wall_of(wall)))
-        return motion::refined_meeting(ball, growth_of(ball, effects_), *shaking, effects_, about);
-    return std::numeric_limits<double>::quiet_NaN();
+    const GrowingBall<D> growing{ball, growth_of(ball, effects_)};
+    return std::visit(
+        [&](const auto& each) { return motion::refined_meeting(growing, each, effects_, about); },
+        *wall_of(wall));
 }
 
 template <int D>

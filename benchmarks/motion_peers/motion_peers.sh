@@ -67,7 +67,7 @@ beside_lammps() {
   for step in "$@"; do
     awk -v t="$(median <"theirs_$step")" -v own="$own" -v s="$seconds" -v name="$name" -v step="$step" \
       -v e="$(awk '/^Step/ { on = 1; next } /^Loop/ { on = 0 } on { if (!n++) a = $2; b = $2 } END { printf "%.4f", b / a }' "lammps_$step.log")" \
-      -v deep="$(awk '/^Step/ { on = 1; next } /^Loop/ { on = 0 } on { if ($3 > d) d = $3 } END { if (d) printf "%.2g", d }' "lammps_$step.log")" \
+      -v deep="$(awk '/^Step/ { on = /v_overlap/; next } /^Loop/ { on = 0 } on { if ($3 > d) d = $3 } END { if (d) printf "%.2g", d }' "lammps_$step.log")" \
       'BEGIN { printf "| %s | LAMMPS, steps of %s | %.3g | %.1f | %s | %s | |\n", name, step, t / s, t / own, e, deep }'
   done
   rm -f theirs_*
