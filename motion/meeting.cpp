@@ -89,9 +89,12 @@ template <class Flight>
         Four square{};
         Four distance{};
         Four largest{};
+        // Whoever falls alike from the same time on rests as exactly as who does not fall.
         Flags rests = Flags{} - 1;
+        if constexpr (Flight::falls) rests = columns[2 * D + 1] == own_->time;
         for (int i = 0; i < D; ++i) {
             Four v = columns[D + i];
+            if constexpr (Flight::falls) rests &= v == own_->v[i];
             const Four flown = v * dt;
             Four d = columns[i] + flown;
             raise(largest, flown);
@@ -112,7 +115,7 @@ template <class Flight>
             product += d * v;
             square += v * v;
             distance += d * d;
-            rests &= v == 0.0;
+            if constexpr (!Flight::falls) rests &= v == 0.0;
         }
         const Four gap = distance - r * r;
         // S, and A.
@@ -159,7 +162,7 @@ template <class Flight>
                 passes &= gap > bounds.gap_error;
             }
             Flags misses = (recedes | passes) & known;
-            if constexpr (!Flight::falls && !Flight::grows) misses |= rests;
+            if constexpr (!Flight::grows) misses |= rests;
             const Flags tells = (discriminant > 2.0 * times * bounds.gap_error * size) &
                                 (gap > bounds.gap_error) & (product < 0.0) & known;
             const Four either_way = 2.0 * error + 0x1p-49 * t;
@@ -247,6 +250,7 @@ template <int D>
 auto MeetingFilter<D>::asker(const Ball<D>& ball, double now) noexcept -> Asker {
     Asker asker;
     asker.place_ = include(ball, now);
+    asker.own_ = &ball;
     asker.radius_ = ball.radius;
     asker.now_ = now;
     asker.bounds_ = &bounds_;

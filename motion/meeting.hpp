@@ -164,6 +164,7 @@ class MeetingFilter {
         using Answer = void (*)(const Asker&, const Ball<D>*, Crowd&) noexcept;
 
         Place<D> place_;
+        const Ball<D>* own_;
         double radius_;
         double now_;
         const Bounds<D>* bounds_;
