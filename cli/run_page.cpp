@@ -34,7 +34,8 @@ std::vector<std::pair<std::string, std::string>> table_of(const study::SceneDesc
         {"seconds of computing", fmt::format("{:.3g}", summary.seconds)},
         {"energy at the start", energy(summary.start)},
         {"energy at the end", energy(summary.end)}};
-    if (const auto z = compressibility(summary))
+    // Elsewhere strikes are not all that presses.
+    if (const auto z = compressibility(summary); z && summary.start.effects.periodic)
         rows.push_back({"pressure, Z = pV/NkT", fmt::format("{:.4f}", *z)});
     if (summary.start.effects.contacts) {
         rows.push_back({"contacts that stand at the end",
@@ -74,7 +75,7 @@ std::string page_of_run(const study::SceneDescription& scene, std::string film,
     for (const study::Plot& plot : study::plots_of_scene(scene, curves))
         page.curves.push_back(study::inline_svg(
             drawn_by_gnuplot(study::gnuplot_script(plot)), plot.name,
-            fmt::format("{} over {}", plot.panels[0].y_label, plot.panels[0].x_label)));
+            fmt::format("{} over {}", plot.panels[0].title, plot.panels[0].x_label)));
     if (page.curves.empty()) page.without_curves = "A curve needs two frames.";
     return study::html_of(page);
 }

@@ -368,17 +368,19 @@ std::optional<Check> speeds_are_maxwellian(const RunRecord<D>& record) {
     if (!is_elastic(effects) || !is_endless(effects) || n < 2) return std::nullopt;
     Check check;
     check.what = "speeds are those of Maxwell";
-    check.expected = D == 2 ? "energies above the mean: exp(−E/T)"
-                            : "energies: Γ(3/2, E/T), three degrees of freedom";
+    check.expected = D == 2 ? "energy above E: the share exp(−E/T) of all"
+                            : "energy above E: the share Γ(3/2, E/T)/Γ(3/2) of all";
     const auto looks = looks_apart(record, 2.0 * static_cast<double>(n));
     const double mass = mass_of(record.end());
     const Moment& last = record.moments().back();
     const double t = temperature<D>(last, mass, n);
+    check.found = "less than twenty strikes a ball before the second half, or nothing moves";
+    // Before that many speeds are those of the start.
+    if (looks.empty() ||
+        static_cast<double>(looks.back()->strikes) < 10.0 * static_cast<double>(n) || !(t > 0.0))
+        return check;
     ChiSquared cells;
     for (const auto* look : looks) {
-        // Before that many strikes speeds are those of the start.
-        if (static_cast<double>(look->strikes) < 10.0 * static_cast<double>(n) || !(t > 0.0))
-            continue;
         for (std::size_t i = 0; i < n; ++i) {
             double square = 0.0;
             for (int k = 0; k < D; ++k) {
@@ -435,12 +437,13 @@ std::optional<Check> gas_cools_as_haff_says(const RunRecord<D>& record) {
         high = std::max(high, fit.exponent);
     }
     const double error = std::max(high - best.exponent, best.exponent - low);
-    constexpr double allowed = 0.1;
+    // Vortices form early, and slow the cooling by some per cent a decade.
+    constexpr double allowed = 0.2;
     check.found =
         fmt::format("exponent {:.3f}, {:.3f} to {:.3f} (95 %, from {} frames); τ = {:.4g}",
                     best.exponent, low, high, times.size(), best.tau);
-    check.deviation = fmt::format("{:+.3f}; 0.1 and the error are allowed", best.exponent - 2.0);
-    check.judgement = error > 5.0 * allowed ? Judgement::not_told
+    check.deviation = fmt::format("{:+.3f}; 0.2 and the error are allowed", best.exponent - 2.0);
+    check.judgement = error > 2.5 * allowed ? Judgement::not_told
                                             : judged(low - allowed <= 2.0 && 2.0 <= high + allowed);
     return check;
 }
@@ -498,7 +501,7 @@ std::vector<Check> heap_is_at_rest(const RunRecord<D>& record) {
     const std::vector<Moment>& moments = record.moments();
     const double g = std::sqrt(dot(effects.gravity, effects.gravity));
     const double scale = std::sqrt(g * mean_radius(state.balls, moments.back().time, effects));
-    constexpr double rest = 1e-3;
+    constexpr double rest = 1e-4;
     const double fastest = moments.back().fastest;
     const bool is_at_rest = fastest <= rest * scale;
     // What slows down may still come to rest: the last tenth of the run beside that before.
@@ -522,12 +525,12 @@ std::vector<Check> heap_is_at_rest(const RunRecord<D>& record) {
     double weight = mass_of(state) * g;
     double borne = 0.0;
     for (const WallContact<D>& contact : contacts) borne -= dot(contact.force, effects.gravity) / g;
-    constexpr double allowed = 0.01;
+    constexpr double allowed = 1e-3;
     const double off = (borne - weight) / weight;
     result.push_back({"the walls bear the weight",
                       fmt::format("Σ m g = {:.6g} (Newton: at rest all forces are 0)", weight),
                       fmt::format("{:.6g}, from {} contacts with walls", borne, contacts.size()),
-                      fmt::format("{:+.1e} of it; 1 % is allowed", off),
+                      fmt::format("{:+.1e} of it; 0.1 % is allowed", off),
                       is_at_rest ? judged(std::fabs(off) <= allowed) : Judgement::not_told});
     if (is_at_rest)
         if (auto slope = slope_of_heap<D>(record, contacts)) result.push_back(std::move(*slope));
@@ -580,7 +583,8 @@ std::optional<Check> fluid_carries_balls(const RunRecord<D>& record) {
         ++alone;
     }
     constexpr std::size_t fewest = 5;
-    check.found = fmt::format("{} balls are farther than three radii from all else", alone);
+    check.found = fmt::format("{} of {} balls are farther than three radii from all else", alone,
+                              state.balls.size());
     if (alone < fewest || !(of_current > 0.0)) return check;
     constexpr double allowed = 0.05;
     const double ratio = of_balls / of_current;
@@ -594,7 +598,7 @@ template <int D>
 std::vector<Check> nothing_overlaps(const RunRecord<D>& record) {
     const bool has_contacts = record.effects().contacts.has_value();
     // Who stands in contact is left alone within a step, and what it sinks in is undone slowly.
-    const double allowed = has_contacts ? 0x1p-7 : 0x1p-30;
+    const double allowed = has_contacts ? 0x1p-9 : 0x1p-30;
     double of_balls = 0.0;
     double of_walls = 0.0;
     for (const Moment& moment : record.moments()) {
@@ -605,9 +609,9 @@ std::vector<Check> nothing_overlaps(const RunRecord<D>& record) {
         return Check{std::move(what),
                      fmt::format("at most {:.0e} of a radius, {}", allowed,
                                  has_contacts ? "by contacts that stand" : "by rounding"),
-                     fmt::format("{:.1e} of a radius, the deepest of {} frames", deepest,
-                                 record.moments().size()),
-                     deepest > 0.0 ? fmt::format("{:.1e} of a radius", deepest) : "none",
+                     deepest > 0.0 ? fmt::format("{:.1e} of a radius at most", deepest)
+                                   : std::string("none"),
+                     fmt::format("over {} frames", record.moments().size()),
                      judged(deepest <= allowed)};
     };
     std::vector<Check> result = {check("no two balls overlap", of_balls)};

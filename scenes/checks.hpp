@@ -43,13 +43,13 @@ template <int D>
 [[nodiscard]] std::optional<Check> gas_has_known_pressure(const RunRecord<D>& record);
 
 /// Of an elastic gas in a periodic box: energies of balls are those of Maxwell, by chi squared over
-/// looks at the second half between which balls have struck four times each.
+/// looks at the second half, which begins after twenty strikes of each ball, with four between.
 template <int D>
 [[nodiscard]] std::optional<Check> speeds_are_maxwellian(const RunRecord<D>& record);
 
 /// Of a gas of one restitution below 1 in a periodic box, without friction, gravity and time steps:
 /// T = T0 / (1 + t/τ)^2 (Haff, J. Fluid Mech. 134:401, 1983) until T is a tenth; the exponent is
-/// fitted.
+/// fitted, and may be off by 0.2, since vortices slow the cooling from early on.
 template <int D>
 [[nodiscard]] std::optional<Check> gas_cools_as_haff_says(const RunRecord<D>& record);
 

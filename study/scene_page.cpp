@@ -92,10 +92,10 @@ std::vector<Plot> plots_of_scene(const SceneDescription& scene, const SceneCurve
     for (std::size_t i = 0; i < all.size(); i += every) moments.push_back(all[i]);
     const std::string time = with_unit("time", scene.time);
 
-    const auto plot = [&](std::string name, std::string x, std::string y) -> Panel& {
+    const auto plot = [&](std::string name, std::string x, std::string title) -> Panel& {
         Panel panel;
         panel.x_label = std::move(x);
-        panel.y_label = std::move(y);
+        panel.title = std::move(title);
         plots.push_back({std::move(name), 1, {std::move(panel)}});
         return plots.back().panels.front();
     };
@@ -135,7 +135,7 @@ std::vector<Plot> plots_of_scene(const SceneDescription& scene, const SceneCurve
 
     Panel& strikes = plot(
         "strikes", time,
-        scene.time.empty() ? "strikes a unit of time" : fmt::format("strikes per {}", scene.time));
+        scene.time.empty() ? "strikes a unit of time" : fmt::format("strikes in 1 {}", scene.time));
     std::vector<PlotPoint> rates;
     for (std::size_t i = 1; i < moments.size(); ++i) {
         const double span = moments[i].time - moments[i - 1].time;
@@ -147,17 +147,16 @@ std::vector<Plot> plots_of_scene(const SceneDescription& scene, const SceneCurve
     strikes.y_least = 0.0;
 
     if (!curves.pairs.empty()) {
-        Panel& pairs = plot("pairs", with_unit("distance r", scene.length), "g(r)");
+        Panel& pairs = plot("pairs", with_unit("distance r", scene.length),
+                            "pair correlation g(r): pairs at a distance, 1 at random");
         std::vector<PlotPoint> points;
         for (const auto& [r, g] : curves.pairs) points.push_back({r, g, g, g});
-        add(pairs, "pairs at that distance, 1 at random; second half of the run",
-            std::move(points));
+        add(pairs, "second half of the run", std::move(points));
         pairs.y_least = 0.0;
     }
     if (curves.has_growth && moments.front().packing > 0.0) {
-        Panel& packing = plot("packing", time, "packing");
-        add(packing, "share of the box that balls fill",
-            over_time([](const Moment& each) { return each.packing; }));
+        Panel& packing = plot("packing", time, "packing: the share of the box that balls fill");
+        add(packing, "packing", over_time([](const Moment& each) { return each.packing; }));
     }
     return plots;
 }
