@@ -34,8 +34,9 @@ std::vector<std::pair<std::string, std::string>> table_of(const study::SceneDesc
         {"seconds of computing", fmt::format("{:.3g}", summary.seconds)},
         {"energy at the start", energy(summary.start)},
         {"energy at the end", energy(summary.end)}};
-    // Elsewhere strikes are not all that presses.
-    if (const auto z = compressibility(summary); z && summary.start.effects.periodic)
+    // Elsewhere strikes are not all that presses, or T is not one number.
+    if (const auto z = compressibility(summary);
+        z && summary.start.effects.periodic && summary.start.effects.restitution == 1.0)
         rows.push_back({"pressure, Z = pV/NkT", fmt::format("{:.4f}", *z)});
     if (summary.start.effects.contacts) {
         rows.push_back({"contacts that stand at the end",
