@@ -948,7 +948,7 @@ class Loop final : public Simulation<D>::Engine {
         const double radius = partner < first_wall
                                   ? std::min(world_.balls[i].radius, world_.balls[partner].radius)
                                   : world_.balls[i].radius;
-        return approach * (turn_ - t) <= std::max(0x1p-10 * radius + gap, 0x1p-14 * radius) &&
+        return approach * (turn_ - t) <= std::max(0x1p-8 * radius + gap, 0x1p-12 * radius) &&
                contacts_.has(numbers_of(i, partner));
     }
     /// The same of two that have waited, one of which has struck something else now.
