@@ -109,7 +109,8 @@ class Loop final : public Simulation<D>::Engine {
             const Slot i = queue_.top(before());
             const double key = queue_.key(i);
             if constexpr (has_turns()) {
-                if (turn_ < key && is_turn_due(until)) [[unlikely]] {
+                if (turn_ <= key && (turn_ < key || growth_ends_next()) && is_turn_due(until))
+                    [[unlikely]] {
                     if (limits.stop && limits.stop()) return {Ending::stopped, {}};
                     take_turn();
                     continue;
@@ -350,9 +351,11 @@ class Loop final : public Simulation<D>::Engine {
         return widest;
     }
     [[nodiscard]] bool any_meets() {
+        if (turn_ < infinity) return true;
         Crowd crowd;
         for (Slot i = 0; i < particles_.size(); ++i) {
             const Asker asker = filter_.asker(world_.balls[i], now_);
+            if (meets_wall(i, asker)) return true;
             for (Slot j = 0; j < i; ++j) {
                 crowd.push(j);
                 if (!crowd.is_full() && j + 1 < i) continue;
@@ -363,6 +366,20 @@ class Loop final : public Simulation<D>::Engine {
                         return true;
                 }
             }
+        }
+        return false;
+    }
+
+    [[nodiscard]] bool meets_wall(Slot i, const Asker& asker) {
+        if constexpr (!has_walls()) return false;
+        for (const Wall wall : walls_.numbers()) {
+            Meeting meeting = walls_.meeting(wall, asker, infinity);
+            if (meeting.early == -infinity)
+                meeting.early = meeting.late = exactly_at(world_.balls[i], wall);
+            Proposal candidate{meeting.early, meeting.late, first_wall + static_cast<Slot>(wall),
+                               0};
+            if (meeting.early < infinity && (passed_.is_empty() || !is_passed(i, candidate)))
+                return true;
         }
         return false;
     }
@@ -863,8 +880,12 @@ class Loop final : public Simulation<D>::Engine {
         turn_ = steps_.next();
         if (world_.effects.growth) turn_ = std::min(turn_, world_.effects.growth->until);
     }
+    /// Before strikes at that time: so a state knows by its time whether radii still grow.
+    [[nodiscard]] bool growth_ends_next() const noexcept {
+        return world_.effects.growth && world_.effects.growth->until == turn_;
+    }
     [[nodiscard]] bool is_turn_due(double until) const noexcept {
-        if (world_.effects.growth && world_.effects.growth->until == turn_) return turn_ <= until;
+        if (growth_ends_next()) return turn_ <= until;
         // The state between two steps is that before the next one begins.
         return steps_.begins() ? turn_ < until : turn_ <= until;
     }
@@ -872,7 +893,7 @@ class Loop final : public Simulation<D>::Engine {
         now_ = std::max(now_, turn_);
         StrikeTally tally;
         for (Slot i = 0; i < particles_.size(); ++i) world_.balls[i] = arrive(i, turn_, tally);
-        if (world_.effects.growth && world_.effects.growth->until == turn_)
+        if (growth_ends_next())
             end_growth();
         else
             kick();
@@ -888,6 +909,7 @@ class Loop final : public Simulation<D>::Engine {
     void end_growth() {
         for (Ball<D>& ball : world_.balls) ball.radius = grown_at(ball, turn_, world_.effects);
         world_.effects.growth.reset();
+        world_.swelling = 1.0;
         filter_ = MeetingFilter<D>(world_.effects, kernel_);
         passed_.clear();
     }
