@@ -691,10 +691,7 @@ class Loop final : public Simulation<D>::Engine {
         Law law{world_.effects.wall_restitution, 0.0};
         if (!laws_.is_plain() || !is_side(wall)) [[unlikely]]
             return strike_surface(i, wall, ball, record);
-        if (!strike(ball, wall, law)) {
-            const double g = world_.effects.gravity[wall / 2];
-            return rests(i, wall, t, wall % 2 != 0 ? g > 0.0 : g < 0.0);
-        }
+        if (!strike(ball, wall, law)) return rests(i, wall, t, is_pulled_to(wall));
         if (record) {
             last_.impulse = impulse(ball_before, wall, mass, law);
             record(last_);
@@ -727,7 +724,8 @@ class Loop final : public Simulation<D>::Engine {
                 ask(i);
                 return false;
             }
-            return rests(i, wall, t, dot(unit_normal(faces), world_.effects.gravity) < 0.0);
+            return rests(i, wall, t,
+                         is_side(wall) ? is_pulled_to(wall) : walls_.bends_down(came, wall));
         }
         if (record) {
             last_.impulse = exchange.impulse;
@@ -752,9 +750,14 @@ class Loop final : public Simulation<D>::Engine {
         ask_after_change({i});
         return true;
     }
-    /// A ball that comes to a wall, and is not changed. Where it is pulled there it lies on it.
-    [[nodiscard]] bool rests(Slot i, Wall wall, double t, bool is_pulled) {
-        collapses_ = is_pulled;
+    [[nodiscard]] bool is_pulled_to(Wall side) const noexcept {
+        const double g = world_.effects.gravity[side / 2];
+        return side % 2 != 0 ? g > 0.0 : g < 0.0;
+    }
+    /// A ball that comes to a wall, and is not changed. Where the gap between them bends down it
+    /// lies on it, and would go through.
+    [[nodiscard]] bool rests(Slot i, Wall wall, double t, bool bends_down) {
+        collapses_ = bends_down;
         if (collapses_) return false;
         passed_.pass(i, first_wall + static_cast<Slot>(wall), t);
         ask(i);
@@ -941,7 +944,8 @@ class Loop final : public Simulation<D>::Engine {
     /// radius before the next step: that is left to the reactions then. In a chain of contacts each
     /// strike would bring about others, ever slower ones.
     [[nodiscard]] bool waits(Slot i, Slot partner, double t, double approach, double gap) const {
-        const double radius = world_.balls[i].radius;
+        double radius = world_.balls[i].radius;
+        if (partner < first_wall) radius = std::min(radius, world_.balls[partner].radius);
         return approach * (turn_ - t) <= std::max(0x1p-10 * radius + gap, 0x1p-14 * radius) &&
                contacts_.has(numbers_of(i, partner));
     }

@@ -228,9 +228,10 @@ void check_walls(const Body<D>& body, const Effects<D>& effects, std::int64_t nu
             if ((x - low).sign() < 0 || (high - x).sign() < 0)
                 throw BallError(number, "a centre outside the periodic box; give one inside");
             // In the end, for partners are seen in their nearest images.
-            const Dyadic grown = effects.growth ? radius + Dyadic(effects.growth->rate * body.radius) *
-                                                               Dyadic(effects.growth->until)
-                                                : radius;
+            const Dyadic grown = effects.growth
+                                     ? radius + Dyadic(effects.growth->rate * body.radius) *
+                                                    Dyadic(effects.growth->until)
+                                     : radius;
             if ((high - low - 8 * grown).sign() < 0)
                 throw BallError(number,
                                 "a ball whose diameter is more than a quarter of the periodic "

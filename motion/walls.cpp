@@ -382,6 +382,15 @@ Facing<D> Walls<D>::facing(const Ball<D>& ball, Wall wall) const {
 }
 
 template <int D>
+bool Walls<D>::bends_down(const Ball<D>& ball, Wall wall) const {
+    return std::visit(
+        [&](const auto& each) {
+            return motion::bends_down(ball, each, effects_.gravity, growth_of(ball, effects_));
+        },
+        *wall_of(wall));
+}
+
+template <int D>
 Vector<D> Walls<D>::velocity(Wall wall, double t) const {
     Vector<D> v{};
     if (wall < 2 * D) {

@@ -35,6 +35,8 @@ class Walls {
     /// The same, of a ball that meets it at some time near `about`; NaN where it is not told.
     [[nodiscard]] double refined_meeting(const Ball<D>& ball, Wall wall, double about) const;
     [[nodiscard]] Facing<D> facing(const Ball<D>& ball, Wall wall) const;
+    /// Whether the gap between it and a ball at its own time bends down (wall_strike.hpp).
+    [[nodiscard]] bool bends_down(const Ball<D>& ball, Wall wall) const;
     /// The velocity of any wall, a side at rest included: such a one moves along itself where the
     /// box shakes. Rounded; of a half space that along its normal.
     [[nodiscard]] Vector<D> velocity(Wall wall, double t) const;
