@@ -373,13 +373,9 @@ class Loop final : public Simulation<D>::Engine {
     [[nodiscard]] bool meets_wall(Slot i, const Asker& asker) {
         if constexpr (!has_walls()) return false;
         for (const Wall wall : walls_.numbers()) {
-            Meeting meeting = walls_.meeting(wall, asker, infinity);
-            if (meeting.early == -infinity)
-                meeting.early = meeting.late = exactly_at(world_.balls[i], wall);
-            Proposal candidate{meeting.early, meeting.late, first_wall + static_cast<Slot>(wall),
-                               0};
-            if (meeting.early < infinity && (passed_.is_empty() || !is_passed(i, candidate)))
-                return true;
+            Meeting meeting = meeting_of(wall, i, asker, infinity);
+            if (meeting.early == -infinity) meeting.early = exactly_at(world_.balls[i], wall);
+            if (meeting.early < infinity) return true;
         }
         return false;
     }
@@ -510,7 +506,19 @@ class Loop final : public Simulation<D>::Engine {
     }
     void consider_walls(Inquiry& inquiry) {
         for (const Wall wall : walls_.numbers())
-            consider_wall(inquiry, wall, walls_.meeting(wall, inquiry.asker, inquiry.best.late));
+            consider_wall(inquiry, wall,
+                          meeting_of(wall, inquiry.ball, inquiry.asker, inquiry.best.late));
+    }
+    /// Of a wall that is none of the sides at rest. The filter knows nothing of meetings that were
+    /// passed.
+    [[nodiscard]] Meeting meeting_of(Wall wall, Slot i, const Asker& asker, double latest) {
+        const double passed =
+            passed_.is_empty() ? -infinity : passed_.until(i, first_wall + static_cast<Slot>(wall));
+        if (passed == -infinity) return walls_.meeting(wall, asker, latest);
+        if (passed == turn_) return never;
+        ++counts_.exact;
+        const double t = walls_.next_meeting(world_.balls[i], wall, passed);
+        return {t, t};
     }
     void consider_wall(Inquiry& inquiry, Wall wall, Meeting meeting) {
         const Slot i = inquiry.ball;
@@ -860,6 +868,8 @@ class Loop final : public Simulation<D>::Engine {
     [[nodiscard]] bool is_passed(Slot i, Proposal& candidate) {
         const double until = passed_.until(i, candidate.partner);
         if (candidate.early > until) return false;
+        // Then all are asked anew.
+        if (until == turn_) return true;
         make_exact(i, candidate);
         return candidate.early <= until;
     }

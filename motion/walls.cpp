@@ -363,6 +363,22 @@ double Walls<D>::exact_meeting(const Ball<D>& ball, Wall wall) const {
 }
 
 template <int D>
+double Walls<D>::next_meeting(const Ball<D>& ball, Wall wall, double passed) const {
+    const GrowingBall<D> growing{ball, growth_of(ball, effects_)};
+    const auto next = [&](const auto& each) {
+        if constexpr (requires { meeting_time(growing, each, effects_, passed); }) {
+            double step = std::nextafter(passed, infinity) - passed;
+            for (double since = passed + step; since < infinity; since = passed + (step *= 2.0)) {
+                const double time = meeting_time(growing, each, effects_, since);
+                if (time > since) return time;
+            }
+        }
+        return infinity;
+    };
+    return std::visit(next, *wall_of(wall));
+}
+
+template <int D>
 double Walls<D>::refined_meeting(const Ball<D>& ball, Wall wall, double about) const {
     if (const auto* shaking = std::get_if<ShakingWall>(wall_of(wall)))
         return motion::refined_meeting(ball, growth_of(ball, effects_), *shaking, effects_, about);

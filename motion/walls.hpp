@@ -32,6 +32,10 @@ class Walls {
     [[nodiscard]] Meeting meeting(Wall wall, const Asker& asker, double latest) const;
     /// The one double.
     [[nodiscard]] double exact_meeting(const Ball<D>& ball, Wall wall) const;
+    /// The next one after a meeting that was no strike: of those from the first of the times
+    /// passed + 2^k ulps on at which the ball does not meet the wall at once. Where the wall is
+    /// flat and does not shake there is none, as the gap does not bend down.
+    [[nodiscard]] double next_meeting(const Ball<D>& ball, Wall wall, double passed) const;
     /// The same, of a ball that meets it at some time near `about`; NaN where it is not told.
     [[nodiscard]] double refined_meeting(const Ball<D>& ball, Wall wall, double about) const;
     [[nodiscard]] Facing<D> facing(const Ball<D>& ball, Wall wall) const;
