@@ -724,6 +724,8 @@ class Loop final : public Simulation<D>::Engine {
         const auto bounce = laws_.bounce({i}, t, world_.effects.wall_restitution, approach);
         WallExchange exchange = strike(ball, faces, mass, bounce.restitution, growth);
         const Slot partner = first_wall + static_cast<Slot>(wall);
+        if (!is_side(wall) && kernel_ == Kernel::exact && !laws_.has_contacts())
+            refuse_missed_wall(i, wall, came);
         if (bounce.stays && waits(i, partner, t, approach, walls_.gap(came, wall)))
             exchange.struck = false;
         if (!exchange.struck) {
@@ -844,6 +846,18 @@ class Loop final : public Simulation<D>::Engine {
             " meet at time " + std::to_string(a.time) +
             ", but they fly too far from one double to the next for a strike then; use slower "
             "balls, or a shorter time");
+    }
+
+    /// The same of walls behind which there is room.
+    void refuse_missed_wall(Slot i, Wall wall, const Ball<D>& ball) const {
+        Ball<D> grown = ball;
+        grown.radius = grown_radius(ball);
+        if (std::fabs(walls_.gap(grown, wall)) <= 0x1p-10 * walls_.depth(ball, wall)) [[likely]]
+            return;
+        throw std::range_error("ball " + std::to_string(particles_[i].number) + " meets wall " +
+                               std::to_string(wall) + " at time " + std::to_string(ball.time) +
+                               ", but is too small beside what its place is rounded by; use a "
+                               "larger radius, slower balls, or a shorter time");
     }
 
     [[nodiscard]] Ball<D> arrive(Slot i, double t, StrikeTally& tally) const {

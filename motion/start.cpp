@@ -71,7 +71,7 @@ void check_extended(const Effects<D>& effects) {
             refuse("friction: give coefficients from 0");
         if (!(std::fabs(friction->tangential_restitution) <= 1.0))
             refuse("friction: give a tangential restitution from -1 to 1");
-        if (!(friction->inertia > 0.0 && friction->inertia <= 1.0))
+        if (!(friction->inertia > 0.0 && friction->inertia <= 1.0) || !is_within(friction->inertia))
             refuse("friction: give an inertia above 0, at most 1; 1/2 is that of discs");
     }
     if (shake) {
@@ -210,6 +210,11 @@ void check_obstacles(const Body<D>& body, const Effects<D>& effects, std::int64_
         if (std::visit([&](const auto& each) { return is_within(body, each); }, obstacle))
             throw BallError(
                 number, "a ball that overlaps wall " + std::to_string(wall) + "; it may touch it");
+        if constexpr (D == 2)
+            if (body.radius == 0.0 && std::holds_alternative<Segment>(obstacle))
+                throw BallError(number,
+                                "a ball of radius 0 where there are segments, of which it knows no "
+                                "side; give a radius above 0");
         ++wall;
     }
 }

@@ -197,7 +197,7 @@ Scene<D> effects_scene(std::uint64_t seed, const std::vector<Effect>& wanted) {
 
 inline std::string_view name_of(Effect effect) {
     constexpr std::array<std::string_view, effects_in_all> names = {
-        "gravity", "losses",    "speed law", "contact duration", "friction", "shake",
+        "gravity",   "losses", "speed law", "contact duration", "friction", "shake",
         "obstacles", "growth", "fluid",     "time steps",       "contacts"};
     return names[static_cast<std::size_t>(effect)];
 }
