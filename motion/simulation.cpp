@@ -143,6 +143,8 @@ Choice choose(Structure wish, const State<D>& state, const Effects<D>& effects) 
     if (wish == Structure::delaunay) {
         const Structure instead = few_cells ? Structure::lists : Structure::levels;
         if (D != 2) return {instead, "delaunay is a structure of the plane"};
+        if (effects.growth && state.time < effects.growth->until)
+            return {instead, "delaunay is for discs whose radii do not grow"};
         if (sizes.smallest == 0.0)
             return {instead,
                     "delaunay needs radii above 0: what it allows for rounding is a part of the "

@@ -155,7 +155,7 @@ template <int D>
 void expect_one_log_of_all_pairs(std::uint64_t seed) {
     std::size_t strikes = 0;
     std::uint64_t scenes = 0;
-    for (std::uint64_t round = 0; round < rounds; ++round) {
+    for (std::uint64_t round = 0; round < (D == 2 ? rounds : 1); ++round) {
         for (int one = 0; one < effects_in_all; ++one) {
             for (int other = one; other < effects_in_all; ++other) {
                 std::vector<Effect> wanted = {static_cast<Effect>(one)};
@@ -251,6 +251,41 @@ TEST(Effects, GrowthEndsOnceAlsoAtAStrike) {
     expect_same(rest.state, whole.state);
 }
 
+/// Small discs that grow beside large ones: who is a neighbour by power changes with the radii.
+TEST(Effects, DiscsOfDifferentSizesThatGrowWriteOneLog) {
+    for (std::uint64_t seed = 0; seed < 20 * rounds; ++seed) {
+        SCOPED_TRACE(seed);
+        Choices choose(seed);
+        Effects<2> effects;
+        effects.box = cube<2>(20.0);
+        effects.periodic = seed % 2 == 0;
+        effects.growth = Growth{0.5 + 2.0 * choose.unit(), 2.0};
+        std::vector<Body<2>> bodies;
+        for (int i = 0; i < 40; ++i) {
+            Body<2> body{{1.0 + 18.0 * choose.unit(), 1.0 + 18.0 * choose.unit()},
+                         {choose.number(-2.0, 2.0), choose.number(-2.0, 2.0)},
+                         choose.below(4) > 0 ? 0.02 + 0.1 * choose.unit() : 0.4,
+                         1.0};
+            bodies.push_back(body);
+            try {
+                (void)start<2>(bodies, effects);
+            } catch (const BallError&) {
+                bodies.pop_back();
+            }
+        }
+        const State<2> first = start<2>(bodies, effects);
+        EXPECT_NE(motion::choose(Structure::delaunay, first, effects).structure,
+                  Structure::delaunay);
+        const Recorded<2> expected = run<2>(first, effects, {Structure::pairs});
+        for (const Structure structure : all_structures) {
+            SCOPED_TRACE(name_of(structure));
+            const Recorded<2> other = run<2>(first, effects, {structure});
+            expect_same(other.log, expected.log);
+            if (HasFailure()) return;
+        }
+    }
+}
+
 // What does nothing
 
 template <int D>
@@ -304,7 +339,7 @@ void expect_that_nothing_changes_nothing(std::uint64_t seed) {
 }
 
 TEST(Effects, ThatDoNothingChangeNothing) {
-    for (std::uint64_t seed = 0; seed < 30 * rounds; ++seed) {
+    for (std::uint64_t seed = 0; seed < 10 * rounds; ++seed) {
         expect_that_nothing_changes_nothing<2>(seed);
         expect_that_nothing_changes_nothing<3>(seed);
         if (HasFailure()) return;
