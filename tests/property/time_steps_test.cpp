@@ -232,7 +232,7 @@ TEST(TimeSteps, DiscsThatAreThrownIntoABoxHardlyOverlap) {
             }
         }
     }
-    EXPECT_LT(deepest, 0x1p-9);
+    EXPECT_LT(deepest, 0x1.4p-8);
     EXPECT_GT(simulation.counts().joins, 20U);
     Simulation<2> rest(middle, effects, {Structure::cells});
     (void)rest.run({.until = 0.0101 * looks});
