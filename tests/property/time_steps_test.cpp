@@ -194,7 +194,7 @@ TEST(TimeSteps, ADiscRollsOrSlidesDownASlope) {
     }
 }
 
-/// Discs that fall into a box: none is ever deeper in another or in the floor than 2^-9 of a
+/// Discs that fall into a box: none is ever deeper in another or in the floor than 2^-8 of a
 /// radius; the run that is cut in the middle is the same.
 TEST(TimeSteps, DiscsThatAreThrownIntoABoxHardlyOverlap) {
     Effects<2> effects = standing(10.0);
