@@ -109,7 +109,8 @@ class Loop final : public Simulation<D>::Engine {
             const Slot i = queue_.top(before());
             const double key = queue_.key(i);
             if constexpr (has_turns()) {
-                if (turn_ < key && is_turn_due(until)) [[unlikely]] {
+                if (turn_ <= key && (turn_ < key || growth_ends_next()) && is_turn_due(until))
+                    [[unlikely]] {
                     if (limits.stop && limits.stop()) return {Ending::stopped, {}};
                     take_turn();
                     continue;
@@ -350,9 +351,11 @@ class Loop final : public Simulation<D>::Engine {
         return widest;
     }
     [[nodiscard]] bool any_meets() {
+        if (turn_ < infinity) return true;
         Crowd crowd;
         for (Slot i = 0; i < particles_.size(); ++i) {
             const Asker asker = filter_.asker(world_.balls[i], now_);
+            if (meets_wall(i, asker)) return true;
             for (Slot j = 0; j < i; ++j) {
                 crowd.push(j);
                 if (!crowd.is_full() && j + 1 < i) continue;
@@ -363,6 +366,16 @@ class Loop final : public Simulation<D>::Engine {
                         return true;
                 }
             }
+        }
+        return false;
+    }
+
+    [[nodiscard]] bool meets_wall(Slot i, const Asker& asker) {
+        if constexpr (!has_walls()) return false;
+        for (const Wall wall : walls_.numbers()) {
+            Meeting meeting = meeting_of(wall, i, asker, infinity);
+            if (meeting.early == -infinity) meeting.early = exactly_at(world_.balls[i], wall);
+            if (meeting.early < infinity) return true;
         }
         return false;
     }
@@ -496,13 +509,23 @@ class Loop final : public Simulation<D>::Engine {
         for (const Wall wall : walls_.numbers()) {
             if (waits_for_turn(inquiry.ball, first_wall + static_cast<Slot>(wall))) continue;
             const double latest = std::min(inquiry.best.late, turn_);
-            const Meeting meeting = walls_.meeting(wall, inquiry.asker, latest);
+            const Meeting meeting = meeting_of(wall, inquiry.ball, inquiry.asker, latest);
             if (meeting.early <= latest) consider_wall(inquiry, wall, meeting);
         }
     }
     /// A pair that is passed over until all are asked anew: when it meets is no question.
     [[nodiscard]] bool waits_for_turn(Slot i, Slot partner) const noexcept {
         return !passed_.is_empty() && turn_ < infinity && passed_.until(i, partner) >= turn_;
+    }
+    /// Of a wall that is none of the sides at rest. The filter knows nothing of meetings that were
+    /// passed.
+    [[nodiscard]] Meeting meeting_of(Wall wall, Slot i, const Asker& asker, double latest) {
+        const double passed =
+            passed_.is_empty() ? -infinity : passed_.until(i, first_wall + static_cast<Slot>(wall));
+        if (passed == -infinity) return walls_.meeting(wall, asker, latest);
+        ++counts_.exact;
+        const double t = walls_.next_meeting(world_.balls[i], wall, passed);
+        return {t, t};
     }
     void consider_wall(Inquiry& inquiry, Wall wall, Meeting meeting) {
         const Slot i = inquiry.ball;
@@ -685,10 +708,7 @@ class Loop final : public Simulation<D>::Engine {
         Law law{world_.effects.wall_restitution, 0.0};
         if (!laws_.is_plain() || !is_side(wall)) [[unlikely]]
             return strike_surface(i, wall, ball, record);
-        if (!strike(ball, wall, law)) {
-            const double g = world_.effects.gravity[wall / 2];
-            return rests(i, wall, t, wall % 2 != 0 ? g > 0.0 : g < 0.0);
-        }
+        if (!strike(ball, wall, law)) return rests(i, wall, t, is_pulled_to(wall));
         if (record) {
             last_.impulse = impulse(ball_before, wall, mass, law);
             record(last_);
@@ -714,6 +734,8 @@ class Loop final : public Simulation<D>::Engine {
         const auto bounce = laws_.bounce({i}, t, world_.effects.wall_restitution, approach);
         WallExchange exchange = strike(ball, faces, mass, bounce.restitution, growth);
         const Slot partner = first_wall + static_cast<Slot>(wall);
+        if (!is_side(wall) && kernel_ == Kernel::exact && !laws_.has_contacts())
+            refuse_missed_wall(i, wall, came);
         if (bounce.stays && waits(i, partner, t, approach, walls_.gap(came, wall)))
             exchange.struck = false;
         if (!exchange.struck) {
@@ -722,7 +744,8 @@ class Loop final : public Simulation<D>::Engine {
                 ask(i);
                 return false;
             }
-            return rests(i, wall, t, dot(unit_normal(faces), world_.effects.gravity) < 0.0);
+            return rests(i, wall, t,
+                         is_side(wall) ? is_pulled_to(wall) : walls_.bends_down(came, wall));
         }
         if (record) {
             last_.impulse = exchange.impulse;
@@ -748,9 +771,14 @@ class Loop final : public Simulation<D>::Engine {
         ask_after_change({i});
         return true;
     }
-    /// A ball that comes to a wall, and is not changed. Where it is pulled there it lies on it.
-    [[nodiscard]] bool rests(Slot i, Wall wall, double t, bool is_pulled) {
-        collapses_ = is_pulled;
+    [[nodiscard]] bool is_pulled_to(Wall side) const noexcept {
+        const double g = world_.effects.gravity[side / 2];
+        return side % 2 != 0 ? g > 0.0 : g < 0.0;
+    }
+    /// A ball that comes to a wall, and is not changed. Where the gap between them bends down it
+    /// lies on it, and would go through.
+    [[nodiscard]] bool rests(Slot i, Wall wall, double t, bool bends_down) {
+        collapses_ = bends_down;
         if (collapses_) return false;
         passed_.pass(i, first_wall + static_cast<Slot>(wall), t);
         ask(i);
@@ -844,6 +872,18 @@ class Loop final : public Simulation<D>::Engine {
             "balls, or a shorter time");
     }
 
+    /// The same of walls behind which there is room.
+    void refuse_missed_wall(Slot i, Wall wall, const Ball<D>& ball) const {
+        Ball<D> grown = ball;
+        grown.radius = grown_radius(ball);
+        if (std::fabs(walls_.gap(grown, wall)) <= 0x1p-10 * walls_.depth(ball, wall)) [[likely]]
+            return;
+        throw std::range_error("ball " + std::to_string(particles_[i].number) + " meets wall " +
+                               std::to_string(wall) + " at time " + std::to_string(ball.time) +
+                               ", but is too small beside what its place is rounded by; use a "
+                               "larger radius, slower balls, or a shorter time");
+    }
+
     [[nodiscard]] Ball<D> arrive(Slot i, double t, StrikeTally& tally) const {
         return kernel_ == Kernel::exact ? arrived(world_.balls[i], t, world_.effects, tally)
                                         : naive::arrived(world_.balls[i], t, world_.effects);
@@ -866,6 +906,8 @@ class Loop final : public Simulation<D>::Engine {
     [[nodiscard]] bool is_passed(Slot i, Proposal& candidate) {
         const double until = passed_.until(i, candidate.partner);
         if (candidate.early > until) return false;
+        // Then all are asked anew.
+        if (until == turn_) return true;
         make_exact(i, candidate);
         return candidate.early <= until;
     }
@@ -889,8 +931,12 @@ class Loop final : public Simulation<D>::Engine {
         turn_ = steps_.next();
         if (world_.effects.growth) turn_ = std::min(turn_, world_.effects.growth->until);
     }
+    /// Before strikes at that time: so a state knows by its time whether radii still grow.
+    [[nodiscard]] bool growth_ends_next() const noexcept {
+        return world_.effects.growth && world_.effects.growth->until == turn_;
+    }
     [[nodiscard]] bool is_turn_due(double until) const noexcept {
-        if (world_.effects.growth && world_.effects.growth->until == turn_) return turn_ <= until;
+        if (growth_ends_next()) return turn_ <= until;
         // The state between two steps is that before the next one begins.
         return steps_.begins() ? turn_ < until : turn_ <= until;
     }
@@ -898,7 +944,7 @@ class Loop final : public Simulation<D>::Engine {
         now_ = std::max(now_, turn_);
         StrikeTally tally;
         for (Slot i = 0; i < particles_.size(); ++i) world_.balls[i] = arrive(i, turn_, tally);
-        if (world_.effects.growth && world_.effects.growth->until == turn_)
+        if (growth_ends_next())
             end_growth();
         else
             kick();
@@ -914,6 +960,7 @@ class Loop final : public Simulation<D>::Engine {
     void end_growth() {
         for (Ball<D>& ball : world_.balls) ball.radius = grown_at(ball, turn_, world_.effects);
         world_.effects.growth.reset();
+        world_.swelling = 1.0;
         filter_ = MeetingFilter<D>(world_.effects, kernel_);
         passed_.clear();
     }
@@ -945,10 +992,9 @@ class Loop final : public Simulation<D>::Engine {
     /// radius before the next step: that is left to the reactions then. In a chain of contacts each
     /// strike would bring about others, ever slower ones.
     [[nodiscard]] bool waits(Slot i, Slot partner, double t, double approach, double gap) const {
-        const double radius = partner < first_wall
-                                  ? std::min(world_.balls[i].radius, world_.balls[partner].radius)
-                                  : world_.balls[i].radius;
-        return approach * (turn_ - t) <= std::max(0x1p-10 * radius + gap, 0x1p-14 * radius) &&
+        double radius = world_.balls[i].radius;
+        if (partner < first_wall) radius = std::min(radius, world_.balls[partner].radius);
+        return approach * (turn_ - t) <= std::max(0x1p-8 * radius + gap, 0x1p-12 * radius) &&
                contacts_.has(numbers_of(i, partner));
     }
     /// The same of two that have waited, one of which has struck something else now.

@@ -323,7 +323,9 @@ double meeting_time(const GrowingBall<2>& ball, const Segment& wall, const Effec
 }
 
 template <int D>
-double meeting_time(const GrowingBall<D>& ball, const Sphere<D>& wall, const Effects<D>& effects) {
+double meeting_time(const GrowingBall<D>& ball, const Sphere<D>& wall, const Effects<D>& effects,
+                    double since) {
+    const double start = std::max(ball.time, since);
     Path<D> centre;
     for (int i = 0; i < D; ++i) centre[i] = {Dyadic(wall.centre[i]), Dyadic(wall.velocity[i])};
     const Polynomial square =
@@ -331,10 +333,10 @@ double meeting_time(const GrowingBall<D>& ball, const Sphere<D>& wall, const Eff
     const Polynomial radius{Dyadic(wall.radius)};
     if (wall.side == Sphere<D>::Side::outside) {
         const Polynomial reach = radius + radius_of(ball);
-        return first_descent(square - reach * reach, ball.time);
+        return first_descent(square - reach * reach, start);
     }
     const Polynomial room = radius - radius_of(ball);
-    return first_descent(room * room - square, ball.time);
+    return first_descent(room * room - square, start);
 }
 
 namespace {
@@ -481,8 +483,8 @@ template double meeting_time(const GrowingBall<3>&, const GrowingBall<3>&, const
                              double);
 template double meeting_time(const GrowingBall<2>&, const HalfSpace<2>&, const Effects<2>&);
 template double meeting_time(const GrowingBall<3>&, const HalfSpace<3>&, const Effects<3>&);
-template double meeting_time(const GrowingBall<2>&, const Sphere<2>&, const Effects<2>&);
-template double meeting_time(const GrowingBall<3>&, const Sphere<3>&, const Effects<3>&);
+template double meeting_time(const GrowingBall<2>&, const Sphere<2>&, const Effects<2>&, double);
+template double meeting_time(const GrowingBall<3>&, const Sphere<3>&, const Effects<3>&, double);
 
 template double refined_meeting(const GrowingBall<2>&, const HalfSpace<2>&, const Effects<2>&,
                                 double);

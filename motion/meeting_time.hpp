@@ -40,9 +40,10 @@ template <int D>
 [[nodiscard]] double meeting_time(const GrowingBall<D>& ball, const HalfSpace<D>& wall,
                                   const Effects<D>& effects);
 
+/// Of meetings from `since` on.
 template <int D>
 [[nodiscard]] double meeting_time(const GrowingBall<D>& ball, const Sphere<D>& wall,
-                                  const Effects<D>& effects);
+                                  const Effects<D>& effects, double since = 0.0);
 
 /// The same by one look, of a ball that meets the obstacle at some time near `about`; NaN where
 /// that does not tell the double.

@@ -144,7 +144,7 @@ class ShakingGap {
             (p_[1] * omega_ - 2 * p_[2] * phi_ - a_omega2_).sign() == 0;
     }
 
-    [[nodiscard]] double first_descent() const;
+    [[nodiscard]] double first_descent(double since) const;
     /// The double nearest to where the gap falls through 0, next to `about`; NaN where one look at
     /// the gap there does not tell it.
     [[nodiscard]] double falls_near(double about) const;
@@ -302,15 +302,16 @@ std::optional<double> ShakingGap::meeting(const Dyadic& low, const Dyadic& high,
 
 /// Pieces are at most a radian long where the sine matters. Where it does not, for the parabola is
 /// too far or too steep, they grow.
-double ShakingGap::first_descent() const {
+double ShakingGap::first_descent(double since) const {
+    const double start = std::max(start_, since);
     if (a_.sign() == 0 || (omega_.sign() == 0 && phi_.sign() == 0))
-        return motion::first_descent({p_[0], p_[1], p_[2]}, start_);
+        return motion::first_descent({p_[0], p_[1], p_[2]}, start);
     const Dyadic end(Integer(1), 1024);
     int least_size = 0;
     if (omega_.sign() != 0)
         least_size = -omega_.exponent() - static_cast<int>(msb(abs(omega_.significand()))) - 1;
     int size = least_size;
-    for (Dyadic low(start_); low < end;) {
+    for (Dyadic low(start); low < end;) {
         const Dyadic high = low + Dyadic(Integer(1), size);
         const Shape known = shape(low, high);
         if (known == Shape::unknown && size > least_size) {
@@ -384,17 +385,17 @@ double shift_at(const ShakingWall& wall, double t) {
 }
 
 template <int D>
-double meeting_time(const GrowingBall<D>& ball, const ShakingWall& wall,
-                    const Effects<D>& effects) {
+double meeting_time(const GrowingBall<D>& ball, const ShakingWall& wall, const Effects<D>& effects,
+                    double since) {
     SIGNUM_EXPECTS(0 <= wall.wall && wall.wall < 2 * D);
-    return ShakingGap(ball, wall, effects).first_descent();
+    return ShakingGap(ball, wall, effects).first_descent(since);
 }
 
 template double refined_meeting(const GrowingBall<2>&, const ShakingWall&, const Effects<2>&,
                                 double);
 template double refined_meeting(const GrowingBall<3>&, const ShakingWall&, const Effects<3>&,
                                 double);
-template double meeting_time(const GrowingBall<2>&, const ShakingWall&, const Effects<2>&);
-template double meeting_time(const GrowingBall<3>&, const ShakingWall&, const Effects<3>&);
+template double meeting_time(const GrowingBall<2>&, const ShakingWall&, const Effects<2>&, double);
+template double meeting_time(const GrowingBall<3>&, const ShakingWall&, const Effects<3>&, double);
 
 }  // namespace signum::motion

@@ -17,11 +17,11 @@ struct ShakingWall {
     double phase = 0.0;
 };
 
-/// The meeting time. Throws std::domain_error where 2048 bits do not tell it, as may be where
-/// numbers are a thousand binades apart.
+/// The meeting time, of meetings from the ball's own time and `since` on. Throws std::domain_error
+/// where 2048 bits do not tell it, as may be where numbers are a thousand binades apart.
 template <int D>
 [[nodiscard]] double meeting_time(const GrowingBall<D>& ball, const ShakingWall& wall,
-                                  const Effects<D>& effects);
+                                  const Effects<D>& effects, double since = 0.0);
 
 /// The same by one look, of a ball that meets the wall at some time near `about`; NaN where that
 /// does not tell the double.

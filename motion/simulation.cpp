@@ -65,6 +65,13 @@ Sizes sizes_of(const State<D>& state, const Effects<D>& effects) {
         sizes.packing += of_radius_1 * std::pow(ball.radius, D);
         for (const double x : ball.x) sizes.farthest = std::max(sizes.farthest, std::fabs(x));
     }
+    if (effects.growth && state.time < effects.growth->until) {
+        // What they become.
+        const double factor = 1.0 + effects.growth->rate * effects.growth->until;
+        sizes.smallest *= factor;
+        sizes.largest *= factor;
+        sizes.packing *= std::pow(factor, D);
+    }
     if (!effects.box) return sizes;
     for (int k = 0; k < D; ++k) {
         const double length = effects.box->high[k] - effects.box->low[k];
@@ -136,6 +143,8 @@ Choice choose(Structure wish, const State<D>& state, const Effects<D>& effects) 
     if (wish == Structure::delaunay) {
         const Structure instead = few_cells ? Structure::lists : Structure::levels;
         if (D != 2) return {instead, "delaunay is a structure of the plane"};
+        if (effects.growth && state.time < effects.growth->until)
+            return {instead, "delaunay is for discs whose radii do not grow"};
         if (sizes.smallest == 0.0)
             return {instead,
                     "delaunay needs radii above 0: what it allows for rounding is a part of the "

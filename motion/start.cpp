@@ -71,7 +71,7 @@ void check_extended(const Effects<D>& effects) {
             refuse("friction: give coefficients from 0");
         if (!(std::fabs(friction->tangential_restitution) <= 1.0))
             refuse("friction: give a tangential restitution from -1 to 1");
-        if (!(friction->inertia > 0.0 && friction->inertia <= 1.0))
+        if (!(friction->inertia > 0.0 && friction->inertia <= 1.0) || !is_within(friction->inertia))
             refuse("friction: give an inertia above 0, at most 1; 1/2 is that of discs");
     }
     if (shake) {
@@ -210,6 +210,11 @@ void check_obstacles(const Body<D>& body, const Effects<D>& effects, std::int64_
         if (std::visit([&](const auto& each) { return is_within(body, each); }, obstacle))
             throw BallError(
                 number, "a ball that overlaps wall " + std::to_string(wall) + "; it may touch it");
+        if constexpr (D == 2)
+            if (body.radius == 0.0 && std::holds_alternative<Segment>(obstacle))
+                throw BallError(number,
+                                "a ball of radius 0 where there are segments, of which it knows no "
+                                "side; give a radius above 0");
         ++wall;
     }
 }
@@ -227,10 +232,15 @@ void check_walls(const Body<D>& body, const Effects<D>& effects, std::int64_t nu
         if (effects.periodic) {
             if ((x - low).sign() < 0 || (high - x).sign() < 0)
                 throw BallError(number, "a centre outside the periodic box; give one inside");
-            if ((high - low - 8 * radius).sign() < 0)
+            // In the end, for partners are seen in their nearest images.
+            const Dyadic grown = effects.growth
+                                     ? radius + Dyadic(effects.growth->rate * body.radius) *
+                                                    Dyadic(effects.growth->until)
+                                     : radius;
+            if ((high - low - 8 * grown).sign() < 0)
                 throw BallError(number,
                                 "a ball whose diameter is more than a quarter of the periodic "
-                                "box; give a larger box");
+                                "box, or grows to be; give a larger box");
             continue;
         }
         if ((x - low - radius).sign() < 0 || (high - x - radius).sign() < 0)

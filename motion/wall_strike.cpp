@@ -121,6 +121,45 @@ Facing<2> facing(const Ball<2>& ball, const Segment& wall) {
 }
 
 template <int D>
+bool bends_down(const Ball<D>& ball, const ShakingWall& wall, const Vector<D>& gravity, double) {
+    const Dyadic omega(wall.frequency);
+    const Dyadic bend =
+        Dyadic(gravity[wall.wall / 2]) + omega * omega * Dyadic(shift_at(wall, ball.time));
+    return (wall.wall % 2 != 0 ? -bend : bend).sign() < 0;
+}
+
+template <int D>
+bool bends_down(const Ball<D>&, const HalfSpace<D>& wall, const Vector<D>& gravity, double) {
+    return product(exact<D>(wall.normal), exact<D>(gravity)).sign() < 0;
+}
+
+template <int D>
+bool bends_down(const Ball<D>& ball, const Sphere<D>& wall, const Vector<D>& gravity,
+                double growth) {
+    // Of half of |D|² - (q t + …)².
+    PerAxis<Dyadic, D> d;
+    PerAxis<Dyadic, D> v;
+    for (int k = 0; k < D; ++k) {
+        const Dyadic u(wall.velocity[k]);
+        d[k] = Dyadic(ball.x[k]) - (Dyadic(wall.centre[k]) + u * Dyadic(ball.time));
+        v[k] = Dyadic(ball.v[k]) - u;
+    }
+    const Dyadic q(growth);
+    const int bend = (product(v, v) + product(d, exact<D>(gravity)) - q * q).sign();
+    return wall.side == Sphere<D>::Side::outside ? bend < 0 : bend > 0;
+}
+
+bool bends_down(const Ball<2>& ball, const Segment& wall, const Vector<2>& gravity, double growth) {
+    const PerAxis<Dyadic, 2> from = exact<2>(wall.from);
+    const PerAxis<Dyadic, 2> along = difference<2>(exact<2>(wall.to), from);
+    const Dyadic foot = product(difference<2>(exact<2>(ball.x), from), along);
+    if (foot.sign() < 0) return bends_down(ball, Sphere<2>{.centre = wall.from}, gravity, growth);
+    if ((product(along, along) - foot).sign() < 0)
+        return bends_down(ball, Sphere<2>{.centre = wall.to}, gravity, growth);
+    return product(facing(ball, wall).normal, exact<2>(gravity)).sign() < 0;
+}
+
+template <int D>
 double approach_of(const Ball<D>& ball, const Facing<D>& wall, double growth) {
     const Closing<D> closing(ball, wall, growth);
     return closing.square.is_zero() ? 0.0 : closing.rounded(Rational(1));
@@ -160,14 +199,17 @@ bool stayed_in_place_exactly(const Ball<D>& ball, const Facing<D>& wall, double 
     return in_place(ball, before, closing.speed, closing.square);
 }
 
-#define SIGNUM_WALL_STRIKES_OF(D)                                                     \
-    template Facing<D> facing(const Ball<D>&, const ShakingWall&);                    \
-    template Facing<D> facing(const Ball<D>&, const HalfSpace<D>&);                   \
-    template Facing<D> facing(const Ball<D>&, const Sphere<D>&);                      \
-    template Facing<D> facing_side(Wall);                                             \
-    template Vector<D> unit_normal(const Facing<D>&);                                 \
-    template double approach_of(const Ball<D>&, const Facing<D>&, double);            \
-    template WallExchange strike(Ball<D>&, const Facing<D>&, double, double, double); \
+#define SIGNUM_WALL_STRIKES_OF(D)                                                            \
+    template Facing<D> facing(const Ball<D>&, const ShakingWall&);                           \
+    template Facing<D> facing(const Ball<D>&, const HalfSpace<D>&);                          \
+    template Facing<D> facing(const Ball<D>&, const Sphere<D>&);                             \
+    template bool bends_down(const Ball<D>&, const ShakingWall&, const Vector<D>&, double);  \
+    template bool bends_down(const Ball<D>&, const HalfSpace<D>&, const Vector<D>&, double); \
+    template bool bends_down(const Ball<D>&, const Sphere<D>&, const Vector<D>&, double);    \
+    template Facing<D> facing_side(Wall);                                                    \
+    template Vector<D> unit_normal(const Facing<D>&);                                        \
+    template double approach_of(const Ball<D>&, const Facing<D>&, double);                   \
+    template WallExchange strike(Ball<D>&, const Facing<D>&, double, double, double);        \
     template bool stayed_in_place_exactly(const Ball<D>&, const Facing<D>&, double, double);
 SIGNUM_WALL_STRIKES_OF(2)
 SIGNUM_WALL_STRIKES_OF(3)

@@ -38,6 +38,21 @@ template <int D>
 template <int D>
 [[nodiscard]] Facing<D> facing_side(Wall wall);
 
+/// Whether F (obstacle.hpp, shaking_wall.hpp) bends down, F'' < 0, at the ball's own time: exactly,
+/// but for the place of a wall that shakes, which is rounded. Of a segment: of its line, or of its
+/// end that is nearest.
+template <int D>
+[[nodiscard]] bool bends_down(const Ball<D>& ball, const ShakingWall& wall,
+                              const Vector<D>& gravity, double growth);
+template <int D>
+[[nodiscard]] bool bends_down(const Ball<D>& ball, const HalfSpace<D>& wall,
+                              const Vector<D>& gravity, double growth);
+template <int D>
+[[nodiscard]] bool bends_down(const Ball<D>& ball, const Sphere<D>& wall, const Vector<D>& gravity,
+                              double growth);
+[[nodiscard]] bool bends_down(const Ball<2>& ball, const Segment& wall, const Vector<2>& gravity,
+                              double growth);
+
 /// The normal's direction, rounded.
 template <int D>
 [[nodiscard]] Vector<D> unit_normal(const Facing<D>& wall);

@@ -226,11 +226,13 @@ Meeting filtered(const Sphere<D>& wall, const typename MeetingFilter<D>::Asker& 
         const double far = std::sqrt(dot(x, x)) + fast * h;
         const double pulled = pull > 0.0 ? far * pull : 0.0;
         const double turned = 2.0 * (1.0 + 0x1p-30) * (pulled + rate * rate);
+        // Where nothing falls F'' is constant.
+        if (is_outside && pull == 0.0 && fast > (1.0 + 0x1p-20) * rate)
+            return Bend{0.0, turned + 2.0 * (1.0 + 0x1p-30) * fast * fast};
         const double flown = 2.0 * (1.0 + 0x1p-30) * fast * fast;
         return Bend{is_outside ? turned : turned + flown, turned + flown};
     };
     const auto skip = [&](double t) {
-        if (rate > 0.0) return t;
         const double s = t - now;
         Vector<D> x;
         Vector<D> w;
@@ -238,8 +240,11 @@ Meeting filtered(const Sphere<D>& wall, const typename MeetingFilter<D>::Asker& 
         const Course at = course(t);
         const bool leaves = at.gap > 2.0 * at.error && at.slope > at.slope_error;
         // From here on F'' >= 0.
-        if (is_outside && leaves && dot(x, g) >= 0.0 && dot(w, g) >= 0.0) return infinity;
-        if (pull == 0.0 && dot(w, w) == 0.0 && at.gap > at.error) return infinity;
+        const double square = dot(w, w);
+        const bool outgrows = rate > 0.0 && !(square > (1.0 + 0x1p-20) * rate * rate);
+        if (is_outside && leaves && !outgrows && dot(x, g) >= 0.0 && dot(w, g) >= 0.0)
+            return infinity;
+        if (rate == 0.0 && pull == 0.0 && dot(w, w) == 0.0 && at.gap > at.error) return infinity;
         return t;
     };
     // So long that it neither flies nor falls much farther than the sphere is large.
@@ -378,6 +383,22 @@ double Walls<D>::exact_meeting(const Ball<D>& ball, Wall wall) const {
 }
 
 template <int D>
+double Walls<D>::next_meeting(const Ball<D>& ball, Wall wall, double passed) const {
+    const GrowingBall<D> growing{ball, growth_of(ball, effects_)};
+    const auto next = [&](const auto& each) {
+        if constexpr (requires { meeting_time(growing, each, effects_, passed); }) {
+            double step = std::nextafter(passed, infinity) - passed;
+            for (double since = passed + step; since < infinity; since = passed + (step *= 2.0)) {
+                const double time = meeting_time(growing, each, effects_, since);
+                if (time > since) return time;
+            }
+        }
+        return infinity;
+    };
+    return std::visit(next, *wall_of(wall));
+}
+
+template <int D>
 double Walls<D>::refined_meeting(const Ball<D>& ball, Wall wall, double about) const {
     const GrowingBall<D> growing{ball, growth_of(ball, effects_)};
     return std::visit(
@@ -395,6 +416,25 @@ Facing<D> Walls<D>::facing(const Ball<D>& ball, Wall wall) const {
                 return motion::facing(ball, each);
         },
         *wall_of(wall));
+}
+
+template <int D>
+bool Walls<D>::bends_down(const Ball<D>& ball, Wall wall) const {
+    return std::visit(
+        [&](const auto& each) {
+            return motion::bends_down(ball, each, effects_.gravity, growth_of(ball, effects_));
+        },
+        *wall_of(wall));
+}
+
+template <int D>
+double Walls<D>::depth(const Ball<D>& ball, Wall wall) const {
+    const double radius = ball.radius + growth_of(ball, effects_) * ball.time;
+    if (const auto* sphere = std::get_if<Sphere<D>>(wall_of(wall)))
+        return sphere->side == Sphere<D>::Side::outside ? sphere->radius + radius : infinity;
+    if constexpr (D == 2)
+        if (std::holds_alternative<Segment>(*wall_of(wall))) return radius;
+    return infinity;
 }
 
 template <int D>

@@ -32,9 +32,18 @@ class Walls {
     [[nodiscard]] Meeting meeting(Wall wall, const Asker& asker, double latest) const;
     /// The one double.
     [[nodiscard]] double exact_meeting(const Ball<D>& ball, Wall wall) const;
+    /// The next one after a meeting that was no strike: of those from the first of the times
+    /// passed + 2^k ulps on at which the ball does not meet the wall at once. Where the wall is
+    /// flat and does not shake there is none, as the gap does not bend down.
+    [[nodiscard]] double next_meeting(const Ball<D>& ball, Wall wall, double passed) const;
     /// The same, of a ball that meets it at some time near `about`; NaN where it is not told.
     [[nodiscard]] double refined_meeting(const Ball<D>& ball, Wall wall, double about) const;
     [[nodiscard]] Facing<D> facing(const Ball<D>& ball, Wall wall) const;
+    /// Whether the gap between it and a ball at its own time bends down (wall_strike.hpp).
+    [[nodiscard]] bool bends_down(const Ball<D>& ball, Wall wall) const;
+    /// How far from a place of no return its surface holds a ball: beyond it, rounded or not, the
+    /// ball is on another side. Infinite where a wall has one side alone.
+    [[nodiscard]] double depth(const Ball<D>& ball, Wall wall) const;
     /// The velocity of any wall, a side at rest included: such a one moves along itself where the
     /// box shakes. Rounded; of a half space that along its normal.
     [[nodiscard]] Vector<D> velocity(Wall wall, double t) const;

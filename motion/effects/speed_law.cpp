@@ -7,6 +7,7 @@
 namespace signum::motion {
 
 double restitution_at(const SpeedLaw& law, double restitution, double v) {
+    if (restitution == 1.0) return 1.0;  // also where the power is no double
     mpfr_t ratio;
     mpfr_t power;
     mpfr_inits2(53, ratio, power, nullptr);

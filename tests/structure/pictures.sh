@@ -19,7 +19,7 @@ for picture in "$sources"/docs/pictures/*.svg; do
     failures=$((failures + 1))
   fi
 done
-for name in $(grep -ohE 'pictures/[a-z_]+\.svg' "$sources"/README.md "$sources"/docs/*.md | sort -u); do
+for name in $(grep -ohE 'pictures/[a-z_]+\.svg' "$sources"/README.md "$sources"/docs/*.md "$sources"/docs/scenes/*.md | sort -u); do
   if [ ! -f "$sources/docs/$name" ]; then
     echo "docs/$name is shown and not there" >&2
     failures=$((failures + 1))

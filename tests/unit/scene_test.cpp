@@ -262,8 +262,11 @@ TEST_F(RightScene, OptionsWinOverTheFile) {
 /// A scene and a file of balls with options write the same log.
 TEST_F(RightScene, RunsAsItsBallsWould) {
     const std::string root = SIGNUM_SOURCES;
-    const test::Outcome scene =
-        test::run({"simulate", root + "/examples/billiard.toml", "--quiet"});
+    const std::string path = testing::TempDir() + "/break.toml";
+    std::ofstream(path) << "[box]\nlow = [0, 0]\nhigh = [\"254 cm\", \"127 cm\"]\n[balls]\nfile = \""
+                        << root << "/examples/pool.csv\"\n[effects]\nrestitution = 0.96\n"
+                        << "wall_restitution = 0.8\n[run]\nuntil = \"3 s\"\n";
+    const test::Outcome scene = test::run({"simulate", path, "--quiet"});
     const test::Outcome balls = test::run({"simulate", root + "/examples/pool.csv", "--box", "0",
                                            "0", "2.54", "1.27", "--restitution", "0.96",
                                            "--wall-restitution", "0.8", "--until", "3", "--quiet"});

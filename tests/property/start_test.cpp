@@ -1,0 +1,338 @@
+/// Every sentence with which start() refuses effects or balls, once each; and what is just allowed.
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "../../motion/simulation.hpp"
+
+namespace signum::motion {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double huge = 0x1p151;
+
+struct Case {
+    std::string begin;  ///< of the sentence
+    std::function<void(Effects<2>&, Body<2>&)> change;
+};
+
+/// What is said of a ball in the middle of a box whose effects or numbers are changed.
+std::string sentence(const std::function<void(Effects<2>&, Body<2>&)>& change, bool& of_a_ball) {
+    Effects<2> effects;
+    effects.box = Box<2>{{-4.0, -4.0}, {4.0, 4.0}};
+    effects.time_step = 0.125;
+    Body<2> body{{0.0, 0.0}, {1.0, 0.5}, 0.5, 1.0};
+    change(effects, body);
+    of_a_ball = false;
+    try {
+        (void)start<2>(std::vector<Body<2>>{{{-2.0, -2.0}, {}, 0.5, 1.0}, body}, effects);
+    } catch (const BallError& error) {
+        of_a_ball = true;
+        EXPECT_EQ(error.ball(), 1);
+        return error.what();
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+    return "";
+}
+
+void expect_sentences(const std::vector<Case>& cases, bool of_balls) {
+    for (const Case& each : cases) {
+        bool of_a_ball = false;
+        const std::string said = sentence(each.change, of_a_ball);
+        EXPECT_EQ(said.substr(0, each.begin.size()), each.begin) << said;
+        EXPECT_EQ(of_a_ball, of_balls) << said;
+    }
+}
+
+TEST(Start, RefusesEffectsThatMakeNoSense) {
+    using E = Effects<2>;
+    using B = Body<2>;
+    const auto obstacle = [](const Obstacle<2>& wall) {
+        return [wall](E& e, B&) { e.obstacles.push_back(wall); };
+    };
+    expect_sentences(
+        {{"gravity:", [](E& e, B&) { e.gravity[1] = huge; }},
+         {"gravity:", [](E& e, B&) { e.gravity[0] = nan; }},
+         {"restitution:", [](E& e, B&) { e.restitution = 1.5; }},
+         {"restitution:", [](E& e, B&) { e.restitution = nan; }},
+         {"restitution:", [](E& e, B&) { e.wall_restitution = -0.1; }},
+         {"a periodic world needs a box",
+          [](E& e, B&) {
+              e.box.reset();
+              e.periodic = true;
+          }},
+         {"box:", [](E& e, B&) { e.box->high[0] = -4.0; }},
+         {"box:", [](E& e, B&) { e.box->low[1] = -huge; }},
+         {"speed law:",
+          [](E& e, B&) {
+              e.speed_law = SpeedLaw{0.0, 0.2};
+          }},
+         {"speed law:",
+          [](E& e, B&) {
+              e.speed_law = SpeedLaw{1.0, 0.0};
+          }},
+         {"speed law:",
+          [](E& e, B&) {
+              e.speed_law = SpeedLaw{1.0, 9.0};
+          }},
+         {"speed law:",
+          [](E& e, B&) {
+              e.speed_law = SpeedLaw{nan, 0.2};
+          }},
+         {"contact duration:", [](E& e, B&) { e.contact_duration = -1.0; }},
+         {"contact duration:", [](E& e, B&) { e.contact_duration = huge; }},
+         {"friction: give coefficients", [](E& e, B&) { e.friction = Friction{-0.5}; }},
+         {"friction: give coefficients",
+          [](E& e, B&) {
+              e.friction = Friction{0.5, nan};
+          }},
+         {"friction: give a tangential",
+          [](E& e, B&) {
+              e.friction = Friction{0, 0, 1.5};
+          }},
+         {"friction: give a tangential",
+          [](E& e, B&) {
+              e.friction = Friction{0, 0, nan};
+          }},
+         {"friction: give an inertia",
+          [](E& e, B&) {
+              e.friction = Friction{0, 0, 0, 0.0};
+          }},
+         {"friction: give an inertia",
+          [](E& e, B&) {
+              e.friction = Friction{0, 0, 0, 1.5};
+          }},
+         {"friction: give an inertia",
+          [](E& e, B&) {
+              e.friction = Friction{0, 0, 0, 1e-300};
+          }},
+         {"a box that shakes needs walls",
+          [](E& e, B&) {
+              e.box.reset();
+              e.shake.emplace();
+          }},
+         {"a box that shakes needs walls",
+          [](E& e, B&) {
+              e.periodic = true;
+              e.shake.emplace();
+          }},
+         {"shake:",
+          [](E& e, B&) {
+              e.shake = Shake<2>{{0.0, huge}, 1.0, 0.0};
+          }},
+         {"shake:",
+          [](E& e, B&) {
+              e.shake = Shake<2>{{0.0, 1.0}, nan, 0.0};
+          }},
+         {"shake:",
+          [](E& e, B&) {
+              e.shake = Shake<2>{{0.0, 1.0}, 1.0, 1e-300};
+          }},
+         {"half space: give a normal", obstacle(HalfSpace<2>{})},
+         {"half space: give a normal", obstacle(HalfSpace<2>{{1.0, nan}})},
+         {"half space: an offset", obstacle(HalfSpace<2>{{1.0, 0.0}, -huge})},
+         {"half space: an offset", obstacle(HalfSpace<2>{{1.0, 0.0}, -9.0, 1e-300})},
+         {"sphere:", obstacle(Sphere<2>{.centre = {9.0, 9.0}, .radius = -1.0})},
+         {"sphere:", obstacle(Sphere<2>{.centre = {9.0, nan}, .radius = 1.0})},
+         {"sphere:", obstacle(Sphere<2>{.centre = {9.0, 9.0}, .velocity = {0.0, huge}})},
+         {"segment: numbers", obstacle(Segment{{9.0, 9.0}, {9.0, huge}})},
+         {"segment: its two ends", obstacle(Segment{{9.0, 9.0}, {9.0, 9.0}})},
+         {"more than 100000 obstacles",
+          [](E& e, B&) {
+              e.obstacles.assign(100'001, HalfSpace<2>{{1.0, 0.0}, -9.0});
+          }},
+         {"obstacles are for a world that is not periodic",
+          [](E& e, B&) {
+              e.periodic = true;
+              e.obstacles.emplace_back(HalfSpace<2>{{1.0, 0.0}, -9.0});
+          }},
+         {"growth:",
+          [](E& e, B&) {
+              e.growth = Growth{0.0, 1.0};
+          }},
+         {"growth:",
+          [](E& e, B&) {
+              e.growth = Growth{1.0, 0.0};
+          }},
+         {"growth:",
+          [](E& e, B&) {
+              e.growth = Growth{1.0, INFINITY};
+          }},
+         {"growth and contacts",
+          [](E& e, B&) {
+              e.growth = Growth{1.0, 1.0};
+              e.contacts = LastingContacts{1.0};
+          }},
+         {"fluid: a velocity",
+          [](E& e, B&) {
+              e.fluid = Fluid<2>{{nan, 0.0}};
+          }},
+         {"fluid: a velocity",
+          [](E& e, B&) {
+              e.fluid = Fluid<2>{{}, {{{huge, 0.0}, {}}}};
+          }},
+         {"fluid: give drags",
+          [](E& e, B&) {
+              e.fluid = Fluid<2>{{}, {}, -1.0};
+          }},
+         {"fluid: give drags",
+          [](E& e, B&) {
+              e.fluid = Fluid<2>{{}, {}, 0.0, nan};
+          }},
+         {"time step:", [](E& e, B&) { e.time_step = -0.125; }},
+         {"time step:", [](E& e, B&) { e.time_step = INFINITY; }},
+         {"a fluid's drag needs time steps",
+          [](E& e, B&) {
+              e.fluid.emplace();
+              e.time_step = 0.0;
+          }},
+         {"contacts that stand need time steps",
+          [](E& e, B&) {
+              e.contacts = LastingContacts{1.0};
+              e.time_step = 0.0;
+          }},
+         {"contacts: give a speed", [](E& e, B&) { e.contacts = LastingContacts{0.0}; }},
+         {"contacts: give a speed",
+          [](E& e, B&) {
+              e.contacts = LastingContacts{1.0, 1.0};
+          }},
+         {"contacts: give a speed",
+          [](E& e, B&) {
+              e.contacts = LastingContacts{1.0, 0.5, 0};
+          }}},
+        false);
+}
+
+TEST(Start, RefusesBallsThatCannotBe) {
+    using E = Effects<2>;
+    using B = Body<2>;
+    const auto obstacle = [](const Obstacle<2>& wall) {
+        return [wall](E& e, B&) { e.obstacles.push_back(wall); };
+    };
+    constexpr auto inside = Sphere<2>::Side::inside;
+    expect_sentences(
+        {{"a coordinate or speed", [](E&, B& b) { b.x[0] = nan; }},
+         {"a coordinate or speed", [](E&, B& b) { b.v[1] = huge; }},
+         {"a spin", [](E&, B& b) { b.spin[0] = INFINITY; }},
+         {"a radius", [](E&, B& b) { b.radius = -0.5; }},
+         {"a radius", [](E&, B& b) { b.radius = nan; }},
+         {"a mass that is not positive", [](E&, B& b) { b.mass = 0.0; }},
+         {"a mass that is not positive", [](E&, B& b) { b.mass = nan; }},
+         {"a mass beyond", [](E&, B& b) { b.mass = huge; }},
+         {"a ball outside its walls", [](E&, B& b) { b.x[0] = std::nextafter(3.5, 4.0); }},
+         {"a ball outside its walls",
+          [](E& e, B& b) {
+              e.shake = Shake<2>{{0.0, 1.0}, 1.0, 1.5};
+              b.x[1] = -3.5;
+          }},
+         {"a centre outside the periodic box",
+          [](E& e, B& b) {
+              e.periodic = true;
+              b.x[0] = 4.125;
+          }},
+         {"a ball whose diameter is more than a quarter",
+          [](E& e, B& b) {
+              e.periodic = true;
+              b.radius = std::nextafter(1.0, 2.0);
+          }},
+         {"a ball whose diameter is more than a quarter",
+          [](E& e, B& b) {
+              e.periodic = true;
+              e.growth = Growth{0.5, 1.5};
+              b.radius = 0.75;
+          }},
+         {"a ball that overlaps ball 0",
+          [](E&, B& b) {
+              b.x = {-1.5, -1.5};
+          }},
+         {"a ball that overlaps wall 4", obstacle(HalfSpace<2>{{0.0, -2.0}, -0.75})},
+         {"a ball that overlaps wall 4", obstacle(Sphere<2>{.centre = {1.0, 0.0}, .radius = 0.75})},
+         {"a ball that overlaps wall 4",
+          obstacle(Sphere<2>{.centre = {-3.0, -3.0}, .radius = 4.5, .side = inside})},
+         {"a ball that overlaps wall 4", obstacle(Segment{{-0.5, 0.25}, {1.0, 0.25}})},
+         {"a ball that overlaps wall 4", obstacle(Segment{{0.25, 0.25}, {1.0, 0.25}})},
+         {"a ball of radius 0 where there are segments",
+          [](E& e, B& b) {
+              e.obstacles.emplace_back(Segment{{3.0, 3.0}, {3.0, 2.0}});
+              b.radius = 0.0;
+          }}},
+        true);
+    // It may touch all that.
+    const std::vector<std::function<void(E&, B&)>> allowed = {
+        [](E&, B& b) { b.x[0] = 3.5; },
+        [](E&, B& b) {
+            b.x = {-1.0, -2.0};
+        },
+        [](E& e, B& b) {
+            e.periodic = true;
+            b.radius = 1.0;
+        },
+        obstacle(HalfSpace<2>{{0.0, -2.0}, -1.0}),
+        obstacle(Sphere<2>{.centre = {1.0, 0.0}, .radius = 0.5}),
+        obstacle(Sphere<2>{.centre = {-1.0, -1.0}, .radius = 4.0, .side = inside}),
+        obstacle(Segment{{-0.5, 0.5}, {1.0, 0.5}}),
+        [](E& e, B& b) {
+            e.obstacles.emplace_back(Segment{{0.375, 0.5}, {1.0, 1.0}});
+            b.radius = 0.625;
+        }};
+    for (const auto& change : allowed) {
+        bool of_a_ball = false;
+        EXPECT_EQ(sentence(change, of_a_ball), "");
+    }
+}
+
+TEST(Start, RefusesStatesThatCannotBe) {
+    Effects<2> effects;
+    effects.box = Box<2>{{-4.0, -4.0}, {4.0, 4.0}};
+    effects.time_step = 0.125;
+    effects.friction.emplace();
+    effects.contact_duration = 0.5;
+    effects.contacts = LastingContacts{0.1};
+    const State<2> good = start<2>(
+        std::vector<Body<2>>{{{0, 0}, {1, 0}, 0.5, 1}, {{2, 0}, {-1, 0}, 0.5, 1}}, effects);
+    EXPECT_NO_THROW(check(good, effects));
+    const std::vector<std::pair<std::string, std::function<void(State<2>&)>>> cases = {
+        {"a state whose balls and masses differ", [](State<2>& s) { s.masses.pop_back(); }},
+        {"a state whose balls and masses differ", [](State<2>& s) { s.in_place.push_back(0); }},
+        {"a state that does not have what its effects", [](State<2>& s) { s.spins.clear(); }},
+        {"a state that does not have what its effects",
+         [](State<2>& s) { s.last_strikes.pop_back(); }},
+        {"a state with contacts",
+         [](State<2>& s) {
+             s.contacts.push_back({0, 2});
+         }},
+        {"a state with contacts",
+         [](State<2>& s) {
+             s.contacts.push_back({-1, 0});
+         }},
+        {"a state with contacts",
+         [](State<2>& s) {
+             s.contacts.push_back({0, -5});
+         }},
+        {"a state's time", [](State<2>& s) { s.time = -1.0; }},
+        {"a state's time", [](State<2>& s) { s.time = nan; }},
+        {"a coordinate or speed", [](State<2>& s) { s.balls[0].x[0] = nan; }},
+        {"a radius", [](State<2>& s) { s.balls[0].radius = -1.0; }},
+        {"a mass", [](State<2>& s) { s.masses[1] = 0.0; }},
+        {"a ball's own time", [](State<2>& s) { s.balls[0].time = 1.0; }}};
+    for (const auto& [begin, change] : cases) {
+        State<2> state = good;
+        change(state);
+        try {
+            check(state, effects);
+            ADD_FAILURE() << begin;
+        } catch (const std::invalid_argument& error) {
+            EXPECT_EQ(std::string(error.what()).substr(0, begin.size()), begin);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace signum::motion

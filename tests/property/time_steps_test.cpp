@@ -1,0 +1,250 @@
+/// Steps of time: drag and currents against formulas and fine references, contacts that stand by
+/// the weights that they bear.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "effects_scenes.hpp"
+
+namespace signum::motion {
+namespace {
+
+template <int D>
+State<D> after(const std::vector<Body<D>>& bodies, const Effects<D>& effects, double until) {
+    Simulation<D> simulation(start<D>(bodies, effects), effects);
+    const Outcome outcome = simulation.run({.until = until});
+    EXPECT_EQ(outcome.ending, Ending::until);
+    return simulation.state();
+}
+
+TEST(TimeSteps, LinearDragRelaxesExponentially) {
+    for (const double step : {0.5, 0.0625, 0.01}) {
+        Effects<3> effects;
+        effects.time_step = step;
+        effects.fluid.emplace();
+        effects.fluid->velocity = {1.0, -0.5, 0.25};
+        effects.fluid->linear = 0.75;
+        const std::vector<Body<3>> bodies = {{{0, 0, 0}, {-2.0, 0.0, 3.0}, 0.5, 2.0}};
+        const double until = 8.0;
+        const State<3> state = after(bodies, effects, until);
+        const double steps = std::round(until / step);
+        const double left = std::exp(-0.75 * 0.5 / 2.0 * steps * step);
+        for (int k = 0; k < 3; ++k) {
+            const double u = effects.fluid->velocity[k];
+            EXPECT_NEAR(state.balls[0].v[k], u + left * (bodies[0].v[k] - u), 1e-15 * (steps + 1.0))
+                << "step " << step;
+        }
+    }
+}
+
+TEST(TimeSteps, QuadraticDragSlowsAsItsFormula) {
+    Effects<2> effects;
+    effects.time_step = 0.125;
+    effects.fluid.emplace();
+    effects.fluid->quadratic = 0.5;
+    const std::vector<Body<2>> bodies = {{{0, 0}, {3.0, 4.0}, 0.5, 2.0}};
+    const State<2> state = after(bodies, effects, 16.0);
+    // c = 0.5 · 0.5 / 2, v = v0 / (1 + c |v0| t); places by trapezoids or so.
+    const double factor = 1.0 / (1.0 + 0.125 * 5.0 * 16.0);
+    for (int k = 0; k < 2; ++k) EXPECT_NEAR(state.balls[0].v[k], factor * bodies[0].v[k], 1e-14);
+}
+
+using Real = long double;
+/// x, v of a disc by Runge and Kutta's method, in steps so short that they are exact here.
+std::array<Real, 4> reference(const Body<2>& body, const Effects<2>& effects, Real until) {
+    const auto slope = [&](const std::array<Real, 4>& s) {
+        const Fluid<2>& fluid = *effects.fluid;
+        std::array<Real, 2> w;
+        for (int k = 0; k < 2; ++k)
+            w[static_cast<std::size_t>(k)] = fluid.velocity[k] + fluid.gradient[k][0] * s[0] +
+                                             fluid.gradient[k][1] * s[1] -
+                                             s[static_cast<std::size_t>(k) + 2];
+        const Real speed = std::sqrt(w[0] * w[0] + w[1] * w[1]);
+        const Real r = body.radius;
+        const Real pull = (fluid.linear * r + fluid.quadratic * r * speed) / body.mass;
+        return std::array<Real, 4>{s[2], s[3], effects.gravity[0] + pull * w[0],
+                                   effects.gravity[1] + pull * w[1]};
+    };
+    const auto moved = [](std::array<Real, 4> s, Real h, const std::array<Real, 4>& d) {
+        for (std::size_t k = 0; k < 4; ++k) s[k] += h * d[k];
+        return s;
+    };
+    std::array<Real, 4> s = {body.x[0], body.x[1], body.v[0], body.v[1]};
+    constexpr int steps = 4000;
+    const Real h = until / steps;
+    for (int i = 0; i < steps; ++i) {
+        const auto a = slope(s);
+        const auto b = slope(moved(s, h / 2, a));
+        const auto c = slope(moved(s, h / 2, b));
+        const auto d = slope(moved(s, h, c));
+        for (std::size_t k = 0; k < 4; ++k) s[k] += h / 6 * (a[k] + 2 * b[k] + 2 * c[k] + d[k]);
+    }
+    return s;
+}
+
+TEST(TimeSteps, ADiscInACurrentConvergesQuadratically) {
+    Effects<2> effects;
+    effects.gravity = {0.25, -1.0};
+    effects.fluid.emplace();
+    effects.fluid->velocity = {0.5, 1.0};
+    effects.fluid->gradient = {{{0.25, -0.5}, {0.75, -0.125}}};
+    effects.fluid->linear = 0.5;
+    effects.fluid->quadratic = 0.75;
+    const std::vector<Body<2>> bodies = {{{1.0, -0.5}, {-2.0, 1.0}, 0.5, 0.75}};
+    const std::array<Real, 4> exact = reference(bodies[0], effects, 4.0L);
+    double before = 0.0;
+    for (const double step : {0.125, 0.0625, 0.03125, 0.015625, 0.0078125}) {
+        effects.time_step = step;
+        const State<2> state = after(bodies, effects, 4.0);
+        double error = 0.0;
+        for (int k = 0; k < 2; ++k) {
+            const auto i = static_cast<std::size_t>(k);
+            error = std::max({error,
+                              std::fabs(coordinate(state.balls[0], k, 4.0, effects) -
+                                        static_cast<double>(exact[i])),
+                              std::fabs(state.balls[0].v[k] - static_cast<double>(exact[i + 2]))});
+        }
+        if (before > 0.0) {
+            EXPECT_NEAR(before / error, 4.0, 0.3) << "step " << step;
+        }
+        before = error;
+    }
+    EXPECT_LT(before, 1e-4);
+}
+
+// Contacts that stand
+
+Effects<2> standing(double g) {
+    Effects<2> effects;
+    effects.gravity = {0.0, -g};
+    effects.restitution = effects.wall_restitution = 0.25;
+    effects.contacts = LastingContacts{0.25, 1e-12, 2000};
+    effects.time_step = 0.01;
+    return effects;
+}
+double push_between(const State<2>& state, std::int32_t a, std::int32_t b) {
+    for (const StandingContact<2>& contact : state.contacts)
+        if (contact.a == a && contact.b == b) return contact.push;
+    return 0.0;
+}
+
+TEST(TimeSteps, ABallRestsOnAFloorThatBearsItsWeight) {
+    for (const bool with_friction : {false, true}) {
+        Effects<2> effects = standing(10.0);
+        effects.box = Box<2>{{-5.0, 0.0}, {5.0, 10.0}};
+        if (with_friction) effects.friction = Friction{0.5, 0.5, 0.0, 0.5};
+        const State<2> state = after<2>({{{0.0, 2.0}, {}, 0.5, 3.0}}, effects, 5.0);
+        EXPECT_NEAR(state.balls[0].v[1], 0.0, 1e-12);
+        EXPECT_NEAR(state.balls[0].x[1], 0.5, 1e-3);
+        EXPECT_NEAR(push_between(state, 0, -3) / effects.time_step, 30.0, 1e-9);
+    }
+}
+
+TEST(TimeSteps, AStackBearsAllThatIsAbove) {
+    constexpr int size = 10;
+    Effects<2> effects = standing(10.0);
+    effects.box = Box<2>{{-5.0, 0.0}, {5.0, 40.0}};
+    std::vector<Body<2>> bodies;
+    for (int i = 0; i < size; ++i) bodies.push_back({{0.0, 0.5 + i}, {}, 0.5, 1.0 + i % 3});
+    Simulation<2> simulation(start<2>(bodies, effects), effects);
+    EXPECT_EQ(simulation.run({.until = 4.0}).ending, Ending::until);
+    const State<2> state = simulation.state();
+    double above = 0.0;
+    for (int i = size - 1; i >= 0; --i) {
+        above += bodies[static_cast<std::size_t>(i)].mass * 10.0;
+        const double push = i > 0 ? push_between(state, i - 1, i) : push_between(state, 0, -3);
+        EXPECT_NEAR(push / effects.time_step, above, 1e-6 * above) << i;
+        EXPECT_NEAR(state.balls[static_cast<std::size_t>(i)].v[1], 0.0, 1e-9);
+        EXPECT_NEAR(coordinate(state.balls[static_cast<std::size_t>(i)], 1, 4.0, effects), 0.5 + i,
+                    0x1p-8);
+    }
+    EXPECT_EQ(simulation.counts().unsolved, 0U);
+}
+
+/// Down a slope of angle θ a disc rolls with 2/3 g sin θ where μ >= tan θ / 3, and slides with
+/// g (sin θ - μ cos θ) where it is less.
+TEST(TimeSteps, ADiscRollsOrSlidesDownASlope) {
+    constexpr double g = 10.0;
+    const double sine = 0.6;
+    const double cosine = 0.8;
+    for (const double mu : {0.0, 0.125, 0.5}) {
+        Effects<2> effects = standing(g);
+        effects.friction = Friction{mu, mu, 0.0, 0.5};
+        effects.obstacles.emplace_back(HalfSpace<2>{{3.0, 4.0}, 0.0});  // down is (4, -3) / 5
+        const std::vector<Body<2>> bodies = {{{3.0, 4.0}, {}, 5.0, 2.0}};
+        const State<2> first = after(bodies, effects, 1.0);
+        const State<2> last = after(bodies, effects, 3.0);
+        const double expected =
+            mu >= sine / cosine / 3.0 ? 2.0 / 3.0 * g * sine : g * (sine - mu * cosine);
+        const auto down = [](const Vector<2>& v) { return 0.8 * v[0] - 0.6 * v[1]; };
+        EXPECT_NEAR((down(last.balls[0].v) - down(first.balls[0].v)) / 2.0, expected, 1e-9) << mu;
+        EXPECT_NEAR(0.6 * last.balls[0].v[0] + 0.8 * last.balls[0].v[1], 0.0, 1e-9);
+        EXPECT_NEAR(push_between(last, 0, -5) / effects.time_step, 2.0 * g * cosine, 1e-9);
+        if (mu >= 0.5) {  // ω r = v, clockwise
+            EXPECT_NEAR(-last.spins[0][0] * 5.0, down(last.balls[0].v), 1e-9);
+        }
+        if (mu == 0.0) {
+            EXPECT_EQ(last.spins[0][0], 0.0);
+        }
+    }
+}
+
+/// Discs that fall into a box: none is ever deeper in another or in the floor than 2^-8 of a
+/// radius; the run that is cut in the middle is the same.
+TEST(TimeSteps, DiscsThatAreThrownIntoABoxHardlyOverlap) {
+    Effects<2> effects = standing(10.0);
+    effects.box = Box<2>{{0.0, 0.0}, {6.0, 20.0}};
+    effects.friction = Friction{0.5, 0.5, 0.0, 0.5};
+    effects.contacts->tolerance = 1e-8;
+    Choices choose(5);
+    std::vector<Body<2>> bodies;
+    for (int i = 0; i < 24; ++i) {
+        const double r = 0.25 + 0.25 * choose.unit();
+        bodies.push_back({{0.75 + 1.1 * (i % 5) + 0.05 * choose.unit(), 0.75 + 1.1 * (i / 5)},
+                          {choose.number(-1.0, 1.0), choose.number(-1.0, 1.0)},
+                          r,
+                          r * r});
+    }
+    const State<2> first = start<2>(bodies, effects);
+    Simulation<2> simulation(first, effects);
+    State<2> middle;
+    double deepest = 0.0;
+    constexpr int looks = 300;
+    for (int look = 1; look <= looks; ++look) {
+        const double t = 0.0101 * look;
+        ASSERT_EQ(simulation.run({.until = t}).ending, Ending::until);
+        const State<2> state = simulation.state();
+        if (look == looks / 2) middle = state;
+        for (std::size_t i = 0; i < bodies.size(); ++i) {
+            const Vector<2> x = centre(state.balls[i], t, effects);
+            const double r = bodies[i].radius;
+            deepest = std::max({deepest, (r - x[0]) / r, (r - x[1]) / r, (x[0] + r - 6.0) / r});
+            for (std::size_t j = 0; j < i; ++j) {
+                const Vector<2> y = centre(state.balls[j], t, effects);
+                const double reach = r + bodies[j].radius;
+                const double apart = std::hypot(x[0] - y[0], x[1] - y[1]);
+                deepest = std::max(deepest, (reach - apart) / std::min(r, bodies[j].radius));
+            }
+        }
+    }
+    EXPECT_LT(deepest, 0x1.4p-8);
+    EXPECT_GT(simulation.counts().joins, 20U);
+    Simulation<2> rest(middle, effects, {Structure::cells});
+    (void)rest.run({.until = 0.0101 * looks});
+    const State<2> one = simulation.state();
+    const State<2> other = rest.state();
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        EXPECT_EQ(one.balls[i].x, other.balls[i].x);
+        EXPECT_EQ(one.balls[i].v, other.balls[i].v);
+    }
+    EXPECT_EQ(one.contacts, other.contacts);
+    EXPECT_EQ(one.spins, other.spins);
+}
+
+}  // namespace
+}  // namespace signum::motion
