@@ -27,7 +27,8 @@ figure > svg { display: block; width: 100%; height: auto; }
 pre { font-size: .85rem; overflow-x: auto; }
 table { border-collapse: collapse; font-size: .92rem; }
 th, td { text-align: left; padding: .35rem 1rem .35rem 0; border-bottom: 1px solid var(--line);
-         vertical-align: top; overflow-wrap: anywhere; }
+         vertical-align: top; }
+td { overflow-wrap: anywhere; }
 .good { color: var(--good); } .not_good { color: var(--bad); font-weight: bold; }
 .good, .not_good, .not_told { white-space: nowrap; }
 .soft { color: var(--soft); }
