@@ -8,12 +8,10 @@
 #include "../scenes/energy.hpp"
 
 namespace signum::cli {
-namespace {
-
-/// Z = p V / (N k T), from the virial of the strikes.
 template <int D>
-std::optional<double> compressibility(const Summary<D>& summary, const Energy<D>& before,
-                                      const Energy<D>& after) {
+std::optional<double> compressibility(const Summary<D>& summary) {
+    const Energy<D> before(summary.start.state, summary.start.effects, summary.start.state.time);
+    const Energy<D> after(summary.end.state, summary.end.effects, summary.end.state.time);
     const double time = summary.end.state.time - summary.start.state.time;
     const double kinetic = before.kinetic + after.kinetic;
     if (summary.start.effects.gravity != motion::Vector<D>{} || !(time > 0.0) || !(kinetic > 0.0))
@@ -21,14 +19,12 @@ std::optional<double> compressibility(const Summary<D>& summary, const Energy<D>
     return 1.0 + summary.counts.virial / (kinetic * time);
 }
 
-}  // namespace
-
 template <int D>
 std::string statistics_of(const Summary<D>& summary) {
     const Energy<D> before(summary.start.state, summary.start.effects, summary.start.state.time);
     const Energy<D> after(summary.end.state, summary.end.effects, summary.end.state.time);
     const motion::Counts& counts = summary.counts;
-    const std::optional<double> z = compressibility(summary, before, after);
+    const std::optional<double> z = compressibility(summary);
     return fmt::format(
         "{{\"balls\": {}, \"strikes\": {}, \"checks\": {}, \"own\": {}, \"stale\": {}, \"stages\": "
         "{{\"filter\": {}, \"exact\": {}, \"multiprecision\": {}}}, \"seconds\": {}, "
@@ -64,6 +60,8 @@ std::string describe_collapse(const motion::Strike& last) {
         last.time, last.a, last.wall ? "wall" : "ball", last.b);
 }
 
+template std::optional<double> compressibility(const Summary<2>&);
+template std::optional<double> compressibility(const Summary<3>&);
 template std::string statistics_of(const Summary<2>&);
 template std::string statistics_of(const Summary<3>&);
 

@@ -1,6 +1,7 @@
 #pragma once
 /// What is said of a simulation when it is over.
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -18,6 +19,11 @@ struct Summary {
     motion::Counts counts;
     double seconds = 0.0;
 };
+
+/// Z = p V / (N k T) from the virial of the strikes; none under gravity, of no time and of no
+/// motion.
+template <int D>
+[[nodiscard]] std::optional<double> compressibility(const Summary<D>& summary);
 
 /// As JSON, one line.
 template <int D>

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -28,6 +29,8 @@
 #include "../scenes/snapshot.hpp"
 
 #include "borders.hpp"
+#include "motion_summary.hpp"
+#include "run_page.hpp"
 #include "simulate_call.hpp"
 
 namespace signum::cli {
@@ -47,7 +50,7 @@ class Recording {
  public:
     Recording(const SimulateCall& call, std::span<const Target> targets,
               const MotionState<D>& start, motion::Structure structure)
-        : effects_(start.effects), structure_(structure), show_(call.show) {
+        : effects_(start.effects), structure_(structure), show_(call.show), scene_(call.scene) {
         for (const Target& target : targets) {
             // These are many files, or made by another program.
             if (target.format == "images" || target.format == "video") continue;
@@ -60,6 +63,7 @@ class Recording {
             }
             sinks_.push_back(std::move(sink));
         }
+        balls_ = start.state.balls.size();
         if (!call.save.empty()) save_ = std::make_unique<OutputFile>(call.save);
         if (!call.closest.empty()) closest_ = std::make_unique<OutputFile>(call.closest);
         for (Sink& sink : sinks_)
@@ -70,12 +74,14 @@ class Recording {
         if (is_written(targets, "images") || is_written(targets, "video"))
             pictures_ =
                 std::make_unique<Pictures>(path_of(targets, "images"), path_of(targets, "video"));
-        has_pairs_ = is_written(targets, "pair_correlation");
+        const bool has_page = is_written(targets, "html");
+        if (has_page) run_.emplace(effects_);
+        has_pairs_ = is_written(targets, "pair_correlation") || (has_page && effects_.periodic);
         halfway_ = start.state.time + 0.5 * (call.until.value_or(0.0) - start.state.time);
         box_ = effects_.box ? *effects_.box : around(start);
         shown_ = swept(box_, effects_);
         walls_ = drawn_walls(effects_, shown_);
-        if (is_written(targets, "svg")) {
+        if (is_written(targets, "svg") || has_page) {
             for (const motion::Ball<D>& ball : start.state.balls) radii_.push_back(ball.radius);
             movie_.emplace(radii_, std::array{shown_.low[0], shown_.low[1]},
                            std::array{shown_.high[0], shown_.high[1]}, effects_.periodic);
@@ -93,7 +99,9 @@ class Recording {
         for (Sink& sink : sinks_)
             if (sink.log) sink.log->put(strike);
     }
-    void frame(const motion::State<D>& state, double time, const motion::Sketch<D>& sketch) {
+    void frame(const motion::State<D>& state, double time, const motion::Counts& counts,
+               const motion::Sketch<D>& sketch) {
+        if (run_) run_->add(state, time, counts);
         Snapshot<D> snapshot(state, effects_, time);
         MotionFrame& frame = snapshot.frame();
         const motion::Box<D> box = box_at(box_, effects_, time);
@@ -124,23 +132,23 @@ class Recording {
         movie_->add(time, balls, shapes, growth_of(frame));
     }
     /// All files under their names.
-    void publish(const MotionState<D>& end, const std::optional<motion::ClosestPairs>& closest) {
+    void publish(const Summary<D>& summary, const std::optional<motion::ClosestPairs>& closest) {
         for (Sink& sink : sinks_) {
             if (sink.log) sink.log->finish();
             if (sink.energies) sink.energies->finish();
             if (sink.format == "pair_correlation" && pairs_) pairs_->write(sink.stream());
-            if (sink.format == "svg") {
-                const std::string title = fmt::format(
-                    "{} ball{}{}{}", end.state.balls.size(), end.state.balls.size() == 1 ? "" : "s",
-                    D == 3 ? ", seen along z" : "",
-                    shows_structure() ? fmt::format("; structure {}", name_of(structure_))
-                                      : std::string());
-                movie_->write(sink.stream(), title, meaning());
+            if (sink.format == "svg") write_film(sink.stream());
+            if (sink.format == "html") {
+                std::ostringstream film;
+                write_film(film);
+                sink.stream() << page_of_run<D>(
+                    scene_, std::move(film).str(), *run_,
+                    pairs_ ? pairs_->shells() : std::vector<PairCorrelation::Shell>{}, summary);
             }
             if (sink.file) sink.file->finish();
             if (sink.standard) sink.standard->flush();
         }
-        if (save_) write_motion_state(save_->stream(), end);
+        if (save_) write_motion_state(save_->stream(), summary.end);
         if (closest) write_closest(closest_->stream(), closest->pairs);
         for (Sink& sink : sinks_)
             if (sink.file) sink.file->publish();
@@ -158,6 +166,15 @@ class Recording {
         std::unique_ptr<EnergyWriter<D>> energies;
         [[nodiscard]] std::ostream& stream() { return file ? file->stream() : *standard; }
     };
+
+    void write_film(std::ostream& out) const {
+        const std::string structure =
+            shows_structure() ? fmt::format("; structure {}", name_of(structure_)) : std::string();
+        movie_->write(out,
+                      fmt::format("{} ball{}{}{}", balls_, balls_ == 1 ? "" : "s",
+                                  D == 3 ? ", seen along z" : "", structure),
+                      meaning());
+    }
 
     [[nodiscard]] bool shows_cells() const noexcept { return show_ == "cells"; }
     [[nodiscard]] Movie::Meaning meaning() const {
@@ -205,6 +222,9 @@ class Recording {
     motion::Effects<D> effects_;
     motion::Structure structure_;
     std::string show_;
+    study::SceneDescription scene_;
+    std::optional<RunRecord<D>> run_;  ///< for the page
+    std::size_t balls_ = 0;
     motion::Box<D> box_;
     motion::Box<D> shown_;  ///< by pictures
     std::vector<Movie::Wall> walls_;

@@ -147,7 +147,8 @@ std::vector<Target> targets_of_record(const SceneRecord& record) {
          {std::pair(&record.log, "csv"), std::pair(&record.frames, "xyz"),
           std::pair(&record.film, "svg"), std::pair(&record.energies, "energies"),
           std::pair(&record.pair_correlation, "pair_correlation"),
-          std::pair(&record.images, "images"), std::pair(&record.video, "video")})
+          std::pair(&record.images, "images"), std::pair(&record.video, "video"),
+          std::pair(&record.page, "html")})
         if (!path->empty()) targets.push_back({*path, format});
     return targets;
 }
@@ -168,6 +169,11 @@ SimulateCall completed(SimulateCall call, const Scene<D>& scene) {
                     "-o {} would overwrite a file of the scene; give another name", output));
     // A scene may say it for who asks for frames.
     if (!call.every && wants_frames(call)) call.every = scene.record.every;
+    call.scene = {.title = scene.title,
+                  .explanation = explain(scene),
+                  .length = scene.units.name_of(dimensions::length),
+                  .time = scene.units.name_of(dimensions::time),
+                  .energy = scene.units.name_of(dimensions::energy)};
     return call;
 }
 

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "../study/scene_page.hpp"
+
 #include "outputs.hpp"
 
 namespace signum::cli {
@@ -32,15 +34,18 @@ struct SimulateCall : OutputsCall {
     /// What a scene records beside what -o says: its path, and a format or "energies",
     /// "pair_correlation", "images", "video".
     std::vector<Target> records;
+    /// What its page says of it.
+    study::SceneDescription scene;
     std::string resume;
     bool explain = false;
     bool statistics = false;
     bool quiet = false;
 };
 
-inline constexpr std::array<Format, 3> simulate_formats = {
+inline constexpr std::array<Format, 4> simulate_formats = {
     {{"csv", "the log: time,kind,a,b,impulse"},
      {"xyz", "frames in extended XYZ, as OVITO and VMD read them"},
-     {"svg", "a movie"}}};
+     {"svg", "a movie"},
+     {"html", "a page: film, curves, and what is known\nto be true"}}};
 
 }  // namespace signum::cli

@@ -74,7 +74,7 @@ motion::Outcome run_all(motion::Simulation<D>& simulation, const SimulateCall& c
         if (!goes_on) return outcome;
         if (recording.has_frames()) {
             recording.frame(
-                simulation.state(), limits.until,
+                simulation.state(), limits.until, simulation.counts(),
                 recording.shows_structure() ? simulation.sketch() : motion::Sketch<D>{});
         }
         if (is_last) return outcome;
@@ -186,7 +186,7 @@ void run_simulation(const SimulateCall& call, const MotionState<D>& start) {
                 "--every {}: more than 10 million frames; give a longer one", *call.every));
     }
     refuse_bad_files(call, targets);
-    if (!call.show.empty() && !is_written(targets, "svg"))
+    if (!call.show.empty() && !is_written(targets, "svg") && !is_written(targets, "html"))
         throw CallError("--show is for a movie; add -o FILE.svg");
     if (D == 3 && !call.show.empty())
         throw CallError(fmt::format(
@@ -221,9 +221,9 @@ void run_simulation(const SimulateCall& call, const MotionState<D>& start) {
         }
     }
     const MotionState<D> end = {simulation.state(), start.effects};
-    recording.publish(end, closest);
-    if (!too_fast.empty()) throw CallError(too_fast);
     const Summary<D> summary{start, end, choice, simulation.counts(), seconds.count()};
+    recording.publish(summary, closest);
+    if (!too_fast.empty()) throw CallError(too_fast);
     if (call.statistics) {
         const bool log_is_there = std::ranges::any_of(
             targets, [](const Target& target) { return target.path == standard_output; });

@@ -140,7 +140,7 @@ class Explanation {
         const SceneRecord& record = scene_.record;
         for (const std::string* const name :
              {&record.log, &record.frames, &record.film, &record.energies, &record.pair_correlation,
-              &record.images, &record.video, &record.state})
+              &record.images, &record.video, &record.page, &record.state})
             if (!name->empty()) names.push_back(*name);
         return names.empty() ? "nothing but the log, to standard output"
                              : fmt::format("{}", fmt::join(names, ", "));

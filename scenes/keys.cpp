@@ -29,7 +29,7 @@ std::span<const SectionKeys> all_sections() {
         {"run", {"until", "events", "time_step", "structure", "arithmetic"}},
         {"record",
          {"every", "log", "frames", "film", "energies", "pair_correlation", "images", "video",
-          "state"}},
+          "page", "state"}},
     };
     return sections;
 }

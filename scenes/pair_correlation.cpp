@@ -87,9 +87,8 @@ std::vector<double> PairCorrelation::neighbours() const {
     return result;
 }
 
-void PairCorrelation::write(std::ostream& out) const {
-    TextWriter text(out);
-    text.put("r,g\n");
+std::vector<PairCorrelation::Shell> PairCorrelation::shells() const {
+    std::vector<Shell> result;
     const auto ball = [&](double r) {
         return dimension_ == 2 ? std::numbers::pi * r * r
                                : 4.0 / 3.0 * std::numbers::pi * r * r * r;
@@ -97,9 +96,15 @@ void PairCorrelation::write(std::ostream& out) const {
     for (std::size_t i = 0; i < pairs_.size() && expected_ > 0.0; ++i) {
         const auto shell = static_cast<double>(i);
         const double volume = ball((shell + 1.0) * thickness_) - ball(shell * thickness_);
-        text.put(FMT_COMPILE("{},{}\n"), (shell + 0.5) * thickness_,
-                 pairs_[i] / (expected_ * volume));
+        result.push_back({(shell + 0.5) * thickness_, pairs_[i] / (expected_ * volume)});
     }
+    return result;
+}
+
+void PairCorrelation::write(std::ostream& out) const {
+    TextWriter text(out);
+    text.put("r,g\n");
+    for (const auto& [r, g] : shells()) text.put(FMT_COMPILE("{},{}\n"), r, g);
     text.flush();
 }
 

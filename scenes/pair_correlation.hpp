@@ -25,7 +25,13 @@ class PairCorrelation {
 
     /// O(n log n + n²w), where w is the largest distance as a share of the box along x.
     void add(const MotionFrame& frame);
-    /// As CSV: r,g with r the middle of a shell; nothing but the header where no ball was a centre.
+    struct Shell {
+        double r = 0.0;  ///< its middle
+        double g = 0.0;
+    };
+    /// None where no ball was a centre.
+    [[nodiscard]] std::vector<Shell> shells() const;
+    /// As CSV: r,g, a shell a line.
     void write(std::ostream& out) const;
 
     [[nodiscard]] double thickness() const noexcept { return thickness_; }

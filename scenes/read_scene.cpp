@@ -93,7 +93,7 @@ struct RecordFile {
     std::string_view ending;
     bool is_of_frames;
 };
-constexpr std::array<RecordFile, 8> record_files = {{
+constexpr std::array<RecordFile, 9> record_files = {{
     {"log", &SceneRecord::log, "csv", false},
     {"frames", &SceneRecord::frames, "xyz", true},
     {"film", &SceneRecord::film, "svg", true},
@@ -101,6 +101,7 @@ constexpr std::array<RecordFile, 8> record_files = {{
     {"pair_correlation", &SceneRecord::pair_correlation, "csv", true},
     {"images", &SceneRecord::images, "png", true},
     {"video", &SceneRecord::video, "mp4", true},
+    {"page", &SceneRecord::page, "html", true},
     {"state", &SceneRecord::state, "json", false},
 }};
 

@@ -55,6 +55,7 @@ struct SceneRecord {
     std::string pair_correlation;
     std::string images;
     std::string video;
+    std::string page;
     std::string state;
 };
 

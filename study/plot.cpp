@@ -31,8 +31,10 @@ const Style& style_of(const Series& series) {
 }
 
 std::string look_of(const Series& series) {
-    return fmt::format("lc rgb \"{}\" lw 1.6 pt {} ps 0.9", style_of(series).colour,
-                       style_of(series).mark);
+    const Style& style = style_of(series);
+    // gnuplot warns of marks where it draws none.
+    if (!series.marked) return fmt::format("lc rgb \"{}\" lw 1.6", style.colour);
+    return fmt::format("lc rgb \"{}\" lw 1.6 pt {} ps 0.9", style.colour, style.mark);
 }
 
 constexpr std::string_view quoted_look = "pt 12 ps 1.6 lw 2 lc rgb \"black\"";
@@ -178,10 +180,12 @@ std::string panel_script(const Panel& panel, std::size_t number) {
             if (is_empty(panel, series.points)) continue;
             const std::string name = fmt::format("p{}s{}", number, s);
             data += data_block(panel, name, series.points);
-            add_plot(fmt::format("${} using ($1+{}):2:3:4 with yerrorbars {}", name,
-                                 shift_of(panel, s), look_of(series)));
+            if (series.marked)
+                add_plot(fmt::format("${} using ($1+{}):2:3:4 with yerrorbars {}", name,
+                                     shift_of(panel, s), look_of(series)));
             if (series.joined)
-                add_plot(fmt::format("${} using 1:2 with linespoints {}", name, look_of(series)));
+                add_plot(fmt::format("${} using 1:2 with {} {}", name,
+                                     series.marked ? "linespoints" : "lines", look_of(series)));
         }
         if (!is_empty(panel, panel.quoted.points)) {
             const std::string name = fmt::format("p{}q", number);
@@ -201,9 +205,12 @@ std::string legend_script(const Plot& plot, double height) {
     for (const Series& series : first.series)
         entries.push_back(fmt::format(
             "keyentry with {} title {}",
-            first.stacked
-                ? fmt::format("boxes fs solid 1 lc rgb \"{}\"", style_of(series).colour)
-                : fmt::format("{} {}", series.joined ? "linespoints" : "points", look_of(series)),
+            first.stacked ? fmt::format("boxes fs solid 1 lc rgb \"{}\"", style_of(series).colour)
+                          : fmt::format("{} {}",
+                                        !series.joined  ? "points"
+                                        : series.marked ? "linespoints"
+                                                        : "lines",
+                                        look_of(series)),
             in_quotes(series.title)));
     for (const Panel& panel : plot.panels)
         if (!is_empty(panel, panel.quoted.points)) {

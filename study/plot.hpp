@@ -19,6 +19,7 @@ struct Series {
     int style = 1;       ///< its colour and mark, from 1
     bool joined = true;  ///< by lines
     std::vector<PlotPoint> points;
+    bool marked = true;  ///< each point; of a curve of many, none
 };
 
 /// A line across a panel.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <numbers>
 #include <sstream>
 #include <string>
@@ -142,6 +143,42 @@ TEST_F(SceneRuns, RecordWhereTheSceneSaysUnlessAnOptionDoes) {
     EXPECT_EQ(clash.code, 0) << clash.err;
     EXPECT_EQ(run({"simulate", scene, "--save", name("log.csv")}).err,
               "signum: --save " + name("log.csv") + " is where -o goes, too; give another name\n");
+}
+
+/// With curves where gnuplot is there, and without them where it is not.
+TEST_F(SceneRuns, WriteAPageThatNeedsNothingBesideIt) {
+    const std::string page = scratch.path("page.html");
+    const std::string scene = scratch.file(
+        "scene.toml", "title = \"A <gas> & walls\"\n" + box + "periodic = true\n" + gas +
+                          "[run]\nuntil = 2\n[record]\npage = \"" + page + "\"\n");
+    const auto count = [](const std::string& text, const std::string& part) {
+        std::size_t found = 0;
+        for (std::size_t at = text.find(part); at != std::string::npos;
+             at = text.find(part, at + 1))
+            ++found;
+        return found;
+    };
+    EXPECT_EQ(run({"simulate", scene, "--quiet"}).code, 0);
+    const std::string text = contents(page);
+    EXPECT_TRUE(text.starts_with("<!DOCTYPE html>"));
+    EXPECT_TRUE(text.ends_with("</html>\n"));
+    EXPECT_NE(text.find("<h1>A &lt;gas> &amp; walls</h1>"), std::string::npos);
+    // The film, energies, strikes and pairs.
+    EXPECT_EQ(count(text, "<svg"), 4U);
+    for (const std::string what : {"energy is conserved", "momentum is conserved",
+                                   "speeds are those of Maxwell", "no two balls overlap"})
+        EXPECT_EQ(count(text, "<td>" + what + "</td>"), 1U) << what;
+    EXPECT_EQ(count(text, "class=\"not_good\""), 0U);
+    for (const std::string elsewhere : {"src=", "href=\"http", "url(http", "@import"})
+        EXPECT_EQ(count(text, elsewhere), 0U) << elsewhere;
+
+    const std::string path = std::getenv("PATH");
+    ::setenv("PATH", scratch.path("").c_str(), 1);
+    const Outcome without = run({"simulate", scene, "-o", page, "--quiet"});
+    ::setenv("PATH", path.c_str(), 1);
+    EXPECT_EQ(without.code, 0) << without.err;
+    EXPECT_EQ(count(contents(page), "<svg"), 1U);
+    EXPECT_NE(contents(page).find("apt-get install gnuplot-nox"), std::string::npos);
 }
 
 /// The box goes up and down by 2 of 24 that are shown, in 640 pixels; radii double.

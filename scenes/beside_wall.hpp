@@ -1,0 +1,99 @@
+#pragma once
+/// Where a place lies beside a wall: for what is checked or drawn, in doubles, from the definitions
+/// of the walls alone and not from the code that makes balls strike them.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <variant>
+
+#include "snapshot.hpp"
+
+namespace signum {
+
+template <int D>
+struct BesideWall {
+    double distance = 0.0;        ///< of the surface; below 0 behind a wall that has a behind
+    motion::Vector<D> normal{};   ///< from the wall to the place, of length 1
+    motion::Vector<D> nearest{};  ///< the wall's nearest point
+};
+
+namespace beside {
+
+template <int D>
+BesideWall<D> of(const motion::HalfSpace<D>& wall, const motion::Vector<D>& x, double time) {
+    const double length = std::sqrt(dot(wall.normal, wall.normal));
+    BesideWall<D> result;
+    result.distance = (dot(wall.normal, x) - wall.offset - wall.speed * time) / length;
+    for (int k = 0; k < D; ++k) {
+        result.normal[k] = wall.normal[k] / length;
+        result.nearest[k] = x[k] - result.distance * result.normal[k];
+    }
+    return result;
+}
+
+/// Seen from a point: the distance from it, and the direction.
+template <int D>
+BesideWall<D> of_point(const motion::Vector<D>& point, const motion::Vector<D>& x) {
+    BesideWall<D> result;
+    for (int k = 0; k < D; ++k) result.normal[k] = x[k] - point[k];
+    result.distance = std::sqrt(dot(result.normal, result.normal));
+    if (result.distance > 0.0)
+        for (double& each : result.normal) each /= result.distance;
+    result.nearest = point;
+    return result;
+}
+
+template <int D>
+BesideWall<D> of(const motion::Sphere<D>& wall, const motion::Vector<D>& x, double time) {
+    motion::Vector<D> centre = wall.centre;
+    for (int k = 0; k < D; ++k) centre[k] += wall.velocity[k] * time;
+    BesideWall<D> result = of_point<D>(centre, x);
+    for (int k = 0; k < D; ++k) result.nearest[k] += wall.radius * result.normal[k];
+    result.distance -= wall.radius;
+    if (wall.side == motion::Sphere<D>::Side::inside) {
+        result.distance = -result.distance;
+        for (double& each : result.normal) each = -each;
+    }
+    return result;
+}
+
+inline BesideWall<2> of(const motion::Segment& wall, const motion::Vector<2>& x, double) {
+    const motion::Vector<2> along = {{wall.to[0] - wall.from[0], wall.to[1] - wall.from[1]}};
+    const motion::Vector<2> there = {{x[0] - wall.from[0], x[1] - wall.from[1]}};
+    const double share = std::clamp(dot(there, along) / dot(along, along), 0.0, 1.0);
+    return of_point<2>({{wall.from[0] + share * along[0], wall.from[1] + share * along[1]}}, x);
+}
+
+}  // namespace beside
+
+/// How many walls there are, the sides of a box among them; a periodic one has none. The first
+/// number of an obstacle is 2 D.
+template <int D>
+[[nodiscard]] int first_wall(const motion::Effects<D>& effects) {
+    return effects.box && !effects.periodic ? 0 : 2 * D;
+}
+template <int D>
+[[nodiscard]] int end_of_walls(const motion::Effects<D>& effects) {
+    return 2 * D + static_cast<int>(effects.obstacles.size());
+}
+
+/// Precondition: first_wall(effects) <= wall < end_of_walls(effects).
+template <int D>
+[[nodiscard]] BesideWall<D> beside_wall(const motion::Effects<D>& effects, int wall,
+                                        const motion::Vector<D>& x, double time) {
+    if (wall >= 2 * D)
+        return std::visit([&](const auto& obstacle) { return beside::of(obstacle, x, time); },
+                          effects.obstacles[static_cast<std::size_t>(wall - 2 * D)]);
+    const motion::Box<D> box = box_at(*effects.box, effects, time);
+    const int axis = wall / 2;
+    const bool is_upper = wall % 2 != 0;
+    BesideWall<D> result;
+    result.normal[axis] = is_upper ? -1.0 : 1.0;
+    result.nearest = x;
+    result.nearest[axis] = is_upper ? box.high[axis] : box.low[axis];
+    result.distance = (x[axis] - result.nearest[axis]) * result.normal[axis];
+    return result;
+}
+
+}  // namespace signum
