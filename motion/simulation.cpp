@@ -122,10 +122,15 @@ Choice choose(Structure wish, const State<D>& state, const Effects<D>& effects) 
     if (wish == Structure::automatic) {
         if (state.balls.size() <= 16) return {Structure::pairs, "few balls"};
         if (few_cells) return {Structure::lists, "the periodic box is small"};
+        if (D == 2 && effects.box && sizes.packing >= 0.6)
+            return {Structure::lists, "balls fill six tenths of the box"};
         if (sizes.largest > 4.0 * sizes.smallest)
             return {Structure::levels, "the largest radius is more than four times the smallest"};
         if (!effects.box) return {Structure::tree, "no bounds are known"};
-        if (sizes.packing < 0.05)
+        // At a time step all balls are asked, which is what lists are best at.
+        if (D == 2 && sizes.packing < 0.25 && effects.time_step == 0.0)
+            return {Structure::cells, "discs of like sizes fill less than a quarter of the box"};
+        if (sizes.packing < 0.05 && effects.time_step == 0.0)
             return {Structure::cells, "balls of like sizes fill less than a twentieth of the box"};
         return {Structure::lists, "many balls of like sizes"};
     }

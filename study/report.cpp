@@ -36,6 +36,8 @@ svg text, svg tspan { font-family: "Helvetica Neue", Arial, "Liberation Sans", s
 table { border-collapse: collapse; font-size: .95rem; }
 th, td { text-align: left; padding: .35rem 1rem .35rem 0; border-bottom: 1px solid var(--line);
          vertical-align: top; }
+table.wide { max-width: none; font-size: .75rem; }
+table.wide td { padding-right: .6rem; }
 dt { font-weight: bold; margin-top: .7rem; }
 dd { margin: 0; }
 code { font-size: .92em; overflow-wrap: anywhere; }

@@ -142,7 +142,7 @@ Figure time_step_figure(const MotionResults& results) {
     std::string table =
         "<table>\n<tr><th>packing</th><th>step, s</th><th>strikes</th><th>more than from event to "
         "event</th><th>mean energy of a "
-        "ball</th><th>more than from event to event</th></tr>\n";
+        "unit of mass</th><th>more than from event to event</th></tr>\n";
     int within = 0;
     int finest_cells = 0;
     for (const double packing : packings) {
@@ -151,7 +151,7 @@ Figure time_step_figure(const MotionResults& results) {
         strikes.x_label = "seconds";
         strikes.y_label = "strikes a second";
         Panel energies = strikes;
-        energies.y_label = "energy of a ball";
+        energies.y_label = "energy of a unit of mass";
         std::optional<MotionSetting> free;
         double finest = 1.0;
         for (const MotionSetting& cell : cells)

@@ -10,9 +10,9 @@ namespace signum::study {
 
 /// Runs the cell once; the last row is end_of_cell. What does not change from pass to pass is
 /// counted in the first. Quantities:
-///   seconds                 of the run; that before it, in which the structure is made:
-///   start_seconds
-///   seconds_per_strike, ratio   of the run; the latter to the first contestant's
+///   seconds                 of a run, with the making of the structure, whose share is
+///   start_seconds; of a run that ends after some number of strikes without it
+///   seconds_per_strike, ratio   the former by strikes; that to the first contestant's
 ///   strikes, own, checks, predictions   see motion::Counts
 ///   chooses_NAME            by contestant auto: 1, the structure that it is
 ///   first_other_strike, first_other_strike_time
@@ -25,7 +25,7 @@ namespace signum::study {
 ///                           not end
 ///   strikes_at_T, energy_at_T   means over seeds, low and high a standard deviation below and
 ///                           above: strikes in the tenth of the time that ends at T; energy then,
-///                           height included, for a disc
+///                           height included, of a unit of mass
 ///   all_strikes, mean_energy    the same of the whole time, low and high a standard error off
 [[nodiscard]] std::vector<MotionRow> measure(const MotionCell& cell, const Pass& pass = {});
 

@@ -1,6 +1,8 @@
 /// Structures run the same shaker, each to the same time or number of strikes.
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -61,6 +63,9 @@ std::vector<MotionRow> measure_structures(const MotionCell& cell, const Pass& pa
                                  .strikes = most_strikes_of(chosen, cell)});
             }));
             racer.counts = simulation->counts();
+            // A run that ends after some strikes stands for a longer one.
+            const bool is_whole = cell.most_strikes == std::numeric_limits<std::uint64_t>::max();
+            if (is_whole) racer.runs.back() += racer.starts.back();
             return racer.runs.back() /
                    static_cast<double>(std::max<std::uint64_t>(racer.counts.strikes, 1));
         });

@@ -27,7 +27,8 @@ Interval mean_of(const std::vector<double>& values, double widths) {
 }  // namespace
 
 std::vector<MotionRow> measure_time_steps(const MotionCell& cell) {
-    const auto balls = static_cast<double>(cell.setting.balls);
+    const double side = side_of_box(cell.setting.balls);
+    const double mass = cell.setting.packing * side * side;
     std::vector<std::vector<double>> strikes(parts);
     std::vector<std::vector<double>> energies(parts);
     std::vector<double> all_strikes;
@@ -44,7 +45,7 @@ std::vector<MotionRow> measure_time_steps(const MotionCell& cell) {
             const auto now = static_cast<double>(simulation.counts().strikes);
             strikes[i].push_back(now - done);
             done = now;
-            energies[i].push_back(Energy<2>(state, shaker.effects, state.time).total / balls);
+            energies[i].push_back(Energy<2>(state, shaker.effects, state.time).total / mass);
             energy_sum += energies[i].back();
         }
         all_strikes.push_back(done);

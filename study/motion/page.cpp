@@ -9,7 +9,7 @@
 namespace signum::study {
 namespace {
 
-constexpr std::string_view introduction =
+constexpr std::string_view motion_introduction =
     R"(<p>Balls fly, fall and strike one another in a box that shakes. Who strikes whom next? Asking every ball
 about every other one is slow; <em>structures</em> propose a few pairs that may be next. M. Gavrilova’s thesis
 (<em>Proximity and Applications in General Metrics</em>, Calgary 1998, chapter 10) compared five of them. This study repeats its tables
@@ -18,14 +18,14 @@ the exact order.</p>
 <p><strong>The shaker.</strong> The thesis’s box is 200 by 200, runs last 10 s, time steps are 0.005 s; radii and packings are in its tables. How it
 shook, with which gravity and which losses, it does not say. Here the box goes up and down by 5 once a second, gravity is 9.81, a strike
 keeps 0.9 of the speed along its normal, and one that comes within a thousandth of a second of the last one keeps all, so that nothing
-collapses. So strikes are not to be compared: the thesis’s are fewer, its balls were slower. What can be compared is the order of the structures and how times grow.
+collapses. So numbers of strikes are not to be compared. What can be compared is the order of the structures and how times grow.
 Of radii 1 : 10 and 5 to 10, discs of any size and of twice that size fill as much in all; with that most of the thesis’s radii come out of its
 packings.</p>
 <p><strong>Steps and events.</strong> The thesis recomputes every ball at every step, whoever strikes (its <em>predict trajectory
 events</em>), and that is most of its time. Where a formula gives the flight, steps are not needed; both ways are measured.</p>
 <p>Times are medians of passes over all experiments, in each of which the structures take turns; a thin bar reaches from the fastest pass
-to the slowest. They are of the run alone; making the structure before it is a number of its own in <code>results.csv</code>
-(<code>start_seconds</code>).</p>
+to the slowest. They are those of whole runs, with the making of the structure; where there are a thousand balls or more, of a part of a longer
+run, without it.</p>
 )";
 
 constexpr std::string_view why =

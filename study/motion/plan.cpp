@@ -71,7 +71,7 @@ std::vector<MotionCell> plan_motion(const MotionScope& scope) {
                                  counted);
 
     // What accuracy costs, and what goes wrong without it.
-    MotionCell judged = shaken;
+    MotionCell judged;
     judged.work = MotionWork::accuracy;
     judged.contestants = {"naive", "exact"};
     judged.passes = quick ? 2 : 6;
@@ -82,7 +82,7 @@ std::vector<MotionCell> plan_motion(const MotionScope& scope) {
         }
     judged.speed = 30.0;
     judged.warming_up = 5.0;
-    judged.simulated = quick ? 0.2 : 1.0;
+    judged.simulated = 1.0;
     for (const std::int64_t balls :
          quick ? std::vector<std::int64_t>{1000} : std::vector<std::int64_t>{1000, 10000})
         for (const double size_ratio : {1.0, 10.0})

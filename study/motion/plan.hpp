@@ -26,11 +26,11 @@ struct MotionCell {
     double simulated = 10.0;               ///< seconds of the shaker's time
     /// Slow structures end earlier.
     std::uint64_t most_strikes = std::numeric_limits<std::uint64_t>::max();
-    double speed = 0.0;           ///< of the discs at the start, see shaker_of()
-    double warming_up = 0.0;      ///< strikes a disc before anything is measured
-    std::size_t seeds = 1;        ///< 1, 2, ...
-    std::size_t passes = 1;       ///< see Cell
-    Budget budget = {1, 5, 0.1};  ///< of one pass
+    double speed = 0.0;            ///< of the discs at the start, see shaker_of()
+    double warming_up = 0.0;       ///< strikes a disc before anything is measured
+    std::size_t seeds = 1;         ///< 1, 2, ...
+    std::size_t passes = 1;        ///< see Cell
+    Budget budget = {1, 21, 0.1};  ///< of one pass
 };
 
 /// What the study is asked for.

@@ -159,7 +159,8 @@ std::string packing_tables(const MotionResults& results, const std::vector<Motio
                        }));
     text +=
         "</table>\n<p>Time in seconds; own events; checks. The thesis on a Pentium 166 with "
-        "steps of 0.005 s, then ours with the same steps, then from event to event.</p>\n<table>\n";
+        "steps of 0.005 s, then ours with the same steps, then from event to event.</p>\n<table "
+        "class=\"wide\">\n";
     text += table_line("packing", columns([](std::size_t i) {
                            return fmt::format("{:.0f} %", 100.0 * thesis::packings[i]);
                        }),
