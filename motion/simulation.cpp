@@ -129,8 +129,8 @@ Choice choose(Structure wish, const State<D>& state, const Effects<D>& effects) 
         if (sizes.largest > 4.0 * sizes.smallest)
             return {Structure::levels, "the largest radius is more than four times the smallest"};
         if (!effects.box) return {Structure::tree, "no bounds are known"};
-        if (D == 2 && sizes.packing < 0.25 && !has_steps)
-            return {Structure::cells, "discs of like sizes fill less than a quarter of the box"};
+        if (D == 2 && sizes.packing < 0.4 && !has_steps)
+            return {Structure::cells, "discs of like sizes fill less than two fifths of the box"};
         if (sizes.packing < 0.05 && !has_steps)
             return {Structure::cells, "balls of like sizes fill less than a twentieth of the box"};
         return {Structure::lists, "many balls of like sizes"};

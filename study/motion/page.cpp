@@ -28,19 +28,6 @@ to the slowest. They are those of whole runs, with the making of the structure; 
 run, without it.</p>
 )";
 
-constexpr std::string_view why =
-    R"(<p><strong>Segments.</strong> The thesis finds that its segment tree wins everywhere. Its time goes
-into checks, which it counts by the ten millions, each as dear as thousands of today’s cycles, and segments ask by far the fewest. That is so here too.
-But a check has become cheap, four pairs at a time without a branch, while an exchange of ends still is an event with its own time, its
-place in a queue and two ends to be told apart.</p>
-<p><strong>All pairs.</strong> The thesis has them ten times slower than the rest. For a hundred balls from event to event that is gone: only the two that strike are asked
-about a hundred others, and asking is cheap. With time steps all are asked about all at every step, and the gap opens again.</p>
-<p><strong>The power diagram.</strong> As in the thesis it is slow, and for the thesis’s reason: its events are roots of polynomials of
-degree 4. Here they are isolated exactly. With steps every certificate of a ball that is kicked is found anew.</p>
-<p><strong>Cells and one large ball.</strong> As in the thesis, cells as wide as the largest ball ask about more and more pairs
-as sizes spread and balls get denser, until they ask about all. Levels have cells for each size.</p>
-)";
-
 constexpr std::string_view motion_glossary = R"(<h2>Words</h2>
 <dl>
 <dt>strike</dt><dd>Two balls, or a ball and a side of the box, touch and change their velocities.</dd>
@@ -65,13 +52,6 @@ Page motion_page(const std::vector<MotionRow>& rows) {
     page.introduction = motion_introduction;
     for (Figure& figure : structure_figures(results))
         page.figures.push_back({std::move(figure), {}});
-    if (!page.figures.empty()) {
-        Figure reasons;
-        reasons.plot.name = "why";
-        reasons.title = "Why the order is another one than in the thesis";
-        reasons.text = why;
-        page.figures.push_back({std::move(reasons), {}});
-    }
     for (Figure& figure : exactness_figures(results))
         page.figures.push_back({std::move(figure), {}});
     page.glossary = motion_glossary;

@@ -4,6 +4,7 @@
 /// columns of 50 % and 70 % are missing, and of the last row all but the times.
 
 #include <array>
+#include <cstddef>
 #include <limits>
 #include <string_view>
 
@@ -29,6 +30,14 @@ struct PackingTable {
     std::array<double, packings.size()> strikes;
     std::array<double, packings.size()> predictions;
     std::array<Line, 5> lines;
+
+    /// Of a structure that it has.
+    [[nodiscard]] constexpr const Effort& at_packing(std::string_view structure,
+                                                     std::size_t packing) const {
+        std::size_t i = 0;
+        while (lines[i].structure != structure) ++i;
+        return lines[i].at[packing];
+    }
 };
 
 /// Tables 10.4.1 and 10.4.2.

@@ -555,10 +555,10 @@ TEST(MotionStructures, AutoChoosesByNumberRadiiBoundsAndPacking) {
         return choice.structure;
     };
     EXPECT_EQ(chosen(16, 1.0, 100.0, false), Structure::pairs);
-    // They fill 0.25 of a box that is 14.6 wide.
-    EXPECT_EQ(chosen(17, 1.0, 14.0, false), Structure::lists);
-    EXPECT_EQ(chosen(17, 1.0, 15.0, false), Structure::cells);
-    EXPECT_EQ(chosen(17, 1.0, 15.0, false, 0.01), Structure::lists);
+    // They fill 0.4 of a box that is 11.6 wide.
+    EXPECT_EQ(chosen(17, 1.0, 11.0, false), Structure::lists);
+    EXPECT_EQ(chosen(17, 1.0, 12.0, false), Structure::cells);
+    EXPECT_EQ(chosen(17, 1.0, 12.0, false, 0.01), Structure::lists);
     EXPECT_EQ(chosen(17, 1.0, 1000.0, false, 0.01), Structure::lists);
     EXPECT_EQ(chosen(17, 4.5, 50.0, true), Structure::levels);
     // They fill 0.6 of a box that is 13.8 wide.
