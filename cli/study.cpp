@@ -20,9 +20,12 @@
 #include "../io/errors.hpp"
 #include "../io/number.hpp"
 #include "../io/output_file.hpp"
-#include "../study/figures.hpp"
+#include "../study/accuracy_page.hpp"
 #include "../study/machine.hpp"
 #include "../study/measure.hpp"
+#include "../study/motion/measure.hpp"
+#include "../study/motion/page.hpp"
+#include "../study/motion/plan.hpp"
 #include "../study/plan.hpp"
 #include "../study/report.hpp"
 
@@ -39,6 +42,7 @@ namespace fs = std::filesystem;
 /// The call as it was typed.
 struct StudyCall {
     std::string directory = "signum-study";
+    bool motion = false;
     bool quick = false;
     std::vector<std::string> metrics;
     std::string sites;
@@ -77,6 +81,7 @@ study::Scope scope_of(const StudyCall& call) {
 /// The command that makes the same study.
 std::string command_of(const StudyCall& call, const study::Scope& scope) {
     std::string command = "signum study";
+    if (call.motion) command += " --motion";
     if (call.quick) command += " --quick";
     if (scope.metrics.size() < all_metrics.size())
         for (const Metric metric : scope.metrics)
@@ -88,7 +93,7 @@ std::string command_of(const StudyCall& call, const study::Scope& scope) {
 /// What the results of a directory belong to; others are not mixed with them.
 std::string identity(const study::Account& account) {
     std::string text = fmt::format(
-        "{{\"format\": \"signum.study\", \"version\": 2, \"signum\": \"{}\",\n\"command\": "
+        "{{\"format\": \"signum.study\", \"version\": 3, \"signum\": \"{}\",\n\"command\": "
         "\"{}\",\n"
         "\"machine\": {{",
         account.version, account.command);
@@ -111,6 +116,7 @@ void write_file(const fs::path& path, std::string_view text) {
 }
 
 /// The directory of a study: what was measured so far, and what comes to it, line by line.
+template <class At>
 class Measurements {
  public:
     Measurements(const fs::path& directory, const std::string& identity, bool fresh) {
@@ -139,7 +145,7 @@ class Measurements {
                 directory.string(), mark.string()));
         if (fs::exists(table, error)) {
             try {
-                table_ = study::read_csv(contents_of(table));
+                table_ = study::read_csv<At>(contents_of(table));
             } catch (const std::invalid_argument& wrong) {
                 throw CallError(
                     fmt::format("{}: {}; --fresh starts anew there", table.string(), wrong.what()));
@@ -150,29 +156,29 @@ class Measurements {
                     fmt::format("cannot write {}: {}", table.string(), error.message()));
         }
         if (old.empty()) write_file(mark, identity + "}\n");
-        for (const study::Row& row : table_.rows) note(row);
+        for (const study::RowOf<At>& row : table_.rows) note(row);
         descriptor_ = ::open(table.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
         if (descriptor_ < 0)
             throw MachineError(
                 fmt::format("cannot write {}: {}", table.string(), std::strerror(errno)));
         stream_.emplace(descriptor_, table.string());
-        if (table_.bytes == 0) *stream_ << study::csv_header() << std::flush;
+        if (table_.bytes == 0) *stream_ << study::csv_header<At>() << std::flush;
     }
     Measurements(const Measurements&) = delete;
     Measurements& operator=(const Measurements&) = delete;
     ~Measurements() { ::close(descriptor_); }
 
-    [[nodiscard]] const std::vector<study::Row>& rows() const { return table_.rows; }
+    [[nodiscard]] const std::vector<study::RowOf<At>>& rows() const { return table_.rows; }
 
     /// The pass over the cell that is to come next.
-    [[nodiscard]] study::Pass next(const study::Cell& cell) const {
-        const auto found = done_.find(key(cell.setting));
+    [[nodiscard]] study::Pass next(const At& setting) const {
+        const auto found = done_.find(study::key_of(setting));
         if (found == done_.end()) return {};
         return {found->second.passes + 1, found->second.breaks};
     }
 
-    void add(const std::vector<study::Row>& rows) {
-        for (const study::Row& row : rows) {
+    void add(const std::vector<study::RowOf<At>>& rows) {
+        for (const study::RowOf<At>& row : rows) {
             *stream_ << study::csv_line(row) << std::flush;
             table_.rows.push_back(row);
             note(row);
@@ -185,53 +191,45 @@ class Measurements {
         bool breaks = false;
     };
 
-    [[nodiscard]] static std::string key(const study::Setting& setting) {
-        return study::csv_line({setting, "", "", {}});
-    }
-    void note(const study::Row& row) {
+    void note(const study::RowOf<At>& row) {
         if (row.quantity == study::end_of_cell)
-            ++done_[key(row.setting)].passes;
+            ++done_[study::key_of(row.setting)].passes;
         else if (row.quantity == study::broken_percent && row.value.median > 0.0)
-            done_[key(row.setting)].breaks = true;
+            done_[study::key_of(row.setting)].breaks = true;
     }
 
     std::map<std::string, Done> done_;
-    study::Table table_;
+    study::TableOf<At> table_;
     int descriptor_ = -1;
     std::optional<DescriptorStream> stream_;
 };
 
-void write_report(const fs::path& directory, const study::Account& account,
-                  const std::vector<study::Row>& rows) {
-    std::vector<study::DrawnFigure> drawn;
-    for (study::Figure& figure : study::figures(rows)) {
-        const std::string name = figure.plot.name;
+void write_report(const fs::path& directory, study::Page page, const study::Account& account) {
+    for (study::DrawnFigure& drawn : page.figures) {
+        const study::Figure& figure = drawn.figure;
+        if (figure.plot.panels.empty()) continue;
+        const std::string& name = figure.plot.name;
         const fs::path script = directory / "figures" / (name + ".gnuplot");
         write_file(script, study::gnuplot_script(figure.plot));
         const std::string svg = run_gnuplot(script.string());
         write_file(directory / "figures" / (name + ".svg"), svg);
-        drawn.push_back({std::move(figure), {}});
-        drawn.back().svg = study::inline_svg(svg, name, drawn.back().figure.description);
+        drawn.svg = study::inline_svg(svg, name, figure.description);
     }
-    write_file(directory / "report.html", study::html_report(account, study::wrong_picture(), drawn,
-                                                             study::beside_the_thesis(rows)));
+    write_file(directory / "report.html", study::html_report(page, account));
 }
 
-void run(const StudyCall& call) {
-    if (call.directory == "-")
-        throw CallError("-o -: a study is a directory of files; give its name");
-    const study::Scope scope = scope_of(call);
-    const fs::path directory = call.directory;
-    const std::vector<study::Cell> cells = study::plan(scope);
+/// Measures what is not yet measured of a plan, and writes what all of it says; `page_of` makes the
+/// report's page of the rows.
+template <class Cell, class PageOf>
+void carry_out(const StudyCall& call, study::Account account, const std::vector<Cell>& cells,
+               const PageOf& page_of) {
+    using At = decltype(Cell::setting);
     if (cells.empty())
         throw CallError(
             fmt::format("--sites {}: no experiment has so many; give a wider range", call.sites));
-    study::Account account;
-    account.version = SIGNUM_VERSION;
-    account.command = command_of(call, scope);
-    account.machine = study::describe_machine();
+    const fs::path directory = call.directory;
     const std::string mark = identity(account);
-    Measurements measurements(directory, mark, call.fresh);
+    Measurements<At> measurements(directory, mark, call.fresh);
     const bool draws = !call.no_report && has_gnuplot();
     constexpr std::string_view missing =
         "gnuplot is missing, so that there will be no report: install it (Debian: apt-get install "
@@ -240,17 +238,17 @@ void run(const StudyCall& call) {
 
     // Pass after pass over all cells, so that what is cut off has something of every figure.
     std::size_t most_passes = 0;
-    for (const study::Cell& cell : cells) most_passes = std::max(most_passes, cell.passes);
+    for (const Cell& cell : cells) most_passes = std::max(most_passes, cell.passes);
     double all = 0.0;
     double done = 0.0;
-    std::vector<std::pair<const study::Cell*, std::size_t>> open;
+    std::vector<std::pair<const Cell*, std::size_t>> open;
     for (std::size_t pass = 1; pass <= most_passes; ++pass)
-        for (const study::Cell& cell : cells) {
+        for (const Cell& cell : cells) {
             if (pass > cell.passes) continue;
             ++account.planned;
             const double expected = study::expected_seconds(cell, pass);
             all += expected;
-            if (pass < measurements.next(cell).number)
+            if (pass < measurements.next(cell.setting).number)
                 done += expected;
             else
                 open.emplace_back(&cell, pass);
@@ -267,20 +265,20 @@ void run(const StudyCall& call) {
                 std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
             if (call.seconds > 0.0 && elapsed >= call.seconds) break;
             if (progress) progress->show(done / all);
-            measurements.add(study::measure(*cell, measurements.next(*cell)));
+            measurements.add(study::measure(*cell, measurements.next(cell->setting)));
             done += study::expected_seconds(*cell, pass);
             ++account.measured;
         }
     }
-    const std::vector<study::Row> results = study::combined(measurements.rows());
-    std::string table = study::csv_header();
-    for (const study::Row& row : results) table += study::csv_line(row);
+    const std::vector<study::RowOf<At>> results = study::combined(measurements.rows());
+    std::string table = study::csv_header<At>();
+    for (const study::RowOf<At>& row : results) table += study::csv_line(row);
     write_file(directory / "results.csv", table);
-    for (const study::Row& row : results)
+    for (const study::RowOf<At>& row : results)
         if (row.quantity == study::end_of_cell) account.seconds += row.value.median;
     write_file(directory / "results.json",
                fmt::format("{},\n\"rows\": {}}}\n", mark, study::json_array(results)));
-    if (draws) write_report(directory, account, results);
+    if (draws) write_report(directory, page_of(results), account);
     if (call.quiet) return;
     say("study    {} of {} measurements, {:.0f} s of measuring\n", account.measured,
         account.planned, account.seconds);
@@ -289,12 +287,32 @@ void run(const StudyCall& call) {
     if (draws) say("report   {}/report.html\n", call.directory);
 }
 
+void run(const StudyCall& call) {
+    if (call.directory == "-")
+        throw CallError("-o -: a study is a directory of files; give its name");
+    study::Scope scope = scope_of(call);
+    study::Account account;
+    account.version = SIGNUM_VERSION;
+    account.command = command_of(call, scope);
+    account.machine = study::describe_machine();
+    if (call.motion)
+        carry_out(call, account,
+                  study::plan_motion({scope.quick, scope.least_sites, scope.most_sites}),
+                  study::motion_page);
+    else
+        carry_out(call, account, study::plan(scope), [](const std::vector<study::Row>& rows) {
+            return study::accuracy_page(rows, study::wrong_picture());
+        });
+}
+
 }  // namespace
 
 void add_study(CLI::App& tool) {
     auto call = std::make_shared<StudyCall>();
     CLI::App* command = tool.add_subcommand(
         "study", "Measures what accuracy costs, and what goes wrong without it: a report");
+    CLI::Option* motion = command->add_flag("--motion", call->motion,
+                                            "Of balls that move: structures, accuracy, time steps");
     command
         ->add_option("-o,--output", call->directory,
                      "Where results.csv, results.json and\nreport.html go")
@@ -303,8 +321,11 @@ void add_study(CLI::App& tool) {
     command->add_flag("--quick", call->quick, "Every figure with fewer points: minutes");
     command->add_option("--metric", call->metrics, "These metrics alone; all without it")
         ->transform(name_of_metric())
+        ->excludes(motion)
         ->type_name("NAME ...");
-    command->add_option("--sites", call->sites, "Leaves out experiments on fewer or more sites")
+    command
+        ->add_option("--sites", call->sites,
+                     "Leaves out experiments on fewer or more sites, or\nballs")
         ->type_name("A:B");
     command
         ->add_option("--seconds", call->seconds,

@@ -165,6 +165,31 @@ class CellGrid {
         return place;
     }
 
+    /// Whether all cells around one lie in the box, without going around it.
+    [[nodiscard]] bool is_inner(const Cell<D>& cell) const noexcept {
+        bool is_inner = bounded_;
+        for (int k = 0; k < D; ++k) is_inner &= cell[k] > 0 && cell[k] + 1 < count_[k];
+        return is_inner;
+    }
+    /// The places of the cells around one, for which is_inner() holds: three by three, which lie
+    /// side by side, told by the first of each.
+    template <class Visit>
+    void for_each_row_around(const Cell<D>& middle, const Visit& visit) const {
+        Cell<D> cell = middle;
+        --cell[0];
+        for (std::int32_t y = -1; y <= 1; ++y) {
+            cell[1] = middle[1] + y;
+            if constexpr (D == 2) {
+                visit(place(cell));
+            } else {
+                for (std::int32_t z = -1; z <= 1; ++z) {
+                    cell[2] = middle[2] + z;
+                    visit(place(cell));
+                }
+            }
+        }
+    }
+
     /// The cells around one, itself included; of an axis that is given those on one side alone. In
     /// a periodic box of fewer than three cells along an axis each of them once.
     template <class Visit>
@@ -272,6 +297,12 @@ class CellTable {
         const Link& link = links_[i];
         (link.previous == none ? heads_[link.place] : links_[link.previous].next) = link.next;
         if (link.next != none) links_[link.next].previous = link.previous;
+    }
+    [[nodiscard]] bool is_hashed() const noexcept { return hashed_; }
+    /// Those in the cell of that place; precondition: the table is not hashed.
+    template <class Visit>
+    void for_each_at(std::uint32_t place, const Visit& visit) const {
+        for (Slot j = heads_[place]; j != none; j = links_[j].next) visit(j);
     }
     template <class Visit>
     void for_each_in(const Cell<D>& cell, const Visit& visit) const {

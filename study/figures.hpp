@@ -4,17 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "plot.hpp"
+#include "figure.hpp"
 #include "rows.hpp"
 
 namespace signum::study {
-
-struct Figure {
-    Plot plot;
-    std::string title;
-    std::string text;         ///< HTML
-    std::string description;  ///< for who does not see it
-};
 
 /// The figures of which there are rows, in the order in which they are to be read.
 [[nodiscard]] std::vector<Figure> figures(const std::vector<Row>& rows);

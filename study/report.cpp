@@ -9,13 +9,15 @@
 namespace signum::study {
 namespace {
 
-constexpr std::string_view head = R"(<!DOCTYPE html>
+/// Before and after the title.
+constexpr std::string_view before_title = R"(<!DOCTYPE html>
 <html lang="en">
 <head>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <meta name="color-scheme" content="light dark">
-<title>What accuracy costs: a study by signum</title>
+<title>)";
+constexpr std::string_view after_title = R"(: a study by signum</title>
 <style>
 :root { color-scheme: light dark; --ink: #1c1e21; --paper: #fdfdfb; --soft: #5c6066; --line: #d8d8d2; }
 @media (prefers-color-scheme: dark) {
@@ -34,6 +36,8 @@ svg text, svg tspan { font-family: "Helvetica Neue", Arial, "Liberation Sans", s
 table { border-collapse: collapse; font-size: .95rem; }
 th, td { text-align: left; padding: .35rem 1rem .35rem 0; border-bottom: 1px solid var(--line);
          vertical-align: top; }
+table.wide { max-width: none; font-size: .75rem; }
+table.wide td { padding-right: .6rem; }
 dt { font-weight: bold; margin-top: .7rem; }
 dd { margin: 0; }
 code { font-size: .92em; overflow-wrap: anywhere; }
@@ -42,79 +46,6 @@ code { font-size: .92em; overflow-wrap: anywhere; }
 </head>
 <body>
 )";
-
-constexpr std::string_view introduction = R"(<h1>What accuracy costs</h1>
-<p>Programs that work with shapes decide by <em>signs</em>. Is this point left of that line? Does this
-circle contain that point? Each such question is answered by whether one computed number is positive,
-negative or zero.</p>
-<p>Computers round. To a computer’s usual numbers 10<sup>16</sup> + 1 − 10<sup>16</sup> is 0, not 1: the sign
-is wrong. Mostly the numbers are far from zero and rounding does no harm. When four points lie nearly on one circle, it
-does: the program believes a wrong answer, and what it builds has wrong edges, or falls
-apart.</p>
-<p>signum computes these signs so that they are never wrong. This study measures what that costs, and what goes
-wrong without it. Everything is built twice or more from the same points (<em>sites</em>): with plain
-rounded arithmetic, and exactly. It follows the experiments of M. Gavrilova’s thesis (<em>Proximity and
-Applications in General Metrics</em>, Calgary 1998) and puts its numbers beside ours.</p>
-<p>Sites come in patterns: <em>random</em> in a square, on a <em>circle</em>, on the border of a <em>square</em>, on a
-<em>grid</em>. The last three are degenerate: many sites lie on one circle or on one line, where signs are hardest.</p>
-<p>All experiments are run six times, one pass over all of them after the other, and in each the contestants take
-turns. Times are medians of the passes; a thin bar reaches from the fastest pass to the slowest, which is an interval
-that holds the true median with a confidence of 95 %. Where there are four metrics, distance is measured in four ways; <em>power</em> is that of the
-thesis’s experiments.</p>
-)";
-
-constexpr std::string_view glossary = R"(<h2>Words</h2>
-<dl>
-<dt>sign</dt><dd>Whether a number is positive, negative or zero.</dd>
-<dt>site</dt><dd>A point with a radius: a disc, a square or a diamond.</dd>
-<dt>tessellation</dt><dd>Which sites are neighbours: a network of triangles over the sites, the dual of the
-Voronoi diagram. An <em>edge</em> joins two neighbours; a <em>wrong</em> edge is one that no exact computation gives.</dd>
-<dt>Delaunay, power, Euclidean, Manhattan, supremum</dt><dd>Tessellations by different distances. Delaunay is
-the power tessellation of sites of equal radii.</dd>
-<dt>double, single precision</dt><dd>Rounded numbers of about 16 and of about 7 decimal digits.</dd>
-<dt>plain, naive</dt><dd>Computed in doubles, whose word is taken for the truth.</dd>
-<dt>exact</dt><dd>With a sign that is never wrong, for all doubles.</dd>
-<dt>filter</dt><dd>Plain arithmetic that also bounds its own error, and so knows when to ask for
-better.</dd>
-<dt>tie</dt><dd>A sign that is exactly zero: four sites on one circle. One rule decides it, so that there is one result.</dd>
-<dt>perturbation</dt><dd>A random number from 0 to it is added to each coordinate.</dd>
-<dt>hidden site</dt><dd>One whose cell is empty, because others cover it.</dd>
-</dl>
-)";
-
-/// A picture as a part of the page, whose styles are its own.
-std::string data_address(std::string_view svg) {
-    std::string result = "data:image/svg+xml,";
-    for (const char c : svg) {
-        if (c == '%' || c == '#' || c == '"' || c == '<' || c == '>' || c == '\n')
-            result += fmt::format("%{:02X}", static_cast<unsigned>(c));
-        else
-            result += c;
-    }
-    return result;
-}
-
-std::string show(const Picture& picture) {
-    if (picture.svg.empty()) return {};
-    return fmt::format(
-        "<figure>\n<img src=\"{}\" alt=\"{} sites on a circle joined by edges, the wrong ones "
-        "thick\">\n<figcaption class=\"soft\">{} sites on a circle, as single precision joins "
-        "them: {} of {} edges are wrong (thick).</figcaption>\n</figure>\n",
-        data_address(picture.svg), picture.sites, picture.sites, picture.wrong, picture.edges);
-}
-
-std::string thesis_table(const std::vector<Beside>& thesis) {
-    if (thesis.empty()) return {};
-    std::string text =
-        "<h2>The thesis’s numbers beside ours</h2>\n<p>What the thesis states in its text (a 486 "
-        "and a "
-        "Pentium of 1996 to 1998), and what this run gave, in the power metric.</p>\n"
-        "<table>\n<tr><th>what</th><th>thesis</th><th>here</th></tr>\n";
-    for (const Beside& line : thesis)
-        text += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td></tr>\n", html_text(line.what),
-                            html_text(line.thesis), html_text(line.here));
-    return text + "</table>\n";
-}
 
 std::string account_of(const Account& account) {
     std::string text = fmt::format(
@@ -138,22 +69,17 @@ std::string account_of(const Account& account) {
 
 }  // namespace
 
-std::string html_report(const Account& account, const Picture& picture,
-                        const std::vector<DrawnFigure>& figures,
-                        const std::vector<Beside>& thesis) {
-    std::string page(head);
-    page += introduction;
-    page += show(picture);
-    page += thesis_table(thesis);
-    for (std::size_t i = 0; i < figures.size(); ++i) {
-        const Figure& figure = figures[i].figure;
-        page += fmt::format(
-            "<section id=\"{}\">\n<h2>{}. {}</h2>\n{}\n<figure>\n{}\n</figure>\n</section>\n",
-            figure.plot.name, i + 1, figure.title, figure.text, figures[i].svg);
+std::string html_report(const Page& page, const Account& account) {
+    std::string text = fmt::format("{}{}{}<h1>{}</h1>\n{}", before_title, page.title, after_title,
+                                   page.title, page.introduction);
+    for (std::size_t i = 0; i < page.figures.size(); ++i) {
+        const auto& [figure, svg] = page.figures[i];
+        text += fmt::format("<section id=\"{}\">\n<h2>{}. {}</h2>\n{}\n", figure.plot.name, i + 1,
+                            figure.title, figure.text);
+        if (!svg.empty()) text += fmt::format("<figure>\n{}\n</figure>\n", svg);
+        text += "</section>\n";
     }
-    page += glossary;
-    page += account_of(account);
-    return page + "</body>\n</html>\n";
+    return text + page.glossary + account_of(account) + "</body>\n</html>\n";
 }
 
 }  // namespace signum::study

@@ -5,8 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "figures.hpp"
-#include "picture.hpp"
+#include "figure.hpp"
 
 namespace signum::study {
 
@@ -22,11 +21,17 @@ struct Account {
 
 struct DrawnFigure {
     Figure figure;
-    std::string svg;  ///< see inline_svg()
+    std::string svg;  ///< see inline_svg(); empty where there is nothing to draw
 };
 
-[[nodiscard]] std::string html_report(const Account& account, const Picture& picture,
-                                      const std::vector<DrawnFigure>& figures,
-                                      const std::vector<Beside>& thesis);
+/// What is peculiar to a study. Texts are HTML.
+struct Page {
+    std::string title;
+    std::string introduction;
+    std::vector<DrawnFigure> figures;
+    std::string glossary;
+};
+
+[[nodiscard]] std::string html_report(const Page& page, const Account& account);
 
 }  // namespace signum::study

@@ -5,61 +5,73 @@
 #include <map>
 #include <numeric>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "motion/setting.hpp"
+
 namespace signum::study {
 namespace {
 
-constexpr std::size_t columns = 13;
-
+/// Of a column, whose number it becomes or whose word it is.
+bool read_field(std::string_view text, std::string& word) {
+    word = text;
+    return true;
+}
 template <class Number>
-bool read_number(std::string_view text, Number& number) {
+bool read_field(std::string_view text, Number& number) {
     const char* end = text.data() + text.size();
     const auto result = std::from_chars(text.data(), end, number);
     return result.ec == std::errc{} && result.ptr == end;
 }
 
-bool read_row(std::string_view line, Row& row) {
-    std::array<std::string_view, columns> words;
-    for (std::size_t i = 0; i < columns; ++i) {
+/// All columns of a row, in their order.
+template <class Row>
+auto all_fields(Row& row) {
+    return std::tuple_cat(std::remove_const_t<decltype(row.setting)>::fields(row.setting),
+                          std::tie(row.contestant, row.quantity, row.value.median, row.value.low,
+                                   row.value.high, row.value.runs));
+}
+
+template <class At>
+bool read_row(std::string_view line, RowOf<At>& row) {
+    bool is_right = true;
+    std::size_t left = At::columns.size() + 6;
+    const auto read_next = [&](auto& field) {
         const std::size_t comma = line.find(',');
-        if ((comma == std::string_view::npos) != (i + 1 == columns)) return false;
-        words[i] = line.substr(0, comma);
+        --left;
+        is_right = is_right && (comma == std::string_view::npos) == (left == 0) &&
+                   read_field(line.substr(0, comma), field);
         if (comma != std::string_view::npos) line.remove_prefix(comma + 1);
-    }
-    row.setting.experiment = words[0];
-    row.setting.metric = words[1];
-    row.setting.distribution = words[2];
-    row.contestant = words[7];
-    row.quantity = words[8];
-    return read_number(words[3], row.setting.sites) &&
-           read_number(words[4], row.setting.perturbation) &&
-           read_number(words[5], row.setting.radius_from) &&
-           read_number(words[6], row.setting.radius_to) &&
-           read_number(words[9], row.value.median) && read_number(words[10], row.value.low) &&
-           read_number(words[11], row.value.high) && read_number(words[12], row.value.runs);
+    };
+    std::apply([&](auto&... field) { (read_next(field), ...); }, all_fields(row));
+    return is_right;
 }
 
 }  // namespace
 
+template <class At>
 std::string csv_header() {
-    return "experiment,metric,distribution,sites,perturbation,radius_from,radius_to,contestant,"
-           "quantity,value,low,high,runs\n";
+    std::string text;
+    for (const std::string_view column : At::columns) text += fmt::format("{},", column);
+    return text + "contestant,quantity,value,low,high,runs\n";
 }
 
-std::string csv_line(const Row& row) {
-    const Setting& at = row.setting;
-    return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", at.experiment, at.metric,
-                       at.distribution, at.sites, at.perturbation, at.radius_from, at.radius_to,
-                       row.contestant, row.quantity, row.value.median, row.value.low,
-                       row.value.high, row.value.runs);
+template <class At>
+std::string csv_line(const RowOf<At>& row) {
+    std::string text;
+    std::apply([&](const auto&... field) { ((text += fmt::format("{},", field)), ...); },
+               all_fields(row));
+    text.back() = '\n';
+    return text;
 }
 
-Table read_csv(std::string_view text) {
-    Table table;
-    const std::string header = csv_header();
+template <class At>
+TableOf<At> read_csv(std::string_view text) {
+    TableOf<At> table;
+    const std::string header = csv_header<At>();
     if (!text.starts_with(header)) {
         if (header.starts_with(text)) return table;  // cut off at once
         throw std::invalid_argument("line 1 is not the header of a study");
@@ -70,7 +82,7 @@ Table read_csv(std::string_view text) {
     for (std::size_t number = 2;; ++number) {
         const std::size_t end = text.find('\n', place);
         if (end == std::string_view::npos) break;
-        Row row;
+        RowOf<At> row;
         if (!read_row(text.substr(place, end - place), row))
             throw std::invalid_argument(fmt::format("line {} is no row of a study", number));
         place = end + 1;
@@ -85,13 +97,14 @@ Table read_csv(std::string_view text) {
     return table;
 }
 
-std::vector<Row> combined(const std::vector<Row>& passes) {
-    std::vector<Row> rows;
+template <class At>
+std::vector<RowOf<At>> combined(const std::vector<RowOf<At>>& passes) {
+    std::vector<RowOf<At>> rows;
     std::vector<std::vector<double>> values;
     std::map<std::string, std::size_t> places;
-    for (const Row& row : passes) {
+    for (const RowOf<At>& row : passes) {
         const auto [found, is_new] = places.try_emplace(
-            csv_line({row.setting, row.contestant, row.quantity, {}}), rows.size());
+            csv_line(RowOf<At>{row.setting, row.contestant, row.quantity, {}}), rows.size());
         if (is_new) {
             rows.push_back(row);
             values.emplace_back();
@@ -110,20 +123,42 @@ std::vector<Row> combined(const std::vector<Row>& passes) {
     return rows;
 }
 
-std::string json_array(const std::vector<Row>& rows) {
+template <class At>
+std::string json_array(const std::vector<RowOf<At>>& rows) {
+    const auto in_json = [](const auto& field) {
+        if constexpr (std::is_same_v<decltype(field), const std::string&>)
+            return fmt::format("\"{}\"", field);
+        else
+            return fmt::format("{}", field);
+    };
     std::string text = "[";
-    for (const Row& row : rows) {
-        const Setting& at = row.setting;
+    for (const RowOf<At>& row : rows) {
+        text += text.size() > 1 ? ",\n{" : "\n{";
+        std::size_t column = 0;
+        std::apply(
+            [&](const auto&... field) {
+                ((text += fmt::format("\"{}\": {}, ", At::columns[column++], in_json(field))), ...);
+            },
+            At::fields(row.setting));
         text += fmt::format(
-            "{}\n{{\"experiment\": \"{}\", \"metric\": \"{}\", \"distribution\": \"{}\", "
-            "\"sites\": "
-            "{}, \"perturbation\": {}, \"radius\": [{}, {}], \"contestant\": \"{}\", \"quantity\": "
-            "\"{}\", \"value\": {}, \"low\": {}, \"high\": {}, \"runs\": {}}}",
-            text.size() > 1 ? "," : "", at.experiment, at.metric, at.distribution, at.sites,
-            at.perturbation, at.radius_from, at.radius_to, row.contestant, row.quantity,
-            row.value.median, row.value.low, row.value.high, row.value.runs);
+            "\"contestant\": \"{}\", \"quantity\": \"{}\", \"value\": {}, \"low\": {}, \"high\": "
+            "{}, \"runs\": {}}}",
+            row.contestant, row.quantity, row.value.median, row.value.low, row.value.high,
+            row.value.runs);
     }
     return text + "\n]";
 }
+
+template std::string csv_header<Setting>();
+template std::string csv_line(const Row&);
+template TableOf<Setting> read_csv(std::string_view);
+template std::vector<Row> combined(const std::vector<Row>&);
+template std::string json_array(const std::vector<Row>&);
+
+template std::string csv_header<MotionSetting>();
+template std::string csv_line(const MotionRow&);
+template TableOf<MotionSetting> read_csv(std::string_view);
+template std::vector<MotionRow> combined(const std::vector<MotionRow>&);
+template std::string json_array(const std::vector<MotionRow>&);
 
 }  // namespace signum::study

@@ -2,10 +2,12 @@
 /// Results as rows: what was measured at, who was measured, and a number with its interval. A row
 /// is a line of a table, so that a study grows line by line, and goes on where it stopped.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "timing.hpp"
@@ -21,15 +23,28 @@ struct Setting {
     double perturbation = 0.0;
     double radius_from = 0.0;
     double radius_to = 0.0;
+
+    static constexpr std::array<std::string_view, 7> columns = {
+        "experiment",   "metric",      "distribution", "sites",
+        "perturbation", "radius_from", "radius_to"};
+    /// What stands in the columns, to be read or written.
+    template <class Self>
+    [[nodiscard]] static auto fields(Self& self) {
+        return std::tie(self.experiment, self.metric, self.distribution, self.sites,
+                        self.perturbation, self.radius_from, self.radius_to);
+    }
     friend bool operator==(const Setting&, const Setting&) = default;
 };
 
-struct Row {
-    Setting setting;
+/// Of a study whose cells are told by a type with `columns` and `fields`: Setting, MotionSetting.
+template <class At>
+struct RowOf {
+    At setting;
     std::string contestant;  ///< an arithmetic, a method, a stage
     std::string quantity;    ///< what value is; its unit where it has one
     Interval value;
 };
+using Row = RowOf<Setting>;
 
 /// The quantity of the row that ends a pass over a cell: the seconds that it took, all in all.
 inline constexpr std::string_view end_of_cell = "cell_seconds";
@@ -38,26 +53,37 @@ inline constexpr std::string_view end_of_cell = "cell_seconds";
 inline constexpr std::string_view broken_percent = "broken_percent";
 
 /// The first line of the table.
+template <class At = Setting>
 [[nodiscard]] std::string csv_header();
 /// A row, with its end of line; numbers read back as the same doubles.
-[[nodiscard]] std::string csv_line(const Row& row);
+template <class At>
+[[nodiscard]] std::string csv_line(const RowOf<At>& row);
+/// What tells one cell from all others.
+template <class At>
+[[nodiscard]] std::string key_of(const At& setting) {
+    return csv_line(RowOf<At>{setting, "", "", {}});
+}
 
 /// The passes over cells that a table holds completely.
-struct Table {
-    std::vector<Row> rows;
+template <class At>
+struct TableOf {
+    std::vector<RowOf<At>> rows;
     std::size_t bytes = 0;  ///< where the last complete pass over a cell ends
 };
 
 /// Reads a table, whose end may be missing: what follows the last complete pass over a cell is
 /// left out.
 /// Throws std::invalid_argument, with the number of the line, where a whole line is no row.
-[[nodiscard]] Table read_csv(std::string_view text);
+template <class At = Setting>
+[[nodiscard]] TableOf<At> read_csv(std::string_view text);
 
 /// What the passes say together, in the order in which quantities first come: the median of their
 /// medians, with its interval; for end_of_cell the sum. What was measured once stays as it is.
-[[nodiscard]] std::vector<Row> combined(const std::vector<Row>& passes);
+template <class At>
+[[nodiscard]] std::vector<RowOf<At>> combined(const std::vector<RowOf<At>>& passes);
 
 /// Rows as JSON objects in an array.
-[[nodiscard]] std::string json_array(const std::vector<Row>& rows);
+template <class At>
+[[nodiscard]] std::string json_array(const std::vector<RowOf<At>>& rows);
 
 }  // namespace signum::study

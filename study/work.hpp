@@ -22,8 +22,9 @@ namespace signum::study {
 }
 
 /// The contestants take turns, from pass to pass in another order.
-[[nodiscard]] inline Race race_of(const std::vector<Contestant>& contestants, const Cell& cell,
-                                  const Pass& pass) {
+template <class AnyCell>
+[[nodiscard]] Race race_of(const std::vector<Contestant>& contestants, const AnyCell& cell,
+                           const Pass& pass) {
     return race(contestants, cell.budget, pass.number % 2 == 0);
 }
 

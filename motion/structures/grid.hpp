@@ -58,8 +58,8 @@ class Grid {
         for (int level = 0; level < number; ++level) {
             grids_.emplace_back(world, spread, std::ldexp(finest, level),
                                 1 << (number - 1 - level));
-            residents_.emplace_back(grids_.back(), world.balls.size(), hashed);
-            if (level > 0) visitors_.emplace_back(grids_.back(), world.balls.size(), hashed);
+            all_.emplace_back(grids_.back(), world.balls.size(), hashed);
+            if (level > 0) residents_.emplace_back(grids_.back(), world.balls.size(), hashed);
         }
         for (Slot i = 0; i < cell_.size(); ++i) {
             int level = 0;
@@ -68,9 +68,9 @@ class Grid {
                 ++level;
             level_[i] = static_cast<std::uint8_t>(level);
             cell_[i] = grids_[level_[i]].cell_of(world.centre(i, world.start));
-            residents_[level_[i]].insert(i, cell_[i]);
-            for (std::size_t above = level_[i] + 1U; above < grids_.size(); ++above)
-                visitors_[above - 1].insert(i, cell_above(i, above));
+            if (level_[i] > 0) residents_[level_[i] - 1U].insert(i, cell_[i]);
+            for (std::size_t at = level_[i]; at < grids_.size(); ++at)
+                all_[at].insert(i, cell_above(i, at));
         }
     }
     Grid(const Grid&) = delete;
@@ -105,16 +105,15 @@ class Grid {
         Cell<D> after = before;
         const std::size_t level = level_[i];
         if (!grids_[level].shift(after, axis, first.side)) return;
-        residents_[level].remove(i);
-        residents_[level].insert(i, after);
+        move(all_[level], i, after);
+        if (level > 0) move(residents_[level - 1], i, after);
         cell_[i] = after;
         near_cells(i, after, propose, axis, first.side);
         for (std::size_t above = level + 1; above < grids_.size(); ++above) {
             const Cell<D> from = divided(before, above - level);
             const Cell<D> to = divided(after, above - level);
             if (from == to) break;
-            visitors_[above - 1].remove(i);
-            visitors_[above - 1].insert(i, to);
+            move(all_[above], i, to);
             residents_near(above, to, propose, axis, first.side);
         }
     }
@@ -193,35 +192,47 @@ class Grid {
     [[nodiscard]] Cell<D> cell_above(Slot i, std::size_t above) const noexcept {
         return divided(cell_[i], above - level_[i]);
     }
+    /// Whether the cells around one are told by places alone: those of most balls, and the quicker
+    /// way.
+    [[nodiscard]] bool is_simple(std::size_t level, const Cell<D>& cell) const noexcept {
+        return !all_[level].is_hashed() && grids_[level].is_inner(cell);
+    }
+    /// Those of a level's table in the cells around one; where an axis is given, of one side.
+    template <class Visit>
+    void for_each_around(const CellTable<D>& table, std::size_t level, const Cell<D>& cell,
+                         const Visit& visit, int axis, std::int32_t side) const {
+        if (axis < 0 && is_simple(level, cell))
+            grids_[level].for_each_row_around(cell, [&](std::uint32_t first) {
+                for (std::uint32_t x = 0; x < 3; ++x) table.for_each_at(first + x, visit);
+            });
+        else
+            grids_[level].for_each_around(
+                cell, [&](const Cell<D>& each) { table.for_each_in(each, visit); }, axis, side);
+    }
     template <class Propose>
     void near_cells(Slot i, const Cell<D>& cell, const Propose& propose, int axis,
                     std::int32_t side) const {
-        const std::size_t level = level_[i];
         const auto propose_others = [&](Slot j) {
             if (j != i) propose(j);
         };
-        grids_[level].for_each_around(
-            cell,
-            [&](const Cell<D>& each) {
-                residents_[level].for_each_in(each, propose_others);
-                if (level > 0) visitors_[level - 1].for_each_in(each, propose_others);
-            },
-            axis, side);
+        for_each_around(all_[level_[i]], level_[i], cell, propose_others, axis, side);
     }
     template <class Propose>
     void residents_near(std::size_t level, const Cell<D>& cell, const Propose& propose, int axis,
                         std::int32_t side) const {
-        grids_[level].for_each_around(
-            cell, [&](const Cell<D>& each) { residents_[level].for_each_in(each, propose); }, axis,
-            side);
+        for_each_around(residents_[level - 1], level, cell, propose, axis, side);
+    }
+    static void move(CellTable<D>& table, Slot i, const Cell<D>& to) {
+        table.remove(i);
+        table.insert(i, to);
     }
 
     const World<D>& world_;
     double margin_ = 0.0;
     std::vector<CellGrid<D>> grids_;
-    std::vector<CellTable<D>> residents_;
-    std::vector<CellTable<D>> visitors_;  // of all levels but the finest
-    std::vector<Cell<D>> cell_;           // in the level where the ball lives
+    std::vector<CellTable<D>> all_;        // of each level those that live there or visit
+    std::vector<CellTable<D>> residents_;  // of all levels but the finest
+    std::vector<Cell<D>> cell_;            // in the level where the ball lives
     std::vector<std::uint8_t> level_;
 };
 

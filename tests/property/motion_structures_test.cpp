@@ -541,20 +541,30 @@ TEST(MotionStructures, WhatCannotBeIsRefused) {
 }
 
 TEST(MotionStructures, AutoChoosesByNumberRadiiBoundsAndPacking) {
-    const auto chosen = [](std::size_t balls, double largest, double box, bool periodic) {
+    const auto chosen = [](std::size_t balls, double largest, double box, bool periodic,
+                           double time_step = 0.0) {
         State<2> state;
         for (std::size_t i = 0; i < balls; ++i)
             state.balls.push_back({{}, {}, i == 0 ? largest : 1.0, 0.0});
         Effects<2> effects;
         if (box > 0.0) effects.box = Box<2>{{0, 0}, {box, box}};
         effects.periodic = periodic;
+        effects.time_step = time_step;
         const Choice choice = choose(Structure::automatic, state, effects);
         EXPECT_FALSE(choice.why.empty());
         return choice.structure;
     };
     EXPECT_EQ(chosen(16, 1.0, 100.0, false), Structure::pairs);
-    EXPECT_EQ(chosen(17, 1.0, 20.0, false), Structure::lists);
+    // They fill 0.4 of a box that is 11.6 wide.
+    EXPECT_EQ(chosen(17, 1.0, 11.0, false), Structure::lists);
+    EXPECT_EQ(chosen(17, 1.0, 12.0, false), Structure::cells);
+    EXPECT_EQ(chosen(17, 1.0, 12.0, false, 0.01), Structure::lists);
+    EXPECT_EQ(chosen(17, 1.0, 1000.0, false, 0.01), Structure::lists);
     EXPECT_EQ(chosen(17, 4.5, 50.0, true), Structure::levels);
+    // They fill 0.6 of a box that is 13.8 wide.
+    EXPECT_EQ(chosen(17, 4.5, 13.5, false), Structure::levels);
+    EXPECT_EQ(chosen(17, 4.5, 13.5, false, 0.01), Structure::lists);
+    EXPECT_EQ(chosen(17, 4.5, 14.0, false, 0.01), Structure::levels);
     EXPECT_EQ(chosen(17, 4.5, 0.0, false), Structure::levels);
     EXPECT_EQ(chosen(17, 1.0, 0.0, false), Structure::tree);
     EXPECT_EQ(chosen(17, 1.0, 1000.0, true), Structure::cells);
