@@ -43,7 +43,7 @@ template <int D>
 /// Of meetings from `since` on.
 template <int D>
 [[nodiscard]] double meeting_time(const GrowingBall<D>& ball, const Sphere<D>& wall,
-                                  const Effects<D>& effects, double since = 0.0);
+                                  const Effects<D>& effects, double since = -infinity);
 
 /// Of the two sides and the two ends the first one that is met; a side counts where the centre's
 /// foot at that rounded time is on the segment. Precondition: the two ends are different.
