@@ -43,7 +43,7 @@ template <int D>
 /// Of meetings from `since` on.
 template <int D>
 [[nodiscard]] double meeting_time(const GrowingBall<D>& ball, const Sphere<D>& wall,
-                                  const Effects<D>& effects, double since = 0.0);
+                                  const Effects<D>& effects, double since = -infinity);
 
 /// The same by one look, of a ball that meets the obstacle at some time near `about`; NaN where
 /// that does not tell the double.

@@ -30,7 +30,9 @@ struct Sphere {
 };
 
 /// A thin wall at rest in the plane, struck from both sides and at its ends. A polyline is its
-/// segments. F = d² - (r + q t)², d the distance of the centre from the nearest point of it.
+/// segments. Balls have a radius above 0 then: a point that is rounded onto a segment, or behind
+/// it, would not know its side. F = d² - (r + q t)², d the distance of the centre from the nearest
+/// point of it.
 struct Segment {
     Vector<2> from{};
     Vector<2> to{};  ///< not from

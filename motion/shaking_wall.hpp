@@ -21,7 +21,7 @@ struct ShakingWall {
 /// where 2048 bits do not tell it, as may be where numbers are a thousand binades apart.
 template <int D>
 [[nodiscard]] double meeting_time(const GrowingBall<D>& ball, const ShakingWall& wall,
-                                  const Effects<D>& effects, double since = 0.0);
+                                  const Effects<D>& effects, double since = -infinity);
 
 /// The same by one look, of a ball that meets the wall at some time near `about`; NaN where that
 /// does not tell the double.

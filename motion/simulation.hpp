@@ -119,8 +119,9 @@ class BallError : public std::invalid_argument {
 
 /// The state of bodies at t = 0. Throws BallError for a number that is not finite or beyond the
 /// window of 2^±150, a negative radius, a mass that is not positive, a ball outside its walls or
-/// wider than they are apart, and one that overlaps an earlier one; std::invalid_argument for
-/// effects that make no sense. O(n) expected, for balls of like sizes.
+/// wider than they are apart, one in a periodic box that grows wider than a quarter of it, one of
+/// radius 0 where there are segments, and one that overlaps an earlier one; std::invalid_argument
+/// for effects that make no sense. O(n) expected, for balls of like sizes.
 template <int D>
 [[nodiscard]] State<D> start(std::span<const Body<D>> bodies, const Effects<D>& effects);
 
@@ -230,9 +231,9 @@ class Simulation {
     using Record = std::function<void(const Strike&)>;
     /// Goes on as far as the limits say; balls in a periodic box that never meet fly for ever where
     /// there is no limit, and so do more than 2^17 without a box. Throws std::invalid_argument for
-    /// a time that is NaN, std::range_error where a ball flies so fast, or so late, that the clock
-    /// cannot tell its strike from a miss; who goes on after that gets no promise. O(1) expected a
-    /// strike for lists and cells in a gas.
+    /// a time that is NaN, std::range_error where a ball flies so fast, or so late, or is so small,
+    /// that the clock cannot tell its strike from a miss; who goes on after that gets no promise.
+    /// O(1) expected a strike for lists and cells in a gas.
     Outcome run(const Limits& limits, const Record& record = {});
 
     [[nodiscard]] State<D> state() const;

@@ -41,8 +41,8 @@ class Walls {
     [[nodiscard]] Facing<D> facing(const Ball<D>& ball, Wall wall) const;
     /// Whether the gap between it and a ball at its own time bends down (wall_strike.hpp).
     [[nodiscard]] bool bends_down(const Ball<D>& ball, Wall wall) const;
-    /// How far from a place of no return its surface holds a ball: beyond it, rounded or not, the
-    /// ball is on another side. Infinite where a wall has one side alone.
+    /// How deep into a wall a centre may be rounded and still be on its side of it: the distance of
+    /// the centre from the wall's middle when they touch; infinite where a wall has one side alone.
     [[nodiscard]] double depth(const Ball<D>& ball, Wall wall) const;
     /// The velocity of any wall, a side at rest included: such a one moves along itself where the
     /// box shakes. Rounded; of a half space that along its normal.
