@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <numeric>
 #include <span>
@@ -212,7 +211,7 @@ double mean_radius(const auto& balls, double time, const auto& effects) {
     return sum / static_cast<double>(balls.size());
 }
 
-/// Where contacts with walls lie on about one height, what is above is a heap on a floor.
+/// Where nearly all of the weight is borne at about one height, what is above is a heap on a floor.
 template <int D>
 std::optional<Check> slope_of_heap(const RunRecord<D>& record,
                                    std::span<const WallContact<D>> floor) {
@@ -224,16 +223,21 @@ std::optional<Check> slope_of_heap(const RunRecord<D>& record,
     const double g = std::sqrt(dot(effects.gravity, effects.gravity));
     motion::Vector<D> up{};
     for (int k = 0; k < D; ++k) up[k] = -effects.gravity[k] / g;
-    double low = std::numeric_limits<double>::infinity();
-    double high = -low;
     double level = 0.0;
+    double borne = 0.0;
     for (const WallContact<D>& contact : floor) {
-        const double height = dot(up, contact.point);
-        low = std::min(low, height);
-        high = std::max(high, height);
-        level += height / static_cast<double>(floor.size());
+        level += dot(up, contact.point) * dot(up, contact.force);
+        borne += dot(up, contact.force);
     }
-    if (high - low > 2.0 * mean_radius(state.balls, time, effects)) return std::nullopt;
+    level /= borne;
+    // A grain that has rolled to a wall may lean on it.
+    constexpr double most_elsewhere = 0.01;
+    const double diameter = 2.0 * mean_radius(state.balls, time, effects);
+    double elsewhere = 0.0;
+    for (const WallContact<D>& contact : floor)
+        if (std::fabs(dot(up, contact.point) - level) > diameter)
+            elsewhere += std::fabs(dot(up, contact.force));
+    if (!(elsewhere <= most_elsewhere * borne)) return std::nullopt;
 
     const double mass = mass_of(state);
     motion::Vector<D> middle{};
