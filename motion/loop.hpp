@@ -969,7 +969,7 @@ class Loop final : public Simulation<D>::Engine {
             Kicks<D>& kicks = steps_.kicks();
             for (Slot i = 0; i < particles_.size(); ++i) {
                 Ball<D>& ball = world_.balls[i];
-                ball.v = kicks.kicked(ball.x, ball.v, ball.radius, particles_[i].mass);
+                ball.v = kicks.kicked(ball.x, ball.v, grown_radius(ball), particles_[i].mass);
                 particles_[i].in_place = 0;
             }
             counts_.predictions += steps_.begins() ? particles_.size() : 0;

@@ -313,14 +313,20 @@ void check(const State<D>& state, const Effects<D>& effects) {
         state.last_strikes.size() != (effects.contact_duration > 0.0 ? balls : 0))
         throw std::invalid_argument(
             "a state that does not have what its effects need of each ball");
-    for (const StandingContact<D>& contact : state.contacts) {
-        const bool is_wall = contact.b < 0;
-        if (!effects.contacts || contact.a < 0 || contact.a >= static_cast<std::int64_t>(balls) ||
-            contact.b >= static_cast<std::int64_t>(balls) ||
-            (is_wall &&
-             -1 - contact.b >= static_cast<std::int64_t>(2 * D + effects.obstacles.size())))
+    const auto number_of_balls = static_cast<std::int64_t>(balls);
+    const auto walls = static_cast<std::int64_t>(2 * D + effects.obstacles.size());
+    const auto has_pair = [&](std::int64_t a, std::int64_t b) {
+        return a >= 0 && a < number_of_balls && b < number_of_balls && -1 - b < walls && a != b;
+    };
+    for (const Passed& passed : state.passed)
+        if (!has_pair(passed.a, passed.b))
+            throw std::invalid_argument("a state with a meeting of balls or walls that it has not");
+    for (const StandingContact<D>& contact : state.contacts)
+        if (!effects.contacts || !has_pair(contact.a, contact.b))
             throw std::invalid_argument("a state with contacts of balls or walls that it has not");
-    }
+    for (const Spin<D>& spin : state.spins)
+        if (!std::ranges::all_of(spin, [](double each) { return std::isfinite(each); }))
+            throw std::invalid_argument("a state with a spin that is not finite");
     if (!(state.time >= 0.0 && std::isfinite(state.time)))
         throw std::invalid_argument("a state's time: give 0 or more");
     for (std::size_t i = 0; i < balls; ++i) {

@@ -24,8 +24,8 @@ packings.</p>
 <p><strong>Steps and events.</strong> The thesis recomputes every ball at every step, whoever strikes (its <em>predict trajectory
 events</em>), and that is most of its time. Where a formula gives the flight, steps are not needed; both ways are measured.</p>
 <p>Times are medians of passes over all experiments, in each of which the structures take turns; a thin bar reaches from the fastest pass
-to the slowest. They are those of whole runs, with the making of the structure; where there are a thousand balls or more, of a part of a longer
-run, without it.</p>
+to the slowest. Where structures are compared they are those of whole runs, with the making of the structure; where there are a thousand balls or
+more, and where accuracy is asked about, of the run alone.</p>
 )";
 
 constexpr std::string_view motion_glossary = R"(<h2>Words</h2>
