@@ -1,15 +1,13 @@
 #include "gnuplot.hpp"
 
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
-#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "../io/errors.hpp"
 #include "../io/program.hpp"
+#include "../io/scratch_folder.hpp"
 
 namespace signum::cli {
 
@@ -24,18 +22,8 @@ std::string run_gnuplot(const std::string& script_path) {
 }
 
 std::string drawn_by_gnuplot(const std::string& script) {
-    namespace fs = std::filesystem;
-    std::string folder = (fs::temp_directory_path() / "signum-curves-XXXXXX").string();
-    if (::mkdtemp(folder.data()) == nullptr)
-        throw MachineError(fmt::format("cannot make a directory {}", folder));
-    struct Remover {
-        const std::string& folder;
-        ~Remover() {
-            std::error_code ignored;
-            fs::remove_all(folder, ignored);
-        }
-    } const remover{folder};
-    const std::string path = folder + "/curves.gnuplot";
+    const ScratchFolder folder("curves");
+    const std::string path = folder.file("curves.gnuplot");
     std::ofstream(path, std::ios::binary) << script;
     return run_gnuplot(path);
 }

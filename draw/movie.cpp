@@ -10,14 +10,13 @@
 
 #include <fmt/format.h>
 
+#include "style.hpp"
+
 namespace signum {
 namespace {
 
 constexpr double width = 640.0;
 constexpr double seconds = 12.0;
-/// Told apart by the colour-blind, too; a ball's is that of its number.
-constexpr std::array<const char*, 6> colours = {"#0072b2", "#e69f00", "#009e73",
-                                                "#cc79a7", "#56b4e9", "#d55e00"};
 /// Of the kinds of shapes in their order: the attributes of their paths, and a colour of text.
 struct Pen {
     const char* attributes;
@@ -357,7 +356,7 @@ void Movie::write(std::ostream& out, const std::string& title, const Meaning& me
         out << fmt::format(
             "<circle{} cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.2f}\" fill=\"{}\"><title>{}</title>",
             copies.empty() ? "" : fmt::format(" id=\"ball{}\"", number), x_of(first.x),
-            y_of(first.y), drawn_radius(number), colours[number % colours.size()], number);
+            y_of(first.y), drawn_radius(number), ball_colour(number), number);
         if (frames_.size() > 1) {
             const char* const mode = periodic_ ? "discrete" : "linear";
             for (const bool of_x : {true, false}) {

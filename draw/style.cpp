@@ -1,8 +1,15 @@
 #include "style.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace signum {
+
+const char* ball_colour(std::size_t number) noexcept {
+    constexpr std::array<const char*, 6> colours = {"#0072b2", "#e69f00", "#009e73",
+                                                    "#cc79a7", "#56b4e9", "#d55e00"};
+    return colours[number % colours.size()];
+}
 
 Pens::Pens(double spacing)
     : cell(std::clamp(spacing / 32, 0.4, 2.2)),

@@ -3,9 +3,13 @@
 
 #include "svg_text.hpp"
 
+#include <cstddef>
 #include <string_view>
 
 namespace signum {
+
+/// Of a ball by its number, as #rrggbb: of Okabe and Ito's, which colour blindness keeps apart.
+[[nodiscard]] const char* ball_colour(std::size_t number) noexcept;
 
 /// Pixels: in a picture printed 8 cm wide it is five points high.
 inline constexpr double font_size = 20.0;

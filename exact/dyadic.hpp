@@ -100,5 +100,8 @@ class Dyadic : public ComparedBySign<Dyadic> {
 
 /// m·2^e.
 [[nodiscard]] Rational to_rational(const Dyadic& number);
+[[nodiscard]] inline double round_to_double(const Dyadic& number) {
+    return round_to_double(to_rational(number));
+}
 
 }  // namespace signum::exact

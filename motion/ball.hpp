@@ -27,6 +27,11 @@ template <int D>
     return effects.growth ? effects.growth->rate * ball.radius : 0.0;
 }
 
+/// By how many times the radius it had at time 0 a ball's radius is larger in the end, at most.
+[[nodiscard]] inline double largest_growth(const Growth& growth) noexcept {
+    return (1.0 + growth.rate * growth.until) * (1.0 + 0x1p-40);
+}
+
 /// A ball's radius at the time of the state it is taken from, rounded.
 template <int D>
 [[nodiscard]] inline double radius_at(const Ball<D>& ball, double t,

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../core/error_free.hpp"
 #include "../core/processor.hpp"
 #include "../exact/surd.hpp"
 #include "apart.hpp"
 #include "meeting_time.hpp"
+#include "nearby_time.hpp"
 
 namespace signum::motion {
 namespace {
@@ -112,16 +112,6 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// The double nearest to about + delta, if it is the same for all deltas that differ by at most the
-/// error, and not before the start.
-[[gnu::always_inline]] inline double moved(double about, double delta, double error,
-                                           double start) noexcept {
-    const TwoTerms sum = two_sum(about, delta);
-    const double time = sum.high + (sum.low - error);
-    if (time != sum.high + (sum.low + error)) return none;
-    return std::max(time, start);
-}
-
 /// With F(t + δ) = F + 2 P δ + A δ², P = D·V at t, the root next to t is δ = -F/2P (1 + θ),
 /// |θ| <= 2 |A δ / P| as long as that is small: F falls there, since P < 0. F comes of
 /// double-doubles; of P and A doubles suffice, for δ is small.
@@ -185,7 +175,7 @@ template <int D>
     const double bend = std::fabs(square * delta / p);
     if (!(p < -0x1p-400 && p_error < -0x1p-20 * p && bend < 0x1p-20)) return none;
     const double error = f_error / -p + std::fabs(delta) * (0x1p-50 + 2.0 * (bend + p_error / -p));
-    return moved(about, delta, error, start);
+    return nearby_time(about, delta, error, start);
 }
 
 }  // namespace
@@ -228,7 +218,7 @@ double refined_meeting(const Ball<D>& ball, Wall wall, const Effects<D>& effects
     if (!(slope < -0x1p-400 && slope_error < -0x1p-20 * slope && bend < 0x1p-20)) return none;
     const double error = 0x1p-97 * size / -slope +
                          std::fabs(delta) * (0x1p-50 + 2.0 * (bend + slope_error / -slope));
-    return moved(about, delta, error, ball.time);
+    return nearby_time(about, delta, error, ball.time);
 }
 
 template double refined_meeting(const Ball<2>&, Wall, const Effects<2>&, double) noexcept;

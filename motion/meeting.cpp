@@ -196,7 +196,7 @@ MeetingFilter<D>::MeetingFilter(const Effects<D>& effects, Kernel kernel)
     bounds_.periodic = effects.periodic;
     if (effects.growth) {
         bounds_.growth = effects.growth->rate;
-        largest_growth_ = (1.0 + effects.growth->rate * effects.growth->until) * (1.0 + 0x1p-40);
+        largest_growth_ = largest_growth(*effects.growth);
     }
     if (effects.box) {
         for (int i = 0; i < D; ++i) {

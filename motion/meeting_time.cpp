@@ -7,10 +7,10 @@
 #include <stdexcept>
 
 #include "../core/contract.hpp"
-#include "../core/error_free.hpp"
 #include "../exact/nearest_double.hpp"
 #include "../exact/polynomial.hpp"
 #include "descent.hpp"
+#include "nearby_time.hpp"
 
 namespace signum::motion {
 namespace {
@@ -212,6 +212,12 @@ struct ExactHalfSpace {
     Dyadic offset;
     Dyadic speed;
 };
+template <int D>
+ExactHalfSpace<D> exact(const HalfSpace<D>& wall) {
+    ExactHalfSpace<D> result{{}, Dyadic(wall.offset), Dyadic(wall.speed)};
+    for (int i = 0; i < D; ++i) result.normal[i] = Dyadic(wall.normal[i]);
+    return result;
+}
 
 /// F = s - |n| r, s the height of the centre over the wall, times |n|. Its coefficients are of the
 /// form u + v √(n·n), so that each of its signs is one of s² - n·n r², taken with the signs of s
@@ -281,11 +287,7 @@ PerAxis<Dyadic, 2> difference(const PerAxis<Dyadic, 2>& a, const PerAxis<Dyadic,
 template <int D>
 double meeting_time(const GrowingBall<D>& ball, const HalfSpace<D>& wall,
                     const Effects<D>& effects) {
-    ExactHalfSpace<D> exact;
-    for (int i = 0; i < D; ++i) exact.normal[i] = Dyadic(wall.normal[i]);
-    exact.offset = Dyadic(wall.offset);
-    exact.speed = Dyadic(wall.speed);
-    return meeting_of(ball, exact, effects);
+    return meeting_of(ball, exact(wall), effects);
 }
 
 /// The ends are circles of radius 0. Each side is met as a half space is, if the centre is on that
@@ -343,10 +345,6 @@ namespace {
 
 constexpr double untold = std::numeric_limits<double>::quiet_NaN();
 
-double rounded(const Dyadic& number) {
-    return exact::round_to_double(exact::to_rational(number));
-}
-
 /// Where F, exact and then rounded, falls through 0: next to t at t - F/F' (1 + θ), |θ| <= 2 |bend
 /// F| / F'², as long as that is small. `slope` errs by 2^-40 of its size at most.
 double falls_near(double t, double f, double slope, double size, double bend, double start) {
@@ -355,9 +353,7 @@ double falls_near(double t, double f, double slope, double size, double bend, do
     const double theta = 2.0 * std::fabs(bend * delta / slope);
     if (!(theta < 0x1p-20)) return untold;
     const double error = std::fabs(delta) * (0x1p-28 + 2.0 * theta);
-    const TwoTerms sum = two_sum(t, delta);
-    const double time = sum.high + (sum.low - error);
-    return time == sum.high + (sum.low + error) ? std::max(time, start) : untold;
+    return nearby_time(t, delta, error, start);
 }
 
 bool is_told(double about, double start) {
@@ -389,22 +385,22 @@ double refined_meeting_of(const GrowingBall<D>& ball, const ExactHalfSpace<D>& w
     const Dyadic t(about);
     Dyadic height = -(wall.offset + wall.speed * t);
     Dyadic square;
-    double slope = -rounded(wall.speed);
+    double slope = -round_to_double(wall.speed);
     double bend = 0.0;
     for (int i = 0; i < D; ++i) {
         height += wall.normal[i] * then.x[i];
         square += wall.normal[i] * wall.normal[i];
-        const double n = rounded(wall.normal[i]);
+        const double n = round_to_double(wall.normal[i]);
         slope += n * then.v[i];
         bend += std::fabs(n * effects.gravity[i]);
     }
-    const double scale = std::sqrt(rounded(square));
+    const double scale = std::sqrt(round_to_double(square));
     const Dyadic radius = Dyadic(ball.radius) + Dyadic(ball.growth) * t;
     // h - |n| r = (h² - n² r²) / (h + |n| r)
-    const double sum = rounded(height) + scale * rounded(radius);
+    const double sum = round_to_double(height) + scale * round_to_double(radius);
     if (!(sum > 0.0) || height.sign() < 0) return untold;
-    const double f = rounded(height * height - square * radius * radius) / sum;
-    const double size = scale * (then.fast + ball.growth) + std::fabs(rounded(wall.speed));
+    const double f = round_to_double(height * height - square * radius * radius) / sum;
+    const double size = scale * (then.fast + ball.growth) + std::fabs(round_to_double(wall.speed));
     return falls_near(about, f, slope - scale * ball.growth, size, bend, ball.time);
 }
 
@@ -413,11 +409,7 @@ double refined_meeting_of(const GrowingBall<D>& ball, const ExactHalfSpace<D>& w
 template <int D>
 double refined_meeting(const GrowingBall<D>& ball, const HalfSpace<D>& wall,
                        const Effects<D>& effects, double about) {
-    ExactHalfSpace<D> exact;
-    for (int i = 0; i < D; ++i) exact.normal[i] = Dyadic(wall.normal[i]);
-    exact.offset = Dyadic(wall.offset);
-    exact.speed = Dyadic(wall.speed);
-    return refined_meeting_of(ball, exact, effects, about);
+    return refined_meeting_of(ball, exact(wall), effects, about);
 }
 
 template <int D>
@@ -437,7 +429,7 @@ double refined_meeting(const GrowingBall<D>& ball, const Sphere<D>& wall, const 
     for (int i = 0; i < D; ++i) {
         const Dyadic d = then.x[i] - (Dyadic(wall.centre[i]) + Dyadic(wall.velocity[i]) * t);
         square += d * d;
-        const double away = rounded(d);
+        const double away = round_to_double(d);
         const double v = then.v[i] - wall.velocity[i];
         slope += 2.0 * away * v;
         const double sizes = then.fast + std::fabs(wall.velocity[i]);
@@ -445,8 +437,8 @@ double refined_meeting(const GrowingBall<D>& ball, const Sphere<D>& wall, const 
         fast += sizes * sizes;
         fall += std::fabs(away * effects.gravity[i]);
     }
-    const double grown = 2.0 * rounded(reach) * ball.growth;
-    const double f = sign * rounded(square - reach * reach);
+    const double grown = 2.0 * round_to_double(reach) * ball.growth;
+    const double f = sign * round_to_double(square - reach * reach);
     return falls_near(about, f, sign * slope - grown, size + grown,
                       2.0 * (fast + fall) + 2.0 * ball.growth * ball.growth, ball.time);
 }
@@ -458,8 +450,8 @@ double refined_meeting(const GrowingBall<2>& ball, const Segment& wall, const Ef
     const PerAxis<Dyadic, 2> along = difference(exact(wall.to), from);
     const Then<2> then(ball, effects, about);
     const PerAxis<Dyadic, 2> seen = difference(then.x, from);
-    const double length = rounded(along[0] * along[0] + along[1] * along[1]);
-    const double foot = rounded(seen[0] * along[0] + seen[1] * along[1]) / length;
+    const double length = round_to_double(along[0] * along[0] + along[1] * along[1]);
+    const double foot = round_to_double(seen[0] * along[0] + seen[1] * along[1]) / length;
     // Next to where a side ends and an end begins all is looked at exactly.
     constexpr double margin = 0x1p-20;
     if (foot < -margin)

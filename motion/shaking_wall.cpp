@@ -30,10 +30,10 @@
 #include <mpfr.h>
 
 #include "../core/contract.hpp"
-#include "../core/error_free.hpp"
 #include "../exact/nearest_double.hpp"
 #include "../exact/polynomial.hpp"
 #include "descent.hpp"
+#include "nearby_time.hpp"
 
 namespace signum::motion {
 namespace {
@@ -327,10 +327,6 @@ double ShakingGap::first_descent(double since) const {
     return infinity;
 }
 
-double rounded(const Dyadic& number) {
-    return exact::round_to_double(exact::to_rational(number));
-}
-
 /// With F and F' at `about`, and |F''| <= B, the root next to it is about - F/F' (1 + θ), |θ| <= |B
 /// F / F'²|, as long as that is small.
 double ShakingGap::falls_near(double about) const {
@@ -340,18 +336,17 @@ double ShakingGap::falls_near(double about) const {
     const Dyadic t(about);
     const Bounded gap = value(t, bits);
     const Bounded fall = slope(t, bits);
-    const double f = rounded(gap.low);
-    const double steep = rounded(fall.high);
-    if (!(steep < -0x1p-400 && rounded(fall.low) > steep * (1.0 + 0x1p-30))) return none;
-    const double bend = std::fabs(rounded(2 * p_[2])) + std::fabs(rounded(a_omega2_));
+    const double f = round_to_double(gap.low);
+    const double steep = round_to_double(fall.high);
+    if (!(steep < -0x1p-400 && round_to_double(fall.low) > steep * (1.0 + 0x1p-30))) return none;
+    const double bend =
+        std::fabs(round_to_double(2 * p_[2])) + std::fabs(round_to_double(a_omega2_));
     const double delta = -f / steep;
     const double theta = std::fabs(bend * delta / steep);
     if (!(theta < 0x1p-20)) return none;
-    const double error =
-        std::fabs(delta) * (0x1p-29 + 2.0 * theta) + 2.0 * rounded(gap.high - gap.low) / -steep;
-    const TwoTerms sum = two_sum(about, delta);
-    const double time = sum.high + (sum.low - error);
-    return time == sum.high + (sum.low + error) ? std::max(time, start_) : none;
+    const double error = std::fabs(delta) * (0x1p-29 + 2.0 * theta) +
+                         2.0 * round_to_double(gap.high - gap.low) / -steep;
+    return nearby_time(about, delta, error, start_);
 }
 
 }  // namespace
@@ -369,8 +364,8 @@ double wave_at(Function function, const Dyadic& size, const ShakingWall& wall, d
     const Dyadic argument = Dyadic(wall.frequency) * Dyadic(t) + Dyadic(wall.phase);
     for (int bits = least_bits; bits <= most_bits; bits *= 2) {
         const Bounded bounds = size * enclose(function, argument, bits);
-        const double low = rounded(bounds.low);
-        if (low == rounded(bounds.high)) return low;
+        const double low = round_to_double(bounds.low);
+        if (low == round_to_double(bounds.high)) return low;
     }
     refuse();
 }

@@ -32,8 +32,7 @@ struct World {
           falls(effects.gravity != Vector<D>{}),
           pull(std::sqrt(dot(effects.gravity, effects.gravity))),
           region(effects.box) {
-        if (effects.growth)
-            swelling = (1.0 + effects.growth->rate * effects.growth->until) * (1.0 + 0x1p-40);
+        if (effects.growth) swelling = largest_growth(*effects.growth);
         if (!effects.box) return;
         if (effects.shake) {
             for (int k = 0; k < D; ++k) {

@@ -9,14 +9,13 @@
 
 #include <fmt/format.h>
 
+#include "../draw/style.hpp"
+
 namespace signum {
 namespace {
 
 constexpr double largest_side = 800.0;
 constexpr double border = 8.0;
-/// The same as those of a film.
-constexpr std::array<const char*, 6> ball_colours = {"#0072b2", "#e69f00", "#009e73",
-                                                     "#cc79a7", "#56b4e9", "#d55e00"};
 
 /// From the plane to pixels.
 class View {
@@ -87,8 +86,7 @@ std::string frame_picture(const MotionFrame& frame, std::span<const Movie::Wall>
                 : 0.0;
         fmt::format_to(
             out, "<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.2f}\" fill=\"{}\"{}/>\n",
-            view.x(ball.x[0]), view.y(ball.x[1]), view.length(ball.radius),
-            ball_colours[i % ball_colours.size()],
+            view.x(ball.x[0]), view.y(ball.x[1]), view.length(ball.radius), ball_colour(i),
             frame.dimension == 3 ? fmt::format(" opacity=\"{:.2f}\"", 1.0 - 0.6 * depth) : "");
     }
     fmt::format_to(out, "</g>\n<g fill=\"none\" stroke=\"#444\" stroke-width=\"1.5\">\n");

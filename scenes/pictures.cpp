@@ -1,7 +1,5 @@
 #include "pictures.hpp"
 
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <utility>
 
@@ -13,8 +11,6 @@
 
 namespace signum {
 namespace {
-
-namespace fs = std::filesystem;
 
 void require_program(const std::string& name, const std::string& argument, std::string_view what,
                      std::string_view package) {
@@ -52,40 +48,29 @@ Pictures::Pictures(std::string images, std::string video)
     require_program("rsvg-convert", "--version", images_.empty() ? "video" : "images",
                     "librsvg2-bin");
     if (!video_.empty()) require_program("ffmpeg", "-version", "video", "ffmpeg");
-    std::string name = (fs::temp_directory_path() / "signum-pictures-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr)
-        throw MachineError(fmt::format("cannot make a directory {}", name));
-    folder_ = name;
-}
-
-Pictures::~Pictures() {
-    std::error_code ignored;
-    if (!folder_.empty()) fs::remove_all(folder_, ignored);
 }
 
 std::string Pictures::made(std::size_t number) const {
-    return fmt::format("{}/{:07}.png", folder_, number);
+    return folder_.file(fmt::format("{:07}.png", number));
 }
 
 void Pictures::add(std::string_view svg) {
-    const std::string drawing = folder_ + "/frame.svg";
+    const std::string drawing = folder_.file("frame.svg");
     std::ofstream(drawing, std::ios::binary) << svg;
     run_well("rsvg-convert", {"-o", made(count_), drawing}, "an image");
     ++count_;
 }
 
 void Pictures::publish() {
-    const std::string video = folder_ + "/video.mp4";
+    const std::string video = folder_.file("video.mp4");
     if (!video_.empty())
         run_well("ffmpeg",
                  {"-y", "-loglevel", "error", "-nostdin", "-framerate", "25", "-i",
-                  folder_ + "/%07d.png", "-pix_fmt", "yuv420p", video},
+                  folder_.file("%07d.png"), "-pix_fmt", "yuv420p", video},
                  "the video");
     if (!images_.empty())
         for (std::size_t i = 0; i < count_; ++i) copy_to(made(i), numbered(images_, i));
     if (!video_.empty()) copy_to(video, video_);
-    fs::remove_all(folder_);
-    folder_.clear();
 }
 
 }  // namespace signum

@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include "../io/scratch_folder.hpp"
+
 namespace signum {
 
 class Pictures {
@@ -16,9 +18,6 @@ class Pictures {
     /// be empty. Throws MachineError where a program that is needed is not there, and says what to
     /// install.
     Pictures(std::string images, std::string video);
-    Pictures(const Pictures&) = delete;
-    Pictures& operator=(const Pictures&) = delete;
-    ~Pictures();
 
     /// A frame, as SVG, all of one size with even sides. Throws MachineError. Some 20 ms.
     void add(std::string_view svg);
@@ -30,7 +29,7 @@ class Pictures {
 
     std::string images_;
     std::string video_;
-    std::string folder_;  ///< where images are until all are there
+    ScratchFolder folder_ = ScratchFolder("pictures");  ///< where images are until all are there
     std::size_t count_ = 0;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Text for HTML and SVG.
+/// Text for HTML and SVG, and how our pages look.
 
 #include <string>
 #include <string_view>
@@ -8,19 +8,9 @@ namespace signum::study {
 
 /// The text with what has a meaning of its own there, in attributes too, written so that it has
 /// none.
-[[nodiscard]] inline std::string html_text(std::string_view text) {
-    std::string result;
-    for (const char c : text) {
-        if (c == '&')
-            result += "&amp;";
-        else if (c == '<')
-            result += "&lt;";
-        else if (c == '"')
-            result += "&quot;";
-        else
-            result += c;
-    }
-    return result;
-}
+[[nodiscard]] std::string html_text(std::string_view text);
+
+/// A page up to what its body begins with. The title is HTML.
+[[nodiscard]] std::string html_head(std::string_view title);
 
 }  // namespace signum::study

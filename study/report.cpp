@@ -9,44 +9,6 @@
 namespace signum::study {
 namespace {
 
-/// Before and after the title.
-constexpr std::string_view before_title = R"(<!DOCTYPE html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<meta name="color-scheme" content="light dark">
-<title>)";
-constexpr std::string_view after_title = R"(: a study by signum</title>
-<style>
-:root { color-scheme: light dark; --ink: #1c1e21; --paper: #fdfdfb; --soft: #5c6066; --line: #d8d8d2; }
-@media (prefers-color-scheme: dark) {
-  :root { --ink: #e4e4e0; --paper: #17191c; --soft: #a0a4aa; --line: #3a3d42; }
-}
-body { margin: 0 auto; padding: 2rem 1.2rem 5rem; max-width: 56rem; color: var(--ink);
-       background: var(--paper); font: 1.05rem/1.6 Georgia, "Liberation Serif", serif; }
-h1 { font-size: 2rem; line-height: 1.2; }
-h2 { font-size: 1.35rem; margin-top: 3.2rem; }
-p, ul, dl, table { max-width: 44rem; }
-sup { line-height: 0; }
-figure { margin: 1.2rem 0 0; }
-img { display: block; width: 30rem; max-width: 100%; background: #fff; }
-svg { display: block; width: 100%; height: auto; }
-svg text, svg tspan { font-family: "Helvetica Neue", Arial, "Liberation Sans", sans-serif; }
-table { border-collapse: collapse; font-size: .95rem; }
-th, td { text-align: left; padding: .35rem 1rem .35rem 0; border-bottom: 1px solid var(--line);
-         vertical-align: top; }
-table.wide { max-width: none; font-size: .75rem; }
-table.wide td { padding-right: .6rem; }
-dt { font-weight: bold; margin-top: .7rem; }
-dd { margin: 0; }
-code { font-size: .92em; overflow-wrap: anywhere; }
-.soft { color: var(--soft); }
-</style>
-</head>
-<body>
-)";
-
 std::string account_of(const Account& account) {
     std::string text = fmt::format(
         "<h2>How this was made</h2>\n<p><code>{}</code> with signum {}, in {} of "
@@ -70,8 +32,9 @@ std::string account_of(const Account& account) {
 }  // namespace
 
 std::string html_report(const Page& page, const Account& account) {
-    std::string text = fmt::format("{}{}{}<h1>{}</h1>\n{}", before_title, page.title, after_title,
-                                   page.title, page.introduction);
+    std::string text =
+        fmt::format("{}<h1>{}</h1>\n{}", html_head(page.title + ": a study by signum"), page.title,
+                    page.introduction);
     for (std::size_t i = 0; i < page.figures.size(); ++i) {
         const auto& [figure, svg] = page.figures[i];
         text += fmt::format("<section id=\"{}\">\n<h2>{}. {}</h2>\n{}\n", figure.plot.name, i + 1,

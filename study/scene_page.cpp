@@ -11,30 +11,6 @@
 namespace signum::study {
 namespace {
 
-constexpr std::string_view style = R"(<style>
-:root { color-scheme: light dark; --ink: #1c1e21; --paper: #fdfdfb; --soft: #5c6066; --line: #d8d8d2;
-        --good: #00704a; --bad: #b3261e; }
-@media (prefers-color-scheme: dark) {
-  :root { --ink: #e4e4e0; --paper: #17191c; --soft: #a0a4aa; --line: #3a3d42; --good: #4cc38a; --bad: #ff8a80; }
-}
-body { margin: 0 auto; padding: 2rem 1.2rem 5rem; max-width: 60rem; color: var(--ink);
-       background: var(--paper); font: 1rem/1.5 "Helvetica Neue", Arial, "Liberation Sans", sans-serif; }
-h1 { font-size: 1.9rem; line-height: 1.2; }
-h2 { font-size: 1.3rem; margin-top: 2.6rem; }
-figure { margin: 1rem 0 0; }
-figure > svg { display: block; width: 100%; height: auto; }
-.film > svg { max-width: 46rem; max-height: 90vh; }
-pre { font-size: .85rem; overflow-x: auto; }
-table { border-collapse: collapse; font-size: .92rem; }
-th, td { text-align: left; padding: .35rem 1rem .35rem 0; border-bottom: 1px solid var(--line);
-         vertical-align: top; }
-td { overflow-wrap: anywhere; }
-.good { color: var(--good); } .not_good { color: var(--bad); font-weight: bold; }
-.good, .not_good, .not_told { white-space: nowrap; }
-.soft { color: var(--soft); }
-</style>
-)";
-
 std::string with_unit(std::string_view name, const std::string& unit) {
     return unit.empty() ? std::string(name) : fmt::format("{} ({})", name, unit);
 }
@@ -58,7 +34,9 @@ std::string_view class_of(Judgement judgement) {
 
 std::string table_of_checks(const std::vector<Check>& checks) {
     std::string text =
-        "<table>\n<tr><th>what</th><th>expected</th><th>found</th><th>deviation</th><th></th>"
+        "<table "
+        "class=\"run\">\n<tr><th>what</th><th>expected</th><th>found</th><th>deviation</th><th></"
+        "th>"
         "</tr>\n";
     for (const Check& check : checks)
         text += fmt::format(
@@ -165,18 +143,13 @@ std::vector<Plot> plots_of_scene(const SceneDescription& scene, const SceneCurve
 std::string html_of(const ScenePage& page) {
     const std::string title =
         html_text(page.scene.title.empty() ? "Balls that move and strike" : page.scene.title);
-    std::string text = fmt::format(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta "
-        "name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<meta "
-        "name=\"color-scheme\" content=\"light dark\">\n<title>{}</title>\n{}</head>\n<body>\n"
-        "<h1>{}</h1>\n",
-        title, style, title);
+    std::string text = fmt::format("{}<h1>{}</h1>\n", html_head(title), title);
     text += fmt::format("<figure class=\"film\">\n{}\n</figure>\n", page.film);
     text += fmt::format(
         "<h2>Beside what is known</h2>\n<p>{} Each stands here only where what it expects "
         "holds.</p>\n{}",
         summary_of_checks(page.checks), table_of_checks(page.checks));
-    text += "<h2>The run</h2>\n<table>\n";
+    text += "<h2>The run</h2>\n<table class=\"run\">\n";
     for (const auto& [name, value] : page.run)
         text += fmt::format("<tr><th>{}</th><td>{}</td></tr>\n", html_text(name), html_text(value));
     text += "</table>\n<h2>Curves</h2>\n";

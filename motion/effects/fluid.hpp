@@ -13,11 +13,10 @@
 
 namespace signum::motion {
 
-/// Kicks of one length of time.
+/// Kicks of one length of time, from 0.
 template <int D>
 class Kicks {
  public:
-    /// `time` may be negative: then what a kick of -time did is undone.
     Kicks(const Effects<D>& effects, double time);
 
     /// The velocity at a place after one.
