@@ -91,8 +91,8 @@ class Loop final : public Simulation<D>::Engine {
                          passed.time);
         }
         for (const Ball<D>& ball : world_.balls) filter_.include(ball);
-        for (Slot i = 0; i < slots.size(); ++i) ask_after_change({i});
         set_turn();
+        ask_all();
     }
 
     Outcome run(const Limits& limits, const typename Simulation<D>::Record& record) override {
@@ -109,14 +109,14 @@ class Loop final : public Simulation<D>::Engine {
             const Slot i = queue_.top(before());
             const double key = queue_.key(i);
             if constexpr (has_turns()) {
-                if (turn_ <= key && (turn_ < key || growth_ends_next()) && is_turn_due(until))
+                if (turn_ <= key && (turn_ < key || is_before_strikes()) && is_turn_due(until))
                     [[unlikely]] {
                     if (limits.stop && limits.stop()) return {Ending::stopped, {}};
-                    take_turn();
+                    take_turn(until);
                     continue;
                 }
             }
-            if (!(key <= until && key < infinity)) {
+            if (!(key <= until && key < infinity) || waits_for_step(key)) {
                 if (until < infinity) now_ = std::max(now_, until);
                 return {std::min(key, turn_) < infinity ? Ending::until : Ending::nothing, {}};
             }
@@ -333,7 +333,7 @@ class Loop final : public Simulation<D>::Engine {
         world_.start = now_;
         structure_.emplace(world_, kind_);
         farthest_ = margins_to_fly * structure_->margin();
-        for (Slot i = 0; i < particles_.size(); ++i) ask_after_change({i});
+        ask_all();
     }
     /// How far the balls are spread, along the axis where that is farthest.
     [[nodiscard]] double widest_now() const {
@@ -405,6 +405,32 @@ class Loop final : public Simulation<D>::Engine {
         for (std::size_t k = 0; k < balls.size(); ++k) end(*inquiry++);
     }
 
+    /// The same of all balls. Each pair is asked once, whichever of the two it becomes a proposal
+    /// of: when its time comes, the ball is asked for all pairs.
+    void ask_all() {
+        for (Slot i = 0; i < particles_.size(); ++i) {
+            see_clock(i);
+            particles_[i].own = structure_->next(i, now_);
+            particles_[i].next = {};
+        }
+        Inquiry& inquiry = inquiries_[0];
+        for (Slot i = 0; i < particles_.size(); ++i) {
+            open(inquiry, i);
+            if constexpr (requires { structure_->list(i); }) {
+                for (const Slot j : structure_->list(i))
+                    if (j > i) propose(inquiry, j);
+            } else if constexpr (requires { structure_->near_once(i, [](Slot) {}); }) {
+                structure_->near_once(i, [&](Slot j) { propose(inquiry, j); });
+            } else {
+                structure_->near(i, [&](Slot j) {
+                    if (j > i) propose(inquiry, j);
+                });
+            }
+            look(inquiry);
+            end(inquiry);
+        }
+    }
+
     /// What a ball strikes first, of those that have been considered.
     struct Inquiry {
         Slot ball = nobody;
@@ -419,10 +445,14 @@ class Loop final : public Simulation<D>::Engine {
         inquiry.best = best;
         inquiry.asks_walls = false;
     }
-    void begin(Inquiry& inquiry, Slot i) {
+    /// Of all walls, too.
+    void open(Inquiry& inquiry, Slot i) {
         open(inquiry, i, {});
         if constexpr (has_walls()) inquiry.asks_walls = !walls_.numbers().empty();
         for (const Wall wall : sides_) consider_side(inquiry, wall);
+    }
+    void begin(Inquiry& inquiry, Slot i) {
+        open(inquiry, i);
         if constexpr (requires { structure_->list(i); }) {
             std::span<const Slot> list = structure_->list(i);
             for (; list.size() > Crowd::capacity; list = list.subspan(Crowd::capacity)) {
@@ -730,7 +760,7 @@ class Loop final : public Simulation<D>::Engine {
         const double mass = particles_[i].mass;
         const Facing<D> faces = is_side(wall) ? facing_side<D>(wall) : walls_.facing(ball, wall);
         const double growth = growth_of(ball, world_.effects);
-        const double approach = approach_of(ball, faces, growth);
+        const double approach = laws_.is_plain() ? 0.0 : approach_of(ball, faces, growth);
         const auto bounce = laws_.bounce({i}, t, world_.effects.wall_restitution, approach);
         WallExchange exchange = strike(ball, faces, mass, bounce.restitution, growth);
         const Slot partner = first_wall + static_cast<Slot>(wall);
@@ -931,31 +961,41 @@ class Loop final : public Simulation<D>::Engine {
         turn_ = steps_.next();
         if (world_.effects.growth) turn_ = std::min(turn_, world_.effects.growth->until);
     }
-    /// Before strikes at that time: so a state knows by its time whether radii still grow.
     [[nodiscard]] bool growth_ends_next() const noexcept {
         return world_.effects.growth && world_.effects.growth->until == turn_;
+    }
+    /// Of a turn and strikes at one time: radii cease to grow first, so that a state knows by its
+    /// time whether they do; and a step begins first, so that nobody need be asked between the end
+    /// of the one before and it.
+    [[nodiscard]] bool is_before_strikes() const noexcept {
+        return growth_ends_next() || steps_.begins();
+    }
+    /// Whether what happens then comes after a step that is to begin then.
+    [[nodiscard]] bool waits_for_step(double time) const noexcept {
+        return has_turns() && time == turn_ && is_before_strikes();
     }
     [[nodiscard]] bool is_turn_due(double until) const noexcept {
         if (growth_ends_next()) return turn_ <= until;
         // The state between two steps is that before the next one begins.
         return steps_.begins() ? turn_ < until : turn_ <= until;
     }
-    [[gnu::cold, gnu::noinline]] void take_turn() {
+    [[gnu::cold, gnu::noinline]] void take_turn(double until) {
         now_ = std::max(now_, turn_);
         StrikeTally tally;
         for (Slot i = 0; i < particles_.size(); ++i) world_.balls[i] = arrive(i, turn_, tally);
-        if (growth_ends_next())
+        if (growth_ends_next()) {
             end_growth();
-        else
+        } else {
             kick();
+            if (steps_.begins() && is_turn_due(until)) kick();
+        }
         for (Slot i = 0; i < particles_.size(); ++i) {
             ++particles_[i].strikes;
             filter_.include(world_.balls[i]);
         }
         set_turn();
         if (laws_.has_contacts()) pass_contacts();
-        for (Slot i = 0; i < particles_.size(); ++i) particles_[i].next = {};
-        for (Slot i = 0; i < particles_.size(); ++i) ask_after_change({i});
+        ask_all();
     }
     void end_growth() {
         for (Ball<D>& ball : world_.balls) ball.radius = grown_at(ball, turn_, world_.effects);

@@ -175,7 +175,8 @@ struct Counts {
 
 /// How far to go.
 struct Limits {
-    /// Events at that time are included.
+    /// Events at that time are included, but where a time step begins then: it does so first, in
+    /// the next run.
     double until = std::numeric_limits<double>::infinity();
     /// Strikes from now on.
     std::uint64_t strikes = std::numeric_limits<std::uint64_t>::max();

@@ -83,6 +83,43 @@ class Grid {
             residents_near(above, cell_above(i, above), propose, -1, 0);
     }
 
+    /// Of all pairs that are near one another each is told once: by the one that lives in the
+    /// coarser level, for these are few, or in the first cell of a level, or is first in memory.
+    template <class Propose>
+    void near_once(Slot i, const Propose& propose) const {
+        const std::size_t level = level_[i];
+        const Cell<D>& cell = cell_[i];
+        const auto of_own_cell = [&](Slot j) {
+            if (level_[j] < level || j > i) propose(j);
+        };
+        const auto of_cell_before = [&](Slot j) {
+            if (level_[j] < level) propose(j);
+        };
+        const CellTable<D>& table = all_[level];
+        if (is_simple(level, cell)) {
+            const std::uint32_t own = grids_[level].place(cell);
+            grids_[level].for_each_row_around(cell, [&](std::uint32_t first) {
+                for (std::uint32_t place = first; place < first + 3; ++place) {
+                    if (place > own)
+                        table.for_each_at(place, propose);
+                    else if (place == own)
+                        table.for_each_at(place, of_own_cell);
+                    else if (level > 0)
+                        table.for_each_at(place, of_cell_before);
+                }
+            });
+            return;
+        }
+        grids_[level].for_each_around(cell, [&](const Cell<D>& each) {
+            if (comes_before(cell, each))
+                table.for_each_in(each, propose);
+            else if (each == cell)
+                table.for_each_in(each, of_own_cell);
+            else
+                table.for_each_in(each, of_cell_before);
+        });
+    }
+
     /// When the centre enters the next cell of its level.
     [[nodiscard]] double next(Slot i, double now) const {
         double s = infinity;
@@ -221,6 +258,12 @@ class Grid {
     void residents_near(std::size_t level, const Cell<D>& cell, const Propose& propose, int axis,
                         std::int32_t side) const {
         for_each_around(residents_[level - 1], level, cell, propose, axis, side);
+    }
+    /// In the order of places.
+    [[nodiscard]] static bool comes_before(const Cell<D>& a, const Cell<D>& b) noexcept {
+        for (int k = D - 1; k >= 0; --k)
+            if (a[k] != b[k]) return a[k] < b[k];
+        return false;
     }
     static void move(CellTable<D>& table, Slot i, const Cell<D>& to) {
         table.remove(i);

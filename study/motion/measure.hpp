@@ -14,6 +14,7 @@ namespace signum::study {
 ///   start_seconds; of a run that ends after some number of strikes without it
 ///   seconds_per_strike, ratio   the former by strikes; that to the first contestant's
 ///   strikes, own, checks, predictions   see motion::Counts
+///   digest                  of all bits of the balls in the end
 ///   chooses_NAME            by contestant auto: 1, the structure that it is
 ///   first_other_strike, first_other_strike_time
 ///                           of rounded arithmetic: before which strike, counted from 0, and when

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -28,9 +29,23 @@ std::uint64_t most_strikes_of(Structure structure, const MotionCell& cell) {
     return cell.most_strikes;
 }
 
+/// A number that is the same for states whose balls are the same in every bit, and hardly ever for
+/// others.
+double digest_of(const motion::State<2>& state) {
+    std::string bits;
+    const auto add = [&](double x) { bits.append(reinterpret_cast<const char*>(&x), sizeof x); };
+    for (const motion::Ball<2>& ball : state.balls) {
+        for (const double x : ball.x) add(x);
+        for (const double v : ball.v) add(v);
+        add(ball.time);
+    }
+    return static_cast<double>(std::hash<std::string>{}(bits) >> 11);
+}
+
 struct Racer {
     std::string name;
     motion::Counts counts;
+    double digest = 0.0;
     std::vector<double> starts;
     std::vector<double> runs;
 };
@@ -63,6 +78,7 @@ std::vector<MotionRow> measure_structures(const MotionCell& cell, const Pass& pa
                                  .strikes = most_strikes_of(chosen, cell)});
             }));
             racer.counts = simulation->counts();
+            if (racer.runs.size() == 1) racer.digest = digest_of(simulation->state());
             // A run that ends after some strikes stands for a longer one.
             const bool is_whole = cell.most_strikes == std::numeric_limits<std::uint64_t>::max();
             if (is_whole) racer.runs.back() += racer.starts.back();
@@ -78,6 +94,7 @@ std::vector<MotionRow> measure_structures(const MotionCell& cell, const Pass& pa
         };
         if (pass.number == 1) {
             put("strikes", exactly(static_cast<double>(racer.counts.strikes)));
+            put("digest", exactly(racer.digest));
             put("own", exactly(static_cast<double>(racer.counts.own)));
             put("checks", exactly(static_cast<double>(racer.counts.checks)));
             put("predictions", exactly(static_cast<double>(racer.counts.predictions)));

@@ -194,6 +194,51 @@ TEST(TimeSteps, ADiscRollsOrSlidesDownASlope) {
     }
 }
 
+/// Many strikes are just at the end of a step, where the next begins: the log is one log, whether a
+/// run is cut there, resumed from a state, or not at all.
+TEST(TimeSteps, AStrikeBetweenTwoStepsIsOneHoweverARunIsCut) {
+    constexpr double step = 0.125;
+    Choices choose(11);
+    choose.be_round(true);
+    std::size_t at_steps = 0;
+    for (int scene = 0; scene < 150; ++scene) {
+        Effects<2> effects;
+        effects.time_step = step;
+        effects.box = Box<2>{{0.0, 0.0}, {6.0, 6.0}};
+        effects.gravity = {0.0, scene % 2 == 0 ? -8.0 : 0.0};
+        std::vector<Body<2>> bodies;
+        for (int i = 0; i < 16; ++i)
+            bodies.push_back({{0.75 + 1.5 * (i % 4), 0.75 + 1.5 * (i / 4)},
+                              {choose.number(-2.0, 2.0), choose.number(-2.0, 2.0)},
+                              choose.below(2) == 0 ? 0.625 : 0.5,
+                              1.0});
+        const State<2> first = start<2>(bodies, effects);
+        std::vector<Strike> whole;
+        Simulation<2> simulation(first, effects, {Structure::pairs});
+        ASSERT_EQ(
+            simulation.run({.until = 4.0}, [&](const Strike& s) { whole.push_back(s); }).ending,
+            Ending::until);
+        for (const Strike& strike : whole)
+            at_steps += std::fmod(strike.time, step) == 0.0 ? 1U : 0U;
+        for (const Structure structure : {Structure::levels, Structure::lists, Structure::cells}) {
+            std::vector<Strike> cut;
+            State<2> state = first;
+            for (double until = 0.0; until <= 4.0; until += step) {
+                Simulation<2> piece(state, effects, {structure});
+                (void)piece.run({.until = until}, [&](const Strike& s) { cut.push_back(s); });
+                (void)piece.run({.until = until + 0.375 * step},
+                                [&](const Strike& s) { cut.push_back(s); });
+                state = piece.state();
+            }
+            std::erase_if(cut, [](const Strike& s) { return s.time > 4.0; });
+            // What is then at the end comes with the next step.
+            while (cut.size() > whole.size() && cut.back().time == 4.0) cut.pop_back();
+            ASSERT_EQ(whole, cut) << "scene " << scene << ", " << name_of(structure);
+        }
+    }
+    EXPECT_GT(at_steps, 100U);
+}
+
 /// Discs that fall into a box: none is ever deeper in another or in the floor than 2^-8 of a
 /// radius; the run that is cut in the middle is the same.
 TEST(TimeSteps, DiscsThatAreThrownIntoABoxHardlyOverlap) {
