@@ -63,8 +63,8 @@ struct LastingContacts {
     /// Their reactions are found by sweeps through all contacts, until what is left of the laws is
     /// that part of the largest speed of approach (effects/contact_forces.hpp), or the sweeps are
     /// spent.
-    double tolerance = 1e-10;
-    int sweeps = 1000;
+    double tolerance = 1e-10;  ///< between 0 and 1
+    int sweeps = 1000;         ///< from 2
 };
 
 template <int D>

@@ -27,6 +27,7 @@
 #include <vector>
 
 #include "apart.hpp"
+#include "cells.hpp"
 #include "effects/growth.hpp"
 #include "engine.hpp"
 #include "event_queue.hpp"
@@ -34,6 +35,7 @@
 #include "laws.hpp"
 #include "meeting.hpp"
 #include "naive_strike.hpp"
+#include "noted_pairs.hpp"
 #include "passed_meetings.hpp"
 #include "simulation.hpp"
 #include "sketch.hpp"
@@ -134,8 +136,12 @@ class Loop final : public Simulation<D>::Engine {
                 const std::uint64_t asked_before = counts_.checks;
                 Inquiry& inquiry = inquiries_[0];
                 open(inquiry, i, next);
-                structure_->own_event(
-                    i, now_, [&](Slot j) { propose(inquiry, j); }, [&](Slot j) { touch(j); });
+                const auto propose_now = [&](Slot j) {
+                    propose(inquiry, j);
+                    if constexpr (known.time_steps)
+                        if (noted_.hold_until(now_)) noted_.add(i, j);
+                };
+                structure_->own_event(i, now_, propose_now, [&](Slot j) { touch(j); });
                 particles_[i].own = structure_->next(i, now_);
                 refuse_standstill(i);
                 see_clock(i);
@@ -151,7 +157,7 @@ class Loop final : public Simulation<D>::Engine {
             } else {
                 done += static_cast<std::uint64_t>(is_wall(next) ? strike_wall(i, record)
                                                                  : strike_ball(i, record));
-                if (collapses_) return {Ending::collapse, last_};
+                if (std::exchange(collapses_, false)) return {Ending::collapse, last_};
             }
         }
         return {Ending::strikes, {}};
@@ -333,6 +339,7 @@ class Loop final : public Simulation<D>::Engine {
         world_.start = now_;
         structure_.emplace(world_, kind_);
         farthest_ = margins_to_fly * structure_->margin();
+        noted_.forget();
         ask_all();
     }
     /// How far the balls are spread, along the axis where that is farthest.
@@ -405,30 +412,81 @@ class Loop final : public Simulation<D>::Engine {
         for (std::size_t k = 0; k < balls.size(); ++k) end(*inquiry++);
     }
 
-    /// The same of all balls. Each pair is asked once, whichever of the two it becomes a proposal
-    /// of: when its time comes, the ball is asked for all pairs.
+    /// The same of all balls.
     void ask_all() {
+        begin_all(infinity);
+        for (Slot i = 0; i < particles_.size(); ++i)
+            ask_once(i, [&](const auto& propose) { for_each_near_once(i, propose); });
+    }
+    /// The same at a turn, when all balls' own times are now. What comes after the next turn need
+    /// not be known.
+    void ask_all_until_turn() {
+        if (!(steps_.length() > 0.0) || world_.effects.growth || world_.effects.periodic) {
+            ask_all();
+            return;
+        }
+        if (!noted_.hold_until(turn_)) note_pairs();
+        begin_all(turn_);
+        const double way = noted_.way_in(turn_ - now_);
+        for (Slot i = 0; i < particles_.size(); ++i)
+            ask_once(i, [&](const auto& propose) {
+                for (const Slot j : noted_.of(i))
+                    if (j > i && !is_farther(i, j, way)) propose(j);
+            });
+    }
+    void begin_all(double until) {
         for (Slot i = 0; i < particles_.size(); ++i) {
             see_clock(i);
-            particles_[i].own = structure_->next(i, now_);
+            if constexpr (requires { structure_->next(i, now_, until); })
+                particles_[i].own = structure_->next(i, now_, until);
+            else
+                particles_[i].own = structure_->next(i, now_);
             particles_[i].next = {};
         }
+    }
+    /// Each pair is asked once, whichever of the two it becomes a proposal of: when its time comes,
+    /// the ball is asked for all pairs.
+    template <class Source>
+    void ask_once(Slot i, const Source& source) {
         Inquiry& inquiry = inquiries_[0];
-        for (Slot i = 0; i < particles_.size(); ++i) {
-            open(inquiry, i);
-            if constexpr (requires { structure_->list(i); }) {
-                for (const Slot j : structure_->list(i))
-                    if (j > i) propose(inquiry, j);
-            } else if constexpr (requires { structure_->near_once(i, [](Slot) {}); }) {
-                structure_->near_once(i, [&](Slot j) { propose(inquiry, j); });
-            } else {
-                structure_->near(i, [&](Slot j) {
-                    if (j > i) propose(inquiry, j);
-                });
-            }
-            look(inquiry);
-            end(inquiry);
-        }
+        open(inquiry, i);
+        source([&](Slot j) { propose(inquiry, j); });
+        look(inquiry);
+        end(inquiry);
+    }
+    template <class Visit>
+    void for_each_near_once(Slot i, const Visit& visit) const {
+        const auto visit_later = [&](Slot j) {
+            if (j > i) visit(j);
+        };
+        if constexpr (requires { structure_->list(i); })
+            std::ranges::for_each(structure_->list(i), visit_later);
+        else if constexpr (requires { structure_->near_once(i, visit); })
+            structure_->near_once(i, visit);
+        else
+            structure_->near(i, visit_later);
+    }
+    /// A skin of some steps' way, as long as that is not far beside the balls.
+    void note_pairs() {
+        noted_.forget_speeds();
+        for (const Ball<D>& ball : world_.balls) noted_.fly(ball.v);
+        const double way = noted_.way_in(turn_ - now_);
+        const double skin = way + std::clamp(15.0 * way, 0.03 * apart_, 0.5 * apart_);
+        noted_.note(now_, skin, [&](Slot i, const auto& note) {
+            for_each_near_once(i, [&](Slot j) {
+                if (!is_farther(i, j, skin)) note(j);
+            });
+        });
+    }
+    /// Whether the surfaces of two balls are farther apart than that: a difference of doubles errs
+    /// by 2^-53 of itself.
+    [[nodiscard]] bool is_farther(Slot i, Slot j, double way) const noexcept {
+        const Ball<D>& a = world_.balls[i];
+        const Ball<D>& b = world_.balls[j];
+        double square = 0.0;
+        for (int k = 0; k < D; ++k) square += (a.x[k] - b.x[k]) * (a.x[k] - b.x[k]);
+        const double reach = (a.radius + b.radius + way) * (1.0 + 0x1p-40);
+        return square > reach * reach;
     }
 
     /// What a ball strikes first, of those that have been considered.
@@ -453,18 +511,22 @@ class Loop final : public Simulation<D>::Engine {
     }
     void begin(Inquiry& inquiry, Slot i) {
         open(inquiry, i);
-        if constexpr (requires { structure_->list(i); }) {
-            std::span<const Slot> list = structure_->list(i);
-            for (; list.size() > Crowd::capacity; list = list.subspan(Crowd::capacity)) {
-                inquiry.crowd.assign(list.first(Crowd::capacity));
-                look(inquiry);
-                consider_all(inquiry);
-            }
-            inquiry.crowd.assign(list);
+        if (has_turns() && noted_.hold_until(turn_)) {
+            assign(inquiry, noted_.of(i));
+        } else if constexpr (requires { structure_->list(i); }) {
+            assign(inquiry, structure_->list(i));
         } else {
             structure_->near(i, [&](Slot j) { propose(inquiry, j); });
         }
         look(inquiry);
+    }
+    void assign(Inquiry& inquiry, std::span<const Slot> list) {
+        for (; list.size() > Crowd::capacity; list = list.subspan(Crowd::capacity)) {
+            inquiry.crowd.assign(list.first(Crowd::capacity));
+            look(inquiry);
+            consider_all(inquiry);
+        }
+        inquiry.crowd.assign(list);
     }
     void end(Inquiry& inquiry) {
         consider_all(inquiry);
@@ -648,10 +710,9 @@ class Loop final : public Simulation<D>::Engine {
         Law law{world_.effects.restitution, 0.0};
         Facts facts;
         if (!laws_.is_plain()) [[unlikely]] {
-            facts = facts_of(a, b, seen);
             if (world_.effects.growth)
                 law.growth = growth_of(a, world_.effects) + growth_of(b, world_.effects);
-            facts.approach += law.growth;
+            facts = facts_of(a, b, seen, law.growth);
             const auto bounce = laws_.bounce({i, j}, t, law.restitution, facts.approach);
             law.restitution = bounce.restitution;
             facts.stays = bounce.stays;
@@ -670,6 +731,7 @@ class Loop final : public Simulation<D>::Engine {
             exchange.struck = false;
         if (!exchange.struck) {
             passed_.pass(i, j, facts.stays ? std::max(t, turn_) : t);
+            if (facts.stays) stand(i, j);
             ask(i);
             return false;
         }
@@ -764,13 +826,21 @@ class Loop final : public Simulation<D>::Engine {
         const auto bounce = laws_.bounce({i}, t, world_.effects.wall_restitution, approach);
         WallExchange exchange = strike(ball, faces, mass, bounce.restitution, growth);
         const Slot partner = first_wall + static_cast<Slot>(wall);
-        if (!is_side(wall) && kernel_ == Kernel::exact && !laws_.has_contacts())
+        if (!is_side(wall) && kernel_ == Kernel::exact && !contacts_.has(numbers_of(i, partner)))
             refuse_missed_wall(i, wall, came);
-        if (bounce.stays && waits(i, partner, t, approach, walls_.gap(came, wall)))
-            exchange.struck = false;
+        if (bounce.stays) {
+            const Hollow hollow = hollow_of(came, faces, wall);
+            if (waits(i, partner, t, approach + hollow.approach, walls_.gap(came, wall))) {
+                exchange.struck = false;
+            } else if (hollow.approach > 0.0) {
+                turn_inwards(ball, hollow);
+                exchange.struck = true;
+            }
+        }
         if (!exchange.struck) {
             if (bounce.stays) {
                 passed_.pass(i, partner, std::max(t, turn_));
+                stand(i, partner);
                 ask(i);
                 return false;
             }
@@ -801,6 +871,35 @@ class Loop final : public Simulation<D>::Engine {
         ask_after_change({i});
         return true;
     }
+    /// A flight along a hollow wall until the next step.
+    struct Hollow {
+        double approach = 0.0;  ///< the mean speed at which it would enter; 0 where it does not
+        double turn = 0.0;      ///< the sine of the angle by which a chord parts from it
+        Vector<D> normal{};
+        Vector<D> wall_velocity{};
+    };
+    [[nodiscard]] Hollow hollow_of(const Ball<D>& ball, const Facing<D>& faces, Wall wall) const {
+        const double curvature = walls_.curvature(ball, wall);
+        if (!(curvature > 0.0)) return {};
+        Hollow hollow{0.0, 0.0, unit_normal(faces), walls_.velocity(wall, ball.time)};
+        const double speed =
+            StandingContacts<D>::speed_along(ball.v, hollow.wall_velocity, hollow.normal);
+        const double length = speed * (turn_ - ball.time);
+        hollow.turn = StandingContacts<D>::sine_inwards(curvature, length);
+        hollow.approach = 0.5 * curvature * length * speed;
+        return hollow;
+    }
+    /// Makes it a chord, as fast.
+    static void turn_inwards(Ball<D>& ball, const Hollow& hollow) noexcept {
+        Vector<D> v = ball.v;
+        for (int k = 0; k < D; ++k) v[k] -= hollow.wall_velocity[k];
+        const double parting = dot(v, hollow.normal);
+        const double speed = std::sqrt(std::max(dot(v, v) - parting * parting, 0.0));
+        const double ahead = std::sqrt(1.0 - hollow.turn * hollow.turn);
+        for (int k = 0; k < D; ++k)
+            ball.v[k] = hollow.wall_velocity[k] + ahead * (v[k] - parting * hollow.normal[k]) +
+                        hollow.turn * speed * hollow.normal[k];
+    }
     [[nodiscard]] bool is_pulled_to(Wall side) const noexcept {
         const double g = world_.effects.gravity[side / 2];
         return side % 2 != 0 ? g > 0.0 : g < 0.0;
@@ -817,6 +916,7 @@ class Loop final : public Simulation<D>::Engine {
     void put(Slot i, const Ball<D>& ball) {
         world_.balls[i] = ball;
         filter_.include(ball);
+        if constexpr (known.time_steps) noted_.fly(ball.v);
     }
     /// What a ball was not to strike it may strike now, but for those in contact that wait.
     void release(Slot i) {
@@ -844,7 +944,8 @@ class Loop final : public Simulation<D>::Engine {
         double approach = 0.0;
         bool stays = false;
     };
-    [[nodiscard]] Facts facts_of(const Ball<D>& a, const Ball<D>& b, const Image<D>& seen) const {
+    [[nodiscard]] Facts facts_of(const Ball<D>& a, const Ball<D>& b, const Image<D>& seen,
+                                 double growth = 0.0) const {
         Facts facts;
         for (int k = 0; k < D; ++k) {
             facts.normal[k] = apart<double>(a.x, b.x, k, seen, world_.effects);
@@ -852,7 +953,7 @@ class Loop final : public Simulation<D>::Engine {
         }
         facts.distance = std::sqrt(dot(facts.normal, facts.normal));
         for (double& each : facts.normal) each /= facts.distance;
-        facts.approach = std::max(-dot(facts.normal, facts.sliding), 0.0);
+        facts.approach = std::max(growth - dot(facts.normal, facts.sliding), 0.0);
         return facts;
     }
 
@@ -893,7 +994,7 @@ class Loop final : public Simulation<D>::Engine {
         if (std::fabs(square - radii * radii) < 0x1p-10 * (radii * radii)) [[likely]]
             return;
         // Contacts that stand may overlap a little (waits()).
-        if (kernel_ == Kernel::naive || laws_.has_contacts()) return;
+        if (kernel_ == Kernel::naive || contacts_.has(numbers_of(i, j))) return;
         throw std::range_error(
             "balls " + std::to_string(std::min(particles_[i].number, particles_[j].number)) +
             " and " + std::to_string(std::max(particles_[i].number, particles_[j].number)) +
@@ -965,10 +1066,10 @@ class Loop final : public Simulation<D>::Engine {
         return world_.effects.growth && world_.effects.growth->until == turn_;
     }
     /// Of a turn and strikes at one time: radii cease to grow first, so that a state knows by its
-    /// time whether they do; and a step begins first, so that nobody need be asked between the end
-    /// of the one before and it.
+    /// time whether they do; and a step begins first that follows another one, so that nobody need
+    /// be asked between the two.
     [[nodiscard]] bool is_before_strikes() const noexcept {
-        return growth_ends_next() || steps_.begins();
+        return growth_ends_next() || steps_.follows();
     }
     /// Whether what happens then comes after a step that is to begin then.
     [[nodiscard]] bool waits_for_step(double time) const noexcept {
@@ -992,10 +1093,11 @@ class Loop final : public Simulation<D>::Engine {
         for (Slot i = 0; i < particles_.size(); ++i) {
             ++particles_[i].strikes;
             filter_.include(world_.balls[i]);
+            noted_.fly(world_.balls[i].v);
         }
         set_turn();
         if (laws_.has_contacts()) pass_contacts();
-        ask_all();
+        ask_all_until_turn();
     }
     void end_growth() {
         for (Ball<D>& ball : world_.balls) ball.radius = grown_at(ball, turn_, world_.effects);
@@ -1034,7 +1136,7 @@ class Loop final : public Simulation<D>::Engine {
     [[nodiscard]] bool waits(Slot i, Slot partner, double t, double approach, double gap) const {
         double radius = world_.balls[i].radius;
         if (partner < first_wall) radius = std::min(radius, world_.balls[partner].radius);
-        return approach * (turn_ - t) <= std::max(0x1p-8 * radius + gap, 0x1p-12 * radius) &&
+        return approach * (turn_ - t) <= StandingContacts<D>::allowed(gap, radius) &&
                contacts_.has(numbers_of(i, partner));
     }
     /// The same of two that have waited, one of which has struck something else now.
@@ -1072,7 +1174,9 @@ class Loop final : public Simulation<D>::Engine {
         const Facing<D> faces = is_side(wall) ? facing_side<D>(wall) : walls_.facing(a, wall);
         place.normal = unit_normal(faces);
         place.gap = walls_.gap(a, wall);
-        place.wall_velocity = walls_.mean_velocity(wall, turn_, steps_.length());
+        place.wall_velocity = wall < 2 * D ? side_velocities_[static_cast<std::size_t>(wall)]
+                                           : walls_.velocity(wall, turn_);
+        place.curvature = walls_.curvature(a, wall);
         if (rubs) place.friction = world_.effects.friction->wall_coefficient;
         return place;
     }
@@ -1080,12 +1184,14 @@ class Loop final : public Simulation<D>::Engine {
         return slots_[static_cast<std::size_t>(number)];
     }
     void react() {
+        side_velocities_ = walls_.side_velocities(turn_, steps_.length());
         const auto body = [&](std::int32_t number) {
             const Slot i = slot_of(number);
             const Ball<D>& ball = world_.balls[i];
             const double mass = particles_[i].mass;
             ContactBody<D> result{ball.v, {}, {mass, ball.radius, 1.0}};
-            if (laws_.has_friction()) {
+            // A point does not turn.
+            if (laws_.has_friction() && ball.radius > 0.0) {
                 result.spin = laws_.spin(i);
                 result.inert.inertia =
                     world_.effects.friction->inertia * mass * (ball.radius * ball.radius);
@@ -1095,7 +1201,8 @@ class Loop final : public Simulation<D>::Engine {
         const auto take = [&](std::int32_t number, const ContactBody<D>& body_after) {
             const Slot i = slot_of(number);
             world_.balls[i].v = body_after.velocity;
-            if (laws_.has_friction()) laws_.spin(i) = body_after.spin;
+            if (laws_.has_friction() && world_.balls[i].radius > 0.0)
+                laws_.spin(i) = body_after.spin;
         };
         const ContactReport report = contacts_.begin_step(
             steps_.length(), *world_.effects.contacts,
@@ -1103,13 +1210,15 @@ class Loop final : public Simulation<D>::Engine {
         counts_.residual = std::max(counts_.residual, report.residual);
         counts_.unsolved += static_cast<std::uint64_t>(!report.converged());
     }
-    /// Until the next step they are no strikes.
+    /// Until the next step they are no strikes, but for those that the reactions found in the
+    /// step's sweeps leave too fast.
     void pass_contacts() {
         for (const auto& [pair, momenta] : contacts_.all())
-            passed_.pass(slot_of(pair.first),
-                         pair.second >= 0 ? slot_of(pair.second)
-                                          : first_wall + static_cast<Slot>(-1 - pair.second),
-                         turn_);
+            if (momenta.waits)
+                passed_.pass(slot_of(pair.first),
+                             pair.second >= 0 ? slot_of(pair.second)
+                                              : first_wall + static_cast<Slot>(-1 - pair.second),
+                             turn_);
     }
 
     static constexpr std::uint64_t own_events_a_ball = 16;
@@ -1140,10 +1249,13 @@ class Loop final : public Simulation<D>::Engine {
     Strike last_;
     Laws<D, known> laws_;
     TimeSteps<D> steps_;
+    NotedPairs<D> noted_ = NotedPairs<D>(has_turns() ? particles_.size() : 0);
+    double apart_ = Spread<D>(world_).edge_of(1.0);  // how far balls are from one another
     PassedMeetings passed_;
     StandingContacts<D> contacts_;
-    std::vector<Slot> slots_;  // of balls by their numbers
-    double turn_ = infinity;   // when something happens to all
+    std::array<Vector<D>, 2 * D> side_velocities_{};  // of this step
+    std::vector<Slot> slots_;                         // of balls by their numbers
+    double turn_ = infinity;                          // when something happens to all
 };
 
 template <int D, template <int> class StructureOf>

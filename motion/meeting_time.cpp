@@ -228,9 +228,11 @@ ExactHalfSpace<D> exact(const HalfSpace<D>& wall) {
 /// and F' at dyadic points alone.
 template <int D>
 double meeting_of(const GrowingBall<D>& ball, const ExactHalfSpace<D>& wall,
-                  const Effects<D>& effects) {
+                  const Effects<D>& effects, double since) {
     static const Dyadic half(0.5);
-    const Dyadic start(ball.time);
+    const double first = std::max(ball.time, since);
+    const Dyadic start(first);
+    const Dyadic flown = start - Dyadic(ball.time);
     const Dyadic growth(ball.growth);
     // F(start + y) = c + b y + a y²
     Dyadic square;
@@ -239,10 +241,12 @@ double meeting_of(const GrowingBall<D>& ball, const ExactHalfSpace<D>& wall,
     WithRoot c{-(wall.offset + wall.speed * start), -(Dyadic(ball.radius) + growth * start)};
     for (int i = 0; i < D; ++i) {
         const Dyadic& n = wall.normal[i];
+        const Dyadic v(ball.v[i]);
+        const Dyadic fallen = Dyadic(effects.gravity[i]) * flown;
         square += n * n;
         a += half * n * Dyadic(effects.gravity[i]);
-        b.u += n * Dyadic(ball.v[i]);
-        c.u += n * Dyadic(ball.x[i]);
+        b.u += n * (v + fallen);
+        c.u += n * (Dyadic(ball.x[i]) + (v + half * fallen) * flown);
     }
     SIGNUM_EXPECTS(square.sign() > 0);
     const auto gap = [&](const Dyadic& y) {
@@ -254,7 +258,7 @@ double meeting_of(const GrowingBall<D>& ball, const ExactHalfSpace<D>& wall,
     const Sign slopes = b.sign(square);
     const bool falls = slopes < 0 || (slopes == 0 && bends < 0);
     if (!falls && bends >= 0) return infinity;
-    if (falls && c.sign(square) <= 0) return ball.time;
+    if (falls && c.sign(square) <= 0) return first;
     if (bends > 0) {
         const WithRoot discriminant{b.u * b.u + square * b.v * b.v - 4 * a * c.u,
                                     2 * (b.u * b.v) - 4 * a * c.v};
@@ -287,7 +291,7 @@ PerAxis<Dyadic, 2> difference(const PerAxis<Dyadic, 2>& a, const PerAxis<Dyadic,
 template <int D>
 double meeting_time(const GrowingBall<D>& ball, const HalfSpace<D>& wall,
                     const Effects<D>& effects) {
-    return meeting_of(ball, exact(wall), effects);
+    return meeting_of(ball, exact(wall), effects, -infinity);
 }
 
 /// The ends are circles of radius 0. Each side is met as a half space is, if the centre is on that
@@ -296,10 +300,12 @@ double meeting_time(const GrowingBall<D>& ball, const HalfSpace<D>& wall,
 ///
 /// Of each side one time is enough: a ball that already falls below it, beside the segment or
 /// behind it, does not come back to fall through it again, for the gap is a parabola.
-double meeting_time(const GrowingBall<2>& ball, const Segment& wall, const Effects<2>& effects) {
+double meeting_time(const GrowingBall<2>& ball, const Segment& wall, const Effects<2>& effects,
+                    double since) {
     double first = infinity;
     for (const Vector<2>& end : {wall.from, wall.to})
-        first = std::min(first, meeting_time(ball, Sphere<2>{.centre = end}, effects));
+        first = std::min(first, meeting_time(ball, Sphere<2>{.centre = end}, effects, since));
+    const double start = std::max(ball.time, since);
     const PerAxis<Dyadic, 2> from = exact(wall.from);
     const PerAxis<Dyadic, 2> along = difference(exact(wall.to), from);
     const Path<2> path = path_of<2>(ball, effects.gravity);
@@ -310,13 +316,13 @@ double meeting_time(const GrowingBall<2>& ball, const Segment& wall, const Effec
     for (const int side : {1, -1}) {
         const PerAxis<Dyadic, 2> normal{{side * -along[1], side * along[0]}};
         const double t = meeting_of<2>(
-            ball, {normal, normal[0] * from[0] + normal[1] * from[1], Dyadic()}, effects);
+            ball, {normal, normal[0] * from[0] + normal[1] * from[1], Dyadic()}, effects, since);
         if (!(t < first)) continue;
         const PerAxis<Dyadic, 2> seen = seen_at(t);
         const auto is_behind = [&](const PerAxis<Dyadic, 2>& place) {
             return side * cross(along, place).sign() < 0;
         };
-        if (is_behind(seen) && (t == ball.time || is_behind(seen_at(std::nextafter(t, -infinity)))))
+        if (is_behind(seen) && (t == start || is_behind(seen_at(std::nextafter(t, -infinity)))))
             continue;
         const Dyadic foot = seen[0] * along[0] + seen[1] * along[1];
         if (foot.sign() >= 0 && (length - foot).sign() >= 0) first = t;

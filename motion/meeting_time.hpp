@@ -57,8 +57,9 @@ template <int D>
                                      const Effects<2>& effects, double about);
 
 /// Of the two sides and the two ends the first one that is met; a side counts where the centre's
-/// foot at that rounded time is on the segment. Precondition: the two ends are different.
+/// foot at that rounded time is on the segment. Meetings from `since` on. Precondition: the two
+/// ends are different.
 [[nodiscard]] double meeting_time(const GrowingBall<2>& ball, const Segment& wall,
-                                  const Effects<2>& effects);
+                                  const Effects<2>& effects, double since = -infinity);
 
 }  // namespace signum::motion

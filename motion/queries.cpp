@@ -77,7 +77,11 @@ std::optional<Strike> next_strike(const State<D>& state, const Effects<D>& effec
     Simulation<D> ahead(state, effects, options);
     std::optional<Strike> next;
     if (ahead.run({.until = time}).ending == Ending::collapse) return next;
-    ahead.run({.until = until, .strikes = 1}, [&](const Strike& strike) { next = strike; });
+    // At the end of a time step some may be left for the next one (Limits::until).
+    do {
+        next.reset();
+        ahead.run({.until = until, .strikes = 1}, [&](const Strike& strike) { next = strike; });
+    } while (next && next->time <= time);
     return next;
 }
 

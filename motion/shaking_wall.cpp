@@ -78,7 +78,7 @@ class MpfrNumber {
 
 using Function = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t);
 
-/// The sine or cosine of x, |x| < 2^size. Its series alternates: x - x³/6 + x⁵/120, and 1 - x²/2 +
+/// The sine or cosine of x, |x| at most 2^(-bits / 4). Its series alternates: x - x³/6 + x⁵/120, and 1 - x²/2 +
 /// x⁴/24.
 Bounded enclose_near_zero(Function function, const Dyadic& x, int bits) {
     static const Dyadic half(0.5);

@@ -129,16 +129,12 @@ Choice choose(Structure wish, const State<D>& state, const Effects<D>& effects) 
     if (wish == Structure::automatic) {
         if (state.balls.size() <= 16) return {Structure::pairs, "few balls"};
         if (few_cells) return {Structure::lists, "the periodic box is small"};
-        // At a time step all balls are asked, which is what lists are best at.
-        const bool has_steps = effects.time_step > 0.0;
-        if (D == 2 && has_steps && effects.box && sizes.packing >= 0.6)
-            return {Structure::lists, "there are time steps, and discs fill six tenths of the box"};
         if (sizes.largest > 4.0 * sizes.smallest)
             return {Structure::levels, "the largest radius is more than four times the smallest"};
         if (!effects.box) return {Structure::tree, "no bounds are known"};
-        if (D == 2 && sizes.packing < 0.4 && !has_steps)
+        if (D == 2 && sizes.packing < 0.4)
             return {Structure::cells, "discs of like sizes fill less than two fifths of the box"};
-        if (sizes.packing < 0.05 && !has_steps)
+        if (sizes.packing < 0.05)
             return {Structure::cells, "balls of like sizes fill less than a twentieth of the box"};
         return {Structure::lists, "many balls of like sizes"};
     }

@@ -175,8 +175,8 @@ struct Counts {
 
 /// How far to go.
 struct Limits {
-    /// Events at that time are included, but where a time step begins then: it does so first, in
-    /// the next run.
+    /// Events at that time are included, but those that kicks between two time steps bring about at
+    /// once: they come when the next step has begun.
     double until = std::numeric_limits<double>::infinity();
     /// Strikes from now on.
     std::uint64_t strikes = std::numeric_limits<std::uint64_t>::max();

@@ -8,6 +8,7 @@
 /// neither slots nor structures.
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <utility>
@@ -27,6 +28,9 @@ class StandingContacts {
     struct Momenta {
         double push = 0.0;
         Vector<D> rub{};
+        /// Whether the pair may be left alone until the next step: after this one they hardly
+        /// overlap.
+        bool waits = true;
     };
     /// How the two of a pair lie at the beginning of a step.
     struct Place {
@@ -34,6 +38,9 @@ class StandingContacts {
         double gap = 0.0;
         double friction = 0.0;
         Vector<D> wall_velocity{};
+        /// Of a hollow wall, that of the surface on which the centre is: a straight flight along it
+        /// of length s enters it by about curvature · s²/2.
+        double curvature = 0.0;
     };
 
     /// A pair comes into contact; false where it was.
@@ -45,6 +52,30 @@ class StandingContacts {
     /// What two overlap by, since within a step they are left alone, is undone by a fifth a step:
     /// so they part slowly.
     static constexpr double undone_a_step = 0.2;
+
+    /// Along a hollow wall flights are chords, from the surface to the surface. Of longer ones, as
+    /// parts of the surface's radius, only the direction of this one is taken.
+    static constexpr double longest_chord = 0.5;
+    /// How far such a chord goes inwards on a way along the surface where it begins.
+    [[nodiscard]] static double inwards(double curvature, double along) noexcept {
+        const double x = std::min(curvature * along, longest_chord);
+        return x > 0.0 ? along * x / (1.0 + std::sqrt(1.0 - x * x)) : 0.0;
+    }
+    /// The sine of the angle at which one of that length begins.
+    [[nodiscard]] static double sine_inwards(double curvature, double length) noexcept {
+        return 0.5 * std::min(curvature * length, longest_chord);
+    }
+    [[nodiscard]] static double speed_along(const Vector<D>& v, const Vector<D>& of_wall,
+                                            const Vector<D>& normal) noexcept {
+        Vector<D> along;
+        for (int k = 0; k < D; ++k) along[k] = v[k] - of_wall[k];
+        const double parting = dot(along, normal);
+        return std::sqrt(std::max(dot(along, along) - parting * parting, 0.0));
+    }
+    /// How far two in contact may come nearer to one another until the next step.
+    [[nodiscard]] static double allowed(double gap, double radius) noexcept {
+        return std::max(0x1p-8 * radius + gap, 0x1p-12 * radius);
+    }
 
     /// A step begins. place(pair) tells how they lie, body(number) -> ContactBody<D> what a ball is
     /// after the forces, put(number, body) takes its velocity and spin after the reactions.
@@ -63,20 +94,36 @@ class StandingContacts {
             bodies_.push_back(body(number));
         }
         contacts_.clear();
+        gaps_.clear();
         for (const auto& [pair, momenta] : momenta_) {
             const Place lies = place(pair);
-            contacts_.push_back({index[pair.first],
-                                 pair.second >= 0 ? index[pair.second] : Contact<D>::wall,
-                                 lies.normal, lies.gap < 0.0 ? undone_a_step * lies.gap : lies.gap,
+            const std::size_t a = index[pair.first];
+            const double along =
+                lies.curvature > 0.0
+                    ? step * speed_along(bodies_[a].velocity, lies.wall_velocity, lies.normal)
+                    : 0.0;
+            const double gap = lies.gap - inwards(lies.curvature, along);
+            gaps_.push_back({gap, lies.curvature * along <= longest_chord});
+            contacts_.push_back({a, pair.second >= 0 ? index[pair.second] : Contact<D>::wall,
+                                 lies.normal,
+                                 gap - (lies.gap < 0.0 ? (1.0 - undone_a_step) * lies.gap : 0.0),
                                  lies.friction, lies.wall_velocity, momenta.push, momenta.rub});
         }
         const ContactReport report =
             solve_contacts<D>(bodies_, contacts_, step, effect.tolerance, effect.sweeps);
         for (const auto& [number, at] : index) put(number, bodies_[at]);
         auto solved = contacts_.begin();
-        for (auto each = momenta_.begin(); each != momenta_.end(); ++solved) {
-            if (solved->normal_impulse > 0.0 || stays_close(*solved, step)) {
-                each->second = {solved->normal_impulse, solved->tangential_impulse};
+        auto gap = gaps_.begin();
+        for (auto each = momenta_.begin(); each != momenta_.end(); ++solved, ++gap) {
+            const double nearer = step * approach(*solved);
+            const double radius = least_radius(*solved);
+            // Whether the gap before or after the step is not a visible part of the radii: those
+            // that overlap part first.
+            const bool stays_close =
+                std::min(gap->width + 0x1p-9 * radius, gap->width - nearer) < 0x1p-10 * radius;
+            if (solved->normal_impulse > 0.0 || stays_close) {
+                each->second = {solved->normal_impulse, solved->tangential_impulse,
+                                gap->is_for_whole_step && nearer <= allowed(gap->width, radius)};
                 ++each;
             } else {
                 each = momenta_.erase(each);
@@ -87,23 +134,26 @@ class StandingContacts {
     }
 
  private:
-    /// Whether the gap after the step is not a visible part of the radii.
-    [[nodiscard]] bool stays_close(const Contact<D>& contact, double step) const {
-        const ContactBody<D>& a = bodies_[contact.a];
-        double radius = a.inert.radius;
-        Vector<D> v = a.velocity;
-        if (contact.b != Contact<D>::wall) {
-            radius = std::min(radius, bodies_[contact.b].inert.radius);
-            for (int k = 0; k < D; ++k) v[k] -= bodies_[contact.b].velocity[k];
-        } else {
-            for (int k = 0; k < D; ++k) v[k] -= contact.wall_velocity[k];
-        }
-        return contact.gap + step * dot(v, contact.normal) < 0x1p-10 * radius;
+    [[nodiscard]] double least_radius(const Contact<D>& contact) const noexcept {
+        const double radius = bodies_[contact.a].inert.radius;
+        return contact.b == Contact<D>::wall ? radius
+                                             : std::min(radius, bodies_[contact.b].inert.radius);
     }
+    [[nodiscard]] double approach(const Contact<D>& contact) const noexcept {
+        const Vector<D>& of_b =
+            contact.b == Contact<D>::wall ? contact.wall_velocity : bodies_[contact.b].velocity;
+        return dot(of_b, contact.normal) - dot(bodies_[contact.a].velocity, contact.normal);
+    }
+    /// As it is, not undone.
+    struct Gap {
+        double width = 0.0;  ///< less what a chord of a hollow wall goes inwards
+        bool is_for_whole_step = true;
+    };
 
     std::map<Pair, Momenta> momenta_;
     std::vector<ContactBody<D>> bodies_;
     std::vector<Contact<D>> contacts_;
+    std::vector<Gap> gaps_;  // of them
 };
 
 }  // namespace signum::motion

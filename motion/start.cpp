@@ -8,6 +8,7 @@
 #include "apart.hpp"
 #include "simulation.hpp"
 #include "structures/grid.hpp"
+#include "time_steps.hpp"
 
 namespace signum::motion {
 namespace {
@@ -106,8 +107,8 @@ void check_extended(const Effects<D>& effects) {
         refuse("contacts that stand need time steps; give one");
     if (contacts &&
         (!(contacts->speed > 0.0) || !is_within(contacts->speed) ||
-         !(contacts->tolerance > 0.0 && contacts->tolerance < 1.0) || contacts->sweeps < 1))
-        refuse("contacts: give a speed above 0, a tolerance between 0 and 1, and sweeps from 1");
+         !(contacts->tolerance > 0.0 && contacts->tolerance < 1.0) || contacts->sweeps < 2))
+        refuse("contacts: give a speed above 0, a tolerance between 0 and 1, and sweeps from 2");
 }
 
 template <int D>
@@ -316,7 +317,11 @@ void check(const State<D>& state, const Effects<D>& effects) {
     const auto number_of_balls = static_cast<std::int64_t>(balls);
     const auto walls = static_cast<std::int64_t>(2 * D + effects.obstacles.size());
     const auto has_pair = [&](std::int64_t a, std::int64_t b) {
-        return a >= 0 && a < number_of_balls && b < number_of_balls && -1 - b < walls && a != b;
+        const std::int64_t wall = -1 - b;
+        const bool is_there = wall < 0       ? a < b && b < number_of_balls
+                              : wall < 2 * D ? effects.box && !effects.periodic
+                                             : wall < walls;
+        return a >= 0 && a < number_of_balls && is_there;
     };
     for (const Passed& passed : state.passed)
         if (!has_pair(passed.a, passed.b))
@@ -329,6 +334,12 @@ void check(const State<D>& state, const Effects<D>& effects) {
             throw std::invalid_argument("a state with a spin that is not finite");
     if (!(state.time >= 0.0 && std::isfinite(state.time)))
         throw std::invalid_argument("a state's time: give 0 or more");
+    // A state is from when the last step began, or ended, to when that comes about next.
+    if (const TimeSteps<D> steps(effects, state.half_steps);
+        state.half_steps > 0 && !(effects.time_step > 0.0))
+        throw std::invalid_argument("a state between time steps, of which there are none");
+    else if (!(steps.last() <= state.time && state.time <= steps.next()))
+        throw std::invalid_argument("a state whose time is not within the time step that it names");
     for (std::size_t i = 0; i < balls; ++i) {
         const Ball<D>& ball = state.balls[i];
         const auto number = static_cast<std::int64_t>(i);

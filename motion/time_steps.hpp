@@ -28,7 +28,13 @@ class TimeSteps {
         if (!(length_ > 0.0)) return infinity;
         return static_cast<double>((half_steps_ + 1) / 2) * length_;
     }
+    /// When one began or ended last; 0 before all.
+    [[nodiscard]] double last() const noexcept {
+        return static_cast<double>(half_steps_ / 2) * length_;
+    }
     [[nodiscard]] bool begins() const noexcept { return half_steps_ % 2 == 0; }
+    /// Whether one begins that is not the first.
+    [[nodiscard]] bool follows() const noexcept { return begins() && half_steps_ > 0; }
     /// Whether there is nothing to do then.
     [[nodiscard]] bool is_idle() const noexcept { return stands_ && !begins(); }
     void advance() noexcept { ++half_steps_; }

@@ -120,12 +120,24 @@ Facing<2> facing(const Ball<2>& ball, const Segment& wall) {
     return {normal, Dyadic()};
 }
 
+namespace {
+
+/// Of derivatives from the second on, which tell how a gap goes on.
+Sign first_not_0(std::initializer_list<Sign> signs) {
+    for (const Sign sign : signs)
+        if (sign != 0) return sign;
+    return 0;
+}
+
+}  // namespace
+
 template <int D>
 bool bends_down(const Ball<D>& ball, const ShakingWall& wall, const Vector<D>& gravity, double) {
     const Dyadic omega(wall.frequency);
-    const Dyadic bend =
-        Dyadic(gravity[wall.wall / 2]) + omega * omega * Dyadic(shift_at(wall, ball.time));
-    return (wall.wall % 2 != 0 ? -bend : bend).sign() < 0;
+    const Dyadic shift(shift_at(wall, ball.time));
+    const Sign bend = first_not_0({(Dyadic(gravity[wall.wall / 2]) + omega * omega * shift).sign(),
+                                   Dyadic(speed_at(wall, ball.time)).sign(), -shift.sign()});
+    return wall.wall % 2 != 0 ? bend > 0 : bend < 0;
 }
 
 template <int D>
@@ -145,7 +157,9 @@ bool bends_down(const Ball<D>& ball, const Sphere<D>& wall, const Vector<D>& gra
         v[k] = Dyadic(ball.v[k]) - u;
     }
     const Dyadic q(growth);
-    const int bend = (product(v, v) + product(d, exact<D>(gravity)) - q * q).sign();
+    const PerAxis<Dyadic, D> g = exact<D>(gravity);
+    const Sign bend = first_not_0({(product(v, v) + product(d, g) - q * q).sign(),
+                                   product(v, g).sign(), product(g, g).sign()});
     return wall.side == Sphere<D>::Side::outside ? bend < 0 : bend > 0;
 }
 

@@ -38,8 +38,9 @@ template <int D>
 template <int D>
 [[nodiscard]] Facing<D> facing_side(Wall wall);
 
-/// Whether F (obstacle.hpp, shaking_wall.hpp) bends down, F'' < 0, at the ball's own time: exactly,
-/// but for the place of a wall that shakes, which is rounded. Of a segment: of its line, or of its
+/// Whether F (obstacle.hpp, shaking_wall.hpp) bends down at the ball's own time: of F'' and what
+/// follows the first that is not 0 is below 0. Exactly, but for the place and the speed of a wall
+/// that shakes, which are rounded. Of a segment: of its line, or of its
 /// end that is nearest.
 template <int D>
 [[nodiscard]] bool bends_down(const Ball<D>& ball, const ShakingWall& wall,

@@ -49,8 +49,10 @@ Meeting first_fall(double now, double latest, const CourseAt& course, const Bend
     for (int step = 0; step < most_steps; ++step) {
         const double onward = skip(t);
         if (onward == infinity) return never;
-        if (onward > t) {
-            t = onward;
+        // Times are rounded: by as much as that a step is shorter.
+        constexpr double rounded_down = 1.0 - 0x1p-51;
+        if (onward * rounded_down > t) {
+            t = onward * rounded_down;
             at = course(t);
             if (!(at.gap > 2.0 * at.error)) return unknown;
         }
@@ -79,7 +81,7 @@ Meeting first_fall(double now, double latest, const CourseAt& course, const Bend
         const double safe = slope < 0.0  ? 2.0 * above / (root - slope)
                             : down > 0.0 ? (slope + root) / down
                                          : infinity;
-        const double next = t + std::min(safe * (1.0 - 0x1p-30), longest);
+        const double next = (t + std::min(safe * (1.0 - 0x1p-30), longest)) * rounded_down;
         if (!(next > t)) return unknown;
         t = next;
         at = course(t);
@@ -104,6 +106,12 @@ Meeting filtered(const ShakingWall& wall, const typename MeetingFilter<D>::Asker
     const double omega = wall.frequency;
     const double extent = bounds.extent + magnitude(wall.level) + size;
     const double speed = bounds.speed + magnitude(v) + 2.0 * rate;
+    if (latest < infinity) {
+        // Whether it stays beyond all that the wave reaches until then.
+        const double s = std::max(latest - now, 0.0);
+        const double flown = (magnitude(v) + magnitude(g) * s) * s;
+        if (gap - size - flown > 0x1p-40 * (extent + flown)) return later_than(latest);
+    }
     const auto course = [&](double t) {
         const double s = t - now;
         const double argument = omega * t + wall.phase;
@@ -159,7 +167,6 @@ Meeting filtered(const HalfSpace<D>& wall, const typename MeetingFilter<D>::Aske
     return ball.descent(approach);
 }
 
-/// |D|² against the square of a distance, D straight or a parabola.
 /// How far a ball flies until then, no less.
 template <int D>
 double farthest_flight(const typename MeetingFilter<D>::Asker& ball, double latest) {
@@ -170,6 +177,7 @@ double farthest_flight(const typename MeetingFilter<D>::Asker& ball, double late
            (1.0 + 0x1p-30);
 }
 
+/// |D|² against the square of a distance, D straight or a parabola.
 template <int D>
 Meeting filtered(const Sphere<D>& wall, const typename MeetingFilter<D>::Asker& ball,
                  double latest) {
@@ -455,15 +463,34 @@ Vector<D> Walls<D>::velocity(Wall wall, double t) const {
 }
 
 template <int D>
-Vector<D> Walls<D>::mean_velocity(Wall wall, double t, double step) const {
-    if (wall >= 2 * D) return velocity(wall, t);
-    Vector<D> v{};
+std::array<Vector<D>, 2 * D> Walls<D>::side_velocities(double t, double step) const {
+    std::array<Vector<D>, 2 * D> velocities{};
     for (int k = 0; k < D && effects_.shake; ++k) {
         const ShakingWall shaking{2 * k, 0.0, effects_.shake->amplitude[k],
                                   effects_.shake->frequency, effects_.shake->phase};
-        v[k] = (shift_at(shaking, t + step) - shift_at(shaking, t)) / step;
+        const double start = shift_at(shaking, t);
+        double mean = speed_at(shaking, t);
+        double slowest = mean;
+        double fastest = mean;
+        for (const double share : {0.25, 0.5, 0.75, 1.0}) {
+            mean = (shift_at(shaking, t + share * step) - start) / (share * step);
+            slowest = std::min(slowest, mean);
+            fastest = std::max(fastest, mean);
+        }
+        for (Vector<D>& each : velocities) each[k] = mean;
+        velocities[static_cast<std::size_t>(2 * k)][k] = fastest;
+        velocities[static_cast<std::size_t>(2 * k + 1)][k] = slowest;
     }
-    return v;
+    return velocities;
+}
+
+template <int D>
+double Walls<D>::curvature(const Ball<D>& ball, Wall wall) const {
+    const Surface* const surface = wall_of(wall);
+    const auto* const sphere = surface ? std::get_if<Sphere<D>>(surface) : nullptr;
+    if (sphere == nullptr || sphere->side == Sphere<D>::Side::outside) return 0.0;
+    const double radius = sphere->radius - ball.radius;
+    return radius > 0.0 ? 1.0 / radius : 0.0;
 }
 
 namespace {

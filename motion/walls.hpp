@@ -33,8 +33,8 @@ class Walls {
     /// The one double.
     [[nodiscard]] double exact_meeting(const Ball<D>& ball, Wall wall) const;
     /// The next one after a meeting that was no strike: of those from the first of the times
-    /// passed + 2^k ulps on at which the ball does not meet the wall at once. Where the wall is
-    /// flat and does not shake there is none, as the gap does not bend down.
+    /// passed + 2^k ulps on at which the ball does not meet the wall at once. With a half space
+    /// there is none, as the gap does not bend down.
     [[nodiscard]] double next_meeting(const Ball<D>& ball, Wall wall, double passed) const;
     /// The same, of a ball that meets it at some time near `about`; NaN where it is not told.
     [[nodiscard]] double refined_meeting(const Ball<D>& ball, Wall wall, double about) const;
@@ -47,8 +47,13 @@ class Walls {
     /// The velocity of any wall, a side at rest included: such a one moves along itself where the
     /// box shakes. Rounded; of a half space that along its normal.
     [[nodiscard]] Vector<D> velocity(Wall wall, double t) const;
-    /// The same on average from t to t + step.
-    [[nodiscard]] Vector<D> mean_velocity(Wall wall, double t, double step) const;
+    /// Those of the box's sides for balls that lie on them from t to t + step, and fly straight:
+    /// along itself its mean one; along its normal so fast that the ball does not enter, as far as
+    /// four looks at the wave tell, for which steps are to be short beside its period.
+    [[nodiscard]] std::array<Vector<D>, 2 * D> side_velocities(double t, double step) const;
+    /// 1 over the radius of the surface on which the centre of a ball lies that touches a sphere
+    /// from inside; 0 where a wall is not hollow, or as wide as the ball.
+    [[nodiscard]] double curvature(const Ball<D>& ball, Wall wall) const;
     /// How far a ball at its own time is from any wall, rounded; below 0 where they overlap.
     [[nodiscard]] double gap(const Ball<D>& ball, Wall wall) const;
 

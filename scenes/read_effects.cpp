@@ -213,11 +213,10 @@ motion::LastingContacts read_contacts(const Section& contacts) {
                                      "give the speed below which balls stay in contact");
     result.tolerance = contacts
                            .optional_quantity("tolerance", {dimensions::number,
-                                                            {0.0, 1.0, true,
-                                                             "a number above 0, at most "
-                                                             "1"}})
+                                                            {0.0, 1.0 - 0x1p-53, true,
+                                                             "a number above 0, below 1"}})
                            .value_or(result.tolerance);
-    result.sweeps = static_cast<int>(contacts.optional_whole("sweeps", 1, 1'000'000)
+    result.sweeps = static_cast<int>(contacts.optional_whole("sweeps", 2, 1'000'000)
                                          .value_or(static_cast<std::uint64_t>(result.sweeps)));
     return result;
 }

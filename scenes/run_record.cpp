@@ -31,8 +31,9 @@ Overlaps deepest_overlaps(const motion::State<D>& state, const motion::Effects<D
             centres[i][k] = in_box(coordinate(state.balls[i], k, time, effects), k, effects);
         radii[i] = radius_at(state.balls[i], time, effects);
         largest = std::max(largest, radii[i]);
-        for (const double x : centres[i]) reach = std::max(reach, std::fabs(x));
+        for (const double x : centres[i]) reach = larger(reach, std::fabs(x));
     }
+    if (!std::isfinite(reach)) return {reach, reach};
     const double of_points = largest > 0.0 ? largest : reach > 0.0 ? reach : 1.0;
     const auto scale = [&](double radius) { return radius > 0.0 ? radius : of_points; };
 
@@ -93,7 +94,7 @@ void RunRecord<D>::add(const motion::State<D>& state, double time, const motion:
         }
         const double fast = std::sqrt(dot(v, v));
         moment.terms_of_momentum += state.masses[i] * fast;
-        moment.fastest = std::max(moment.fastest, fast);
+        moment.fastest = larger(moment.fastest, fast);
         filled += unit_ball<D>() * std::pow(radius_at(ball, time, effects_), D);
     }
     if (effects_.box) {

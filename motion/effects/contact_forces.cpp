@@ -196,7 +196,9 @@ Cluster<D>::Cluster(std::span<ContactBody<D>> bodies, std::span<Contact<D>> cont
         const bool touches = std::abs(row.opening) <= closed * (a.radius + b.radius);
         row.opening = touches ? 0.0 : row.opening / step;
         row.normal_mobility = a.inverse_mass + b.inverse_mass;
-        row.tangential_mobility = row.normal_mobility + a.radius * a.lever + b.radius * b.lever;
+        // Without friction nothing turns, and inertia may be anything.
+        row.tangential_mobility = row.normal_mobility;
+        if (row.friction > 0.0) row.tangential_mobility += a.radius * a.lever + b.radius * b.lever;
         speed_ = std::max(speed_, norm(row.wall_velocity));
         const double parting = dot<D>(surface_velocity(row), row.normal) + row.opening;
         approach_ = std::max(approach_, -parting);

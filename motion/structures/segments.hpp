@@ -150,7 +150,8 @@ class Segments {
     [[nodiscard]] double gap(double from, double to, int k) const noexcept {
         const double gap = to - from;
         if (!world_.effects.periodic) return gap;
-        return gap - world_.length[k] * std::floor(gap * world_.inverse_length[k] + 0x1p-20);
+        const double rounded = std::max(0x1p-20, 4.0 * margin_ * world_.inverse_length[k]);
+        return gap - world_.length[k] * std::floor(gap * world_.inverse_length[k] + rounded);
     }
     [[nodiscard]] bool are_partners(Slot i, Slot j) const noexcept {
         return std::ranges::all_of(axes_, [&](const Axis& axis) {

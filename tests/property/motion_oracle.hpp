@@ -3,7 +3,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <optional>
+#include <string>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include <gtest/gtest.h>
 
 #include "../../motion/meeting_time.hpp"
 #include "../../motion/simulation.hpp"
@@ -94,12 +101,26 @@ double brute_meeting_time(const GrowingBall<D>& ball, const Partner& partner,
         brute::meeting_time(to_brute(ball), to_brute(partner), to_brute(effects), until));
 }
 
-/// All structures write the oracle's log, up to a time and a number of strikes.
+/// All structures write the oracle's log, up to a time and a number of strikes; told is how many
+/// there were. Precondition: there is no segment.
 template <int D>
-void expect_log_of_oracle(const Scene<D>& scene, double until, std::size_t most) {
+void expect_log_of_oracle(const Scene<D>& scene, double until, std::size_t most,
+                          std::size_t* strikes = nullptr) {
     std::vector<brute::Ball> balls;
     for (const Body<D>& body : scene.bodies) balls.push_back(to_brute(body));
-    const brute::Run expected = brute::simulate(balls, to_brute(scene.effects), until, most);
+    brute::World world = to_brute(scene.effects);
+    // The oracle numbers those walls alone that there are.
+    const int first_wall = static_cast<int>(2 * D - world.walls.size());
+    for (const Obstacle<D>& obstacle : scene.effects.obstacles) {
+        std::visit(
+            [&](const auto& wall) {
+                if constexpr (!std::is_same_v<decltype(wall), const Segment&>)
+                    world.walls.push_back(to_brute(wall));
+            },
+            obstacle);
+    }
+    const brute::Run expected = brute::simulate(balls, world, until, most);
+    if (strikes != nullptr) *strikes += expected.log.size();
     const State<D> first = start<D>(scene.bodies, scene.effects);
     for (const Structure structure : all_structures) {
         SCOPED_TRACE(std::string(name_of(structure)));
@@ -110,7 +131,8 @@ void expect_log_of_oracle(const Scene<D>& scene, double until, std::size_t most)
                            [&](const Strike& strike) { log.push_back(strike); });
         for (std::size_t i = 0; i < std::min(log.size(), expected.log.size()); ++i) {
             const brute::Strike& e = expected.log[i];
-            ASSERT_EQ(log[i], (Strike{e.time, e.wall, e.a, e.b, e.impulse}))
+            ASSERT_EQ(log[i],
+                      (Strike{e.time, e.wall, e.a, e.wall ? e.b + first_wall : e.b, e.impulse}))
                 << "strike " << i << ": " << log[i].time << " " << log[i].wall << " " << log[i].a
                 << " " << log[i].b << " " << log[i].impulse << ", expected " << e.time << " "
                 << e.wall << " " << e.a << " " << e.b << " " << e.impulse;

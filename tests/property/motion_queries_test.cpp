@@ -624,6 +624,21 @@ TEST(MotionQueries, WhatCannotBeAskedIsRefused) {
     EXPECT_THROW((void)closest_pair(far, box), std::range_error);
     EXPECT_THROW((void)nearest(far, box, 0), std::range_error);
 }
+/// A strike at the time of the state is one of its strikes, with time steps, too.
+TEST(MotionQueries, AStrikeAtTheBeginningIsBeforeTheFirstStep) {
+    Effects<2> effects;
+    effects.box = cube<2>(8.0);
+    for (const double step : {0.0, 0.25}) {
+        effects.time_step = step;
+        const State<2> touching =
+            start<2>(std::vector<Body<2>>{{{7.0, 4.0}, {1.0, 0.0}, 1.0, 1.0}}, effects);
+        EXPECT_EQ(strikes_between(touching, effects, 0.0, 0.0).strikes.size(), 1U) << step;
+        EXPECT_EQ(next_strike(touching, effects, 0.0)->time, 6.0) << step;
+        EXPECT_EQ(next_strike(touching, effects, 6.0)->time, 12.0) << step;
+        EXPECT_EQ(state_at(touching, effects, 0.0).balls[0].v[0], -1.0) << step;
+    }
+}
+
 TEST(MotionQueries, ACollapseIsTold) {
     // A ball that bounces on a floor and comes to rest before t = 2.
     Effects<2> effects;

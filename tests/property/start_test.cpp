@@ -316,6 +316,12 @@ TEST(Start, RefusesStatesThatCannotBe) {
          [](State<2>& s) {
              s.contacts.push_back({0, -5});
          }},
+        {"a state with contacts",
+         [](State<2>& s) {
+             s.contacts.push_back({1, 0});
+         }},
+        {"a state whose time is not within", [](State<2>& s) { s.half_steps = 2; }},
+        {"a state whose time is not within", [](State<2>& s) { s.time = 0.2; }},
         {"a state's time", [](State<2>& s) { s.time = -1.0; }},
         {"a state's time", [](State<2>& s) { s.time = nan; }},
         {"a coordinate or speed", [](State<2>& s) { s.balls[0].x[0] = nan; }},

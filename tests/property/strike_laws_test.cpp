@@ -359,6 +359,30 @@ TEST(StrikeLaws, FrictionConservesMomentaAndKeepsItsLimits) {
     }
 }
 
+/// Balls that recede from one another more slowly than they grow: what rubs is the share of the
+/// momentum that they exchange.
+TEST(StrikeLaws, FrictionOfBallsThatGrowIsThatOfTheirImpulse) {
+    Effects<2> effects;
+    effects.growth = Growth{0.1, 20.0};
+    effects.friction = Friction{0.25, 0.25, 0.0, 0.5};
+    effects.restitution = 0.5;
+    const std::vector<Body<2>> bodies = {{{0.0, 0.0}, {0.0, 0.0}, 1.0, 2.0},
+                                         {{2.5, -25.0}, {0.1, 5.0}, 1.0, 2.0}};
+    Simulation<2> simulation(start<2>(bodies, effects), effects);
+    Strike strike;
+    (void)simulation.run({.until = 10.0, .strikes = 1}, [&](const Strike& s) { strike = s; });
+    const State<2> state = simulation.state();
+    const Vector<2> a = centre(state.balls[0], strike.time, effects);
+    const Vector<2> b = centre(state.balls[1], strike.time, effects);
+    const double distance = std::hypot(b[0] - a[0], b[1] - a[1]);
+    const Vector<2> n = {(b[0] - a[0]) / distance, (b[1] - a[1]) / distance};
+    const Vector<2> p = {2.0 * state.balls[0].v[0], 2.0 * state.balls[0].v[1]};
+    const double along = n[0] * p[1] - n[1] * p[0];
+    EXPECT_GT(strike.impulse, 0.0);
+    EXPECT_NEAR(dot(n, p), -strike.impulse, 1e-14);
+    EXPECT_NEAR(std::fabs(along), 0.25 * strike.impulse, 1e-14);
+}
+
 /// A second strike right after the first one loses nothing.
 TEST(StrikeLaws, ContactsOfSomeDurationAreElasticWithin) {
     for (const auto& [duration, restitution] : {std::pair(0.6, 1.0), std::pair(0.4, 0.5)}) {

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
+#include <variant>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -192,6 +194,171 @@ TEST(TimeSteps, ADiscRollsOrSlidesDownASlope) {
             EXPECT_EQ(last.spins[0][0], 0.0);
         }
     }
+}
+
+/// A heap is the same one whatever the units are, by powers of two in every bit.
+TEST(TimeSteps, ContactsDoNotDependOnUnits) {
+    const auto heap = [](double length, double mass, bool with_friction) {
+        Effects<2> effects = standing(10.0 * length);
+        effects.contacts->speed *= length;
+        effects.box = Box<2>{{0.0, 0.0}, {3.0 * length, 60.0 * length}};
+        if (with_friction) effects.friction = Friction{0.5, 0.5, 0.0, 0.5};
+        Choices choose(3);
+        std::vector<Body<2>> bodies;
+        for (int i = 0; i < 12; ++i)
+            bodies.push_back({{(0.75 + 1.1 * (i % 2) + 0.05 * choose.unit()) * length,
+                               (0.75 + 1.1 * (i / 2)) * length},
+                              {},
+                              (0.25 + 0.25 * choose.unit()) * length,
+                              mass});
+        Simulation<2> simulation(start<2>(bodies, effects), effects);
+        EXPECT_EQ(simulation.run({.until = 1.5}).ending, Ending::until);
+        return simulation.state();
+    };
+    for (const bool with_friction : {false, true}) {
+        const State<2> one = heap(1.0, 1.0, with_friction);
+        for (const double length : {0x1p-20, 0x1p14})
+            for (const double mass : {0x1p-30, 0x1p30}) {
+                const State<2> other = heap(length, mass, with_friction);
+                for (std::size_t i = 0; i < one.balls.size(); ++i)
+                    for (int k = 0; k < 2; ++k)
+                        ASSERT_EQ(one.balls[i].x[k], other.balls[i].x[k] / length)
+                            << with_friction << " " << length << " " << mass << " " << i;
+            }
+    }
+}
+
+/// It has nothing to turn: friction stops it, and the floor bears it.
+TEST(TimeSteps, APointRestsOnAFloor) {
+    Effects<2> effects = standing(10.0);
+    effects.box = Box<2>{{-50.0, 0.0}, {50.0, 10.0}};
+    effects.friction = Friction{0.5, 0.5, 0.0, 0.5};
+    Simulation<2> simulation(start<2>(std::vector<Body<2>>{{{0.0, 2.0}, {3.0, 0.0}, 0.0, 1.0},
+                                                           {{5.0, 0.5}, {}, 0.5, 2.0}},
+                                      effects),
+                             effects);
+    EXPECT_EQ(simulation.run({.until = 5.0}).ending, Ending::until);
+    const State<2> state = simulation.state();
+    EXPECT_NEAR(centre(state.balls[0], 5.0, effects)[1], 0.0, 1e-6);
+    EXPECT_NEAR(state.balls[0].v[0], 0.0, 1e-12);
+    EXPECT_NEAR(push_between(state, 0, -3) / effects.time_step, 10.0, 1e-9);
+    EXPECT_NEAR(push_between(state, 1, -3) / effects.time_step, 20.0, 1e-9);
+    EXPECT_EQ(simulation.counts().unsolved, 0U);
+    EXPECT_EQ(state.spins[0][0], 0.0);
+}
+
+/// How deep the first ball is in the first obstacle, a circle around it, at most.
+double deepest_in_circle(const Effects<2>& effects, Simulation<2>& simulation, double until) {
+    const auto& circle = std::get<Sphere<2>>(effects.obstacles.front());
+    double deepest = 0.0;
+    for (double t = simulation.state().time; t < until; t += 0.003) {
+        EXPECT_EQ(simulation.run({.until = t}).ending, Ending::until);
+        const State<2> state = simulation.state();
+        const Vector<2> x = centre(state.balls[0], t, effects);
+        deepest = std::max(deepest, std::hypot(x[0], x[1]) + state.balls[0].radius - circle.radius);
+    }
+    return deepest;
+}
+
+/// Along a circle from inside it flies along chords, as fast as before; over short and long steps,
+/// and however it came there.
+TEST(TimeSteps, ADiscSlidesAlongACircle) {
+    for (const double step : {0.01, 0.1, 0.3})
+        for (const double inwards : {0.0, -0.05}) {
+            Effects<2> effects = standing(0.0);
+            effects.time_step = step;
+            effects.obstacles.emplace_back(
+                Sphere<2>{.radius = 1.0, .side = Sphere<2>::Side::inside});
+            constexpr double r = 0.05;
+            const std::vector<Body<2>> bodies = {
+                {{0.0, -0.95 - 0.25 * inwards}, {1.0, inwards}, r, 2.0}};
+            Simulation<2> simulation(start<2>(bodies, effects), effects);
+            EXPECT_LE(deepest_in_circle(effects, simulation, 6.0), 0x1.4p-8 * r)
+                << step << " " << inwards;
+            const State<2> state = simulation.state();
+            ASSERT_EQ(state.contacts.size(), 1U) << step << " " << inwards;
+            // A chord as fast along the surface as what came is longer than its way there; and
+            // where it comes at an angle, it stays without what came along the normal.
+            EXPECT_NEAR(std::hypot(state.balls[0].v[0], state.balls[0].v[1]), 1.0,
+                        1e-3 + 0.3 * step * step - 0.3 * inwards);
+            // What presses is what turns it: m v² / (R - r).
+            EXPECT_NEAR(state.contacts[0].push / step, 2.0 / 0.95, 0.06 * 2.0 / 0.95);
+        }
+}
+
+/// In a bowl without friction it is a pendulum.
+TEST(TimeSteps, ADiscInABowlIsAPendulum) {
+    Effects<2> effects = standing(10.0);
+    effects.time_step = 0.002;
+    effects.obstacles.emplace_back(Sphere<2>{.radius = 1.0, .side = Sphere<2>::Side::inside});
+    const double angle = 0.1;
+    const double length = 0.9;
+    const std::vector<Body<2>> bodies = {
+        {{length * std::sin(angle), -length * std::cos(angle) + 1e-9}, {}, 0.1, 1.0}};
+    Simulation<2> simulation(start<2>(bodies, effects), effects);
+    const double period =
+        2.0 * std::numbers::pi * std::sqrt(length / 10.0) * (1.0 + angle * angle / 16.0);
+    EXPECT_LE(deepest_in_circle(effects, simulation, 1.5 * period), 0x1p-8 * 0.1);
+    // At the other side, and slower than a hundredth of the fastest.
+    const State<2> state = simulation.state();
+    EXPECT_NEAR(centre(state.balls[0], state.time, effects)[0], -length * std::sin(angle), 5e-4);
+    EXPECT_NEAR(state.balls[0].v[0], 0.0, 0.01);
+}
+
+/// A floor that shakes more gently than things fall carries what lies on it, through all phases.
+TEST(TimeSteps, AFloorThatShakesCarriesADisc) {
+    Effects<2> effects = standing(10.0);
+    effects.box = Box<2>{{-5.0, 0.0}, {5.0, 10.0}};
+    effects.shake = Shake<2>{{0.0, 0.05}, 4.0 * std::numbers::pi, 0.25};
+    const double r = 0.25;
+    Simulation<2> simulation(start<2>(std::vector<Body<2>>{{{0.0, 0.5}, {}, r, 1.0}}, effects),
+                             effects);
+    double deepest = 0.0;
+    double highest = 0.0;
+    for (double t = 1.0; t < 3.0; t += 0.0027) {
+        EXPECT_EQ(simulation.run({.until = t}).ending, Ending::until);
+        const State<2> state = simulation.state();
+        const double floor = 0.05 * std::sin(4.0 * std::numbers::pi * t + 0.25);
+        const double gap = centre(state.balls[0], t, effects)[1] - r - floor;
+        deepest = std::max(deepest, -gap);
+        highest = std::max(highest, gap);
+        ASSERT_EQ(state.contacts.size(), 1U);
+    }
+    EXPECT_LE(deepest, 1e-6);
+    // a ω² Δ² / 2, and some.
+    EXPECT_LE(highest, 6e-4);
+}
+
+/// Where one sweep to and fro is all that there is, strikes keep what falls from sinking in.
+TEST(TimeSteps, WhatTheSweepsLeaveIsNoWayIn) {
+    Effects<2> effects = standing(10.0);
+    effects.contacts->sweeps = 2;
+    effects.box = Box<2>{{0.0, 0.0}, {3.0, 60.0}};
+    std::vector<Body<2>> bodies;
+    Choices choose(8);
+    for (int i = 0; i < 16; ++i)
+        bodies.push_back({{0.75 + 1.1 * (i % 2) + 0.05 * choose.unit(), 0.75 + 1.1 * (i / 2)},
+                          {},
+                          0.25 + 0.25 * choose.unit(),
+                          1.0});
+    Simulation<2> simulation(start<2>(bodies, effects), effects);
+    double deepest = 0.0;
+    for (int look = 1; look <= 40; ++look) {
+        ASSERT_EQ(simulation.run({.until = 0.0503 * look}).ending, Ending::until);
+        const State<2> state = simulation.state();
+        for (std::size_t i = 0; i < bodies.size(); ++i) {
+            const Vector<2> x = centre(state.balls[i], state.time, effects);
+            const double r = bodies[i].radius;
+            deepest = std::max(deepest, (r - x[1]) / r);
+            for (std::size_t j = 0; j < i; ++j) {
+                const Vector<2> y = centre(state.balls[j], state.time, effects);
+                const double apart = std::hypot(x[0] - y[0], x[1] - y[1]);
+                deepest = std::max(deepest,
+                                   (r + bodies[j].radius - apart) / std::min(r, bodies[j].radius));
+            }
+        }
+    }
+    EXPECT_LT(deepest, 0x1p-5);
 }
 
 /// Many strikes are just at the end of a step, where the next begins: the log is one log, whether a

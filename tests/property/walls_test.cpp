@@ -318,6 +318,61 @@ TEST(Walls, MeetingsWithSegmentsAreThoseOfRationals) {
     EXPECT_GT(missed, trials / 10);
 }
 
+/// It touches an end so gently that its velocity does not change, and then falls onto the line.
+TEST(Walls, ABallThatTouchedAnEndStillMeetsTheSegment) {
+    Effects<2> effects;
+    effects.gravity = {0.0, -1.0};
+    effects.wall_restitution = 0.0;
+    effects.obstacles.emplace_back(Segment{{0.0, 0.0}, {4000.0, 2900.0}});
+    const std::vector<Body<2>> bodies = {{{-3.0, 4.0}, {4.0 + 0x1p-50, 3.0 + 0x1p-51}, 5.0, 1.0}};
+    Simulation<2> simulation(start<2>(bodies, effects), effects);
+    std::vector<Strike> log;
+    (void)simulation.run({.until = 4.0, .strikes = 3},
+                         [&](const Strike& strike) { log.push_back(strike); });
+    ASSERT_FALSE(log.empty());
+    EXPECT_LT(log.front().time, 1.0);
+    const State<2> state = simulation.state();
+    const Vector<2> x = centre(state.balls[0], state.time, effects);
+    EXPECT_GT(40.0 * x[1] - 29.0 * x[0], 0.0);
+}
+
+/// It touches a wall, and neither the slope of their gap nor its bend leads away from it or into
+/// it: what comes after them does.
+TEST(Walls, WhatBendsLaterLeadsIntoAWallOrAway) {
+    struct Case {
+        Effects<2> effects;
+        Body<2> body;
+        bool collapses = false;
+    };
+    const auto beside = [](double radius, Sphere<2>::Side side, Vector<2> gravity, Body<2> body,
+                           bool collapses) {
+        Case result{{}, body, collapses};
+        result.effects.gravity = gravity;
+        result.effects.obstacles.emplace_back(Sphere<2>{.radius = radius, .side = side});
+        return result;
+    };
+    constexpr auto inside = Sphere<2>::Side::inside;
+    constexpr auto outside = Sphere<2>::Side::outside;
+    std::vector<Case> cases = {beside(6.0, inside, {1.0, -5.0}, {{0, 5}, {5, 0}, 1, 1}, true),
+                               beside(6.0, inside, {0.0, -5.0}, {{0, 5}, {5, 0}, 1, 1}, true),
+                               beside(3.0, outside, {-1.0, -5.0}, {{0, 5}, {5, 0}, 2, 1}, true),
+                               beside(3.0, outside, {1.0, -5.0}, {{0, 5}, {5, 0}, 2, 1}, false),
+                               beside(3.0, outside, {0.0, -5.0}, {{0, 5}, {5, 0}, 2, 1}, false)};
+    // With the speed of a side of the box that shakes, which slows down.
+    for (const double speed : {2.0, -2.0}) {
+        Case shaken{{}, {{4.0, speed > 0.0 ? 7.0 : 1.0}, {0.0, speed}, 1, 1}, true};
+        shaken.effects.box = Box<2>{{0.0, 0.0}, {8.0, 8.0}};
+        shaken.effects.shake = Shake<2>{{0.0, std::copysign(0.25, speed)}, 8.0, 0.0};
+        cases.push_back(shaken);
+    }
+    for (const Case& each : cases) {
+        Simulation<2> simulation(start<2>(std::vector<Body<2>>{each.body}, each.effects),
+                                 each.effects);
+        EXPECT_EQ(simulation.run({.until = 0.5}).ending == Ending::collapse, each.collapses)
+            << &each - cases.data();
+    }
+}
+
 /// Thrown up beside a segment, a ball comes back onto it, onto its end or past it.
 TEST(Walls, AParabolaComesBackToASegment) {
     Effects<2> effects;

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <numbers>
-
 #include <optional>
 #include <string>
 #include <string_view>
@@ -157,8 +157,8 @@ TEST(SceneChecks, AGasOfSpheresHasItsPressureAndSpeeds) {
 
 /// A virial as it would be if Z were a given part of what Henderson says.
 TEST(SceneChecks, OnePerCentOfPressureIsToldWhereItHasNoError) {
-    const Gas<2> gas(8, 1.6, 1);
-    constexpr double n = 64.0;
+    const Gas<2> gas(16, 1.6, 1);
+    constexpr double n = 256.0;
     double energy = 0.0;
     motion::Vector<2> momentum{};
     for (const motion::Ball<2>& ball : gas.start.balls) {
@@ -304,7 +304,24 @@ TEST(SceneChecks, AFluidCarriesBallsThatAreAlone) {
     for (int i = 0; i < 8; ++i) bodies.push_back({{{10.0 * i, 5.0 * (i % 3)}}, {}, 1.0, 1.0});
     const State<2> start = motion::start<2>(bodies, effects);
     EXPECT_EQ(judgement(fluid_carries_balls(recorded<2>(start, effects, 10.0, 10))), good);
-    EXPECT_EQ(judgement(fluid_carries_balls(recorded<2>(start, effects, 1.0, 10))), not_good);
+    EXPECT_EQ(judgement(fluid_carries_balls(recorded<2>(start, effects, 1.0, 10))), not_told);
+    const auto judged_when = [&](const Spoil<2>& spoil) {
+        return judgement(fluid_carries_balls(recorded<2>(start, effects, 10.0, 10, spoil)));
+    };
+    EXPECT_EQ(judged_when([](State<2>& s, Counts&) {
+                  for (auto& ball : s.balls) ball.v[0] = -ball.v[0];
+              }),
+              not_good);
+    EXPECT_EQ(judged_when([](State<2>& s, Counts&) {
+                  for (auto& ball : s.balls) std::swap(ball.v[0], ball.v[1]);
+              }),
+              not_good);
+    // Who was near another one on the way may not have got there yet.
+    EXPECT_EQ(judged_when([](State<2>& s, Counts&) {
+                  if (s.time < 8.0)
+                      for (auto& ball : s.balls) ball.x[0] *= 0.1;
+              }),
+              not_told);
     bodies.resize(3);
     const State<2> three = motion::start<2>(bodies, effects);
     EXPECT_EQ(judgement(fluid_carries_balls(recorded<2>(three, effects, 10.0, 10))), not_told);
@@ -330,6 +347,9 @@ TEST(SceneChecks, NothingOverlaps) {
     EXPECT_EQ(judgement(at(1.0, 5.0), walls), good);
     EXPECT_EQ(judgement(at(0.999, 5.0), walls), not_good);
     EXPECT_EQ(judgement(at(5.0, 20.0), walls), not_good);
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(judgement(at(nan, 5.0), balls), not_good);
+    EXPECT_EQ(judgement(at(nan, 5.0), walls), not_good);
     effects.periodic = true;
     EXPECT_EQ(judgement(at(1.0, 5.0), balls), good);
     EXPECT_EQ(judgement(at(0.999, 5.0), balls), not_good);

@@ -62,7 +62,10 @@ TEST_F(SceneRuns, GoOnFromAStateWithTheLogTheyWouldHaveHad) {
              gas},
         {"fluid", box + gas +
                       "[effects]\nrestitution = 0.9\nfluid = {velocity = [1, 0], gradient = [[0, "
-                      "0.1], [0, 0]], linear = 0.2, quadratic = 0.1}\n[run]\ntime_step = 0.05\n"}};
+                      "0.1], [0, 0]], linear = 0.2, quadratic = 0.1}\n[run]\ntime_step = 0.05\n"},
+        {"contacts", box + gas +
+                         "[effects]\ngravity = [0, -5]\nrestitution = 0.5\nfriction = {coefficient "
+                         "= 0.4}\ncontacts = {speed = 0.5}\n[run]\ntime_step = 0.02\n"}};
     for (const auto& [name, text] : cases) {
         SCOPED_TRACE(name);
         const std::string scene = scratch.file("scene.toml", text);
