@@ -50,22 +50,24 @@ class Laws {
     }
 
     /// The restitution of some balls that strike at t, one or two, given what it is without
-    /// effects and the speed of approach; and whether they stay in contact.
+    /// effects and the speed of approach; whether they stay in contact, and whether they rub.
     struct Bounce {
         double restitution;
         bool stays;
+        bool rubs;
     };
     [[nodiscard]] Bounce bounce(std::initializer_list<Slot> balls, double t, double restitution,
                                 double approach) const {
-        Bounce result{restitution, false};
+        Bounce result{restitution, false, has_friction()};
         if (has_speed_law())
             result.restitution = restitution_at(*effects_.speed_law, restitution, approach);
         if (has_duration()) {
             for (const Slot i : balls)
-                if (t - last_strikes_[i] <= effects_.contact_duration) result.restitution = 1.0;
+                if (t - last_strikes_[i] <= effects_.contact_duration)
+                    result = {1.0, false, false};
         }
         if (has_contacts() && result.restitution * approach < effects_.contacts->speed)
-            result = {0.0, true};
+            result = {0.0, true, has_friction()};
         return result;
     }
 

@@ -716,6 +716,7 @@ class Loop final : public Simulation<D>::Engine {
             const auto bounce = laws_.bounce({i, j}, t, law.restitution, facts.approach);
             law.restitution = bounce.restitution;
             facts.stays = bounce.stays;
+            facts.rubs = bounce.rubs;
         }
         Exchange exchange;
         const double mass_a = particles_[i].mass;
@@ -761,7 +762,7 @@ class Loop final : public Simulation<D>::Engine {
             });
         }
         if (!laws_.is_plain()) [[unlikely]] {
-            if (laws_.has_friction()) {
+            if (facts.rubs) {
                 // Sums and products of doubles depend on their order: it is that of the balls'
                 // numbers.
                 const double push = (1.0 + law.restitution) * facts.approach *
@@ -857,7 +858,7 @@ class Loop final : public Simulation<D>::Engine {
             count(i, came, exchange.approach, exchange.square, [&] {
                 return stayed_in_place_exactly(came, faces, growth, world_.balls[i].time);
             });
-        if (laws_.has_friction()) {
+        if (bounce.rubs) {
             Vector<D> sliding = came.v;
             const Vector<D> velocity = walls_.velocity(wall, t);
             for (int k = 0; k < D; ++k) sliding[k] -= velocity[k];
@@ -943,6 +944,7 @@ class Loop final : public Simulation<D>::Engine {
         double distance = 0.0;
         double approach = 0.0;
         bool stays = false;
+        bool rubs = false;
     };
     [[nodiscard]] Facts facts_of(const Ball<D>& a, const Ball<D>& b, const Image<D>& seen,
                                  double growth = 0.0) const {

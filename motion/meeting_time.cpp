@@ -294,6 +294,28 @@ double meeting_time(const GrowingBall<D>& ball, const HalfSpace<D>& wall,
     return meeting_of(ball, exact(wall), effects, -infinity);
 }
 
+namespace {
+
+/// Whether a ball is surely too far from a point to touch it from one time to another: sums and
+/// products of doubles, each of which errs by 2^-53 of what is added up.
+bool stays_away(const GrowingBall<2>& ball, const Vector<2>& point, const Effects<2>& effects,
+                double from, double until) {
+    if (!(until < infinity)) return false;
+    const double flight = until - ball.time;
+    double size = 0.0;
+    Vector<2> d;
+    for (int k = 0; k < 2; ++k) {
+        d[k] = ball.x[k] - point[k];
+        size += std::fabs(ball.x[k]) + std::fabs(point[k]);
+    }
+    const double fall = std::sqrt(dot(effects.gravity, effects.gravity));
+    const double way = (std::sqrt(dot(ball.v, ball.v)) + 0.5 * fall * flight) * flight;
+    const double radius = ball.radius + ball.growth * std::max(until, from);
+    return std::sqrt(dot(d, d)) > way + radius + 0x1p-40 * (size + way + radius);
+}
+
+}  // namespace
+
 /// The ends are circles of radius 0. Each side is met as a half space is, if the centre is on that
 /// side then (or, of a point, was so one double before), and its foot on the segment at the rounded
 /// time. A foot off by that rounding loses nothing: next to an end the circle is met as soon.
@@ -303,8 +325,6 @@ double meeting_time(const GrowingBall<D>& ball, const HalfSpace<D>& wall,
 double meeting_time(const GrowingBall<2>& ball, const Segment& wall, const Effects<2>& effects,
                     double since) {
     double first = infinity;
-    for (const Vector<2>& end : {wall.from, wall.to})
-        first = std::min(first, meeting_time(ball, Sphere<2>{.centre = end}, effects, since));
     const double start = std::max(ball.time, since);
     const PerAxis<Dyadic, 2> from = exact(wall.from);
     const PerAxis<Dyadic, 2> along = difference(exact(wall.to), from);
@@ -327,6 +347,9 @@ double meeting_time(const GrowingBall<2>& ball, const Segment& wall, const Effec
         const Dyadic foot = seen[0] * along[0] + seen[1] * along[1];
         if (foot.sign() >= 0 && (length - foot).sign() >= 0) first = t;
     }
+    for (const Vector<2>& end : {wall.from, wall.to})
+        if (!stays_away(ball, end, effects, start, first))
+            first = std::min(first, meeting_time(ball, Sphere<2>{.centre = end}, effects, since));
     return first;
 }
 
@@ -351,15 +374,35 @@ namespace {
 
 constexpr double untold = std::numeric_limits<double>::quiet_NaN();
 
-/// Where F, exact and then rounded, falls through 0: next to t at t - F/F' (1 + θ), |θ| <= 2 |bend
-/// F| / F'², as long as that is small. `slope` errs by 2^-40 of its size at most.
-double falls_near(double t, double f, double slope, double size, double bend, double start) {
-    if (!(slope < -0x1p-10 * size)) return untold;
-    const double delta = -f / slope;
-    const double theta = 2.0 * std::fabs(bend * delta / slope);
-    if (!(theta < 0x1p-20)) return untold;
-    const double error = std::fabs(delta) * (0x1p-28 + 2.0 * theta);
-    return nearby_time(t, delta, error, start);
+/// F and F' at a time, each rounded; what F' is a difference of, and a bound of |F''| there.
+struct Fall {
+    double f = 0.0;
+    double slope = 0.0;
+    double size = 0.0;
+    double bend = 0.0;
+};
+
+/// Where F falls through 0 next to `about`: from t at t - F/F' (1 + θ), |θ| <= 2 |F'' F| / F'², as
+/// long as that is small; where it is below 1/4 there is one such root near (Kantorovich), and
+/// another step leads nearer to it. fall_at(t) -> Fall.
+template <class FallAt>
+double falls_near(double about, double start, const FallAt& fall_at) {
+    constexpr int most_steps = 4;
+    for (int step = 0; step < most_steps; ++step) {
+        const Fall at = fall_at(about);
+        if (!(at.slope < -0x1p-10 * at.size)) return untold;
+        const double delta = -at.f / at.slope;
+        const double theta = 2.0 * std::fabs(at.bend * delta / at.slope);
+        if (theta < 0x1p-20) {
+            const double error = std::fabs(delta) * (0x1p-28 + 2.0 * theta);
+            const double time = nearby_time(about, delta, error, start);
+            if (!std::isnan(time)) return time;
+        }
+        const double nearer = about + delta;
+        if (!(theta < 0.25) || nearer == about || !(nearer >= start)) return untold;
+        about = nearer;
+    }
+    return untold;
 }
 
 bool is_told(double about, double start) {
@@ -370,16 +413,15 @@ bool is_told(double about, double start) {
 template <int D>
 struct Then {
     PerAxis<Dyadic, D> x;
-    Vector<D> v;
-    double fast = 0.0;  ///< what v is a sum of
+    PerAxis<Dyadic, D> v;
 
     Then(const GrowingBall<D>& ball, const Effects<D>& effects, double t) {
-        const Path<D> path = path_of<D>(ball, effects.gravity);
+        static const Dyadic half(0.5);
+        const Dyadic flown = Dyadic(t) - Dyadic(ball.time);
         for (int i = 0; i < D; ++i) {
-            x[i] = path[i].value_at(Dyadic(t));
-            const double fallen = effects.gravity[i] * (t - ball.time);
-            v[i] = ball.v[i] + fallen;
-            fast += std::fabs(ball.v[i]) + std::fabs(fallen);
+            const Dyadic fallen = Dyadic(effects.gravity[i]) * flown;
+            x[i] = Dyadic(ball.x[i]) + (Dyadic(ball.v[i]) + half * fallen) * flown;
+            v[i] = Dyadic(ball.v[i]) + fallen;
         }
     }
 };
@@ -387,27 +429,31 @@ template <int D>
 double refined_meeting_of(const GrowingBall<D>& ball, const ExactHalfSpace<D>& wall,
                           const Effects<D>& effects, double about) {
     if (!is_told(about, ball.time)) return untold;
-    const Then<D> then(ball, effects, about);
-    const Dyadic t(about);
-    Dyadic height = -(wall.offset + wall.speed * t);
     Dyadic square;
-    double slope = -round_to_double(wall.speed);
     double bend = 0.0;
     for (int i = 0; i < D; ++i) {
-        height += wall.normal[i] * then.x[i];
         square += wall.normal[i] * wall.normal[i];
-        const double n = round_to_double(wall.normal[i]);
-        slope += n * then.v[i];
-        bend += std::fabs(n * effects.gravity[i]);
+        bend += std::fabs(round_to_double(wall.normal[i]) * effects.gravity[i]);
     }
     const double scale = std::sqrt(round_to_double(square));
-    const Dyadic radius = Dyadic(ball.radius) + Dyadic(ball.growth) * t;
-    // h - |n| r = (h² - n² r²) / (h + |n| r)
-    const double sum = round_to_double(height) + scale * round_to_double(radius);
-    if (!(sum > 0.0) || height.sign() < 0) return untold;
-    const double f = round_to_double(height * height - square * radius * radius) / sum;
-    const double size = scale * (then.fast + ball.growth) + std::fabs(round_to_double(wall.speed));
-    return falls_near(about, f, slope - scale * ball.growth, size, bend, ball.time);
+    return falls_near(about, ball.time, [&](double time) -> Fall {
+        const Then<D> then(ball, effects, time);
+        const Dyadic t(time);
+        Dyadic height = -(wall.offset + wall.speed * t);
+        Dyadic rise = -wall.speed;
+        for (int i = 0; i < D; ++i) {
+            height += wall.normal[i] * then.x[i];
+            rise += wall.normal[i] * then.v[i];
+        }
+        const Dyadic radius = Dyadic(ball.radius) + Dyadic(ball.growth) * t;
+        // h - |n| r = (h² - n² r²) / (h + |n| r)
+        const double sum = round_to_double(height) + scale * round_to_double(radius);
+        if (!(sum > 0.0) || height.sign() < 0) return {};
+        const double slope = round_to_double(rise);
+        const double growth = scale * ball.growth;
+        return {round_to_double(height * height - square * radius * radius) / sum, slope - growth,
+                std::fabs(slope) + growth, bend};
+    });
 }
 
 }  // namespace
@@ -422,31 +468,32 @@ template <int D>
 double refined_meeting(const GrowingBall<D>& ball, const Sphere<D>& wall, const Effects<D>& effects,
                        double about) {
     if (!is_told(about, ball.time)) return untold;
-    const Then<D> then(ball, effects, about);
-    const Dyadic t(about);
-    const Dyadic radius = Dyadic(ball.radius) + Dyadic(ball.growth) * t;
     const double sign = wall.side == Sphere<D>::Side::outside ? 1.0 : -1.0;
-    const Dyadic reach = Dyadic(wall.radius) + Dyadic(sign) * radius;
-    Dyadic square;
-    double slope = 0.0;
-    double size = 0.0;
-    double fast = 0.0;
-    double fall = 0.0;
-    for (int i = 0; i < D; ++i) {
-        const Dyadic d = then.x[i] - (Dyadic(wall.centre[i]) + Dyadic(wall.velocity[i]) * t);
-        square += d * d;
-        const double away = round_to_double(d);
-        const double v = then.v[i] - wall.velocity[i];
-        slope += 2.0 * away * v;
-        const double sizes = then.fast + std::fabs(wall.velocity[i]);
-        size += 2.0 * std::fabs(away) * sizes;
-        fast += sizes * sizes;
-        fall += std::fabs(away * effects.gravity[i]);
-    }
-    const double grown = 2.0 * round_to_double(reach) * ball.growth;
-    const double f = sign * round_to_double(square - reach * reach);
-    return falls_near(about, f, sign * slope - grown, size + grown,
-                      2.0 * (fast + fall) + 2.0 * ball.growth * ball.growth, ball.time);
+    return falls_near(about, ball.time, [&](double time) -> Fall {
+        const Then<D> then(ball, effects, time);
+        const Dyadic t(time);
+        const Dyadic radius = Dyadic(ball.radius) + Dyadic(ball.growth) * t;
+        const Dyadic reach = Dyadic(wall.radius) + Dyadic(sign) * radius;
+        Dyadic square;
+        Dyadic product;
+        double fast = 0.0;
+        double fall = 0.0;
+        for (int i = 0; i < D; ++i) {
+            const Dyadic u(wall.velocity[i]);
+            const Dyadic d = then.x[i] - (Dyadic(wall.centre[i]) + u * t);
+            const Dyadic v = then.v[i] - u;
+            square += d * d;
+            product += d * v;
+            fast += std::pow(round_to_double(v), 2);
+            fall += std::fabs(round_to_double(d) * effects.gravity[i]);
+        }
+        const double slope = 2.0 * sign * round_to_double(product);
+        const double grown = 2.0 * round_to_double(reach) * ball.growth;
+        // Twice that of F'' now, for F'' changes, too.
+        return {sign * round_to_double(square - reach * reach), slope - grown,
+                std::fabs(slope) + std::fabs(grown),
+                4.0 * (fast + fall + ball.growth * ball.growth)};
+    });
 }
 
 double refined_meeting(const GrowingBall<2>& ball, const Segment& wall, const Effects<2>& effects,
@@ -454,8 +501,7 @@ double refined_meeting(const GrowingBall<2>& ball, const Segment& wall, const Ef
     if (!is_told(about, ball.time)) return untold;
     const PerAxis<Dyadic, 2> from = exact(wall.from);
     const PerAxis<Dyadic, 2> along = difference(exact(wall.to), from);
-    const Then<2> then(ball, effects, about);
-    const PerAxis<Dyadic, 2> seen = difference(then.x, from);
+    const PerAxis<Dyadic, 2> seen = difference(Then<2>(ball, effects, about).x, from);
     const double length = round_to_double(along[0] * along[0] + along[1] * along[1]);
     const double foot = round_to_double(seen[0] * along[0] + seen[1] * along[1]) / length;
     // Next to where a side ends and an end begins all is looked at exactly.

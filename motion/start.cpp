@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <tuple>
 
@@ -105,6 +106,11 @@ void check_extended(const Effects<D>& effects) {
     if (effects.time_step == 0.0 && fluid) refuse("a fluid's drag needs time steps; give one");
     if (effects.time_step == 0.0 && contacts)
         refuse("contacts that stand need time steps; give one");
+    if (contacts && effects.box && effects.shake &&
+        std::fabs(effects.shake->frequency) * effects.time_step > 1.0)
+        refuse(
+            "contacts that stand in a box that shakes: give a time step of a radian of it at most, "
+            "a sixth of its period");
     if (contacts &&
         (!(contacts->speed > 0.0) || !is_within(contacts->speed) ||
          !(contacts->tolerance > 0.0 && contacts->tolerance < 1.0) || contacts->sweeps < 2))
@@ -230,14 +236,13 @@ void check_walls(const Body<D>& body, const Effects<D>& effects, std::int64_t nu
         const Dyadic low = Dyadic(effects.box->low[k]) + shift;
         const Dyadic high = Dyadic(effects.box->high[k]) + shift;
         const Dyadic radius(body.radius);
+        const Dyadic grown = effects.growth ? radius + Dyadic(effects.growth->rate * body.radius) *
+                                                           Dyadic(effects.growth->until)
+                                            : radius;
         if (effects.periodic) {
             if ((x - low).sign() < 0 || (high - x).sign() < 0)
                 throw BallError(number, "a centre outside the periodic box; give one inside");
             // In the end, for partners are seen in their nearest images.
-            const Dyadic grown = effects.growth
-                                     ? radius + Dyadic(effects.growth->rate * body.radius) *
-                                                    Dyadic(effects.growth->until)
-                                     : radius;
             if ((high - low - 8 * grown).sign() < 0)
                 throw BallError(number,
                                 "a ball whose diameter is more than a quarter of the periodic "
@@ -246,7 +251,28 @@ void check_walls(const Body<D>& body, const Effects<D>& effects, std::int64_t nu
         }
         if ((x - low - radius).sign() < 0 || (high - x - radius).sign() < 0)
             throw BallError(number, "a ball outside its walls; it may touch them from within");
+        if ((high - low - 2 * grown).sign() < 0)
+            throw BallError(number,
+                            "a ball that grows to be wider than its walls are apart; let it grow "
+                            "for a shorter time, or give a larger box");
     }
+}
+
+/// Balls that grow until they jam strike ever faster, for ever: where it is sure that they would
+/// that is said before.
+template <int D>
+void check_room_to_grow(std::span<const Body<D>> bodies, const Effects<D>& effects) {
+    double room = 1.0;
+    for (int k = 0; k < D; ++k) room *= effects.box->high[k] - effects.box->low[k];
+    double filled = 0.0;
+    for (const Body<D>& body : bodies)
+        filled += D == 2 ? std::numbers::pi * body.radius * body.radius
+                         : 4.0 / 3.0 * std::numbers::pi * std::pow(body.radius, 3);
+    filled *= std::pow(largest_growth(*effects.growth), D);
+    if (filled > room)
+        refuse(
+            "growth: in the end balls would fill more than the box; give a smaller rate, or let "
+            "them grow for a shorter time");
 }
 
 /// Whether two balls overlap, exactly; each at its own time, which is the same.
@@ -286,6 +312,7 @@ State<D> start(std::span<const Body<D>> bodies, const Effects<D>& effects) {
         state.balls.push_back({bodies[i].x, bodies[i].v, bodies[i].radius, 0.0});
         state.masses.push_back(bodies[i].mass);
     }
+    if (effects.box && effects.growth) check_room_to_grow<D>(bodies, effects);
     state.in_place.resize(bodies.size());
     if (effects.friction)
         for (const Body<D>& body : bodies) state.spins.push_back(body.spin);

@@ -198,6 +198,15 @@ TEST(Start, RefusesEffectsThatMakeNoSense) {
               e.contacts = LastingContacts{1.0};
               e.time_step = 0.0;
           }},
+         {"contacts that stand in a box that shakes",
+          [](E& e, B&) {
+              e.contacts = LastingContacts{1.0};
+              e.shake = Shake<2>{{0.0, 0.125}, 8.5, 0.0};
+          }},
+         {"growth: in the end",
+          [](E& e, B&) {
+              e.growth = Growth{3.0, 2.0};
+          }},
          {"contacts: give a speed", [](E& e, B&) { e.contacts = LastingContacts{0.0}; }},
          {"contacts: give a speed",
           [](E& e, B&) {
@@ -246,6 +255,11 @@ TEST(Start, RefusesBallsThatCannotBe) {
           [](E& e, B& b) {
               e.periodic = true;
               e.growth = Growth{0.5, 1.5};
+              b.radius = 0.75;
+          }},
+         {"a ball that grows to be wider",
+          [](E& e, B& b) {
+              e.growth = Growth{2.5, 2.0};
               b.radius = 0.75;
           }},
          {"a ball that overlaps ball 0",
