@@ -38,21 +38,25 @@ class NotedPairs {
         noted_at_ = now;
         skin_ = skin;
         for (Slot i = 0; i < balls_; ++i) partners_.clear(i);
-        for (Slot i = 0; i < balls_; ++i) near(i, [&](Slot j) { add(i, j); });
+        for (Slot i = 0; i < balls_; ++i) near(i, [&](Slot j) { append(i, j); });
     }
     void add(Slot i, Slot j) {
-        partners_.append(i, j);
-        partners_.append(j, i);
+        if (std::ranges::find(of(i), j) == of(i).end()) append(i, j);
     }
     /// How fast balls were is no matter for what is noted now.
     void forget_speeds() noexcept { fastest_ = 0.0; }
     /// Nothing is noted: where there are none, or what proposes them is another one now.
     void forget() noexcept { skin_ = -1.0; }
 
-    /// Of each pair both; those that were added may be there twice.
+    /// Of each pair both.
     [[nodiscard]] std::span<const Slot> of(Slot i) const noexcept { return partners_[i]; }
 
  private:
+    void append(Slot i, Slot j) {
+        partners_.append(i, j);
+        partners_.append(j, i);
+    }
+
     std::size_t balls_;
     SlotLists partners_;
     double noted_at_ = -infinity;
