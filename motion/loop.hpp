@@ -138,8 +138,8 @@ class Loop final : public Simulation<D>::Engine {
                 open(inquiry, i, next);
                 const auto propose_now = [&](Slot j) {
                     propose(inquiry, j);
-                    if constexpr (known.time_steps)
-                        if (noted_.hold_until(now_)) noted_.add(i, j);
+                    if (notes_pairs() && noted_.hold_until(now_)) [[unlikely]]
+                        noted_.add(i, j);
                 };
                 structure_->own_event(i, now_, propose_now, [&](Slot j) { touch(j); });
                 particles_[i].own = structure_->next(i, now_);
@@ -421,7 +421,7 @@ class Loop final : public Simulation<D>::Engine {
     /// The same at a turn, when all balls' own times are now. What comes after the next turn need
     /// not be known.
     void ask_all_until_turn() {
-        if (!(steps_.length() > 0.0) || world_.effects.growth || world_.effects.periodic) {
+        if (!notes_pairs() || world_.effects.growth) {
             ask_all();
             return;
         }
@@ -511,7 +511,7 @@ class Loop final : public Simulation<D>::Engine {
     }
     void begin(Inquiry& inquiry, Slot i) {
         open(inquiry, i);
-        if (has_turns() && noted_.hold_until(turn_)) {
+        if (notes_pairs() && noted_.hold_until(turn_)) [[unlikely]] {
             assign(inquiry, noted_.of(i));
         } else if constexpr (requires { structure_->list(i); }) {
             assign(inquiry, structure_->list(i));
@@ -917,7 +917,8 @@ class Loop final : public Simulation<D>::Engine {
     void put(Slot i, const Ball<D>& ball) {
         world_.balls[i] = ball;
         filter_.include(ball);
-        if constexpr (known.time_steps) noted_.fly(ball.v);
+        if (notes_pairs()) [[unlikely]]
+            noted_.fly(ball.v);
     }
     /// What a ball was not to strike it may strike now, but for those in contact that wait.
     void release(Slot i) {
@@ -1007,9 +1008,11 @@ class Loop final : public Simulation<D>::Engine {
 
     /// The same of walls behind which there is room.
     void refuse_missed_wall(Slot i, Wall wall, const Ball<D>& ball) const {
+        const double depth = walls_.depth(ball, wall);
+        if (depth == infinity) return;
         Ball<D> grown = ball;
         grown.radius = grown_radius(ball);
-        if (std::fabs(walls_.gap(grown, wall)) <= 0x1p-10 * walls_.depth(ball, wall)) [[likely]]
+        if (std::fabs(walls_.gap(grown, wall)) <= 0x1p-10 * depth) [[likely]]
             return;
         throw std::range_error("ball " + std::to_string(particles_[i].number) + " meets wall " +
                                std::to_string(wall) + " at time " + std::to_string(ball.time) +
@@ -1051,6 +1054,8 @@ class Loop final : public Simulation<D>::Engine {
         return known.growth || known.time_steps;
     }
     [[nodiscard]] static constexpr bool has_walls() noexcept { return known.walls; }
+    /// With time steps; in a periodic box all pairs are asked anew at each.
+    [[nodiscard]] bool notes_pairs() const noexcept { return known.time_steps && has_steps_; }
     /// What acts in flight, from a time on.
     [[nodiscard]] static Effects<D> in_flight(Effects<D> effects, double time) {
         if (effects.time_step > 0.0) {
@@ -1251,7 +1256,8 @@ class Loop final : public Simulation<D>::Engine {
     Strike last_;
     Laws<D, known> laws_;
     TimeSteps<D> steps_;
-    NotedPairs<D> noted_ = NotedPairs<D>(has_turns() ? particles_.size() : 0);
+    bool has_steps_ = steps_.length() > 0.0 && !world_.effects.periodic;
+    NotedPairs<D> noted_ = NotedPairs<D>(notes_pairs() ? particles_.size() : 0);
     double apart_ = Spread<D>(world_).edge_of(1.0);  // how far balls are from one another
     PassedMeetings passed_;
     StandingContacts<D> contacts_;

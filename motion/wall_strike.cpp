@@ -55,6 +55,8 @@ struct Closing {
     }
     /// a times the approach speed.
     [[nodiscard]] double rounded(const Rational& a) const {
+        // Of an axis.
+        if (square == 1) return exact::round_to_double(Rational(a * (speed + growth))) + 0.0;
         return exact::round_surd(Rational(a * growth), Rational(a * speed / square), square) + 0.0;
     }
 };
@@ -189,6 +191,7 @@ WallExchange strike(Ball<D>& ball, const Facing<D>& wall, double mass, double re
     const Rational bounce = 1 + to_rational(restitution);
     exchange.approach = closing.rounded(Rational(1)) * std::sqrt(exchange.square);
     for (int k = 0; k < D; ++k) {
+        if (wall.normal[k].sign() == 0) continue;
         const Rational step = bounce * to_rational(wall.normal[k]);
         const double after =
             exact::round_surd(

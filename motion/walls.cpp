@@ -58,19 +58,23 @@ Meeting first_fall(double now, double latest, const CourseAt& course, const Bend
         }
         if (t > latest) return later_than(latest);
         if (at.slope < -4.0 * at.slope_error) {
-            // F falls all the way to twice Newton's step, at 15/16 of its slope at least.
+            // F falls all the way to twice Newton's step, at 15/16 of its slope at least. A step
+            // may have led to where F is 0, or beyond it, by as much as F errs.
             const double steep = -at.slope;
             const double root = at.gap / steep;
-            const double either = bend(t, 2.0 * root).either;
-            if (at.slope_error + 2.0 * root * either < 0.0625 * steep) {
-                const double error = course(t + 2.0 * root).error;
-                const double bent = root * root * either;
+            const double length = magnitude(root);
+            const double either = bend(t, 2.0 * length).either;
+            if (at.slope_error + 2.0 * length * either < 0.0625 * steep) {
+                const double error = course(t + 2.0 * length).error;
+                const double bent = length * length * either;
                 const double way =
-                    2.0 * (error + bent + 2.0 * root * at.slope_error) / (0.9375 * steep) +
-                    0x1p-49 * (t + root);
-                if (way < root && (bent <= error || way <= 0x1p-46 * (t + root)))
+                    2.0 * (error + bent + 2.0 * length * at.slope_error) / (0.9375 * steep) +
+                    0x1p-49 * (t + length);
+                if (bent <= error || way <= 0x1p-46 * (t + length)) {
+                    if (!(at.slope_error + 2.0 * (length + way) * either < 0.0625 * steep))
+                        return unknown;
                     return {std::max(t + root - way, now), t + root + way};
-                if (bent <= error) return unknown;
+                }
             }
         }
         const double down = bend(t, longest).down;
@@ -85,7 +89,7 @@ Meeting first_fall(double now, double latest, const CourseAt& course, const Bend
         if (!(next > t)) return unknown;
         t = next;
         at = course(t);
-        if (!(at.gap > at.error)) return unknown;
+        if (!(at.gap > -2.0 * at.error)) return unknown;
     }
     return unknown;
 }
