@@ -479,13 +479,16 @@ class Loop final : public Simulation<D>::Engine {
         });
     }
     /// Whether the surfaces of two balls are farther apart than that: a difference of doubles errs
-    /// by 2^-53 of itself.
+    /// by 2^-53 of itself, and where an image is nearer by some units of the box's last place.
     [[nodiscard]] bool is_farther(Slot i, Slot j, double way) const noexcept {
         const Ball<D>& a = world_.balls[i];
         const Ball<D>& b = world_.balls[j];
-        double square = 0.0;
-        for (int k = 0; k < D; ++k) square += (a.x[k] - b.x[k]) * (a.x[k] - b.x[k]);
-        const double reach = (a.radius + b.radius + way) * (1.0 + 0x1p-40);
+        Vector<D> d;
+        for (int k = 0; k < D; ++k) d[k] = a.x[k] - b.x[k];
+        const double square = world_.nearest_square(d);
+        double reach = (a.radius + b.radius + way) * (1.0 + 0x1p-40);
+        if (world_.effects.periodic)
+            for (int k = 0; k < D; ++k) reach += 0x1p-40 * world_.length[k];
         return square > reach * reach;
     }
 
@@ -1054,7 +1057,6 @@ class Loop final : public Simulation<D>::Engine {
         return known.growth || known.time_steps;
     }
     [[nodiscard]] static constexpr bool has_walls() noexcept { return known.walls; }
-    /// With time steps; in a periodic box all pairs are asked anew at each.
     [[nodiscard]] bool notes_pairs() const noexcept { return known.time_steps && has_steps_; }
     /// What acts in flight, from a time on.
     [[nodiscard]] static Effects<D> in_flight(Effects<D> effects, double time) {
@@ -1256,7 +1258,7 @@ class Loop final : public Simulation<D>::Engine {
     Strike last_;
     Laws<D, known> laws_;
     TimeSteps<D> steps_;
-    bool has_steps_ = steps_.length() > 0.0 && !world_.effects.periodic;
+    bool has_steps_ = steps_.length() > 0.0;
     NotedPairs<D> noted_ = NotedPairs<D>(notes_pairs() ? particles_.size() : 0);
     double apart_ = Spread<D>(world_).edge_of(1.0);  // how far balls are from one another
     PassedMeetings passed_;
