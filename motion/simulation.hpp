@@ -230,11 +230,12 @@ class Simulation {
     /// What one of them throws run() throws, and nothing is lost: the next run begins with the
     /// strike that was being told, or where it was asked to stop.
     using Record = std::function<void(const Strike&)>;
-    /// Goes on as far as the limits say; balls in a periodic box that never meet fly for ever where
-    /// there is no limit, and so do more than 2^17 without a box. Throws std::invalid_argument for
-    /// a time that is NaN, std::range_error where a ball flies so fast, or so late, or is so small,
-    /// that the clock cannot tell its strike from a miss; who goes on after that gets no promise.
-    /// O(1) expected a strike for lists and cells in a gas.
+    /// Goes on as far as the limits say, not back: nothing happens where `until` is over. Balls in
+    /// a periodic box that never meet fly for ever where there is no limit, and so do more than
+    /// 2^17 without a box. Throws std::invalid_argument for a time that is NaN, std::range_error
+    /// where a ball flies so fast, or so late, or is so small, that the clock cannot tell its
+    /// strike from a miss; who goes on after that gets no promise. O(1) expected a strike for lists
+    /// and cells in a gas.
     Outcome run(const Limits& limits, const Record& record = {});
 
     [[nodiscard]] State<D> state() const;

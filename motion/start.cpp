@@ -52,7 +52,7 @@ void check_obstacle(const Sphere<D>& wall) {
 }
 void check_obstacle(const Segment& wall) {
     if (!are_within<2>(wall.from) || !are_within<2>(wall.to))
-        refuse("segment: numbers beyond 2^150, or below 2^-150 and not 0");
+        refuse("segment: give numbers that are 0 or within 2^-150 and 2^150");
     if (wall.from == wall.to) refuse("segment: its two ends are the same; give two places");
 }
 
@@ -81,7 +81,7 @@ void check_extended(const Effects<D>& effects) {
             refuse("a box that shakes needs walls; give a box, and not a periodic one");
         if (!are_within<D>(shake->amplitude) || !is_within(shake->frequency) ||
             !is_within(shake->phase))
-            refuse("shake: numbers beyond 2^150, or below 2^-150 and not 0");
+            refuse("shake: give numbers that are 0 or within 2^-150 and 2^150");
     }
     for (const Obstacle<D>& obstacle : effects.obstacles)
         std::visit([](const auto& wall) { check_obstacle(wall); }, obstacle);

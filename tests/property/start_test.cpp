@@ -142,7 +142,7 @@ TEST(Start, RefusesEffectsThatMakeNoSense) {
          {"sphere:", obstacle(Sphere<2>{.centre = {9.0, 9.0}, .radius = -1.0})},
          {"sphere:", obstacle(Sphere<2>{.centre = {9.0, nan}, .radius = 1.0})},
          {"sphere:", obstacle(Sphere<2>{.centre = {9.0, 9.0}, .velocity = {0.0, huge}})},
-         {"segment: numbers", obstacle(Segment{{9.0, 9.0}, {9.0, huge}})},
+         {"segment: give numbers", obstacle(Segment{{9.0, 9.0}, {9.0, huge}})},
          {"segment: its two ends", obstacle(Segment{{9.0, 9.0}, {9.0, 9.0}})},
          {"more than 100000 obstacles",
           [](E& e, B&) {
