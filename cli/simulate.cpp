@@ -206,7 +206,6 @@ void simulate(SimulateCall call) {
     if (!call.settings.empty()) throw CallError("--set is for scenes; give FILE.toml");
     if (call.structure.empty()) call.structure = "auto";
     if (call.arithmetic.empty()) call.arithmetic = "exact";
-    if (!call.until && !call.events) throw CallError("say when to end: --until T, or --events N");
     if (call.periodic && call.box.empty())
         throw CallError("--periodic: say of what box; add --box");
     if (!call.resume.empty()) {

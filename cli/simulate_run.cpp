@@ -171,6 +171,7 @@ bool wants_frames(const SimulateCall& call) {
 
 template <int D>
 void run_simulation(const SimulateCall& call, const MotionState<D>& start) {
+    if (!call.until && !call.events) throw CallError("say when to end: --until T, or --events N");
     if (call.until && *call.until < start.state.time)
         throw CallError(fmt::format("--until {}: the state is that of time {}; give a later one",
                                     *call.until, start.state.time));
