@@ -259,13 +259,21 @@ TEST_F(RightScene, OptionsWinOverTheFile) {
     EXPECT_EQ(read<2>(box + one + end, {{"e", "balls.density = 2"}}).start.masses[0], 2.0);
 }
 
+TEST_F(RightScene, AWholeNumberMayBeWrittenWithAPower) {
+    const std::string text = box + "[balls]\nnumber = 2e1\nradius = 0.5\n" + end;
+    EXPECT_EQ(read<2>(text).start.balls.size(), 20U);
+    EXPECT_EQ(read<2>(text, {{"--set", "balls.number = 1.2e1"}}).start.balls.size(), 12U);
+    EXPECT_EQ(read<2>(text, {{"--set", "run.events = 1e6"}}).run.events, 1'000'000U);
+}
+
 /// A scene and a file of balls with options write the same log.
 TEST_F(RightScene, RunsAsItsBallsWould) {
     const std::string root = SIGNUM_SOURCES;
     const std::string path = testing::TempDir() + "/break.toml";
-    std::ofstream(path) << "[box]\nlow = [0, 0]\nhigh = [\"254 cm\", \"127 cm\"]\n[balls]\nfile = \""
-                        << root << "/examples/pool.csv\"\n[effects]\nrestitution = 0.96\n"
-                        << "wall_restitution = 0.8\n[run]\nuntil = \"3 s\"\n";
+    std::ofstream(path)
+        << "[box]\nlow = [0, 0]\nhigh = [\"254 cm\", \"127 cm\"]\n[balls]\nfile = \"" << root
+        << "/examples/pool.csv\"\n[effects]\nrestitution = 0.96\n"
+        << "wall_restitution = 0.8\n[run]\nuntil = \"3 s\"\n";
     const test::Outcome scene = test::run({"simulate", path, "--quiet"});
     const test::Outcome balls = test::run({"simulate", root + "/examples/pool.csv", "--box", "0",
                                            "0", "2.54", "1.27", "--restitution", "0.96",
