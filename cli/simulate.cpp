@@ -170,7 +170,7 @@ SimulateCall completed(SimulateCall call, const Scene<D>& scene) {
     // A scene may say it for who asks for frames.
     if (!call.every && wants_frames(call)) call.every = scene.record.every;
     call.scene = {.title = scene.title,
-                  .explanation = explain(scene),
+                  .explanation = explain(scene, results_in_words(call)),
                   .length = scene.units.name_of(dimensions::length),
                   .time = scene.units.name_of(dimensions::time),
                   .energy = scene.units.name_of(dimensions::energy)};
@@ -182,15 +182,16 @@ void simulate_scene(const SimulateCall& call) {
         const AnyScene any = read_scene(call.input, overrides_of(call));
         std::visit(
             [&]<int D>(const Scene<D>& scene) {
+                const SimulateCall whole = completed(call, scene);
                 if (call.explain) {
                     DescriptorStream out(1, "standard output");
-                    out << explain(scene);
+                    out << whole.scene.explanation;
                     out.flush();
                     return;
                 }
                 if (!call.quiet)
                     for (const std::string& note : scene.notes) say("{}\n", note);
-                run_simulation<D>(completed(call, scene), {scene.start, scene.effects});
+                run_simulation<D>(whole, {scene.start, scene.effects});
             },
             any);
     } catch (const OverrideError& error) {

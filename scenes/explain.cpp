@@ -28,7 +28,7 @@ class Explanation {
  public:
     explicit Explanation(const Scene<D>& scene) : scene_(scene), effects_(scene.effects) {}
 
-    std::string text() {
+    std::string text(std::string_view records) {
         if (!scene_.title.empty()) line("scene", scene_.title);
         line("balls", balls());
         line("units", fmt::format("{}, {}, {}", scene_.units.name_of(dimensions::length),
@@ -45,7 +45,7 @@ class Explanation {
                                quantity(effects_.time_step, dimensions::time))
                  : "no steps: from one event to the next");
         line("end", end());
-        line("records", records());
+        line("records", records);
         const std::vector<Row> rows = rows_of_effects();
         text_ += "\nOn\n";
         for (const Row& row : rows)
@@ -135,17 +135,6 @@ class Explanation {
         return text;
     }
 
-    [[nodiscard]] std::string records() const {
-        std::vector<std::string> names;
-        const SceneRecord& record = scene_.record;
-        for (const std::string* const name :
-             {&record.log, &record.frames, &record.film, &record.energies, &record.pair_correlation,
-              &record.images, &record.video, &record.page, &record.state})
-            if (!name->empty()) names.push_back(*name);
-        return names.empty() ? "nothing but the log, to standard output"
-                             : fmt::format("{}", fmt::join(names, ", "));
-    }
-
     [[nodiscard]] std::vector<Row> rows_of_effects() const {
         const motion::Effects<D>& e = effects_;
         const bool loses = e.restitution < 1.0 || e.wall_restitution < 1.0;
@@ -218,11 +207,11 @@ class Explanation {
 }  // namespace
 
 template <int D>
-std::string explain(const Scene<D>& scene) {
-    return Explanation<D>(scene).text();
+std::string explain(const Scene<D>& scene, std::string_view records) {
+    return Explanation<D>(scene).text(records);
 }
 
-template std::string explain(const Scene<2>&);
-template std::string explain(const Scene<3>&);
+template std::string explain(const Scene<2>&, std::string_view);
+template std::string explain(const Scene<3>&, std::string_view);
 
 }  // namespace signum

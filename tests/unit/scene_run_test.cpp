@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <numbers>
 #include <sstream>
 #include <string>
@@ -146,6 +147,35 @@ TEST_F(SceneRuns, RecordWhereTheSceneSaysUnlessAnOptionDoes) {
     EXPECT_EQ(clash.code, 0) << clash.err;
     EXPECT_EQ(run({"simulate", scene, "--save", name("log.csv")}).err,
               "signum: --save " + name("log.csv") + " is where -o goes, too; give another name\n");
+}
+
+TEST_F(SceneRuns, SayWhatTheyWillWriteAndWhatTheyHaveWritten) {
+    const auto name = [&](const std::string& file) { return scratch.path(file); };
+    const std::string scene =
+        scratch.file("scene.toml", box + gas + "[run]\nuntil = 0.5\n[record]\nlog = \"" +
+                                       name("log.csv") + "\"\nenergies = \"" + name("e.csv") +
+                                       "\"\nstate = \"" + name("s.json") + "\"\n");
+    const std::string page = name("page.html");
+    // -o and --save win over the record, and the page tells the same as --explain.
+    const Words words = {"simulate", scene, "-o",     name("other.csv"),
+                         "-o",       page,  "--save", name("t.json")};
+    const std::string results =
+        name("other.csv") + ", " + page + ", " + name("e.csv") + ", " + name("t.json");
+    Words explained = words;
+    explained.emplace_back("--explain");
+    EXPECT_NE(run(explained).out.find("\nrecords    " + results + "\n"), std::string::npos)
+        << run(explained).out;
+    EXPECT_FALSE(std::ifstream(page).good());
+    const Outcome result = run(words);
+    EXPECT_NE(result.err.find("\nwritten  " + results + "\n"), std::string::npos) << result.err;
+    EXPECT_NE(contents(page).find("\nrecords    " + results + "\n"), std::string::npos);
+    const std::string plain = scratch.file("plain.toml", box + gas + "[run]\nuntil = 0.5\n");
+    EXPECT_NE(
+        run({"simulate", plain, "--explain"}).out.find("\nrecords    the log to standard output\n"),
+        std::string::npos);
+    EXPECT_NE(run({"simulate", plain, "--save", name("t.json")})
+                  .err.find("\nwritten  " + name("t.json") + "\n"),
+              std::string::npos);
 }
 
 /// With curves where gnuplot is there, and without them where it is not.

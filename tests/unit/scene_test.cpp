@@ -102,7 +102,8 @@ TEST_F(RightScene, OfAllEffects) {
     EXPECT_EQ(scene.run.events, 9U);
     EXPECT_EQ(scene.run.structure, motion::Structure::cells);
     EXPECT_EQ(scene.run.kernel, motion::Kernel::naive);
-    const std::string text = explain(scene);
+    const std::string text = explain(scene, "a.csv");
+    EXPECT_NE(text.find("\nrecords    a.csv\n"), std::string::npos);
     const std::size_t left_out = text.find("\nLeft out");
     for (const std::string name : {"gravity", "restitution", "speed_law", "contact_duration",
                                    "friction", "shake", "fluid", "contacts"})
