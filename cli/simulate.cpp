@@ -19,6 +19,7 @@
 #include "../scenes/read_scene.hpp"
 
 #include "commands.hpp"
+#include "interrupt.hpp"
 #include "outputs.hpp"
 #include "simulate_call.hpp"
 #include "simulate_run.hpp"
@@ -177,9 +178,15 @@ SimulateCall completed(SimulateCall call, const Scene<D>& scene) {
     return call;
 }
 
+/// Dense balls take their time to be placed.
+AnyScene scene_of(const SimulateCall& call) {
+    const InterruptSays says("signum: interrupted while balls were placed; nothing was written\n");
+    return read_scene(call.input, overrides_of(call));
+}
+
 void simulate_scene(const SimulateCall& call) {
     try {
-        const AnyScene any = read_scene(call.input, overrides_of(call));
+        const AnyScene any = scene_of(call);
         std::visit(
             [&]<int D>(const Scene<D>& scene) {
                 const SimulateCall whole = completed(call, scene);

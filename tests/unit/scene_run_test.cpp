@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -176,6 +177,18 @@ TEST_F(SceneRuns, SayWhatTheyWillWriteAndWhatTheyHaveWritten) {
     EXPECT_NE(run({"simulate", plain, "--save", name("t.json")})
                   .err.find("\nwritten  " + name("t.json") + "\n"),
               std::string::npos);
+}
+
+TEST_F(SceneRuns, AnInterruptWhileBallsArePlacedIsSaid) {
+    const std::string scene =
+        scratch.file("scene.toml",
+                     "[box]\nlow = [0, 0]\nhigh = [20, 20]\n[balls]\nnumber = 40000\npacking = "
+                     "0.83\narrangement = \"growth\"\n[run]\nuntil = 1\n");
+    const Outcome result =
+        run({"simulate", scene, "-o", scratch.path("log.csv")}, {.signal_after_ms = 400});
+    EXPECT_EQ(result.code, -SIGINT);
+    EXPECT_EQ(result.err, "signum: interrupted while balls were placed; nothing was written\n");
+    EXPECT_EQ(scratch.size(), 1U);
 }
 
 /// With curves where gnuplot is there, and without them where it is not.
