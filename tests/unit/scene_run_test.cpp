@@ -17,6 +17,7 @@
 #include <gtest/gtest.h>
 
 #include "../../io/motion_state.hpp"
+#include "../../io/program.hpp"
 #include "../../scenes/read_scene.hpp"
 #include "io_scratch.hpp"
 #include "tool_call.hpp"
@@ -243,6 +244,19 @@ TEST_F(SceneRuns, ShowWallsAndGrowthInAFilm) {
     EXPECT_NE(svg.find("type=\"translate\" dur=\"12s\" repeatCount=\"indefinite\" "
                        "calcMode=\"linear\" values=\"0.00 0.00;0.00 -53.33;0.00 "),
               std::string::npos);
+/// By the names that everyone has for them.
+TEST_F(SceneRuns, ThePageNamesItsEnergies) {
+    if (!has_program("gnuplot", "--version")) GTEST_SKIP() << "no gnuplot";
+    const std::string page = scratch.path("page.html");
+    const std::string scene = scratch.file(
+        "scene.toml", box + gas + "[effects]\ngravity = [0, -1]\nfriction = {coefficient = 0.5}\n" +
+                          "[run]\nuntil = 1\n[record]\npage = \"" + page + "\"\n");
+    EXPECT_EQ(run({"simulate", scene, "--quiet"}).code, 0);
+    const std::string text = contents(page);
+    for (const std::string name : {"kinetic", "rotational", "potential", "total"})
+        EXPECT_NE(text.find(name + "</tspan>"), std::string::npos) << name;
+}
+
     EXPECT_NE(svg.find("r=\"80.0\""), std::string::npos);
     EXPECT_NE(svg.find("attributeName=\"r\" dur=\"12s\" repeatCount=\"indefinite\" "
                        "calcMode=\"linear\" values=\"40.00;50.00;60.00;70.00;80.00\""),
