@@ -129,6 +129,22 @@ TEST_F(SceneRuns, StartDenselyByGrowth) {
     }
 }
 
+/// A wall that begins among the balls and ends where no double tells how far they are from it.
+TEST_F(SceneRuns, StartBesideAWallThatGoesFarAway) {
+    for (const std::string points : {"[[10, 1e45], [2.2, 10]]", "[[2.2, 10], [10, 1e45]]"})
+        for (const std::string arrangement : {"growth", "random"}) {
+            const std::string text =
+                "[box]\nlow = [-18, 0]\nhigh = [18, 36]\n[[wall]]\nkind = \"polyline\"\npoints = " +
+                points +
+                "\n[balls]\nnumber = 20\nradius = [0.4, 0.6]\nregion = {low = [-4, 18], high = [4, "
+                "36]}\narrangement = \"" +
+                arrangement + "\"\n[run]\nuntil = 1\n";
+            const auto scene = std::get<Scene<2>>(read_scene(scratch.file("scene.toml", text), {}));
+            for (const motion::Ball<2>& ball : scene.start.balls)
+                EXPECT_GE(std::fabs(ball.x[0] - 2.2), ball.radius);
+        }
+}
+
 TEST_F(SceneRuns, RecordWhereTheSceneSaysUnlessAnOptionDoes) {
     const auto name = [&](const std::string& file) { return scratch.path(file); };
     const std::string scene =
@@ -228,6 +244,19 @@ TEST_F(SceneRuns, WriteAPageThatNeedsNothingBesideIt) {
     EXPECT_NE(contents(page).find("apt-get install gnuplot-nox"), std::string::npos);
 }
 
+/// By the names that everyone has for them.
+TEST_F(SceneRuns, ThePageNamesItsEnergies) {
+    if (!has_program("gnuplot", "--version")) GTEST_SKIP() << "no gnuplot";
+    const std::string page = scratch.path("page.html");
+    const std::string scene = scratch.file(
+        "scene.toml", box + gas + "[effects]\ngravity = [0, -1]\nfriction = {coefficient = 0.5}\n" +
+                          "[run]\nuntil = 1\n[record]\npage = \"" + page + "\"\n");
+    EXPECT_EQ(run({"simulate", scene, "--quiet"}).code, 0);
+    const std::string text = contents(page);
+    for (const std::string name : {"kinetic", "rotational", "potential", "total"})
+        EXPECT_NE(text.find(name + "</tspan>"), std::string::npos) << name;
+}
+
 /// The box goes up and down by 2 of 24 that are shown, in 640 pixels; radii double.
 TEST_F(SceneRuns, ShowWallsAndGrowthInAFilm) {
     const std::string film = scratch.path("film.svg");
@@ -244,19 +273,6 @@ TEST_F(SceneRuns, ShowWallsAndGrowthInAFilm) {
     EXPECT_NE(svg.find("type=\"translate\" dur=\"12s\" repeatCount=\"indefinite\" "
                        "calcMode=\"linear\" values=\"0.00 0.00;0.00 -53.33;0.00 "),
               std::string::npos);
-/// By the names that everyone has for them.
-TEST_F(SceneRuns, ThePageNamesItsEnergies) {
-    if (!has_program("gnuplot", "--version")) GTEST_SKIP() << "no gnuplot";
-    const std::string page = scratch.path("page.html");
-    const std::string scene = scratch.file(
-        "scene.toml", box + gas + "[effects]\ngravity = [0, -1]\nfriction = {coefficient = 0.5}\n" +
-                          "[run]\nuntil = 1\n[record]\npage = \"" + page + "\"\n");
-    EXPECT_EQ(run({"simulate", scene, "--quiet"}).code, 0);
-    const std::string text = contents(page);
-    for (const std::string name : {"kinetic", "rotational", "potential", "total"})
-        EXPECT_NE(text.find(name + "</tspan>"), std::string::npos) << name;
-}
-
     EXPECT_NE(svg.find("r=\"80.0\""), std::string::npos);
     EXPECT_NE(svg.find("attributeName=\"r\" dur=\"12s\" repeatCount=\"indefinite\" "
                        "calcMode=\"linear\" values=\"40.00;50.00;60.00;70.00;80.00\""),
