@@ -77,21 +77,6 @@ MotionState<D> started(const SimulateCall& call, const BallsFile& file) {
     }
 }
 
-/// A state that can be; a damaged one is named.
-template <int D>
-MotionState<D> resumed(const std::string& path) {
-    MotionState<D> result = read_motion_state<D>(path);
-    try {
-        motion::check(result.state, result.effects);
-    } catch (const motion::BallError& error) {
-        throw InputError(path,
-                         fmt::format("a damaged state; ball {}: {}", error.ball(), error.what()));
-    } catch (const std::invalid_argument& error) {
-        throw InputError(path, fmt::format("a damaged state; {}", error.what()));
-    }
-    return result;
-}
-
 void refuse_effects_of_state(const SimulateCall& call) {
     if (!call.box.empty() || call.periodic || !call.gravity.empty() || call.restitution ||
         call.wall_restitution) {
@@ -221,9 +206,9 @@ void simulate(SimulateCall call) {
         if (!call.input.empty())
             throw CallError("FILE and --resume: the state holds the balls; leave FILE out");
         if (dimension_of_motion_state(call.resume) == 2) {
-            run_simulation(call, resumed<2>(call.resume));
+            run_simulation(call, checked_motion_state<2>(call.resume));
         } else {
-            run_simulation(call, resumed<3>(call.resume));
+            run_simulation(call, checked_motion_state<3>(call.resume));
         }
         return;
     }

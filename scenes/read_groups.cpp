@@ -10,7 +10,10 @@
 #include <fmt/format.h>
 
 #include "../generate/uniform.hpp"
+#include "../io/input_file.hpp"
+#include "../io/motion_state.hpp"
 #include "../io/read_balls.hpp"
+#include "../io/read_xyz.hpp"
 #include "arrangement.hpp"
 #include "normal.hpp"
 #include "read_effects.hpp"
@@ -39,8 +42,6 @@ Source source_of(const Section& group) {
             group.fail_at(key, fmt::format("is for balls that are made, and these are those of a "
                                            "{}; leave it out",
                                            has_file ? "file" : "list"));
-    if (has_file && group.has("density"))
-        group.fail_at("density", "is for balls that are made or listed; a file says the masses");
     return has_file ? Source::file : has_list ? Source::list : Source::made;
 }
 
@@ -72,6 +73,30 @@ double density_of(const Section& group) {
     return group.optional_quantity("density", {density_dimension<D>(), above_0}).value_or(1.0);
 }
 
+/// What balls.file may name.
+enum class FileKind { lines, state, frames };
+FileKind kind_of_file(const std::string& path) {
+    const InputFile file(path, "a file of balls");
+    if (file.first_character() == '{') return FileKind::state;
+    return looks_like_frames(file.first_bytes()) ? FileKind::frames : FileKind::lines;
+}
+int dimension_of_file(const std::string& path) {
+    switch (kind_of_file(path)) {
+        case FileKind::state:
+            return dimension_of_motion_state(path);
+        case FileKind::frames:
+            return read_last_frame(path).dimension;
+        case FileKind::lines:
+            break;
+    }
+    return read_balls(path).dimension;
+}
+
+/// A run may leave what start() takes for too small to be meant.
+double or_0(double value) {
+    return std::fabs(value) < 0x1p-150 ? 0.0 : value;
+}
+
 template <int D>
 class Groups {
  public:
@@ -98,7 +123,7 @@ class Groups {
 
  private:
     void begin_at(ScenePlace place, bool is_made = false) {
-        result_.origins.push_back({result_.bodies.size(), std::move(place), is_made, {}});
+        result_.origins.push_back({result_.bodies.size(), std::move(place), is_made});
     }
 
     void read_file(const Section& group) {
@@ -107,14 +132,39 @@ class Groups {
             group.fail_at("file", fmt::format("there is no {}; names are relative to the scene's "
                                               "own directory",
                                               path));
-        const BallsFile file = read_balls(path);
-        if (file.dimension != D)
+        const FileKind kind = kind_of_file(path);
+        if (kind != FileKind::frames && group.has("density"))
+            group.fail_at("density",
+                          "is for balls that are made or listed; a file says the masses");
+        begin_at({path, {}, ""});
+        if (kind == FileKind::state) {
+            refuse_other_dimension(group, path, dimension_of_motion_state(path));
+            take_state(checked_motion_state<D>(path));
+        } else if (kind == FileKind::frames) {
+            const BallsFile file = read_last_frame(path);
+            // In space all may lie in one plane.
+            if (file.dimension == 3) refuse_other_dimension(group, path, 3);
+            take_frame(group, file);
+        } else {
+            const BallsFile file = read_balls(path);
+            refuse_other_dimension(group, path, file.dimension);
+            take_lines(file);
+            if (!file.note.empty()) result_.notes.push_back(file.note);
+        }
+        result_.files.push_back(path);
+    }
+
+    static void refuse_other_dimension(const Section& group, const std::string& path,
+                                       int dimension) {
+        if (dimension != D)
             group.fail_at("file",
                           fmt::format("the balls of {} lie in {}, and the scene in {}; give one "
                                       "dimension to both",
-                                      path, file.dimension == 2 ? "the plane" : "space",
+                                      path, dimension == 2 ? "the plane" : "space",
                                       D == 2 ? "the plane" : "space"));
-        begin_at({path, {}, ""});
+    }
+
+    void take_lines(const BallsFile& file) {
         for (const BallLine& ball : file.balls) {
             result_.origins.back().lines.push_back(ball.position);
             Body<D>& body = result_.bodies.emplace_back();
@@ -123,8 +173,39 @@ class Groups {
             body.radius = ball.radius;
             body.mass = ball.mass;
         }
-        result_.files.push_back(path);
-        if (!file.note.empty()) result_.notes.push_back(file.note);
+    }
+
+    void take_frame(const Section& group, const BallsFile& file) {
+        const std::size_t first = result_.bodies.size();
+        take_lines(file);
+        result_.origins.back().is_left_by_run = true;
+        const double density = density_of<D>(group);
+        for (Body<D>& body : std::span(result_.bodies).subspan(first)) {
+            if (body.radius == 0.0)
+                result_.fail(static_cast<std::size_t>(&body - result_.bodies.data()),
+                             "a ball of radius 0, which needs a mass, and frames have none; give a "
+                             "state, or lines of balls");
+            body.mass = density * mass_of_radius(body.radius, D);
+            for (double& x : body.x) x = or_0(x);
+            for (double& v : body.v) v = or_0(v);
+        }
+    }
+
+    /// As they are at the state's time.
+    void take_state(const MotionState<D>& saved) {
+        result_.origins.back().is_left_by_run = true;
+        Snapshot<D> snapshot(saved.state, saved.effects, saved.state.time);
+        std::size_t i = 0;
+        for (const MotionFrame::Ball& ball : snapshot.frame().balls) {
+            Body<D>& body = result_.bodies.emplace_back();
+            std::ranges::transform(std::span(ball.x).first(D), body.x.begin(), or_0);
+            std::ranges::transform(std::span(ball.v).first(D), body.v.begin(), or_0);
+            body.radius = ball.radius;
+            body.mass = saved.state.masses[i];
+            if (effects_.friction && !saved.state.spins.empty())
+                std::ranges::transform(saved.state.spins[i], body.spin.begin(), or_0);
+            ++i;
+        }
     }
 
     void read_list(const Section& group) {
@@ -429,9 +510,33 @@ void BallsOfScene<D>::fail(std::size_t ball, std::string_view message) const {
     const Origin& origin = *std::prev(after);
     if (!origin.lines.empty())
         throw InputError(origin.place.file, origin.lines[ball - origin.first], message);
+    if (origin.is_left_by_run)
+        throw InputError(origin.place.file,
+                         fmt::format("ball {}: {}", ball - origin.first, message));
     if (!origin.is_made) origin.place.fail(message);
     origin.place.fail(
         fmt::format("[balls]: ball {} of the group: {}", ball - origin.first, message));
+}
+
+/// Contacts that stand may overlap by a 256th of the smaller radius and a little more
+/// (scenes/checks.cpp), so balls of a run are judged by radii that are
+/// smaller by as much.
+template <int D>
+motion::State<D> BallsOfScene<D>::start(const motion::Effects<D>& effects) const {
+    constexpr double share = 1.0 - 5.0 * 0x1p-10;
+    std::vector<motion::Body<D>> judged = bodies;
+    for (std::size_t i = 0; i < origins.size(); ++i) {
+        if (!origins[i].is_left_by_run) continue;
+        const std::size_t end = i + 1 < origins.size() ? origins[i + 1].first : judged.size();
+        for (std::size_t k = origins[i].first; k < end; ++k) judged[k].radius *= share;
+    }
+    try {
+        motion::State<D> state = motion::start<D>(judged, effects);
+        for (std::size_t k = 0; k < bodies.size(); ++k) state.balls[k].radius = bodies[k].radius;
+        return state;
+    } catch (const motion::BallError& error) {
+        fail(static_cast<std::size_t>(error.ball()), error.what());
+    }
 }
 
 template <int D>
@@ -445,7 +550,7 @@ int dimension_of_groups(const Section& file) {
         switch (source_of(group)) {
             case Source::file: {
                 const std::string path = path_of(group);
-                if (std::filesystem::exists(path)) dimension = read_balls(path).dimension;
+                if (std::filesystem::exists(path)) dimension = dimension_of_file(path);
                 break;
             }
             case Source::list:

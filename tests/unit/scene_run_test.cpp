@@ -145,6 +145,152 @@ TEST_F(SceneRuns, StartBesideAWallThatGoesFarAway) {
         }
 }
 
+/// Grains that rest on one another overlap a little, fall and spin; the next stage begins with them
+/// as they are, and other walls and effects.
+TEST_F(SceneRuns, BeginWithWhatAnotherOneLeft) {
+    const std::string state = scratch.path("state.json");
+    const std::string frames = scratch.path("frames.xyz");
+    const std::string pour =
+        box + gas +
+        "density = 3\n[effects]\ngravity = [0, -5]\nrestitution = 0.5\nfriction = {coefficient = "
+        "0.4}\ncontacts = {speed = 0.5}\n[run]\nuntil = 6\ntime_step = 0.02\n";
+    EXPECT_EQ(run({"simulate", scratch.file("pour.toml", pour), "--save", state, "-o", frames,
+                   "--every", "0.75", "--quiet"})
+                  .code,
+              0);
+    const MotionState<2> left = read_motion_state<2>(state);
+    double overlap = 0.0;
+    for (std::size_t i = 0; i < left.state.balls.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            const motion::Ball<2>& a = left.state.balls[i];
+            const motion::Ball<2>& b = left.state.balls[j];
+            overlap = std::max(overlap,
+                               a.radius + b.radius - std::hypot(a.x[0] - b.x[0], a.x[1] - b.x[1]));
+        }
+    EXPECT_GT(overlap, 1e-9);
+    const auto next = [&](const std::string& file, const std::string& more) {
+        return std::get<Scene<2>>(
+            read_scene(scratch.file("next.toml",
+                                    "[[wall]]\nkind = \"half-space\"\nnormal = [0, 1]\noffset = "
+                                    "-1\n[balls]\nfile = \"" +
+                                        file + "\"\n" + more + "[run]\nuntil = 1\n"),
+                       {}));
+    };
+    const std::string friction = "[effects.friction]\ncoefficient = 0.1\n";
+    const Scene<2> scene = next("state.json", friction);
+    EXPECT_EQ(scene.start.time, 0.0);
+    EXPECT_EQ(scene.start.masses, left.state.masses);
+    EXPECT_EQ(scene.start.spins, left.state.spins);
+    EXPECT_TRUE(next("state.json", "").start.spins.empty());
+    const Scene<2> of_frames = next("frames.xyz", "density = 3\n");
+    EXPECT_EQ(of_frames.start.masses, left.state.masses);
+    for (std::size_t i = 0; i < left.state.balls.size(); ++i) {
+        motion::Ball<2> ball = left.state.balls[i];
+        for (int k = 0; k < 2; ++k) {
+            ball.x[k] = coordinate(left.state.balls[i], k, 6.0, left.effects);
+            ball.v[k] = speed(left.state.balls[i], k, 6.0, left.effects);
+        }
+        for (const Scene<2>* each : {&scene, &of_frames}) {
+            EXPECT_EQ(each->start.balls[i].x, ball.x);
+            EXPECT_EQ(each->start.balls[i].v, ball.v);
+            EXPECT_EQ(each->start.balls[i].radius, ball.radius);
+            EXPECT_EQ(each->start.balls[i].time, 0.0);
+        }
+    }
+    // It runs, by another gravity, and no ball falls through another one.
+    const Outcome result =
+        run({"simulate", scratch.path("pour.toml"), "--set", "balls={file=\"state.json\"}",
+             "--gravity", "5", "0", "--until", "2", "-o", scratch.path("page.html"), "--quiet"});
+    EXPECT_EQ(result.code, 0) << result.err;
+    const std::string page = contents(scratch.path("page.html"));
+    for (const std::string what : {"no two balls overlap", "no ball is in a wall, or outside"}) {
+        const std::size_t row = page.find("<td>" + what + "</td>");
+        EXPECT_NE(page.substr(row, page.find("</tr>", row) - row).find("class=\"good\""),
+                  std::string::npos)
+            << what;
+    }
+}
+
+/// Radii as they have grown, and places in a periodic box.
+TEST_F(SceneRuns, BeginWithWhatHasGrown) {
+    const std::string state = scratch.path("state.json");
+    const std::string grow = scratch.file(
+        "grow.toml", box + "periodic = true\n" + gas +
+                         "[effects]\ngrowth = {rate = 0.125, until = 2}\n[run]\nuntil = 1.5\n");
+    const std::string log = scratch.path("log.csv");
+    EXPECT_EQ(run({"simulate", grow, "--save", state, "-o", log, "--quiet"}).code, 0);
+    const MotionState<2> left = read_motion_state<2>(state);
+    const auto scene = std::get<Scene<2>>(read_scene(
+        scratch.file("next.toml", box + "periodic = true\n[balls]\nfile = \"state.json\"\n[run]\n"
+                                        "until = 1\n"),
+        {}));
+    for (std::size_t i = 0; i < left.state.balls.size(); ++i)
+        EXPECT_EQ(scene.start.balls[i].radius, radius_at(left.state.balls[i], 1.5, left.effects));
+    const auto before = std::get<Scene<2>>(read_scene(grow, {}));
+    EXPECT_DOUBLE_EQ(scene.start.balls[0].radius, 1.1875 * before.start.balls[0].radius);
+}
+
+TEST_F(SceneRuns, SayWhatIsWrongWithWhatAnotherOneLeft) {
+    const auto said = [&](const std::string& more) {
+        const Outcome result =
+            run({"simulate",
+                 scratch.file("next.toml", box + "[balls]\n" + more + "[run]\nuntil = 1\n")});
+        EXPECT_EQ(result.code, 2);
+        return result.err;
+    };
+    const std::string plane = scratch.path("plane.json");
+    const std::string grid = scratch.file("two.txt", "5 5 1 0 0\n15 5 1 0 0\n");
+    EXPECT_EQ(run({"simulate", grid, "--until", "0", "--save", plane, "--quiet"}).code, 0);
+    const std::string next = scratch.path("next.toml");
+    EXPECT_EQ(said("file = \"plane.json\"\ndensity = 2\n"),
+              next +
+                  ":6:11: density: is for balls that are made or listed; a file says the "
+                  "masses\n");
+    EXPECT_EQ(said("file = \"plane.json\"\n[effects]\n[[wall]]\nkind = \"half-space\"\nnormal = "
+                   "[-1, 0]\noffset = -10\n"),
+              plane + ": ball 1: a ball that overlaps wall 4; it may touch it\n");
+    scratch.file("none.json", "{\"x\": 1}\n");
+    EXPECT_EQ(
+        said("file = \"none.json\"\n"),
+        scratch.path("none.json") + ": no state of a simulation; give a file that --save wrote\n");
+    const std::string space = scratch.file("space.txt", "5 5 5 1 0 0 0\n");
+    EXPECT_EQ(run({"simulate", space, "--until", "0", "--save", scratch.path("space.json"), "-o",
+                   scratch.path("space.xyz"), "--quiet"})
+                  .code,
+              0);
+    for (const std::string file : {"space.json", "space.xyz"})
+        EXPECT_EQ(said("file = \"" + file + "\"\n"),
+                  next + ":5:8: file: the balls of " + scratch.path(file) +
+                      " lie in space, and the scene in the plane; give one dimension to both\n");
+    const std::string head =
+        "Lattice=\"9 0 0 0 9 0 0 0 1\" Properties=species:S:1:pos:R:3:velo:R:3:radius:R:1:id:I:1 "
+        "Time=0\n";
+    const std::string frames = scratch.path("frames.xyz");
+    const auto said_of = [&](const std::string& text) {
+        scratch.file("frames.xyz", text);
+        return said("file = \"frames.xyz\"\n");
+    };
+    const std::string ball = "A 5 5 0 0 0 0 1 0\n";
+    EXPECT_EQ(said_of("2\n" + head + ball + "A 6 5 0 0 0 0 1 1\n"),
+              frames + ":4:1: a ball that overlaps ball 0; balls may touch\n");
+    EXPECT_EQ(said_of("1\n" + head + "A 5 5 0 0 0 0 0 0\n"),
+              frames +
+                  ":3:1: a ball of radius 0, which needs a mass, and frames have none; give a "
+                  "state, or lines of balls\n");
+    const std::string advice = "; give frames as signum writes them\n";
+    EXPECT_EQ(said_of("2\n" + head + ball), frames + ":3:1: the file ends within a frame" + advice);
+    EXPECT_EQ(said_of("1\n" + head + ball + "x\n"), frames + ":4:1: no number of balls" + advice);
+    EXPECT_EQ(said_of("1\n" + head + "A 5 5 0 0 0 0\n"),
+              frames + ":3:14: a ball without all of its numbers" + advice);
+    EXPECT_EQ(said_of("1\n" + head + "A 5 5 0 0 0 0 1 0 7\n"),
+              frames + ":3:18: more behind a ball than its numbers" + advice);
+    EXPECT_TRUE(said_of("1\n" + head + "A 5 y 0 0 0 0 1 0\n").starts_with(frames + ":3:5: "));
+    EXPECT_EQ(
+        said_of("1\nProperties=pos:R:3\nA 5 5 0\n"),
+        frames + ":2:1: no Properties=species:S:1:pos:R:3:velo:R:3:radius:R:1:id:I:1" + advice);
+    EXPECT_EQ(said_of("0\n" + head), frames + ":2:1: no ball in the last frame" + advice);
+}
+
 TEST_F(SceneRuns, RecordWhereTheSceneSaysUnlessAnOptionDoes) {
     const auto name = [&](const std::string& file) { return scratch.path(file); };
     const std::string scene =
