@@ -31,6 +31,7 @@ class Explanation {
     std::string text(std::string_view records) {
         if (!scene_.title.empty()) line("scene", scene_.title);
         line("balls", balls());
+        line("mass", mass());
         line("units", fmt::format("{}, {}, {}", scene_.units.name_of(dimensions::length),
                                   scene_.units.name_of(dimensions::time),
                                   scene_.units.name_of(dimensions::mass)));
@@ -93,6 +94,12 @@ class Explanation {
         if (!effects_.box) return text;
         for (int k = 0; k < D; ++k) filled /= effects_.box->high[k] - effects_.box->low[k];
         return text + fmt::format("; they fill {:.3g} of the box", filled);
+    }
+
+    [[nodiscard]] std::string mass() const {
+        double sum = 0.0;
+        for (const double each : scene_.start.masses) sum += each;
+        return fmt::format("{:.4g} {} in all", sum, scene_.units.name_of(dimensions::mass));
     }
 
     [[nodiscard]] std::string flight() const {

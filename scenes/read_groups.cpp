@@ -68,10 +68,21 @@ template <int D>
 Dimension density_dimension() {
     return {.length = -D, .mass = 1};
 }
+/// Of a ball by its radius: that of its area or volume at the group's density, and r^D where there
+/// is none.
 template <int D>
-double density_of(const Section& group) {
-    return group.optional_quantity("density", {density_dimension<D>(), above_0}).value_or(1.0);
-}
+class Masses {
+ public:
+    explicit Masses(const Section& group)
+        : density_(group.optional_quantity("density", {density_dimension<D>(), above_0})) {}
+    [[nodiscard]] double operator()(double radius) const {
+        const double power = mass_of_radius(radius, D);
+        return density_ ? *density_ * (unit_ball<D>() * power) : power;
+    }
+
+ private:
+    std::optional<double> density_;
+};
 
 /// What balls.file may name.
 enum class FileKind { lines, state, frames };
@@ -179,13 +190,13 @@ class Groups {
         const std::size_t first = result_.bodies.size();
         take_lines(file);
         result_.origins.back().is_left_by_run = true;
-        const double density = density_of<D>(group);
+        const Masses<D> mass(group);
         for (Body<D>& body : std::span(result_.bodies).subspan(first)) {
             if (body.radius == 0.0)
                 result_.fail(static_cast<std::size_t>(&body - result_.bodies.data()),
                              "a ball of radius 0, which needs a mass, and frames have none; give a "
                              "state, or lines of balls");
-            body.mass = density * mass_of_radius(body.radius, D);
+            body.mass = mass(body.radius);
             for (double& x : body.x) x = or_0(x);
             for (double& v : body.v) v = or_0(v);
         }
@@ -209,7 +220,7 @@ class Groups {
     }
 
     void read_list(const Section& group) {
-        const double density = density_of<D>(group);
+        const Masses<D> mass(group);
         for (const toml::node& node : rows_of(group)) {
             const toml::array* const row = node.as_array();
             constexpr std::size_t least = 2 * D + 1;
@@ -239,7 +250,7 @@ class Groups {
                                       "list: a ball of radius 0 needs a mass; write it as one more "
                                       "entry, the last");
             body.mass = row->size() > least ? number(least, {dimensions::mass, above_0})
-                                            : density * mass_of_radius(body.radius, D);
+                                            : mass(body.radius);
             for (std::size_t i = least + 1; i < row->size(); ++i) {
                 double& spin = body.spin[static_cast<int>(i - least) - 1];
                 spin = number(i, {dimensions::angular_speed});
@@ -429,12 +440,11 @@ class Groups {
         } catch (const NoPlaceError& error) {
             group.fail(error.what());
         }
-        const double density = density_of<D>(group);
+        const Masses<D> mass(group);
         begin_at(group.place(), true);
         const std::size_t first = result_.bodies.size();
         for (std::size_t i = 0; i < radii.size(); ++i)
-            result_.bodies.push_back(
-                {centres[i], {}, radii[i], density * mass_of_radius(radii[i], D), {}});
+            result_.bodies.push_back({centres[i], {}, radii[i], mass(radii[i]), {}});
         set_velocities(group, std::span(result_.bodies).subspan(first));
     }
 
