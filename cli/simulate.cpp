@@ -148,11 +148,16 @@ SimulateCall completed(SimulateCall call, const Scene<D>& scene) {
     call.arithmetic = scene.run.kernel == motion::Kernel::naive ? "naive" : "exact";
     call.records = targets_of_record(scene.record);
     if (call.save.empty()) call.save = scene.record.state;
-    for (const std::string& file : scene.files)
-        for (const std::string& output : call.outputs)
+    const auto refuse_file_of_scene = [&](std::string_view option, const std::string& output) {
+        for (const std::string& file : scene.files)
             if (is_same_file(file, output))
-                throw CallError(fmt::format(
-                    "-o {} would overwrite a file of the scene; give another name", output));
+                throw CallError(
+                    fmt::format("{} {} would overwrite a file of the scene; give another name",
+                                option, output));
+    };
+    for (const std::string& output : call.outputs) refuse_file_of_scene("-o", output);
+    refuse_file_of_scene("--save", call.save);
+    refuse_file_of_scene("--closest", call.closest);
     // A scene may say it for who asks for frames.
     if (!call.every && wants_frames(call)) call.every = scene.record.every;
     call.scene = {.title = scene.title,

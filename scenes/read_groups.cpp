@@ -87,6 +87,8 @@ class Masses {
 /// What balls.file may name.
 enum class FileKind { lines, state, frames };
 FileKind kind_of_file(const std::string& path) {
+    // A pipe can be read but once.
+    if (!std::filesystem::is_regular_file(path)) return FileKind::lines;
     const InputFile file(path, "a file of balls");
     if (file.first_character() == '{') return FileKind::state;
     return looks_like_frames(file.first_bytes()) ? FileKind::frames : FileKind::lines;
@@ -534,14 +536,16 @@ void BallsOfScene<D>::fail(std::size_t ball, std::string_view message) const {
 template <int D>
 motion::State<D> BallsOfScene<D>::start(const motion::Effects<D>& effects) const {
     constexpr double share = 1.0 - 5.0 * 0x1p-10;
-    std::vector<motion::Body<D>> judged = bodies;
+    const bool is_left_by_run = std::ranges::any_of(origins, &Origin::is_left_by_run);
+    std::vector<motion::Body<D>> smaller;
+    if (is_left_by_run) smaller = bodies;
     for (std::size_t i = 0; i < origins.size(); ++i) {
         if (!origins[i].is_left_by_run) continue;
-        const std::size_t end = i + 1 < origins.size() ? origins[i + 1].first : judged.size();
-        for (std::size_t k = origins[i].first; k < end; ++k) judged[k].radius *= share;
+        const std::size_t end = i + 1 < origins.size() ? origins[i + 1].first : bodies.size();
+        for (std::size_t k = origins[i].first; k < end; ++k) smaller[k].radius *= share;
     }
     try {
-        motion::State<D> state = motion::start<D>(judged, effects);
+        motion::State<D> state = motion::start<D>(is_left_by_run ? smaller : bodies, effects);
         for (std::size_t k = 0; k < bodies.size(); ++k) state.balls[k].radius = bodies[k].radius;
         return state;
     } catch (const motion::BallError& error) {

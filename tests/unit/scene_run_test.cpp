@@ -249,6 +249,12 @@ TEST_F(SceneRuns, SayWhatIsWrongWithWhatAnotherOneLeft) {
     EXPECT_EQ(said("file = \"plane.json\"\n[effects]\n[[wall]]\nkind = \"half-space\"\nnormal = "
                    "[-1, 0]\noffset = -10\n"),
               plane + ": ball 1: a ball that overlaps wall 4; it may touch it\n");
+    // A later stage does not take the place of the one before.
+    scratch.file("next.toml", box + "[balls]\nfile = \"plane.json\"\n[run]\nuntil = 1\n");
+    for (const std::string option : {"--save", "--closest"})
+        EXPECT_EQ(run({"simulate", next, option, plane}).err,
+                  "signum: " + option + " " + plane +
+                      " would overwrite a file of the scene; give another name\n");
     scratch.file("none.json", "{\"x\": 1}\n");
     EXPECT_EQ(
         said("file = \"none.json\"\n"),
