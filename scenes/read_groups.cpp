@@ -16,6 +16,7 @@
 #include "../io/read_xyz.hpp"
 #include "arrangement.hpp"
 #include "normal.hpp"
+#include "overlaps.hpp"
 #include "read_effects.hpp"
 #include "snapshot.hpp"
 
@@ -150,6 +151,7 @@ class Groups {
             group.fail_at("density",
                           "is for balls that are made or listed; a file says the masses");
         begin_at({path, {}, ""});
+        const std::size_t first = result_.bodies.size();
         if (kind == FileKind::state) {
             refuse_other_dimension(group, path, dimension_of_motion_state(path));
             take_state(checked_motion_state<D>(path));
@@ -164,6 +166,7 @@ class Groups {
             take_lines(file);
             if (!file.note.empty()) result_.notes.push_back(file.note);
         }
+        if (kind != FileKind::lines) part(std::span(result_.bodies).subspan(first), effects_);
         result_.files.push_back(path);
     }
 
@@ -191,7 +194,6 @@ class Groups {
     void take_frame(const Section& group, const BallsFile& file) {
         const std::size_t first = result_.bodies.size();
         take_lines(file);
-        result_.origins.back().is_left_by_run = true;
         const Masses<D> mass(group);
         for (Body<D>& body : std::span(result_.bodies).subspan(first)) {
             if (body.radius == 0.0)
@@ -206,7 +208,7 @@ class Groups {
 
     /// As they are at the state's time.
     void take_state(const MotionState<D>& saved) {
-        result_.origins.back().is_left_by_run = true;
+        result_.origins.back().is_of_state = true;
         Snapshot<D> snapshot(saved.state, saved.effects, saved.state.time);
         std::size_t i = 0;
         for (const MotionFrame::Ball& ball : snapshot.frame().balls) {
@@ -522,35 +524,12 @@ void BallsOfScene<D>::fail(std::size_t ball, std::string_view message) const {
     const Origin& origin = *std::prev(after);
     if (!origin.lines.empty())
         throw InputError(origin.place.file, origin.lines[ball - origin.first], message);
-    if (origin.is_left_by_run)
+    if (origin.is_of_state)
         throw InputError(origin.place.file,
                          fmt::format("ball {}: {}", ball - origin.first, message));
     if (!origin.is_made) origin.place.fail(message);
     origin.place.fail(
         fmt::format("[balls]: ball {} of the group: {}", ball - origin.first, message));
-}
-
-/// Contacts that stand may overlap by a 256th of the smaller radius and a little more
-/// (scenes/checks.cpp), so balls of a run are judged by radii that are
-/// smaller by as much.
-template <int D>
-motion::State<D> BallsOfScene<D>::start(const motion::Effects<D>& effects) const {
-    constexpr double share = 1.0 - 5.0 * 0x1p-10;
-    const bool is_left_by_run = std::ranges::any_of(origins, &Origin::is_left_by_run);
-    std::vector<motion::Body<D>> smaller;
-    if (is_left_by_run) smaller = bodies;
-    for (std::size_t i = 0; i < origins.size(); ++i) {
-        if (!origins[i].is_left_by_run) continue;
-        const std::size_t end = i + 1 < origins.size() ? origins[i + 1].first : bodies.size();
-        for (std::size_t k = origins[i].first; k < end; ++k) smaller[k].radius *= share;
-    }
-    try {
-        motion::State<D> state = motion::start<D>(is_left_by_run ? smaller : bodies, effects);
-        for (std::size_t k = 0; k < bodies.size(); ++k) state.balls[k].radius = bodies[k].radius;
-        return state;
-    } catch (const motion::BallError& error) {
-        fail(static_cast<std::size_t>(error.ball()), error.what());
-    }
 }
 
 template <int D>

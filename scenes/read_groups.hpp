@@ -16,11 +16,9 @@ struct BallsOfScene {
     struct Origin {
         std::size_t first = 0;  ///< this and all up to the next origin's
         ScenePlace place;
-        bool is_made = false;  ///< by a group that tells their number
-        /// Left by a run: rounding, or contacts that stand, may have brought them a little into
-        /// one another.
-        bool is_left_by_run = false;
-        /// Of balls from a file where each is; none in a state.
+        bool is_made = false;      ///< by a group that tells their number
+        bool is_of_state = false;  ///< of a file without lines
+        /// Of balls from another file where each is.
         std::vector<Position> lines = {};
     };
     std::vector<motion::Body<D>> bodies;
@@ -28,9 +26,6 @@ struct BallsOfScene {
     std::vector<std::string> files;
     std::vector<std::string> notes;
 
-    /// Their state at t = 0. Throws at the place of a ball that cannot be, and
-    /// std::invalid_argument for effects that make no sense.
-    [[nodiscard]] motion::State<D> start(const motion::Effects<D>& effects) const;
     /// Throws at the place where the ball is said.
     [[noreturn]] void fail(std::size_t ball, std::string_view message) const;
 };

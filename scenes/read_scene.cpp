@@ -193,7 +193,9 @@ Scene<D> scene_of(const Section& file) {
         file.optional_section("record")->fail_at(
             "pair_correlation", "is told beside the mean density, which needs a box; add [box]");
     try {
-        scene.start = balls.start(scene.effects);
+        scene.start = motion::start<D>(balls.bodies, scene.effects);
+    } catch (const motion::BallError& error) {
+        balls.fail(static_cast<std::size_t>(error.ball()), error.what());
     } catch (const std::invalid_argument& error) {
         file.fail(error.what());
     }
