@@ -1,12 +1,21 @@
 #include "interrupt.hpp"
 
+#include <unistd.h>
+
 namespace signum::cli {
 namespace {
 
 volatile std::sig_atomic_t noted_signal = 0;
+std::string_view last_words;
 
 extern "C" void note_interrupt(int signal) {
     noted_signal = signal;
+}
+
+extern "C" void say_and_die(int signal) {
+    static_cast<void>(!::write(STDERR_FILENO, last_words.data(), last_words.size()));
+    // The handler is reset (SA_RESETHAND), so that the shell sees the signal.
+    ::raise(signal);
 }
 
 }  // namespace
@@ -18,9 +27,9 @@ void set_interrupted(int signal) noexcept {
     noted_signal = signal;
 }
 
-InterruptNoted::InterruptNoted() {
+InterruptHandled::InterruptHandled(void (*handler)(int)) {
     struct sigaction action = {};
-    action.sa_handler = note_interrupt;
+    action.sa_handler = handler;
     action.sa_flags = static_cast<int>(SA_RESETHAND);
     sigemptyset(&action.sa_mask);
     for (std::size_t k = 0; k < signals.size(); ++k) {
@@ -30,9 +39,14 @@ InterruptNoted::InterruptNoted() {
     }
 }
 
-InterruptNoted::~InterruptNoted() {
+InterruptHandled::~InterruptHandled() {
     for (std::size_t k = 0; k < signals.size(); ++k)
         if (is_set_[k]) ::sigaction(signals[k], &before_[k], nullptr);
 }
+
+InterruptNoted::InterruptNoted() : InterruptHandled(note_interrupt) {}
+
+InterruptSays::InterruptSays(std::string_view text)
+    : InterruptHandled((last_words = text, say_and_die)) {}
 
 }  // namespace signum::cli

@@ -1,8 +1,9 @@
 #pragma once
-/// The first Ctrl-C ends what is running, not the program.
+/// The first Ctrl-C ends what is running, not the program, or says what it ended.
 
 #include <array>
 #include <csignal>
+#include <string_view>
 
 namespace signum::cli {
 
@@ -11,19 +12,32 @@ namespace signum::cli {
 /// As if it had come, or none had.
 void set_interrupted(int signal) noexcept;
 
-/// While it lives, the first Ctrl-C (or what ends a session or a batch job) is noted, and the
-/// second one ends the program.
-class InterruptNoted {
+/// While it lives, the first Ctrl-C (or what ends a session or a batch job) calls a function, and
+/// the second one ends the program.
+class InterruptHandled {
  public:
-    InterruptNoted();
-    InterruptNoted(const InterruptNoted&) = delete;
-    InterruptNoted& operator=(const InterruptNoted&) = delete;
-    ~InterruptNoted();
+    explicit InterruptHandled(void (*handler)(int));
+    InterruptHandled(const InterruptHandled&) = delete;
+    InterruptHandled& operator=(const InterruptHandled&) = delete;
+    ~InterruptHandled();
 
  private:
     static constexpr std::array signals = {SIGINT, SIGTERM, SIGHUP};
     std::array<struct sigaction, signals.size()> before_ = {};
     std::array<bool, signals.size()> is_set_ = {};
+};
+
+/// While it lives, the first Ctrl-C is noted.
+class InterruptNoted : InterruptHandled {
+ public:
+    InterruptNoted();
+};
+
+/// While it lives, Ctrl-C says so on standard error, and ends the program as it would.
+class InterruptSays : InterruptHandled {
+ public:
+    /// The text is one that lives as long, with the end of its line.
+    explicit InterruptSays(std::string_view text);
 };
 
 }  // namespace signum::cli

@@ -118,7 +118,7 @@ class Recording {
         }
         std::ranges::copy(shown_.low, frame.low.begin());
         std::ranges::copy(shown_.high, frame.high.begin());
-        if (pictures_) pictures_->add(frame_picture(frame, walls_));
+        if (pictures_) pictures_->add(frame_picture(frame, walls_, scene_.time));
         if (!movie_) return;
         Movie::Shapes shapes = shapes_of(sketch);
         if constexpr (D == 2)

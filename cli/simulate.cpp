@@ -19,6 +19,7 @@
 #include "../scenes/read_scene.hpp"
 
 #include "commands.hpp"
+#include "interrupt.hpp"
 #include "outputs.hpp"
 #include "simulate_call.hpp"
 #include "simulate_run.hpp"
@@ -74,21 +75,6 @@ MotionState<D> started(const SimulateCall& call, const BallsFile& file) {
     } catch (const std::invalid_argument& error) {
         throw CallError(error.what());
     }
-}
-
-/// A state that can be; a damaged one is named.
-template <int D>
-MotionState<D> resumed(const std::string& path) {
-    MotionState<D> result = read_motion_state<D>(path);
-    try {
-        motion::check(result.state, result.effects);
-    } catch (const motion::BallError& error) {
-        throw InputError(path,
-                         fmt::format("a damaged state; ball {}: {}", error.ball(), error.what()));
-    } catch (const std::invalid_argument& error) {
-        throw InputError(path, fmt::format("a damaged state; {}", error.what()));
-    }
-    return result;
 }
 
 void refuse_effects_of_state(const SimulateCall& call) {
@@ -162,35 +148,47 @@ SimulateCall completed(SimulateCall call, const Scene<D>& scene) {
     call.arithmetic = scene.run.kernel == motion::Kernel::naive ? "naive" : "exact";
     call.records = targets_of_record(scene.record);
     if (call.save.empty()) call.save = scene.record.state;
-    for (const std::string& file : scene.files)
-        for (const std::string& output : call.outputs)
+    const auto refuse_file_of_scene = [&](std::string_view option, const std::string& output) {
+        for (const std::string& file : scene.files)
             if (is_same_file(file, output))
-                throw CallError(fmt::format(
-                    "-o {} would overwrite a file of the scene; give another name", output));
+                throw CallError(
+                    fmt::format("{} {} would overwrite a file of the scene; give another name",
+                                option, output));
+    };
+    for (const std::string& output : call.outputs) refuse_file_of_scene("-o", output);
+    refuse_file_of_scene("--save", call.save);
+    refuse_file_of_scene("--closest", call.closest);
     // A scene may say it for who asks for frames.
     if (!call.every && wants_frames(call)) call.every = scene.record.every;
     call.scene = {.title = scene.title,
-                  .explanation = explain(scene),
+                  .explanation = explain(scene, results_in_words(call)),
                   .length = scene.units.name_of(dimensions::length),
                   .time = scene.units.name_of(dimensions::time),
                   .energy = scene.units.name_of(dimensions::energy)};
     return call;
 }
 
+/// Dense balls take their time to be placed.
+AnyScene scene_of(const SimulateCall& call) {
+    const InterruptSays says("signum: interrupted while balls were placed; nothing was written\n");
+    return read_scene(call.input, overrides_of(call));
+}
+
 void simulate_scene(const SimulateCall& call) {
     try {
-        const AnyScene any = read_scene(call.input, overrides_of(call));
+        const AnyScene any = scene_of(call);
         std::visit(
             [&]<int D>(const Scene<D>& scene) {
+                const SimulateCall whole = completed(call, scene);
                 if (call.explain) {
                     DescriptorStream out(1, "standard output");
-                    out << explain(scene);
+                    out << whole.scene.explanation;
                     out.flush();
                     return;
                 }
                 if (!call.quiet)
                     for (const std::string& note : scene.notes) say("{}\n", note);
-                run_simulation<D>(completed(call, scene), {scene.start, scene.effects});
+                run_simulation<D>(whole, {scene.start, scene.effects});
             },
             any);
     } catch (const OverrideError& error) {
@@ -206,7 +204,6 @@ void simulate(SimulateCall call) {
     if (!call.settings.empty()) throw CallError("--set is for scenes; give FILE.toml");
     if (call.structure.empty()) call.structure = "auto";
     if (call.arithmetic.empty()) call.arithmetic = "exact";
-    if (!call.until && !call.events) throw CallError("say when to end: --until T, or --events N");
     if (call.periodic && call.box.empty())
         throw CallError("--periodic: say of what box; add --box");
     if (!call.resume.empty()) {
@@ -214,9 +211,9 @@ void simulate(SimulateCall call) {
         if (!call.input.empty())
             throw CallError("FILE and --resume: the state holds the balls; leave FILE out");
         if (dimension_of_motion_state(call.resume) == 2) {
-            run_simulation(call, resumed<2>(call.resume));
+            run_simulation(call, checked_motion_state<2>(call.resume));
         } else {
-            run_simulation(call, resumed<3>(call.resume));
+            run_simulation(call, checked_motion_state<3>(call.resume));
         }
         return;
     }

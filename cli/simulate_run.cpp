@@ -10,6 +10,7 @@
 #include <string>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "../motion/queries.hpp"
 #include "../motion/simulation.hpp"
@@ -127,6 +128,12 @@ std::vector<Target> all_targets(const SimulateCall& call) {
     return targets;
 }
 
+/// With the state at the end, which is none of a format of -o.
+std::vector<Target> with_state(std::vector<Target> targets, const SimulateCall& call) {
+    if (!call.save.empty()) targets.push_back({call.save, "state"});
+    return targets;
+}
+
 /// From the start to where the run has come, in a run of its own. Who ends the first run waits for
 /// the list of that; who ends the second one has it up to there.
 template <int D>
@@ -169,8 +176,22 @@ bool wants_frames(const SimulateCall& call) {
     return has_frames(all_targets(call));
 }
 
+std::string results_in_words(const SimulateCall& call) {
+    std::vector<std::string> names;
+    for (const Target& target : with_state(all_targets(call), call)) {
+        const auto format = std::ranges::find(simulate_formats, target.format, &Format::name);
+        names.push_back(target.path != standard_output ? target.path
+                        : format == simulate_formats.begin()
+                            ? "the log to standard output"
+                            : fmt::format("{} to standard output", target.format));
+    }
+    if (!call.closest.empty()) names.push_back(call.closest);
+    return fmt::format("{}", fmt::join(names, ", "));
+}
+
 template <int D>
 void run_simulation(const SimulateCall& call, const MotionState<D>& start) {
+    if (!call.until && !call.events) throw CallError("say when to end: --until T, or --events N");
     if (call.until && *call.until < start.state.time)
         throw CallError(fmt::format("--until {}: the state is that of time {}; give a later one",
                                     *call.until, start.state.time));
@@ -246,7 +267,7 @@ void run_simulation(const SimulateCall& call, const MotionState<D>& start) {
         say("strikes  {}\n", summary.counts.strikes);
         say("time     {:.6g}, {}\n", end.state.time, in_words(outcome->ending));
         say("seconds  {:.3g}\n", summary.seconds);
-        say("{}", written(targets));
+        say("{}", written(with_state(targets, call)));
         if (closest) say("closest  {}\n", describe_list(call, *closest, seconds_of_list.count()));
     }
     // As if nobody had caught it.

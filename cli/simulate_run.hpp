@@ -1,6 +1,8 @@
 #pragma once
 /// A run of signum simulate, from the state at its start to the summary.
 
+#include <string>
+
 #include "../io/motion_state.hpp"
 
 #include "simulate_call.hpp"
@@ -10,6 +12,10 @@ namespace signum::cli {
 /// Whether -o or a scene's record asks for what is made from frames. Throws CallError where -o says
 /// what cannot be.
 [[nodiscard]] bool wants_frames(const SimulateCall& call);
+
+/// Where results go, as people are told: names of files, "the log to standard output". Throws as
+/// wants_frames().
+[[nodiscard]] std::string results_in_words(const SimulateCall& call);
 
 /// Runs, records and says how it went. Throws CallError where the call does not fit the state, or
 /// the clock ends the run, CheckFailure for a collapse, MachineError.

@@ -80,7 +80,7 @@ void InputFile::fail(Position position, std::string_view message) const {
 }
 
 char InputFile::first_character() const noexcept {
-    const std::string_view text(buffer_.data() + begin_, end_ - begin_);
+    const std::string_view text = first_bytes();
     const std::size_t found = text.find_first_not_of(" \t\r\n");
     return found == std::string_view::npos ? '\0' : text[found];
 }

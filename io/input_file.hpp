@@ -29,8 +29,11 @@ class InputFile {
 
     [[nodiscard]] const std::string& path() const noexcept { return path_; }
 
-    /// The first byte that is no blank, tab or line end; 0 when the first block holds none. To be
-    /// asked before anything is read.
+    /// The bytes that the first block holds. To be asked before anything is read.
+    [[nodiscard]] std::string_view first_bytes() const noexcept {
+        return {buffer_.data() + begin_, end_ - begin_};
+    }
+    /// The first of them that is no blank, tab or line end; 0 when there is none.
     [[nodiscard]] char first_character() const noexcept;
 
     /// The next line without its end (LF or CRLF), valid until the next call; false at the end.

@@ -347,9 +347,25 @@ MotionState<D> read_motion_state(const std::string& path) {
     return result;
 }
 
+template <int D>
+MotionState<D> checked_motion_state(const std::string& path) {
+    MotionState<D> result = read_motion_state<D>(path);
+    try {
+        motion::check(result.state, result.effects);
+    } catch (const motion::BallError& error) {
+        throw InputError(path,
+                         fmt::format("a damaged state; ball {}: {}", error.ball(), error.what()));
+    } catch (const std::invalid_argument& error) {
+        throw InputError(path, fmt::format("a damaged state; {}", error.what()));
+    }
+    return result;
+}
+
 template void write_motion_state(std::ostream&, const MotionState<2>&);
 template void write_motion_state(std::ostream&, const MotionState<3>&);
 template MotionState<2> read_motion_state(const std::string&);
 template MotionState<3> read_motion_state(const std::string&);
+template MotionState<2> checked_motion_state(const std::string&);
+template MotionState<3> checked_motion_state(const std::string&);
 
 }  // namespace signum

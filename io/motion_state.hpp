@@ -24,5 +24,8 @@ void write_motion_state(std::ostream& out, const MotionState<D>& state);
 /// Reads what write_motion_state() wrote, every double the same. Throws InputError, MachineError.
 template <int D>
 [[nodiscard]] MotionState<D> read_motion_state(const std::string& path);
+/// The same, and throws InputError where the state cannot be.
+template <int D>
+[[nodiscard]] MotionState<D> checked_motion_state(const std::string& path);
 
 }  // namespace signum

@@ -40,11 +40,17 @@ std::optional<std::string> nearest_word(std::string_view word, std::span<const s
     if (word.size() > longest) return std::nullopt;
     std::optional<std::string> nearest;
     std::size_t fewest = (word.size() + 1) / 3 + 1;
+    std::size_t most_alike = 0;
+    const std::string typed = in_small_letters(word);
     for (const std::string& each : words) {
         if (each.size() > longest) continue;
-        const std::size_t needed = slips(in_small_letters(word), in_small_letters(each));
-        if (needed >= fewest) continue;
+        const std::string known = in_small_letters(each);
+        const std::size_t needed = slips(typed, known);
+        const auto alike =
+            static_cast<std::size_t>(std::ranges::mismatch(typed, known).in1 - typed.begin());
+        if (needed > fewest || (needed == fewest && (!nearest || alike <= most_alike))) continue;
         fewest = needed;
+        most_alike = alike;
         nearest = each;
     }
     return nearest;

@@ -217,6 +217,26 @@ class TextBalls {
     bool named_ = false;  ///< the columns, by a header
 };
 
+/// Whether the first line that says something is one of TOML: [table] or key = value.
+bool looks_like_scene(std::string_view text) {
+    constexpr std::string_view blanks = " \t\r";
+    const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+    while (!text.empty()) {
+        std::string_view line = text.substr(0, text.find('\n'));
+        text.remove_prefix(std::min(text.size(), line.size() + 1));
+        line.remove_prefix(std::min(line.size(), line.find_first_not_of(blanks)));
+        if (line.empty() || line.front() == '#') continue;
+        const bool is_table = line.front() == '[';
+        while (line.starts_with('[')) line.remove_prefix(1);
+        if (line.empty() || !is_letter(line.front())) return false;
+        if (is_table) return true;
+        const std::size_t end = line.find_first_of(" \t=");
+        const std::size_t sign = line.find_first_not_of(blanks, end);
+        return sign != std::string_view::npos && line[sign] == '=';
+    }
+    return false;
+}
+
 }  // namespace
 
 // Below the smallest normal double a cube would be rounded twice.
@@ -229,6 +249,11 @@ double mass_of_radius(double radius, int dimension) {
 
 BallsFile read_balls(const std::string& path) {
     InputFile file(path, "a file of balls");
+    if (looks_like_scene(file.first_bytes())) {
+        file.fail({}, path == "-" ? "this looks like a scene, which is read from a file alone; "
+                                    "give one whose name ends in .toml"
+                                  : "this looks like a scene; its name must end in .toml");
+    }
     const char first = file.first_character();
     if (first == '[' || first == '{') {
         file.fail({}, fmt::format("this looks like JSON, and balls are read from text alone; {}",

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "../generate/uniform.hpp"
+#include "beside_wall.hpp"
 #include "normal.hpp"
 
 namespace signum {
@@ -21,39 +22,6 @@ using motion::Vector;
 
 /// Between surfaces, as a part of the radii: far more than doubles round by.
 constexpr double margin = 1e-9;
-
-template <int D>
-double distance(const Vector<D>& a, const Vector<D>& b) {
-    double square = 0.0;
-    for (int k = 0; k < D; ++k) square += (a[k] - b[k]) * (a[k] - b[k]);
-    return std::sqrt(square);
-}
-
-/// From a centre to the wall, less than 0 behind it.
-template <int D>
-double clearance(const motion::HalfSpace<D>& wall, const Vector<D>& x) {
-    return (motion::dot<D>(wall.normal, x) - wall.offset) /
-           std::sqrt(motion::dot<D>(wall.normal, wall.normal));
-}
-template <int D>
-double clearance(const motion::Sphere<D>& wall, const Vector<D>& x) {
-    const double from_centre = distance<D>(x, wall.centre);
-    return wall.side == motion::Sphere<D>::Side::inside ? wall.radius - from_centre
-                                                        : from_centre - wall.radius;
-}
-double clearance(const motion::Segment& wall, const Vector<2>& x) {
-    Vector<2> along;
-    Vector<2> from;
-    for (int k = 0; k < 2; ++k) {
-        along[k] = wall.to[k] - wall.from[k];
-        from[k] = x[k] - wall.from[k];
-    }
-    const double s =
-        std::clamp(motion::dot<2>(along, from) / motion::dot<2>(along, along), 0.0, 1.0);
-    Vector<2> foot;
-    for (int k = 0; k < 2; ++k) foot[k] = wall.from[k] + s * along[k];
-    return distance<2>(x, foot);
-}
 
 /// Balls in cells as wide as two of the largest, so that those that could overlap lie in cells side
 /// by side.
@@ -88,8 +56,8 @@ class Occupied {
 
     [[nodiscard]] bool is_free(const Vector<D>& x, double radius) const {
         for (const auto& obstacle : obstacles_) {
-            const double room =
-                std::visit([&](const auto& wall) { return clearance(wall, x); }, obstacle);
+            const double room = std::visit(
+                [&](const auto& wall) { return beside::of(wall, x, 0.0).distance; }, obstacle);
             if (room < radius * (1.0 + margin)) return false;
         }
         return is_free_of_balls(x, radius, 0, 0);
@@ -379,12 +347,22 @@ std::vector<Vector<D>> place_by_growth(const Region<D>& region, std::span<const 
     const double rate = 0.02 / share;
     const double end = ((1.0 + margin) / share - 1.0) / rate;
     effects.growth = motion::Growth{rate, end};
-    motion::Simulation<D> simulation(motion::start<D>(bodies, effects), effects);
     motion::Limits limits;
     limits.until = end;
     limits.strikes = 100'000 + 5000 * static_cast<std::uint64_t>(radii.size());
-    const motion::Outcome outcome = simulation.run(limits);
-    const motion::State<D> state = simulation.state();
+    motion::Outcome outcome;
+    motion::State<D> state;
+    try {
+        motion::Simulation<D> simulation(motion::start<D>(bodies, effects), effects);
+        outcome = simulation.run(limits);
+        state = simulation.state();
+    } catch (const motion::BallError& error) {
+        // Too wide for a periodic box, or beside a wall of which doubles do not tell where it is.
+        throw NoPlaceError(
+            fmt::format("ball {} of the group, as it grows: {}", error.ball(), error.what()));
+    } catch (const std::range_error& error) {
+        throw NoPlaceError(fmt::format("balls as they grow: {}", error.what()));
+    }
     if (outcome.ending != motion::Ending::until && outcome.ending != motion::Ending::nothing)
         throw NoPlaceError(fmt::format(
             "the balls jam when they have grown to {:.3g} of their radii; give fewer balls, or a "

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <variant>
 
 #include "snapshot.hpp"
@@ -58,11 +59,19 @@ BesideWall<D> of(const motion::Sphere<D>& wall, const motion::Vector<D>& x, doub
     return result;
 }
 
+/// From the end that is nearer, for the other one may be so far away that no double tells how far x
+/// is from it.
 inline BesideWall<2> of(const motion::Segment& wall, const motion::Vector<2>& x, double) {
-    const motion::Vector<2> along = {{wall.to[0] - wall.from[0], wall.to[1] - wall.from[1]}};
-    const motion::Vector<2> there = {{x[0] - wall.from[0], x[1] - wall.from[1]}};
-    const double share = std::clamp(dot(there, along) / dot(along, along), 0.0, 1.0);
-    return of_point<2>({{wall.from[0] + share * along[0], wall.from[1] + share * along[1]}}, x);
+    const auto apart = [](const motion::Vector<2>& a, const motion::Vector<2>& b) {
+        return motion::Vector<2>{{b[0] - a[0], b[1] - a[1]}};
+    };
+    motion::Vector<2> near = wall.from;
+    motion::Vector<2> far = wall.to;
+    if (dot(apart(far, x), apart(far, x)) < dot(apart(near, x), apart(near, x)))
+        std::swap(near, far);
+    const motion::Vector<2> along = apart(near, far);
+    const double share = std::clamp(dot(apart(near, x), along) / dot(along, along), 0.0, 1.0);
+    return of_point<2>({{near[0] + share * along[0], near[1] + share * along[1]}}, x);
 }
 
 }  // namespace beside

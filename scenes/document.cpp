@@ -26,6 +26,10 @@ std::string explained(const toml::parse_error& error) {
     std::string_view advice = "write TOML: key = value, one a line, texts between quotes";
     if (what.find("redefine") != std::string_view::npos)
         advice = "give a key once in its table";
+    else if (what.find("representable") != std::string_view::npos ||
+             what.find("could not be interpreted") != std::string_view::npos ||
+             what.find("leading zeroes") != std::string_view::npos)
+        advice = "write a number like 7, 0.5 or 1e300, whole ones below 2^63";
     else if (what.find("array") != std::string_view::npos)
         advice = "an array is written [1, 2, 3]";
     else if (what.find("string") != std::string_view::npos)
@@ -46,6 +50,15 @@ toml::node& entry_of(toml::array& array, std::string_view key, const std::string
                           in_quotes(key), array.size() - 1));
 }
 
+/// Whether a value can only be meant for a text: it begins like nothing of TOML, or goes on behind
+/// a number.
+bool is_text_without_quotes(std::string_view value) {
+    value.remove_prefix(std::min(value.size(), value.find_first_not_of(" \t")));
+    return !value.empty() &&
+           std::string_view("\"'[{").find(value.front()) == std::string_view::npos &&
+           begin_of_unit(value) < value.size();
+}
+
 toml::table parsed_override(const Override& override) {
     const std::string& text = override.toml;
     const std::size_t sign = text.find('=');
@@ -55,11 +68,13 @@ toml::table parsed_override(const Override& override) {
             "{}: no key and value; write it like --set effects.restitution=0.8", override.option));
     try {
         return toml::parse(text, override.option);
-    } catch (const toml::parse_error&) {
-        throw OverrideError(
-            fmt::format("{}: no TOML; write KEY=VALUE, where a text stands between quotes of its "
-                        "own: --set 'run.structure=\"lists\"'",
-                        override.option));
+    } catch (const toml::parse_error& error) {
+        if (is_text_without_quotes(std::string_view(text).substr(sign + 1)))
+            throw OverrideError(fmt::format(
+                "{}: no TOML; write KEY=VALUE, where a text stands between quotes of its own: "
+                "--set 'run.structure=\"lists\"'",
+                override.option));
+        throw OverrideError(fmt::format("{}: {}", override.option, explained(error)));
     }
 }
 

@@ -28,9 +28,10 @@ class Explanation {
  public:
     explicit Explanation(const Scene<D>& scene) : scene_(scene), effects_(scene.effects) {}
 
-    std::string text() {
+    std::string text(std::string_view records) {
         if (!scene_.title.empty()) line("scene", scene_.title);
         line("balls", balls());
+        line("mass", mass());
         line("units", fmt::format("{}, {}, {}", scene_.units.name_of(dimensions::length),
                                   scene_.units.name_of(dimensions::time),
                                   scene_.units.name_of(dimensions::mass)));
@@ -45,7 +46,7 @@ class Explanation {
                                quantity(effects_.time_step, dimensions::time))
                  : "no steps: from one event to the next");
         line("end", end());
-        line("records", records());
+        line("records", records);
         const std::vector<Row> rows = rows_of_effects();
         text_ += "\nOn\n";
         for (const Row& row : rows)
@@ -95,6 +96,12 @@ class Explanation {
         return text + fmt::format("; they fill {:.3g} of the box", filled);
     }
 
+    [[nodiscard]] std::string mass() const {
+        double sum = 0.0;
+        for (const double each : scene_.start.masses) sum += each;
+        return fmt::format("{:.4g} {} in all", sum, scene_.units.name_of(dimensions::mass));
+    }
+
     [[nodiscard]] std::string flight() const {
         if (effects_.time_step > 0.0) return "straight within a step; forces act between steps";
         return effects_.gravity == motion::Vector<D>{}
@@ -133,17 +140,6 @@ class Explanation {
             text += fmt::format("{}after {} strikes{}", text.empty() ? "" : ", or ",
                                 *scene_.run.events, text.empty() ? "" : " if that comes first");
         return text;
-    }
-
-    [[nodiscard]] std::string records() const {
-        std::vector<std::string> names;
-        const SceneRecord& record = scene_.record;
-        for (const std::string* const name :
-             {&record.log, &record.frames, &record.film, &record.energies, &record.pair_correlation,
-              &record.images, &record.video, &record.page, &record.state})
-            if (!name->empty()) names.push_back(*name);
-        return names.empty() ? "nothing but the log, to standard output"
-                             : fmt::format("{}", fmt::join(names, ", "));
     }
 
     [[nodiscard]] std::vector<Row> rows_of_effects() const {
@@ -218,11 +214,11 @@ class Explanation {
 }  // namespace
 
 template <int D>
-std::string explain(const Scene<D>& scene) {
-    return Explanation<D>(scene).text();
+std::string explain(const Scene<D>& scene, std::string_view records) {
+    return Explanation<D>(scene).text(records);
 }
 
-template std::string explain(const Scene<2>&);
-template std::string explain(const Scene<3>&);
+template std::string explain(const Scene<2>&, std::string_view);
+template std::string explain(const Scene<3>&, std::string_view);
 
 }  // namespace signum

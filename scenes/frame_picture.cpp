@@ -16,14 +16,17 @@ namespace {
 
 constexpr double largest_side = 800.0;
 constexpr double border = 8.0;
+/// Below the box, for the time, and as wide as that at least.
+constexpr double strip = 20.0;
+constexpr double least_width = 160.0;
 
 /// From the plane to pixels.
 class View {
  public:
     explicit View(const MotionFrame& frame)
         : low_{frame.low[0], frame.low[1]}, high_{frame.high[0], frame.high[1]} {
-        const double longest = std::max(high_[0] - low_[0], high_[1] - low_[1]);
-        scale_ = (largest_side - 2.0 * border) / longest;
+        constexpr double room = largest_side - 2.0 * border;
+        scale_ = std::min(room / (high_[0] - low_[0]), (room - strip) / (high_[1] - low_[1]));
     }
     // What flies far away stays in the file as far away.
     [[nodiscard]] double x(double value) const {
@@ -36,8 +39,12 @@ class View {
     [[nodiscard]] static long even(double pixels) {
         return 2 * static_cast<long>(std::ceil(pixels / 2.0));
     }
-    [[nodiscard]] long width() const { return even(length(high_[0] - low_[0]) + 2.0 * border); }
-    [[nodiscard]] long height() const { return even(length(high_[1] - low_[1]) + 2.0 * border); }
+    [[nodiscard]] long width() const {
+        return even(std::max(length(high_[0] - low_[0]) + 2.0 * border, least_width));
+    }
+    [[nodiscard]] long height() const {
+        return even(length(high_[1] - low_[1]) + 2.0 * border + strip);
+    }
 
  private:
     std::array<double, 2> low_;
@@ -63,7 +70,8 @@ void draw_wall(std::back_insert_iterator<std::string> out, const View& view,
 
 }  // namespace
 
-std::string frame_picture(const MotionFrame& frame, std::span<const Movie::Wall> walls) {
+std::string frame_picture(const MotionFrame& frame, std::span<const Movie::Wall> walls,
+                          std::string_view unit) {
     const View view(frame);
     std::string text;
     const auto out = std::back_inserter(text);
@@ -96,7 +104,11 @@ std::string frame_picture(const MotionFrame& frame, std::span<const Movie::Wall>
                    view.length(frame.high[1] - frame.low[1]),
                    frame.periodic ? " stroke-dasharray=\"6 4\"" : "");
     for (const Movie::Wall& wall : walls) draw_wall(out, view, wall, frame.time);
-    text += "</g>\n</svg>\n";
+    fmt::format_to(out,
+                   "</g>\n<text x=\"{}\" y=\"{}\" font-family=\"sans-serif\" font-size=\"14\" "
+                   "fill=\"#222\">t = {:.6g}{}{}</text>\n</svg>\n",
+                   border, static_cast<double>(view.height()) - border, frame.time,
+                   unit.empty() ? "" : " ", unit);
     return text;
 }
 

@@ -10,9 +10,13 @@
 #include <fmt/format.h>
 
 #include "../generate/uniform.hpp"
+#include "../io/input_file.hpp"
+#include "../io/motion_state.hpp"
 #include "../io/read_balls.hpp"
+#include "../io/read_xyz.hpp"
 #include "arrangement.hpp"
 #include "normal.hpp"
+#include "overlaps.hpp"
 #include "read_effects.hpp"
 #include "snapshot.hpp"
 
@@ -39,8 +43,6 @@ Source source_of(const Section& group) {
             group.fail_at(key, fmt::format("is for balls that are made, and these are those of a "
                                            "{}; leave it out",
                                            has_file ? "file" : "list"));
-    if (has_file && group.has("density"))
-        group.fail_at("density", "is for balls that are made or listed; a file says the masses");
     return has_file ? Source::file : has_list ? Source::list : Source::made;
 }
 
@@ -67,9 +69,46 @@ template <int D>
 Dimension density_dimension() {
     return {.length = -D, .mass = 1};
 }
+/// Of a ball by its radius: that of its area or volume at the group's density, and r^D where there
+/// is none.
 template <int D>
-double density_of(const Section& group) {
-    return group.optional_quantity("density", {density_dimension<D>(), above_0}).value_or(1.0);
+class Masses {
+ public:
+    explicit Masses(const Section& group)
+        : density_(group.optional_quantity("density", {density_dimension<D>(), above_0})) {}
+    [[nodiscard]] double operator()(double radius) const {
+        const double power = mass_of_radius(radius, D);
+        return density_ ? *density_ * (unit_ball<D>() * power) : power;
+    }
+
+ private:
+    std::optional<double> density_;
+};
+
+/// What balls.file may name.
+enum class FileKind { lines, state, frames };
+FileKind kind_of_file(const std::string& path) {
+    // A pipe can be read but once.
+    if (!std::filesystem::is_regular_file(path)) return FileKind::lines;
+    const InputFile file(path, "a file of balls");
+    if (file.first_character() == '{') return FileKind::state;
+    return looks_like_frames(file.first_bytes()) ? FileKind::frames : FileKind::lines;
+}
+int dimension_of_file(const std::string& path) {
+    switch (kind_of_file(path)) {
+        case FileKind::state:
+            return dimension_of_motion_state(path);
+        case FileKind::frames:
+            return read_last_frame(path).dimension;
+        case FileKind::lines:
+            break;
+    }
+    return read_balls(path).dimension;
+}
+
+/// A run may leave what start() takes for too small to be meant.
+double or_0(double value) {
+    return std::fabs(value) < 0x1p-150 ? 0.0 : value;
 }
 
 template <int D>
@@ -98,7 +137,7 @@ class Groups {
 
  private:
     void begin_at(ScenePlace place, bool is_made = false) {
-        result_.origins.push_back({result_.bodies.size(), std::move(place), is_made, {}});
+        result_.origins.push_back({result_.bodies.size(), std::move(place), is_made});
     }
 
     void read_file(const Section& group) {
@@ -107,14 +146,41 @@ class Groups {
             group.fail_at("file", fmt::format("there is no {}; names are relative to the scene's "
                                               "own directory",
                                               path));
-        const BallsFile file = read_balls(path);
-        if (file.dimension != D)
+        const FileKind kind = kind_of_file(path);
+        if (kind != FileKind::frames && group.has("density"))
+            group.fail_at("density",
+                          "is for balls that are made or listed; a file says the masses");
+        begin_at({path, {}, ""});
+        const std::size_t first = result_.bodies.size();
+        if (kind == FileKind::state) {
+            refuse_other_dimension(group, path, dimension_of_motion_state(path));
+            take_state(checked_motion_state<D>(path));
+        } else if (kind == FileKind::frames) {
+            const BallsFile file = read_last_frame(path);
+            // In space all may lie in one plane.
+            if (file.dimension == 3) refuse_other_dimension(group, path, 3);
+            take_frame(group, file);
+        } else {
+            const BallsFile file = read_balls(path);
+            refuse_other_dimension(group, path, file.dimension);
+            take_lines(file);
+            if (!file.note.empty()) result_.notes.push_back(file.note);
+        }
+        if (kind != FileKind::lines) part(std::span(result_.bodies).subspan(first), effects_);
+        result_.files.push_back(path);
+    }
+
+    static void refuse_other_dimension(const Section& group, const std::string& path,
+                                       int dimension) {
+        if (dimension != D)
             group.fail_at("file",
                           fmt::format("the balls of {} lie in {}, and the scene in {}; give one "
                                       "dimension to both",
-                                      path, file.dimension == 2 ? "the plane" : "space",
+                                      path, dimension == 2 ? "the plane" : "space",
                                       D == 2 ? "the plane" : "space"));
-        begin_at({path, {}, ""});
+    }
+
+    void take_lines(const BallsFile& file) {
         for (const BallLine& ball : file.balls) {
             result_.origins.back().lines.push_back(ball.position);
             Body<D>& body = result_.bodies.emplace_back();
@@ -123,12 +189,42 @@ class Groups {
             body.radius = ball.radius;
             body.mass = ball.mass;
         }
-        result_.files.push_back(path);
-        if (!file.note.empty()) result_.notes.push_back(file.note);
+    }
+
+    void take_frame(const Section& group, const BallsFile& file) {
+        const std::size_t first = result_.bodies.size();
+        take_lines(file);
+        const Masses<D> mass(group);
+        for (Body<D>& body : std::span(result_.bodies).subspan(first)) {
+            if (body.radius == 0.0)
+                result_.fail(static_cast<std::size_t>(&body - result_.bodies.data()),
+                             "a ball of radius 0, which needs a mass, and frames have none; give a "
+                             "state, or lines of balls");
+            body.mass = mass(body.radius);
+            for (double& x : body.x) x = or_0(x);
+            for (double& v : body.v) v = or_0(v);
+        }
+    }
+
+    /// As they are at the state's time.
+    void take_state(const MotionState<D>& saved) {
+        result_.origins.back().is_of_state = true;
+        Snapshot<D> snapshot(saved.state, saved.effects, saved.state.time);
+        std::size_t i = 0;
+        for (const MotionFrame::Ball& ball : snapshot.frame().balls) {
+            Body<D>& body = result_.bodies.emplace_back();
+            std::ranges::transform(std::span(ball.x).first(D), body.x.begin(), or_0);
+            std::ranges::transform(std::span(ball.v).first(D), body.v.begin(), or_0);
+            body.radius = ball.radius;
+            body.mass = saved.state.masses[i];
+            if (effects_.friction && !saved.state.spins.empty())
+                std::ranges::transform(saved.state.spins[i], body.spin.begin(), or_0);
+            ++i;
+        }
     }
 
     void read_list(const Section& group) {
-        const double density = density_of<D>(group);
+        const Masses<D> mass(group);
         for (const toml::node& node : rows_of(group)) {
             const toml::array* const row = node.as_array();
             constexpr std::size_t least = 2 * D + 1;
@@ -158,7 +254,7 @@ class Groups {
                                       "list: a ball of radius 0 needs a mass; write it as one more "
                                       "entry, the last");
             body.mass = row->size() > least ? number(least, {dimensions::mass, above_0})
-                                            : density * mass_of_radius(body.radius, D);
+                                            : mass(body.radius);
             for (std::size_t i = least + 1; i < row->size(); ++i) {
                 double& spin = body.spin[static_cast<int>(i - least) - 1];
                 spin = number(i, {dimensions::angular_speed});
@@ -348,12 +444,11 @@ class Groups {
         } catch (const NoPlaceError& error) {
             group.fail(error.what());
         }
-        const double density = density_of<D>(group);
+        const Masses<D> mass(group);
         begin_at(group.place(), true);
         const std::size_t first = result_.bodies.size();
         for (std::size_t i = 0; i < radii.size(); ++i)
-            result_.bodies.push_back(
-                {centres[i], {}, radii[i], density * mass_of_radius(radii[i], D), {}});
+            result_.bodies.push_back({centres[i], {}, radii[i], mass(radii[i]), {}});
         set_velocities(group, std::span(result_.bodies).subspan(first));
     }
 
@@ -429,6 +524,9 @@ void BallsOfScene<D>::fail(std::size_t ball, std::string_view message) const {
     const Origin& origin = *std::prev(after);
     if (!origin.lines.empty())
         throw InputError(origin.place.file, origin.lines[ball - origin.first], message);
+    if (origin.is_of_state)
+        throw InputError(origin.place.file,
+                         fmt::format("ball {}: {}", ball - origin.first, message));
     if (!origin.is_made) origin.place.fail(message);
     origin.place.fail(
         fmt::format("[balls]: ball {} of the group: {}", ball - origin.first, message));
@@ -445,7 +543,7 @@ int dimension_of_groups(const Section& file) {
         switch (source_of(group)) {
             case Source::file: {
                 const std::string path = path_of(group);
-                if (std::filesystem::exists(path)) dimension = read_balls(path).dimension;
+                if (std::filesystem::exists(path)) dimension = dimension_of_file(path);
                 break;
             }
             case Source::list:

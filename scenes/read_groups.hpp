@@ -16,8 +16,9 @@ struct BallsOfScene {
     struct Origin {
         std::size_t first = 0;  ///< this and all up to the next origin's
         ScenePlace place;
-        bool is_made = false;  ///< by a group that tells their number
-        /// Of balls from a file where each is.
+        bool is_made = false;      ///< by a group that tells their number
+        bool is_of_state = false;  ///< of a file without lines
+        /// Of balls from another file where each is.
         std::vector<Position> lines = {};
     };
     std::vector<motion::Body<D>> bodies;

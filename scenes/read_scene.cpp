@@ -64,7 +64,9 @@ SceneRun read_run(const Section& file) {
     SceneRun result;
     const auto run = file.optional_section("run");
     if (run) {
-        result.until = run->optional_quantity("until", {dimensions::time, from_0});
+        // As far as --until goes.
+        result.until = run->optional_quantity(
+            "until", {dimensions::time, {0.0, 1e150, false, "a number from 0 to 1e+150"}});
         result.events = run->optional_whole("events", 0, std::uint64_t{1} << 62);
         std::vector<std::string> structures;
         for (const motion::Structure each : motion::all_structures)
@@ -84,6 +86,16 @@ SceneRun read_run(const Section& file) {
         file.fail(fmt::format("{}, below [run]", message));
     }
     return result;
+}
+
+/// A run of so many steps would take weeks, and of 2^53 and more they would not be told apart.
+void refuse_too_many_steps(const Section& file, double time_step, const SceneRun& run) {
+    constexpr double most_steps = 1e12;
+    if (!run.until || !(time_step > 0.0) || *run.until / time_step <= most_steps) return;
+    file.optional_section("run")->fail_at(
+        "time_step", fmt::format("{:.2g} steps until the end, and 1e12 are the most; give a longer "
+                                 "time_step, or an earlier end",
+                                 *run.until / time_step));
 }
 
 /// A file of the record: what it is for, where its name goes, and how the name ends.
@@ -175,6 +187,7 @@ Scene<D> scene_of(const Section& file) {
     scene.files.insert(scene.files.end(), balls.files.begin(), balls.files.end());
     scene.notes = balls.notes;
     scene.run = read_run(file);
+    refuse_too_many_steps(file, scene.effects.time_step, scene.run);
     scene.record = read_record(file, scene.run, scene.files);
     if (!scene.record.pair_correlation.empty() && !scene.effects.box)
         file.optional_section("record")->fail_at(

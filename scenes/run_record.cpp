@@ -1,77 +1,11 @@
 #include "run_record.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "arrangement.hpp"
-#include "beside_wall.hpp"
 #include "energy.hpp"
 
 namespace signum {
-namespace {
-
-/// How deep two balls are in each other, as a part of the smaller radius.
-double depth(double distance, double reach, double scale) {
-    return (reach - distance) / scale;
-}
-
-}  // namespace
-
-template <int D>
-Overlaps deepest_overlaps(const motion::State<D>& state, const motion::Effects<D>& effects,
-                          double time) {
-    const std::size_t n = state.balls.size();
-    std::vector<motion::Vector<D>> centres(n);
-    std::vector<double> radii(n);
-    double largest = 0.0;
-    double reach = 0.0;
-    for (std::size_t i = 0; i < n; ++i) {
-        for (int k = 0; k < D; ++k)
-            centres[i][k] = in_box(coordinate(state.balls[i], k, time, effects), k, effects);
-        radii[i] = radius_at(state.balls[i], time, effects);
-        largest = std::max(largest, radii[i]);
-        for (const double x : centres[i]) reach = larger(reach, std::fabs(x));
-    }
-    if (!std::isfinite(reach)) return {reach, reach};
-    const double of_points = largest > 0.0 ? largest : reach > 0.0 ? reach : 1.0;
-    const auto scale = [&](double radius) { return radius > 0.0 ? radius : of_points; };
-
-    Overlaps result;
-    for (std::size_t i = 0; i < n; ++i)
-        for (int wall = first_wall(effects); wall < end_of_walls(effects); ++wall) {
-            const double distance = beside_wall(effects, wall, centres[i], time).distance;
-            result.of_walls = std::max(result.of_walls, depth(distance, radii[i], scale(radii[i])));
-        }
-
-    std::vector<std::size_t> order(n);
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::sort(order,
-                      [&](std::size_t a, std::size_t b) { return centres[a][0] < centres[b][0]; });
-    const auto side = [&](int k) { return effects.box->high[k] - effects.box->low[k]; };
-    // Along x each ball looks ahead, in a periodic box around it.
-    for (std::size_t place = 0; place < n; ++place) {
-        const std::size_t i = order[place];
-        for (std::size_t step = 1; step < n; ++step) {
-            const bool is_around = place + step >= n;
-            if (is_around && !effects.periodic) break;
-            const std::size_t j = order[(place + step) % n];
-            const double ahead = centres[j][0] - centres[i][0] + (is_around ? side(0) : 0.0);
-            if (ahead >= 2.0 * largest) break;
-            double square = ahead * ahead;
-            for (int k = 1; k < D; ++k) {
-                double d = centres[j][k] - centres[i][k];
-                if (effects.periodic) d -= side(k) * std::nearbyint(d / side(k));
-                square += d * d;
-            }
-            const double both = radii[i] + radii[j];
-            if (square >= both * both) continue;
-            result.of_balls = std::max(result.of_balls, depth(std::sqrt(square), both,
-                                                              scale(std::min(radii[i], radii[j]))));
-        }
-    }
-    return result;
-}
 
 template <int D>
 void RunRecord<D>::add(const motion::State<D>& state, double time, const motion::Counts& counts) {
@@ -121,8 +55,6 @@ void RunRecord<D>::add(const motion::State<D>& state, double time, const motion:
     end_ = state;
 }
 
-template Overlaps deepest_overlaps(const motion::State<2>&, const motion::Effects<2>&, double);
-template Overlaps deepest_overlaps(const motion::State<3>&, const motion::Effects<3>&, double);
 template class RunRecord<2>;
 template class RunRecord<3>;
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "../motion/simulation.hpp"
+#include "overlaps.hpp"
 
 namespace signum {
 
@@ -32,23 +33,6 @@ struct Moment {
     double overlap_of_balls = 0.0;
     double overlap_of_walls = 0.0;
 };
-
-/// The larger number; a NaN where one of them is, so that no maximum hides it.
-[[nodiscard]] inline double larger(double a, double b) noexcept {
-    return a >= b || a != a ? a : b;
-}
-
-/// How deep balls at a time are in one another and in walls.
-struct Overlaps {
-    double of_balls = 0.0;
-    double of_walls = 0.0;
-};
-/// As parts of the smaller radius, of points of the largest one; 0 where nothing overlaps, NaNs
-/// where a coordinate is none.
-/// O(n log n + n²w), w the largest diameter as a share of the extent along x, and n walls.
-template <int D>
-[[nodiscard]] Overlaps deepest_overlaps(const motion::State<D>& state,
-                                        const motion::Effects<D>& effects, double time);
 
 template <int D>
 class RunRecord {

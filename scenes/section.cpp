@@ -206,7 +206,11 @@ std::optional<std::uint64_t> Section::optional_whole(std::string_view key, std::
                                                      std::uint64_t most) const {
     const toml::node* const node = find(key);
     if (node == nullptr) return std::nullopt;
-    const auto value = node->value_exact<std::int64_t>();
+    auto value = node->value_exact<std::int64_t>();
+    // 1e6 is as whole as 1000000.
+    if (const auto number = node->value_exact<double>();
+        number && std::fabs(*number) < 0x1p63 && *number == std::trunc(*number))
+        value = static_cast<std::int64_t>(*number);
     if (!value || *value < 0 || static_cast<std::uint64_t>(*value) < least ||
         static_cast<std::uint64_t>(*value) > most)
         fail_at(key, fmt::format("{} is no whole number from {} to {}; give one", shown(*node),

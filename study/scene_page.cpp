@@ -98,9 +98,9 @@ std::vector<Plot> plots_of_scene(const SceneDescription& scene, const SceneCurve
     Panel& energies = plot("energies", time, with_unit("energy", scene.energy));
     add(energies, "kinetic", over_time([](const Moment& each) { return each.kinetic; }));
     if (curves.has_spin)
-        add(energies, "of spins", over_time([](const Moment& each) { return each.spin; }));
+        add(energies, "rotational", over_time([](const Moment& each) { return each.spin; }));
     if (curves.has_height)
-        add(energies, "of height",
+        add(energies, "potential",
             over_time([](const Moment& each) { return each.total - each.kinetic - each.spin; }));
     if (energies.series.size() > 1)
         add(energies, "total", over_time([](const Moment& each) { return each.total; }));

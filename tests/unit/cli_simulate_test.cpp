@@ -562,6 +562,22 @@ TEST_F(Simulate, WhatCannotBeIsNamedByItsLine) {
     EXPECT_EQ(run({"simulate", one, "--events", "1", "-o", scratch.path("a.xyz")}).code, 2);
 }
 
+/// Whose name does not say so: as FILE, as standard input, as a scene's file of balls.
+TEST_F(Simulate, ASceneIsKnownByItsText) {
+    const std::string text = "# two\n[box]\nlow = [0, 0]\nhigh = [9, 9]\n";
+    const std::string scene = scratch.file("scene.txt", text);
+    const std::string said = ":1:1: this looks like a scene";
+    EXPECT_EQ(run({"simulate", scene}).err, scene + said + "; its name must end in .toml\n");
+    EXPECT_EQ(
+        run({"simulate", "-"}, {.in = scene}).err,
+        "-" + said + ", which is read from a file alone; give one whose name ends in .toml\n");
+    const std::string outer =
+        scratch.file("outer.toml", text + "[balls]\nfile = \"outer.toml\"\n[run]\nuntil = 1\n");
+    const Outcome result = run({"simulate", outer});
+    EXPECT_EQ(result.code, 2);
+    EXPECT_EQ(result.err, outer + said + "; its name must end in .toml\n");
+}
+
 /// Plane and space take different numbers of words.
 TEST_F(Simulate, TooFewWordsAreCounted) {
     const std::string one = scratch.file("one.txt", "0 0 1 0 0\n");

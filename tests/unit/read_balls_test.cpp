@@ -323,6 +323,17 @@ TEST(ReadBalls, RefusesJson) {
     EXPECT_EQ(error("\n  {\"x\": 1}\n"), json + advice);
 }
 
+/// Whose first line is a table or a key.
+TEST(ReadBalls, KnowsScenes) {
+    const std::string scene = "1:1: this looks like a scene; its name must end in .toml";
+    for (const std::string text :
+         {"[box]\nlow = [0, 0]\n", "\n# gas\n  [[balls]]\r\n", "title = \"x\"\n", "run.until=3\n"})
+        EXPECT_EQ(error(text), scene) << text;
+    EXPECT_EQ(error("x = 3 4 5 6\n1 2 3 4 5\n"), scene);
+    for (const std::string text : {"x y r vx = vy\n", "[1, 2]\n", "= 3\n", "title\n", "[]\n"})
+        EXPECT_EQ(error(text).find("scene"), std::string::npos) << text;
+}
+
 TEST(ReadBalls, RefusesWhatIsNoText) {
     EXPECT_EQ(error("1 2 3 4 5\n1 \0"s),
               "2:3: a NUL byte, so this is a binary file; give a file of balls as text");

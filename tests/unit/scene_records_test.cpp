@@ -13,6 +13,7 @@
 #include "../../generate/uniform.hpp"
 #include "../../io/program.hpp"
 #include "../../scenes/arrangement.hpp"
+#include "../../scenes/frame_picture.hpp"
 #include "../../scenes/normal.hpp"
 #include "../../scenes/pair_correlation.hpp"
 #include "io_scratch.hpp"
@@ -230,6 +231,21 @@ TEST(Records, EnergiesStayWhereStrikesAreElastic) {
         EXPECT_NEAR(total, first_total, 1e-9 * first_total);
     }
     EXPECT_EQ(count, 9);
+}
+
+/// Below the box, so that it hides no ball.
+TEST(Records, APictureTellsItsTime) {
+    const std::vector<MotionFrame::Ball> balls = {{{1, 3, 0}, {}, 1.0}};
+    MotionFrame frame = frame_of(balls, 2, 4.0, false);
+    frame.time = 1.25;
+    const std::string square = frame_picture(frame, {}, "ms");
+    EXPECT_NE(square.find(">t = 1.25 ms</text>"), std::string::npos);
+    // 800 pixels, of which the strip below takes some from the box.
+    EXPECT_NE(square.find("width=\"780\" height=\"800\""), std::string::npos);
+    EXPECT_NE(square.find("<rect x=\"8.00\" y=\"8.00\" width=\"764.00\" height=\"764.00\"/>"),
+              std::string::npos);
+    EXPECT_NE(square.find("<text x=\"8\" y=\"792\""), std::string::npos);
+    EXPECT_NE(frame_picture(frame, {}, "").find(">t = 1.25</text>"), std::string::npos);
 }
 
 TEST(Records, ImagesAreDrawnWhereTheProgramIsThere) {

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <numbers>
 #include <sstream>
 #include <string>
@@ -15,6 +17,8 @@
 #include <gtest/gtest.h>
 
 #include "../../io/motion_state.hpp"
+#include "../../io/program.hpp"
+#include "../../scenes/overlaps.hpp"
 #include "../../scenes/read_scene.hpp"
 #include "io_scratch.hpp"
 #include "tool_call.hpp"
@@ -126,6 +130,177 @@ TEST_F(SceneRuns, StartDenselyByGrowth) {
     }
 }
 
+/// A wall that begins among the balls and ends where no double tells how far they are from it.
+TEST_F(SceneRuns, StartBesideAWallThatGoesFarAway) {
+    for (const std::string points : {"[[10, 1e45], [2.2, 10]]", "[[2.2, 10], [10, 1e45]]"})
+        for (const std::string arrangement : {"growth", "random"}) {
+            const std::string text =
+                "[box]\nlow = [-18, 0]\nhigh = [18, 36]\n[[wall]]\nkind = \"polyline\"\npoints = " +
+                points +
+                "\n[balls]\nnumber = 20\nradius = [0.4, 0.6]\nregion = {low = [-4, 18], high = [4, "
+                "36]}\narrangement = \"" +
+                arrangement + "\"\n[run]\nuntil = 1\n";
+            const auto scene = std::get<Scene<2>>(read_scene(scratch.file("scene.toml", text), {}));
+            for (const motion::Ball<2>& ball : scene.start.balls)
+                EXPECT_GE(std::fabs(ball.x[0] - 2.2), ball.radius);
+        }
+}
+
+/// Grains that rest on one another overlap a little, fall and spin; the next stage begins with them
+/// as they are, but apart, and other walls and effects.
+TEST_F(SceneRuns, BeginWithWhatAnotherOneLeft) {
+    const std::string state = scratch.path("state.json");
+    const std::string frames = scratch.path("frames.xyz");
+    const std::string pour =
+        box + gas +
+        "density = 3\n[effects]\ngravity = [0, -5]\nrestitution = 0.5\nfriction = {coefficient = "
+        "0.4}\ncontacts = {speed = 0.5}\n[run]\nuntil = 3\ntime_step = 0.02\n";
+    EXPECT_EQ(run({"simulate", scratch.file("pour.toml", pour), "--save", state, "-o", frames,
+                   "--every", "0.75", "--quiet"})
+                  .code,
+              0);
+    const MotionState<2> left = read_motion_state<2>(state);
+    // Deeper than a strike may find them.
+    EXPECT_GT(deepest_overlaps(left.state, left.effects, 3.0).of_balls, 0x1p-10);
+    const auto next = [&](const std::string& file, const std::string& more) {
+        return std::get<Scene<2>>(
+            read_scene(scratch.file("next.toml",
+                                    "[[wall]]\nkind = \"half-space\"\nnormal = [0, 1]\noffset = "
+                                    "-1\n[balls]\nfile = \"" +
+                                        file + "\"\n" + more + "[run]\nuntil = 1\n"),
+                       {}));
+    };
+    const std::string friction = "[effects.friction]\ncoefficient = 0.1\n";
+    const Scene<2> scene = next("state.json", friction);
+    EXPECT_EQ(scene.start.time, 0.0);
+    EXPECT_EQ(scene.start.masses, left.state.masses);
+    EXPECT_EQ(scene.start.spins, left.state.spins);
+    EXPECT_TRUE(next("state.json", "").start.spins.empty());
+    const Scene<2> of_frames = next("frames.xyz", "density = 3\n");
+    std::size_t smaller = 0;
+    for (std::size_t i = 0; i < left.state.balls.size(); ++i) {
+        const motion::Ball<2>& ball = left.state.balls[i];
+        for (const Scene<2>* each : {&scene, &of_frames}) {
+            const motion::Ball<2>& now = each->start.balls[i];
+            for (int k = 0; k < 2; ++k) {
+                EXPECT_EQ(now.x[k], coordinate(ball, k, 3.0, left.effects));
+                EXPECT_EQ(now.v[k], speed(ball, k, 3.0, left.effects));
+            }
+            EXPECT_LE(now.radius, ball.radius);
+            EXPECT_GE(now.radius, ball.radius * (1.0 - 0x1.4p-8));
+            EXPECT_EQ(now.time, 0.0);
+        }
+        smaller += scene.start.balls[i].radius < ball.radius ? 1U : 0U;
+        EXPECT_DOUBLE_EQ(of_frames.start.masses[i], left.state.masses[i]);
+    }
+    EXPECT_GT(smaller, 0U);
+    EXPECT_LT(smaller, left.state.balls.size());
+    // With other effects, and no ball falls through another one.
+    for (const Words& effects :
+         {Words{"--gravity", "5", "0"}, Words{"--set", "effects={}", "--set", "run={until=2}"}}) {
+        Words words = {"simulate", scratch.path("pour.toml"), "--set",
+                       "balls={file=\"state.json\"}"};
+        words.insert(words.end(), effects.begin(), effects.end());
+        words.insert(words.end(), {"-o", scratch.path("page.html"), "--quiet"});
+        const Outcome result = run(words);
+        EXPECT_EQ(result.code, 0) << result.err;
+        const std::string page = contents(scratch.path("page.html"));
+        for (const std::string what :
+             {"no two balls overlap", "no ball is in a wall, or outside"}) {
+            const std::size_t row = page.find("<td>" + what + "</td>");
+            EXPECT_NE(page.substr(row, page.find("</tr>", row) - row).find("class=\"good\""),
+                      std::string::npos)
+                << what;
+        }
+    }
+}
+
+/// Radii as they have grown, and places in a periodic box.
+TEST_F(SceneRuns, BeginWithWhatHasGrown) {
+    const std::string state = scratch.path("state.json");
+    const std::string grow = scratch.file(
+        "grow.toml", box + "periodic = true\n" + gas +
+                         "[effects]\ngrowth = {rate = 0.125, until = 2}\n[run]\nuntil = 1.5\n");
+    const std::string log = scratch.path("log.csv");
+    EXPECT_EQ(run({"simulate", grow, "--save", state, "-o", log, "--quiet"}).code, 0);
+    const MotionState<2> left = read_motion_state<2>(state);
+    const auto scene = std::get<Scene<2>>(read_scene(
+        scratch.file("next.toml", box + "periodic = true\n[balls]\nfile = \"state.json\"\n[run]\n"
+                                        "until = 1\n"),
+        {}));
+    for (std::size_t i = 0; i < left.state.balls.size(); ++i)
+        EXPECT_EQ(scene.start.balls[i].radius, radius_at(left.state.balls[i], 1.5, left.effects));
+    const auto before = std::get<Scene<2>>(read_scene(grow, {}));
+    EXPECT_DOUBLE_EQ(scene.start.balls[0].radius, 1.1875 * before.start.balls[0].radius);
+}
+
+TEST_F(SceneRuns, SayWhatIsWrongWithWhatAnotherOneLeft) {
+    const auto said = [&](const std::string& more) {
+        const Outcome result =
+            run({"simulate",
+                 scratch.file("next.toml", box + "[balls]\n" + more + "[run]\nuntil = 1\n")});
+        EXPECT_EQ(result.code, 2);
+        return result.err;
+    };
+    const std::string plane = scratch.path("plane.json");
+    const std::string grid = scratch.file("two.txt", "5 5 1 0 0\n15 5 1 0 0\n");
+    EXPECT_EQ(run({"simulate", grid, "--until", "0", "--save", plane, "--quiet"}).code, 0);
+    const std::string next = scratch.path("next.toml");
+    EXPECT_EQ(said("file = \"plane.json\"\ndensity = 2\n"),
+              next +
+                  ":6:11: density: is for balls that are made or listed; a file says the "
+                  "masses\n");
+    EXPECT_EQ(said("file = \"plane.json\"\n[effects]\n[[wall]]\nkind = \"half-space\"\nnormal = "
+                   "[-1, 0]\noffset = -10\n"),
+              plane + ": ball 1: a ball that overlaps wall 4; it may touch it\n");
+    // A later stage does not take the place of the one before.
+    scratch.file("next.toml", box + "[balls]\nfile = \"plane.json\"\n[run]\nuntil = 1\n");
+    for (const std::string option : {"--save", "--closest"})
+        EXPECT_EQ(run({"simulate", next, option, plane}).err,
+                  "signum: " + option + " " + plane +
+                      " would overwrite a file of the scene; give another name\n");
+    scratch.file("none.json", "{\"x\": 1}\n");
+    EXPECT_EQ(
+        said("file = \"none.json\"\n"),
+        scratch.path("none.json") + ": no state of a simulation; give a file that --save wrote\n");
+    const std::string space = scratch.file("space.txt", "5 5 5 1 0 0 0\n");
+    EXPECT_EQ(run({"simulate", space, "--until", "0", "--save", scratch.path("space.json"), "-o",
+                   scratch.path("space.xyz"), "--quiet"})
+                  .code,
+              0);
+    for (const std::string file : {"space.json", "space.xyz"})
+        EXPECT_EQ(said("file = \"" + file + "\"\n"),
+                  next + ":5:8: file: the balls of " + scratch.path(file) +
+                      " lie in space, and the scene in the plane; give one dimension to both\n");
+    const std::string head =
+        "Lattice=\"9 0 0 0 9 0 0 0 1\" Properties=species:S:1:pos:R:3:velo:R:3:radius:R:1:id:I:1 "
+        "Time=0\n";
+    const std::string frames = scratch.path("frames.xyz");
+    const auto said_of = [&](const std::string& text) {
+        scratch.file("frames.xyz", text);
+        return said("file = \"frames.xyz\"\n");
+    };
+    const std::string ball = "A 5 5 0 0 0 0 1 0\n";
+    EXPECT_EQ(said_of("2\n" + head + ball + "A 6 5 0 0 0 0 1 1\n"),
+              frames + ":4:1: a ball that overlaps ball 0; balls may touch\n");
+    EXPECT_EQ(said_of("1\n" + head + "A 5 5 0 0 0 0 0 0\n"),
+              frames +
+                  ":3:1: a ball of radius 0, which needs a mass, and frames have none; give a "
+                  "state, or lines of balls\n");
+    const std::string advice = "; give frames as signum writes them\n";
+    EXPECT_EQ(said_of("2\n" + head + ball), frames + ":3:1: the file ends within a frame" + advice);
+    EXPECT_EQ(said_of("1\n" + head + ball + "x\n"), frames + ":4:1: no number of balls" + advice);
+    EXPECT_EQ(said_of("1\n" + head + "A 5 5 0 0 0 0\n"),
+              frames + ":3:14: a ball without all of its numbers" + advice);
+    EXPECT_EQ(said_of("1\n" + head + "A 5 5 0 0 0 0 1 0 7\n"),
+              frames + ":3:18: more behind a ball than its numbers" + advice);
+    EXPECT_TRUE(said_of("1\n" + head + "A 5 y 0 0 0 0 1 0\n").starts_with(frames + ":3:5: "));
+    EXPECT_EQ(
+        said_of("1\nProperties=pos:R:3\nA 5 5 0\n"),
+        frames + ":2:1: no Properties=species:S:1:pos:R:3:velo:R:3:radius:R:1:id:I:1" + advice);
+    EXPECT_EQ(said_of("0\n" + head), frames + ":2:1: no ball in the last frame" + advice);
+}
+
 TEST_F(SceneRuns, RecordWhereTheSceneSaysUnlessAnOptionDoes) {
     const auto name = [&](const std::string& file) { return scratch.path(file); };
     const std::string scene =
@@ -146,6 +321,47 @@ TEST_F(SceneRuns, RecordWhereTheSceneSaysUnlessAnOptionDoes) {
     EXPECT_EQ(clash.code, 0) << clash.err;
     EXPECT_EQ(run({"simulate", scene, "--save", name("log.csv")}).err,
               "signum: --save " + name("log.csv") + " is where -o goes, too; give another name\n");
+}
+
+TEST_F(SceneRuns, SayWhatTheyWillWriteAndWhatTheyHaveWritten) {
+    const auto name = [&](const std::string& file) { return scratch.path(file); };
+    const std::string scene =
+        scratch.file("scene.toml", box + gas + "[run]\nuntil = 0.5\n[record]\nlog = \"" +
+                                       name("log.csv") + "\"\nenergies = \"" + name("e.csv") +
+                                       "\"\nstate = \"" + name("s.json") + "\"\n");
+    const std::string page = name("page.html");
+    // -o and --save win over the record, and the page tells the same as --explain.
+    const Words words = {"simulate", scene, "-o",     name("other.csv"),
+                         "-o",       page,  "--save", name("t.json")};
+    const std::string results =
+        name("other.csv") + ", " + page + ", " + name("e.csv") + ", " + name("t.json");
+    Words explained = words;
+    explained.emplace_back("--explain");
+    EXPECT_NE(run(explained).out.find("\nrecords    " + results + "\n"), std::string::npos)
+        << run(explained).out;
+    EXPECT_FALSE(std::ifstream(page).good());
+    const Outcome result = run(words);
+    EXPECT_NE(result.err.find("\nwritten  " + results + "\n"), std::string::npos) << result.err;
+    EXPECT_NE(contents(page).find("\nrecords    " + results + "\n"), std::string::npos);
+    const std::string plain = scratch.file("plain.toml", box + gas + "[run]\nuntil = 0.5\n");
+    EXPECT_NE(
+        run({"simulate", plain, "--explain"}).out.find("\nrecords    the log to standard output\n"),
+        std::string::npos);
+    EXPECT_NE(run({"simulate", plain, "--save", name("t.json")})
+                  .err.find("\nwritten  " + name("t.json") + "\n"),
+              std::string::npos);
+}
+
+TEST_F(SceneRuns, AnInterruptWhileBallsArePlacedIsSaid) {
+    const std::string scene =
+        scratch.file("scene.toml",
+                     "[box]\nlow = [0, 0]\nhigh = [20, 20]\n[balls]\nnumber = 40000\npacking = "
+                     "0.83\narrangement = \"growth\"\n[run]\nuntil = 1\n");
+    const Outcome result =
+        run({"simulate", scene, "-o", scratch.path("log.csv")}, {.signal_after_ms = 400});
+    EXPECT_EQ(result.code, -SIGINT);
+    EXPECT_EQ(result.err, "signum: interrupted while balls were placed; nothing was written\n");
+    EXPECT_EQ(scratch.size(), 1U);
 }
 
 /// With curves where gnuplot is there, and without them where it is not.
@@ -182,6 +398,19 @@ TEST_F(SceneRuns, WriteAPageThatNeedsNothingBesideIt) {
     EXPECT_EQ(without.code, 0) << without.err;
     EXPECT_EQ(count(contents(page), "<svg"), 1U);
     EXPECT_NE(contents(page).find("apt-get install gnuplot-nox"), std::string::npos);
+}
+
+/// By the names that everyone has for them.
+TEST_F(SceneRuns, ThePageNamesItsEnergies) {
+    if (!has_program("gnuplot", "--version")) GTEST_SKIP() << "no gnuplot";
+    const std::string page = scratch.path("page.html");
+    const std::string scene = scratch.file(
+        "scene.toml", box + gas + "[effects]\ngravity = [0, -1]\nfriction = {coefficient = 0.5}\n" +
+                          "[run]\nuntil = 1\n[record]\npage = \"" + page + "\"\n");
+    EXPECT_EQ(run({"simulate", scene, "--quiet"}).code, 0);
+    const std::string text = contents(page);
+    for (const std::string name : {"kinetic", "rotational", "potential", "total"})
+        EXPECT_NE(text.find(name + "</tspan>"), std::string::npos) << name;
 }
 
 /// The box goes up and down by 2 of 24 that are shown, in 640 pixels; radii double.

@@ -102,7 +102,8 @@ TEST_F(RightScene, OfAllEffects) {
     EXPECT_EQ(scene.run.events, 9U);
     EXPECT_EQ(scene.run.structure, motion::Structure::cells);
     EXPECT_EQ(scene.run.kernel, motion::Kernel::naive);
-    const std::string text = explain(scene);
+    const std::string text = explain(scene, "a.csv");
+    EXPECT_NE(text.find("\nrecords    a.csv\n"), std::string::npos);
     const std::size_t left_out = text.find("\nLeft out");
     for (const std::string name : {"gravity", "restitution", "speed_law", "contact_duration",
                                    "friction", "shake", "fluid", "contacts"})
@@ -146,7 +147,7 @@ TEST_F(RightScene, OfAllKindsOfBalls) {
         end);
     ASSERT_EQ(scene.start.balls.size(), 40U);
     EXPECT_EQ(scene.start.masses[0], 4.0);
-    EXPECT_EQ(scene.start.masses[1], 12.0);
+    EXPECT_DOUBLE_EQ(scene.start.masses[1], 12.0 * std::numbers::pi);
     EXPECT_EQ(scene.start.masses[2], 8.0);
     ASSERT_EQ(scene.files.size(), 2U);
     motion::Vector<2> momentum{};
@@ -180,6 +181,24 @@ TEST_F(RightScene, SpinIsTheLastEntryOfABall) {
         read<3>("[balls]\nlist = [[0, 0, 0, 1, 0, 0, 0, 2, 3, 4, 5]]\n" + end + friction);
     EXPECT_EQ(space.start.spins[0], (motion::Spin<3>{3, 4, 5}));
     EXPECT_EQ(space.effects.friction->inertia, 0.4);
+}
+
+/// A glass marble of 8 mm weighs 0.67 g, and a disc cut from a sheet of 2 mm 0.25 g.
+TEST_F(RightScene, ADensityIsThatOfTheMaterial) {
+    const Scene<3> marbles = read<3>(
+        "dimension = 3\n[balls]\nlist = [[0, 0, 0, \"4 mm\", 0, 0, 0], [1, 0, 0, \"4 mm\", 0, 0, "
+        "0]]\ndensity = "
+        "\"2500 kg/m^3\"\n" +
+        end);
+    EXPECT_NEAR(marbles.start.masses[0], 6.702e-4, 1e-7);
+    EXPECT_NE(explain(marbles, "").find("\nmass       0.00134 kg in all\n"), std::string::npos)
+        << explain(marbles, "");
+    const Scene<2> discs = read<2>(
+        "[units]\nmass = \"g\"\n[balls]\nlist = [[0, 0, \"4 mm\", 0, "
+        "0]]\ndensity = \"5 kg/m^2\"\n" +
+        end);
+    EXPECT_NEAR(discs.start.masses[0], 0.2513, 1e-4);
+    EXPECT_EQ(read<2>("[balls]\nlist = [[0, 0, 3, 0, 0]]\n" + end).start.masses[0], 9.0);
 }
 
 /// A ball that cannot be is named where it is said.
@@ -256,16 +275,25 @@ TEST_F(RightScene, OptionsWinOverTheFile) {
     EXPECT_EQ(scene.start.balls.size(), 3U);
     EXPECT_FALSE(scene.run.until);
     EXPECT_EQ(scene.run.events, 5U);
-    EXPECT_EQ(read<2>(box + one + end, {{"e", "balls.density = 2"}}).start.masses[0], 2.0);
+    EXPECT_DOUBLE_EQ(read<2>(box + one + end, {{"e", "balls.density = 2"}}).start.masses[0],
+                     2.0 * std::numbers::pi);
+}
+
+TEST_F(RightScene, AWholeNumberMayBeWrittenWithAPower) {
+    const std::string text = box + "[balls]\nnumber = 2e1\nradius = 0.5\n" + end;
+    EXPECT_EQ(read<2>(text).start.balls.size(), 20U);
+    EXPECT_EQ(read<2>(text, {{"--set", "balls.number = 1.2e1"}}).start.balls.size(), 12U);
+    EXPECT_EQ(read<2>(text, {{"--set", "run.events = 1e6"}}).run.events, 1'000'000U);
 }
 
 /// A scene and a file of balls with options write the same log.
 TEST_F(RightScene, RunsAsItsBallsWould) {
     const std::string root = SIGNUM_SOURCES;
     const std::string path = testing::TempDir() + "/break.toml";
-    std::ofstream(path) << "[box]\nlow = [0, 0]\nhigh = [\"254 cm\", \"127 cm\"]\n[balls]\nfile = \""
-                        << root << "/examples/pool.csv\"\n[effects]\nrestitution = 0.96\n"
-                        << "wall_restitution = 0.8\n[run]\nuntil = \"3 s\"\n";
+    std::ofstream(path)
+        << "[box]\nlow = [0, 0]\nhigh = [\"254 cm\", \"127 cm\"]\n[balls]\nfile = \"" << root
+        << "/examples/pool.csv\"\n[effects]\nrestitution = 0.96\n"
+        << "wall_restitution = 0.8\n[run]\nuntil = \"3 s\"\n";
     const test::Outcome scene = test::run({"simulate", path, "--quiet"});
     const test::Outcome balls = test::run({"simulate", root + "/examples/pool.csv", "--box", "0",
                                            "0", "2.54", "1.27", "--restitution", "0.96",

@@ -68,6 +68,29 @@ TEST(WrongScenes, AnOptionIsNamed) {
     refused({"--set", "run.structure=lists"},
             "--set run.structure=lists: no TOML; write KEY=VALUE, where a text stands between "
             "quotes of its own: --set 'run.structure=\"lists\"'");
+    // What is no text without quotes is told by the parser; behind that, what would be right.
+    const std::string number = "; write a number like 7, 0.5 or 1e300, whole ones below 2^63";
+    const std::string error = ": Error while parsing ";
+    refused({"--set", "balls.radius=1e400"},
+            "--set balls.radius=1e400" + error +
+                "floating-point: '1e400' could not be interpreted as a value" + number);
+    refused({"--set", "balls.number=99999999999999999999"},
+            "--set balls.number=99999999999999999999" + error +
+                "decimal integer: '99999999999999999999' is not representable in 64 bits" + number);
+    refused(
+        {"--set", "run.until=07"},
+        "--set run.until=07" + error + "decimal integer: leading zeroes are prohibited" + number);
+    refused({"--set", "box.low=[1, 2"},
+            "--set box.low=[1, 2" + error +
+                "array: encountered end-of-file; an array is written [1, 2, 3]");
+    refused({"--set", "balls.radius=3mm"},
+            "--set balls.radius=3mm: no TOML; write KEY=VALUE, where a text stands between quotes "
+            "of its own: --set 'run.structure=\"lists\"'");
+    refused({"--set", "ball.number=3"},
+            "--set ball.number=3: 'ball' is no key of a scene; did you mean balls?");
+    refused({"--set", "run.events=2.5"},
+            "--set run.events=2.5: events: 2.5 is no whole number from 0 to 4611686018427387904; "
+            "give one");
     refused({"--set", "restitution"},
             "--set restitution: no key and value; write it like --set effects.restitution=0.8");
     refused({"--set", "balls.list.1=[1, 1, 1, 0, 0]"},
