@@ -129,11 +129,15 @@ Choice choose(Structure wish, const State<D>& state, const Effects<D>& effects) 
     if (wish == Structure::automatic) {
         if (state.balls.size() <= 16) return {Structure::pairs, "few balls"};
         if (few_cells) return {Structure::lists, "the periodic box is small"};
+        const bool crowd =
+            D == 2 && effects.box && sizes.packing >= (state.balls.size() <= 3000 ? 0.45 : 0.6);
+        if (sizes.largest > 4.0 * sizes.smallest && crowd)
+            return {Structure::lists, "discs of many sizes crowd the box"};
         if (sizes.largest > 4.0 * sizes.smallest)
             return {Structure::levels, "the largest radius is more than four times the smallest"};
         if (!effects.box) return {Structure::tree, "no bounds are known"};
-        if (D == 2 && sizes.packing < 0.4)
-            return {Structure::cells, "discs of like sizes fill less than two fifths of the box"};
+        if (D == 2 && sizes.packing < 0.6)
+            return {Structure::cells, "discs of like sizes fill less than three fifths of the box"};
         if (sizes.packing < 0.05)
             return {Structure::cells, "balls of like sizes fill less than a twentieth of the box"};
         return {Structure::lists, "many balls of like sizes"};

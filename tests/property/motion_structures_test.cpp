@@ -569,11 +569,15 @@ TEST(MotionStructures, AutoChoosesByNumberRadiiBoundsAndPacking) {
         return choice.structure;
     };
     EXPECT_EQ(chosen(16, 1.0, 100.0, false), Structure::pairs);
-    // They fill 0.4 of a box that is 11.6 wide.
-    EXPECT_EQ(chosen(17, 1.0, 11.0, false), Structure::lists);
-    EXPECT_EQ(chosen(17, 1.0, 12.0, false), Structure::cells);
+    // They fill 0.6 of a box that is 9.44 wide.
+    EXPECT_EQ(chosen(17, 1.0, 9.4, false), Structure::lists);
+    EXPECT_EQ(chosen(17, 1.0, 9.5, false), Structure::cells);
     EXPECT_EQ(chosen(17, 4.5, 50.0, true), Structure::levels);
-    EXPECT_EQ(chosen(17, 4.5, 13.5, false), Structure::levels);
+    // They fill 0.45 of a box that is 15.9 wide; 4000 fill 0.5 of one that is 159.7 wide.
+    EXPECT_EQ(chosen(17, 4.5, 15.8, false), Structure::lists);
+    EXPECT_EQ(chosen(17, 4.5, 16.0, false), Structure::levels);
+    EXPECT_EQ(chosen(4000, 4.5, 159.7, false), Structure::levels);
+    EXPECT_EQ(chosen(4000, 4.5, 145.0, false), Structure::lists);
     EXPECT_EQ(chosen(17, 4.5, 0.0, false), Structure::levels);
     EXPECT_EQ(chosen(17, 1.0, 0.0, false), Structure::tree);
     EXPECT_EQ(chosen(17, 1.0, 1000.0, true), Structure::cells);
