@@ -129,8 +129,9 @@ Choice choose(Structure wish, const State<D>& state, const Effects<D>& effects) 
     if (wish == Structure::automatic) {
         if (state.balls.size() <= 16) return {Structure::pairs, "few balls"};
         if (few_cells) return {Structure::lists, "the periodic box is small"};
+        const std::size_t balls = state.balls.size();
         const bool crowd =
-            D == 2 && effects.box && sizes.packing >= (state.balls.size() <= 3000 ? 0.45 : 0.6);
+            D == 2 && effects.box && sizes.packing >= (300 <= balls && balls <= 3000 ? 0.45 : 0.6);
         if (sizes.largest > 4.0 * sizes.smallest && crowd)
             return {Structure::lists, "discs of many sizes crowd the box"};
         if (sizes.largest > 4.0 * sizes.smallest)

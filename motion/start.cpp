@@ -236,9 +236,11 @@ void check_walls(const Body<D>& body, const Effects<D>& effects, std::int64_t nu
         const Dyadic low = Dyadic(effects.box->low[k]) + shift;
         const Dyadic high = Dyadic(effects.box->high[k]) + shift;
         const Dyadic radius(body.radius);
-        const Dyadic grown = effects.growth ? radius + Dyadic(effects.growth->rate * body.radius) *
-                                                           Dyadic(effects.growth->until)
-                                            : radius;
+        // In the end.
+        const Dyadic grown =
+            Dyadic(body.radius) + (effects.growth ? Dyadic(effects.growth->rate * body.radius) *
+                                                        Dyadic(effects.growth->until)
+                                                  : Dyadic());
         if (effects.periodic) {
             if ((x - low).sign() < 0 || (high - x).sign() < 0)
                 throw BallError(number, "a centre outside the periodic box; give one inside");

@@ -573,9 +573,11 @@ TEST(MotionStructures, AutoChoosesByNumberRadiiBoundsAndPacking) {
     EXPECT_EQ(chosen(17, 1.0, 9.4, false), Structure::lists);
     EXPECT_EQ(chosen(17, 1.0, 9.5, false), Structure::cells);
     EXPECT_EQ(chosen(17, 4.5, 50.0, true), Structure::levels);
-    // They fill 0.45 of a box that is 15.9 wide; 4000 fill 0.5 of one that is 159.7 wide.
-    EXPECT_EQ(chosen(17, 4.5, 15.8, false), Structure::lists);
-    EXPECT_EQ(chosen(17, 4.5, 16.0, false), Structure::levels);
+    // They fill 0.6 of a box that is 13.8 wide, 400 0.45 of one that is 54.1 wide.
+    EXPECT_EQ(chosen(17, 4.5, 13.7, false), Structure::lists);
+    EXPECT_EQ(chosen(17, 4.5, 13.9, false), Structure::levels);
+    EXPECT_EQ(chosen(400, 4.5, 54.0, false), Structure::lists);
+    EXPECT_EQ(chosen(400, 4.5, 54.3, false), Structure::levels);
     EXPECT_EQ(chosen(4000, 4.5, 159.7, false), Structure::levels);
     EXPECT_EQ(chosen(4000, 4.5, 145.0, false), Structure::lists);
     EXPECT_EQ(chosen(17, 4.5, 0.0, false), Structure::levels);
