@@ -898,7 +898,8 @@ class Loop final : public Simulation<D>::Engine {
         Vector<D> v = ball.v;
         for (int k = 0; k < D; ++k) v[k] -= hollow.wall_velocity[k];
         const double parting = dot(v, hollow.normal);
-        const double speed = std::sqrt(std::max(dot(v, v) - parting * parting, 0.0));
+        const double speed =
+            StandingContacts<D>::speed_along(ball.v, hollow.wall_velocity, hollow.normal);
         const double ahead = std::sqrt(1.0 - hollow.turn * hollow.turn);
         for (int k = 0; k < D; ++k)
             ball.v[k] = hollow.wall_velocity[k] + ahead * (v[k] - parting * hollow.normal[k]) +

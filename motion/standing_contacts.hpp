@@ -117,10 +117,10 @@ class StandingContacts {
         for (auto each = momenta_.begin(); each != momenta_.end(); ++solved, ++gap) {
             const double nearer = step * approach(*solved);
             const double radius = least_radius(*solved);
-            // Whether the gap before or after the step is not a visible part of the radii: those
-            // that overlap part first.
-            const bool stays_close =
-                std::min(gap->width + 0x1p-9 * radius, gap->width - nearer) < 0x1p-10 * radius;
+            // Those that overlap by a visible part of the radii part first; then the gap after the
+            // step is to be one.
+            const double visible = 0x1p-10 * radius;
+            const bool stays_close = gap->width < -visible || gap->width - nearer < visible;
             if (solved->normal_impulse > 0.0 || stays_close) {
                 each->second = {solved->normal_impulse, solved->tangential_impulse,
                                 gap->is_for_whole_step && nearer <= allowed(gap->width, radius)};

@@ -236,7 +236,6 @@ void check_walls(const Body<D>& body, const Effects<D>& effects, std::int64_t nu
         const Dyadic low = Dyadic(effects.box->low[k]) + shift;
         const Dyadic high = Dyadic(effects.box->high[k]) + shift;
         const Dyadic radius(body.radius);
-        // In the end.
         const Dyadic grown =
             Dyadic(body.radius) + (effects.growth ? Dyadic(effects.growth->rate * body.radius) *
                                                         Dyadic(effects.growth->until)
