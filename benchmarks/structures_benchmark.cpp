@@ -12,7 +12,6 @@
 #include <cstdint>
 #include <cstdlib>
 #include <functional>
-#include <numbers>
 #include <optional>
 #include <random>
 #include <string>
@@ -49,8 +48,7 @@ class Gas {
             r = std::pow(1.0 - share(random) * (1.0 - std::pow(largest, -D)), -1.0 / D);
         std::ranges::sort(radii, std::greater{});
         double volume = 0.0;
-        for (const double r : radii)
-            volume += (D == 2 ? std::numbers::pi : 4.0 / 3.0 * std::numbers::pi) * std::pow(r, D);
+        for (const double r : radii) volume += motion::ball_volume<D>(r);
         side_ = std::pow(volume / packing, 1.0 / D);
         columns_ = static_cast<std::size_t>(side_ / (2.0 * radii.front()));
         cells_.resize(static_cast<std::size_t>(std::pow(columns_, D)));

@@ -31,7 +31,8 @@ Movie::Meaning meaning_of(motion::Structure structure) {
         case motion::Structure::tree:
             return {"cells with balls in them", "", expected};
         case motion::Structure::levels:
-            return {"the cells in which balls live, a colour a size", "", expected};
+            return {"shells, and the cells in which they lie, a colour a size",
+                    "pairs in the lists", expected};
         case motion::Structure::segments:
             return {"boxes", "partners, whose boxes overlap", expected};
         case motion::Structure::lists:

@@ -19,6 +19,7 @@ struct Spread {
     std::size_t balls = 0;
     double largest_radius = 0.0;
     double smallest_radius = infinity;
+    double sum_of_powers = 0.0;  // of radii, of as many as there are dimensions
 
     explicit Spread(const World<D>& world) : balls(world.balls.size()) {
         box.low.fill(infinity);
@@ -27,6 +28,7 @@ struct Spread {
             const double radius = world.radius(i);
             const Vector<D> x = world.centre(i, world.start);
             largest_radius = std::max(largest_radius, radius);
+            sum_of_powers += D == 2 ? radius * radius : radius * radius * radius;
             smallest_radius = std::min(smallest_radius, radius);
             for (int k = 0; k < D; ++k) {
                 box.low[k] = std::min(box.low[k], x[k] - radius);
@@ -41,6 +43,11 @@ struct Spread {
         for (int k = 0; k < D; ++k) widest = std::max(widest, box.high[k] - box.low[k]);
         for (int k = 0; k < D; ++k)
             box.high[k] = std::max(box.high[k], box.low[k] + 0x1p-10 * widest);
+    }
+    /// Of balls all alike that would fill as much.
+    [[nodiscard]] double mean_radius() const noexcept {
+        const double mean = sum_of_powers / static_cast<double>(std::max<std::size_t>(balls, 1));
+        return D == 2 ? std::sqrt(mean) : std::cbrt(mean);
     }
     /// The edge of a cube that has so many balls in it.
     [[nodiscard]] double edge_of(double number) const noexcept {
@@ -147,6 +154,14 @@ class CellGrid {
     [[nodiscard]] double start_of(int axis, std::int32_t number) const noexcept {
         return low_[axis] + number * width_[axis];
     }
+    [[nodiscard]] Box<D> box_of(const Cell<D>& cell) const noexcept {
+        Box<D> box;
+        for (int k = 0; k < D; ++k) {
+            box.low[k] = start_of(k, cell[k]);
+            box.high[k] = start_of(k, cell[k] + 1);
+        }
+        return box;
+    }
     /// Moves a cell's number along an axis; false where there is no such cell.
     [[nodiscard]] bool shift(Cell<D>& cell, int axis, std::int32_t by) const noexcept {
         std::int32_t& number = cell[axis];
@@ -222,8 +237,71 @@ class CellGrid {
         }
         around.for_each(visit, distance * distance * (1.0 + 0x1p-16));
     }
+    /// The cells that may have a place within any distance of one, told as above; precondition:
+    /// their number is finite.
+    template <class Visit>
+    void for_each_within(const Cell<D>& middle, const Vector<D>& into, double distance,
+                         const Visit& visit) const {
+        PerAxis<Range, D> ranges;
+        for (int k = 0; k < D; ++k) ranges[k] = range_within(middle, into, distance, k);
+        Cell<D> steps{};
+        along<D - 1>(ranges, middle, into, distance * distance * (1.0 + 0x1p-16), steps, visit);
+    }
+    /// How many these are, and some in the corners; infinity where they would meet one another
+    /// around a periodic box.
+    [[nodiscard]] double number_within(const Cell<D>& middle, const Vector<D>& into,
+                                       double distance) const {
+        double number = 1.0;
+        for (int k = 0; k < D; ++k) {
+            const Range range = range_within(middle, into, distance, k);
+            const double along = static_cast<double>(range.last) - range.first + 1.0;
+            number *= periodic_ && along > count_[k] ? infinity : along;
+        }
+        return number;
+    }
 
  private:
+    struct Range {
+        std::int32_t first;
+        std::int32_t last;
+    };
+    /// Numbers of cells from one along an axis.
+    [[nodiscard]] Range range_within(const Cell<D>& middle, const Vector<D>& into, double distance,
+                                     int axis) const noexcept {
+        // The place itself may lie beyond the outermost cell, to which it belongs.
+        double first = std::min(std::floor((into[axis] - distance) * per_width_[axis]), 0.0);
+        double last = std::max(std::floor((into[axis] + distance) * per_width_[axis]), 0.0);
+        if (!periodic_) {
+            const double lowest = bounded_ ? 0.0 : -outermost;
+            const double highest = bounded_ ? count_[axis] - 1.0 : outermost;
+            first = std::max(first, lowest - middle[axis]);
+            last = std::min(last, highest - middle[axis]);
+        }
+        return {static_cast<std::int32_t>(first), static_cast<std::int32_t>(last)};
+    }
+    template <int axis, class Visit>
+    void along(const PerAxis<Range, D>& ranges, const Cell<D>& middle, const Vector<D>& into,
+               double square, Cell<D>& steps, const Visit& visit) const {
+        for (std::int32_t by = ranges[axis].first; by <= ranges[axis].last; ++by) {
+            const double start = by * width_[axis] - into[axis];
+            const double away = by > 0 ? start : by < 0 ? -start - width_[axis] : 0.0;
+            const double left = square - (away > 0.0 ? away * away : 0.0);
+            if (left < 0.0) continue;
+            steps[axis] = by;
+            if constexpr (axis > 0) {
+                along<axis - 1>(ranges, middle, into, left, steps, visit);
+            } else {
+                Cell<D> cell;
+                for (int k = 0; k < D; ++k) {
+                    cell[k] = middle[k] + steps[k];
+                    if (periodic_)
+                        cell[k] += cell[k] < 0 ? count_[k] : cell[k] >= count_[k] ? -count_[k] : 0;
+                }
+                visit(cell, steps);
+            }
+        }
+    }
+
     /// The cells around one, along each axis: their numbers, how many cells away, and the square of
     /// the distance.
     struct Around {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <numeric>
 #include <utility>
 
@@ -36,9 +35,9 @@ struct Row {
 template <int D>
 std::vector<Row<D>> rows() {
     std::vector<Row<D>> result = {
-        {Structure::pairs, make_engine<D, Pairs>}, {Structure::cells, make_engine<D, Grid>},
-        {Structure::tree, make_engine<D, Grid>},   {Structure::segments, make_engine<D, Segments>},
-        {Structure::levels, make_engine<D, Grid>}, {Structure::lists, make_engine<D, Lists>},
+        {Structure::pairs, make_engine<D, Pairs>},  {Structure::cells, make_engine<D, Grid>},
+        {Structure::tree, make_engine<D, Grid>},    {Structure::segments, make_engine<D, Segments>},
+        {Structure::levels, make_engine<D, Lists>}, {Structure::lists, make_engine<D, Lists>},
     };
     if constexpr (D == 2) result.push_back({Structure::delaunay, make_engine<2, Delaunay>});
     return result;
@@ -53,16 +52,16 @@ struct Sizes {
     double largest = 0.0;
     double shortest_box = std::numeric_limits<double>::infinity();
     double packing = 0.0;   ///< the share of the box that balls fill
+    double around = 0.0;    ///< so many balls are in a cube of it as wide as the largest one
     double farthest = 0.0;  ///< the largest coordinate
 };
 template <int D>
 Sizes sizes_of(const State<D>& state, const Effects<D>& effects) {
-    constexpr double of_radius_1 = D == 2 ? std::numbers::pi : 4.0 / 3.0 * std::numbers::pi;
     Sizes sizes;
     for (const Ball<D>& ball : state.balls) {
         sizes.smallest = std::min(sizes.smallest, ball.radius);
         sizes.largest = std::max(sizes.largest, ball.radius);
-        sizes.packing += of_radius_1 * std::pow(ball.radius, D);
+        sizes.packing += ball_volume<D>(ball.radius);
         for (const double x : ball.x) sizes.farthest = std::max(sizes.farthest, std::fabs(x));
     }
     if (effects.growth && state.time < effects.growth->until) {
@@ -73,10 +72,12 @@ Sizes sizes_of(const State<D>& state, const Effects<D>& effects) {
         sizes.packing *= std::pow(factor, D);
     }
     if (!effects.box) return sizes;
+    sizes.around = static_cast<double>(state.balls.size());
     for (int k = 0; k < D; ++k) {
         const double length = effects.box->high[k] - effects.box->low[k];
         sizes.shortest_box = std::min(sizes.shortest_box, length);
         sizes.packing /= length;
+        sizes.around *= 2.0 * sizes.largest / length;
         sizes.farthest = std::max(
             {sizes.farthest, std::fabs(effects.box->low[k]), std::fabs(effects.box->high[k])});
     }
@@ -129,18 +130,15 @@ Choice choose(Structure wish, const State<D>& state, const Effects<D>& effects) 
     if (wish == Structure::automatic) {
         if (state.balls.size() <= 16) return {Structure::pairs, "few balls"};
         if (few_cells) return {Structure::lists, "the periodic box is small"};
-        const std::size_t balls = state.balls.size();
-        const bool crowd =
-            D == 2 && effects.box && sizes.packing >= (300 <= balls && balls <= 3000 ? 0.45 : 0.6);
-        if (sizes.largest > 4.0 * sizes.smallest && crowd)
-            return {Structure::lists, "discs of many sizes crowd the box"};
-        if (sizes.largest > 4.0 * sizes.smallest)
+        if (sizes.around > 2.0)
+            return {Structure::levels, "a cell as wide as the largest ball would hold several"};
+        if (!effects.box && sizes.largest > 4.0 * sizes.smallest)
             return {Structure::levels, "the largest radius is more than four times the smallest"};
         if (!effects.box) return {Structure::tree, "no bounds are known"};
         if (D == 2 && sizes.packing < 0.6)
-            return {Structure::cells, "discs of like sizes fill less than three fifths of the box"};
+            return {Structure::cells, "discs fill less than three fifths of the box"};
         if (sizes.packing < 0.05)
-            return {Structure::cells, "balls of like sizes fill less than a twentieth of the box"};
+            return {Structure::cells, "balls fill less than a twentieth of the box"};
         return {Structure::lists, "many balls of like sizes"};
     }
     const bool in_cells =

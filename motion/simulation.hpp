@@ -93,12 +93,13 @@ struct Sketch {
         /// Then or a little later.
         double time = 0.0;
     };
-    /// Of cells and levels those in which centres lie, each once; of segments all balls' boxes, in
-    /// their order.
+    /// Cells, each once: of cells those in which centres lie, of levels those of the shells'
+    /// centres; of segments all balls' boxes, in their order.
     std::vector<Area> areas;
-    /// Of lists the balls' shells, in their order; in a periodic box their centres lie in it.
+    /// Of lists and levels the balls' shells, in their order; in a periodic box their centres lie
+    /// in it.
     std::vector<Round> rounds;
-    /// Of lists and segments the pairs they hold, a < b, in order.
+    /// Of lists, levels and segments the pairs they hold, a < b, in order.
     std::vector<std::pair<std::int32_t, std::int32_t>> links;
     /// At most one a ball, in their order; not what is no more to be expected, since the partner
     /// has struck something else.

@@ -1,10 +1,24 @@
 #include "sketch.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <tuple>
 #include <utility>
 
 namespace signum::motion {
+
+namespace {
+
+/// One for each ball's box and each cell.
+template <int D>
+auto key_of(const typename Sketch<D>::Area& area) {
+    std::array<double, D> low;
+    std::ranges::copy(area.box.low, low.begin());
+    return std::tuple(area.ball, area.level, low);
+}
+
+}  // namespace
 
 template <int D>
 void put_in_order(Sketch<D>& sketch, std::span<const std::int32_t> numbers,
@@ -25,7 +39,9 @@ void put_in_order(Sketch<D>& sketch, std::span<const std::int32_t> numbers,
         renumber(expected.ball);
         renumber(expected.partner);
     }
-    std::ranges::stable_sort(sketch.areas, {}, &Sketch<D>::Area::ball);
+    std::ranges::sort(sketch.areas, {}, key_of<D>);
+    const auto again = std::ranges::unique(sketch.areas, {}, key_of<D>);
+    sketch.areas.erase(again.begin(), again.end());
     std::ranges::sort(sketch.rounds, {}, &Sketch<D>::Round::ball);
     std::ranges::sort(sketch.links);
     std::ranges::sort(sketch.expected, {}, &Sketch<D>::Expected::ball);

@@ -9,7 +9,8 @@
 
 namespace signum::motion {
 
-/// From slots to the numbers of their balls, into the box, and in order. Walls keep theirs.
+/// From slots to the numbers of their balls, into the box, in order, and each cell once. Walls keep
+/// their numbers.
 template <int D>
 void put_in_order(Sketch<D>& sketch, std::span<const std::int32_t> numbers,
                   const Effects<D>& effects);

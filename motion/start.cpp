@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <tuple>
 
 #include "apart.hpp"
 #include "simulation.hpp"
-#include "structures/grid.hpp"
+#include "structures/lists.hpp"
 #include "time_steps.hpp"
 
 namespace signum::motion {
@@ -266,9 +265,7 @@ void check_room_to_grow(std::span<const Body<D>> bodies, const Effects<D>& effec
     double room = 1.0;
     for (int k = 0; k < D; ++k) room *= effects.box->high[k] - effects.box->low[k];
     double filled = 0.0;
-    for (const Body<D>& body : bodies)
-        filled += D == 2 ? std::numbers::pi * body.radius * body.radius
-                         : 4.0 / 3.0 * std::numbers::pi * std::pow(body.radius, 3);
+    for (const Body<D>& body : bodies) filled += ball_volume<D>(body.radius);
     filled *= std::pow(largest_growth(*effects.growth), D);
     if (filled > room)
         refuse(
@@ -319,12 +316,11 @@ State<D> start(std::span<const Body<D>> bodies, const Effects<D>& effects) {
         for (const Body<D>& body : bodies) state.spins.push_back(body.spin);
     if (effects.contact_duration > 0.0) state.last_strikes.assign(bodies.size(), -infinity);
     const World<D> world({state.balls.begin(), state.balls.end()}, effects, 0.0);
-    const Grid<D> levels(world, Structure::levels);
+    const Lists<D> near(world, Structure::levels);
     for (Slot i = 0; i < world.balls.size(); ++i) {
         Slot first = i;
-        levels.near(i, [&](Slot j) {
+        for (const Slot j : near.list(i))
             if (j < first && overlap(world.balls[i], world.balls[j], world)) first = j;
-        });
         if (first < i)
             throw BallError(
                 i, "a ball that overlaps ball " + std::to_string(first) + "; balls may touch");

@@ -1,6 +1,8 @@
 #pragma once
 /// Places, speeds and boxes in the plane (D = 2) and in space (D = 3).
 
+#include <numbers>
+
 namespace signum::motion {
 
 /// One thing an axis.
@@ -29,6 +31,13 @@ template <int D>
     double sum = a[0] * b[0];
     for (int i = 1; i < D; ++i) sum += a[i] * b[i];
     return sum;
+}
+
+/// A ball's area or volume.
+template <int D>
+[[nodiscard]] constexpr double ball_volume(double radius) noexcept {
+    constexpr double of_radius_1 = D == 2 ? std::numbers::pi : 4.0 / 3.0 * std::numbers::pi;
+    return of_radius_1 * (D == 2 ? 1.0 : radius) * radius * radius;
 }
 
 /// An angular velocity, in radians per unit of time: one number in the plane, counterclockwise.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <type_traits>
 #include <variant>
@@ -227,11 +226,6 @@ std::vector<Vector<D>> points_of_lattice(const Steps<D>& steps, const Region<D>&
 }  // namespace
 
 template <int D>
-double unit_ball() noexcept {
-    return D == 2 ? std::numbers::pi : 4.0 / 3.0 * std::numbers::pi;
-}
-
-template <int D>
 std::vector<Vector<D>> place_by_chance(const Region<D>& region, std::span<const double> radii,
                                        const Surroundings<D>& surroundings, std::uint64_t seed) {
     if (radii.empty()) return {};
@@ -310,7 +304,7 @@ std::vector<Vector<D>> place_by_growth(const Region<D>& region, std::span<const 
     double filled = 0.0;
     double mean = 0.0;
     for (const double radius : radii) {
-        filled += unit_ball<D>() * (D == 2 ? 1.0 : radius) * radius * radius / region.volume;
+        filled += motion::ball_volume<D>(radius) / region.volume;
         mean += radius / static_cast<double>(radii.size());
     }
     // So loose that chance finds a place for all.
@@ -379,7 +373,6 @@ std::vector<Vector<D>> place_by_growth(const Region<D>& region, std::span<const 
 }
 
 #define SIGNUM_ARRANGEMENTS(D)                                                                  \
-    template double unit_ball<D>() noexcept;                                                    \
     template std::vector<Vector<D>> place_by_chance(const Region<D>&, std::span<const double>,  \
                                                     const Surroundings<D>&, std::uint64_t);     \
     template std::vector<Vector<D>> place_on_lattice(const Region<D>&, std::span<const double>, \

@@ -24,10 +24,6 @@ struct Region {
     double volume = 0.0;
 };
 
-/// A ball's area or volume, for radius 1.
-template <int D>
-[[nodiscard]] double unit_ball() noexcept;
-
 /// There is no place for all; what() says what would help.
 class NoPlaceError : public std::runtime_error {
  public:

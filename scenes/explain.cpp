@@ -82,7 +82,7 @@ class Explanation {
         for (const motion::Ball<D>& ball : scene_.start.balls) {
             least = std::min(least, ball.radius);
             largest = std::max(largest, ball.radius);
-            filled += unit_ball<D>() * (D == 2 ? 1.0 : ball.radius) * ball.radius * ball.radius;
+            filled += motion::ball_volume<D>(ball.radius);
         }
         std::string text =
             fmt::format("{} in {}, radius {}", scene_.start.balls.size(),

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 #include "../io/text_writer.hpp"
+#include "../motion/vector.hpp"
 
 namespace signum {
 namespace {
@@ -90,8 +90,7 @@ std::vector<double> PairCorrelation::neighbours() const {
 std::vector<PairCorrelation::Shell> PairCorrelation::shells() const {
     std::vector<Shell> result;
     const auto ball = [&](double r) {
-        return dimension_ == 2 ? std::numbers::pi * r * r
-                               : 4.0 / 3.0 * std::numbers::pi * r * r * r;
+        return dimension_ == 2 ? motion::ball_volume<2>(r) : motion::ball_volume<3>(r);
     };
     for (std::size_t i = 0; i < pairs_.size() && expected_ > 0.0; ++i) {
         const auto shell = static_cast<double>(i);

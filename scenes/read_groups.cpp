@@ -78,7 +78,7 @@ class Masses {
         : density_(group.optional_quantity("density", {density_dimension<D>(), above_0})) {}
     [[nodiscard]] double operator()(double radius) const {
         const double power = mass_of_radius(radius, D);
-        return density_ ? *density_ * (unit_ball<D>() * power) : power;
+        return density_ ? *density_ * (motion::ball_volume<D>(1.0) * power) : power;
     }
 
  private:
@@ -301,7 +301,7 @@ class Groups {
                 region.box.low[k] = sphere->centre[k] - sphere->radius;
                 region.box.high[k] = sphere->centre[k] + sphere->radius;
             }
-            region.volume = unit_ball<D>() * power(sphere->radius);
+            region.volume = motion::ball_volume<D>(1.0) * power(sphere->radius);
             return region;
         }
         group.fail(
@@ -407,7 +407,7 @@ class Groups {
         Radii radius = radii_of(group);
         std::vector<double> radii;
         double filled = 0.0;
-        const double wanted = packing.value_or(0.0) * region.volume / unit_ball<D>();
+        const double wanted = packing.value_or(0.0) * region.volume / motion::ball_volume<D>(1.0);
         while (number ? radii.size() < *number : true) {
             const double next = radius();
             if (!number && filled + power(next) > wanted) break;

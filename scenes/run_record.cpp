@@ -29,7 +29,7 @@ void RunRecord<D>::add(const motion::State<D>& state, double time, const motion:
         const double fast = std::sqrt(dot(v, v));
         moment.terms_of_momentum += state.masses[i] * fast;
         moment.fastest = larger(moment.fastest, fast);
-        filled += unit_ball<D>() * std::pow(radius_at(ball, time, effects_), D);
+        filled += motion::ball_volume<D>(1.0) * std::pow(radius_at(ball, time, effects_), D);
     }
     if (effects_.box) {
         moment.packing = filled;

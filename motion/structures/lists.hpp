@@ -1,5 +1,7 @@
 #pragma once
-/// Lists of neighbours, as the fastest codes keep them.
+/// Two structures of lists of neighbours, as the fastest codes keep them, by the cells that hold
+/// them: `lists`: of one size; `levels`: of several, so that a large ball does not ruin small ones
+/// (thesis 9.4.2, table 10.4.4).
 ///
 /// Each ball's centre lies within a distance, the slack, of a place, and when it is about to leave
 /// that sphere it gets a new place, and its list is made anew. Around the place lies the ball's
@@ -10,18 +12,22 @@
 ///
 /// A place is somewhat ahead of where the ball was, so that it stays longer.
 ///
-/// Shells lie in the cells of their places; a cell is at least as wide as two shells are apart, so
-/// that 3^D cells hold all whose shells may overlap. There they are floats, in units of the widest
-/// cell: a place errs by less than 2^-23, and a difference of two, with the operations, by less
-/// than 2^-21; by twice that shells are thicker. And by the margin, which is far more than places
-/// of balls are rounded by, a ball is told to leave its sphere earlier, and its shell is thicker.
+/// Shells lie in the cells of their places, in the finest level whose cells are at least as wide as
+/// the shell; each level's are twice as wide as those of the level below. So of its own level and
+/// coarser ones 3^D cells hold all whose shells may overlap with a ball's, and of a finer one those
+/// within the radius of its shell and half a cell.
+///
+/// There shells are floats, in units of a cell's width. A shell of radius R, in these units, sees
+/// what lies up to R + 2 away; with the operations a difference and a reach err by less than
+/// 2^-20 + R 2^-21. By twice that two shells together are thicker. And by the margin, which is far
+/// more than places of balls are rounded by, a ball is told to leave its sphere earlier, and its
+/// shell is thicker.
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <numbers>
 #include <span>
 #include <vector>
 
@@ -36,8 +42,9 @@ namespace signum::motion {
 template <int D>
 class Lists {
  public:
-    explicit Lists(const World<D>& world, Structure = Structure::lists)
-        : Lists(world, Spread<D>(world)) {}
+    /// `structure`: lists or levels.
+    Lists(const World<D>& world, Structure structure)
+        : Lists(world, Spread<D>(world), structure == Structure::levels ? most_levels : 1) {}
 
     [[nodiscard]] std::span<const Slot> list(Slot i) const noexcept { return lists_[i]; }
     void fetch(Slot i) const noexcept {
@@ -45,23 +52,17 @@ class Lists {
         lists_.fetch(i);
     }
 
-    /// When the ball leaves its shell, or earlier.
+    /// When the ball leaves its sphere, or earlier.
     [[nodiscard]] double next(Slot i, double now) const {
         const Vector<D> v = world_.velocity(i, now);
         Vector<D> d = world_.centre(i, now);
         for (int k = 0; k < D; ++k) d[k] -= centres_[i].place[k];
-        const double flown = world_.nearest_square(d);
-        const double c = sphere_ * sphere_ - flown;
+        const double square = world_.nearest_square(d);
+        if (world_.falls) return now + time_falling(d, v);
+        const double c = sphere_ * sphere_ - square;
         if (c <= 0.0) return now;
         const double a = dot(v, v);
         const double b = dot(d, v);
-        if (world_.falls) {
-            // Nearer than the slack for as long as speed · s + g s²/2 is below what is left of it.
-            const double left = sphere_ - std::sqrt(flown);
-            if (left < 0x1p-4 * slack_) return now;
-            const double speed = std::sqrt(a);
-            return now + 2.0 * left / (speed + std::sqrt(a + 2.0 * world_.pull * left));
-        }
         // |d + v s|² = sphere²; of the two forms of the root the one that does not cancel.
         const double root = std::sqrt(b * b + a * c);
         const double s = (b > 0.0 ? c : root - b) / (b > 0.0 ? b + root : a);
@@ -75,9 +76,9 @@ class Lists {
         before_.assign(list.begin(), list.end());
         for (const Slot j : before_) leaves_[j] = 1;
         lists_.clear(i);
-        shells_.remove(centres_[i].list, i);
+        levels_[centres_[i].level].shells.remove(centres_[i].list, i);
         enter(i, now);
-        for_each_near(i, [&](Slot j) {
+        for_each_near(i, 0, [&](Slot j) {
             lists_.append(i, j);
             if (leaves_[j] != 0) {
                 leaves_[j] = 0;
@@ -94,129 +95,225 @@ class Lists {
 
     [[nodiscard]] double margin() const noexcept { return margin_; }
 
-    /// The balls' shells, and listed pairs; slots stand for numbers.
+    /// The balls' shells, and listed pairs; of several levels the cells in which shells lie. Slots
+    /// stand for numbers.
     void sketch(double, Sketch<D>& sketch) const {
         for (Slot i = 0; i < centres_.size(); ++i) {
-            sketch.rounds.push_back(
-                {static_cast<std::int32_t>(i), centres_[i].place, world_.radius(i) + slack_});
+            const auto number = static_cast<std::int32_t>(i);
+            const auto& [place, level, list] = centres_[i];
+            sketch.rounds.push_back({number, place, world_.radius(i) + slack_});
             for (const Slot j : lists_[i])
-                if (i < j)
-                    sketch.links.emplace_back(static_cast<std::int32_t>(i),
-                                              static_cast<std::int32_t>(j));
+                if (i < j) sketch.links.emplace_back(number, static_cast<std::int32_t>(j));
+            const CellGrid<D>& grid = levels_[level].grid;
+            if (levels_.size() > 1)
+                sketch.areas.push_back(
+                    {grid.box_of(grid.cell_of(place)), static_cast<int>(level), -1});
         }
     }
 
  private:
+    static constexpr int most_levels = 24;
+
     /// Where a ball's shell lies.
     struct Centre {
         Vector<D> place;
-        std::uint32_t list;  // of shells
+        std::uint32_t level;
+        std::uint32_t list;  // of the level's shells
+    };
+    /// Cells of one size, and the shells that lie in them.
+    struct Level {
+        Level(const CellGrid<D>& cells, std::size_t shells_then, double largest_then)
+            : grid(cells),
+              balls(shells_then),
+              largest(largest_then),
+              hashed(!grid.has_few_cells(balls)),
+              images_are_distinct(grid.images_are_distinct()),
+              unit(*std::ranges::max_element(grid.width())),
+              shells(hashed ? std::bit_ceil(balls + 1) : static_cast<std::size_t>(grid.size())) {}
+
+        [[nodiscard]] std::uint32_t list_of(const Cell<D>& cell) const noexcept {
+            return hashed ? hash_of(cell, shells.size()) : grid.place(cell);
+        }
+
+        CellGrid<D> grid;
+        std::size_t balls;
+        double largest;  // radius of a shell
+        bool hashed;
+        bool images_are_distinct;
+        double unit;  // of floats
+        ShellLists<D> shells;
     };
 
-    Lists(const World<D>& world, const Spread<D>& spread)
+    Lists(const World<D>& world, const Spread<D>& spread, int most)
         : world_(world),
           margin_(spread.margin()),
           slack_(slack_of(spread)),
           sphere_(slack_ * (1.0 - 0x1p-20) - margin_),
-          largest_(spread.largest_radius + slack_ + margin_),
-          grid_(world, spread,
-                std::max(2.0 * (spread.largest_radius + slack_ + margin_) * (1.0 + 0x1p-12),
-                         spread.edge_of(0.5))),
-          hashed_(!grid_.has_few_cells(world.balls.size())),
-          images_are_distinct_(grid_.images_are_distinct()),
-          unit_(*std::ranges::max_element(grid_.width())),
-          shells_(hashed_ ? std::bit_ceil(world.balls.size() + 1)
-                          : static_cast<std::size_t>(grid_.size())),
           centres_(world.balls.size()),
           lists_(world.balls.size()),
           leaves_(world.balls.size()) {
+        add_levels(spread, most);
         for (Slot i = 0; i < centres_.size(); ++i) enter(i, world.start);
-        for (Slot i = 0; i < centres_.size(); ++i)
-            for_each_near(i, [&](Slot j) {
-                if (j > i) return;
+        for (Slot i = 0; i < centres_.size(); ++i) {
+            const std::uint32_t own = centres_[i].level;
+            for_each_near(i, own, [&](Slot j) {
+                if (centres_[j].level == own && j > i) return;
                 lists_.append(i, j);
                 lists_.append(j, i);
             });
+        }
     }
 
+    void add_levels(const Spread<D>& spread, int most) {
+        const double widest = width_for(spread.largest_radius);
+        // Cells far narrower than balls are apart are looked into for nothing.
+        const double narrowest =
+            std::max({width_for(spread.smallest_radius), spread.edge_of(0.5), 0x1p-20 * widest});
+        int number = 1;
+        while (number < most && std::ldexp(narrowest, number) <= widest) ++number;
+        const double finest =
+            number == 1 ? std::max(widest, narrowest) : std::ldexp(widest, 1 - number);
+        std::vector<std::size_t> balls(static_cast<std::size_t>(number));
+        std::vector<double> largest(balls.size());
+        for (Slot i = 0; i < centres_.size(); ++i) {
+            int level = 0;
+            while (level + 1 < number && std::ldexp(finest, level) < width_for(world_.radius(i)))
+                ++level;
+            centres_[i].level = static_cast<std::uint32_t>(level);
+            ++balls[centres_[i].level];
+            largest[centres_[i].level] = std::max(largest[centres_[i].level], radius_of_shell(i));
+        }
+        for (int level = 0; level < number; ++level) {
+            const auto at = static_cast<std::size_t>(level);
+            levels_.emplace_back(
+                CellGrid<D>(world_, spread, std::ldexp(finest, level), 1 << (number - 1 - level)),
+                balls[at], largest[at]);
+        }
+    }
+    /// Of a cell in which a ball's shell may lie.
+    [[nodiscard]] double width_for(double radius) const noexcept {
+        return 2.0 * (radius + slack_ + margin_) * (1.0 + 0x1p-12);
+    }
     [[nodiscard]] double radius_of_shell(Slot i) const noexcept {
         return (world_.radius(i) + slack_ + margin_) * (1.0 + 0x1p-20);
     }
-    [[nodiscard]] std::uint32_t list_of(const Cell<D>& cell) const noexcept {
-        return hashed_ ? hash_of(cell, shells_.size()) : grid_.place(cell);
-    }
     /// Seen from its cell.
-    [[nodiscard]] Shell<D> shell_of(Slot i, const Vector<D>& into) const noexcept {
+    [[nodiscard]] Shell<D> shell_of(Slot i, const Level& level,
+                                    const Vector<D>& into) const noexcept {
         Shell<D> shell;
         double farthest = 0.0;
         for (int k = 0; k < D; ++k) {
-            farthest = std::max(farthest, std::fabs(into[k] / grid_.width()[k]));
-            shell.into[k] = static_cast<float>(std::clamp(into[k] / unit_, -0x1p50, 0x1p50));
+            farthest = std::max(farthest, std::fabs(into[k] / level.grid.width()[k]));
+            shell.into[k] = static_cast<float>(std::clamp(into[k] / level.unit, -0x1p50, 0x1p50));
         }
         // Where the outermost cell has no end, floats tell nothing.
-        shell.reach = farthest < 2.0 ? static_cast<float>(radius_of_shell(i) / unit_ + 0x1p-20)
-                                     : std::numeric_limits<float>::infinity();
+        shell.reach =
+            farthest < 2.0
+                ? static_cast<float>(radius_of_shell(i) / level.unit * (1.0 + 0x1p-20) + 0x1p-20)
+                : std::numeric_limits<float>::infinity();
         shell.ball = i;
         return shell;
     }
     void enter(Slot i, double now) {
         Centre& centre = centres_[i];
+        Level& level = levels_[centre.level];
         centre.place = world_.centre(i, now);
         const Vector<D> v = world_.velocity(i, now);
         const double speed = std::sqrt(dot(v, v));
         if (const double ahead = 0.4 * slack_ / speed; ahead < infinity)
             for (int k = 0; k < D; ++k) centre.place[k] += ahead * v[k];
-        const Cell<D> cell = grid_.cell_of(centre.place);
-        centre.list = list_of(cell);
-        shells_.insert(centre.list, shell_of(i, grid_.into_cell(centre.place, cell)));
+        const Cell<D> cell = level.grid.cell_of(centre.place);
+        centre.list = level.list_of(cell);
+        level.shells.insert(centre.list,
+                            shell_of(i, level, level.grid.into_cell(centre.place, cell)));
     }
 
-    /// So that a ball has some neighbours in its list.
+    /// How long a ball that lies so from its place, and falls, surely stays in its sphere: for as
+    /// long as it would if it flew straight away from the place, and from there again.
+    [[nodiscard]] double time_falling(Vector<D> d, Vector<D> v) const {
+        const Vector<D>& g = world_.effects.gravity;
+        double time = 0.0;
+        for (int step = 0; step < 3; ++step) {
+            const double left = sphere_ - std::sqrt(dot(d, d));
+            if (left < 0x1p-4 * slack_) break;
+            // speed · s + |g| s²/2 = left
+            const double square = dot(v, v);
+            const double s =
+                2.0 * left / (std::sqrt(square) + std::sqrt(square + 2.0 * world_.pull * left));
+            for (int k = 0; k < D; ++k) {
+                d[k] += (v[k] + 0.5 * g[k] * s) * s;
+                v[k] += g[k] * s;
+            }
+            time += s;
+        }
+        return time;
+    }
+
+    /// So that a ball has some neighbours in its list, as those of one size have.
     static double slack_of(const Spread<D>& spread) {
-        constexpr double ball = D == 2 ? std::numbers::pi : 4.0 / 3.0 * std::numbers::pi;
-        const double reach = spread.edge_of((D == 2 ? 7.0 : 12.0) / ball);
-        const double slack =
-            std::max(0.5 * reach - spread.largest_radius, 0.05 * spread.largest_radius);
+        const double reach = spread.edge_of((D == 2 ? 8.0 : 12.0) / ball_volume<D>(1.0));
+        const double radius = spread.mean_radius();
+        const double slack = std::max(0.5 * reach - radius, 0.05 * radius);
         return std::max(std::clamp(slack, 0x1p-20 * spread.shortest(), 0.05 * spread.shortest()),
                         8.0 * spread.margin());
     }
 
-    /// All others whose shells overlap with a ball's.
+    /// All others whose shells overlap with a ball's and lie in that level or a coarser one.
     template <class Visit>
-    void for_each_near(Slot i, const Visit& visit) {
-        const Vector<D>& place = centres_[i].place;
-        const Cell<D> middle = grid_.cell_of(place);
-        const Vector<D> into = grid_.into_cell(place, middle);
-        const Shell<D> shell = shell_of(i, into);
-        const double farthest = radius_of_shell(i) + largest_ * (1.0 + 0x1p-18) + 0x1p-18 * unit_;
+    void for_each_near(Slot i, std::uint32_t finest, const Visit& visit) {
         std::size_t size = 0;
-        grid_.for_each_around(
-            middle, into, farthest, [&](const Cell<D>& cell, const Cell<D>& steps) {
-                Shell<D> seen = shell;
-                for (int k = 0; k < D; ++k)
-                    seen.into[k] -= static_cast<float>(steps[k] * grid_.width()[k] / unit_);
-                if (!images_are_distinct_) seen.reach = std::numeric_limits<float>::infinity();
-                const std::size_t before = size;
-                shells_.find_overlapping(list_of(cell), seen, near_, size);
-                if (hashed_ || !images_are_distinct_) [[unlikely]]
-                    size = confirm(i, cell, before, size);
-            });
+        for (std::uint32_t level = finest; level < levels_.size(); ++level)
+            if (levels_[level].balls > 0) find_near(i, level, size);
         for (std::size_t k = 0; k < size; ++k)
             if (near_[k] != i) visit(near_[k]);
     }
+    /// Appends to the first `size` of near_ those of one level.
+    void find_near(Slot i, std::uint32_t number, std::size_t& size) {
+        const Level& level = levels_[number];
+        const Vector<D>& place = centres_[i].place;
+        const Cell<D> middle = level.grid.cell_of(place);
+        const Vector<D> into = level.grid.into_cell(place, middle);
+        const Shell<D> shell = shell_of(i, level, into);
+        const double farthest =
+            (radius_of_shell(i) + level.largest) * (1.0 + 0x1p-18) + 0x1p-18 * level.unit;
+        const auto look = [&](const Cell<D>& cell, const Cell<D>& steps) {
+            Shell<D> seen = shell;
+            for (int k = 0; k < D; ++k)
+                seen.into[k] -= static_cast<float>(steps[k] * level.grid.width()[k] / level.unit);
+            if (!level.images_are_distinct) seen.reach = std::numeric_limits<float>::infinity();
+            const std::size_t before = size;
+            level.shells.find_overlapping(level.list_of(cell), seen, near_, size);
+            if (level.hashed || !level.images_are_distinct) [[unlikely]]
+                size = confirm(i, level, cell, before, size);
+        };
+        if (number >= centres_[i].level) {
+            level.grid.for_each_around(middle, into, farthest, look);
+        } else if (level.grid.number_within(middle, into, farthest) <
+                   0.25 * static_cast<double>(centres_.size())) {
+            level.grid.for_each_within(middle, into, farthest, look);
+        } else {
+            for (Slot j = 0; j < centres_.size(); ++j) {
+                if (centres_[j].level != number || !overlap(i, j)) continue;
+                if (near_.size() == size) near_.resize(2 * size + 16);
+                near_[size++] = j;
+            }
+        }
+    }
+    [[nodiscard]] bool overlap(Slot i, Slot j) const noexcept {
+        Vector<D> d;
+        for (int axis = 0; axis < D; ++axis)
+            d[axis] = centres_[i].place[axis] - centres_[j].place[axis];
+        const double reach = radius_of_shell(i) + radius_of_shell(j);
+        return world_.nearest_square(d) < reach * reach;
+    }
     /// Of those that were found in a cell keeps the ones that lie there, for several may share a
     /// list, and whose shells overlap with i's in doubles.
-    [[nodiscard]] std::size_t confirm(Slot i, const Cell<D>& cell, std::size_t begin,
-                                      std::size_t end) {
+    [[nodiscard]] std::size_t confirm(Slot i, const Level& level, const Cell<D>& cell,
+                                      std::size_t begin, std::size_t end) {
         std::size_t kept = begin;
         for (std::size_t k = begin; k < end; ++k) {
             const Slot j = near_[k];
-            const Vector<D>& place = centres_[j].place;
-            Vector<D> d;
-            for (int axis = 0; axis < D; ++axis) d[axis] = centres_[i].place[axis] - place[axis];
-            const double reach = radius_of_shell(i) + radius_of_shell(j);
-            if (grid_.cell_of(place) == cell && world_.nearest_square(d) < reach * reach)
-                near_[kept++] = j;
+            if (level.grid.cell_of(centres_[j].place) == cell && overlap(i, j)) near_[kept++] = j;
         }
         return kept;
     }
@@ -224,13 +321,8 @@ class Lists {
     const World<D>& world_;
     double margin_;
     double slack_;
-    double sphere_;   // how far from its place a ball may be
-    double largest_;  // shell, but for what roundings it is thicker by
-    CellGrid<D> grid_;
-    bool hashed_;
-    bool images_are_distinct_;
-    double unit_;  // of floats
-    ShellLists<D> shells_;
+    double sphere_;  // how far from its place a ball may be
+    std::vector<Level> levels_;
     LargeArray<Centre, Pages::large> centres_;
     SlotLists lists_;
     // Of an event: the list before it, who of it is not in the new one, and all that are near.

@@ -84,6 +84,31 @@ TEST(MotionStructures, AllWriteOneLogInSpace) {
     expect_one_log_of_all_scenes<3>(125, 300 * thoroughness);
 }
 
+/// Large balls and small ones, on all grounds: cells of several sizes that have an end, or none, or
+/// go around.
+template <int D>
+void expect_one_log_of_many_sizes(std::size_t balls) {
+    Scene<D> scene = radii<D>(balls, 8);
+    scene.effects.gravity[0] = 0.25;
+    scene.name = "radii 1 : 10^6, falling";
+    ASSERT_NO_FATAL_FAILURE(expect_one_long_log(scene, {.strikes = 300 * thoroughness}, 100));
+    scene = radii<D>(balls, 9);
+    scene.effects.periodic = true;
+    scene.name = "radii 1 : 10^6, periodic";
+    ASSERT_NO_FATAL_FAILURE(expect_one_long_log(scene, {.strikes = 300 * thoroughness}, 100));
+    const Scene<D> shrinking = meeting_place<D>(balls, 10);
+    scene.effects = shrinking.effects;
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) scene.bodies[i].v = shrinking.bodies[i].v;
+    scene.name = "radii 1 : 10^6, without a box";
+    expect_one_long_log(scene, {.strikes = 300 * thoroughness}, 50);
+}
+TEST(MotionStructures, DiscsOfManySizesWriteOneLog) {
+    expect_one_log_of_many_sizes<2>(100);
+}
+TEST(MotionStructures, BallsOfManySizesWriteOneLog) {
+    expect_one_log_of_many_sizes<3>(125);
+}
+
 /// A flip may be isolated by an interval that is as long as the flight: it is not due at its
 /// begin.
 TEST(MotionStructures, DiscsNearlyInARowWriteOneLog) {
@@ -492,27 +517,6 @@ TEST(MotionStructures, ALogInOtherUnitsIsTheSame) {
     }
 }
 
-/// Two discs whose shells at the start overlap by so little that floats tell it differently from
-/// the two sides.
-TEST(MotionStructures, ListsAgreeFromBothSides) {
-    Scene<2> scene;
-    scene.bodies = {{{6.750502786531772, 4.625980716486113},
-                     {-0.8011125010219192, 0.5985137932465763},
-                     0.3,
-                     1.0},
-                    {{5.03, 5.1}, {0.0, 0.0}, 0.3, 1.0},
-                    {{3.551810629126746, 3.4705963717245094},
-                     {0.6719042594878428, 0.7406380128524956},
-                     0.3,
-                     1.0}};
-    for (int i = 0; i < 13; ++i) scene.bodies.push_back({{0.5 + 0.7 * i, 0.4}, {}, 0.3, 1.0});
-    for (int i = 0; i < 4; ++i) scene.bodies.push_back({{0.5 + 0.7 * i, 9.6}, {}, 0.3, 1.0});
-    scene.effects.box = cube<2>(10.0);
-    const Recorded expected = run(scene, Structure::pairs, 2);
-    ASSERT_EQ(expected.log.size(), 2U);
-    EXPECT_EQ(run(scene, Structure::lists, 2).log, expected.log);
-}
-
 TEST(MotionStructures, WhatCannotBeIsRefused) {
     using Bodies = std::vector<Body<2>>;
     const Effects<2> none;
@@ -572,15 +576,14 @@ TEST(MotionStructures, AutoChoosesByNumberRadiiBoundsAndPacking) {
     // They fill 0.6 of a box that is 9.44 wide.
     EXPECT_EQ(chosen(17, 1.0, 9.4, false), Structure::lists);
     EXPECT_EQ(chosen(17, 1.0, 9.5, false), Structure::cells);
-    EXPECT_EQ(chosen(17, 4.5, 50.0, true), Structure::levels);
-    // They fill 0.6 of a box that is 13.8 wide, 400 0.45 of one that is 54.1 wide.
-    EXPECT_EQ(chosen(17, 4.5, 13.7, false), Structure::lists);
-    EXPECT_EQ(chosen(17, 4.5, 13.9, false), Structure::levels);
-    EXPECT_EQ(chosen(400, 4.5, 54.0, false), Structure::lists);
-    EXPECT_EQ(chosen(400, 4.5, 54.3, false), Structure::levels);
-    EXPECT_EQ(chosen(4000, 4.5, 159.7, false), Structure::levels);
-    EXPECT_EQ(chosen(4000, 4.5, 145.0, false), Structure::lists);
-    EXPECT_EQ(chosen(17, 4.5, 0.0, false), Structure::levels);
+    // Of a box that is 26.24 wide two are in a square as wide as the largest, of one that is 288.2
+    // wide, too.
+    EXPECT_EQ(chosen(17, 4.5, 26.2, false), Structure::levels);
+    EXPECT_EQ(chosen(17, 4.5, 26.3, false), Structure::cells);
+    EXPECT_EQ(chosen(2050, 4.5, 288.0, true), Structure::levels);
+    EXPECT_EQ(chosen(2050, 4.5, 288.3, true), Structure::cells);
+    EXPECT_EQ(chosen(17, 4.1, 0.0, false), Structure::levels);
+    EXPECT_EQ(chosen(17, 4.0, 0.0, false), Structure::tree);
     EXPECT_EQ(chosen(17, 1.0, 0.0, false), Structure::tree);
     EXPECT_EQ(chosen(17, 1.0, 1000.0, true), Structure::cells);
     EXPECT_EQ(chosen(17, 1.0, 9.0, true), Structure::lists);

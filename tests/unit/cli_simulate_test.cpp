@@ -226,9 +226,9 @@ TEST_F(Simulate, AMovieShowsTheStructure) {
         const std::string links = group(movie, "fill=\"none\" stroke=\"#666\"");
         const std::string expected = group(movie, "fill=\"none\" stroke=\"#d0007f\"");
         EXPECT_EQ(outlines.find("<path") == std::string::npos, structure == "pairs");
-        EXPECT_EQ(outlines.find(" 0 0 1 ") != std::string::npos, structure == "lists");
-        EXPECT_EQ(links.find("<path") != std::string::npos,
-                  structure == "lists" || structure == "segments");
+        const bool has_lists = structure == "lists" || structure == "levels";
+        EXPECT_EQ(outlines.find(" 0 0 1 ") != std::string::npos, has_lists);
+        EXPECT_EQ(links.find("<path") != std::string::npos, has_lists || structure == "segments");
         EXPECT_NE(expected.find("<path"), std::string::npos);
         // Shapes come and go, and lie under the balls.
         EXPECT_NE(expected.find("none;inline;none"), std::string::npos);

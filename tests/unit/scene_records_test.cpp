@@ -156,7 +156,7 @@ void places(double random_packing, double lattice_packing) {
         const Region<D> region = cube<D>(20.0, periodic);
         const auto number = [&](double packing) {
             return static_cast<std::size_t>(packing * region.volume /
-                                            (unit_ball<D>() * std::pow(0.5, D)));
+                                            (motion::ball_volume<D>(1.0) * std::pow(0.5, D)));
         };
         const std::vector<double> some(number(random_packing), 0.5);
         expect_apart<D>(region, some, place_by_chance<D>(region, some, {}, 7));
