@@ -76,7 +76,7 @@ template <int D>
 struct Sketch {
     struct Area {
         Box<D> box;
-        /// Of cells: 0 the finest, each next one of cells twice as wide.
+        /// Of cells: 0 the finest, each next one of cells four times as wide.
         int level = 0;
         /// Of segments: whose it is.
         std::int32_t ball = -1;

@@ -13,9 +13,9 @@
 /// A place is somewhat ahead of where the ball was, so that it stays longer.
 ///
 /// Shells lie in the cells of their places, in the finest level whose cells are at least as wide as
-/// the shell; each level's are twice as wide as those of the level below. So of its own level and
-/// coarser ones 3^D cells hold all whose shells may overlap with a ball's, and of a finer one those
-/// within the radius of its shell and half a cell.
+/// the shell; each level's are four times as wide as those of the level below. So of its own level
+/// and coarser ones 3^D cells hold all whose shells may overlap with a ball's, and of a finer one
+/// those within the radius of its shell and half a cell.
 ///
 /// There shells are floats, in units of a cell's width. A shell of radius R, in these units, sees
 /// what lies up to R + 2 away; with the operations a difference and a reach err by less than
@@ -112,7 +112,8 @@ class Lists {
     }
 
  private:
-    static constexpr int most_levels = 24;
+    static constexpr int most_levels = 12;
+    static constexpr int doublings = 2;  // of the width from a level to the next
 
     /// Where a ball's shell lies.
     struct Centre {
@@ -170,14 +171,15 @@ class Lists {
         const double narrowest =
             std::max({width_for(spread.smallest_radius), spread.edge_of(0.5), 0x1p-20 * widest});
         int number = 1;
-        while (number < most && std::ldexp(narrowest, number) <= widest) ++number;
-        const double finest =
-            number == 1 ? std::max(widest, narrowest) : std::ldexp(widest, 1 - number);
+        while (number < most && std::ldexp(narrowest, doublings * number) <= widest) ++number;
+        const double finest = number == 1 ? std::max(widest, narrowest)
+                                          : std::ldexp(widest, doublings * (1 - number));
         std::vector<std::size_t> balls(static_cast<std::size_t>(number));
         std::vector<double> largest(balls.size());
         for (Slot i = 0; i < centres_.size(); ++i) {
             int level = 0;
-            while (level + 1 < number && std::ldexp(finest, level) < width_for(world_.radius(i)))
+            while (level + 1 < number &&
+                   std::ldexp(finest, doublings * level) < width_for(world_.radius(i)))
                 ++level;
             centres_[i].level = static_cast<std::uint32_t>(level);
             ++balls[centres_[i].level];
@@ -185,9 +187,9 @@ class Lists {
         }
         for (int level = 0; level < number; ++level) {
             const auto at = static_cast<std::size_t>(level);
-            levels_.emplace_back(
-                CellGrid<D>(world_, spread, std::ldexp(finest, level), 1 << (number - 1 - level)),
-                balls[at], largest[at]);
+            levels_.emplace_back(CellGrid<D>(world_, spread, std::ldexp(finest, doublings * level),
+                                             1 << doublings * (number - 1 - level)),
+                                 balls[at], largest[at]);
         }
     }
     /// Of a cell in which a ball's shell may lie.
