@@ -35,10 +35,11 @@ struct Spread {
                 box.high[k] = std::max(box.high[k], x[k] + radius);
             }
         }
-        if (world.region)
+        if (world.region) {
             box = *world.region;
-        else if (balls == 0)
-            box = {};
+            return;
+        }
+        if (balls == 0) box = {};
         double widest = largest_radius > 0.0 ? largest_radius : 1.0;
         for (int k = 0; k < D; ++k) widest = std::max(widest, box.high[k] - box.low[k]);
         for (int k = 0; k < D; ++k)
@@ -64,7 +65,7 @@ struct Spread {
         double farthest = 0.0;
         for (int k = 0; k < D; ++k)
             farthest = std::max({farthest, std::fabs(box.low[k]), std::fabs(box.high[k])});
-        return std::max(0x1p-46 * farthest, 0x1p-18 * edge_of(1.0));
+        return std::max(0x1p-46 * farthest, 0x1p-18 * std::min(edge_of(1.0), shortest()));
     }
     [[nodiscard]] double shortest() const noexcept {
         double shortest = infinity;
@@ -94,9 +95,9 @@ class CellGrid {
     /// No cell has a number beyond it.
     static constexpr std::int32_t outermost = 1 << 30;
 
-    /// Cells at least as wide as told, `divisions` of which along each axis make one of the widest
-    /// that are planned; so grids of the same spread whose widths differ by powers of two are
-    /// nested.
+    /// Cells at least as wide as told, or as the box, `divisions` of which along each axis make one
+    /// of the widest that are planned, where there is room for that; so grids of the same spread
+    /// whose widths differ by powers of two are nested.
     CellGrid(const World<D>& world, const Spread<D>& spread, double width,
              std::int32_t divisions = 1)
         : bounded_(world.region.has_value()),
@@ -104,8 +105,10 @@ class CellGrid {
           low_(spread.box.low) {
         for (int k = 0; k < D; ++k) {
             const double length = spread.box.high[k] - spread.box.low[k];
-            const double most = std::floor(length / (width * divisions));
-            count_[k] = divisions * static_cast<std::int32_t>(std::clamp(most, 1.0, 0x1p24));
+            const double widest = std::floor(length / (width * divisions));
+            const double count =
+                widest >= 1.0 ? divisions * std::min(widest, 0x1p24) : std::floor(length / width);
+            count_[k] = static_cast<std::int32_t>(std::clamp(count, 1.0, 0x1p30));
             width_[k] = bounded_ ? length / count_[k] : width;
             per_width_[k] = 1.0 / width_[k];
         }

@@ -148,6 +148,9 @@ class Loop final : public Simulation<D>::Engine {
                 look(inquiry);
                 counts_.own_checks += counts_.checks - asked_before;
                 end(inquiry);
+                if constexpr (requires { structure_->is_crowded(); })
+                    if (structure_->is_crowded()) [[unlikely]]
+                        make_anew();
             } else if (is_stale(next)) {
                 ++counts_.stale;
                 ask(i);

@@ -5,7 +5,9 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <limits>
 #include <span>
+#include <stdexcept>
 #include <vector>
 
 #include "world.hpp"
@@ -25,6 +27,7 @@ class SlotLists {
         List& list = lists_[i];
         if (list.size == list.capacity) grow(list);
         pool_[list.begin + list.size++] = j;
+        ++entries_;
     }
     /// Nothing happens where it is not there.
     void remove(Slot i, Slot j) noexcept {
@@ -35,8 +38,14 @@ class SlotLists {
         if (found == end) return;
         *found = end[-1];
         --list.size;
+        --entries_;
     }
-    void clear(Slot i) noexcept { lists_[i].size = 0; }
+    void clear(Slot i) noexcept {
+        entries_ -= lists_[i].size;
+        lists_[i].size = 0;
+    }
+    /// Of all lists.
+    [[nodiscard]] std::size_t entries() const noexcept { return entries_; }
 
  private:
     struct List {
@@ -52,6 +61,9 @@ class SlotLists {
             free_[static_cast<std::size_t>(std::bit_width(capacity))];
         std::uint32_t begin = 0;
         if (free.empty()) {
+            if (pool_.size() + capacity > std::numeric_limits<std::uint32_t>::max())
+                throw std::length_error(
+                    "too many pairs of balls are near one another to be listed");
             begin = static_cast<std::uint32_t>(pool_.size());
             pool_.resize(pool_.size() + capacity);
         } else {
@@ -67,6 +79,7 @@ class SlotLists {
 
     LargeArray<List, Pages::large> lists_;
     LargeArray<Slot, Pages::large> pool_;
+    std::size_t entries_ = 0;
     std::array<std::vector<std::uint32_t>, 33> free_;
 };
 

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <string>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "apart.hpp"
+#include "box_tree.hpp"
 #include "simulation.hpp"
-#include "structures/lists.hpp"
 #include "time_steps.hpp"
 
 namespace signum::motion {
@@ -161,7 +163,7 @@ void check(const Body<D>& body, std::int64_t number) {
 /// Whether a ball lies in what an obstacle takes, exactly.
 template <int D>
 bool is_within(const Body<D>& body, const HalfSpace<D>& wall) {
-    Dyadic height = -Dyadic(wall.offset);
+    Dyadic height(-wall.offset);
     Dyadic square;
     for (int k = 0; k < D; ++k) {
         height += Dyadic(wall.normal[k]) * Dyadic(body.x[k]);
@@ -275,25 +277,52 @@ void check_room_to_grow(std::span<const Body<D>> bodies, const Effects<D>& effec
 
 /// Whether two balls overlap, exactly; each at its own time, which is the same.
 template <int D>
-bool overlap(const Ball<D>& a, const Ball<D>& b, const World<D>& world) {
-    const Image<D> image = nearest_image(a.x, b.x, world.effects);
+bool overlap(const Ball<D>& a, const Ball<D>& b, const Effects<D>& effects) {
+    const Image<D> image = nearest_image(a.x, b.x, effects);
     Vector<D> d;
     double size = 0.0;
     for (int k = 0; k < D; ++k) {
-        d[k] = apart<double>(a.x, b.x, k, image, world.effects);
+        d[k] = apart<double>(a.x, b.x, k, image, effects);
         size = std::max({size, std::fabs(a.x[k]), std::fabs(b.x[k])});
-        if (image[k] != 0) size = std::max(size, length<double>(world.effects, k));
+        if (image[k] != 0) size = std::max(size, length<double>(effects, k));
     }
     const double radii = a.radius + b.radius;
     // What rounding does to a difference is far less than a part in 2^40 of the numbers.
     if (dot(d, d) > std::max(radii * radii * (1.0 + 0x1p-20), 0x1p-40 * size * size)) return false;
     Dyadic square;
     for (int k = 0; k < D; ++k) {
-        const Dyadic exact = apart<Dyadic>(a.x, b.x, k, image, world.effects);
+        const Dyadic exact = apart<Dyadic>(a.x, b.x, k, image, effects);
         square += exact * exact;
     }
     const Dyadic sum = Dyadic(a.radius) + Dyadic(b.radius);
     return (square - sum * sum).sign() < 0;
+}
+
+/// Names the first ball that overlaps one before it, and the first of these.
+template <int D>
+void refuse_overlap(const State<D>& state, const Effects<D>& effects) {
+    if (state.balls.empty()) return;
+    std::vector<typename BoxTree<D>::Node> places;
+    places.reserve(state.balls.size());
+    for (const Ball<D>& ball : state.balls)
+        places.push_back({.box = {ball.x, ball.x}, .radius = ball.radius});
+    Vector<D> length;
+    for (int k = 0; k < D; ++k)
+        length[k] = effects.periodic ? effects.box->high[k] - effects.box->low[k] : infinity;
+    constexpr std::uint32_t nobody = ~std::uint32_t{0};
+    std::pair first{nobody, nobody};
+    BoxTree<D>(places, length)
+        .visit_pairs([] { return 0.0; },
+                     [&](std::uint32_t i, std::uint32_t j) {
+                         const std::pair pair(std::max(i, j), std::min(i, j));
+                         if (pair < first &&
+                             overlap(state.balls[pair.first], state.balls[pair.second], effects))
+                             first = pair;
+                         return true;
+                     });
+    if (first.first != nobody)
+        throw BallError(first.first, "a ball that overlaps ball " + std::to_string(first.second) +
+                                         "; balls may touch");
 }
 
 }  // namespace
@@ -315,16 +344,7 @@ State<D> start(std::span<const Body<D>> bodies, const Effects<D>& effects) {
     if (effects.friction)
         for (const Body<D>& body : bodies) state.spins.push_back(body.spin);
     if (effects.contact_duration > 0.0) state.last_strikes.assign(bodies.size(), -infinity);
-    const World<D> world({state.balls.begin(), state.balls.end()}, effects, 0.0);
-    const Lists<D> near(world, Structure::levels);
-    for (Slot i = 0; i < world.balls.size(); ++i) {
-        Slot first = i;
-        for (const Slot j : near.list(i))
-            if (j < first && overlap(world.balls[i], world.balls[j], world)) first = j;
-        if (first < i)
-            throw BallError(
-                i, "a ball that overlaps ball " + std::to_string(first) + "; balls may touch");
-    }
+    refuse_overlap(state, effects);
     return state;
 }
 

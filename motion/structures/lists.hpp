@@ -29,6 +29,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "../cells.hpp"
@@ -94,6 +95,10 @@ class Lists {
     }
 
     [[nodiscard]] double margin() const noexcept { return margin_; }
+    /// Whether balls have crowded so that lists should be made anew, with less slack.
+    [[nodiscard]] bool is_crowded() const noexcept {
+        return lists_.entries() > 2 * most_listed * centres_.size() && slack_ > least_slack_;
+    }
 
     /// The balls' shells, and listed pairs; of several levels the cells in which shells lie. Slots
     /// stand for numbers.
@@ -113,7 +118,8 @@ class Lists {
 
  private:
     static constexpr int most_levels = 12;
-    static constexpr int doublings = 2;  // of the width from a level to the next
+    static constexpr std::size_t most_listed = 32;  // a ball, on average, where that can be
+    static constexpr int doublings = 2;             // of the width from a level to the next
 
     /// Where a ball's shell lies.
     struct Centre {
@@ -123,21 +129,22 @@ class Lists {
     };
     /// Cells of one size, and the shells that lie in them.
     struct Level {
-        Level(const CellGrid<D>& cells, std::size_t shells_then, double largest_then)
+        Level(const CellGrid<D>& cells, std::vector<Slot> balls_then, double largest_then)
             : grid(cells),
-              balls(shells_then),
+              balls(std::move(balls_then)),
               largest(largest_then),
-              hashed(!grid.has_few_cells(balls)),
+              hashed(!grid.has_few_cells(balls.size())),
               images_are_distinct(grid.images_are_distinct()),
               unit(*std::ranges::max_element(grid.width())),
-              shells(hashed ? std::bit_ceil(balls + 1) : static_cast<std::size_t>(grid.size())) {}
+              shells(hashed ? std::bit_ceil(balls.size() + 1)
+                            : static_cast<std::size_t>(grid.size())) {}
 
         [[nodiscard]] std::uint32_t list_of(const Cell<D>& cell) const noexcept {
             return hashed ? hash_of(cell, shells.size()) : grid.place(cell);
         }
 
         CellGrid<D> grid;
-        std::size_t balls;
+        std::vector<Slot> balls;
         double largest;  // radius of a shell
         bool hashed;
         bool images_are_distinct;
@@ -148,13 +155,21 @@ class Lists {
     Lists(const World<D>& world, const Spread<D>& spread, int most)
         : world_(world),
           margin_(spread.margin()),
-          slack_(slack_of(spread)),
-          sphere_(slack_ * (1.0 - 0x1p-20) - margin_),
+          slack_(slack_of(world, spread)),
+          least_slack_(least_slack(spread)),
           centres_(world.balls.size()),
           lists_(world.balls.size()),
           leaves_(world.balls.size()) {
+        while (!make_lists(spread, most)) slack_ = std::max(0.5 * slack_, least_slack_);
+    }
+
+    /// False, before that is done, where they become long and the slack could be less.
+    [[nodiscard]] bool make_lists(const Spread<D>& spread, int most) {
+        sphere_ = slack_ * (1.0 - 0x1p-20) - margin_;
+        levels_.clear();
         add_levels(spread, most);
-        for (Slot i = 0; i < centres_.size(); ++i) enter(i, world.start);
+        lists_ = SlotLists(centres_.size());
+        for (Slot i = 0; i < centres_.size(); ++i) enter(i, world_.start);
         for (Slot i = 0; i < centres_.size(); ++i) {
             const std::uint32_t own = centres_[i].level;
             for_each_near(i, own, [&](Slot j) {
@@ -162,34 +177,38 @@ class Lists {
                 lists_.append(i, j);
                 lists_.append(j, i);
             });
+            if (lists_.entries() > most_listed * centres_.size() && slack_ > least_slack_)
+                return false;
         }
+        return true;
     }
-
     void add_levels(const Spread<D>& spread, int most) {
         const double widest = width_for(spread.largest_radius);
         // Cells far narrower than balls are apart are looked into for nothing.
+        const double apart = spread.edge_of(0.5) * (slack_ / slack_of(world_, spread));
         const double narrowest =
-            std::max({width_for(spread.smallest_radius), spread.edge_of(0.5), 0x1p-20 * widest});
+            std::max({width_for(spread.smallest_radius), apart, 0x1p-20 * widest});
         int number = 1;
         while (number < most && std::ldexp(narrowest, doublings * number) <= widest) ++number;
         const double finest = number == 1 ? std::max(widest, narrowest)
                                           : std::ldexp(widest, doublings * (1 - number));
-        std::vector<std::size_t> balls(static_cast<std::size_t>(number));
-        std::vector<double> largest(balls.size());
+        std::vector<std::vector<Slot>> members(static_cast<std::size_t>(number));
         for (Slot i = 0; i < centres_.size(); ++i) {
             int level = 0;
             while (level + 1 < number &&
                    std::ldexp(finest, doublings * level) < width_for(world_.radius(i)))
                 ++level;
             centres_[i].level = static_cast<std::uint32_t>(level);
-            ++balls[centres_[i].level];
-            largest[centres_[i].level] = std::max(largest[centres_[i].level], radius_of_shell(i));
+            members[centres_[i].level].push_back(i);
         }
+        levels_.reserve(members.size());
         for (int level = 0; level < number; ++level) {
-            const auto at = static_cast<std::size_t>(level);
+            std::vector<Slot>& own = members[static_cast<std::size_t>(level)];
+            double largest = 0.0;
+            for (const Slot i : own) largest = std::max(largest, radius_of_shell(i));
             levels_.emplace_back(CellGrid<D>(world_, spread, std::ldexp(finest, doublings * level),
                                              1 << doublings * (number - 1 - level)),
-                                 balls[at], largest[at]);
+                                 std::move(own), largest);
         }
     }
     /// Of a cell in which a ball's shell may lie.
@@ -251,13 +270,18 @@ class Lists {
         return time;
     }
 
-    /// So that a ball has some neighbours in its list, as those of one size have.
-    static double slack_of(const Spread<D>& spread) {
+    /// So that a ball has some neighbours in its list, as those of one size have that are spread
+    /// evenly. Where they are not that makes many, and it is halved until they are few.
+    static double slack_of(const World<D>& world, const Spread<D>& spread) {
         const double reach = spread.edge_of((D == 2 ? 8.0 : 12.0) / ball_volume<D>(1.0));
         const double radius = spread.mean_radius();
         const double slack = std::max(0.5 * reach - radius, 0.05 * radius);
-        return std::max(std::clamp(slack, 0x1p-20 * spread.shortest(), 0.05 * spread.shortest()),
-                        8.0 * spread.margin());
+        // In a periodic box two whose shells overlap are never nearer in another image.
+        const double most = world.effects.periodic ? 0.05 * spread.shortest() : infinity;
+        return std::max(std::min(slack, most), least_slack(spread));
+    }
+    [[nodiscard]] static double least_slack(const Spread<D>& spread) noexcept {
+        return std::max(0x1p-20 * spread.shortest(), 8.0 * spread.margin());
     }
 
     /// All others whose shells overlap with a ball's and lie in that level or a coarser one.
@@ -265,7 +289,7 @@ class Lists {
     void for_each_near(Slot i, std::uint32_t finest, const Visit& visit) {
         std::size_t size = 0;
         for (std::uint32_t level = finest; level < levels_.size(); ++level)
-            if (levels_[level].balls > 0) find_near(i, level, size);
+            if (!levels_[level].balls.empty()) find_near(i, level, size);
         for (std::size_t k = 0; k < size; ++k)
             if (near_[k] != i) visit(near_[k]);
     }
@@ -291,11 +315,11 @@ class Lists {
         if (number >= centres_[i].level) {
             level.grid.for_each_around(middle, into, farthest, look);
         } else if (level.grid.number_within(middle, into, farthest) <
-                   0.25 * static_cast<double>(centres_.size())) {
+                   static_cast<double>(level.balls.size())) {
             level.grid.for_each_within(middle, into, farthest, look);
         } else {
-            for (Slot j = 0; j < centres_.size(); ++j) {
-                if (centres_[j].level != number || !overlap(i, j)) continue;
+            for (const Slot j : level.balls) {
+                if (!overlap(i, j)) continue;
                 if (near_.size() == size) near_.resize(2 * size + 16);
                 near_[size++] = j;
             }
@@ -323,7 +347,8 @@ class Lists {
     const World<D>& world_;
     double margin_;
     double slack_;
-    double sphere_;  // how far from its place a ball may be
+    double least_slack_;
+    double sphere_ = 0.0;  // how far from its place a ball may be
     std::vector<Level> levels_;
     LargeArray<Centre, Pages::large> centres_;
     SlotLists lists_;

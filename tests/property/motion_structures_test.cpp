@@ -102,6 +102,24 @@ void expect_one_log_of_many_sizes(std::size_t balls) {
     scene.name = "radii 1 : 10^6, without a box";
     expect_one_long_log(scene, {.strikes = 300 * thoroughness}, 50);
 }
+/// Discs that strike one another across the short side of a periodic box.
+TEST(MotionStructures, ALongPeriodicBoxWritesOneLog) {
+    for (const double length : {0x1p10, 0x1p11, 0x1p17, 0x1p30}) {
+        std::mt19937_64 random(82);
+        Scene<2> scene{"a box as long as " + std::to_string(length), {}, {}};
+        scene.effects.box = Box<2>{{0.0, 0.0}, {length, 1.0}};
+        scene.effects.periodic = true;
+        for (int i = 0; i < 48; ++i) {
+            const double y = static_cast<double>(random() % 64) / 64.0;
+            const double speed = static_cast<double>(random() % 65) / 32.0 - 1.0;
+            scene.bodies.push_back({{0.25 + 0.5 * i, y}, {0.25, speed}, 0.125, 1.0});
+            scene.bodies.push_back(
+                {{0.25 + 0.5 * i, y < 0.5 ? y + 0.5 : y - 0.5}, {0.25, -speed}, 0.125, 1.0});
+        }
+        ASSERT_NO_FATAL_FAILURE(expect_one_long_log(scene, {.strikes = 150 * thoroughness}, 100));
+    }
+}
+
 TEST(MotionStructures, DiscsOfManySizesWriteOneLog) {
     expect_one_log_of_many_sizes<2>(100);
 }
@@ -587,6 +605,18 @@ TEST(MotionStructures, AutoChoosesByNumberRadiiBoundsAndPacking) {
     EXPECT_EQ(chosen(17, 1.0, 0.0, false), Structure::tree);
     EXPECT_EQ(chosen(17, 1.0, 1000.0, true), Structure::cells);
     EXPECT_EQ(chosen(17, 1.0, 9.0, true), Structure::lists);
+    // Where the margin is no longer little.
+    State<2> state;
+    for (int i = 0; i < 17; ++i) state.balls.push_back({{}, {}, 0x1p-6, 0.0});
+    Effects<2> thin;
+    thin.box = Box<2>{{0, 0}, {0x1p36, 1.0}};
+    thin.periodic = true;
+    EXPECT_EQ(choose(Structure::levels, state, thin).structure, Structure::levels);
+    thin.box->high[0] = 0x1.1p36;
+    for (const Structure wish : all_structures)
+        EXPECT_EQ(choose(wish, state, thin).structure, Structure::pairs);
+    thin.periodic = false;
+    EXPECT_EQ(choose(Structure::levels, state, thin).structure, Structure::levels);
 }
 
 /// Where radii are too different, or places are rounded by too much, another structure is used.

@@ -147,7 +147,8 @@ void expect_lists(std::uint64_t seed, Slot balls, double least, double most, Bou
             if (random.below(4) == 0) {
                 const auto i = static_cast<Slot>(random.below(static_cast<int>(balls)));
                 Vector<D> v;
-                for (int k = 0; k < D; ++k) v[k] = random.unit() - world.centre(i, 0.0)[k];
+                for (int k = 0; k < D; ++k)
+                    v[k] = random.unit() - std::clamp(watched.shells()[i].centre[k], -1.0, 2.0);
                 watched.turn(i, v);
             } else {
                 ASSERT_NO_FATAL_FAILURE(watched.step());
@@ -178,6 +179,42 @@ TEST(NeighbourLists, OfLargeBallsHoldTheSmallest) {
         ASSERT_NO_FATAL_FAILURE(expect_lists<2>(6, 400, 0x1p-40, 0.45, bounds, 0.5));
         ASSERT_NO_FATAL_FAILURE(expect_lists<3>(7, 400, 1e-3, 0.3, bounds, 0.0));
         ASSERT_NO_FATAL_FAILURE(expect_lists<3>(8, 12, 0.0, 0.2, bounds, 0.0));
+    }
+}
+
+/// In a narrow box the cells of a level cannot be as wide as told.
+TEST(NeighbourLists, OfABallAsWideAsTheBoxHoldAll) {
+    for (const Bounds bounds : {Bounds::box, Bounds::periodic}) {
+        ASSERT_NO_FATAL_FAILURE(expect_lists<2>(10, 300, 1e-3, 0.49, bounds, 0.0));
+        ASSERT_NO_FATAL_FAILURE(expect_lists<2>(11, 300, 0.02, 0.49, bounds, 0.0));
+        ASSERT_NO_FATAL_FAILURE(expect_lists<3>(12, 300, 0.02, 0.49, bounds, 0.0));
+    }
+}
+
+/// Balls that crowd in a small part of the place, and balls that come to crowd there.
+TEST(NeighbourLists, OfCrowdsAreShort) {
+    constexpr Slot balls = 2000;
+    for (const Bounds bounds : {Bounds::none, Bounds::box}) {
+        for (const Structure structure : {Structure::lists, Structure::levels}) {
+            Random random(13);
+            World<2> world = world_of<2>(random, balls, 1e-6, 1e-6, bounds, 0.0);
+            const auto crowd = [&](double part) {
+                for (Slot i = 1; i < balls; ++i)
+                    for (double& x : world.balls[i].x) x *= part;
+            };
+            crowd(0x1p-10);
+            Watched<2> watched(world, structure);
+            for (Slot i = 0; i < balls; i += 50) ASSERT_NO_FATAL_FAILURE(watched.expect_all_of(i));
+            EXPECT_LT(watched.listed(), 64 * balls / 50);
+            Lists<2> lists(world, structure);
+            EXPECT_FALSE(lists.is_crowded());
+            crowd(0x1p-10);
+            for (Slot i = 0; i < balls && !lists.is_crowded(); ++i)
+                lists.own_event(
+                    i, 0.0, [](Slot) {}, [](Slot) {});
+            EXPECT_TRUE(lists.is_crowded());
+            EXPECT_FALSE(Lists<2>(world, structure).is_crowded());
+        }
     }
 }
 
