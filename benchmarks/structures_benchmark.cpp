@@ -2,9 +2,10 @@
 /// pairs are asked, how many events a structure has of its own, how long it takes to begin and what
 /// it takes of memory. Balls of one size and of radii 1 to 10 fill three tenths of a box with
 /// walls, in the plane and in space. Of one gas all structures run through the very same strikes.
-/// In a column the first number is that of one size, the second that of radii 1 to 10.
+/// In a column the first number is that of one size, the second that of radii 1 to 10, or to
+/// another one.
 ///
-/// usage: structures_benchmark [balls]
+/// usage: structures_benchmark [balls [radii]]
 
 #include <algorithm>
 #include <array>
@@ -196,9 +197,9 @@ std::vector<Row> rows_of() {
 }
 
 template <int D>
-void print_table(std::size_t number) {
+void print_table(std::size_t number, double largest) {
     std::vector<Row> rows = rows_of<D>();
-    for (const double largest : {1.0, 10.0}) add_columns<D>(rows, number, largest);
+    for (const double each : {1.0, largest}) add_columns<D>(rows, number, each);
     fmt::print(
         "\n| {} {} | checks a strike | checks an own event | own events a strike | start, µs a "
         "ball "
@@ -218,13 +219,14 @@ void print_table(std::size_t number) {
 int main(int count, char** words) {
     using namespace signum;
     const std::size_t number = count > 1 ? std::strtoul(words[1], nullptr, 10) : 10'000;
-    if (number < 100) return 2;
+    const double largest = count > 2 ? std::strtod(words[2], nullptr) : 10.0;
+    if (number < 100 || !(largest >= 1.0)) return 2;
     // So that the program itself lies in memory.
     std::vector<benchmarks::Row> rows = benchmarks::rows_of<2>();
     benchmarks::add_columns<2>(rows, 500, 1.0);
     rows = benchmarks::rows_of<3>();
     benchmarks::add_columns<3>(rows, 500, 1.0);
-    benchmarks::print_table<2>(number);
-    benchmarks::print_table<3>(number);
+    benchmarks::print_table<2>(number, largest);
+    benchmarks::print_table<3>(number, largest);
     return 0;
 }
