@@ -1,99 +1,31 @@
 // The predicates of the power metric against integers of any size, on inputs made to break them, in
 // every rounding mode, with and without flushing of denormals. Shares no code with predicates/.
 
-#include <gmpxx.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
-#include <cfenv>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <limits>
 #include <ostream>
-#include <random>
 #include <string>
 #include <vector>
-
-#if defined(__SSE2__)
-#include <immintrin.h>
-#endif
 
 #include "../../predicates/essa.hpp"
 #include "../../predicates/power.hpp"
 #include "../../predicates/power/essa.hpp"
 #include "../../triangulation/check/judging.hpp"
+#include "environments.hpp"
+#include "raw_doubles.hpp"
 
 namespace signum {
 namespace {
 
 using Judging = triangulation::JudgingPower;
 
-// ---- environments ------------------------------------------------------------------------------
-
-/// 0 to 3: the rounding modes; 4 to 7: the same with denormals flushed and read as zero.
-#if defined(__SSE2__)
-constexpr int environments = 8;
-#else
-constexpr int environments = 4;
-#endif
-
-void enter(int environment) {
-    constexpr int modes[] = {FE_TONEAREST, FE_DOWNWARD, FE_UPWARD, FE_TOWARDZERO};
-    std::fesetround(modes[environment % 4]);
-#if defined(__SSE2__)
-    if (environment >= 4) _mm_setcsr(_mm_getcsr() | 0x8040U);
-#endif
-}
-
-void leave() {
-#if defined(__SSE2__)
-    _mm_setcsr(0x1F80);
-#endif
-    std::fesetround(FE_TONEAREST);
-}
-
-/// function(), with nothing of it outside the environment.
-template <class Function>
-[[gnu::noinline]] auto within(int environment, const Function& function) {
-    enter(environment);
-    asm volatile("" : : : "memory");
-    auto result = function();
-    asm volatile("" : "+m"(result) : : "memory");
-    leave();
-    return result;
-}
-
-std::string name_of_environment(int environment) {
-    constexpr const char* modes[] = {"to nearest", "downward", "upward", "toward zero"};
-    return std::string(modes[environment % 4]) + (environment >= 4 ? ", denormals flushed" : "");
-}
-
 // ---- the reference: integers -------------------------------------------------------------------
-
-/// The exponent of the last set bit.
-int last_bit(double value) {
-    if (value == 0.0) return 1023;
-    int exponent = 0;
-    const double fraction = std::frexp(value, &exponent);
-    const auto bits = static_cast<std::int64_t>(std::ldexp(std::fabs(fraction), 53));
-    return exponent - 53 + __builtin_ctzll(static_cast<std::uint64_t>(bits));
-}
-
-/// value · 2^scale, an integer.
-mpz_class scaled(double value, int scale) {
-    int exponent = 0;
-    const double fraction = std::frexp(value, &exponent);
-    mpz_class result = static_cast<long>(std::ldexp(fraction, 53));
-    const int shift = exponent - 53 + scale;
-    if (shift >= 0) {
-        mpz_mul_2exp(result.get_mpz_t(), result.get_mpz_t(), static_cast<mp_bitcnt_t>(shift));
-    } else {
-        mpz_tdiv_q_2exp(result.get_mpz_t(), result.get_mpz_t(), static_cast<mp_bitcnt_t>(-shift));
-    }
-    return result;
-}
 
 /// A site in units so small that all its numbers are integers.
 struct Exact {
@@ -180,49 +112,7 @@ int sign_nearer(const Exact& p, const Exact& a, const Exact& b) {
 
 // ---- inputs ------------------------------------------------------------------------------------
 
-class Random {
- public:
-    explicit Random(std::uint64_t seed) : bits_(seed) {}
-    int below(int count) { return static_cast<int>(bits_() % static_cast<std::uint64_t>(count)); }
-    int between(int low, int high) { return low + below(high - low + 1); }
-    bool coin() { return (bits_() & 1) != 0; }
-    double real() { return static_cast<double>(bits_() >> 11) * 0x1p-53; }
-    double sign() { return coin() ? 1.0 : -1.0; }
-    template <class T, std::size_t n>
-    T any(const T (&values)[n]) {
-        return values[below(static_cast<int>(n))];
-    }
-    /// Significand in [1, 2): all kinds.
-    double significand() {
-        switch (below(4)) {
-            case 0:
-                return 1.0;
-            case 1:
-                return 1.0 + 0x1p-52 * below(4);
-            case 2:
-                return 2.0 - 0x1p-52 * between(1, 4);
-            default:
-                return 1.0 + real();
-        }
-    }
-
- private:
-    std::mt19937_64 bits_;
-};
-
 using Sites = std::array<Site, 4>;
-
-/// Up to three steps to a neighbouring double, most often none.
-double moved(Random& random, double value) {
-    if (random.below(3) != 0) return value;
-    const double toward = random.coin() ? HUGE_VAL : -HUGE_VAL;
-    double result = value;
-    for (int steps = random.between(1, 3); steps > 0; --steps) {
-        const double next = std::nextafter(result, toward);
-        if (std::isfinite(next)) result = next;
-    }
-    return result;
-}
 
 Sites random_sites(Random& random) {
     Sites sites;
@@ -397,14 +287,6 @@ const Family families[] = {
     {"collinear_rescaled", [](Random& g) { return rescaled(g, collinear(g)); }, 0.3},
     {"odd_radii_rescaled", [](Random& g) { return rescaled(g, odd_radii(g)); }, 0.3},
 };
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr double effort = 0.1;
-#elif !defined(__OPTIMIZE__)
-constexpr double effort = 0.25;
-#else
-constexpr double effort = 1.0;
-#endif
 
 int trials(int count, const Family& family) {
     return static_cast<int>(count * family.share * effort) + 1;
