@@ -11,6 +11,14 @@ struct Point {
     friend bool operator==(const Point&, const Point&) = default;
 };
 
+/// A point of space.
+struct Point3 {
+    double x = 0.0;
+    double y = 0.0;
+    double z = 0.0;
+    friend bool operator==(const Point3&, const Point3&) = default;
+};
+
 /// A disc (square, diamond) with centre (x, y) and radius r; r may be negative. In the power metric
 /// the weight of the site is r², the exact product.
 struct Site {
@@ -18,6 +26,15 @@ struct Site {
     double y = 0.0;
     double r = 0.0;
     friend bool operator==(const Site&, const Site&) = default;
+};
+
+/// The same in space: a ball (cube, octahedron) with centre (x, y, z).
+struct Site3 {
+    double x = 0.0;
+    double y = 0.0;
+    double z = 0.0;
+    double r = 0.0;
+    friend bool operator==(const Site3&, const Site3&) = default;
 };
 
 namespace power {
@@ -30,6 +47,15 @@ struct Site {
     friend bool operator==(const Site&, const Site&) = default;
 };
 
+/// The same in space.
+struct Site3 {
+    double x = 0.0;
+    double y = 0.0;
+    double z = 0.0;
+    double w = 0.0;
+    friend bool operator==(const Site3&, const Site3&) = default;
+};
+
 }  // namespace power
 
 /// Whether all numbers of points and sites are finite: what predicates take for granted, and ask
@@ -38,10 +64,11 @@ template <class... S>
 [[nodiscard]] constexpr bool are_finite(const S&... sites) noexcept {
     const auto is_finite = [](double number) { return number - number == 0.0; };
     const auto is_one = [&](const auto& site) {
-        bool third = true;
-        if constexpr (requires { site.r; }) third = is_finite(site.r);
-        if constexpr (requires { site.w; }) third = is_finite(site.w);
-        return third && is_finite(site.x) && is_finite(site.y);
+        bool others = true;
+        if constexpr (requires { site.z; }) others &= is_finite(site.z);
+        if constexpr (requires { site.r; }) others &= is_finite(site.r);
+        if constexpr (requires { site.w; }) others &= is_finite(site.w);
+        return others && is_finite(site.x) && is_finite(site.y);
     };
     return (is_one(sites) && ...);
 }

@@ -84,6 +84,15 @@ alignas(16) extern float environment_witness[4];
 [[nodiscard, gnu::always_inline]] inline power::Site pinned(const power::Site& s) noexcept {
     return {pinned(s.x), pinned(s.y), pinned(s.w)};
 }
+[[nodiscard, gnu::always_inline]] inline Point3 pinned(const Point3& p) noexcept {
+    return {pinned(p.x), pinned(p.y), pinned(p.z)};
+}
+[[nodiscard, gnu::always_inline]] inline Site3 pinned(const Site3& s) noexcept {
+    return {pinned(s.x), pinned(s.y), pinned(s.z), pinned(s.r)};
+}
+[[nodiscard, gnu::always_inline]] inline power::Site3 pinned(const power::Site3& s) noexcept {
+    return {pinned(s.x), pinned(s.y), pinned(s.z), pinned(s.w)};
+}
 
 }  // namespace signum::filters
 

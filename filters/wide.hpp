@@ -62,11 +62,13 @@ struct Wide {
 /// their origin; -1 where that turns the sign of a determinant, and else +1.
 ///
 /// Why: differences to a far site lose what tells the others apart, and raw doubles are of all
-/// sizes at once. Every other site has a coordinate no smaller than both of this one.
+/// sizes at once. Every other site has a coordinate no smaller than all of this one.
 template <class S, std::size_t n>
 [[nodiscard]] int base_on_least(std::array<const S*, n>& sites) noexcept {
     const auto reach = [](const S* site) {
-        return std::max(magnitude(site->x), magnitude(site->y));
+        double largest = std::max(magnitude(site->x), magnitude(site->y));
+        if constexpr (requires { site->z; }) largest = std::max(largest, magnitude(site->z));
+        return largest;
     };
     const auto least = std::min_element(
         sites.begin(), sites.end(), [&](const S* a, const S* b) { return reach(a) < reach(b); });

@@ -27,9 +27,12 @@
 SIGNUM_IEEE_BEGIN
 
 namespace signum {
-/// A point, or a site of any kind: what has a centre.
+/// A point of the plane, or a site of any kind: what has a centre.
 template <class S>
-concept HasCentre = std::same_as<decltype(S::x), double> && std::same_as<decltype(S::y), double>;
+concept HasCentre =
+    std::same_as<decltype(S::x), double> && std::same_as<decltype(S::y), double> && !requires {
+    S::z;
+};
 
 namespace predicates {
 

@@ -1,5 +1,6 @@
 #pragma once
-/// The one thing in which the three kinds of power sites differ: the difference of two weights.
+/// The one thing in which the three kinds of power sites differ, in the plane and in space: the
+/// difference of two weights.
 ///
 /// A Point weighs nothing (Delaunay), a power::Site carries w, a Site the radius of w = r². The
 /// rounded difference r_i² - r_j² is taken as (r_i - r_j)(r_i + r_j), which does not cancel.
@@ -18,29 +19,25 @@ concept PowerSite =
     std::same_as<S, Point> || std::same_as<S, Site> || std::same_as<S, signum::Site>;
 
 /// w_i - w_q, in doubles with a relative error of at most three roundings.
-template <class Number = double>
-[[nodiscard]] constexpr Number weight_difference(const Point&, const Point&) noexcept {
-    return Number(0.0);
-}
-template <class Number = double>
-[[nodiscard]] constexpr Number weight_difference(const Site& i, const Site& q) noexcept {
-    return Number(i.w) - Number(q.w);
-}
-template <class Number = double>
-[[nodiscard]] constexpr Number weight_difference(const signum::Site& i,
-                                                 const signum::Site& q) noexcept {
-    return (Number(i.r) - Number(q.r)) * (Number(i.r) + Number(q.r));
+template <class Number = double, class S>
+[[nodiscard]] constexpr Number weight_difference(const S& i, const S& q) noexcept {
+    if constexpr (requires { i.w; })
+        return Number(i.w) - Number(q.w);
+    else if constexpr (requires { i.r; })
+        return (Number(i.r) - Number(q.r)) * (Number(i.r) + Number(q.r));
+    else
+        return Number(0.0);
 }
 
 /// A number that orders sites of one kind by weight: w itself, or |r|, exactly.
-[[nodiscard]] inline double weight_key(const Point&) noexcept {
-    return 0.0;
-}
-[[nodiscard]] inline double weight_key(const Site& s) noexcept {
-    return s.w;
-}
-[[nodiscard]] inline double weight_key(const signum::Site& s) noexcept {
-    return filters::magnitude(s.r);
+template <class S>
+[[nodiscard]] inline double weight_key(const S& s) noexcept {
+    if constexpr (requires { s.w; })
+        return s.w;
+    else if constexpr (requires { s.r; })
+        return filters::magnitude(s.r);
+    else
+        return 0.0;
 }
 
 template <PowerSite S>

@@ -1,0 +1,136 @@
+#pragma once
+/// ccw in space: the orientation of four points, exact for all finite doubles.
+///
+/// Law: ccw(a,b,c,d) is the sign of det(b-a, c-a, d-a): +1 where d lies on the side of the plane of
+/// a, b, c from which these turn counterclockwise, 0 where the four are coplanar, -1 otherwise. It
+/// is exact and never perturbed. The laws of all predicates: predicates/ccw.hpp.
+
+#include <algorithm>
+#include <concepts>
+
+#include "../../core/contract.hpp"
+#include "../../core/sign.hpp"
+#include "../../core/site.hpp"
+#include "../../filters/bounds.hpp"
+#include "../../filters/environment.hpp"
+#include "../../filters/rounding_count.hpp"
+#include "../../filters/tally.hpp"
+#include "../../filters/verdict.hpp"
+
+SIGNUM_IEEE_BEGIN
+
+namespace signum {
+/// A point of space, or a site of any kind there.
+template <class S>
+concept HasCentre3 = std::same_as<decltype(S::x), double> && std::same_as<decltype(S::y), double> &&
+    std::same_as<decltype(S::z), double>;
+
+template <HasCentre3 S>
+[[nodiscard]] constexpr Point3 centre3(const S& s) noexcept {
+    return {s.x, s.y, s.z};
+}
+
+namespace predicates {
+
+/// A place relative to another one.
+template <class Number>
+struct Offset3 {
+    Number x;
+    Number y;
+    Number z;
+};
+template <class Number = double, HasCentre3 S>
+[[nodiscard]] constexpr Offset3<Number> offset(const S& to, const S& from) noexcept {
+    return {Number(to.x) - Number(from.x), Number(to.y) - Number(from.y),
+            Number(to.z) - Number(from.z)};
+}
+
+/// det(b, c, d), for any type of number.
+template <class Number>
+[[nodiscard]] constexpr Number ccw_determinant(const Offset3<Number>& b, const Offset3<Number>& c,
+                                               const Offset3<Number>& d) {
+    return b.x * (c.y * d.z - c.z * d.y) + b.y * (c.z * d.x - c.x * d.z) +
+           b.z * (c.x * d.y - c.y * d.x);
+}
+
+/// The largest coordinates of three or four offsets, in magnitude.
+[[nodiscard]] inline Offset3<double> reach(const Offset3<double>& b, const Offset3<double>& c,
+                                           const Offset3<double>& d) noexcept {
+    using filters::magnitude;
+    const auto largest = [](double p, double q, double r) {
+        return std::max(std::max(magnitude(p), magnitude(q)), magnitude(r));
+    };
+    return {largest(b.x, c.x, d.x), largest(b.y, c.y, d.y), largest(b.z, c.z, d.z)};
+}
+/// Whether the largest offsets along all axes are from 2^-150 to 2^150, so that in a product of up
+/// to five of them, or of them and a height, no part of it over- or underflows.
+[[nodiscard]] inline bool in_filter_window(const Offset3<double>& largest) noexcept {
+    return std::min(std::min(largest.x, largest.y), largest.z) >= 0x1p-150 &&
+           std::max(std::max(largest.x, largest.y), largest.z) <= 0x1p150;
+}
+
+/// The error of the rounded determinant, as a multiple of the product of the largest coordinates:
+/// its magnitude is at most six times that. The lemma of rounding_count.hpp gives (1+e)^8 - 1; one
+/// more e pays for the terms in e² and for the roundings of the bound itself.
+inline constexpr double ccw3_error = 6 * 9 * filters::epsilon;
+inline constexpr auto rounded_offset = offset<filters::RoundingCount>(Point3{}, Point3{});
+static_assert(ccw_determinant(rounded_offset, rounded_offset, rounded_offset).roundings == 8);
+
+/// Decides almost every call. Underflow: a product of two coordinates loses at most 2^-1074, and
+/// the whole at most 2^-1070 times the largest coordinate and 1; in the window the bound is at
+/// least 2^-498. Overflow is out of the question there, and a NaN fails the comparison.
+template <HasCentre3 S>
+[[nodiscard]] inline filters::Verdict ccw_filter(const S& a, const S& b, const S& c,
+                                                 const S& d) noexcept {
+    const Point3 origin = filters::pinned(centre3(a));
+    const Offset3<double> u = offset(filters::pinned(centre3(b)), origin);
+    const Offset3<double> v = offset(filters::pinned(centre3(c)), origin);
+    const Offset3<double> w = offset(filters::pinned(centre3(d)), origin);
+    const double determinant = ccw_determinant(u, v, w);
+    const Offset3<double> largest = reach(u, v, w);
+    const double bound = ccw3_error * (largest.x * largest.y * largest.z);
+    if (!filters::environment_is_default() || !in_filter_window(largest)) [[unlikely]]
+        return filters::Verdict::uncertain();
+    if (!(filters::magnitude(determinant) > bound)) [[unlikely]]
+        return filters::Verdict::uncertain();
+    return filters::Verdict::certain(filters::sign_of_nonzero(determinant));
+}
+
+/// The stages behind the filter.
+[[nodiscard, gnu::cold, gnu::pure]] Decision ccw_cold(const Point3& a, const Point3& b,
+                                                      const Point3& c, const Point3& d) noexcept;
+
+}  // namespace predicates
+
+/// The orientation of four points, or of the centres of four sites, with the stage that decided.
+/// Precondition: finite coordinates.
+template <HasCentre3 S>
+[[nodiscard]] inline Decision ccw_decision(const S& a, const S& b, const S& c,
+                                           const S& d) noexcept {
+    const filters::Verdict verdict = predicates::ccw_filter(a, b, c, d);
+    if (verdict.is_certain()) [[likely]]
+        return {verdict.sign(), Stage::filter};
+    return predicates::ccw_cold(centre3(a), centre3(b), centre3(c), centre3(d));
+}
+
+/// The orientation: +1 where det(b-a, c-a, d-a) > 0, 0 where the four are coplanar, -1 otherwise.
+/// Exact. Precondition: finite coordinates.
+template <HasCentre3 S>
+[[nodiscard]] inline Sign ccw(const S& a, const S& b, const S& c, const S& d) noexcept {
+    SIGNUM_EXPECTS(are_finite(a, b, c, d));
+    return ccw_decision(a, b, c, d).sign;
+}
+
+/// The same for points in braces.
+[[nodiscard]] inline Decision ccw_decision(const Point3& a, const Point3& b, const Point3& c,
+                                           const Point3& d) noexcept {
+    return ccw_decision<Point3>(a, b, c, d);
+}
+[[nodiscard]] inline Sign ccw(const Point3& a, const Point3& b, const Point3& c,
+                              const Point3& d) noexcept {
+    return ccw<Point3>(a, b, c, d);
+}
+
+}  // namespace signum
+
+SIGNUM_IEEE_END

@@ -1,0 +1,139 @@
+#pragma once
+/// in_sphere in the power metric of space: does site q conflict with the vertex of i, j, k, l?
+///
+/// Law: for ccw(i,j,k,l) > 0 it is the sign of minus the 4x4 determinant of the rows
+///     (x_m - x_q,  y_m - y_q,  z_m - z_q,  |m - q|² - (w_m - w_q)),   m = i, j, k, l:
+/// +1 where q is nearer than the vertex's distance to i, j, k, l, 0 where it is as near.
+/// Source: Gavrilova 1998, Theorem 4.4.2, translated to q.
+
+#include <array>
+
+#include "../../core/index.hpp"
+#include "../power/weight.hpp"
+#include "ccw.hpp"
+
+SIGNUM_IEEE_BEGIN
+
+namespace signum::power {
+
+template <class S>
+concept PowerSite3 =
+    std::same_as<S, Point3> || std::same_as<S, Site3> || std::same_as<S, signum::Site3>;
+
+/// A row of the determinant: a site's centre relative to q, and its weight minus that of q.
+template <class Number>
+struct LiftedRow {
+    predicates::Offset3<Number> offset;
+    Number weight;
+
+    [[nodiscard]] constexpr Number height() const {
+        const auto& [x, y, z] = offset;
+        return (x * x + y * y + z * z) - weight;
+    }
+};
+
+/// Minus the determinant, for any type of number: by its last column, minors of pairs shared.
+template <class Number>
+[[nodiscard]] constexpr Number in_sphere_determinant(const LiftedRow<Number>& i,
+                                                     const LiftedRow<Number>& j,
+                                                     const LiftedRow<Number>& k,
+                                                     const LiftedRow<Number>& l) {
+    const auto& a = i.offset;
+    const auto& b = j.offset;
+    const auto& c = k.offset;
+    const auto& d = l.offset;
+    const Number ab = a.x * b.y - b.x * a.y;
+    const Number bc = b.x * c.y - c.x * b.y;
+    const Number cd = c.x * d.y - d.x * c.y;
+    const Number da = d.x * a.y - a.x * d.y;
+    const Number ac = a.x * c.y - c.x * a.y;
+    const Number bd = b.x * d.y - d.x * b.y;
+    return (i.height() * (b.z * cd - c.z * bd + d.z * bc) +
+            k.height() * (d.z * ab + a.z * bd + b.z * da)) -
+           (j.height() * (c.z * da + d.z * ac + a.z * cd) +
+            l.height() * (a.z * bc - b.z * ac + c.z * ab));
+}
+
+template <class Number = double, PowerSite3 S>
+[[nodiscard]] constexpr LiftedRow<Number> lifted_row(const S& m, const S& q) noexcept {
+    return {predicates::offset<Number>(m, q), weight_difference<Number>(m, q)};
+}
+
+/// The error of the rounded determinant as a multiple of its magnitude; as in_circle_error.
+inline constexpr double in_sphere_error = 18 * filters::epsilon;
+inline constexpr auto rounded_lifted_row =
+    lifted_row<filters::RoundingCount>(signum::Site3{}, signum::Site3{});
+static_assert(in_sphere_determinant(rounded_lifted_row, rounded_lifted_row, rounded_lifted_row,
+                                    rounded_lifted_row)
+                  .roundings <= 17);
+
+/// Decides almost every call. The magnitude is at most 24 times the product of the largest
+/// coordinates, an axis each, and the largest height, |m-q|² + |w_m - w_q|. Underflow: in the
+/// window a height is above 2^-301 and the bound above 2^-800, and what is lost is below 2^-1000
+/// times the largest factors. Overflow: weights may be as large as doubles are, and then the bound
+/// is infinite or a NaN, and the comparison fails.
+template <PowerSite3 S>
+[[nodiscard]] inline filters::Verdict in_sphere_filter(const S& i, const S& j, const S& k,
+                                                       const S& l, const S& q) noexcept {
+    using filters::magnitude;
+    const S origin = filters::pinned(q);
+    const LiftedRow<double> a = lifted_row(filters::pinned(i), origin);
+    const LiftedRow<double> b = lifted_row(filters::pinned(j), origin);
+    const LiftedRow<double> c = lifted_row(filters::pinned(k), origin);
+    const LiftedRow<double> d = lifted_row(filters::pinned(l), origin);
+    const double determinant = in_sphere_determinant(a, b, c, d);
+    const auto largest_of = [](double p, double r) { return p > r ? p : r; };
+    const predicates::Offset3<double> three = predicates::reach(a.offset, b.offset, c.offset);
+    const predicates::Offset3<double> largest = {largest_of(three.x, magnitude(d.offset.x)),
+                                                 largest_of(three.y, magnitude(d.offset.y)),
+                                                 largest_of(three.z, magnitude(d.offset.z))};
+    const double weight = largest_of(largest_of(magnitude(a.weight), magnitude(b.weight)),
+                                     largest_of(magnitude(c.weight), magnitude(d.weight)));
+    const double height =
+        largest.x * largest.x + largest.y * largest.y + largest.z * largest.z + weight;
+    const double bound = 24 * in_sphere_error * ((largest.x * largest.y) * (largest.z * height));
+    if (!filters::environment_is_default() || !predicates::in_filter_window(largest)) [[unlikely]]
+        return filters::Verdict::uncertain();
+    if (!(magnitude(determinant) > bound)) [[unlikely]]
+        return filters::Verdict::uncertain();
+    return filters::Verdict::certain(filters::sign_of_nonzero(determinant));
+}
+
+/// The stages behind the filter, for the three kinds of sites.
+[[nodiscard, gnu::cold, gnu::pure]] Decision in_sphere_cold(const Point3& i, const Point3& j,
+                                                            const Point3& k, const Point3& l,
+                                                            const Point3& q) noexcept;
+[[nodiscard, gnu::cold, gnu::pure]] Decision in_sphere_cold(const Site3& i, const Site3& j,
+                                                            const Site3& k, const Site3& l,
+                                                            const Site3& q) noexcept;
+[[nodiscard, gnu::cold, gnu::pure]] Decision in_sphere_cold(const signum::Site3& i,
+                                                            const signum::Site3& j,
+                                                            const signum::Site3& k,
+                                                            const signum::Site3& l,
+                                                            const signum::Site3& q) noexcept;
+
+/// The sign of in_sphere with the stage that decided.
+/// Preconditions: finite numbers, ccw(i,j,k,l) > 0.
+template <PowerSite3 S>
+[[nodiscard]] inline Decision in_sphere_decision(const S& i, const S& j, const S& k, const S& l,
+                                                 const S& q) noexcept {
+    SIGNUM_EXPECTS(ccw(i, j, k, l) > 0);
+    const filters::Verdict verdict = in_sphere_filter(i, j, k, l, q);
+    if (verdict.is_certain()) [[likely]]
+        return {verdict.sign(), Stage::filter};
+    return in_sphere_cold(i, j, k, l, q);
+}
+
+/// +1 where q conflicts with the vertex of i, j, k, l (is nearer than they are), 0 where it
+/// touches, -1 otherwise. Preconditions: ccw(i,j,k,l) > 0, finite numbers.
+/// Thesis: Theorem 4.4.2.
+template <PowerSite3 S>
+[[nodiscard]] inline Sign in_sphere(const S& i, const S& j, const S& k, const S& l,
+                                    const S& q) noexcept {
+    SIGNUM_EXPECTS(are_finite(i, j, k, l, q));
+    return in_sphere_decision(i, j, k, l, q).sign;
+}
+
+}  // namespace signum::power
+
+SIGNUM_IEEE_END

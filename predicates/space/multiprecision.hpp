@@ -1,0 +1,25 @@
+#pragma once
+/// The predicates of space in exact numbers: in rationals the last stage, in dyadic numbers a
+/// judge's. Right for every finite double, in any environment.
+
+#include "../../core/sign.hpp"
+#include "../../core/site.hpp"
+#include "../arithmetic.hpp"
+
+namespace signum::multiprecision {
+
+template <Arithmetic arithmetic = Arithmetic::multiprecision>
+[[nodiscard]] Sign ccw(const Point3& a, const Point3& b, const Point3& c, const Point3& d) noexcept;
+
+}  // namespace signum::multiprecision
+
+namespace signum::power::multiprecision {
+
+/// S: Point3, power::Site3 or signum::Site3. Preconditions as of power::in_sphere and
+/// nearer_decision.
+template <Arithmetic arithmetic = Arithmetic::multiprecision, class S>
+[[nodiscard]] Sign in_sphere(const S& i, const S& j, const S& k, const S& l, const S& q) noexcept;
+template <Arithmetic arithmetic = Arithmetic::multiprecision, class S>
+[[nodiscard]] Sign nearer(const Point3& p, const S& a, const S& b) noexcept;
+
+}  // namespace signum::power::multiprecision
