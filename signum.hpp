@@ -1,6 +1,7 @@
 #pragma once
 /// All of the library: the predicates of the four metrics, the sign of a sum, tessellations and
-/// what is asked of them, Voronoi diagrams. Who wants a predicate alone includes its header.
+/// what is asked of them, Voronoi diagrams, those of space. Who wants a predicate alone includes
+/// its header.
 
 #include "core/index.hpp"
 #include "core/sign.hpp"
@@ -17,7 +18,9 @@
 #include "predicates/euclidean.hpp"
 #include "predicates/manhattan.hpp"
 #include "predicates/power.hpp"
+#include "predicates/space.hpp"
 #include "predicates/supremum.hpp"
+#include "spatial/triangulate.hpp"
 #include "triangulation/arrays.hpp"
 #include "triangulation/dynamic.hpp"
 #include "triangulation/edge_list.hpp"

@@ -1,0 +1,126 @@
+#include "order.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <boost/sort/spreadsort/integer_sort.hpp>
+#include <span>
+#include <vector>
+
+namespace signum::spatial {
+namespace {
+
+constexpr int bits = 10;  // of each coordinate in a key
+
+/// A cell of a cube of 2^bits cells a side, by its place on the curve. Source: Skilling,
+/// Programming the Hilbert curve, AIP Conference Proceedings 707, 2004.
+std::uint32_t hilbert(std::array<std::uint32_t, 3> x) noexcept {
+    constexpr std::uint32_t top = 1U << (bits - 1);
+    for (std::uint32_t bit = top; bit > 1; bit >>= 1) {
+        const std::uint32_t low = bit - 1;
+        for (std::uint32_t& axis : x) {
+            if ((axis & bit) != 0) {
+                x[0] ^= low;
+            } else {
+                const std::uint32_t exchanged = (x[0] ^ axis) & low;
+                x[0] ^= exchanged;
+                axis ^= exchanged;
+            }
+        }
+    }
+    x[1] ^= x[0];
+    x[2] ^= x[1];
+    std::uint32_t turned = 0;
+    for (std::uint32_t bit = top; bit > 1; bit >>= 1)
+        if ((x[2] & bit) != 0) turned ^= bit - 1;
+    for (std::uint32_t& axis : x) axis ^= turned;
+    std::uint32_t curve = 0;
+    for (int bit = bits - 1; bit >= 0; --bit)
+        for (const std::uint32_t axis : x) curve = curve << 1 | (axis >> bit & 1U);
+    return curve;
+}
+
+/// A range of one coordinate, halved so that its extent cannot overflow.
+class Range {
+ public:
+    void include(double value) noexcept {
+        least_ = std::min(least_, 0.5 * value);
+        greatest_ = std::max(greatest_, 0.5 * value);
+    }
+    [[nodiscard]] bool is_point() const noexcept { return !(greatest_ > least_); }
+    [[nodiscard]] std::uint32_t cell(double value) const noexcept {
+        if (is_point()) return 0;
+        constexpr double cells = 1 << bits;
+        const double place = (0.5 * value - least_) / (greatest_ - least_) * cells;
+        return static_cast<std::uint32_t>(std::min(place, cells - 1.0));
+    }
+
+ private:
+    double least_ = 0x1p1023;
+    double greatest_ = -0x1p1023;
+};
+
+using Items = std::span<std::uint64_t>;
+
+/// An item is a key and the number of a site, 32 bits each.
+void order(Items items, const std::function<Point3(Index)>& place) {
+    std::array<Range, 3> ranges;
+    for (const std::uint64_t item : items) {
+        const Point3 p = place(static_cast<Index>(item & 0xFFFF'FFFF));
+        ranges[0].include(p.x);
+        ranges[1].include(p.y);
+        ranges[2].include(p.z);
+    }
+    if (std::ranges::all_of(ranges, &Range::is_point)) return;
+    for (std::uint64_t& item : items) {
+        const std::uint64_t number = item & 0xFFFF'FFFF;
+        const Point3 p = place(static_cast<Index>(number));
+        const std::uint32_t key =
+            hilbert({ranges[0].cell(p.x), ranges[1].cell(p.y), ranges[2].cell(p.z)});
+        item = std::uint64_t{key} << 32 | number;
+    }
+    boost::sort::spreadsort::integer_sort(items.begin(), items.end());
+    // Cells that hold many are ordered again, on a scale of their own. The corners of a bounding
+    // box lie in different cells, so that a cell holds fewer.
+    constexpr std::size_t crowd = 64;
+    for (std::size_t first = 0; first < items.size();) {
+        std::size_t last = first + 1;
+        while (last < items.size() && items[last] >> 32 == items[first] >> 32) ++last;
+        if (last - first > crowd && last - first < items.size())
+            order(items.subspan(first, last - first), place);
+        first = last;
+    }
+}
+
+/// A well-mixed function of 64 bits (the finalizer of SplitMix64, Steele, Lea and Flood 2014).
+std::uint64_t mix(std::uint64_t value) noexcept {
+    value = (value ^ value >> 30) * 0xBF58476D1CE4E5B9U;
+    value = (value ^ value >> 27) * 0x94D049BB133111EBU;
+    return value ^ value >> 31;
+}
+
+}  // namespace
+
+LargeArray<Index> insertion_order(std::size_t sites, const std::function<Point3(Index)>& place,
+                                  std::uint64_t seed) {
+    int rounds = 0;
+    for (std::size_t n = sites; n > 64; n /= 8) ++rounds;
+    // The sites of each round, one round after the other.
+    std::vector<std::size_t> sizes(static_cast<std::size_t>(rounds) + 1);
+    const auto round_of = [&](std::size_t i) {
+        const std::uint64_t random = mix(mix(seed) + i * 0x9E3779B97F4A7C15U);
+        return static_cast<std::size_t>(rounds - std::min(rounds, std::countr_zero(random) / 3));
+    };
+    for (std::size_t i = 0; i < sites; ++i) ++sizes[round_of(i)];
+    std::vector<std::size_t> begins(sizes.size());
+    for (std::size_t r = 1; r < sizes.size(); ++r) begins[r] = begins[r - 1] + sizes[r - 1];
+    LargeArray<std::uint64_t> items(sites);
+    std::vector<std::size_t> next = begins;
+    for (std::size_t i = 0; i < sites; ++i) items[next[round_of(i)]++] = i;
+    for (std::size_t r = 0; r < sizes.size(); ++r)
+        if (sizes[r] > 0) order(Items(items.data() + begins[r], sizes[r]), place);
+    LargeArray<Index> result(sites);
+    for (std::size_t i = 0; i < sites; ++i) result[i] = static_cast<Index>(items[i] & 0xFFFF'FFFF);
+    return result;
+}
+
+}  // namespace signum::spatial

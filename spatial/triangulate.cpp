@@ -1,0 +1,313 @@
+#include "triangulate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "../predicates/ccw.hpp"
+#include "../predicates/space/nearer.hpp"
+#include "insert.hpp"
+#include "kernel.hpp"
+#include "order.hpp"
+
+namespace signum {
+namespace {
+
+using spatial::Cell;
+using spatial::Cells;
+using spatial::infinite;
+
+constexpr std::size_t most_sites = std::size_t{1} << 28;
+
+[[nodiscard]] bool are_collinear(const Point3& a, const Point3& b, const Point3& c) noexcept {
+    return ccw(Point{a.x, a.y}, Point{b.x, b.y}, Point{c.x, c.y}) == 0 &&
+           ccw(Point{a.y, a.z}, Point{b.y, b.z}, Point{c.y, c.z}) == 0 &&
+           ccw(Point{a.z, a.x}, Point{b.z, b.x}, Point{c.z, c.x}) == 0;
+}
+
+/// A site and its number in the input, in the order of insertion. Apexes follow the input's.
+template <class S>
+struct Numbered {
+    LargeArray<S> sites;
+    LargeArray<Index> numbers;
+};
+
+/// Flat sites are joined to apexes, one for each dimension that they lack, outside what they span.
+///
+/// Why that changes nothing: a cell is then one of theirs joined to all apexes. Whether another of
+/// them conflicts with it, the sphere of the cell says within what they span, where it is the one
+/// of their own cell; the apex's height has the orientation of flat sites for a coefficient, which
+/// is 0, and so has its infinitesimal.
+template <class S>
+class Construction {
+ public:
+    Construction(std::span<const S> sites, const Options& options) : sites_(sites) {
+        order_ = spatial::insertion_order(
+            sites.size(), [&](Index i) { return centre3(sites[static_cast<std::size_t>(i)]); },
+            options.seed);
+    }
+
+    [[nodiscard]] SpaceTessellation run(const Options& options) {
+        SpaceTessellation result;
+        result.sites = static_cast<std::int64_t>(sites_.size());
+        if (sites_.empty()) return result;
+        choose_first();
+        result.dimension = 3 - static_cast<int>(apexes_);
+        const spatial::ExactKernel<S> kernel(all_.sites, all_.numbers);
+        spatial::Insertion<spatial::ExactKernel<S>> insertion(kernel, all_.sites.size());
+        std::vector<Index> hidden;
+        constexpr Index between_questions = 4096;
+        const auto last = static_cast<Index>(all_.sites.size());
+        for (Index q = 4; q < last; ++q) {
+            if (q % between_questions == 0) {
+                if (options.stop.stop_requested()) throw Stopped();
+                if (options.progress) options.progress(static_cast<double>(q) / last);
+            }
+            if (!insertion.insert(q, [&](Index v) { hidden.push_back(v); })) hidden.push_back(q);
+        }
+        for (const Index v : hidden)
+            result.hidden.push_back(
+                {all_.numbers[static_cast<std::size_t>(v)], nearest(insertion, v)});
+        std::ranges::sort(result.hidden, {}, &Hidden::site);
+        assemble(insertion.cells(), result);
+        return result;
+    }
+
+ private:
+    [[nodiscard]] const S& site(Index i) const noexcept {
+        return sites_[static_cast<std::size_t>(i)];
+    }
+    [[nodiscard]] bool is_independent(const std::vector<S>& first, const S& next) const noexcept {
+        const auto at = [&](std::size_t k) { return centre3(first[k]); };
+        const Point3 p = centre3(next);
+        switch (first.size()) {
+            case 0:
+                return true;
+            case 1: {
+                const Point3 a = at(0);
+                return !(filters::same_number(a.x, p.x) && filters::same_number(a.y, p.y) &&
+                         filters::same_number(a.z, p.z));
+            }
+            case 2:
+                return !are_collinear(at(0), at(1), p);
+            default:
+                return ccw(at(0), at(1), at(2), p) != 0;
+        }
+    }
+    /// The first four sites that span space come first, then the others; where there are not as
+    /// many, apexes.
+    void choose_first() {
+        std::vector<S> first;
+        std::vector<std::size_t> places;
+        for (std::size_t place = 0; place < order_.size() && first.size() < 4; ++place) {
+            if (!is_independent(first, site(order_[place]))) continue;
+            first.push_back(site(order_[place]));
+            places.push_back(place);
+        }
+        while (first.size() < 4) {
+            first.push_back(apex(first));
+            ++apexes_;
+        }
+        const std::size_t number = sites_.size() + apexes_;
+        all_.sites.reserve(number);
+        all_.numbers.reserve(number);
+        for (std::size_t k = 0; k < 4; ++k) {
+            all_.sites.push_back(first[k]);
+            all_.numbers.push_back(k < places.size()
+                                       ? order_[places[k]]
+                                       : static_cast<Index>(sites_.size() + k - places.size()));
+        }
+        if (ccw(centre3(first[0]), centre3(first[1]), centre3(first[2]), centre3(first[3])) < 0) {
+            std::swap(all_.sites[0], all_.sites[1]);
+            std::swap(all_.numbers[0], all_.numbers[1]);
+        }
+        for (std::size_t place = 0, next = 0; place < order_.size(); ++place) {
+            if (next < places.size() && places[next] == place) {
+                ++next;
+                continue;
+            }
+            all_.sites.push_back(site(order_[place]));
+            all_.numbers.push_back(order_[place]);
+        }
+    }
+    /// The first site moved along an axis by about as much as the sites extend, toward 0.
+    [[nodiscard]] S apex(const std::vector<S>& first) const {
+        double extent = 0.0;
+        for (const S& each : first)
+            for (const double x : {each.x, each.y, each.z}) extent = std::max(extent, std::fabs(x));
+        const double step = extent > 0.0 ? extent : 1.0;
+        for (double S::*const axis : {&S::x, &S::y, &S::z}) {
+            S candidate = first[0];
+            candidate.*axis += candidate.*axis > 0.0 ? -step : step;
+            if (is_independent(first, candidate)) return candidate;
+        }
+        throw std::logic_error("flat sites span space");
+    }
+
+    /// The number of the visible site nearest to a site's centre: from the corners of the cell in
+    /// which it lies to ever nearer neighbours. Of those as near the first one in the rule's order,
+    /// whose weight is reduced the least.
+    template <class Insertion>
+    [[nodiscard]] Index nearest(Insertion& insertion, Index v) {
+        const Cells& cells = insertion.cells();
+        if (cell_of_.empty()) {
+            cell_of_.resize(all_.sites.size(), spatial::unset);
+            for (Index c = 0; c < static_cast<Index>(cells.size()); ++c)
+                if (!cells.is_free(c))
+                    for (const Index each : cells[c].vertex)
+                        if (each >= 0) cell_of_[static_cast<std::size_t>(each)] = c;
+            seen_.resize(cells.size(), 0);
+        }
+        const Point3 p = centre3(all_.sites[static_cast<std::size_t>(v)]);
+        Index best = infinite;
+        const auto consider = [&](Index other) {
+            if (other < 0 || is_apex(other)) return false;
+            if (best >= 0 && !is_nearer(p, other, best)) return false;
+            best = other;
+            return true;
+        };
+        for (const Index each : cells[insertion.locate(v)].vertex) consider(each);
+        for (bool moved = true; moved;) {
+            moved = false;
+            const Index from = best;
+            for_each_around(cells, from, [&](Index other) {
+                if (other != best && consider(other)) moved = true;
+            });
+        }
+        return all_.numbers[static_cast<std::size_t>(best)];
+    }
+    [[nodiscard]] bool is_apex(Index v) const noexcept {
+        return all_.numbers[static_cast<std::size_t>(v)] >= static_cast<Index>(sites_.size());
+    }
+    [[nodiscard]] bool is_nearer(const Point3& p, Index a, Index b) const noexcept {
+        const auto i = static_cast<std::size_t>(a);
+        const auto j = static_cast<std::size_t>(b);
+        const Sign sign = power::nearer_decision(p, all_.sites[i], all_.sites[j]).sign;
+        if (sign != 0) return sign > 0;
+        return power::precedes(all_.sites[i], all_.numbers[i], all_.sites[j], all_.numbers[j]);
+    }
+    /// The vertices of all cells around one.
+    template <class Visit>
+    void for_each_around(const Cells& cells, Index v, const Visit& visit) {
+        ++round_;
+        std::vector<Index> around = {cell_of_[static_cast<std::size_t>(v)]};
+        seen_[static_cast<std::size_t>(around[0])] = round_;
+        for (std::size_t next = 0; next < around.size(); ++next) {
+            const Cell& cell = cells[around[next]];
+            for (std::size_t k = 0; k < 4; ++k) {
+                if (cell.vertex[k] == v) continue;
+                visit(cell.vertex[k]);
+                std::uint32_t& seen = seen_[static_cast<std::size_t>(cell.neighbour[k])];
+                if (std::exchange(seen, round_) != round_) around.push_back(cell.neighbour[k]);
+            }
+        }
+    }
+
+    /// Laws 1 and 2 of the result.
+    void assemble(const Cells& cells, SpaceTessellation& result) const {
+        struct Named {
+            SpaceCell cell;
+            SpaceCell neighbour;  // by its number in the working structure
+            Index number;
+        };
+        std::vector<Named> named;
+        named.reserve(cells.size());
+        for (Index c = 0; c < static_cast<Index>(cells.size()); ++c) {
+            if (cells.is_free(c)) continue;
+            Named each{{no_vertex, no_vertex, no_vertex, no_vertex},
+                       {no_vertex, no_vertex, no_vertex, no_vertex},
+                       c};
+            std::size_t size = 0;
+            std::size_t of_apexes = 0;
+            for (std::size_t k = 0; k < 4; ++k) {
+                const Index v = cells[c].vertex[k];
+                if (v >= 0 && is_apex(v)) {
+                    ++of_apexes;
+                    continue;
+                }
+                each.cell[size] = v >= 0 ? all_.numbers[static_cast<std::size_t>(v)] : infinite;
+                each.neighbour[size++] = cells[c].neighbour[k];
+            }
+            if (of_apexes < apexes_) continue;
+            put_in_order(each.cell, each.neighbour, size);
+            named.push_back(each);
+        }
+        std::ranges::sort(named, {}, &Named::cell);
+        std::vector<Index> place(cells.size(), spatial::unset);
+        for (std::size_t i = 0; i < named.size(); ++i)
+            place[static_cast<std::size_t>(named[i].number)] = static_cast<Index>(i);
+        result.cells.reserve(named.size());
+        result.neighbours.reserve(named.size());
+        for (const Named& each : named) {
+            result.cells.push_back(each.cell);
+            SpaceCell neighbours = each.neighbour;
+            for (Index& n : neighbours)
+                if (n >= 0) n = place[static_cast<std::size_t>(n)];
+            result.neighbours.push_back(neighbours);
+        }
+    }
+    static void put_in_order(SpaceCell& cell, SpaceCell& neighbour, std::size_t size) {
+        const auto exchange = [&](std::size_t a, std::size_t b) {
+            std::swap(cell[a], cell[b]);
+            std::swap(neighbour[a], neighbour[b]);
+        };
+        const auto least = [&](std::size_t from) {
+            return static_cast<std::size_t>(
+                std::min_element(cell.begin() + static_cast<std::ptrdiff_t>(from),
+                                 cell.begin() + static_cast<std::ptrdiff_t>(size)) -
+                cell.begin());
+        };
+        if (size < 4) {
+            for (std::size_t k = 0; k + 1 < size; ++k) exchange(k, least(k));
+            return;
+        }
+        // Two exchanges at a time keep the orientation.
+        if (const std::size_t first = least(0); first != 0) {
+            exchange(0, first);
+            exchange(first == 1 ? 2 : 1, first == 3 ? 2 : 3);
+        }
+        while (least(1) != 1) {
+            exchange(1, 2);
+            exchange(2, 3);
+        }
+    }
+
+    std::span<const S> sites_;
+    LargeArray<Index> order_;
+    Numbered<S> all_;
+    std::size_t apexes_ = 0;
+    // Of the search for who hides whom.
+    std::vector<Index> cell_of_;
+    std::vector<std::uint32_t> seen_;
+    std::uint32_t round_ = 0;
+};
+
+template <class S>
+SpaceTessellation construct(std::span<const S> sites, const Options& options) {
+    if (sites.size() > most_sites)
+        throw std::invalid_argument("too many sites: " + std::to_string(sites.size()) +
+                                    "; at most " + std::to_string(most_sites));
+    for (std::size_t i = 0; i < sites.size(); ++i)
+        if (!are_finite(sites[i]))
+            throw std::invalid_argument("site " + std::to_string(i) + " is not finite");
+    if (options.arithmetic != Arithmetic::exact)
+        throw std::invalid_argument("tessellations of space have exact arithmetic alone");
+    return Construction<S>(sites, options).run(options);
+}
+
+}  // namespace
+
+SpaceTessellation triangulate(std::span<const Point3> sites, const Options& options) {
+    return construct(sites, options);
+}
+SpaceTessellation triangulate(std::span<const Site3> sites, const Options& options) {
+    return construct(sites, options);
+}
+SpaceTessellation triangulate(std::span<const power::Site3> sites, const Options& options) {
+    return construct(sites, options);
+}
+
+}  // namespace signum
