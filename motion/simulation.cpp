@@ -131,9 +131,9 @@ Choice choose(Structure wish, const State<D>& state, const Effects<D>& effects) 
     const bool few_cells = effects.periodic && sizes.shortest_box < 5.01 * 2.0 * sizes.largest;
     // There the margins that structures allow for are no longer little beside the box (Spread).
     const bool thin = effects.periodic && sizes.shortest_box < 0x1p-36 * sizes.farthest;
+    if (thin && wish != Structure::pairs) return {Structure::pairs, thin_box};
     if (wish == Structure::automatic) {
         if (state.balls.size() <= 16) return {Structure::pairs, "few balls"};
-        if (thin) return {Structure::pairs, thin_box};
         if (few_cells) return {Structure::lists, "the periodic box is small"};
         if (sizes.around > 2.0)
             return {Structure::levels, "a cell as wide as the largest ball would hold several"};
@@ -146,7 +146,6 @@ Choice choose(Structure wish, const State<D>& state, const Effects<D>& effects) 
             return {Structure::cells, "balls fill less than a twentieth of the box"};
         return {Structure::lists, "many balls of like sizes"};
     }
-    if (thin && wish != Structure::pairs) return {Structure::pairs, thin_box};
     const bool in_cells =
         wish == Structure::cells || wish == Structure::tree || wish == Structure::levels;
     if (few_cells && in_cells)

@@ -1,13 +1,16 @@
 #include "order.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <boost/sort/spreadsort/integer_sort.hpp>
 #include <span>
 #include <vector>
 
+#include "../triangulation/structure/insertion_rounds.hpp"
+
 namespace signum::spatial {
 namespace {
+
+using triangulation::AxisRange;
 
 constexpr int bits = 10;  // of each coordinate in a key
 
@@ -39,43 +42,23 @@ std::uint32_t hilbert(std::array<std::uint32_t, 3> x) noexcept {
     return curve;
 }
 
-/// A range of one coordinate, halved so that its extent cannot overflow.
-class Range {
- public:
-    void include(double value) noexcept {
-        least_ = std::min(least_, 0.5 * value);
-        greatest_ = std::max(greatest_, 0.5 * value);
-    }
-    [[nodiscard]] bool is_point() const noexcept { return !(greatest_ > least_); }
-    [[nodiscard]] std::uint32_t cell(double value) const noexcept {
-        if (is_point()) return 0;
-        constexpr double cells = 1 << bits;
-        const double place = (0.5 * value - least_) / (greatest_ - least_) * cells;
-        return static_cast<std::uint32_t>(std::min(place, cells - 1.0));
-    }
-
- private:
-    double least_ = 0x1p1023;
-    double greatest_ = -0x1p1023;
-};
-
 using Items = std::span<std::uint64_t>;
 
 /// An item is a key and the number of a site, 32 bits each.
 void order(Items items, const std::function<Point3(Index)>& place) {
-    std::array<Range, 3> ranges;
+    std::array<AxisRange, 3> ranges;
     for (const std::uint64_t item : items) {
         const Point3 p = place(static_cast<Index>(item & 0xFFFF'FFFF));
         ranges[0].include(p.x);
         ranges[1].include(p.y);
         ranges[2].include(p.z);
     }
-    if (std::ranges::all_of(ranges, &Range::is_point)) return;
+    if (std::ranges::all_of(ranges, &AxisRange::is_point)) return;
     for (std::uint64_t& item : items) {
         const std::uint64_t number = item & 0xFFFF'FFFF;
         const Point3 p = place(static_cast<Index>(number));
-        const std::uint32_t key =
-            hilbert({ranges[0].cell(p.x), ranges[1].cell(p.y), ranges[2].cell(p.z)});
+        const std::uint32_t key = hilbert(
+            {ranges[0].cell(p.x, bits), ranges[1].cell(p.y, bits), ranges[2].cell(p.z, bits)});
         item = std::uint64_t{key} << 32 | number;
     }
     boost::sort::spreadsort::integer_sort(items.begin(), items.end());
@@ -91,25 +74,14 @@ void order(Items items, const std::function<Point3(Index)>& place) {
     }
 }
 
-/// A well-mixed function of 64 bits (the finalizer of SplitMix64, Steele, Lea and Flood 2014).
-std::uint64_t mix(std::uint64_t value) noexcept {
-    value = (value ^ value >> 30) * 0xBF58476D1CE4E5B9U;
-    value = (value ^ value >> 27) * 0x94D049BB133111EBU;
-    return value ^ value >> 31;
-}
-
 }  // namespace
 
 LargeArray<Index> insertion_order(std::size_t sites, const std::function<Point3(Index)>& place,
                                   std::uint64_t seed) {
-    int rounds = 0;
-    for (std::size_t n = sites; n > 64; n /= 8) ++rounds;
+    const triangulation::InsertionRounds rounds(sites, seed);
     // The sites of each round, one round after the other.
-    std::vector<std::size_t> sizes(static_cast<std::size_t>(rounds) + 1);
-    const auto round_of = [&](std::size_t i) {
-        const std::uint64_t random = mix(mix(seed) + i * 0x9E3779B97F4A7C15U);
-        return static_cast<std::size_t>(rounds - std::min(rounds, std::countr_zero(random) / 3));
-    };
+    std::vector<std::size_t> sizes(static_cast<std::size_t>(rounds.last()) + 1);
+    const auto round_of = [&](std::size_t i) { return static_cast<std::size_t>(rounds.of(i)); };
     for (std::size_t i = 0; i < sites; ++i) ++sizes[round_of(i)];
     std::vector<std::size_t> begins(sizes.size());
     for (std::size_t r = 1; r < sizes.size(); ++r) begins[r] = begins[r - 1] + sizes[r - 1];

@@ -6,6 +6,8 @@
 #include <boost/sort/spreadsort/integer_sort.hpp>
 #include <span>
 
+#include "insertion_rounds.hpp"
+
 namespace signum::triangulation {
 namespace {
 
@@ -77,32 +79,11 @@ struct Layout {
     int axis_bits;
 };
 
-/// A range of one coordinate, halved so that its extent cannot overflow.
-class Range {
- public:
-    void include(double value) noexcept {
-        least_ = std::min(least_, 0.5 * value);
-        greatest_ = std::max(greatest_, 0.5 * value);
-    }
-    [[nodiscard]] bool is_point() const noexcept { return !(greatest_ > least_); }
-    /// The cell of a value among 2^bits.
-    [[nodiscard]] std::uint32_t cell(double value, int bits) const noexcept {
-        if (is_point()) return 0;
-        const auto cells = static_cast<double>(std::uint32_t{1} << bits);
-        const double place = (0.5 * value - least_) / (greatest_ - least_) * cells;
-        return static_cast<std::uint32_t>(std::min(place, cells - 1.0));
-    }
-
- private:
-    double least_ = 0x1p1023;
-    double greatest_ = -0x1p1023;
-};
-
 /// Orders items by the round that they carry and along the curve over their own bounding box; goes
 /// on inside the cells that hold many.
 void order(std::span<std::uint64_t> items, const Layout& layout, const StridedSites& sites) {
-    Range x;
-    Range y;
+    AxisRange x;
+    AxisRange y;
     for (const std::uint64_t item : items) {
         const Site site = sites[layout.site(item)];
         x.include(site.x);
@@ -132,28 +113,14 @@ void order(std::span<std::uint64_t> items, const Layout& layout, const StridedSi
     }
 }
 
-/// A well-mixed function of 64 bits (the finalizer of SplitMix64, Steele, Lea and Flood 2014).
-std::uint64_t mix(std::uint64_t bits) noexcept {
-    bits = (bits ^ bits >> 30) * 0xBF58476D1CE4E5B9U;
-    bits = (bits ^ bits >> 27) * 0x94D049BB133111EBU;
-    return bits ^ bits >> 31;
-}
-
 }  // namespace
 
 LargeArray<Index> spatial_order(const StridedSites& sites, std::uint64_t seed) {
-    // The rounds before one hold an eighth of what they and it hold; the first round some tens,
-    // since within a round the order is not random: sites along a square's sides, one after the
-    // other, make stars that each of them changes.
-    int rounds = 0;
-    for (std::size_t n = sites.size(); n > 64; n /= 8) ++rounds;
-
+    const InsertionRounds rounds(sites.size(), seed);
     const Layout layout(sites.size());
     LargeArray<std::uint64_t> items(sites.size());
     for (std::size_t i = 0; i < items.size(); ++i) {
-        const std::uint64_t random = mix(mix(seed) + i * 0x9E3779B97F4A7C15U);
-        const int round = rounds - std::min(rounds, std::countr_zero(random) / 3);
-        items[i] = static_cast<std::uint64_t>(round) << 60 | i;
+        items[i] = static_cast<std::uint64_t>(rounds.of(i)) << 60 | i;
     }
     order({items.data(), items.size()}, layout, sites);
 
