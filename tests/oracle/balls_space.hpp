@@ -39,7 +39,9 @@ struct TouchingSphere {
     std::array<Surd, static_cast<std::size_t>(D)> c{};
     Surd rho;
     /// Of the directions (c_i - c) / |c_i - c| to the points of contact, in the order of the balls:
-    /// the sign of det[direction_i, 1]. 0 where one of them is none, c_i = c.
+    /// the sign of det[direction_i, 1], which is that of det[direction_i - direction_0] in the
+    /// plane (1 is counterclockwise) and its opposite in space. 0 where one of them is none, c_i =
+    /// c.
     int orientation = 0;
 };
 
