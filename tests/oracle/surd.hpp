@@ -12,6 +12,7 @@ namespace signum::oracle {
 class Surd {
  public:
     Surd() = default;
+    Surd(int a) : a_(a) {}
     Surd(Rational a) : a_(std::move(a)) {}
     /// g >= 0, else throws std::invalid_argument. A number without a root has b = g = 0.
     Surd(Rational a, Rational b, Rational g)
