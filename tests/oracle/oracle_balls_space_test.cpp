@@ -41,8 +41,6 @@ using signum::oracle::TouchingSpheres;
 
 template <int D>
 using Balls = std::vector<SpaceBall<D>>;
-template <int D>
-constexpr std::size_t corners = D + 1;
 
 TouchingSpheres<2> touching(const std::array<Site, 3>& sites) {
     BallTuple<2> balls;
@@ -62,50 +60,6 @@ void expect_sphere(const TouchingSphere<D>& sphere, const std::array<Surd, D>& c
     EXPECT_EQ(sphere.c, c);
     EXPECT_EQ(sphere.rho, rho);
     EXPECT_EQ(sphere.orientation, orientation);
-}
-
-template <int D>
-double value(const SpaceBall<D>& ball, std::size_t x) {
-    return static_cast<double>(ball.c[x]);
-}
-double value(const Surd& x) {
-    return static_cast<double>(x.a()) +
-           static_cast<double>(x.b()) * std::sqrt(static_cast<double>(x.g()));
-}
-
-TEST(OracleSurd, SignsAndComparisons) {
-    EXPECT_EQ(Surd().sign(), 0);
-    EXPECT_EQ(Surd(-3, 2, 2).sign(), -1);  // 2√2 < 3
-    EXPECT_EQ(Surd(3, -2, 2).sign(), 1);
-    EXPECT_EQ(Surd(-14, 10, 2).sign(), 1);  // √2 > 1.4
-    EXPECT_EQ(Surd(-6, 2, 9).sign(), 0);
-    EXPECT_EQ(Surd(0, -1, 5).sign(), -1);
-    EXPECT_EQ(Surd(1, 1, 2) * Surd(1, -1, 2), Surd(-1));
-    EXPECT_EQ(Surd(1, 2, 12), Surd(1, 4, 3));
-    EXPECT_EQ(Surd(1, 2, Rational(9, 4)), Surd(4));
-    EXPECT_FALSE(Surd(0, 1, 2) == Surd(0, -1, 2));
-    EXPECT_LT(Surd(0, 1, 2), Surd(0, 1, 3));
-    EXPECT_LT(Surd(0, -1, 3), Surd(0, -1, 2));
-    EXPECT_LT(Surd(1, 1, 3), Surd(0, 2, 2));     // 2.732 < 2.828
-    EXPECT_LT(Surd(-1, -1, 2), Surd(-4, 1, 3));  // -2.414 < -2.268
-    EXPECT_FALSE(Surd(-4, 1, 3) < Surd(-1, -1, 2));
-    EXPECT_THROW(Surd(0, 1, -1), std::invalid_argument);
-    EXPECT_THROW(Surd(0, 1, 2) + Surd(0, 1, 3), std::logic_error);
-    EXPECT_EQ(Surd(5) + Surd(0, 1, 3) * Surd(2), Surd(5, 2, 3));
-}
-
-TEST(OracleSurd, ComparesAsDoubles) {
-    Random random(1);
-    const auto some = [&] {
-        return Surd(random.below(21) - 10, random.below(9) - 4, random.below(12));
-    };
-    for (int trial = 0; trial < 3000; ++trial) {
-        const Surd x = some(), y = some();
-        const double difference = value(x) - value(y);
-        ASSERT_EQ(x == y, std::abs(difference) < 1e-9);
-        ASSERT_EQ(x < y, difference < -1e-9);
-        ASSERT_EQ(x.sign(), value(x) > 1e-9 ? 1 : value(x) < -1e-9 ? -1 : 0);
-    }
 }
 
 TEST(OracleBalls, PointsHaveTheirCircumsphere) {
