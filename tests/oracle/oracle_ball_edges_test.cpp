@@ -56,6 +56,17 @@ TEST(OracleBallEdges, ByHand) {
     EXPECT_EQ(edges_of({{0, 0, 0, 0.5}, {1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 0, 0}}), whole);
 }
 
+TEST(OracleBallEdges, OfACubeLeaveThroughItsFaces) {
+    std::vector<Site3> corners;
+    for (const double x : {0, 1})
+        for (const double y : {0, 1})
+            for (const double z : {0, 1}) corners.push_back({x, y, z, 0.25});
+    const Edges edges = edges_of(corners);
+    ASSERT_EQ(edges.size(), 6U);
+    for (const BallEdge& edge : edges) EXPECT_EQ(edge, (BallEdge{edge.balls, 1, 1, false}));
+    EXPECT_EQ(edges[0].balls, (std::vector<std::int32_t>{0, 1, 2, 3}));
+}
+
 TEST(OracleBallEdges, AnEllipseAndWhatCutsIt) {
     // The circle y² + z² = 9, x = 0 of spheres with radius 2.
     const std::vector<Site3> axis{{-4, 0, 0, 3}, {0, 0, 0, 1}, {4, 0, 0, 3}};
@@ -116,8 +127,8 @@ TEST(OracleBallEdges, AreTheSameInOtherOrders) {
     std::size_t tied = 0;
     for (int trial = 0; trial < 40; ++trial) {
         std::vector<Site3> sites;
-        for (int n = 4 + random.below(4); n > 0; --n) {
-            const double x = random.below(3), y = random.below(3), z = random.below(2);
+        for (int n = 5 + random.below(5); n > 0; --n) {
+            const double x = random.below(2), y = random.below(3), z = random.below(2);
             sites.push_back({x, y, z, 0.25 * random.below(1 + trial % 3)});
         }
         std::vector<std::int32_t> order(sites.size());
