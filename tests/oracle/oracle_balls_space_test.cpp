@@ -54,6 +54,11 @@ TouchingSpheres<3> touching(const std::array<Site3, 4>& sites) {
     return touching_spheres<3>(balls);
 }
 
+double number(const Surd& x) {
+    return static_cast<double>(x.a()) +
+           static_cast<double>(x.b()) * std::sqrt(static_cast<double>(x.g()));
+}
+
 template <int D>
 void expect_sphere(const TouchingSphere<D>& sphere, const std::array<Surd, D>& c, const Surd& rho,
                    int orientation) {
@@ -229,6 +234,57 @@ TEST(OracleBalls, TheSideOfAFurtherBall) {
     EXPECT_EQ(of({0.5, 0.5, 0.5, 0}), -1);
     EXPECT_EQ(of({0.5, 0.5, 0.5, -1}), 1);  // rho + r < 0, nearer than which nothing is
     EXPECT_EQ(of({9, 9, 9, 100}), -1);
+}
+
+TEST(OracleBalls, SidesAsInDoubles) {
+    Random random(17);
+    std::array<int, 2> seen{};
+    for (int trial = 0; trial < 1000; ++trial) {
+        const auto some = [&] {
+            const double x = random.unit(), y = random.unit(), z = random.unit();
+            return Site3{x, y, z, random.unit() - 0.5};
+        };
+        const Site3 q = some();
+        for (const auto& sphere : touching({some(), some(), some(), some()}).spheres) {
+            const double x = number(sphere.c[0]) - q.x, y = number(sphere.c[1]) - q.y,
+                         z = number(sphere.c[2]) - q.z;
+            const double distance = std::sqrt(x * x + y * y + z * z);
+            const double difference = distance - q.r - number(sphere.rho);
+            if (std::abs(difference) < 1e-9 * (1 + distance)) continue;
+            ASSERT_EQ(side(sphere, exact_ball(q)), difference < 0 ? -1 : 1);
+            ++seen[difference < 0];
+        }
+    }
+    for (const std::size_t sign : {0U, 1U}) EXPECT_GT(seen[sign], 100);
+}
+
+TEST(OracleBalls, RawDoubles) {
+    // Any bits that are a finite number; the balls touch what is found, however far it is.
+    Random random(18);
+    std::array<int, 4> counts{};
+    for (int trial = 0; trial < 100; ++trial) {
+        const auto some = [&] {
+            double value = 0;
+            do {
+                value = std::ldexp(random.unit() - 0.5, random.below(2 * 1074) - 1074);
+            } while (!std::isfinite(value));
+            return value;
+        };
+        BallTuple<3> balls;
+        for (auto& ball : balls) {
+            const double x = some(), y = some(), z = some();
+            ball = exact_ball(Site3{x, y, z, some()});
+        }
+        const auto found = touching_spheres<3>(balls);
+        ++counts[static_cast<std::size_t>(found.count)];
+        for (const auto& sphere : found.spheres)
+            for (const auto& ball : balls) {
+                ASSERT_EQ(side(sphere, ball), 0);
+                ASSERT_GE((sphere.rho + Surd(ball.r)).sign(), 0);
+            }
+    }
+    EXPECT_GT(counts[0], 10);
+    EXPECT_GT(counts[1] + counts[2], 10);
 }
 
 TEST(OracleBalls, HiddenBalls) {
