@@ -544,6 +544,25 @@ TEST(OracleBalls, CurvesOfSpheresByGramsDeterminant) {
                 const Rational t(1 + random.below(6), 1 + random.below(6));
                 ball = {{(t - 1 / t) / 2, 0, 0}, sign * (t + 1 / t) / 2};
             }
+        } else {
+            // Any three, and a fourth of the same spheres s: 2 s·v_i = |v_i|² holds for k (m v_1 +
+            // v_2), too, if k |m v_1 + v_2|² = m |v_1|² + |v_2|².
+            const Rational m(random.below(13) - 6, 1 + random.below(3));
+            const auto between = [&](const Rational& zero, const Rational& one,
+                                     const Rational& two) {
+                return Rational(m * (one - zero) + two - zero);
+            };
+            const SpaceBall<3>&o = balls[0], &a = balls[1], &b = balls[2];
+            const SpaceBall<3> direction{
+                {between(o.c[0], a.c[0], b.c[0]), between(o.c[1], a.c[1], b.c[1]),
+                 between(o.c[2], a.c[2], b.c[2])},
+                between(o.r, a.r, b.r)};
+            Rational square = -direction.r * direction.r;
+            for (const Rational& x : direction.c) square += x * x;
+            if (square.is_zero()) continue;
+            const Rational k = (m * inner(balls, 1, 1) + inner(balls, 2, 2)) / square;
+            for (std::size_t x = 0; x < 3; ++x) balls[3].c[x] = o.c[x] + k * direction.c[x];
+            balls[3].r = o.r + k * direction.r;
         }
         bool is_apart = true;
         for (std::size_t a = 0; a < 4; ++a)
