@@ -3,12 +3,12 @@
 /// coordinates.
 ///
 /// Laws:
-///  1. vertex[k] of a cell lies across its facet k, as neighbour[k] does. The vertex at infinity
+///  1. Vertex k of a cell lies across its facet k, as neighbour k does. The vertex at infinity
 ///     has the number -1; with it the cells have no boundary.
 ///  2. A cell without it turns positively: ccw of its four vertices is +1. One with it does so for
 ///     every place that the hull's facet separates from the sites, in place of the vertex at
 ///     infinity.
-///  3. Cells that no longer are have vertex[0] == free, and are used again.
+///  3. Cells that no longer are have free for their first vertex, and are used again.
 
 #include <array>
 #include <cstddef>
@@ -24,54 +24,70 @@ namespace signum::spatial {
 inline constexpr Index infinite = -1;
 inline constexpr Index unset = -2;
 
-struct Cell {
-    std::array<Index, 4> vertex;
-    std::array<Index, 4> neighbour;
+/// Four vertices, or four neighbours.
+using Four = std::array<Index, 4>;
 
-    /// Where a vertex, or a neighbour, is among the four. Precondition: it is there.
-    [[nodiscard]] int place_of(Index v) const noexcept {
-        return v == vertex[0] ? 0 : v == vertex[1] ? 1 : v == vertex[2] ? 2 : 3;
-    }
-    [[nodiscard]] int place_of_neighbour(Index n) const noexcept {
-        return n == neighbour[0] ? 0 : n == neighbour[1] ? 1 : n == neighbour[2] ? 2 : 3;
-    }
-    /// Where the vertex at infinity is; -1 where it is not.
-    [[nodiscard]] int place_of_infinity() const noexcept {
-        const int place = place_of(infinite);
-        return vertex[static_cast<std::size_t>(place)] == infinite ? place : -1;
-    }
-};
+/// Where a vertex, or a neighbour, is among the four. Precondition: it is there.
+[[nodiscard]] inline std::size_t place_of(Index each, const Four& four) noexcept {
+    // Without a branch, which nobody could foretell.
+    return static_cast<std::size_t>(each == four[1]) +
+           2 * static_cast<std::size_t>(each == four[2]) +
+           3 * static_cast<std::size_t>(each == four[3]);
+}
 
 class Cells {
  public:
     static constexpr Index free = -3;
 
-    [[nodiscard]] const Cell& operator[](Index c) const noexcept {
-        return cells_[static_cast<std::size_t>(c)];
+    [[nodiscard]] const Four& vertex(Index c) const noexcept {
+        return vertex_[static_cast<std::size_t>(c)];
     }
-    [[nodiscard]] Cell& operator[](Index c) noexcept { return cells_[static_cast<std::size_t>(c)]; }
+    [[nodiscard]] Four& vertex(Index c) noexcept { return vertex_[static_cast<std::size_t>(c)]; }
+    [[nodiscard]] const Four& neighbour(Index c) const noexcept {
+        return neighbour_[static_cast<std::size_t>(c)];
+    }
+    [[nodiscard]] Four& neighbour(Index c) noexcept {
+        return neighbour_[static_cast<std::size_t>(c)];
+    }
     /// Of those that are and those that are no longer.
-    [[nodiscard]] std::size_t size() const noexcept { return cells_.size(); }
-    [[nodiscard]] bool is_free(Index c) const noexcept { return (*this)[c].vertex[0] == free; }
+    [[nodiscard]] std::size_t size() const noexcept { return neighbour_.size(); }
+    [[nodiscard]] bool is_free(Index c) const noexcept { return vertex(c)[0] == free; }
+    /// Where the vertex at infinity is among those of a cell; 4 where it is not.
+    [[nodiscard]] std::size_t place_of_infinity(Index c) const noexcept {
+        const std::size_t place = place_of(infinite, vertex(c));
+        return vertex(c)[place] == infinite ? place : 4;
+    }
 
-    void reserve(std::size_t cells) { cells_.reserve(cells); }
-    [[nodiscard]] Index add(const Cell& cell) {
+    void reserve(std::size_t cells) {
+        vertex_.reserve(cells);
+        neighbour_.reserve(cells);
+    }
+    /// One whose vertices and neighbours are to be set.
+    [[nodiscard]] Index add() {
         if (free_.empty()) {
-            cells_.push_back(cell);
-            return static_cast<Index>(cells_.size() - 1);
+            vertex_.emplace_back();
+            neighbour_.emplace_back();
+            return static_cast<Index>(vertex_.size() - 1);
         }
         const Index c = free_.back();
         free_.pop_back();
-        (*this)[c] = cell;
         return c;
     }
     void remove(Index c) {
-        (*this)[c].vertex[0] = free;
+        vertex(c)[0] = free;
         free_.push_back(c);
     }
+    /// A hint that a cell will be looked at soon.
+    void prefetch(Index c) const noexcept {
+        __builtin_prefetch(&vertex(c));
+        __builtin_prefetch(&neighbour(c));
+    }
+    /// Gives their memory back; neighbours stay.
+    void forget_vertices() noexcept { LargeArray<Four>().swap(vertex_); }
 
  private:
-    LargeArray<Cell> cells_;
+    LargeArray<Four> vertex_;
+    LargeArray<Four> neighbour_;
     std::vector<Index> free_;
 };
 

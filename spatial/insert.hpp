@@ -10,12 +10,16 @@
 /// rule, too: there the sphere of that cell and the circle of the facet are one, and the fourth
 /// vertex has the coefficient 0.
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
+#include "../core/large_array.hpp"
 #include "cells.hpp"
+#include "kernel.hpp"
 
 namespace signum::spatial {
 
@@ -23,43 +27,38 @@ template <class Kernel>
 class Insertion {
  public:
     /// The first four sites turn positively. `sites`: how many there will be.
-    Insertion(const Kernel& kernel, std::size_t sites) : kernel_(kernel), on_boundary_(sites, 0) {
+    Insertion(Kernel& kernel, std::size_t sites) : kernel_(kernel), seen_(sites + 1, 0) {
         cells_.reserve(7 * sites + 64);
         // A cell and those across its facets, which have the vertex at infinity.
         constexpr std::array<Index, 4> first = {0, 1, 2, 3};
-        const Index inner = cells_.add({first, {1, 2, 3, 4}});
+        const Index inner = cells_.add();
+        cells_.vertex(inner) = first;
+        cells_.neighbour(inner) = {1, 2, 3, 4};
         for (std::size_t k = 0; k < 4; ++k) {
-            Cell outer{first, {unset, unset, unset, unset}};
-            outer.vertex[k] = infinite;
+            Four outer = first;
+            outer[k] = infinite;
             // Seen from beyond the facet the other three turn the other way.
-            std::swap(outer.vertex[(k + 1) % 4], outer.vertex[(k + 2) % 4]);
-            for (std::size_t m = 0; m < 4; ++m) {
-                const Index v = outer.vertex[m];
-                outer.neighbour[m] = v == infinite ? inner : v + 1;
-            }
-            static_cast<void>(cells_.add(outer));
+            std::swap(outer[(k + 1) % 4], outer[(k + 2) % 4]);
+            Four neighbours;
+            for (std::size_t m = 0; m < 4; ++m)
+                neighbours[m] = outer[m] == infinite ? inner : outer[m] + 1;
+            const Index made = cells_.add();
+            cells_.vertex(made) = outer;
+            cells_.neighbour(made) = neighbours;
         }
-        conflict_.resize(cells_.size());
     }
 
     /// False where the site is hidden; `hidden(v)` tells of each that it hides.
     template <class Hidden>
     bool insert(Index q, const Hidden& hidden) {
         const Index home = locate(q);
-        if (!conflicts(home, q)) return false;
-        find_region(home, q);
+        look_from(q);
+        for (const Index v : cells_.vertex(home)) static_cast<void>(see(v));
+        kernel_.set_bound();
+        if (!conflicts(home, kernel_.in_sphere(seen_of(home)))) return false;
+        find_region(home);
+        find_hidden(hidden);
         join(q);
-        for (const Index c : region_)
-            for (const Index v : cells_[c].vertex)
-                if (v >= 0 && on_boundary_[static_cast<std::size_t>(v)] != q) {
-                    on_boundary_[static_cast<std::size_t>(v)] = q;
-                    hidden(v);
-                }
-        for (const Index c : region_) {
-            conflict_[static_cast<std::size_t>(c)] = unknown;
-            cells_.remove(c);
-        }
-        for (const Index c : rim_) conflict_[static_cast<std::size_t>(c)] = unknown;
         return true;
     }
 
@@ -68,140 +67,262 @@ class Insertion {
     /// in a random order keeps it from going around where sites are tied.
     [[nodiscard]] Index locate(Index q) noexcept {
         Index c = last_;
-        if (const int infinity = cells_[c].place_of_infinity(); infinity >= 0)
-            c = cells_[c].neighbour[static_cast<std::size_t>(infinity)];
+        if (const std::size_t infinity = cells_.place_of_infinity(c); infinity < 4)
+            c = cells_.neighbour(c)[infinity];
         Index from = unset;
         for (;;) {
-            const Cell& cell = cells_[c];
+            const Four& neighbour = cells_.neighbour(c);
             random_ = random_ * 1664525U + 1013904223U;
             const std::size_t first = random_ >> 30;
             std::size_t k = 0;
             for (; k < 4; ++k) {
                 const std::size_t place = (first + k) & 3U;
-                if (cell.neighbour[place] == from || side(cell, place, q) >= 0) continue;
+                if (neighbour[place] == from || side(cells_.vertex(c), place, q) >= 0) continue;
                 from = c;
-                c = cell.neighbour[place];
+                c = neighbour[place];
                 break;
             }
-            if (k == 4 || cells_[c].place_of_infinity() >= 0) return c;
+            if (k == 4 || cells_.place_of_infinity(c) < 4) return last_ = c;
         }
     }
 
     [[nodiscard]] const Cells& cells() const noexcept { return cells_; }
+    [[nodiscard]] Cells release() && noexcept { return std::move(cells_); }
 
  private:
-    enum Conflict : std::uint8_t { unknown, in_conflict, in_none };
-    /// Of a cell in conflict the facet to one that is in none.
-    struct Facet {
+    /// A cell in conflict: what is left of it.
+    struct Taken {
         Index cell;
-        int place;
+        Four neighbour;
+        std::array<Seen, 4> vertex;
+    };
+    /// A facet of the boundary, turning positively seen from the site, and the cell beyond it.
+    struct Facet {
+        Index outer;
+        std::uint32_t place;  // of the facet there
+        std::array<Seen, 3> vertex;
     };
 
-    [[nodiscard]] Sign side(const Cell& cell, std::size_t place, Index q) const noexcept {
-        std::array<Index, 4> v = cell.vertex;
+    [[nodiscard]] Sign side(Four v, std::size_t place, Index q) const noexcept {
         v[place] = q;
         return kernel_.ccw(v[0], v[1], v[2], v[3]);
     }
-    [[nodiscard]] bool conflicts(Index c, Index q) const noexcept {
-        const Cell& cell = cells_[c];
-        const int infinity = cell.place_of_infinity();
-        if (infinity < 0) [[likely]]
-            return kernel_.conflicts(cell.vertex, q);
-        const auto place = static_cast<std::size_t>(infinity);
-        const Sign sign = side(cell, place, q);
+
+    // ---- what the site sees --------------------------------------------------------------------
+
+    void look_from(Index q) {
+        // Numbers of vertices of earlier insertions are below the base.
+        constexpr std::size_t enough = std::size_t{1} << 31;
+        base_ += count_;
+        if (base_ > enough) [[unlikely]] {
+            std::ranges::fill(seen_, 0);
+            base_ = 1;
+        }
+        seen_[0] = static_cast<Seen>(base_) + seen_infinity;
+        count_ = 1;
+        kernel_.look_from(q);
+    }
+    [[nodiscard]] Seen see(Index v) {
+        Seen& known = seen_[static_cast<std::size_t>(v + 1)];
+        const std::size_t base = base_;
+        // Below the base it wraps around.
+        if (const std::size_t number = known - base; number < count_)
+            return static_cast<Seen>(number);
+        known = static_cast<Seen>(base + count_);
+        kernel_.see(v);
+        return static_cast<Seen>(count_++);
+    }
+    /// The vertices of a cell, all of which have been seen.
+    [[nodiscard]] std::array<Seen, 4> seen_of(Index c) const noexcept {
+        const Four& v = cells_.vertex(c);
+        const Seen* const seen = seen_.data();
+        const auto base = static_cast<Seen>(base_);
+        const auto number = [=](Index each) { return seen[each + 1] - base; };
+        return {number(v[0]), number(v[1]), number(v[2]), number(v[3])};
+    }
+    /// Whether a cell is in conflict, of which the determinant is known.
+    [[nodiscard]] bool conflicts(Index c, double determinant) {
+        if (filters::magnitude(determinant) > kernel_.bound()) [[likely]]
+            return determinant > 0.0;
+        return conflicts_closely(c);
+    }
+    [[nodiscard, gnu::noinline]] bool conflicts_closely(Index c) {
+        const std::size_t place = cells_.place_of_infinity(c);
+        if (place == 4) return kernel_.conflicts(seen_of(c));
+        const auto& facet = facet_of[place];
+        const std::array<Seen, 4> v = seen_of(c);
+        const Sign sign = kernel_.side(v[facet[0]], v[facet[1]], v[facet[2]]);
         if (sign != 0) return sign > 0;
-        return kernel_.conflicts(cells_[cell.neighbour[place]].vertex, q);
+        const Index behind = cells_.neighbour(c)[place];
+        if (cells_.is_free(behind)) return true;
+        for (const Index each : cells_.vertex(behind)) static_cast<void>(see(each));
+        kernel_.set_bound();
+        return kernel_.conflicts(seen_of(behind));
     }
+    /// The places of the vertices of the facet across from one: with that one first they turn as
+    /// the cell does.
+    static constexpr std::array<std::array<std::size_t, 3>, 4> facet_of = {
+        {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
-    void find_region(Index home, Index q) {
-        conflict_.resize(cells_.size());
-        region_.assign(1, home);
-        rim_.clear();
-        boundary_.clear();
-        conflict_[static_cast<std::size_t>(home)] = in_conflict;
-        for (std::size_t next = 0; next < region_.size(); ++next) {
-            const Index c = region_[next];
-            for (int k = 0; k < 4; ++k) {
-                const Index n = cells_[c].neighbour[static_cast<std::size_t>(k)];
-                std::uint8_t& known = conflict_[static_cast<std::size_t>(n)];
-                if (known == unknown) {
-                    const bool conflict = conflicts(n, q);
-                    known = conflict ? in_conflict : in_none;
-                    (conflict ? region_ : rim_).push_back(n);
+    // ---- the region of conflict ----------------------------------------------------------------
+
+    /// What is taken is no cell any longer: so it is known to be in conflict.
+    void take(Index c) {
+        const Four& neighbour = cells_.neighbour(c);
+        region_[taken_++] = {c, neighbour, seen_of(c)};
+        for (const Index n : neighbour) cells_.prefetch(n);
+        cells_.vertex(c)[0] = Cells::free;
+    }
+    void find_region(Index home) {
+        taken_ = facets_ = vertices_ = 0;
+        take(home);
+        for (const Seen v : region_[0].vertex) count_in_region(v);
+        for (std::size_t next = 0; next < taken_; ++next) {
+            // Room for all that may lie beyond the facets of one.
+            if (taken_ + 4 > region_.size()) region_.resize(2 * region_.size());
+            if (facets_ + 4 > boundary_.size()) boundary_.resize(2 * boundary_.size());
+            look_beyond(region_[next]);
+        }
+    }
+    void count_in_region(Seen v) noexcept {
+        if (std::exchange(in_region_[v], kernel_.eye()) != kernel_.eye()) ++vertices_;
+    }
+    /// The cells beyond the facets of one, judged at once. Which of them are in conflict nobody can
+    /// foretell, so that there is one branch for each, and none for those that are known to be.
+    void look_beyond(const Taken& from) {
+        std::array<std::size_t, 4> place;  // of the facet there
+        std::array<const ViewRow*, 4> beyond;
+        std::array<Seen, 4> apex;
+        const Index any = kernel_.name(from.vertex[0]);
+#pragma GCC unroll 4
+        for (std::size_t k = 0; k < 4; ++k) {
+            const Index n = from.neighbour[k];
+            place[k] = place_of(from.cell, cells_.neighbour(n));
+            const Index v = cells_.vertex(n)[place[k]];
+            apex[k] = see(cells_.is_free(n) ? any : v);
+        }
+        for (std::size_t k = 0; k < 4; ++k) beyond[k] = &kernel_.row(apex[k]);
+        const auto row = [&](std::size_t k) { return &kernel_.row(from.vertex[k]); };
+        kernel_.set_bound();
+        if (in_region_.size() < count_) [[unlikely]]
+            in_region_.resize(2 * count_, -1);
+        std::array<double, 4> determinants;
+        in_spheres_beyond({row(0), row(1), row(2), row(3)}, beyond, determinants);
+#pragma GCC unroll 4
+        for (std::size_t k = 0; k < 4; ++k) {
+            const Index n = from.neighbour[k];
+            const bool is_taken = cells_.is_free(n);
+            const bool in_conflict = is_taken || conflicts(n, determinants[k]);
+            const auto& facet = facet_of[k];
+            boundary_[facets_] = {
+                n,
+                static_cast<std::uint32_t>(place[k]),
+                {from.vertex[facet[0]], from.vertex[facet[1]], from.vertex[facet[2]]}};
+            facets_ += static_cast<std::size_t>(!in_conflict);
+            if (in_conflict && !is_taken) {
+                take(n);
+                count_in_region(apex[k]);
+            }
+        }
+    }
+    /// Vertices of the region that are on no facet of its boundary, a sphere: with half as many
+    /// vertices as facets, and two.
+    template <class Hidden>
+    void find_hidden(const Hidden& hidden) {
+        if (2 * vertices_ == facets_ + 4) [[likely]]
+            return;
+        stays_.assign(count_, Stays::no);
+        for (std::size_t i = 0; i < facets_; ++i)
+            for (const Seen v : boundary_[i].vertex) stays_[v] = Stays::yes;
+        for (std::size_t i = 0; i < taken_; ++i)
+            for (const Seen v : region_[i].vertex)
+                if (stays_[v] == Stays::no) {
+                    stays_[v] = Stays::yes;
+                    hidden(kernel_.name(v));
                 }
-                if (known == in_none) boundary_.push_back({c, k});
-            }
-        }
     }
 
-    /// A new cell over each facet of the boundary. Two of them are neighbours across what an edge
-    /// of the boundary spans with the site; to find the other one a walk goes around the edge,
-    /// through the cells in conflict.
+    // ---- the new cells -------------------------------------------------------------------------
+
+    /// A new cell over each facet of the boundary, the site first, in the places of those in
+    /// conflict. Two of them are neighbours across what an edge of the boundary spans with the
+    /// site: one of their facets turns along the edge, the other against it.
     void join(Index q) {
-        new_.clear();
-        for (const Facet& facet : boundary_) {
-            const auto place = static_cast<std::size_t>(facet.place);
-            Cell cell = cells_[facet.cell];
-            const Index outer = cell.neighbour[place];
-            const int back = cells_[outer].place_of_neighbour(facet.cell);
-            cell.vertex[place] = q;
-            cell.neighbour = {unset, unset, unset, unset};
-            cell.neighbour[place] = outer;
-            for (const Index v : cell.vertex)
-                if (v >= 0) on_boundary_[static_cast<std::size_t>(v)] = q;
-            const Index made = cells_.add(cell);
-            cells_[outer].neighbour[static_cast<std::size_t>(back)] = made;
-            new_.push_back(made);
+        if (made_.size() < facets_) made_.resize(boundary_.size());
+        for (std::size_t i = 0; i < facets_; ++i) {
+            const Facet& facet = boundary_[i];
+            const auto& [a, b, c] = facet.vertex;
+            const Index made = i < taken_ ? region_[i].cell : cells_.add();
+            made_[i] = made;
+            cells_.vertex(made) = {q, kernel_.name(a), kernel_.name(b), kernel_.name(c)};
+            cells_.neighbour(made)[0] = facet.outer;
+            cells_.neighbour(facet.outer)[facet.place] = made;
         }
-        for (std::size_t i = 0; i < boundary_.size(); ++i)
-            for (std::size_t k = 0; k < 4; ++k)
-                if (cells_[new_[i]].neighbour[k] == unset) link(boundary_[i], new_[i], k);
-        last_ = new_.front();
-        // New cells are in no conflict that is known.
-        conflict_.resize(cells_.size());
+        for (std::size_t i = facets_; i < taken_; ++i) cells_.remove(region_[i].cell);
+        last_ = made_[0];
+        if (count_ <= stride)
+            link_by_table();
+        else
+            link_by_sorting();
     }
-    void link(const Facet& facet, Index made, std::size_t across) {
-        Index c = facet.cell;
-        // The facet that is left through, and its vertex that is not on the edge.
-        std::size_t exit = across;
-        Index apex = cells_[c].vertex[static_cast<std::size_t>(facet.place)];
-        const std::array<Index, 4>& own = cells_[made].vertex;
-        for (;;) {
-            const Index next = cells_[c].neighbour[exit];
-            const Cell& cell = cells_[next];
-            // The vertex of the next cell that is not on the facet.
-            std::size_t opposite = 0;
-            const auto is_on_facet = [&](Index v) {
-                if (v == apex) return true;
-                for (std::size_t m = 0; m < 4; ++m)
-                    if (m != across && m != static_cast<std::size_t>(facet.place) && own[m] == v)
-                        return true;
-                return false;
-            };
-            while (is_on_facet(cell.vertex[opposite])) ++opposite;
-            if (conflict_[static_cast<std::size_t>(next)] != in_conflict) {
-                const Index other = cell.neighbour[opposite];
-                cells_[made].neighbour[across] = other;
-                cells_[other].neighbour[static_cast<std::size_t>(cells_[other].place_of(apex))] =
-                    made;
-                return;
+    void link_by_table() noexcept {
+        Index* const along = along_.data();
+        for (std::size_t i = 0; i < facets_; ++i) {
+            const auto& [a, b, c] = boundary_[i].vertex;
+            along[b * stride + c] = along[c * stride + a] = along[a * stride + b] = made_[i];
+        }
+        for (std::size_t i = 0; i < facets_; ++i) {
+            const auto& [a, b, c] = boundary_[i].vertex;
+            Four& neighbour = cells_.neighbour(made_[i]);
+            neighbour[1] = along[c * stride + b];
+            neighbour[2] = along[a * stride + c];
+            neighbour[3] = along[b * stride + a];
+        }
+    }
+    void link_by_sorting() {
+        edges_.clear();
+        for (std::size_t i = 0; i < facets_; ++i)
+            for (std::size_t k = 0; k < 3; ++k) {
+                const Seen a = boundary_[i].vertex[(k + 1) % 3];
+                const Seen b = boundary_[i].vertex[(k + 2) % 3];
+                edges_.push_back({std::min(a, b), std::max(a, b), made_[i], k + 1});
             }
-            exit = static_cast<std::size_t>(cell.place_of(apex));
-            apex = cell.vertex[opposite];
-            c = next;
+        std::ranges::sort(edges_, {}, [](const Edge& e) { return std::pair(e.least, e.greatest); });
+        for (std::size_t e = 0; e + 1 < edges_.size(); e += 2) {
+            const Edge& one = edges_[e];
+            const Edge& other = edges_[e + 1];
+            cells_.neighbour(one.cell)[one.place] = other.cell;
+            cells_.neighbour(other.cell)[other.place] = one.cell;
         }
     }
+    struct Edge {
+        Seen least;
+        Seen greatest;
+        Index cell;
+        std::size_t place;
+    };
+    enum class Stays : std::uint8_t { no, yes };
 
-    const Kernel& kernel_;
+    Kernel& kernel_;
     Cells cells_;
     Index last_ = 0;
     std::uint32_t random_ = 1;
-    std::vector<std::uint8_t> conflict_;
-    std::vector<Index> region_;
-    std::vector<Index> rim_;
-    std::vector<Facet> boundary_;
-    std::vector<Index> new_;
-    std::vector<Index> on_boundary_;  // the last site that had this vertex on its boundary
+    LargeArray<Seen> seen_;  // by vertex, infinity first
+    std::size_t base_ = 1;
+    std::size_t count_ = 0;
+    static constexpr std::size_t stride = 64;
+    // Of one insertion; the arrays are as long as they ever had to be.
+    LargeArray<Taken> region_ = LargeArray<Taken>(stride);
+    std::size_t taken_ = 0;
+    LargeArray<Facet> boundary_ = LargeArray<Facet>(stride);
+    std::size_t facets_ = 0;
+    LargeArray<Index> in_region_ = LargeArray<Index>(
+        stride, -1);            // the last site that had this vertex, as it saw it, in its region
+    std::size_t vertices_ = 0;  // of the region
+    LargeArray<Index> made_;
+    std::vector<Stays> stays_;
+    LargeArray<Index> along_ = LargeArray<Index>(stride * stride);
+    std::vector<Edge> edges_;
 };
 
 }  // namespace signum::spatial

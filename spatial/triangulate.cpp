@@ -16,7 +16,6 @@
 namespace signum {
 namespace {
 
-using spatial::Cell;
 using spatial::Cells;
 using spatial::infinite;
 
@@ -56,7 +55,7 @@ class Construction {
         if (sites_.empty()) return result;
         choose_first();
         result.dimension = 3 - static_cast<int>(apexes_);
-        const spatial::ExactKernel<S> kernel(all_.sites, all_.numbers);
+        spatial::ExactKernel<S> kernel(all_.sites, all_.numbers);
         spatial::Insertion<spatial::ExactKernel<S>> insertion(kernel, all_.sites.size());
         std::vector<Index> hidden;
         constexpr Index between_questions = 4096;
@@ -68,11 +67,13 @@ class Construction {
             }
             if (!insertion.insert(q, [&](Index v) { hidden.push_back(v); })) hidden.push_back(q);
         }
+        // In the order of insertion, so that each is located near the one before.
+        std::ranges::sort(hidden);
         for (const Index v : hidden)
             result.hidden.push_back(
                 {all_.numbers[static_cast<std::size_t>(v)], nearest(insertion, v)});
         std::ranges::sort(result.hidden, {}, &Hidden::site);
-        assemble(insertion.cells(), result);
+        assemble(std::move(insertion).release(), result);
         return result;
     }
 
@@ -157,7 +158,7 @@ class Construction {
             cell_of_.resize(all_.sites.size(), spatial::unset);
             for (Index c = 0; c < static_cast<Index>(cells.size()); ++c)
                 if (!cells.is_free(c))
-                    for (const Index each : cells[c].vertex)
+                    for (const Index each : cells.vertex(c))
                         if (each >= 0) cell_of_[static_cast<std::size_t>(each)] = c;
             seen_.resize(cells.size(), 0);
         }
@@ -169,7 +170,7 @@ class Construction {
             best = other;
             return true;
         };
-        for (const Index each : cells[insertion.locate(v)].vertex) consider(each);
+        for (const Index each : cells.vertex(insertion.locate(v))) consider(each);
         for (bool moved = true; moved;) {
             moved = false;
             const Index from = best;
@@ -196,83 +197,129 @@ class Construction {
         std::vector<Index> around = {cell_of_[static_cast<std::size_t>(v)]};
         seen_[static_cast<std::size_t>(around[0])] = round_;
         for (std::size_t next = 0; next < around.size(); ++next) {
-            const Cell& cell = cells[around[next]];
+            const SpaceCell cell = cells.vertex(around[next]);
+            const SpaceCell neighbour = cells.neighbour(around[next]);
             for (std::size_t k = 0; k < 4; ++k) {
-                if (cell.vertex[k] == v) continue;
-                visit(cell.vertex[k]);
-                std::uint32_t& seen = seen_[static_cast<std::size_t>(cell.neighbour[k])];
-                if (std::exchange(seen, round_) != round_) around.push_back(cell.neighbour[k]);
+                if (cell[k] == v) continue;
+                visit(cell[k]);
+                std::uint32_t& seen = seen_[static_cast<std::size_t>(neighbour[k])];
+                if (std::exchange(seen, round_) != round_) around.push_back(neighbour[k]);
             }
         }
     }
 
-    /// Laws 1 and 2 of the result.
-    void assemble(const Cells& cells, SpaceTessellation& result) const {
-        struct Named {
-            SpaceCell cell;
-            SpaceCell neighbour;  // by its number in the working structure
-            Index number;
-        };
-        std::vector<Named> named;
-        named.reserve(cells.size());
-        for (Index c = 0; c < static_cast<Index>(cells.size()); ++c) {
-            if (cells.is_free(c)) continue;
-            Named each{{no_vertex, no_vertex, no_vertex, no_vertex},
-                       {no_vertex, no_vertex, no_vertex, no_vertex},
-                       c};
-            std::size_t size = 0;
-            std::size_t of_apexes = 0;
-            for (std::size_t k = 0; k < 4; ++k) {
-                const Index v = cells[c].vertex[k];
-                if (v >= 0 && is_apex(v)) {
-                    ++of_apexes;
-                    continue;
-                }
-                each.cell[size] = v >= 0 ? all_.numbers[static_cast<std::size_t>(v)] : infinite;
-                each.neighbour[size++] = cells[c].neighbour[k];
-            }
-            if (of_apexes < apexes_) continue;
-            put_in_order(each.cell, each.neighbour, size);
-            named.push_back(each);
+    /// Laws 1 and 2 of the result. Memory is given back as soon as what lies there has been used:
+    /// sites, then the structure's vertices. The structure is read from its first cell to its last:
+    /// there neighbours lie close to one another, which in the result they do not.
+    void assemble(Cells&& structure, SpaceTessellation& result) {
+        const auto last = static_cast<Index>(structure.size());
+        for (Index c = 0; c < last; ++c)
+            if (!structure.is_free(c)) name(structure.vertex(c), structure.neighbour(c));
+        all_ = {};
+        LargeArray<Index> place(structure.size(), no_vertex);
+        {
+            const LargeArray<Index> sorted = sort_cells(structure, result.cells);
+            for (std::size_t i = 0; i < sorted.size(); ++i)
+                place[static_cast<std::size_t>(sorted[i])] = static_cast<Index>(i);
         }
-        std::ranges::sort(named, {}, &Named::cell);
-        std::vector<Index> place(cells.size(), spatial::unset);
-        for (std::size_t i = 0; i < named.size(); ++i)
-            place[static_cast<std::size_t>(named[i].number)] = static_cast<Index>(i);
-        result.cells.reserve(named.size());
-        result.neighbours.reserve(named.size());
-        for (const Named& each : named) {
-            result.cells.push_back(each.cell);
-            SpaceCell neighbours = each.neighbour;
+        structure.forget_vertices();
+        result.neighbours.resize(result.cells.size());
+        for (Index c = 0; c < last; ++c) {
+            const Index own = place[static_cast<std::size_t>(c)];
+            if (own == no_vertex) continue;
+            SpaceCell neighbours = structure.neighbour(c);
             for (Index& n : neighbours)
                 if (n >= 0) n = place[static_cast<std::size_t>(n)];
-            result.neighbours.push_back(neighbours);
+            result.neighbours[static_cast<std::size_t>(own)] = neighbours;
         }
     }
+    /// Gives a cell the names and the order of the result. One of flat sites loses the apexes; what
+    /// is not joined to all of them becomes free.
+    void name(SpaceCell& cell, SpaceCell& neighbour) const {
+        std::size_t size = 0;
+        for (std::size_t k = 0; k < 4; ++k) {
+            const Index v = cell[k];
+            if (v >= 0 && is_apex(v)) continue;
+            cell[size] = v >= 0 ? all_.numbers[static_cast<std::size_t>(v)] : infinite;
+            neighbour[size++] = neighbour[k];
+        }
+        for (std::size_t k = size; k < 4; ++k) cell[k] = neighbour[k] = no_vertex;
+        if (size + apexes_ > 4) {
+            cell[0] = Cells::free;
+        } else {
+            put_in_order(cell, neighbour, size);
+        }
+    }
+    /// The cells that are not free, sorted, and the numbers they have in the structure: by the
+    /// first vertex into buckets, then within these.
+    [[nodiscard]] LargeArray<Index> sort_cells(const Cells& structure,
+                                               std::vector<SpaceCell>& cells) const {
+        const auto last = static_cast<Index>(structure.size());
+        const auto bucket = [&](Index c) {
+            return static_cast<std::size_t>(structure.vertex(c)[0] - infinite);
+        };
+        std::vector<Index> ends(sites_.size() + 2, 0);
+        for (Index c = 0; c < last; ++c)
+            if (!structure.is_free(c)) ++ends[bucket(c) + 1];
+        for (std::size_t b = 1; b < ends.size(); ++b) ends[b] += ends[b - 1];
+        const auto size = static_cast<std::size_t>(ends.back());
+        cells.resize(size);
+        LargeArray<Index> numbers(size);
+        // The begin of each bucket moves to its end.
+        for (Index c = 0; c < last; ++c) {
+            if (structure.is_free(c)) continue;
+            const auto next = static_cast<std::size_t>(ends[bucket(c)]++);
+            cells[next] = structure.vertex(c);
+            numbers[next] = c;
+        }
+        // In a bucket the first vertices are one.
+        struct Member {
+            std::uint64_t second_and_third;
+            Index fourth;
+            Index number;
+        };
+        std::vector<Member> members;
+        std::size_t begin = 0;
+        for (const Index end : ends) {
+            members.clear();
+            for (std::size_t i = begin; i < static_cast<std::size_t>(end); ++i) {
+                const auto [first, second, third, fourth] = cells[i];
+                members.push_back(
+                    {static_cast<std::uint64_t>(second) << 32 | static_cast<std::uint32_t>(third),
+                     fourth, numbers[i]});
+            }
+            std::ranges::sort(members, [](const Member& a, const Member& b) {
+                return a.second_and_third != b.second_and_third
+                           ? a.second_and_third < b.second_and_third
+                           : a.fourth < b.fourth;
+            });
+            for (const auto& [key, fourth, number] : members) {
+                cells[begin] = {cells[begin][0], static_cast<Index>(key >> 32),
+                                static_cast<Index>(key & 0xFFFF'FFFF), fourth};
+                numbers[begin++] = number;
+            }
+        }
+        return numbers;
+    }
     static void put_in_order(SpaceCell& cell, SpaceCell& neighbour, std::size_t size) {
-        const auto exchange = [&](std::size_t a, std::size_t b) {
-            std::swap(cell[a], cell[b]);
-            std::swap(neighbour[a], neighbour[b]);
-        };
-        const auto least = [&](std::size_t from) {
-            return static_cast<std::size_t>(
-                std::min_element(cell.begin() + static_cast<std::ptrdiff_t>(from),
-                                 cell.begin() + static_cast<std::ptrdiff_t>(size)) -
-                cell.begin());
-        };
         if (size < 4) {
-            for (std::size_t k = 0; k + 1 < size; ++k) exchange(k, least(k));
+            for (std::size_t k = 0; k < size; ++k)
+                for (std::size_t m = k; m > 0 && cell[m] < cell[m - 1]; --m) {
+                    std::swap(cell[m], cell[m - 1]);
+                    std::swap(neighbour[m], neighbour[m - 1]);
+                }
             return;
         }
-        // Two exchanges at a time keep the orientation.
-        if (const std::size_t first = least(0); first != 0) {
-            exchange(0, first);
-            exchange(first == 1 ? 2 : 1, first == 3 ? 2 : 3);
-        }
-        while (least(1) != 1) {
-            exchange(1, 2);
-            exchange(2, 3);
-        }
+        // Even permutations keep the orientation: two pairs exchanged, then three in a cycle.
+        const auto lesser = [&](std::size_t a, std::size_t b) { return cell[b] < cell[a] ? b : a; };
+        const std::size_t first = lesser(lesser(0, 1), lesser(2, 3));
+        const std::size_t others[3] = {first ^ 1U, first ^ 2U, first ^ 3U};
+        const std::size_t second = lesser(lesser(others[0], others[1]), others[2]);
+        const std::size_t turn = second == others[0] ? 0 : second == others[1] ? 1 : 2;
+        const std::size_t third = others[(turn + 1) % 3];
+        const std::size_t fourth = others[(turn + 2) % 3];
+        cell = {cell[first], cell[second], cell[third], cell[fourth]};
+        neighbour = {neighbour[first], neighbour[second], neighbour[third], neighbour[fourth]};
     }
 
     std::span<const S> sites_;

@@ -80,17 +80,17 @@ class IntegerRows {
     }
 
     /// The exact sign, or uncertain where the sites are not such integers.
-    [[nodiscard]] Verdict sign() const noexcept {
+    [[nodiscard]] Verdict sign_if_narrow() const noexcept {
+        if (!is_exact_ || bits_ > 20) return Verdict::uncertain();
+        const Integer128 determinant = in_sphere_determinant(
+            row<Integer128>(0), row<Integer128>(1), row<Integer128>(2), row<Integer128>(3));
+        return Verdict::certain((determinant > 0) - (determinant < 0));
+    }
+    [[nodiscard]] Verdict sign_if_wide() const noexcept {
         if (!is_exact_) return Verdict::uncertain();
-        if (bits_ <= 20) {
-            const Integer128 determinant = in_sphere_determinant<Integer128>(
-                row<Integer128>(0), row<Integer128>(1), row<Integer128>(2), row<Integer128>(3));
-            return Verdict::certain((determinant > 0) - (determinant < 0));
-        }
-        return Verdict::certain(
-            in_sphere_determinant<Integer512>(row<Integer512>(0), row<Integer512>(1),
-                                              row<Integer512>(2), row<Integer512>(3))
-                .sign());
+        return Verdict::certain(in_sphere_determinant(row<Integer512>(0), row<Integer512>(1),
+                                                      row<Integer512>(2), row<Integer512>(3))
+                                    .sign());
     }
 
  private:
@@ -209,13 +209,17 @@ template <PowerSite3 S>
     const double size = determinant_magnitude(rows);
     if (const Verdict verdict = judged(determinant, in_sphere_error * size); verdict.is_certain())
         return {verdict.sign(), Stage::filter};
-    if (const Verdict verdict = IntegerRows(i, j, k, l, q).sign(); verdict.is_certain())
+    // Narrow integers are faster than double-doubles, and these than wide ones.
+    const IntegerRows integers(i, j, k, l, q);
+    if (const Verdict verdict = integers.sign_if_narrow(); verdict.is_certain())
         return {verdict.sign(), Stage::exact};
     const DoubleDouble refined =
         in_sphere_determinant(double_double_row(i, q), double_double_row(j, q),
                               double_double_row(k, q), double_double_row(l, q));
     if (const Verdict verdict = judged(refined.high, refined_error * size); verdict.is_certain())
         return {verdict.sign(), Stage::refine};
+    if (const Verdict verdict = integers.sign_if_wide(); verdict.is_certain())
+        return {verdict.sign(), Stage::exact};
     return {multiprecision::in_sphere(i, j, k, l, q), Stage::multiprecision};
 }
 

@@ -33,11 +33,10 @@ struct LiftedRow {
 };
 
 /// Minus the determinant, for any type of number: by its last column, minors of pairs shared.
-template <class Number>
-[[nodiscard]] constexpr Number in_sphere_determinant(const LiftedRow<Number>& i,
-                                                     const LiftedRow<Number>& j,
-                                                     const LiftedRow<Number>& k,
-                                                     const LiftedRow<Number>& l) {
+template <class Row>
+[[nodiscard]] constexpr auto in_sphere_determinant(const Row& i, const Row& j, const Row& k,
+                                                   const Row& l) {
+    using Number = decltype(i.height());
     const auto& a = i.offset;
     const auto& b = j.offset;
     const auto& c = k.offset;
@@ -48,10 +47,10 @@ template <class Number>
     const Number da = d.x * a.y - a.x * d.y;
     const Number ac = a.x * c.y - c.x * a.y;
     const Number bd = b.x * d.y - d.x * b.y;
-    return (i.height() * (b.z * cd - c.z * bd + d.z * bc) +
-            k.height() * (d.z * ab + a.z * bd + b.z * da)) -
-           (j.height() * (c.z * da + d.z * ac + a.z * cd) +
-            l.height() * (a.z * bc - b.z * ac + c.z * ab));
+    return Number((i.height() * (b.z * cd - c.z * bd + d.z * bc) +
+                   k.height() * (d.z * ab + a.z * bd + b.z * da)) -
+                  (j.height() * (c.z * da + d.z * ac + a.z * cd) +
+                   l.height() * (a.z * bc - b.z * ac + c.z * ab)));
 }
 
 template <class Number = double, PowerSite3 S>

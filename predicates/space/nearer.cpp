@@ -17,13 +17,13 @@ template <PowerSite3 S>
 
 }  // namespace
 
-Decision nearer_decision(const Point3& p, const Point3& a, const Point3& b) noexcept {
+Decision nearer_cold(const Point3& p, const Point3& a, const Point3& b) noexcept {
     return exact::in_ieee_environment(decide<Point3>, p, a, b);
 }
-Decision nearer_decision(const Point3& p, const Site3& a, const Site3& b) noexcept {
+Decision nearer_cold(const Point3& p, const Site3& a, const Site3& b) noexcept {
     return exact::in_ieee_environment(decide<Site3>, p, a, b);
 }
-Decision nearer_decision(const Point3& p, const signum::Site3& a, const signum::Site3& b) noexcept {
+Decision nearer_cold(const Point3& p, const signum::Site3& a, const signum::Site3& b) noexcept {
     return exact::in_ieee_environment(decide<signum::Site3>, p, a, b);
 }
 

@@ -9,23 +9,61 @@ SIGNUM_IEEE_BEGIN
 
 namespace signum::power {
 
-/// +1 where the point p is nearer to a than to b, 0 where both are as near, -1 otherwise: the sign
-/// of (|p-b|² - w_b) - (|p-a|² - w_a). Exact. Precondition: finite numbers.
-[[nodiscard]] Decision nearer_decision(const Point3& p, const Point3& a, const Point3& b) noexcept;
-[[nodiscard]] Decision nearer_decision(const Point3& p, const Site3& a, const Site3& b) noexcept;
-[[nodiscard]] Decision nearer_decision(const Point3& p, const signum::Site3& a,
-                                       const signum::Site3& b) noexcept;
-
-/// The same number in any arithmetic.
+/// The square of a distance, in any arithmetic.
+template <class Number = double>
+[[nodiscard]] constexpr Number squared_distance(const Point3& p, const Point3& q) noexcept {
+    const predicates::Offset3<Number> d = predicates::offset<Number>(p, q);
+    return d.x * d.x + d.y * d.y + d.z * d.z;
+}
+/// (|p-b|² - w_b) - (|p-a|² - w_a), in any arithmetic.
 template <class Number, PowerSite3 S>
 [[nodiscard]] constexpr Number nearer_difference(const Point3& p, const S& a, const S& b) noexcept {
-    const auto square = [&p](const S& s) {
-        const Number x = Number(p.x) - Number(s.x);
-        const Number y = Number(p.y) - Number(s.y);
-        const Number z = Number(p.z) - Number(s.z);
-        return x * x + y * y + z * z;
-    };
-    return (square(b) - square(a)) + weight_difference<Number>(a, b);
+    return (squared_distance<Number>(p, centre3(b)) - squared_distance<Number>(p, centre3(a))) +
+           weight_difference<Number>(a, b);
+}
+
+/// The error of the rounded difference as a multiple of the sum of its three terms' magnitudes. One
+/// more e than there are roundings pays for the terms in e², another one for those of the sum.
+inline constexpr double nearer_error = 9 * filters::epsilon;
+static_assert(
+    nearer_difference<filters::RoundingCount>({}, signum::Site3{}, signum::Site3{}).roundings <= 7);
+
+/// Decides almost every call. Underflow: a product loses at most 2^-1074, and the bound is at least
+/// 2^-950. Overflow: the bound is infinite then or a NaN, and the comparison fails.
+template <PowerSite3 S>
+[[nodiscard]] inline filters::Verdict nearer_filter(const Point3& p, const S& a,
+                                                    const S& b) noexcept {
+    const Point3 eye = filters::pinned(p);
+    const S one = filters::pinned(a);
+    const S other = filters::pinned(b);
+    const double to_one = squared_distance(eye, centre3(one));
+    const double to_other = squared_distance(eye, centre3(other));
+    const double weight = weight_difference(one, other);
+    const double difference = (to_other - to_one) + weight;
+    const double magnitude = to_one + to_other + filters::magnitude(weight);
+    if (!filters::environment_is_default() || !(magnitude >= 0x1p-890)) [[unlikely]]
+        return filters::Verdict::uncertain();
+    if (!(filters::magnitude(difference) > nearer_error * magnitude)) [[unlikely]]
+        return filters::Verdict::uncertain();
+    return filters::Verdict::certain(filters::sign_of_nonzero(difference));
+}
+
+/// The stages behind the filter.
+[[nodiscard, gnu::cold]] Decision nearer_cold(const Point3& p, const Point3& a,
+                                              const Point3& b) noexcept;
+[[nodiscard, gnu::cold]] Decision nearer_cold(const Point3& p, const Site3& a,
+                                              const Site3& b) noexcept;
+[[nodiscard, gnu::cold]] Decision nearer_cold(const Point3& p, const signum::Site3& a,
+                                              const signum::Site3& b) noexcept;
+
+/// +1 where the point p is nearer to a than to b, 0 where both are as near, -1 otherwise: the sign
+/// of (|p-b|² - w_b) - (|p-a|² - w_a). Exact. Precondition: finite numbers.
+template <PowerSite3 S>
+[[nodiscard]] inline Decision nearer_decision(const Point3& p, const S& a, const S& b) noexcept {
+    const filters::Verdict verdict = nearer_filter(p, a, b);
+    if (verdict.is_certain()) [[likely]]
+        return {verdict.sign(), Stage::filter};
+    return nearer_cold(p, a, b);
 }
 
 }  // namespace signum::power
