@@ -144,11 +144,11 @@ class Insertion {
     [[nodiscard]] bool conflicts(Index c, double determinant) {
         if (filters::magnitude(determinant) > kernel_.bound()) [[likely]]
             return determinant > 0.0;
-        return conflicts_closely(c);
+        return conflicts_closely(c, determinant);
     }
-    [[nodiscard, gnu::noinline]] bool conflicts_closely(Index c) {
+    [[nodiscard, gnu::noinline]] bool conflicts_closely(Index c, double determinant) {
         const std::size_t place = cells_.place_of_infinity(c);
-        if (place == 4) return kernel_.conflicts(seen_of(c));
+        if (place == 4) return kernel_.conflicts(seen_of(c), determinant);
         const auto& facet = facet_of[place];
         const std::array<Seen, 4> v = seen_of(c);
         const Sign sign = kernel_.side(v[facet[0]], v[facet[1]], v[facet[2]]);
@@ -157,7 +157,7 @@ class Insertion {
         if (cells_.is_free(behind)) return true;
         for (const Index each : cells_.vertex(behind)) static_cast<void>(see(each));
         kernel_.set_bound();
-        return kernel_.conflicts(seen_of(behind));
+        return conflicts(behind, kernel_.in_sphere(seen_of(behind)));
     }
     /// The places of the vertices of the facet across from one: with that one first they turn as
     /// the cell does.

@@ -25,7 +25,12 @@ class ExactKernel : public View<S> {
 
     /// The orientation of four sites.
     [[nodiscard]] Sign ccw(Index a, Index b, Index c, Index d) const noexcept {
-        return ccw_decision(this->at(a), this->at(b), this->at(c), this->at(d)).sign;
+        const filters::Verdict verdict =
+            predicates::ccw_filter(this->at(a), this->at(b), this->at(c), this->at(d));
+        if (verdict.is_certain()) [[likely]]
+            return verdict.sign();
+        return ccw_closely(centre3(this->at(a)), centre3(this->at(b)), centre3(this->at(c)),
+                           centre3(this->at(d)));
     }
     /// That of the site that sees them and three others.
     [[nodiscard]] Sign side(Seen b, Seen c, Seen d) const noexcept {
@@ -35,14 +40,14 @@ class ExactKernel : public View<S> {
         return ccw(this->eye(), this->name(b), this->name(c), this->name(d));
     }
     /// Whether the site that sees them conflicts with a cell that turns positively, without the
-    /// vertex at infinity.
-    [[nodiscard]] bool conflicts(const std::array<Seen, 4>& cell) const noexcept {
+    /// vertex at infinity; its determinant is not certain.
+    [[nodiscard]] bool conflicts(const std::array<Seen, 4>& cell,
+                                 double determinant) const noexcept {
         const Sign sign =
-            24.0 * this->magnitude() <= lattice_.exact_below_5()
-                ? sign_of(this->in_sphere(cell))
-                : power::in_sphere_decision(site(cell[0]), site(cell[1]), site(cell[2]),
-                                            site(cell[3]), this->at(this->eye()))
-                      .sign;
+            is_on_lattice() ? sign_of(determinant)
+                            : power::in_sphere_decision(site(cell[0]), site(cell[1]), site(cell[2]),
+                                                        site(cell[3]), this->at(this->eye()))
+                                  .sign;
         return sign != 0 ? sign > 0 : conflicts_by_rule(cell);
     }
 
@@ -50,9 +55,44 @@ class ExactKernel : public View<S> {
     [[nodiscard]] static Sign sign_of(double exact) noexcept {
         return (exact > 0.0) - (exact < 0.0);
     }
+    [[nodiscard, gnu::cold, gnu::noinline]] Sign ccw_closely(const Point3& a, const Point3& b,
+                                                             const Point3& c,
+                                                             const Point3& d) const noexcept {
+        const auto u = predicates::offset(b, a);
+        const auto v = predicates::offset(c, a);
+        const auto w = predicates::offset(d, a);
+        const auto [x, y, z] = predicates::reach(u, v, w);
+        if (lattice_.exact_below_3() > 0.0) {
+            if (!(x > 0.0 && y > 0.0 && z > 0.0)) return 0;
+            if (6.0 * (x * y * z) <= lattice_.exact_below_3())
+                return sign_of(predicates::ccw_determinant(u, v, w));
+        }
+        return predicates::ccw_cold(a, b, c, d).sign;
+    }
     [[nodiscard]] const S& site(Seen v) const noexcept { return this->at(this->name(v)); }
-    [[nodiscard]] bool precedes(Index a, Index b) const noexcept {
-        return power::precedes(this->at(a), numbers_[a], this->at(b), numbers_[b]);
+    /// The tie rule's order, of vertices or of the site that sees them (`itself`).
+    [[nodiscard]] bool precedes(Seen a, Seen b) const noexcept {
+        const Index i = a == itself ? this->eye() : this->name(a);
+        const Index j = b == itself ? this->eye() : this->name(b);
+        if constexpr (std::same_as<S, Point3>) {
+            // On the lattice offsets are exact, and what is seen is at hand.
+            if (is_on_lattice()) {
+                const predicates::Offset3<double> p = offset(a);
+                const predicates::Offset3<double> q = offset(b);
+                if (p.x != q.x) return p.x < q.x;
+                if (p.y != q.y) return p.y < q.y;
+                if (p.z != q.z) return p.z < q.z;
+                return numbers_[i] < numbers_[j];
+            }
+        }
+        return power::precedes(this->at(i), numbers_[i], this->at(j), numbers_[j]);
+    }
+    static constexpr Seen itself = seen_infinity;
+    [[nodiscard]] predicates::Offset3<double> offset(Seen v) const noexcept {
+        return v == itself ? predicates::Offset3<double>{0.0, 0.0, 0.0} : this->row(v).offset;
+    }
+    [[nodiscard]] bool is_on_lattice() const noexcept {
+        return 24.0 * this->magnitude() <= lattice_.exact_below_5();
     }
 
     /// power::in_sphere_tie, with orientations by what is seen.
@@ -63,9 +103,7 @@ class ExactKernel : public View<S> {
             // The last one in the order, of those that may have a say.
             std::size_t last = 4;
             for (std::size_t m = 0; m < 4; ++m)
-                if (!has_no_say[m] &&
-                    precedes(last == 4 ? this->eye() : this->name(cell[last]), this->name(cell[m])))
-                    last = m;
+                if (!has_no_say[m] && precedes(last == 4 ? itself : cell[last], cell[m])) last = m;
             if (last == 4) return false;
             const auto& facet = facet_of[last];
             const Sign sign = side(cell[facet[0]], cell[facet[1]], cell[facet[2]]);

@@ -154,29 +154,36 @@ class Construction {
     template <class Insertion>
     [[nodiscard]] Index nearest(Insertion& insertion, Index v) {
         const Cells& cells = insertion.cells();
-        if (cell_of_.empty()) {
-            cell_of_.resize(all_.sites.size(), spatial::unset);
-            for (Index c = 0; c < static_cast<Index>(cells.size()); ++c)
-                if (!cells.is_free(c))
-                    for (const Index each : cells.vertex(c))
-                        if (each >= 0) cell_of_[static_cast<std::size_t>(each)] = c;
-            seen_.resize(cells.size(), 0);
-        }
+        visited_.resize(cells.size(), 0);
+        met_.resize(all_.sites.size(), infinite);
         const Point3 p = centre3(all_.sites[static_cast<std::size_t>(v)]);
         Index best = infinite;
-        const auto consider = [&](Index other) {
-            if (other < 0 || is_apex(other)) return false;
-            if (best >= 0 && !is_nearer(p, other, best)) return false;
-            best = other;
-            return true;
+        Index cell_of_best = infinite;
+        const auto meet = [&](Index cell) {
+            for (const Index other : cells.vertex(cell)) {
+                if (other < 0 || is_apex(other)) continue;
+                if (std::exchange(met_[static_cast<std::size_t>(other)], v) == v) continue;
+                if (best >= 0 && !is_nearer(p, other, best)) continue;
+                best = other;
+                cell_of_best = cell;
+            }
         };
-        for (const Index each : cells.vertex(insertion.locate(v))) consider(each);
-        for (bool moved = true; moved;) {
-            moved = false;
-            const Index from = best;
-            for_each_around(cells, from, [&](Index other) {
-                if (other != best && consider(other)) moved = true;
-            });
+        meet(insertion.locate(v));
+        // Cells around one vertex after the other; those around an earlier one were met.
+        for (Index around = infinite; around != best;) {
+            around = best;
+            ++round_;
+            around_.assign(1, cell_of_best);
+            for (std::size_t next = 0; next < around_.size(); ++next) {
+                const SpaceCell cell = cells.vertex(around_[next]);
+                const SpaceCell neighbour = cells.neighbour(around_[next]);
+                meet(around_[next]);
+                for (std::size_t k = 0; k < 4; ++k) {
+                    if (cell[k] == around) continue;
+                    std::uint32_t& visited = visited_[static_cast<std::size_t>(neighbour[k])];
+                    if (std::exchange(visited, round_) != round_) around_.push_back(neighbour[k]);
+                }
+            }
         }
         return all_.numbers[static_cast<std::size_t>(best)];
     }
@@ -190,24 +197,6 @@ class Construction {
         if (sign != 0) return sign > 0;
         return power::precedes(all_.sites[i], all_.numbers[i], all_.sites[j], all_.numbers[j]);
     }
-    /// The vertices of all cells around one.
-    template <class Visit>
-    void for_each_around(const Cells& cells, Index v, const Visit& visit) {
-        ++round_;
-        std::vector<Index> around = {cell_of_[static_cast<std::size_t>(v)]};
-        seen_[static_cast<std::size_t>(around[0])] = round_;
-        for (std::size_t next = 0; next < around.size(); ++next) {
-            const SpaceCell cell = cells.vertex(around[next]);
-            const SpaceCell neighbour = cells.neighbour(around[next]);
-            for (std::size_t k = 0; k < 4; ++k) {
-                if (cell[k] == v) continue;
-                visit(cell[k]);
-                std::uint32_t& seen = seen_[static_cast<std::size_t>(neighbour[k])];
-                if (std::exchange(seen, round_) != round_) around.push_back(neighbour[k]);
-            }
-        }
-    }
-
     /// Laws 1 and 2 of the result. Memory is given back as soon as what lies there has been used:
     /// sites, then the structure's vertices. The structure is read from its first cell to its last:
     /// there neighbours lie close to one another, which in the result they do not.
@@ -326,9 +315,11 @@ class Construction {
     LargeArray<Index> order_;
     Numbered<S> all_;
     std::size_t apexes_ = 0;
-    // Of the search for who hides whom.
-    std::vector<Index> cell_of_;
-    std::vector<std::uint32_t> seen_;
+    // Of the search for who hides whom: by cell the last round in which it was visited, by site
+    // the last hidden one that met it.
+    LargeArray<std::uint32_t> visited_;
+    LargeArray<Index> met_;
+    std::vector<Index> around_;
     std::uint32_t round_ = 0;
 };
 
