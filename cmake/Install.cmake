@@ -31,7 +31,8 @@ set(headers_behind
   predicates/euclidean/filter.hpp
   predicates/power/edge.hpp predicates/power/in_circle.hpp predicates/power/infinite.hpp
   predicates/power/ties.hpp predicates/power/weight.hpp
-  predicates/space/ccw.hpp predicates/space/in_sphere.hpp predicates/space/nearer.hpp
+  predicates/space/ccw.hpp predicates/space/euclidean.hpp predicates/space/in_sphere.hpp
+  predicates/space/nearer.hpp
   predicates/rectangular/forms.hpp predicates/rectangular/squares.hpp
   triangulation/structure/corners.hpp triangulation/structure/cycle.hpp)
 foreach(header IN LISTS public_headers headers_behind)
