@@ -155,9 +155,10 @@ struct Tuple {
     std::array<Row<d, Number>, d> rows;
     Of e;
 
+    explicit constexpr Tuple(const std::array<Row<d, Number>, d>& to_first)
+        : rows(to_first), e(minors_of(rows)) {}
     template <std::size_t n>
-    explicit constexpr Tuple(const std::array<Ball<d, Number>, n>& b)
-        : rows(rows_of(b)), e(minors_of(rows)) {}
+    explicit constexpr Tuple(const std::array<Ball<d, Number>, n>& b) : Tuple(rows_of(b)) {}
 
     [[nodiscard]] constexpr const Number& e_r() const { return e.template of<axes<d>>(); }
     [[nodiscard]] constexpr Product q() const { return inner<d, Product, 0, 0>(e, e); }
