@@ -104,7 +104,7 @@ template <std::size_t d, std::size_t n>
     const int zeros = bits == 0 ? 0 : std::countr_zero(bits);
     for (auto& ball : balls)
         for (auto& number : ball) number >>= zeros;
-    return std::bit_width(bits) - zeros <= narrow_bits;
+    return static_cast<int>(std::bit_width(bits)) - zeros <= narrow_bits;
 }
 
 /// A long double that carries a bound and is asked for its sign. Where it cannot tell it says 0,

@@ -22,13 +22,17 @@
 ///  4. where all p_ab > 0, none of the balls inside another, rho + r_m has the same sign for all m.
 ///     Γ = 4 Δ² for the determinant Δ of the rows (c_m - c, rho + r_m): 0 where the points of
 ///     contact lie in one plane (on a line), less than 0 where no sphere touches all;
-///  5. ball i hides q, |c_i - c_q| <= r_i - r_q, only where |c - c_q| >= rho + r_q. If s < 0, or s
-///  =
-///     0 and the points of contact do not lie in one plane, then either rho + r_q >= 0 and none of
-///     the balls hides q, or touches it at most, or rho + r_q < 0 and all of them hide it, all but
-///     one at most without touching.
-/// Laws 1 to 3 were checked in rationals for d = 2, 3, 4, 5; tests/property/
-/// balls_predicates_test.cpp holds the signs against spheres that are solved for.
+///  5. a ball that ball i hides, |c_i - c_q| <= r_i - r_q, is no nearer than the sphere: |c - c_q|
+///  >=
+///     |c - c_i| - |c_i - c_q| >= rho + r_q. So where s < 0 and i hides q, rho + r_q < 0, and then
+///     |c_m - c_q| <= |c - c_m| + |c - c_q| < r_m - r_q for all m: all hide q, or none does. Where
+///     s = 0 and rho + r_q < 0, q is as far away on the other side; all hide it, and one at most
+///     touches it, for it would be in the direction away from the centre. Where rho + r_q >= 0, q
+///     touches the sphere, and who hides q touches it there: so whether one of two balls hides q
+///     without touching tells.
+/// Laws 1 to 3 were checked in rationals for d = 2, 3, 4, 5;
+/// tests/property/balls_predicates_test.cpp does so for 2 and 3, and holds the signs against
+/// spheres that are solved for.
 
 #include <array>
 #include <bit>
@@ -50,7 +54,7 @@ using Ball = std::array<Number, d + 1>;
 template <std::size_t d, class Number>
 using Row = std::array<Number, d + 2>;
 
-/// Σ a_k b_k - a_R b_R
+/// X·X - R²
 template <std::size_t d, class Product, class Numbers>
 [[nodiscard]] constexpr Product power_of(const Numbers& a) {
     const auto squares = [&]<std::size_t... k>(std::index_sequence<k...>) {

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "../../predicates/euclidean.hpp"
+#include "../../predicates/space/ball_polynomials.hpp"
 #include "../../predicates/space/euclidean.hpp"
 #include "../../predicates/space/in_sphere.hpp"
 #include "../../predicates/space/multiprecision.hpp"
@@ -210,6 +211,40 @@ TEST_P(Balls, OfEqualRadiiArePoints) {
 INSTANTIATE_TEST_SUITE_P(Families, Balls, testing::ValuesIn(families),
                          [](const auto& info) { return std::string(info.param.name); });
 
+// ---- the identities ----------------------------------------------------------------------------
+
+/// A² - L² Γ = Q G, of which B² - E_R² Γ = Q Σ E'_k² is a case.
+template <std::size_t d>
+void test_identities() {
+    using namespace euclidean::balls;
+    using oracle::Rational;
+    Random random(3);
+    for (int trial = 0; trial < 500; ++trial) {
+        std::array<Ball<d, Rational>, d + 1> balls;
+        for (auto& ball : balls)
+            for (Rational& number : ball) number = random.between(-9, 9);
+        Ball<d, Rational> query;
+        for (Rational& number : query) number = random.between(-9, 9);
+        const Tuple<d, Rational> t(balls);
+        const WithQuery<d, Rational> with_q(t.e, row<d, Rational>(query, balls[0]));
+        const Rational four = four_gamma<d, Rational>(t.rows, rows_between<d, Rational>(balls));
+        const Rational a = minus_a<Rational, d, Rational>(t, with_q);
+        const Rational l = euclidean::balls::l<d, Rational>(with_q);
+        const Rational g = inner<d, Rational, last<d>, last<d>>(with_q, with_q);
+        ASSERT_EQ(4 * a * a - l * l * four, 4 * t.q() * g);
+        // In the row of a 1 at R and p = 0 they are those of B.
+        Row<d, Rational> unit{};
+        unit[d] = 1;
+        const WithQuery<d, Rational> with_unit(t.e, unit);
+        ASSERT_EQ((-minus_a<Rational, d, Rational>(t, with_unit)), t.b());
+        ASSERT_EQ((euclidean::balls::l<d, Rational>(with_unit)), t.e_r());
+    }
+}
+TEST(BallPolynomials, Identities) {
+    test_identities<2>();
+    test_identities<3>();
+}
+
 // ---- stages ------------------------------------------------------------------------------------
 
 /// Which stages answer, of what.
@@ -240,14 +275,16 @@ TEST(BallStages, TheFilterTellsAllThatIsRandom) {
     }
 }
 TEST(BallStages, IntegersTellTies) {
-    const auto moved = [](Random& g, int d) {
-        return ball_families::moved_once(g, ball_families::tangent(g, d));
+    // From 0 the next double is 1074 bits away.
+    const auto moved_numbers = [](Random& g, int d) {
+        return ball_families::changed(ball_families::tangent(g, d),
+                                      [&](double v) { return v == 0.0 ? v : moved(g, v); });
     };
     const auto off_grid = [](Random& g, int d) {
         return ball_families::off_grid(ball_families::tangent(g, d));
     };
     for (const auto& count :
-         {stages_of<Site3>(ball_families::tangent), stages_of<Site3>(moved),
+         {stages_of<Site3>(ball_families::tangent), stages_of<Site3>(moved_numbers),
           stages_of<Site3>(off_grid), stages_of<Site>(ball_families::tangent)}) {
         EXPECT_GT(of(count, Stage::exact), 300);
         EXPECT_EQ(of(count, Stage::multiprecision), 0);
@@ -282,6 +319,25 @@ TEST(BallStages, LongDoublesTellRawBits) {
     const auto count = stages_of<Site3>(small);
     EXPECT_GT(all(count), 300);
     EXPECT_GT(of(count, Stage::filter), all(count) * 9 / 10);
+}
+
+/// All kinds of degenerate balls are among the families: so many have each number of spheres, and
+/// of one sphere so many each orientation.
+TEST(TouchingSpheres, OfEveryNumberAndOrientation) {
+    std::map<SphereCount, int> counts;
+    std::map<Sign, int> orientations;
+    Random random(11);
+    for (const Family& family : families)
+        for (int trial = 0; trial < 200; ++trial) {
+            const auto sites = sites_of<Site3>(family.draw(random, 3));
+            const auto found = touching_spheres(std::span(sites).first(4));
+            ++counts[found.count];
+            if (found.count == SphereCount::one) ++orientations[found.spheres[0].orientation];
+        }
+    for (const auto count :
+         {SphereCount::none, SphereCount::one, SphereCount::two, SphereCount::infinitely_many})
+        EXPECT_GT(counts[count], 40) << static_cast<int>(count);
+    for (const Sign orientation : {-1, 0, 1}) EXPECT_GT(orientations[orientation], 20);
 }
 
 // ---- what is refused ---------------------------------------------------------------------------
