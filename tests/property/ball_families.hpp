@@ -202,7 +202,14 @@ inline AnyBalls over_floor(Random& g, int d) {
     balls[4] = lattice(g, d)[4];
     return balls;
 }
-/// Raw bit patterns, a few exponents.
+/// Raw bit patterns, or nearly so: any exponent.
+inline AnyBalls raw(Random& g, int) {
+    const auto pick = [&] {
+        return finite(g.sign() * std::ldexp(g.significand(), g.between(-1074, 1023)));
+    };
+    return each([&] { return AnyBall{{pick(), pick(), pick()}, pick()}; });
+}
+/// The same, a few exponents.
 inline AnyBalls mixed(Random& g, int) {
     static constexpr int exponents[] = {-1074, -1073, -1023, -1022, -600, -301, -150, -82, -81,
                                         -80,   -79,   -53,   0,     1,    53,   78,   79,  80,
@@ -262,6 +269,7 @@ inline constexpr Family families[] = {
     {"over_floor", over_floor, 1},
     {"nearly_on_floor", [](Random& g, int d) { return moved_all(g, on_floor(g, d)); }, 1},
     {"mixed", mixed, 0.5},
+    {"raw", raw, 0.3},
     {"huge", huge, 0.3},
     {"denormal", denormal, 0.5},
     {"random_rescaled", [](Random& g, int d) { return rescaled(g, random_balls(g, d)); }, 0.5},

@@ -4,6 +4,7 @@
 // the plane's own predicates.
 
 #include <gtest/gtest.h>
+#include <mpfr.h>
 
 #include <map>
 
@@ -76,6 +77,20 @@ bool is_rounded(double x, const oracle::Surd& number) {
         std::fmod(std::ldexp(std::frexp(x, &exponent), std::min(53, exponent + 1074)), 2) == 0;
     return even ? !(number < Surd(below)) && !(Surd(above) < number)
                 : Surd(below) < number && number < Surd(above);
+}
+
+/// The number in 500 bits, then as a double: a second opinion where nothing cancels to the last
+/// bit.
+double by_500_bits(const oracle::Surd& number) {
+    mpfr_t root;
+    mpfr_init2(root, 500);
+    mpfr_set_q(root, number.g().backend().data(), MPFR_RNDN);
+    mpfr_sqrt(root, root, MPFR_RNDN);
+    mpfr_mul_q(root, root, number.b().backend().data(), MPFR_RNDN);
+    mpfr_add_q(root, root, number.a().backend().data(), MPFR_RNDN);
+    const double result = mpfr_get_d(root, MPFR_RNDN);
+    mpfr_clear(root);
+    return result;
 }
 
 class Balls : public testing::TestWithParam<Family> {
@@ -321,6 +336,23 @@ TEST(BallStages, LongDoublesTellRawBits) {
     EXPECT_GT(of(count, Stage::filter), all(count) * 9 / 10);
 }
 
+TEST(TouchingSpheres, OfRandomBallsAsIn500Bits) {
+    Random random(5);
+    int spheres = 0;
+    for (int trial = 0; trial < 2000 * effort; ++trial) {
+        const auto sites = sites_of<Site3>(ball_families::random_balls(random, 3));
+        const auto expected = oracle::touching_spheres<3>(tuple_of<Site3>(sites)).spheres;
+        const auto found = touching_spheres(std::span(sites).first(4)).spheres;
+        for (std::size_t m = 0; m < expected.size(); ++m) {
+            const auto& [centre, rho, turn] = expected[expected.size() - 1 - m];
+            ASSERT_EQ(found[m].sphere, (Site3{by_500_bits(centre[0]), by_500_bits(centre[1]),
+                                              by_500_bits(centre[2]), by_500_bits(rho)}))
+                << text_of<Site3>(sites);
+            ++spheres;
+        }
+    }
+    EXPECT_GT(spheres, 400 * effort);
+}
 /// All kinds of degenerate balls are among the families: so many have each number of spheres, and
 /// of one sphere so many each orientation.
 TEST(TouchingSpheres, OfEveryNumberAndOrientation) {
