@@ -214,14 +214,6 @@ bool next_tuple(std::array<std::size_t, N>& tuple, std::size_t count) {
 
 }  // namespace
 
-SpaceBall<2> exact_ball(const Site& site) {
-    return {{exactly(site.x), exactly(site.y)}, exactly(site.r)};
-}
-
-SpaceBall<3> exact_ball(const Site3& site) {
-    return {{exactly(site.x), exactly(site.y), exactly(site.z)}, exactly(site.r)};
-}
-
 template <int D>
 TouchingSpheres<D> touching_spheres(const BallTuple<D>& balls) {
     return Tangency<D>(balls).spheres();

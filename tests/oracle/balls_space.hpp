@@ -6,9 +6,7 @@
 /// A sphere (c, rho) touches a ball (c_i, r_i) from outside where |c - c_i| = rho + r_i. Radii of
 /// balls may be negative, and so may rho; rho + r_i is a distance and never is.
 
-#include "../../core/site.hpp"
-
-#include "linear_form.hpp"
+#include "space_ball.hpp"
 #include "surd.hpp"
 
 #include <array>
@@ -18,20 +16,6 @@
 #include <vector>
 
 namespace signum::oracle {
-
-template <int D>
-struct SpaceBall {
-    std::array<Rational, static_cast<std::size_t>(D)> c{};
-    Rational r = 0;
-    friend bool operator==(const SpaceBall&, const SpaceBall&) = default;
-};
-
-/// Every finite double; throws std::invalid_argument for the others.
-SpaceBall<2> exact_ball(const Site& site);
-SpaceBall<3> exact_ball(const Site3& site);
-
-template <int D>
-using BallTuple = std::array<SpaceBall<D>, static_cast<std::size_t>(D + 1)>;
 
 /// All its numbers have the same g, but for those that are rational.
 template <int D>

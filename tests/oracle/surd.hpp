@@ -4,6 +4,8 @@
 
 #include "linear_form.hpp"
 
+#include <boost/multiprecision/gmp.hpp>
+
 #include <stdexcept>
 #include <utility>
 
@@ -12,6 +14,7 @@ namespace signum::oracle {
 class Surd {
  public:
     Surd() = default;
+    Surd(int a) : a_(a) {}
     Surd(Rational a) : a_(std::move(a)) {}
     /// g >= 0, else throws std::invalid_argument. A number without a root has b = g = 0.
     Surd(Rational a, Rational b, Rational g)
@@ -64,5 +67,19 @@ class Surd {
     Rational b_ = 0;
     Rational g_ = 0;
 };
+
+/// Of x < y a rational number between them.
+inline Rational between(const Surd& x, const Surd& y) {
+    using Integer = decltype(numerator(Rational()));
+    for (unsigned bits = 8;; bits *= 2) {
+        const Integer scale = Integer(1) << bits;
+        const Rational square = x.b() * x.b() * x.g() * Rational(scale * scale);
+        // The root, less than 1 / scale below itself; so 2 / scale above the sum is above x.
+        const Rational root(sqrt(Integer(numerator(square) / denominator(square))), scale);
+        const Rational above =
+            x.a() + (x.b().sign() < 0 ? Rational(-root) : root) + Rational(2, scale);
+        if (Surd(above) < y) return above;
+    }
+}
 
 }  // namespace signum::oracle
