@@ -7,13 +7,12 @@
 /// touch a ball from inside where this has a negative radius.
 ///
 /// Laws:
-///  1. the balls are any; how many spheres there are is told exactly. Two differ in orientation;
-///     infinitely many there are only where one cannot tell the balls' centres and radii apart from
-///     those in fewer dimensions: balls that are equal, that touch from inside in one point, whose
-///     centres lie on a line or, of equal radii, on a circle, and so on;
+///  1. the balls are any, and how many spheres touch them is told exactly: infinitely many only
+///     where balls are equal, touch one another from inside in one point, have their centres on a
+///     line or, of equal radii, on a circle, and the like. Two spheres differ in orientation; where
+///     two roots coincide there is one;
 ///  2. every number is rounded once, to the nearest double, halves to even; an infinity where it
-///  lies
-///     beyond the doubles;
+///     lies beyond the doubles;
 ///  3. the same in every floating-point environment.
 
 #include <array>

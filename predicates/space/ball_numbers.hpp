@@ -8,8 +8,8 @@
 ///     they reach (integers and grids, where ties abound); numbers that span at most wide_bits
 ///     bits, in integers of a fixed size (most other doubles); at most integer_bits, in integers of
 ///     any size; all others in rationals, the multiprecision stage;
-///  2. before the last two, long doubles that carry a bound: what spans so many bits is rarely
-///  tied;
+///  2. before the last two, long doubles that carry a bound, for what spans so many bits is rarely
+///     tied;
 ///  3. doubles are taken apart by their bits: no rounding, no environment.
 
 #include <algorithm>

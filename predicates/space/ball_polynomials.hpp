@@ -17,22 +17,19 @@
 ///  2. with s = |c - c_q|² - (rho + r_q)² of this sphere, Q s = L √Γ - A; and where Q = 0, so that
 ///     the other one has gone to infinity, 2 L √Γ s = -G;
 ///  3. A² - L² Γ = Q G and B² - E_R² Γ = Q Σ E'_k², so that Q, A, L, G (of degrees 2d, 2d+2, d+1
-///  and
-///     2d+4), B and E_R have all the signs needed;
+///     and 2d+4), B and E_R have all the signs needed;
 ///  4. where all p_ab > 0, none of the balls inside another, rho + r_m has the same sign for all m.
 ///     Γ = 4 Δ² for the determinant Δ of the rows (c_m - c, rho + r_m): 0 where the points of
 ///     contact lie in one plane (on a line), less than 0 where no sphere touches all;
-///  5. a ball that ball i hides, |c_i - c_q| <= r_i - r_q, is no nearer than the sphere: |c - c_q|
-///  >=
-///     |c - c_i| - |c_i - c_q| >= rho + r_q. So where s < 0 and i hides q, rho + r_q < 0, and then
-///     |c_m - c_q| <= |c - c_m| + |c - c_q| < r_m - r_q for all m: all hide q, or none does. Where
-///     s = 0 and rho + r_q < 0, q is as far away on the other side; all hide it, and one at most
-///     touches it, for it would be in the direction away from the centre. Where rho + r_q >= 0, q
-///     touches the sphere, and who hides q touches it there: so whether one of two balls hides q
-///     without touching tells.
-/// Laws 1 to 3 were checked in rationals for d = 2, 3, 4, 5;
-/// tests/property/balls_predicates_test.cpp does so for 2 and 3, and holds the signs against
-/// spheres that are solved for.
+///  5. a ball i that hides q, |c_i - c_q| <= r_i - r_q, keeps it from a conflict: |c - c_q| >=
+///     |c - c_i| - |c_i - c_q| >= rho + r_q. So if s < 0, that is |c - c_q| < |rho + r_q|, and i
+///     hides q, then rho + r_q < 0, and |c_m - c_q| <= |c - c_m| + |c - c_q| < r_m - r_q for all m:
+///     all hide q, or none does. If s = 0 and rho + r_q < 0, all hide q in the same way, and all
+///     but one without touching it, for what touches it lies in the direction away from q. If s =
+///     0 and rho + r_q >= 0, whoever hides q touches it. So of two balls one hides q without
+///     touching it where rho + r_q < 0, and none does otherwise.
+/// Laws 1 to 3 were checked in rationals for d = 2, 3, 4, 5; balls_predicates_test.cpp does so for
+/// 2 and 3, and holds the signs against spheres that are solved for.
 
 #include <array>
 #include <bit>

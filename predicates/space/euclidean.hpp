@@ -8,12 +8,11 @@
 /// Laws:
 ///  1. Exact for all finite doubles, in every floating-point environment, in constant time; never
 ///     perturbed: 0 is said where something touches.
-///  2. A sphere with centre c and radius rho touches ball i from outside where |c - c_i| = rho +
-///  r_i
-///     >= 0; rho may be negative. At most two spheres touch four balls, but for degenerate ones.
-///     The points of contact of the one turn as i, j, k, l do in ccw(i,j,k,l) > 0, those of the
-///     other the other way. Of equal radii the first one exists where ccw(i,j,k,l) > 0, and
-///     in_sphere is that of points.
+///  2. A sphere with centre c and radius rho touches ball i from outside where the distance
+///     |c - c_i| is rho + r_i; rho may be negative. At most two spheres touch four balls, but for
+///     degenerate ones. The points of contact of the one turn as i, j, k, l do in ccw(i,j,k,l) > 0,
+///     those of the other the other way. Of equal radii the first one exists where ccw(i,j,k,l) >
+///     0, and in_sphere is that of points.
 /// Source: Gavrilova 1998, 4.5; the identities of ball_polynomials.hpp.
 
 #include <concepts>
