@@ -82,7 +82,7 @@ TEST(LargeBalls, TiesOffTheGridMovedByUlps) {
 TEST(LargeBalls, RawBits) {
     judge_until(million, [](Random& g) {
         std::vector<AnyBall> balls;
-        const bool any_exponent = g.below(8) == 0;
+        const bool any_exponent = g.below(32) == 0;
         for (int draw = 0; draw < 2; ++draw)
             for (const AnyBall& b :
                  any_exponent ? ball_families::raw(g, 3) : ball_families::mixed(g, 3))
