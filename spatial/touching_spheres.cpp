@@ -79,12 +79,12 @@ class Root {
     return static_cast<int>(number.is_positive()) - static_cast<int>((-number).is_positive());
 }
 
-/// Nothing where the spheres are not told apart, or a number not from halves of doubles.
+/// Nothing where it cannot tell how many there are, or to which of two doubles a number is nearer.
 template <std::size_t d>
 [[nodiscard]] std::optional<Result<d>> fast_spheres(const Balls<d>& balls) {
     using euclidean::balls::row;
     using euclidean::balls::Row;
-    // Differences of doubles are no numbers of two doubles only where they overflow.
+    // Exact, but where a difference overflows; then nothing is certain.
     const auto difference = [&](std::size_t m, std::size_t from) {
         Row<d, Bounded> result;
         for (std::size_t k = 0; k <= d; ++k)
@@ -154,13 +154,6 @@ template <std::size_t d>
 [[nodiscard]] Rational product(const Vector<d>& a, const Vector<d>& b) {
     Rational sum = -a[d] * b[d];
     for (std::size_t k = 0; k < d; ++k) sum += a[k] * b[k];
-    return sum;
-}
-/// With an ordinary scalar product.
-template <std::size_t d>
-[[nodiscard]] Rational scalar_product(const Vector<d>& a, const Vector<d>& b) {
-    Rational sum = 0;
-    for (std::size_t k = 0; k <= d; ++k) sum += a[k] * b[k];
     return sum;
 }
 /// a + t b
@@ -317,7 +310,7 @@ class Tangency {
     [[nodiscard]] Result<d> on_flat(const System<d>& system) const {
         const std::size_t rank = system.rank();
         if (rank == 0) return infinitely_many();
-        // (x, h) of W for a row (X, R) is (X, -R): then <,> with it is a scalar product with the
+        // To a row (X, R) the vector of W is (X, -R): <,> with it is the scalar product with the
         // row.
         std::array<Vector<d>, 2> w;
         for (std::size_t m = 0; m < rank; ++m) {
@@ -328,29 +321,27 @@ class Tangency {
         const Rational g01 = rank == 1 ? Rational(0) : product<d>(w[0], w[1]);
         const Rational g11 = rank == 1 ? Rational(1) : product<d>(w[1], w[1]);
         const Rational determinant = g00 * g11 - g01 * g01;
-        // Outside one another as points on a sphere: the flat has lines of every height, and meets
-        // the cone <v, v> = 0 in a branch where rho rises without end.
+        // Where <,> > 0 on W: the flat has directions with <,> < 0, along which it goes from the
+        // inside of the cone <v, v> = 0, h > 0, to the outside.
         if (determinant.sign() > 0) return infinitely_many();
         const Rational h0 = system[0].value;
         const Rational h1 = rank == 1 ? Rational(0) : system[1].value;
         if (determinant.sign() < 0) return on_level_flat(w, {h0, h1, g00, g01, g11});
 
         // W touches the cone along n; all of W is orthogonal to it.
-        const bool by_first = !g00.is_zero() || rank == 1;
         Vector<d> n = w[0];
         Rational value = h0;
         if (rank == 2) {
-            const Rational of_first = by_first ? Rational(-g01) : g11;
-            const Rational of_second = by_first ? g00 : Rational(-g01);
-            n = along<d>(along<d>({}, of_first, w[0]), of_second, w[1]);
-            value = of_first * h0 + of_second * h1;
+            const Rational first = g00.is_zero() ? g11 : Rational(-g01);
+            const Rational second = g00.is_zero() ? Rational(0) : g00;
+            n = along<d>(along<d>({}, first, w[0]), second, w[1]);
+            value = first * h0 + second * h1;
         }
-        // <n, v> is the same for all solutions, and for their differences to all balls; of two
-        // vectors of the cone, one of them with h > 0, it is negative where both are, and 0 only
-        // for multiples of n. These touch where all balls are multiples, too.
+        // <n, v> = value is the same for all solutions, and for their differences to all balls. Of
+        // two vectors of the cone with h > 0 it is negative, but 0 for multiples of one another;
+        // and multiples of n touch where all balls are multiples of n.
         const Sign side = value.sign() * n[d].sign();
-        if (side == 0) return rank == 1 ? infinitely_many() : Result<d>();
-        return side < 0 ? infinitely_many() : Result<d>();
+        return side < 0 || (side == 0 && rank == 1) ? infinitely_many() : Result<d>();
     }
 
     struct Products {

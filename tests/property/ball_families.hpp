@@ -137,11 +137,19 @@ inline AnyBalls tangent(Random& g, int d) {
     const AroundOneSphere sphere(g, d);
     return each([&] { return sphere.draw(g); });
 }
-/// The same with radii of the other sign for some: on the cone's other half, where no sphere is.
-inline AnyBalls half_tangent(Random& g, int d) {
-    AnyBalls balls = tangent(g, d);
-    for (AnyBall& b : balls)
-        if (g.below(6) == 0) b.r = -b.r;
+/// The same, but the query, and others now and then, on the other half of the cone: |c - c_q| =
+/// -(rho + r_q). Every ball hides it, and may touch it.
+inline AnyBalls other_half(Random& g, int d) {
+    const AroundOneSphere sphere(g, d);
+    AnyBalls balls = each([&] { return sphere.draw(g); });
+    const auto opposite = [&](AnyBall b) {
+        for (int k = 0; k < 3; ++k) b.x[k] = 2 * sphere.origin[k] - b.x[k];
+        b.r = -b.r - 2 * sphere.rho;
+        return b;
+    };
+    balls[4] = opposite(balls[static_cast<std::size_t>(g.below(5))]);
+    AnyBall& other = balls[static_cast<std::size_t>(g.below(4))];
+    if (g.below(4) == 0) other = opposite(other);
     return balls;
 }
 /// Balls that touch one another from inside, are equal, or lie in one another.
@@ -259,7 +267,9 @@ inline constexpr Family families[] = {
     {"nearly_tangent", [](Random& g, int d) { return moved_all(g, tangent(g, d)); }, 1},
     {"nearly_tangent_off_grid",
      [](Random& g, int d) { return moved_all(g, off_grid(tangent(g, d))); }, 1},
-    {"half_tangent", half_tangent, 1},
+    {"other_half", other_half, 1},
+    {"nearly_other_half", [](Random& g, int d) { return moved_all(g, off_grid(other_half(g, d))); },
+     0.5},
     {"nested", nested, 1},
     {"nearly_nested", [](Random& g, int d) { return moved_all(g, nested(g, d)); }, 1},
     {"coaxial", coaxial, 1},
