@@ -241,8 +241,9 @@ inline AnyBalls denormal(Random& g, int) {
 }
 /// Every number times a power of two, near the places where something happens.
 inline AnyBalls rescaled(Random& g, const AnyBalls& balls) {
-    static constexpr int places[] = {-1060, -1022, -600, -301, -100, -84, -82, -80,  -78, 70,
-                                     74,    76,    78,   80,   100,  300, 600, 1000, 1013};
+    static constexpr int places[] = {-1060, -1022, -600, -301, -178, -170, -153, -134, -132,
+                                     -127,  -107,  -100, -84,  -82,  -80,  -78,  70,   74,
+                                     76,    78,    80,   100,  300,  600,  1000, 1013};
     const int exponent = g.any(places) + g.between(-1, 1);
     return changed(balls, [&](double v) { return finite(std::ldexp(v, exponent)); });
 }

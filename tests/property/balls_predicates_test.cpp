@@ -226,6 +226,34 @@ TEST_P(Balls, OfEqualRadiiArePoints) {
     }
 }
 
+/// A power of two changes nothing, wherever products of some of the numbers begin to over- or
+/// underflow.
+TEST_P(Balls, ScaleByPowersOfTwo) {
+    for (int trial = trials(8000); trial > 0; --trial) {
+        const auto sites = draw<Site3>();
+        bool holds = true;
+        for (const Site3& s : sites)
+            for (const double number : {s.x, s.y, s.z, s.r})
+                holds &= number == 0.0 || std::ldexp(std::ldexp(number, -240), 240) == number;
+        if (!holds) continue;
+        const Sign exists = exists_of(sites).sign;
+        const Sign conflict = exists > 0 ? in_sphere_of(sites).sign : 0;
+        for (int place = 0; place < 4; ++place) {
+            const int exponent = random_.between(-240, 120);
+            auto scaled = sites;
+            for (Site3& s : scaled)
+                for (double* number : {&s.x, &s.y, &s.z, &s.r})
+                    *number = std::ldexp(*number, exponent);
+            if (!std::all_of(scaled.begin(), scaled.end(),
+                             [](const Site3& s) { return are_finite(s); }))
+                continue;
+            ASSERT_EQ(exists_of(scaled).sign, exists) << text_of<Site3>(scaled);
+            if (exists < 0) continue;
+            ASSERT_EQ(in_sphere_of(scaled).sign, conflict) << text_of<Site3>(scaled);
+        }
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Families, Balls, testing::ValuesIn(families),
                          [](const auto& info) { return std::string(info.param.name); });
 

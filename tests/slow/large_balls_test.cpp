@@ -16,7 +16,7 @@ constexpr int even_orders[][4] = {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 
                                   {2, 3, 0, 1}, {3, 0, 2, 1}, {3, 1, 0, 2}, {3, 2, 1, 0}};
 constexpr long orders = std::size(even_orders);
 
-/// Twenty balls, of which the first four are the sphere's.
+/// Twenty balls or so, of which the first four are the sphere's.
 template <class Draw>
 void judge_until(long questions, const Draw& draw) {
     Random random(2027);
@@ -83,7 +83,7 @@ TEST(LargeBalls, RawBits) {
     judge_until(million, [](Random& g) {
         std::vector<AnyBall> balls;
         const bool any_exponent = g.below(32) == 0;
-        for (int draw = 0; draw < 2; ++draw)
+        for (int draw = 0; draw < 5; ++draw)
             for (const AnyBall& b :
                  any_exponent ? ball_families::raw(g, 3) : ball_families::mixed(g, 3))
                 balls.push_back(b);
