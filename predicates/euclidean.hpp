@@ -314,7 +314,9 @@ struct Perturbed {
 // The meanings stand at the templates in additive.hpp.
 
 /// Whether a circle touches i, j, k counterclockwise, ties decided by the tie rule.
-inline constexpr auto& exists = additive::exists<Perturbed<>>;
+[[nodiscard]] inline bool exists(const Site& i, const Site& j, const Site& k) noexcept {
+    return additive::exists<Perturbed<>>(i, j, k);
+}
 /// +1 where q conflicts with the vertex of i, j, k (is nearer than they are), 0 where it touches,
 /// -1 otherwise.
 inline constexpr auto& in_circle = additive::in_circle<in_circle_decision>;
@@ -323,7 +325,9 @@ inline constexpr auto& in_circle = additive::in_circle<in_circle_decision>;
     return in_circle_infinite_decision(a, b, q).sign;
 }
 /// Whether i alone hides q.
-inline constexpr auto& hidden = additive::hidden<Perturbed<>>;
+[[nodiscard]] inline bool hidden(const Site& q, const Site& i) noexcept {
+    return additive::hidden<Perturbed<>>(q, i);
+}
 /// Which of two sites is nearer to a point.
 inline constexpr auto& nearer = additive::nearer_site<Perturbed<>>;
 /// Under the tie rule, never 0.

@@ -23,3 +23,16 @@ template <Arithmetic arithmetic = Arithmetic::multiprecision, class S>
 [[nodiscard]] Sign nearer(const Point3& p, const S& a, const S& b) noexcept;
 
 }  // namespace signum::power::multiprecision
+
+namespace signum::euclidean::multiprecision {
+
+/// +1 or -1, but for in_sphere. Preconditions as of euclidean::in_sphere_decision and the others.
+template <Arithmetic arithmetic = Arithmetic::multiprecision>
+[[nodiscard]] Sign in_sphere(const Site3& i, const Site3& j, const Site3& k, const Site3& l,
+                             const Site3& q) noexcept;
+template <Arithmetic arithmetic = Arithmetic::multiprecision>
+[[nodiscard]] Sign exists(const Site3& i, const Site3& j, const Site3& k, const Site3& l) noexcept;
+template <Arithmetic arithmetic = Arithmetic::multiprecision>
+[[nodiscard]] Sign hides(const Site3& i, const Site3& q) noexcept;
+
+}  // namespace signum::euclidean::multiprecision

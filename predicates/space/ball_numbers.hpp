@@ -1,0 +1,174 @@
+#pragma once
+/// The numbers that the predicates of balls compute with behind their filters. For sources only,
+/// for Boost and GMP come with it.
+///
+/// All predicates are signs of homogeneous polynomials in differences, so all balls may be moved by
+/// the same amounts and multiplied by the same power of two. Laws:
+///  1. four sizes: differences to the first ball below 2^24, in the processor's integers as far as
+///     they reach (integers and grids, where ties abound); numbers that span at most wide_bits
+///     bits, in integers of a fixed size (most other doubles); at most integer_bits, in integers of
+///     any size; all others in rationals, the multiprecision stage;
+///  2. before the last two, long doubles that carry a bound, for what spans so many bits is rarely
+///     tied;
+///  3. doubles are taken apart by their bits: no rounding, no environment.
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+
+#include <boost/multiprecision/cpp_int.hpp>
+
+#include "../../exact/multiprecision.hpp"
+#include "../../filters/wide.hpp"
+#include "../exact_number.hpp"
+#include "ball_polynomials.hpp"
+
+namespace signum::euclidean::balls {
+
+/// A type for polynomials of d+3 factors at most, and one for products of two of these.
+template <class N, class P = N>
+struct Numbers {
+    using Number = N;
+    using Product = P;
+};
+
+/// Differences to the first ball are below 2^b, b = 24, and those between others below twice that.
+/// |p| is at most 3·2^2b, or 3·2^(2b+2) between others, where the product of two is below 2^(4b+8);
+/// minors are the sums of up to 24 terms: with p at most 72·2^5b, which is below 2^127. Products of
+/// these add up to at most 4·72²·2^10b, below 2^255.
+using Narrow = Numbers<__int128, boost::multiprecision::int256_t>;
+/// Numbers that span 99 bits have differences below 2^100: by the same count the largest sum is
+/// below 2^1015. Nothing is allocated.
+using Wide = Numbers<boost::multiprecision::number<
+    boost::multiprecision::cpp_int_backend<1024, 1024, boost::multiprecision::signed_magnitude,
+                                           boost::multiprecision::unchecked, void>,
+    boost::multiprecision::et_off>>;
+
+inline constexpr int narrow_bits = 24;
+inline constexpr int wide_bits = 99;
+inline constexpr int integer_bits = 400;
+
+/// The numbers of n balls, their doubles taken apart.
+template <std::size_t d, std::size_t n>
+class Apart {
+ public:
+    explicit Apart(const std::array<Ball<d, double>, n>& balls) noexcept {
+        bool any = false;
+        for (std::size_t m = 0; m < n; ++m)
+            for (std::size_t k = 0; k <= d; ++k) {
+                const exact::Parts& number = numbers_[m][k] = exact::parts(balls[m][k]);
+                if (number.significand == 0) continue;
+                const int end =
+                    number.exponent + static_cast<int>(std::bit_width(number.significand));
+                lowest_ = any ? std::min(lowest_, number.exponent) : number.exponent;
+                highest_ = any ? std::max(highest_, end) : end;
+                any = true;
+            }
+    }
+
+    /// All are multiples of 2^lowest below 2^(lowest + span).
+    [[nodiscard]] int span() const noexcept { return highest_ - lowest_; }
+
+    /// The numbers / 2^lowest. Precondition: the type holds them.
+    template <class Integer>
+    [[nodiscard]] std::array<Ball<d, Integer>, n> integers() const {
+        std::array<Ball<d, Integer>, n> result;
+        for (std::size_t m = 0; m < n; ++m)
+            for (std::size_t k = 0; k <= d; ++k) {
+                const exact::Parts& number = numbers_[m][k];
+                result[m][k] = number.significand;
+                if (number.significand != 0) result[m][k] <<= number.exponent - lowest_;
+                if (number.negative) result[m][k] = -result[m][k];
+            }
+        return result;
+    }
+
+ private:
+    std::array<std::array<exact::Parts, d + 1>, n> numbers_;
+    int lowest_ = 0;
+    int highest_ = 0;
+};
+
+/// Moves the first ball to the origin and divides by as large a power of two as all numbers allow;
+/// whether all are below 2^narrow_bits then. Precondition: all are below 2^62.
+template <std::size_t d, std::size_t n>
+[[nodiscard]] bool narrowed(std::array<Ball<d, __int128>, n>& balls) noexcept {
+    const Ball<d, __int128> first = balls[0];
+    std::uint64_t bits = 0;
+    for (auto& ball : balls)
+        for (std::size_t k = 0; k <= d; ++k) {
+            ball[k] -= first[k];
+            bits |= static_cast<std::uint64_t>(ball[k] < 0 ? -ball[k] : ball[k]);
+        }
+    const int zeros = bits == 0 ? 0 : std::countr_zero(bits);
+    for (auto& ball : balls)
+        for (auto& number : ball) number >>= zeros;
+    return static_cast<int>(std::bit_width(bits)) - zeros <= narrow_bits;
+}
+
+/// A long double that carries a bound and is asked for its sign. Where it cannot tell it says 0,
+/// and that the answer is in doubt.
+class Doubtful {
+ public:
+    Doubtful() = default;
+    Doubtful(double number, bool& doubt) noexcept : number_(number), doubt_(&doubt) {}
+
+    friend Doubtful operator+(const Doubtful& a, const Doubtful& b) noexcept {
+        return {a.number_ + b.number_, a.doubt_};
+    }
+    friend Doubtful operator-(const Doubtful& a, const Doubtful& b) noexcept {
+        return {a.number_ - b.number_, a.doubt_};
+    }
+    friend Doubtful operator*(const Doubtful& a, const Doubtful& b) noexcept {
+        return {a.number_ * b.number_, a.doubt_};
+    }
+    [[nodiscard]] Sign sign() const noexcept {
+        const filters::Verdict verdict = number_.sign();
+        *doubt_ |= !verdict.is_certain();
+        return verdict.is_certain() ? verdict.sign() : 0;
+    }
+
+ private:
+    Doubtful(const filters::Wide& number, bool* doubt) noexcept : number_(number), doubt_(doubt) {}
+
+    filters::Wide number_{0.0};
+    bool* doubt_ = nullptr;
+};
+
+/// Each number by the function.
+template <std::size_t d, std::size_t n, class Make>
+[[nodiscard]] auto made(const std::array<Ball<d, double>, n>& balls, const Make& make) {
+    std::array<Ball<d, decltype(make(0.0))>, n> result;
+    for (std::size_t m = 0; m < n; ++m)
+        for (std::size_t k = 0; k <= d; ++k) result[m][k] = make(balls[m][k]);
+    return result;
+}
+
+/// In rationals or, for a judge, in dyadic numbers.
+template <Arithmetic arithmetic, std::size_t d, std::size_t n>
+[[nodiscard]] auto exact_balls(const std::array<Ball<d, double>, n>& balls) {
+    return made<d>(balls, predicates::exactly<arithmetic>);
+}
+
+/// The same balls, that one first whose coordinates are least: differences to a far ball lose what
+/// tells the others apart. Among the first three an even permutation, which changes no orientation.
+template <std::size_t d, std::size_t n>
+[[nodiscard]] std::array<Ball<d, double>, n> based_on_least(std::array<Ball<d, double>, n> balls) {
+    const auto reach = [&](std::size_t m) {
+        double largest = 0.0;
+        for (const double number : balls[m])
+            largest = std::max(largest, filters::magnitude(number));
+        return largest;
+    };
+    std::size_t least = 0;
+    for (std::size_t m = 1; m <= d; ++m)
+        if (reach(m) < reach(least)) least = m;
+    if (least == 0) return balls;
+    const std::size_t third = least == 1 ? 2 : 1;
+    std::swap(balls[0], balls[least]);
+    std::swap(balls[least], balls[third]);
+    return balls;
+}
+
+}  // namespace signum::euclidean::balls
