@@ -9,6 +9,9 @@
 /// plane. In the plane of the facet it is where the finite cell behind the facet is, under the tie
 /// rule, too: there the sphere of that cell and the circle of the facet are one, and the fourth
 /// vertex has the coefficient 0.
+///
+/// Arithmetic that rounds may tell of regions that are no balls. What then could not be joined, or
+/// walked through to an end, is BrokenStructure; exact kernels are not asked for that.
 
 #include <algorithm>
 #include <array>
@@ -18,6 +21,7 @@
 #include <vector>
 
 #include "../core/large_array.hpp"
+#include "../triangulation/options.hpp"
 #include "cells.hpp"
 #include "kernel.hpp"
 
@@ -65,12 +69,16 @@ class Insertion {
     /// The cell in which a site's centre lies, or one with the vertex at infinity that is in
     /// conflict with it. A walk: across any facet that has the site on its other side. To ask them
     /// in a random order keeps it from going around where sites are tied.
-    [[nodiscard]] Index locate(Index q) noexcept {
+    [[nodiscard]] Index locate(Index q) noexcept(Kernel::is_exact) {
         Index c = last_;
         if (const std::size_t infinity = cells_.place_of_infinity(c); infinity < 4)
             c = cells_.neighbour(c)[infinity];
         Index from = unset;
-        for (;;) {
+        for (std::size_t step = 0;; ++step) {
+            if constexpr (!Kernel::is_exact) {
+                if (step > cells_.size())
+                    throw BrokenStructure("the walk to a site went in circles");
+            }
             const Four& neighbour = cells_.neighbour(c);
             random_ = random_ * 1664525U + 1013904223U;
             const std::size_t first = random_ >> 30;
@@ -155,6 +163,7 @@ class Insertion {
         if (sign != 0) return sign > 0;
         const Index behind = cells_.neighbour(c)[place];
         if (cells_.is_free(behind)) return true;
+        if (!Kernel::is_exact && cells_.place_of_infinity(behind) < 4) return false;
         for (const Index each : cells_.vertex(behind)) static_cast<void>(see(each));
         kernel_.set_bound();
         return conflicts(behind, kernel_.in_sphere(seen_of(behind)));
@@ -248,6 +257,7 @@ class Insertion {
     /// conflict. Two of them are neighbours across what an edge of the boundary spans with the
     /// site: one of their facets turns along the edge, the other against it.
     void join(Index q) {
+        if (!Kernel::is_exact && facets_ == 0) throw BrokenStructure("a site conflicts with all");
         if (made_.size() < facets_) made_.resize(boundary_.size());
         for (std::size_t i = 0; i < facets_; ++i) {
             const Facet& facet = boundary_[i];
@@ -265,8 +275,9 @@ class Insertion {
         else
             link_by_sorting();
     }
-    void link_by_table() noexcept {
+    void link_by_table() {
         Index* const along = along_.data();
+        if constexpr (!Kernel::is_exact) check_edges();
         for (std::size_t i = 0; i < facets_; ++i) {
             const auto& [a, b, c] = boundary_[i].vertex;
             along[b * stride + c] = along[c * stride + a] = along[a * stride + b] = made_[i];
@@ -278,6 +289,26 @@ class Insertion {
             neighbour[2] = along[a * stride + c];
             neighbour[3] = along[b * stride + a];
         }
+    }
+    /// Whether each edge of the boundary lies on two facets that turn alike.
+    void check_edges() {
+        Index* const along = along_.data();
+        const auto for_each_edge = [&](const auto& visit) {
+            for (std::size_t i = 0; i < facets_; ++i) {
+                const auto& [a, b, c] = boundary_[i].vertex;
+                visit(a, b);
+                visit(b, c);
+                visit(c, a);
+            }
+        };
+        for_each_edge([&](Seen a, Seen b) { along[a * stride + b] = along[b * stride + a] = 0; });
+        for_each_edge([&](Seen a, Seen b) { ++along[a * stride + b]; });
+        for_each_edge([&](Seen a, Seen b) {
+            if (along[a * stride + b] != 1 || along[b * stride + a] != 1) throw_no_sphere();
+        });
+    }
+    [[noreturn]] static void throw_no_sphere() {
+        throw BrokenStructure("the conflict region of a site is not a ball");
     }
     void link_by_sorting() {
         edges_.clear();
@@ -291,6 +322,9 @@ class Insertion {
         for (std::size_t e = 0; e + 1 < edges_.size(); e += 2) {
             const Edge& one = edges_[e];
             const Edge& other = edges_[e + 1];
+            if (!Kernel::is_exact && (one.least != other.least || one.greatest != other.greatest ||
+                                      edges_.size() % 2 != 0))
+                throw_no_sphere();
             cells_.neighbour(one.cell)[one.place] = other.cell;
             cells_.neighbour(other.cell)[other.place] = one.cell;
         }

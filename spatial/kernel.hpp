@@ -15,11 +15,17 @@ SIGNUM_IEEE_BEGIN
 
 namespace signum::spatial {
 
+[[nodiscard]] inline Sign sign_of(double number) noexcept {
+    return (number > 0.0) - (number < 0.0);
+}
+
 /// Exact, ties decided by the rule. `numbers`: those of the sites in the input, which the rule's
 /// order ends with.
 template <power::PowerSite3 S>
 class ExactKernel : public View<S> {
  public:
+    static constexpr bool is_exact = true;
+
     ExactKernel(std::span<const S> sites, std::span<const Index> numbers)
         : View<S>(sites.data()), numbers_(numbers.data()), lattice_(sites) {}
 
@@ -52,9 +58,6 @@ class ExactKernel : public View<S> {
     }
 
  private:
-    [[nodiscard]] static Sign sign_of(double exact) noexcept {
-        return (exact > 0.0) - (exact < 0.0);
-    }
     [[nodiscard, gnu::cold, gnu::noinline]] Sign ccw_closely(const Point3& a, const Point3& b,
                                                              const Point3& c,
                                                              const Point3& d) const noexcept {
@@ -114,6 +117,33 @@ class ExactKernel : public View<S> {
 
     const Index* numbers_;
     Lattice lattice_;
+};
+
+/// The same in doubles, whose word is taken for the truth, and a zero for no conflict: what
+/// exactness is measured against.
+template <power::PowerSite3 S>
+class NaiveKernel : public View<S> {
+ public:
+    static constexpr bool is_exact = false;
+
+    NaiveKernel(std::span<const S> sites, std::span<const Index> /*numbers*/)
+        : View<S>(sites.data()) {}
+
+    [[nodiscard]] static constexpr double bound() noexcept { return 0.0; }
+    [[nodiscard]] Sign ccw(Index a, Index b, Index c, Index d) const noexcept {
+        const S& origin = this->at(a);
+        return sign_of(predicates::ccw_determinant(predicates::offset(this->at(b), origin),
+                                                   predicates::offset(this->at(c), origin),
+                                                   predicates::offset(this->at(d), origin)));
+    }
+    [[nodiscard]] Sign side(Seen b, Seen c, Seen d) const noexcept {
+        return sign_of(predicates::ccw_determinant(this->row(b).offset, this->row(c).offset,
+                                                   this->row(d).offset));
+    }
+    [[nodiscard]] static bool conflicts(const std::array<Seen, 4>& /*cell*/,
+                                        double determinant) noexcept {
+        return determinant > 0.0;
+    }
 };
 
 }  // namespace signum::spatial

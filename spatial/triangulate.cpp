@@ -40,7 +40,7 @@ struct Numbered {
 /// them conflicts with it, the sphere of the cell says within what they span, where it is the one
 /// of their own cell; the apex's height has the orientation of flat sites for a coefficient, which
 /// is 0, and so has its infinitesimal.
-template <class S>
+template <class S, class Kernel>
 class Construction {
  public:
     Construction(std::span<const S> sites, const Options& options) : sites_(sites) {
@@ -55,8 +55,8 @@ class Construction {
         if (sites_.empty()) return result;
         choose_first();
         result.dimension = 3 - static_cast<int>(apexes_);
-        spatial::ExactKernel<S> kernel(all_.sites, all_.numbers);
-        spatial::Insertion<spatial::ExactKernel<S>> insertion(kernel, all_.sites.size());
+        Kernel kernel(all_.sites, all_.numbers);
+        spatial::Insertion<Kernel> insertion(kernel, all_.sites.size());
         std::vector<Index> hidden;
         constexpr Index between_questions = 4096;
         const auto last = static_cast<Index>(all_.sites.size());
@@ -185,6 +185,7 @@ class Construction {
                 }
             }
         }
+        if (!Kernel::is_exact && best < 0) throw BrokenStructure("no site is near to a hidden one");
         return all_.numbers[static_cast<std::size_t>(best)];
     }
     [[nodiscard]] bool is_apex(Index v) const noexcept {
@@ -331,20 +332,28 @@ SpaceTessellation construct(std::span<const S> sites, const Options& options) {
     for (std::size_t i = 0; i < sites.size(); ++i)
         if (!are_finite(sites[i]))
             throw std::invalid_argument("site " + std::to_string(i) + " is not finite");
-    if (options.arithmetic != Arithmetic::exact)
-        throw std::invalid_argument("tessellations of space have exact arithmetic alone");
-    return Construction<S>(sites, options).run(options);
+    switch (options.arithmetic) {
+        case Arithmetic::exact:
+            return Construction<S, spatial::ExactKernel<S>>(sites, options).run(options);
+        case Arithmetic::naive:
+            return Construction<S, spatial::NaiveKernel<S>>(sites, options).run(options);
+        default:
+            throw std::invalid_argument("tessellations of space know exact and naive arithmetic");
+    }
 }
 
 }  // namespace
 
-SpaceTessellation triangulate(std::span<const Point3> sites, const Options& options) {
+SpaceTessellation triangulate(std::span<const Point3> sites, Power /*metric*/,
+                              const Options& options) {
     return construct(sites, options);
 }
-SpaceTessellation triangulate(std::span<const Site3> sites, const Options& options) {
+SpaceTessellation triangulate(std::span<const Site3> sites, Power /*metric*/,
+                              const Options& options) {
     return construct(sites, options);
 }
-SpaceTessellation triangulate(std::span<const power::Site3> sites, const Options& options) {
+SpaceTessellation triangulate(std::span<const power::Site3> sites, Power /*metric*/,
+                              const Options& options) {
     return construct(sites, options);
 }
 

@@ -32,7 +32,7 @@ using Sites = std::vector<Site3>;
 SpaceTessellation tessellation_of(const Sites& sites, std::uint64_t seed = 1) {
     Options options;
     options.seed = seed;
-    return triangulate(std::span<const Site3>(sites), options);
+    return triangulate(std::span<const Site3>(sites), Power{}, options);
 }
 
 /// Laws 1 and 2 of the arrays.
@@ -244,6 +244,79 @@ TEST(Spatial, LargerSetsHaveOneResult) {
     })));
 }
 
+/// Around one site, or one edge, are more vertices than fit in the table by which cells are linked.
+TEST(Spatial, LargeStarsHaveOneResult) {
+    Random random(33);
+    Sites wheel = {{0.0, 0.0, -1.0, 0.0}, {0.0, 0.0, 1.0, 0.0}};
+    Sites centred = {{0.0, 0.0, 0.0, 0.0}};
+    for (int i = 0; i < 300; ++i) {
+        const double turn = 7.0 * random.unit();
+        wheel.push_back({std::cos(turn), std::sin(turn), 0.0, 0.0});
+        const double z = 2.0 * random.unit() - 1.0;
+        const double r = std::sqrt(1.0 - z * z);
+        centred.push_back({r * std::cos(turn), r * std::sin(turn), z, 0.0});
+    }
+    ASSERT_NO_FATAL_FAILURE(expect_one_result(wheel));
+    ASSERT_NO_FATAL_FAILURE(expect_one_result(centred));
+    // A giant that hides most of what it covers, inserted early or late.
+    Sites covered = lattice(8);
+    for (Site3& site : covered) site.r = 0.25;
+    covered.push_back({3.5, 3.5, 3.5, 3.25});
+    EXPECT_GT(tessellation_of(covered).hidden.size(), 50U);
+    ASSERT_NO_FATAL_FAILURE(expect_one_result(covered));
+}
+
+/// The same combinatorics on every lattice: where determinants of doubles are exact, and where they
+/// are not.
+TEST(Spatial, LatticesOfAllUnitsAreOne) {
+    const Sites sites = lattice(6);
+    const SpaceTessellation expected = tessellation_of(sites);
+    for (const double unit : {0x1p-20, 3.0, 0x1.123456789p+4, 0x1p-149, 0x1p-160, 0x1p140, 0x1p300})
+        for (const double corner : {0.0, -7.0, 1048576.0}) {
+            Sites moved = sites;
+            for (Site3& s : moved)
+                s = {unit * (s.x + corner), unit * (s.y - corner), unit * (s.z + corner), 0.0};
+            ASSERT_EQ(tessellation_of(moved), expected) << unit << ' ' << corner;
+        }
+}
+
+SpaceTessellation naive(const Sites& sites) {
+    Options options;
+    options.arithmetic = Arithmetic::naive;
+    return triangulate(std::span<const Site3>(sites), Power{}, options);
+}
+
+TEST(Spatial, NaiveArithmeticIsRightWhereNothingIsClose) {
+    Random random(34);
+    Sites sites;
+    for (int i = 0; i < 2000; ++i)
+        sites.push_back({random.unit(), random.unit(), random.unit(), 0.05 * random.unit()});
+    EXPECT_EQ(naive(sites), tessellation_of(sites));
+}
+
+/// It may be wrong, or break and say so; it ends.
+TEST(Spatial, NaiveArithmeticEnds) {
+    Random random(35);
+    int broken = 0;
+    int wrong = 0;
+    for (int trial = 0; trial < 300 * thoroughness; ++trial) {
+        Sites sites = small_set(random);
+        if (trial % 3 == 0) {
+            const double step = 0.1 + random.unit();
+            sites = lattice(5);
+            for (Site3& s : sites)
+                s = {step * s.x + 0.7, step * s.y + 0.7 * s.x, step * s.z + 0.3 * s.y, 0.0};
+        }
+        try {
+            wrong += naive(sites) == tessellation_of(sites) ? 0 : 1;
+        } catch (const BrokenStructure&) {
+            ++broken;
+        }
+    }
+    EXPECT_GT(wrong, 0);
+    EXPECT_GT(broken, 0);
+}
+
 TEST(Spatial, PointsAndWeightsAreSitesToo) {
     const Sites sites = lattice(4);
     std::vector<Point3> points;
@@ -265,7 +338,7 @@ TEST(Spatial, PointsAndWeightsAreSitesToo) {
 TEST(Spatial, WhatCannotBeIsRefused) {
     const auto refused = [](const Sites& sites, const Options& options = {}) -> std::string {
         try {
-            static_cast<void>(triangulate(std::span<const Site3>(sites), options));
+            static_cast<void>(triangulate(std::span<const Site3>(sites), Power{}, options));
         } catch (const std::exception& error) {
             return error.what();
         }
@@ -279,13 +352,15 @@ TEST(Spatial, WhatCannotBeIsRefused) {
     EXPECT_EQ(refused(sites), "site 3 is not finite");
     Options options;
     options.arithmetic = Arithmetic::interval;
-    EXPECT_EQ(refused(lattice(2), options), "tessellations of space have exact arithmetic alone");
+    EXPECT_EQ(refused(lattice(2), options),
+              "tessellations of space know exact and naive arithmetic");
     std::stop_source source;
     source.request_stop();
     options = {};
     options.stop = source.get_token();
-    EXPECT_THROW(static_cast<void>(triangulate(std::span<const Site3>(lattice(20)), options)),
-                 Stopped);
+    EXPECT_THROW(
+        static_cast<void>(triangulate(std::span<const Site3>(lattice(20)), Power{}, options)),
+        Stopped);
     options = {};
     double last = 0.0;
     options.progress = [&](double share) {
