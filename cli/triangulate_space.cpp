@@ -76,10 +76,8 @@ void summarize(const Timed& timed, WeightIs third, std::span<const Target> targe
     const auto hidden = static_cast<std::int64_t>(tessellation.hidden.size());
     say("sites    {}, in space{}\n", tessellation.sites,
         third == WeightIs::weight ? ", the fourth number a weight" : "");
-    constexpr std::string_view spans[] = {"one point", "a line", "a plane"};
-    if (tessellation.dimension < 3)
-        say("flat     all centres lie {} {}\n", tessellation.dimension == 2 ? "in" : "on",
-            spans[tessellation.dimension]);
+    constexpr std::string_view spans[] = {"in one place", "on a line", "in a plane"};
+    if (tessellation.dimension < 3) say("flat     all lie {}\n", spans[tessellation.dimension]);
     say("visible  {}\n", tessellation.sites - hidden);
     say("hidden   {}\n", hidden);
     say("cells    {}, {} of them infinite\n", tessellation.cells.size(), infinite_cells);
