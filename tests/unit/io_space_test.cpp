@@ -234,7 +234,7 @@ TEST(PdbSites, RefuseWhatIsWrong) {
         "; an atom of a PDB file is a line ATOM or HETATM with x, y and z in columns 31 to 54";
     EXPECT_EQ(wrong("HEADER\n"), "1:1: no atom in this file" + advice);
     EXPECT_EQ(wrong("ATOM      1  N\n"), "1:15: no number in columns 31 to 38" + advice);
-    EXPECT_EQ(wrong("\nATOM      1  N   ALA A   1      11.104    six13  -6.504\n"),
+    EXPECT_EQ(wrong("\nATOM      1  N   ALA A   1      11.104   six13  -6.504\n"),
               "2:42: 'six13'" + word);
     EXPECT_EQ(
         wrong("ATOM      1  X   UNK A   1      11.104   6.134  -6.504  1.00  0.00           X\n"),
