@@ -1,6 +1,7 @@
 #include "sites_call.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <stdexcept>
 #include <vector>
@@ -92,13 +93,19 @@ SitesInput input_of(const SitesCall& call) {
     return call.dimension == 2 ? SitesInput::text : input_by_ending(ending_of(call.input));
 }
 
-/// Throws CallError where sites in space are asked for what is of the plane alone.
+/// The metrics that have tessellations of space. Another one is added here.
+constexpr std::array metrics_in_space = {Metric::power};
+
+/// Throws CallError where sites in space are asked for a metric that is of the plane alone.
 void check_space(const SitesCall& call, const SitesFile& file) {
-    if (file.dimension == 2 || metric_of(call.metric) == Metric::power) return;
+    if (file.dimension == 2 || std::ranges::count(metrics_in_space, metric_of(call.metric)) > 0)
+        return;
+    std::vector<std::string_view> names;
+    for (const Metric each : metrics_in_space) names.push_back(name_of(each));
     throw CallError(fmt::format(
-        "--metric {}: sites in space, as those of {} are, have tessellations of the power metric "
-        "alone; add --metric power{}",
-        call.metric, call.input,
+        "--metric {}: sites in space, as those of {} are, have tessellations of the {} metric "
+        "alone; add --metric {}{}",
+        call.metric, call.input, fmt::join(names, " and "), names.front(),
         call.dimension || input_of(call) != SitesInput::text
             ? ""
             : ", or say --dimension 2 to leave z out"));
