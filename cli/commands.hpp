@@ -1,6 +1,7 @@
 #pragma once
 /// The subcommands, and how they end.
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -73,7 +74,9 @@ Metric metric_of(const std::string& name);
 CLI::Option* add_columns(CLI::App& command, std::string& columns);
 /// Reads the file with the columns that --columns names, and says so where a column was left out
 /// that may have been meant. Throws InputError, CallError and MachineError.
-SitesFile read_sites_by_columns(const std::string& path, const std::string& columns);
+SitesFile read_sites_by_columns(const std::string& path, const std::string& columns,
+                                std::optional<int> dimension = 2,
+                                SitesInput input = SitesInput::text);
 
 /// Adds the option --weight-is; empty when it is not given. `otherwise` says what holds then.
 CLI::Option* add_weight_is(CLI::App& command, std::string& weight_is, std::string_view otherwise);

@@ -97,7 +97,8 @@ CLI::Option* add_columns(CLI::App& command, std::string& columns) {
         ->type_name("X,Y[,R]");
 }
 
-SitesFile read_sites_by_columns(const std::string& path, const std::string& columns) {
+SitesFile read_sites_by_columns(const std::string& path, const std::string& columns,
+                                std::optional<int> dimension, SitesInput input) {
     Columns chosen;
     for (std::size_t start = 0; !columns.empty() && start <= columns.size();) {
         const std::size_t end = std::min(columns.find(',', start), columns.size());
@@ -108,13 +109,28 @@ SitesFile read_sites_by_columns(const std::string& path, const std::string& colu
         start = end + 1;
     }
     const bool has_gap = std::ranges::count(chosen, std::string()) > 0;
-    if (!chosen.empty() && (chosen.size() < 2 || chosen.size() > 3 || has_gap)) {
-        throw CallError(
-            fmt::format("--columns {}: give two or three with commas between, by name or number, "
-                        "as in --columns lon,lat or --columns 2,3,5",
-                        columns));
+    const std::size_t least = dimension == 3 ? 3 : 2;
+    const std::size_t most = dimension == 2 ? 3 : 4;
+    if (!chosen.empty() && (chosen.size() < least || chosen.size() > most || has_gap)) {
+        throw CallError(fmt::format(
+            "--columns {}: give {} with commas between, by name or number, as in {}", columns,
+            dimension == 2   ? "two or three"
+            : dimension == 3 ? "three or four"
+                             : "two or three, in space three or four,",
+            dimension == 3 ? "--columns x,y,z or --columns 2,3,4,6"
+                           : "--columns lon,lat or --columns 2,3,5"));
     }
-    SitesFile file = read_sites(path, chosen);
+    if (!chosen.empty() && input != SitesInput::text) {
+        throw CallError(fmt::format(
+            "--columns {}: {} has columns of its own; leave --columns out, or add --read-as text",
+            columns, path));
+    }
+    if (dimension == 2 && input != SitesInput::text) {
+        throw CallError(fmt::format(
+            "--dimension 2: the sites of {} lie in space; leave it out, or add --read-as text",
+            path));
+    }
+    SitesFile file = read_sites(path, {.columns = chosen, .dimension = dimension, .input = input});
     if (!file.note.empty()) say("signum: {}\n", file.note);
     return file;
 }

@@ -21,6 +21,7 @@ namespace {
 /// The call as it was typed.
 struct GenerateCall {
     std::string distribution;
+    int dimension = 2;
     std::int64_t count = 0;
     std::string radius = "0";
     std::string perturb = "0";
@@ -29,9 +30,27 @@ struct GenerateCall {
     std::string format;
 };
 
-Distribution distribution_of(const std::string& name) {
-    return *std::find_if(all_distributions.begin(), all_distributions.end(),
-                         [&](Distribution each) { return name_of(each) == name; });
+/// The one of `all` that has this name. Throws CallError where it is one of the other dimension.
+template <class Distributions>
+auto distribution_of(const GenerateCall& call, const Distributions& all) {
+    const auto found =
+        std::ranges::find_if(all, [&](auto each) { return name_of(each) == call.distribution; });
+    if (found != all.end()) return *found;
+    std::vector<std::string_view> names;
+    for (const auto each : all) names.push_back(name_of(each));
+    throw CallError(
+        fmt::format("{} lies in {}; {}, or take one of {}", call.distribution,
+                    call.dimension == 3 ? "the plane" : "space",
+                    call.dimension == 3 ? "leave --dimension 3 out" : "add --dimension 3",
+                    fmt::join(names, ", ")));
+}
+
+std::vector<std::string> names_of_distributions() {
+    std::vector<std::string> names;
+    for (const Distribution each : all_distributions) names.emplace_back(name_of(each));
+    for (const SpaceDistribution each : all_space_distributions)
+        if (std::ranges::count(names, name_of(each)) == 0) names.emplace_back(name_of(each));
+    return names;
 }
 
 double number_of(const std::string& option, std::string_view text) {
@@ -52,6 +71,29 @@ SitesFormat format_of(const GenerateCall& call) {
         fmt::format("-o {}: the ending says what to write; give it .txt, .csv or .json, or say it "
                     "with --format",
                     call.output));
+}
+
+/// The file is opened before the work.
+template <class AnyDistribution>
+void generate_to_output(const GenerateCall& call, AnyDistribution distribution,
+                        const GenerateOptions& options, SitesFormat format) {
+    std::optional<OutputFile> file;
+    if (call.output != standard_output) file.emplace(call.output);
+    using Sites = decltype(generate(distribution, options));
+    Sites sites;
+    try {
+        sites = generate(distribution, options);
+    } catch (const std::invalid_argument& error) {
+        throw CallError(error.what());
+    }
+    if (file) {
+        write_sites(file->stream(), sites, format);
+        file->publish();
+    } else {
+        DescriptorStream out(1, "standard output");
+        write_sites(out, sites, format);
+        out.flush();
+    }
 }
 
 void run(const GenerateCall& call) {
@@ -76,30 +118,16 @@ void run(const GenerateCall& call) {
             fmt::format("--perturb {}: give a number that is not negative", call.perturb));
     }
     const SitesFormat format = format_of(call);
-    std::optional<OutputFile> file;
-    if (call.output != standard_output) file.emplace(call.output);
-    std::vector<Site> sites;
-    try {
-        sites = generate(distribution_of(call.distribution), options);
-    } catch (const std::invalid_argument& error) {
-        throw CallError(error.what());
-    }
-    if (file) {
-        write_sites(file->stream(), sites, format);
-        file->publish();
-    } else {
-        DescriptorStream out(1, "standard output");
-        write_sites(out, sites, format);
-        out.flush();
-    }
+    if (call.dimension == 3)
+        generate_to_output(call, distribution_of(call, all_space_distributions), options, format);
+    else
+        generate_to_output(call, distribution_of(call, all_distributions), options, format);
 }
 
 }  // namespace
 
 void add_generate(CLI::App& tool) {
     auto call = std::make_shared<GenerateCall>();
-    std::vector<std::string> names;
-    for (const Distribution each : all_distributions) names.emplace_back(name_of(each));
     CLI::App* command =
         tool.add_subcommand("generate", "Makes sites; the same options make the same sites");
     command
@@ -112,10 +140,19 @@ void add_generate(CLI::App& tool) {
                      "rings    on circles side by side, 1000 on each\n"
                      "offset   on a fine grid far away: sums round\n"
                      "tangent  discs that touch circles, 192 on each,\n"
-                     "         exactly")
+                     "         exactly\n"
+                     "With --dimension 3:\n"
+                     "random   in the cube [0, 700] x [0, 700] x [0, 700]\n"
+                     "sphere   on the largest sphere in it, radius 350\n"
+                     "cube     on its boundary\n"
+                     "grid     on a grid of cubes filling it")
         ->required()
-        ->transform(one_of(names))
+        ->transform(one_of(names_of_distributions()))
         ->type_name("");
+    command->add_option("--dimension", call->dimension, "2: in the plane; 3: in space")
+        ->check(one_of({"2", "3"}))
+        ->type_name("2|3")
+        ->capture_default_str();
     command->add_option("-n", call->count, "How many sites")
         ->required()
         ->check(whole_number())
@@ -135,7 +172,8 @@ void add_generate(CLI::App& tool) {
     command
         ->add_option("-o,--output", call->output,
                      "Where the sites go, by its ending: .csv, .json, or\n"
-                     "lines x y r in .txt, .xyr, .dat and without one;\n"
+                     "lines x y r, in space x y z r, in .txt, .xyr, .dat\n"
+                     "and without one;\n"
                      "- is standard output")
         ->type_name("FILE")
         ->capture_default_str();
@@ -145,7 +183,9 @@ void add_generate(CLI::App& tool) {
         ->transform(one_of({"text", "csv", "json"}))
         ->type_name("NAME");
     command->footer(
-        "Example:\n  signum generate random -n 1000 --radius 1:20 --seed 7 -o sites.txt");
+        "Examples:\n"
+        "  signum generate random -n 1000 --radius 1:20 --seed 7 -o sites.txt\n"
+        "  signum generate sphere --dimension 3 -n 1000 -o sphere.csv");
     command->callback([call] { run(*call); });
 }
 

@@ -16,32 +16,56 @@
 #include "../triangulation/kernels/predicates_of.hpp"
 
 #include "commands.hpp"
+#include "sign_call.hpp"
 
 namespace signum::cli {
+
+std::vector<double> numbers_of(const SignCall& call, std::size_t needed, std::string_view meaning) {
+    if (call.numbers.size() != needed) {
+        throw CallError(fmt::format("sign {} needs {} numbers after --, {}; {} {} given",
+                                    call.predicate, needed, meaning, call.numbers.size(),
+                                    call.numbers.size() == 1 ? "is" : "are"));
+    }
+    std::vector<double> values;
+    for (const std::string& text : call.numbers) {
+        const Number number = parse_number(text);
+        if (number.fault != NumberFault::none) {
+            throw CallError(fmt::format("number {} of {}: {}", values.size() + 1, needed,
+                                        explain(number.fault, text)));
+        }
+        values.push_back(number.value);
+    }
+    return values;
+}
+
+void explain_stage(Answer& answer) {
+    const auto decided_by = [&](std::string_view what) {
+        answer.words.push_back(fmt::format("decided  not by the filter, but by {}", what));
+    };
+    switch (answer.decision.stage) {
+        case Stage::filter:
+            return;
+        case Stage::refine:
+            return decided_by("a finer bound or double-doubles");
+        case Stage::exact:
+            return decided_by("integers, expansions or sums that commit no rounding");
+        case Stage::essa:
+            return decided_by("the exact sign of a sum (ESSA)");
+        case Stage::multiprecision:
+            return decided_by("rationals");
+    }
+}
+
+void explain_tie(Answer& answer, std::string_view what, std::string_view order, char last,
+                 bool conflict) {
+    answer.tie = {last, conflict};
+    answer.words.push_back(fmt::format("tie      q touches the {}", what));
+    answer.words.push_back(
+        fmt::format("rule     by falling {} and place {} is the last of them: q {}", order, last,
+                    conflict ? "conflicts" : "does not conflict"));
+}
+
 namespace {
-
-/// The call as it was typed.
-struct SignCall {
-    std::string predicate;
-    std::string metric;
-    std::string weight_is;
-    bool json = false;
-    std::vector<std::string> numbers;
-};
-
-/// What the tie rule makes of a sign that is 0.
-struct Tie {
-    char last;  ///< of the sites i, j, k and q, in the rule's order
-    bool conflict;
-};
-
-/// What is printed.
-struct Answer {
-    Decision decision;
-    std::optional<Tie> tie;
-    /// What there is to say about it, a line each.
-    std::vector<std::string> words;
-};
 
 /// What a metric with additive weights is asked. All but in_circle follow the tie rule and are
 /// never 0; `ranks` are places in its order.
@@ -86,56 +110,16 @@ Predicates predicates_in(M metric) {
     return rectangular_predicates<Directions>(metric.traits.circle);
 }
 
-std::vector<double> numbers_of(const SignCall& call, std::size_t needed, std::string_view meaning) {
-    if (call.numbers.size() != needed) {
-        throw CallError(fmt::format("sign {} needs {} numbers after --, {}; {} {} given",
-                                    call.predicate, needed, meaning, call.numbers.size(),
-                                    call.numbers.size() == 1 ? "is" : "are"));
-    }
-    std::vector<double> values;
-    for (const std::string& text : call.numbers) {
-        const Number number = parse_number(text);
-        if (number.fault != NumberFault::none) {
-            throw CallError(fmt::format("number {} of {}: {}", values.size() + 1, needed,
-                                        explain(number.fault, text)));
-        }
-        values.push_back(number.value);
-    }
-    return values;
-}
-
-/// Who decided, where it was not the filter.
-void explain_stage(Answer& answer) {
-    const auto decided_by = [&](std::string_view what) {
-        answer.words.push_back(fmt::format("decided  not by the filter, but by {}", what));
-    };
-    switch (answer.decision.stage) {
-        case Stage::filter:
-            return;
-        case Stage::refine:
-            return decided_by("a finer bound or double-doubles");
-        case Stage::exact:
-            return decided_by("integers, expansions or sums that commit no rounding");
-        case Stage::essa:
-            return decided_by("the exact sign of a sum (ESSA)");
-        case Stage::multiprecision:
-            return decided_by("rationals");
-    }
-}
-
 /// The names of the four sites of in_circle.
 constexpr std::string_view names = "ijkq";
 
-/// What the tie rule makes of a 0. `ranks` are the places of i, j, k and q in its order.
-void explain_tie(Answer& answer, std::string_view circle, std::string_view third,
-                 const std::array<Index, 4>& ranks, Sign perturbed) {
+/// `ranks` are the places of i, j, k and q in the rule's order.
+void explain_tie_on_circle(Answer& answer, std::string_view circle, std::string_view third,
+                           const std::array<Index, 4>& ranks, Sign perturbed) {
     const auto last =
         static_cast<std::size_t>(std::max_element(ranks.begin(), ranks.end()) - ranks.begin());
-    answer.tie = {names[last], perturbed > 0};
-    answer.words.push_back(fmt::format("tie      q touches the {} of i, j and k", circle));
-    answer.words.push_back(
-        fmt::format("rule     by falling {}, rising x, y and place {} is the last of them: q {}",
-                    third, names[last], perturbed > 0 ? "conflicts" : "does not conflict"));
+    explain_tie(answer, fmt::format("{} of i, j and k", circle),
+                fmt::format("{}, rising x, y", third), names[last], perturbed > 0);
 }
 
 Answer decide_ccw(const SignCall& call) {
@@ -185,8 +169,8 @@ Answer decide_in_power(const SignCall& call) {
                                                      sites[static_cast<std::size_t>(b)], b);
                 ++ranks[static_cast<std::size_t>(a_first ? b : a)];
             }
-        explain_tie(answer, "circle", "weight", ranks,
-                    power::in_circle_perturbed(i, j, k, q, ranks));
+        explain_tie_on_circle(answer, "circle", "weight", ranks,
+                              power::in_circle_perturbed(i, j, k, q, ranks));
     }
     explain_stage(answer);
     return answer;
@@ -228,14 +212,15 @@ Answer decide_additively(const SignCall& call, const Predicates& metric) {
             answer.words.push_back(fmt::format("hidden   q hides {}", names[m]));
     }
     if (answer.decision.sign == 0) {
-        explain_tie(answer, metric.circle, "radius", ranks,
-                    metric.in_circle_perturbed(i, j, k, q, ranks).sign);
+        explain_tie_on_circle(answer, metric.circle, "radius", ranks,
+                              metric.in_circle_perturbed(i, j, k, q, ranks).sign);
     }
     explain_stage(answer);
     return answer;
 }
 
 Answer decide(const SignCall& call) {
+    if (is_in_space(call)) return decide_in_space(call);
     // ccw is the same in every metric.
     if (call.predicate == "ccw") return decide_ccw(call);
     const Metric metric = metric_of(call.metric);
@@ -279,28 +264,42 @@ void add_sign(CLI::App& tool) {
         ->add_option("PREDICATE", call->predicate,
                      "ccw        three points turn left (1), right (-1)\n"
                      "           or lie on a line (0)\n"
+                     "           in space: the fourth lies on the side from\n"
+                     "           which the others turn counterclockwise (1)\n"
                      "in_circle  the last site is inside (1), outside (-1)\n"
                      "           or on (0) the circle (diamond, square) that\n"
-                     "           touches the others counterclockwise")
+                     "           touches the others counterclockwise\n"
+                     "in_sphere  the same of a sphere in space that touches\n"
+                     "           four others, which turn positively; --metric\n"
+                     "           power alone")
         ->required()
-        ->transform(one_of({"ccw", "in_circle"}))
+        ->transform(one_of({"ccw", "in_circle", "in_sphere"}))
         ->type_name("");
     command
         ->add_option("NUMBER", call->numbers,
-                     "After --: x y of each point for ccw, x y r of each\nsite for in_circle")
+                     "After --: x y of each point for ccw, in space x y z;\n"
+                     "x y r of each site for in_circle, x y z r for\nin_sphere")
         ->type_name("");
+    command
+        ->add_option_function<int>(
+            "--dimension", [call](int dimension) { call->dimension = dimension; },
+            "ccw: 2 or 3. Default: 3 for twelve numbers, else 2")
+        ->check(one_of({"2", "3"}))
+        ->type_name("2|3");
     add_metric(*command, call->metric);
     add_weight_is(*command, call->weight_is, "radius");
     command->add_flag("--json", call->json,
                       "Prints {\"sign\": S, \"stage\": NAME}; where in_circle\n"
-                      "is 0 also \"tie\": {\"last\": SITE, \"conflict\": BOOL}");
+                      "or in_sphere is 0 also \"tie\": {\"last\": SITE, \"conflict\": BOOL}");
     command->footer(
         "Prints the sign and the stage; words about ties, hidden sites and stages behind\n"
         "the filter go to standard error.\n\n"
         "Examples:\n"
         "  signum sign ccw -- 0 0  1 0  0 1\n"
         "  signum sign in_circle --metric power -- 0 0 1  1 0 1  0 1 1  1 1 1\n"
-        "  signum sign in_circle --metric supremum -- 0 0 0  4 1 0  1 4 0  2 2 0");
+        "  signum sign in_circle --metric supremum -- 0 0 0  4 1 0  1 4 0  2 2 0\n"
+        "  signum sign ccw --dimension 3 -- 0 0 0  1 0 0  0 1 0  0 0 1\n"
+        "  signum sign in_sphere --metric power -- 0 0 0 1  1 0 0 1  0 1 0 1  0 0 1 1  1 1 1 1");
     command->callback([call] { print(decide(*call), call->json); });
 }
 

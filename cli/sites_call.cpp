@@ -1,10 +1,13 @@
 #include "sites_call.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <stdexcept>
+#include <vector>
 
 #include "commands.hpp"
+#include "outputs.hpp"
 #include "progress.hpp"
 
 namespace signum::cli {
@@ -25,6 +28,34 @@ void add_sites(CLI::App& command, SitesCall& call) {
     command.add_flag("--quiet", call.quiet, "No summary and no progress on standard error");
 }
 
+void add_space(CLI::App& command, SitesCall& call) {
+    call.dimension.reset();
+    command.get_option("FILE")->description(
+        "Sites, one a line: x y [r], in space x y z [r];\n- for standard input");
+    CLI::Option& columns = *command.get_option("--columns");
+    columns.type_name("X,Y[,Z][,R]");
+    columns.description(columns.get_description() +
+                        ".\nIn space x, y, z and, where there are four, r");
+    command
+        .add_option_function<int>(
+            "--dimension", [&call](int dimension) { call.dimension = dimension; },
+            "2: sites are x y [r]; 3: they are x y z [r], the\nmetric is power. Default: what a "
+            "header or the\nformat of the file says, else 2")
+        ->check(one_of({"2", "3"}))
+        ->type_name("2|3");
+    command
+        .add_option("--read-as", call.read_as,
+                    "What FILE is, whatever its ending:\n"
+                    "text  lines of columns, or JSON [[x, y, r], ...]\n"
+                    "xyz   atoms in space: element x y z [radius]\n"
+                    "pdb   atoms of a protein, with the van der Waals\n"
+                    "      radii of their elements\n"
+                    "pqr   the same with radii of their own\n"
+                    "ply   the vertices of a mesh, in ASCII")
+        ->transform(one_of({"text", "xyz", "pdb", "pqr", "ply"}))
+        ->type_name("NAME");
+}
+
 CLI::Validator name_of_arithmetic() {
     std::vector<std::string> names;
     for (const Arithmetic arithmetic : all_arithmetics) names.emplace_back(name_of(arithmetic));
@@ -43,13 +74,41 @@ namespace {
 /// In the power metric a radius counts by its square, which has lost the sign.
 void warn_of_negative_radii(const std::string& path, const SitesFile& file) {
     if (!file.first_negative) return;
-    const auto count =
-        std::ranges::count_if(file.sites, [](const Site& site) { return site.r < 0.0; });
-    const auto& first = *std::ranges::find_if(file.sites, [](const Site& s) { return s.r < 0.0; });
+    std::vector<double> negative;
+    for (const Site& site : file.sites)
+        if (site.r < 0.0) negative.push_back(site.r);
+    for (const Site3& site : file.in_space)
+        if (site.r < 0.0) negative.push_back(site.r);
     say("signum: {}:{}:{}: the radius {} is negative, {}, and the power metric squares radii; say "
         "--weight-is weight if weights are meant, --weight-is radius if not\n",
-        path, file.first_negative->line, file.first_negative->column, first.r,
-        count == 1 ? "the only one of the file" : fmt::format("the first of {}", count));
+        path, file.first_negative->line, file.first_negative->column, negative.front(),
+        negative.size() == 1 ? "the only one of the file"
+                             : fmt::format("the first of {}", negative.size()));
+}
+
+/// What the file is taken for. Only what --read-as names, and the ending of a file that may lie in
+/// space, are other than text.
+SitesInput input_of(const SitesCall& call) {
+    if (!call.read_as.empty()) return input_by_ending(call.read_as);
+    return call.dimension == 2 ? SitesInput::text : input_by_ending(ending_of(call.input));
+}
+
+/// The metrics that have tessellations of space. Another one is added here.
+constexpr std::array metrics_in_space = {Metric::power};
+
+/// Throws CallError where sites in space are asked for a metric that is of the plane alone.
+void check_space(const SitesCall& call, const SitesFile& file) {
+    if (file.dimension == 2 || std::ranges::count(metrics_in_space, metric_of(call.metric)) > 0)
+        return;
+    std::vector<std::string_view> names;
+    for (const Metric each : metrics_in_space) names.push_back(name_of(each));
+    throw CallError(fmt::format(
+        "--metric {}: sites in space, as those of {} are, have tessellations of the {} metric "
+        "alone; add --metric {}{}",
+        call.metric, call.input, fmt::join(names, " and "), names.front(),
+        call.dimension || input_of(call) != SitesInput::text
+            ? ""
+            : ", or say --dimension 2 to leave z out"));
 }
 
 }  // namespace
@@ -57,7 +116,10 @@ void warn_of_negative_radii(const std::string& path, const SitesFile& file) {
 InputSites read_input(const SitesCall& call) {
     const Metric metric = metric_of(call.metric);
     check_weight_is(call.weight_is, metric);
-    InputSites sites = {read_sites_by_columns(call.input, call.columns), WeightIs::radius};
+    InputSites sites = {
+        read_sites_by_columns(call.input, call.columns, call.dimension, input_of(call)),
+        WeightIs::radius};
+    check_space(call, sites.file);
     sites.third = sites.file.third.value_or(WeightIs::radius);
     if (sites.third == WeightIs::weight && !traits_of(metric).has_weights) {
         throw CallError(

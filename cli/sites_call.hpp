@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -18,6 +19,9 @@ namespace signum::cli {
 struct SitesCall {
     std::string input;
     std::string columns;
+    /// Of the sites; nothing: what the file says.
+    std::optional<int> dimension = 2;
+    std::string read_as;  ///< of the names of --read-as; empty: by the ending
     std::string metric;
     std::string weight_is;
     std::string arithmetic = "exact";
@@ -28,6 +32,9 @@ struct SitesCall {
 
 /// Adds FILE, --columns, --metric, --weight-is, --seed and --quiet.
 void add_sites(CLI::App& command, SitesCall& call);
+
+/// Adds --dimension and --read-as, for a subcommand that takes sites of space, too.
+void add_space(CLI::App& command, SitesCall& call);
 
 /// Accepts the name of an arithmetic.
 [[nodiscard]] CLI::Validator name_of_arithmetic();

@@ -23,18 +23,11 @@
 #include "commands.hpp"
 #include "outputs.hpp"
 #include "progress.hpp"
-#include "sites_call.hpp"
+#include "triangulate_call.hpp"
+#include "triangulate_space.hpp"
 
 namespace signum::cli {
 namespace {
-
-/// The call as it was typed.
-struct TriangulateCall : SitesCall, OutputsCall {
-    std::string method = "incremental";
-    std::vector<double> clip;
-    bool vertices = false;
-    bool check = false;
-};
 
 Method method_of(const std::string& name, Metric metric) {
     const Method method =
@@ -50,11 +43,12 @@ Method method_of(const std::string& name, Metric metric) {
                     name, fmt::join(built, " and "), name_of(metric), built.back()));
 }
 
-constexpr std::array<Format, 4> triangulate_formats = {
-    {{"json", "faces, neighbours, hidden sites"},
+constexpr std::array<Format, 5> triangulate_formats = {
+    {{"json", "faces, in space cells, neighbours, hidden sites"},
      {"svg", "a picture"},
-     {"csv", "a table a,b,c of faces, -1 is infinity"},
-     {"obj", "a mesh of the finite faces"}}};
+     {"csv", "a table a,b,c of faces, in space a,b,c,d of\ncells; -1 is infinity"},
+     {"obj", "a mesh of the finite faces"},
+     {"vtk", "in space: a grid of tetrahedra, for ParaView"}}};
 
 /// Options that one format alone heeds.
 void require_formats_for_options(const TriangulateCall& call, std::span<const Target> targets) {
@@ -140,6 +134,12 @@ void run(const TriangulateCall& call) {
     require_formats_for_options(call, targets);
     const std::optional<Box> clip = box_of(call.clip, targets);
     const InputSites sites = read_input(call);
+    if (sites.file.dimension == 3) return triangulate_in_space(call, sites, targets);
+    if (is_written(targets, "vtk")) {
+        throw CallError(fmt::format(
+            "vtk is written of sites in space, and those of {} lie in the plane; write obj",
+            call.input));
+    }
     const Outputs outputs(targets);
     const Tessellation tessellation = construct(call, sites, method);
     if (clip) require_fit(*clip, Voronoi(tessellation));
@@ -162,6 +162,7 @@ void add_triangulate(CLI::App& tool) {
     auto call = std::make_shared<TriangulateCall>();
     CLI::App* command = tool.add_subcommand("triangulate", "Computes the tessellation of sites");
     add_sites(*command, *call);
+    add_space(*command, *call);
     command
         ->add_option("--method", call->method,
                      "incremental: site by site; flips: from Delaunay's\n"
@@ -196,7 +197,8 @@ void add_triangulate(CLI::App& tool) {
         "Examples:\n"
         "  signum triangulate sites.txt --metric power -o out.json -o out.svg --check\n"
         "  signum triangulate sites.txt --metric supremum --stats -o squares.svg\n"
-        "  signum triangulate sites.txt --clip 0 0 10 10 -o part.svg");
+        "  signum triangulate sites.txt --clip 0 0 10 10 -o part.svg\n"
+        "  signum triangulate balls.txt --dimension 3 --metric power -o grid.vtk");
     command->callback([call] { run(*call); });
 }
 

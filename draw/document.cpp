@@ -18,6 +18,13 @@ void write_document(std::ostream& out, std::string_view title, const Frame& fram
                     Legend& legend, const SvgText& drawing) {
     const Axes axes(frame);
     axes.describe(legend);
+    SvgText around;
+    axes.write(around);
+    write_document(out, title, frame, pens, legend, drawing, around);
+}
+
+void write_document(std::ostream& out, std::string_view title, const Frame& frame, const Pens& pens,
+                    const Legend& legend, const SvgText& drawing, const SvgText& around) {
     const double below = top + frame.height() + bottom;
     const double height = below + legend.height();
     SvgText head;
@@ -32,12 +39,11 @@ void write_document(std::ostream& out, std::string_view title, const Frame& fram
              Px{frame.width()}, Px{frame.height()}, Px{document_width}, Px{height}, Px{left},
              Px{top});
     SvgText foot;
-    axes.write(foot);
     foot.add("</g>\n");
     legend.write(foot, below);
     out << head.view() << "<g clip-path=\"url(#frame)\">\n"
         << drawing.view() << "</g>\n"
-        << foot.view() << "</svg>\n";
+        << around.view() << foot.view() << "</svg>\n";
 }
 
 }  // namespace signum

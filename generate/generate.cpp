@@ -40,10 +40,49 @@ Point square_point(Uniform& uniform) {
     return {0.0, side - along};
 }
 
+Point3 random_point_of_cube(Uniform& uniform) {
+    const double x = side * uniform();
+    const double y = side * uniform();
+    return {x, y, side * uniform()};
+}
+
+/// Marsaglia: from a uniform point of the disc; the root is rounded to nearest everywhere.
+Point3 sphere_point(Uniform& uniform) {
+    for (;;) {
+        const double u = 2.0 * uniform() - 1.0;
+        const double v = 2.0 * uniform() - 1.0;
+        const double square = u * u + v * v;
+        if (square >= 1.0) continue;
+        const double root = 2.0 * std::sqrt(1.0 - square);
+        const double radius = side / 2.0;
+        return {radius + radius * (root * u), radius + radius * (root * v),
+                radius + radius * (1.0 - 2.0 * square)};
+    }
+}
+
+Point3 cube_point(Uniform& uniform) {
+    const double place = 6.0 * uniform();
+    const double face = std::floor(place);
+    const double u = side * (place - face);
+    const double v = side * uniform();
+    if (face == 0.0) return {0.0, u, v};
+    if (face == 1.0) return {side, u, v};
+    if (face == 2.0) return {u, 0.0, v};
+    if (face == 3.0) return {u, side, v};
+    return {u, v, face == 4.0 ? 0.0 : side};
+}
+
 /// The columns of the smallest square grid that holds `count` points.
 std::int64_t grid_columns(std::int64_t count) {
     auto columns = static_cast<std::int64_t>(std::sqrt(static_cast<double>(count)));
     while (columns * columns < count) ++columns;
+    return columns;
+}
+
+/// The same of the smallest cubic grid.
+std::int64_t cubic_grid_columns(std::int64_t count) {
+    std::int64_t columns = 1;
+    while (columns * columns * columns < count) ++columns;
     return columns;
 }
 
@@ -182,6 +221,27 @@ class Centres {
     std::int64_t pattern_columns_ = 1;
 };
 
+/// Radii and perturbations of sites. These, and the centres, each have their own numbers, and so do
+/// not move one another.
+class Changes {
+ public:
+    explicit Changes(const GenerateOptions& options)
+        : options_(options),
+          radii_(options.seed ^ 0x9e3779b97f4a7c15U),
+          perturbations_(options.seed ^ 0xc2b2ae3d27d4eb4fU) {}
+
+    double shift() { return options_.perturb * perturbations_(); }
+    double radius() {
+        const double width = options_.radius_to - options_.radius_from;
+        return std::min(options_.radius_from + width * radii_(), options_.radius_to);
+    }
+
+ private:
+    const GenerateOptions& options_;
+    Uniform radii_;
+    Uniform perturbations_;
+};
+
 }  // namespace
 
 std::string_view name_of(Distribution distribution) noexcept {
@@ -194,17 +254,51 @@ std::vector<Site> generate(Distribution distribution, const GenerateOptions& opt
     check(options);
     std::vector<Site> sites;
     sites.reserve(static_cast<std::size_t>(options.count));
-    // Centres, radii and perturbations each have their own numbers, and so do not move one another.
     Centres centres(distribution, options);
-    Uniform radii(options.seed ^ 0x9e3779b97f4a7c15U);
-    Uniform perturbations(options.seed ^ 0xc2b2ae3d27d4eb4fU);
+    Changes changes(options);
     for (std::int64_t i = 0; i < options.count; ++i) {
         const Site site = centres(i);
-        const double dx = options.perturb * perturbations();
-        const double dy = options.perturb * perturbations();
-        const double width = options.radius_to - options.radius_from;
-        const double radius = std::min(options.radius_from + width * radii(), options.radius_to);
-        sites.push_back({site.x + dx, site.y + dy, site.r + radius});
+        const double dx = changes.shift();
+        const double dy = changes.shift();
+        sites.push_back({site.x + dx, site.y + dy, site.r + changes.radius()});
+    }
+    return sites;
+}
+
+std::string_view name_of(SpaceDistribution distribution) noexcept {
+    constexpr std::string_view names[] = {"random", "sphere", "cube", "grid"};
+    return names[static_cast<int>(distribution)];
+}
+
+std::vector<Site3> generate(SpaceDistribution distribution, const GenerateOptions& options) {
+    check(options);
+    std::vector<Site3> sites;
+    sites.reserve(static_cast<std::size_t>(options.count));
+    Uniform uniform(options.seed);
+    Changes changes(options);
+    const std::int64_t columns = cubic_grid_columns(options.count);
+    const double step = grid_step(columns);
+    const auto centre = [&](std::int64_t i) -> Point3 {
+        switch (distribution) {
+            case SpaceDistribution::random:
+                return random_point_of_cube(uniform);
+            case SpaceDistribution::sphere:
+                return sphere_point(uniform);
+            case SpaceDistribution::cube:
+                return cube_point(uniform);
+            case SpaceDistribution::grid:
+                return {step * static_cast<double>(i % columns),
+                        step * static_cast<double>(i / columns % columns),
+                        step * static_cast<double>(i / (columns * columns))};
+        }
+        return {};
+    };
+    for (std::int64_t i = 0; i < options.count; ++i) {
+        const auto [x, y, z] = centre(i);
+        const double dx = changes.shift();
+        const double dy = changes.shift();
+        const double dz = changes.shift();
+        sites.push_back({x + dx, y + dy, z + dz, changes.radius()});
     }
     return sites;
 }

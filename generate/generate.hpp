@@ -39,6 +39,20 @@ inline constexpr std::array<Distribution, 8> all_distributions = {
 
 [[nodiscard]] std::string_view name_of(Distribution distribution) noexcept;
 
+/// In space, in the cube [0, 700]³.
+enum class SpaceDistribution : std::uint8_t {
+    random,  ///< uniform in the cube
+    sphere,  ///< uniform on the sphere of radius 350 in the cube
+    cube,    ///< uniform on the boundary of the cube
+    grid     ///< cubes filling the cube, whose spheres and planes are exact ties
+};
+
+inline constexpr std::array<SpaceDistribution, 4> all_space_distributions = {
+    SpaceDistribution::random, SpaceDistribution::sphere, SpaceDistribution::cube,
+    SpaceDistribution::grid};
+
+[[nodiscard]] std::string_view name_of(SpaceDistribution distribution) noexcept;
+
 struct GenerateOptions {
     std::int64_t count = 0;  ///< sites, from 0 to max_sites
     double radius_from = 0.0;
@@ -50,5 +64,7 @@ struct GenerateOptions {
 
 /// Throws std::invalid_argument for options out of their range. O(count).
 [[nodiscard]] std::vector<Site> generate(Distribution distribution, const GenerateOptions& options);
+[[nodiscard]] std::vector<Site3> generate(SpaceDistribution distribution,
+                                          const GenerateOptions& options);
 
 }  // namespace signum

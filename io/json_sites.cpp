@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -13,14 +14,19 @@ namespace {
 
 class JsonSites final : public JsonEvents {
  public:
-    JsonSites(InputFile& file, const Columns& chosen)
-        : JsonEvents(file, "sites are [[x, y, r], ...] with finite numbers") {
+    JsonSites(InputFile& file, const Columns& chosen, std::optional<int> dimension)
+        : JsonEvents(file, dimension == 3 ? "sites are [[x, y, z, r], ...] with finite numbers"
+                                          : "sites are [[x, y, r], ...] with finite numbers"),
+          dimension_(dimension),
+          is_told_(dimension) {
         if (!chosen.empty()) choose(chosen);
     }
 
     SitesFile read() {
         parse();
-        if (result_.sites.empty()) fail({}, "no site in this file");
+        if (!dimension_ || result_.sites.size() + result_.in_space.size() == 0)
+            fail({}, "no site in this file");
+        result_.dimension = *dimension_;
         return std::move(result_);
     }
 
@@ -35,12 +41,8 @@ class JsonSites final : public JsonEvents {
     }
     bool end_array() override {
         if (depth_-- == 2) {
-            if (size_ <= std::max(places_[0], places_[1])) {
-                fail(start_, size_ == 0   ? "an empty site"
-                             : size_ == 1 ? "a site of one number"
-                                          : "a site that ends before x and y");
-            }
-            result_.sites.push_back({numbers_[0], numbers_[1], numbers_[2]});
+            if (!dimension_) dimension_ = size_ == 4 ? 3 : 2;
+            finish_site();
         }
         return true;
     }
@@ -63,7 +65,8 @@ class JsonSites final : public JsonEvents {
  private:
     /// Takes the places that the caller chose, from 1.
     void choose(const Columns& chosen) {
-        places_ = {none, none, none};
+        if (!dimension_) dimension_ = chosen.size() == 4 ? 3 : 2;
+        places_.fill(none);
         for (std::size_t which = 0; which < chosen.size(); ++which) {
             const std::optional<std::uint64_t> number = parse_whole_number(chosen[which]);
             if (!number || *number == 0) {
@@ -75,23 +78,31 @@ class JsonSites final : public JsonEvents {
             const std::size_t place = *number - 1;
             if (std::ranges::count(places_, place) > 0) {
                 cursor().file().fail(
-                    {}, fmt::format("number {} is chosen twice; x, y and r are different numbers",
-                                    place + 1));
+                    {}, fmt::format("number {} is chosen twice; x, y{} and r are different numbers",
+                                    place + 1, dimension_ == 3 ? ", z" : ""));
             }
             places_[which] = place;
         }
-        most_ = none;
+        any_number_ = true;
+    }
+
+    /// The most numbers in a site.
+    [[nodiscard]] std::size_t most() const noexcept {
+        return any_number_ ? none : dimension_ == 2 ? 3 : 4;
     }
 
     bool add(double value) {
         if (depth_ < 2) fail_at_value("a number outside of a site");
-        if (size_ == most_) fail_at_value("a fourth number in a site");
+        if (size_ == most()) {
+            fail_at_value(size_ == 4 ? "a fifth number in a site"
+                          : is_told_ ? "a fourth number in a site"
+                                     : "a fourth number in a site, where the first site has no "
+                                       "more than three; with --dimension 3 the third is z");
+        }
         for (std::size_t which = 0; which < places_.size(); ++which) {
             if (places_[which] != size_) continue;
             numbers_[which] = value;
-            if (which == 2 && value < 0.0 && !result_.first_negative) {
-                result_.first_negative = cursor().value();
-            }
+            positions_[which] = cursor().value();
             if (is_beyond_single(value) && !result_.first_beyond_single)
                 result_.first_beyond_single = cursor().value();
         }
@@ -99,9 +110,29 @@ class JsonSites final : public JsonEvents {
         return true;
     }
 
+    void finish_site() {
+        const bool in_space = dimension_ == 3;
+        const std::size_t coordinates = in_space ? 3 : 2;
+        const auto last = *std::max_element(
+            places_.begin(), places_.begin() + static_cast<std::ptrdiff_t>(coordinates));
+        if (size_ <= last) {
+            fail(start_, size_ == 0   ? "an empty site"
+                         : size_ == 1 ? "a site of one number"
+                         : in_space   ? "a site that ends before x, y and z"
+                                      : "a site that ends before x and y");
+        }
+        const auto& [x, y, third, fourth] = numbers_;
+        if (numbers_[coordinates] < 0.0 && !result_.first_negative)
+            result_.first_negative = positions_[coordinates];
+        if (in_space)
+            result_.in_space.push_back({x, y, third, fourth});
+        else
+            result_.sites.push_back({x, y, third});
+    }
+
     /// What is no number may stand where nobody chose it.
     bool pass(std::string_view what) {
-        if (depth_ < 2 || most_ != none || std::ranges::count(places_, size_) > 0) {
+        if (depth_ < 2 || !any_number_ || std::ranges::count(places_, size_) > 0) {
             fail_at_value(fmt::format("{} cannot stand here", what));
         }
         ++size_;
@@ -111,18 +142,21 @@ class JsonSites final : public JsonEvents {
     static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
     SitesFile result_;
+    std::optional<int> dimension_;
+    bool is_told_;  ///< the dimension, not taken from the first site
     int depth_ = 0;
-    Position start_;                                 ///< of the site that is being read
-    std::array<double, 3> numbers_ = {};             ///< x, y and r of it
-    std::size_t size_ = 0;                           ///< how many values it has so far
-    std::array<std::size_t, 3> places_ = {0, 1, 2};  ///< of x, y and r in a site
-    std::size_t most_ = 3;                           ///< values in a site, or none
+    Position start_;                      ///< of the site that is being read
+    std::array<double, 4> numbers_ = {};  ///< x, y, in space z, and r of it
+    std::array<Position, 4> positions_ = {};
+    std::size_t size_ = 0;                              ///< how many values it has so far
+    std::array<std::size_t, 4> places_ = {0, 1, 2, 3};  ///< of numbers_ in a site
+    bool any_number_ = false;                           ///< of values may be in a site
 };
 
 }  // namespace
 
-SitesFile read_json_sites(InputFile& file, const Columns& columns) {
-    return JsonSites(file, columns).read();
+SitesFile read_json_sites(InputFile& file, const Columns& columns, std::optional<int> dimension) {
+    return JsonSites(file, columns, dimension).read();
 }
 
 }  // namespace signum

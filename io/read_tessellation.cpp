@@ -65,6 +65,8 @@ class TessellationReader final : public JsonEvents {
     }
     bool key(std::string& text) override {
         if (depth_ > 1) return true;
+        if (text == "cells")
+            fail_at_value("\"cells\" are those of a tessellation in space, which is not read yet");
         key_ = key_of(text);
         if (key_ != Key::other && !seen_.insert(key_).second) {
             fail_at_value(fmt::format("a second \"{}\"", text));

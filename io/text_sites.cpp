@@ -23,22 +23,22 @@ struct Layout {
 
 class TextSites {
  public:
-    TextSites(InputFile& file, const Columns& chosen)
-        : columns_(file, "write one site a line: x y [r]"), chosen_(chosen) {}
+    /// `lines` stands at the first one. `may_lie_in_space`: nobody has said that the sites lie in
+    /// the plane.
+    TextSites(TextColumns& lines, const Columns& chosen, bool may_lie_in_space)
+        : columns_(lines), chosen_(chosen), may_lie_in_space_(may_lie_in_space) {}
 
-    SitesFile read() {
-        if (!columns_.next_line()) columns_.fail_at_end_of_file("no site in this file");
-        if (!read_layout()) read_site();
+    SitesFile read(bool has_header) {
+        read_layout(has_header);
+        if (!has_header) read_site();
         while (columns_.next_line()) read_site();
         if (result_.sites.empty()) columns_.fail_at_end_of_file("a header and no site");
         return std::move(result_);
     }
 
  private:
-    /// From the first line, split at its own separator, and from what the caller chose. Returns
-    /// whether the line is a header.
-    bool read_layout() {
-        const bool has_header = columns_.is_header();
+    /// From the first line, split at its own separator, and from what the caller chose.
+    void read_layout(bool has_header) {
         if (!chosen_.empty()) {
             choose(has_header);
         } else if (has_header) {
@@ -46,7 +46,6 @@ class TextSites {
         } else {
             columns_.split_again();
         }
-        return has_header;
     }
 
     /// Takes the columns that the caller chose.
@@ -61,17 +60,10 @@ class TextSites {
             layout_.columns[which] = column;
         }
         if (has_header && layout_.columns[2] != no_column) {
-            result_.third = meaning_of(columns_.name(layout_.columns[2]));
+            result_.third = meaning_of_column(columns_.name(layout_.columns[2]));
         }
         layout_.size = no_column;
         columns_.keep_separator();
-    }
-
-    /// What the name of a third column says about its numbers.
-    static std::optional<WeightIs> meaning_of(std::string_view name) {
-        if (name == "radius") return WeightIs::radius;
-        if (name == "weight") return WeightIs::weight;
-        return std::nullopt;
     }
 
     /// Finds x, y and r among the names. Where neither x nor y is there, the first two columns that
@@ -90,7 +82,7 @@ class TextSites {
                                              : "a second column " + name + "; name one");
             }
             found[which] = column;
-            if (which == 2) result_.third = meaning_of(name);
+            if (which == 2) result_.third = meaning_of_column(name);
         }
         if (found[0] == no_column && found[1] == no_column) {
             if (columns_.size() > 3) {
@@ -186,8 +178,9 @@ class TextSites {
         columns_.fail_at(layout_.size,
                          fmt::format("more than three columns; a site is x y [r]{}, or name the "
                                      "columns x, y and r (or radius, weight) in a first line, or "
-                                     "choose with --columns, as in --columns 1,2",
-                                     columns_.has_comma() ? ", a fraction has a point" : ""));
+                                     "choose with --columns, as in --columns 1,2{}",
+                                     columns_.has_comma() ? ", a fraction has a point" : "",
+                                     may_lie_in_space_ ? "; --dimension 3 reads x y z [r]" : ""));
     }
 
     double read_column(std::size_t column) {
@@ -202,16 +195,38 @@ class TextSites {
         return value;
     }
 
-    TextColumns columns_;
+    TextColumns& columns_;
     const Columns& chosen_;
+    bool may_lie_in_space_;
     Layout layout_;
     SitesFile result_;
 };
 
+/// What a header, or the columns that were chosen, say where nobody has said it.
+bool lie_in_space(const TextColumns& lines, const Columns& chosen, bool has_header) {
+    if (chosen.size() == 4) return true;
+    if (chosen.size() == 3)
+        return has_header && lines.name(lines.chosen_column(chosen[2], has_header)) == "z";
+    return chosen.empty() && has_header && lines.column_called("x") != no_column &&
+           lines.column_called("y") != no_column && lines.column_called("z") != no_column;
+}
+
 }  // namespace
 
-SitesFile read_text_sites(InputFile& file, const Columns& columns) {
-    return TextSites(file, columns).read();
+std::optional<WeightIs> meaning_of_column(std::string_view name) {
+    if (name == "radius") return WeightIs::radius;
+    if (name == "weight") return WeightIs::weight;
+    return std::nullopt;
+}
+
+SitesFile read_text_sites(InputFile& file, const Columns& columns, std::optional<int> dimension) {
+    TextColumns lines(
+        file, fmt::format("write one site a line: {}", dimension == 3 ? "x y z [r]" : "x y [r]"));
+    if (!lines.next_line()) lines.fail_at_end_of_file("no site in this file");
+    const bool has_header = lines.is_header();
+    const bool in_space = dimension ? *dimension == 3 : lie_in_space(lines, columns, has_header);
+    return in_space ? read_text_sites_in_space(lines, columns, has_header)
+                    : TextSites(lines, columns, !dimension).read(has_header);
 }
 
 }  // namespace signum

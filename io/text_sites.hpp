@@ -1,12 +1,24 @@
 #pragma once
-/// Sites as text, one a line: x y [r].
+/// Sites as text, one a line: x y [r], in space x y z [r].
+
+#include <optional>
 
 #include "input_file.hpp"
 #include "read_sites.hpp"
+#include "text_columns.hpp"
 
 namespace signum {
 
-/// Reads all sites of an open file. Throws InputError.
-[[nodiscard]] SitesFile read_text_sites(InputFile& file, const Columns& columns);
+/// Reads all sites of an open file, of 2 or 3 dimensions or of those that its header or the columns
+/// tell. Throws InputError.
+[[nodiscard]] SitesFile read_text_sites(InputFile& file, const Columns& columns,
+                                        std::optional<int> dimension);
+
+/// What the name of a column of radii or weights, in small letters, says about its numbers.
+[[nodiscard]] std::optional<WeightIs> meaning_of_column(std::string_view name);
+
+/// Those of space. `lines` stands at the first line, which has_header says is a header.
+[[nodiscard]] SitesFile read_text_sites_in_space(TextColumns& lines, const Columns& columns,
+                                                 bool has_header);
 
 }  // namespace signum

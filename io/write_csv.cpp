@@ -12,4 +12,14 @@ void write_csv(std::ostream& out, const Tessellation& tessellation) {
     text.flush();
 }
 
+void write_csv(std::ostream& out, const SpaceTessellation& tessellation) {
+    constexpr std::string_view header = "a,b,c,d";
+    TextWriter text(out);
+    const std::ptrdiff_t vertices = tessellation.dimension + 1;
+    text.put(FMT_COMPILE("{}\n"), header.substr(0, static_cast<std::size_t>(2 * vertices - 1)));
+    for (const SpaceCell& cell : tessellation.cells)
+        text.put(FMT_COMPILE("{}\n"), fmt::join(cell.begin(), cell.begin() + vertices, ","));
+    text.flush();
+}
+
 }  // namespace signum

@@ -57,4 +57,25 @@ void write_json(std::ostream& out, const Tessellation& tessellation, const JsonO
     text.flush();
 }
 
+void write_json(std::ostream& out, const SpaceTessellation& tessellation, Metric metric,
+                WeightIs weight_is, const std::optional<Statistics>& statistics) {
+    TextWriter text(out);
+    text.put(
+        FMT_COMPILE("{{\"format\": \"signum.tessellation\", \"version\": 1, \"dimension\": {}, "
+                    "\"metric\": \"{}\", \"weight_is\": \"{}\", \"sites\": {}"),
+        tessellation.dimension, name_of(metric), name_of(weight_is), tessellation.sites);
+    const std::ptrdiff_t vertices = tessellation.dimension + 1;
+    const auto put_cell = [&](const SpaceCell& cell) {
+        text.put(FMT_COMPILE("[{}]"), fmt::join(cell.begin(), cell.begin() + vertices, ", "));
+    };
+    text.put_array("cells", tessellation.cells, put_cell);
+    text.put_array("neighbours", tessellation.neighbours, put_cell);
+    text.put_array("hidden", tessellation.hidden, [&](const Hidden& hidden) {
+        text.put(FMT_COMPILE("[{}, {}]"), hidden.site, hidden.by);
+    });
+    if (statistics) put_statistics(text, *statistics);
+    text.put("}\n");
+    text.flush();
+}
+
 }  // namespace signum

@@ -1,13 +1,15 @@
 #pragma once
-/// A tessellation as JSON, the format that read_tessellation() reads.
+/// A tessellation as JSON, in the plane the format that read_tessellation() reads.
 ///
 /// Laws:
 ///  1. Without statistics the bytes depend on the tessellation alone.
 ///  2. Numbers are written so that reading them gives the same double; what is beyond a double's
 ///     range and what was not counted is null.
 
+#include <optional>
 #include <ostream>
 
+#include "../spatial/triangulate.hpp"
 #include "../triangulation/tessellation.hpp"
 
 namespace signum {
@@ -20,5 +22,10 @@ struct JsonOptions {
 
 void write_json(std::ostream& out, const Tessellation& tessellation,
                 const JsonOptions& options = {});
+
+/// One of space: its "dimension", and "cells" in place of faces, each with one vertex more than
+/// that. Statistics go in where there are any.
+void write_json(std::ostream& out, const SpaceTessellation& tessellation, Metric metric,
+                WeightIs weight_is, const std::optional<Statistics>& statistics = {});
 
 }  // namespace signum

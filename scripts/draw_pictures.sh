@@ -22,7 +22,7 @@ esac
 tool=$(readlink -f "${1:-$root/run}")
 out=$(readlink -f "${2:-$root/docs/pictures}")
 cd "$root"
-pages=(README.md docs/gallery.md docs/metrics.md docs/compare.md docs/flips.md docs/motion.md docs/scenes/*.md)
+pages=(README.md docs/gallery.md docs/metrics.md docs/compare.md docs/flips.md docs/motion.md docs/space.md docs/scenes/*.md)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 mkdir "$scratch/bin"

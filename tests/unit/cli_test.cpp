@@ -138,7 +138,7 @@ TEST_F(Tool, TakesNoOptionAfterTheEndOfOptions) {
         expect(
             words, 2,
             "signum: PREDICATE: 'incircle' is unknown; did you mean in_circle? it is one of ccw, "
-            "in_circle; see signum sign --help (numbers stand after --)\n");
+            "in_circle, in_sphere; see signum sign --help (numbers stand after --)\n");
     }
 }
 
@@ -385,21 +385,38 @@ TEST_F(Tool, TakesTheColumnsThatAreNamed) {
            cities +
                ":1:1: no column is called 'hight'; did you mean 'height'? there are 'name', "
                "'lon', 'lat', 'height'\n");
-    for (const char* columns : {"lon", "1,2,3,4", "lon,,lat", ","}) {
+    for (const char* columns : {"lon", "1,2,3,4,5", "lon,,lat", ","}) {
         expect({"triangulate", cities, "--columns", columns}, 2,
+               std::string("signum: --columns ") + columns +
+                   ": give two or three, in space three or four, with commas between, by name or "
+                   "number, as in --columns lon,lat or --columns 2,3,5\n");
+    }
+    for (const char* columns : {"lon", "1,2,3,4", "lon,,lat", ","}) {
+        expect({"voronoi", cities, "--columns", columns}, 2,
                std::string("signum: --columns ") + columns +
                    ": give two or three with commas between, by name or number, as in --columns "
                    "lon,lat or --columns 2,3,5\n");
     }
     // A third column that no header calls a radius is left out, with a word.
-    const std::string third = scratch.file("t.csv", "x,y,z\n0,0,5\n4,0,5\n0,4,5\n1,1,5\n");
+    const std::string third = scratch.file("t.csv", "x,y,h\n0,0,5\n4,0,5\n0,4,5\n1,1,5\n");
     const Outcome left_out = run({"triangulate", third, "--quiet"});
     EXPECT_EQ(left_out.code, 0);
     EXPECT_EQ(left_out.out, expected.out);
     EXPECT_TRUE(left_out.err.starts_with("signum: " + third +
-                                         ":1: 'x' is x, 'y' is y, and 'z' is "
+                                         ":1: 'x' is x, 'y' is y, and 'h' is "
                                          "left out: "))
         << left_out.err;
+    // One called z says that sites lie in space, or that voronoi leaves it out.
+    const std::string heights = scratch.file("z.csv", "x,y,z\n0,0,5\n4,0,5\n0,4,5\n1,1,5\n");
+    for (const Words& words : {Words{"triangulate", heights, "--quiet", "--dimension", "2"},
+                               Words{"voronoi", heights, "--quiet"}}) {
+        const Outcome flat = run(words);
+        EXPECT_EQ(flat.code, 0);
+        EXPECT_EQ(flat.out, run({words[0], plain, "--quiet"}).out);
+        EXPECT_TRUE(flat.err.starts_with("signum: " + heights +
+                                         ":1: 'x' is x, 'y' is y, and 'z' is left out: "))
+            << flat.err;
+    }
 }
 
 TEST_F(Tool, RefusesWrongInputAndWritesNothing) {
@@ -473,7 +490,8 @@ TEST_F(Tool, WritesEveryFormatToStandardOutput) {
 
 TEST_F(Tool, RefusesOutputsThatCannotBeMeant) {
     expect(triangulate({"-o", "a.txt"}), 2,
-           "signum: -o a.txt: the ending says what to write; give it .json, .svg, .csv or .obj, or "
+           "signum: -o a.txt: the ending says what to write; give it .json, .svg, .csv, .obj or "
+           ".vtk, or "
            "say "
            "it with --format\n");
     expect(triangulate({"-o", "a.json", "-o", "a.json"}), 2,

@@ -114,6 +114,76 @@ double centre_of_pattern(double coordinate, double pitch) {
     return pitch * std::floor(coordinate / pitch + 0.5);
 }
 
+TEST(Generate, PutsSitesOfSpaceWhereTheDistributionSays) {
+    std::set<std::string_view> names;
+    for (const SpaceDistribution each : all_space_distributions) {
+        names.insert(name_of(each));
+        for (const std::int64_t count : {0, 1, 2, 9, 2501}) {
+            const std::vector<Site3> sites = generate(each, {.count = count});
+            EXPECT_EQ(std::ssize(sites), count);
+            EXPECT_EQ(sites, generate(each, {.count = count}));
+            for (const auto& [x, y, z, r] : sites) {
+                for (const double coordinate : {x, y, z}) {
+                    EXPECT_GE(coordinate, 0);
+                    EXPECT_LE(coordinate, 700);
+                }
+                EXPECT_EQ(r, 0);
+            }
+        }
+    }
+    EXPECT_EQ(names.size(), all_space_distributions.size());
+    int octants[8] = {};
+    for (const auto& [x, y, z, r] : generate(SpaceDistribution::sphere, {.count = 8000})) {
+        EXPECT_NEAR(std::hypot(x - 350, y - 350, z - 350), 350, 1e-10);
+        ++octants[(x > 350 ? 1 : 0) + (y > 350 ? 2 : 0) + (z > 350 ? 4 : 0)];
+    }
+    for (const int each : octants) EXPECT_NEAR(each, 1000, 150);
+    int faces[6] = {};
+    for (const auto& [x, y, z, r] : generate(SpaceDistribution::cube, {.count = 6000})) {
+        const double place[3] = {x, y, z};
+        bool is_on_a_face = false;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            if (place[axis] != 0 && place[axis] != 700) continue;
+            is_on_a_face = true;
+            ++faces[2 * axis + (place[axis] == 0 ? 0 : 1)];
+        }
+        EXPECT_TRUE(is_on_a_face);
+    }
+    for (const int each : faces) EXPECT_NEAR(each, 1000, 150);
+    // A grid of cubes: differences are exact.
+    const std::vector<Site3> grid = generate(SpaceDistribution::grid, {.count = 28});
+    const double step = grid[1].x;
+    EXPECT_NEAR(3 * step, 700, 1e-3);
+    for (int i = 0; i < 28; ++i) {
+        EXPECT_EQ(grid[static_cast<std::size_t>(i)],
+                  (Site3{i % 4 * step, i / 4 % 4 * step, i / 16 * step, 0}));
+    }
+}
+
+TEST(Generate, GivesTheSameDoublesOfSpaceEverywhere) {
+    // Written down once; they may not depend on platform, library or optimization.
+    EXPECT_EQ(generate(SpaceDistribution::sphere, {.count = 1, .radius_from = 1, .radius_to = 2}),
+              (std::vector<Site3>{
+                  {331.5707597598486, 169.06032252984, 50.966228962069806, 1.2205939831656303}}));
+    EXPECT_EQ(
+        generate(SpaceDistribution::cube, {.count = 1, .perturb = 0.5}),
+        (std::vector<Site3>{{0.008573467584059191, 562.5490950884716, 95.82724536308142, 0}}));
+}
+
+TEST(Generate, KeepsCentresOfSpaceWhenRadiiChange) {
+    const std::vector<Site3> small = generate(SpaceDistribution::random, {.count = 100});
+    const std::vector<Site3> large = generate(
+        SpaceDistribution::random, {.count = 100, .radius_from = 5, .radius_to = 9, .perturb = 2});
+    for (std::size_t i = 0; i < 100; ++i) {
+        EXPECT_GE(large[i].z, small[i].z);
+        EXPECT_LE(large[i].z, small[i].z + 2);
+        EXPECT_GE(large[i].r, 5);
+        EXPECT_LE(large[i].r, 9);
+    }
+    EXPECT_THROW(static_cast<void>(generate(SpaceDistribution::grid, {.count = -1})),
+                 std::invalid_argument);
+}
+
 TEST(Generate, LatticeIsExactlyCocircular) {
     const std::vector<Site> sites = generate(Distribution::lattice, {.count = 2000});
     for (const Site& site : sites) {

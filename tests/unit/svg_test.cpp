@@ -7,7 +7,9 @@
 #include "../../draw/lines.hpp"
 #include "../../draw/outline.hpp"
 #include "../../draw/shapes.hpp"
+#include "../../draw/space_svg.hpp"
 #include "../../draw/thinning.hpp"
+#include "../../generate/generate.hpp"
 #include "../../triangulation/triangulate.hpp"
 
 #include <gtest/gtest.h>
@@ -663,6 +665,71 @@ TEST(PowerCells, LieBetweenTheTwoNearestSites) {
             }
         }
     }
+}
+
+std::string drawn(const std::vector<Site3>& sites, WeightIs weight_is = WeightIs::radius,
+                  const SpaceSvgOptions& options = {}) {
+    std::ostringstream out;
+    write_svg(out, triangulate(sites), sites, weight_is, options);
+    return out.str();
+}
+
+TEST(SpaceSvg, DrawsEverySiteOnceAndEveryEdge) {
+    const std::vector<Site3> sites = {{0, 0, 0, 1}, {9, 0, 0, 2},     {0, 9, 0, 0},
+                                      {0, 0, 9, 1}, {2, 2, 2, 0.125}, {2, 2, 2, 0.25}};
+    const std::string svg = drawn(sites);
+    expect_drawable(svg);
+    EXPECT_EQ(svg, drawn(sites));
+    EXPECT_EQ(numbered(svg, "site"), 4U);
+    EXPECT_EQ(numbered(svg, "dot"), 1U);
+    EXPECT_EQ(numbered(svg, "hidden") + numbered(svg, "hidden-dot"), 1U);
+    EXPECT_NE(svg.find("<title>4, hidden by 5</title>"), svg.npos);
+    EXPECT_EQ(lines(svg, "edge"), 10U);
+    EXPECT_EQ(count(svg, "class=\"number\"") + count(svg, "class=\"hidden-number\""), 6U);
+    EXPECT_NE(legend(svg).find("visible sites: 5 hidden sites: 1 tessellation"), svg.npos)
+        << legend(svg);
+    EXPECT_EQ(legend(svg).find("nearest"), svg.npos);
+}
+
+/// What is far is drawn first, and paler.
+TEST(SpaceSvg, DrawsWhatIsNearOverWhatIsFar) {
+    const std::string svg =
+        drawn(std::vector<Site3>{{0, 0, 9, 3}, {0, 0, -9, 3}, {9, 0, 0, 3}, {0, 9, 0, 3}});
+    EXPECT_LT(svg.find("<title>1<"), svg.find("<title>3<"));
+    EXPECT_LT(svg.find("<title>3<"), svg.find("<title>0<"));
+    ASSERT_NE(svg.find("<g opacity=\"1\">"), svg.npos);
+    EXPECT_LT(svg.find("<g opacity=\"0.35\">"), svg.find("<g opacity=\"1\">"));
+}
+
+TEST(SpaceSvg, AnyInputIsDrawable) {
+    for (const double scale : {1.0, 1e308, 1e-300, 5e-324}) {
+        const std::vector<Site3> cube = {{0, 0, 0, 0},         {scale, 0, 0, 0},
+                                         {0, scale, 0, scale}, {-scale, -scale, -scale, 0},
+                                         {0, 0, scale, 0},     {scale, scale, scale, scale}};
+        for (std::size_t size = 1; size <= cube.size(); ++size) {
+            const std::vector<Site3> sites(cube.begin(),
+                                           cube.begin() + static_cast<std::ptrdiff_t>(size));
+            expect_drawable(drawn(sites));
+        }
+    }
+    expect_drawable(drawn({{1, 2, 3, 0}, {1, 2, 3, 0}, {1e15, 1e-15, 0, 1e300}}));
+    expect_drawable(drawn({{1e15, 0, 0, 0}, {1e15 + 1, 0, 0, 0}, {1e15, 1, 0, 0}}));
+    expect_drawable(drawn({{0, 0, 0, -4}, {1, 0, 0, 4}}, WeightIs::weight));
+}
+
+TEST(SpaceSvg, ThinsOutAndSaysSo) {
+    const std::vector<Site3> sites = generate(SpaceDistribution::sphere, {.count = 300});
+    const std::string svg = drawn(sites, WeightIs::radius, {.site_limit = 100, .line_limit = 200});
+    expect_drawable(svg);
+    EXPECT_EQ(numbered(svg, "dot"), 100U);
+    EXPECT_EQ(lines(svg, "edge"), 200U);
+    const std::string words = legend(svg);
+    EXPECT_NE(words.find("sites: the 100 nearest of 300 drawn"), svg.npos) << words;
+    EXPECT_NE(words.find("edges of the hull"), svg.npos) << words;
+    EXPECT_NE(words.find("edges inside are not drawn: there are "), svg.npos) << words;
+    // A sphere's hull is a triangulation of all its sites.
+    EXPECT_NE(words.find("edges: the 200 nearest of 894 drawn"), svg.npos) << words;
+    EXPECT_LT(drawn(generate(SpaceDistribution::random, {.count = 20'000})).size(), 2'000'000U);
 }
 
 TEST(Frame, ShowsABox) {

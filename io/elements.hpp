@@ -1,0 +1,17 @@
+#pragma once
+/// The radii of atoms that touch without a bond, in Ångström.
+///
+/// Sources: A. Bondi, J. Phys. Chem. 68 (1964) 441; for elements of the main groups that it lacks
+/// M. Mantina et al., J. Phys. Chem. A 113 (2009) 5806; for V, Cr, Mn, Fe and Co, which neither
+/// has, S. Alvarez, Dalton Trans. 42 (2013) 8617.
+
+#include <optional>
+#include <string_view>
+
+namespace signum {
+
+/// By the symbol of the element, in letters of any case; D is hydrogen. Nothing for what is no
+/// element of the table.
+[[nodiscard]] std::optional<double> van_der_waals_radius(std::string_view element) noexcept;
+
+}  // namespace signum

@@ -1,0 +1,138 @@
+#include "mesh_sites.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "line_words.hpp"
+#include "number.hpp"
+
+namespace signum {
+namespace {
+
+class PlySites {
+ public:
+    explicit PlySites(InputFile& file)
+        : lines_(file,
+                 "a PLY file begins with ply, format ascii 1.0, and element vertex with properties "
+                 "x, y and z") {
+        result_.dimension = 3;
+    }
+
+    SitesFile read() {
+        read_header();
+        for (const Element& element : elements_) {
+            const bool is_vertex = element.name == "vertex";
+            for (std::uint64_t i = 0; i < element.count; ++i) {
+                if (!lines_.next_with_words()) {
+                    lines_.fail_at_end(fmt::format("the file ends after {} of {} elements {}", i,
+                                                   element.count, element.name));
+                }
+                if (is_vertex) read_vertex();
+            }
+            if (is_vertex) break;
+        }
+        if (result_.in_space.empty()) lines_.fail_at_end("no vertex in this file");
+        return std::move(result_);
+    }
+
+ private:
+    struct Element {
+        std::string name;
+        std::uint64_t count = 0;
+    };
+
+    void read_header() {
+        if (!lines_.next() || lines_.size() != 1 || lines_[0] != "ply")
+            lines_.fail_at_end("this is no PLY file");
+        while (lines_.next_with_words()) {
+            const std::string_view what = lines_[0];
+            if (what == "end_header") return check_header();
+            if (what == "format")
+                read_format();
+            else if (what == "element")
+                read_element();
+            else if (what == "property")
+                read_property();
+            else if (what != "comment" && what != "obj_info")
+                lines_.fail_at(0, fmt::format("{} cannot stand in the header of a PLY file; it "
+                                              "ends with end_header",
+                                              in_quotes(what)));
+        }
+        lines_.fail_at_end("the file ends within the header");
+    }
+
+    void read_format() {
+        if (lines_.size() > 1 && lines_[1] == "ascii") return;
+        lines_.fail_at(1, "a PLY file is read in ASCII alone; save it as format ascii 1.0");
+    }
+
+    void read_element() {
+        const auto count =
+            lines_.size() == 3 ? parse_whole_number(lines_[2]) : std::optional<std::uint64_t>();
+        if (!count) lines_.fail_at(1, "an element is a line element NAME NUMBER");
+        elements_.push_back({std::string(lines_[1]), *count});
+    }
+
+    void read_property() {
+        if (elements_.empty() || lines_.size() < 3)
+            lines_.fail_at(0, "a property is a line property TYPE NAME below its element");
+        if (elements_.back().name != "vertex") return;
+        const std::string_view name = lines_[lines_.size() - 1];
+        if (lines_[1] == "list")
+            lines_.fail_at(1, "a list in a vertex is not read; leave the property out");
+        const std::size_t place = properties_++;
+        if (name == "x") places_[0] = place;
+        if (name == "y") places_[1] = place;
+        if (name == "z") places_[2] = place;
+        if (name != "radius" && name != "weight") return;
+        if (places_[radius] != none)
+            lines_.fail_at(lines_.size() - 1,
+                           "a second property of radii or weights; leave one of them out");
+        places_[radius] = place;
+        result_.third = name == "weight" ? WeightIs::weight : WeightIs::radius;
+    }
+
+    void check_header() {
+        for (std::size_t which = 0; which < radius; ++which)
+            if (places_[which] == none) lines_.fail_at_end("no vertices with x, y and z");
+    }
+
+    void read_vertex() {
+        if (lines_.size() != properties_) {
+            lines_.fail_at(std::min(lines_.size(), properties_),
+                           fmt::format("{} numbers, but the header names {} properties of a vertex",
+                                       lines_.size(), properties_));
+        }
+        Site3 site = {lines_.number(places_[0]), lines_.number(places_[1]),
+                      lines_.number(places_[2]), 0.0};
+        if (places_[radius] != none) {
+            site.r = lines_.number(places_[radius]);
+            if (site.r < 0.0 && !result_.first_negative)
+                result_.first_negative = lines_.position_of(places_[radius]);
+        }
+        result_.in_space.push_back(site);
+    }
+
+    static constexpr std::size_t none = static_cast<std::size_t>(-1);
+    static constexpr std::size_t radius = 3;
+
+    LineWords lines_;
+    std::vector<Element> elements_;
+    std::size_t properties_ = 0;                                    ///< of a vertex
+    std::array<std::size_t, 4> places_ = {none, none, none, none};  ///< of x, y, z and r among them
+    SitesFile result_;
+};
+
+}  // namespace
+
+SitesFile read_ply_sites(InputFile& file) {
+    return PlySites(file).read();
+}
+
+}  // namespace signum

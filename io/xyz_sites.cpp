@@ -1,0 +1,139 @@
+/// Atoms from files in XYZ, plain or extended.
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "atoms.hpp"
+#include "line_words.hpp"
+#include "number.hpp"
+
+namespace signum {
+namespace {
+
+class XyzSites {
+ public:
+    explicit XyzSites(InputFile& file)
+        : lines_(file,
+                 "an XYZ file is the number of atoms, a comment, and a line each: element x y z "
+                 "[radius]") {
+        result_.dimension = 3;
+    }
+
+    SitesFile read() {
+        std::int64_t frames = 0;
+        for (; lines_.next_with_words(); ++frames) read_frame();
+        if (result_.in_space.empty()) lines_.fail_at_end("no atom in this file");
+        if (frames > 1)
+            result_.note =
+                fmt::format("{}: of {} frames the last one is read", lines_.path(), frames);
+        return std::move(result_);
+    }
+
+ private:
+    /// Where the words of an atom stand.
+    struct AtomLayout {
+        std::size_t x = 1;  ///< y and z follow
+        std::size_t radius = 4;
+        std::size_t least = 4;
+        std::size_t most = 5;
+    };
+
+    void read_frame() {
+        const auto atoms = parse_whole_number(lines_[0]);
+        if (!atoms || lines_.size() > 1) {
+            lines_.fail_at(lines_.size() > 1 && atoms ? 1 : 0,
+                           "the number of atoms stands alone in the first line of an XYZ file; "
+                           "where lines are x y z [r], say --read-as text --dimension 3");
+        }
+        if (!lines_.next()) lines_.fail_at_end("the file ends within a frame");
+        const AtomLayout layout = layout_of_comment();
+        result_.in_space.clear();
+        result_.first_negative.reset();
+        for (std::uint64_t i = 0; i < *atoms; ++i) {
+            if (!lines_.next()) {
+                lines_.fail_at_end(fmt::format("the file ends after {} of {} atoms", i, *atoms));
+            }
+            read_atom(layout);
+        }
+    }
+
+    void read_atom(const AtomLayout& layout) {
+        if (lines_.size() < layout.least) {
+            lines_.fail_at(lines_.size(),
+                           fmt::format("{} words; an atom is element x y z [radius]{}",
+                                       lines_.size(), is_extended_ ? ", as Properties say" : ""));
+        }
+        if (lines_.size() > layout.most) {
+            lines_.fail_at(layout.most,
+                           is_extended_
+                               ? fmt::format("{} words, but Properties name {}; write as many",
+                                             lines_.size(), layout.most)
+                               : "more than element x y z radius; write no more, or say in the "
+                                 "comment what it is, as in Properties=species:S:1:pos:R:3:...");
+        }
+        const std::size_t x = layout.x;
+        Site3 site = {lines_.number(x), lines_.number(x + 1), lines_.number(x + 2), 0.0};
+        if (layout.radius < lines_.size()) {
+            site.r = lines_.number(layout.radius);
+            if (site.r < 0.0 && !result_.first_negative)
+                result_.first_negative = lines_.position_of(layout.radius);
+        }
+        result_.in_space.push_back(site);
+    }
+
+    /// Properties=NAME:TYPE:COLUMNS:NAME:... say what stands where.
+    AtomLayout layout_of_comment() {
+        constexpr std::string_view key = "Properties=";
+        const std::string_view comment = lines_.line();
+        const std::size_t found = comment.find(key);
+        is_extended_ = found != std::string_view::npos;
+        if (!is_extended_) return {};
+        std::string_view rest = comment.substr(found + key.size());
+        rest = rest.substr(0, rest.find_first_of(" \t\"'"));
+        const auto next_part = [&] {
+            const std::string_view part = rest.substr(0, rest.find(':'));
+            rest.remove_prefix(std::min(rest.size(), part.size() + 1));
+            return part;
+        };
+        const auto fail = [&](std::string_view message) {
+            lines_.fail_at_column(found + 1, message);
+        };
+        std::size_t column = 0;
+        std::optional<std::size_t> position;
+        AtomLayout layout = {0, no_word, 0, 0};
+        while (!rest.empty()) {
+            const std::string_view name = next_part();
+            const std::string_view type = next_part();
+            const auto count = parse_whole_number(next_part());
+            if (!count || *count > most_columns || type.size() != 1)
+                fail("Properties are NAME:TYPE:COLUMNS, one after the other with : between");
+            if (name == "pos" && *count == 3) position = column;
+            if (name == "radius" && *count == 1) layout.radius = column;
+            column += *count;
+        }
+        if (!position) fail("Properties without pos:R:3, the places of the atoms");
+        layout.x = *position;
+        layout.least = layout.most = column;
+        return layout;
+    }
+
+    static constexpr std::size_t no_word = static_cast<std::size_t>(-1);
+    static constexpr std::uint64_t most_columns = 1000;
+
+    LineWords lines_;
+    bool is_extended_ = false;
+    SitesFile result_;
+};
+
+}  // namespace
+
+SitesFile read_xyz_sites(InputFile& file) {
+    return XyzSites(file).read();
+}
+
+}  // namespace signum
