@@ -22,6 +22,7 @@
 #include "predicates/supremum.hpp"
 #include "spatial/touching_spheres.hpp"
 #include "spatial/triangulate.hpp"
+#include "spatial/vertices.hpp"
 #include "triangulation/arrays.hpp"
 #include "triangulation/dynamic.hpp"
 #include "triangulation/edge_list.hpp"
