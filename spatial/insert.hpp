@@ -59,7 +59,7 @@ class Insertion {
         look_from(q);
         for (const Index v : cells_.vertex(home)) static_cast<void>(see(v));
         kernel_.set_bound();
-        if (!conflicts(home, kernel_.in_sphere(seen_of(home)))) return false;
+        if (!conflicts(home, kernel_.in_sphere(seen_of(home)), kernel_.bound())) return false;
         find_region(home);
         find_hidden(hidden);
         join(q);
@@ -149,8 +149,8 @@ class Insertion {
         return {number(v[0]), number(v[1]), number(v[2]), number(v[3])};
     }
     /// Whether a cell is in conflict, of which the determinant is known.
-    [[nodiscard]] bool conflicts(Index c, double determinant) {
-        if (filters::magnitude(determinant) > kernel_.bound()) [[likely]]
+    [[nodiscard]] bool conflicts(Index c, double determinant, double bound) {
+        if (filters::magnitude(determinant) > bound) [[likely]]
             return determinant > 0.0;
         return conflicts_closely(c, determinant);
     }
@@ -166,7 +166,7 @@ class Insertion {
         if (!Kernel::is_exact && cells_.place_of_infinity(behind) < 4) return false;
         for (const Index each : cells_.vertex(behind)) static_cast<void>(see(each));
         kernel_.set_bound();
-        return conflicts(behind, kernel_.in_sphere(seen_of(behind)));
+        return conflicts(behind, kernel_.in_sphere(seen_of(behind)), kernel_.bound());
     }
     /// The places of the vertices of the facet across from one: with that one first they turn as
     /// the cell does.
@@ -217,11 +217,20 @@ class Insertion {
             in_region_.resize(2 * count_, -1);
         std::array<double, 4> determinants;
         in_spheres_beyond({row(0), row(1), row(2), row(3)}, beyond, determinants);
+        double bound = kernel_.bound();
+        if constexpr (Kernel::is_exact) {
+            bool are_certain = true;
+            for (std::size_t k = 0; k < 4; ++k)
+                are_certain &= filters::magnitude(determinants[k]) > bound ||
+                               cells_.is_free(from.neighbour[k]);
+            if (!are_certain) [[unlikely]]
+                bound = kernel_.refine(from.vertex, apex, determinants);
+        }
 #pragma GCC unroll 4
         for (std::size_t k = 0; k < 4; ++k) {
             const Index n = from.neighbour[k];
             const bool is_taken = cells_.is_free(n);
-            const bool in_conflict = is_taken || conflicts(n, determinants[k]);
+            const bool in_conflict = is_taken || conflicts(n, determinants[k], bound);
             const auto& facet = facet_of[k];
             boundary_[facets_] = {
                 n,

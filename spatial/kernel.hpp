@@ -27,7 +27,10 @@ class ExactKernel : public View<S> {
     static constexpr bool is_exact = true;
 
     ExactKernel(std::span<const S> sites, std::span<const Index> numbers)
-        : View<S>(sites.data()), numbers_(numbers.data()), lattice_(sites) {}
+        : View<S>(sites.data()),
+          numbers_(numbers.data()),
+          lattice_(sites),
+          can_refine_(are_in_window(sites)) {}
 
     /// The orientation of four sites.
     [[nodiscard]] Sign ccw(Index a, Index b, Index c, Index d) const noexcept {
@@ -44,6 +47,21 @@ class ExactKernel : public View<S> {
             return sign_of(predicates::ccw_determinant(this->row(b).offset, this->row(c).offset,
                                                        this->row(d).offset));
         return ccw(this->eye(), this->name(b), this->name(c), this->name(d));
+    }
+    /// Determinants of cells without the vertex at infinity, of which not all are certain, and what
+    /// they are in error by then.
+    [[nodiscard]] double refine(const std::array<Seen, 4>& cell, const std::array<Seen, 4>& beyond,
+                                std::array<double, 4>& determinants) const noexcept {
+        if (!can_refine_ || is_on_lattice() || !(this->magnitude() < 0x1p900)) return this->bound();
+        const auto are_sites = [](const std::array<Seen, 4>& v) {
+            return std::ranges::find(v, seen_infinity) == v.end();
+        };
+        if (!are_sites(cell) || !are_sites(beyond)) return this->bound();
+        const auto sites = [this](const std::array<Seen, 4>& v) -> std::array<const S*, 4> {
+            return {&site(v[0]), &site(v[1]), &site(v[2]), &site(v[3])};
+        };
+        refined_in_spheres_beyond(this->at(this->eye()), sites(cell), sites(beyond), determinants);
+        return 24.0 * refined_error * this->magnitude();
     }
     /// Whether the site that sees them conflicts with a cell that turns positively, without the
     /// vertex at infinity; its determinant is not certain.
@@ -117,6 +135,7 @@ class ExactKernel : public View<S> {
 
     const Index* numbers_;
     Lattice lattice_;
+    bool can_refine_;
 };
 
 /// The same in doubles, whose word is taken for the truth, and a zero for no conflict: what

@@ -1,7 +1,10 @@
 #include "view.hpp"
 
+#include <algorithm>
+
 #include "../core/processor.hpp"
 #include "../filters/four.hpp"
+#include "../predicates/space/refined.hpp"
 
 namespace signum::spatial {
 namespace {
@@ -62,5 +65,91 @@ void in_spheres_beyond(const std::array<const ViewRow*, 4>& cell,
         for (std::size_t k = 0; k < 4; ++k) determinants[k] = result[k];
     });
 }
+
+// ---- the same in double-doubles
+// ------------------------------------------------------------------
+
+static_assert(refined_error > power::refined_in_sphere_error);
+
+namespace {
+
+using filters::DoubleDouble;
+using filters::FourDoubleDoubles;
+
+using RefinedRows = power::LiftedRow<FourDoubleDoubles>;
+
+[[gnu::always_inline]] inline void put(FourDoubleDoubles& numbers, std::size_t lane,
+                                       const DoubleDouble& number) noexcept {
+    numbers.high[lane] = number.high;
+    numbers.low[lane] = number.low;
+}
+template <class S>
+[[gnu::always_inline]] inline void gather(RefinedRows& rows, const std::array<const S*, 4>& of,
+                                          const S& eye) noexcept {
+    for (std::size_t k = 0; k < 4; ++k) {
+        const power::LiftedRow<DoubleDouble> row = power::double_double_row(*of[k], eye);
+        put(rows.offset.x, k, row.offset.x);
+        put(rows.offset.y, k, row.offset.y);
+        put(rows.offset.z, k, row.offset.z);
+        put(rows.weight, k, row.weight);
+    }
+}
+/// Rows of which the height is known.
+struct HighRows {
+    predicates::Offset3<FourDoubleDoubles> offset;
+    FourDoubleDoubles lift;
+    [[gnu::always_inline]] const FourDoubleDoubles& height() const noexcept { return lift; }
+};
+template <int a, int b, int c, int d>
+[[gnu::always_inline]] inline void choose(FourDoubleDoubles& chosen,
+                                          const FourDoubleDoubles& of) noexcept {
+    chosen.high = Four{of.high[a], of.high[b], of.high[c], of.high[d]};
+    chosen.low = Four{of.low[a], of.low[b], of.low[c], of.low[d]};
+}
+template <int a, int b, int c, int d>
+[[gnu::always_inline]] inline void choose(HighRows& chosen, const HighRows& rows) noexcept {
+    choose<a, b, c, d>(chosen.offset.x, rows.offset.x);
+    choose<a, b, c, d>(chosen.offset.y, rows.offset.y);
+    choose<a, b, c, d>(chosen.offset.z, rows.offset.z);
+    choose<a, b, c, d>(chosen.lift, rows.lift);
+}
+
+}  // namespace
+
+template <power::PowerSite3 S>
+void refined_in_spheres_beyond(const S& eye, const std::array<const S*, 4>& cell,
+                               const std::array<const S*, 4>& beyond,
+                               std::array<double, 4>& determinants) noexcept {
+    as_wide_as_possible([&]() __attribute__((always_inline)) {
+        RefinedRows rows;
+        gather(rows, cell, eye);
+        const HighRows vertices = {rows.offset, rows.height()};
+        gather(rows, beyond, eye);
+        const HighRows a = {rows.offset, rows.height()};
+        HighRows b;
+        HighRows c;
+        HighRows d;
+        choose<1, 0, 0, 0>(b, vertices);
+        choose<3, 2, 3, 1>(c, vertices);
+        choose<2, 3, 1, 2>(d, vertices);
+        const FourDoubleDoubles result = power::in_sphere_determinant(a, b, c, d);
+        for (std::size_t k = 0; k < 4; ++k) determinants[k] = result.high[k];
+    });
+}
+
+template <power::PowerSite3 S>
+bool are_in_window(std::span<const S> sites) noexcept {
+    return std::ranges::all_of(sites, [](const S& site) { return power::in_window(site); });
+}
+
+#define SIGNUM_OF(S)                                                                  \
+    template void refined_in_spheres_beyond(const S&, const std::array<const S*, 4>&, \
+                                            const std::array<const S*, 4>&,           \
+                                            std::array<double, 4>&) noexcept;         \
+    template bool are_in_window(std::span<const S>) noexcept
+SIGNUM_OF(Point3);
+SIGNUM_OF(Site3);
+SIGNUM_OF(power::Site3);
+#undef SIGNUM_OF
 
 }  // namespace signum::spatial

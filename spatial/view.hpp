@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 
 #include "../core/index.hpp"
 #include "../core/large_array.hpp"
@@ -36,6 +37,17 @@ struct alignas(32) ViewRow {
 void in_spheres_beyond(const std::array<const ViewRow*, 4>& cell,
                        const std::array<const ViewRow*, 4>& beyond,
                        std::array<double, 4>& determinants) noexcept;
+
+/// The same in double-doubles, for sites within their window; rounded at the end. In error by less
+/// than refined_error times the sum of the magnitudes of the terms.
+template <power::PowerSite3 S>
+void refined_in_spheres_beyond(const S& eye, const std::array<const S*, 4>& cell,
+                               const std::array<const S*, 4>& beyond,
+                               std::array<double, 4>& determinants) noexcept;
+/// Whether sites are within the window of double-doubles.
+template <power::PowerSite3 S>
+[[nodiscard]] bool are_in_window(std::span<const S> sites) noexcept;
+inline constexpr double refined_error = 0x1p-96;
 
 template <power::PowerSite3 S>
 class View {

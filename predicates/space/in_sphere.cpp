@@ -6,11 +6,12 @@
 #include <cstdint>
 #include <initializer_list>
 
+#include "../../core/processor.hpp"
 #include "../../exact/expansion.hpp"
 #include "../../exact/floating_environment.hpp"
-#include "../../filters/double_double.hpp"
 #include "../../filters/wide.hpp"
 #include "multiprecision.hpp"
+#include "refined.hpp"
 
 namespace signum::power {
 namespace {
@@ -18,19 +19,6 @@ namespace {
 using filters::DoubleDouble;
 using filters::magnitude;
 using filters::Verdict;
-
-/// Whether terms of degree up to 5 in this number neither over- nor underflow, a weight counting as
-/// degree 2; those of its error terms included, for it is a multiple of 2^-202.
-[[nodiscard]] bool in_window(double number, int degree = 1) noexcept {
-    return exact::window::contains(number, 150 * degree);
-}
-template <PowerSite3 S>
-[[nodiscard]] bool in_window(const S& s) noexcept {
-    bool weight = true;
-    if constexpr (requires { s.r; }) weight = in_window(s.r);
-    if constexpr (requires { s.w; }) weight = in_window(s.w, 2);
-    return weight && in_window(s.x) && in_window(s.y) && in_window(s.z);
-}
 
 /// The determinant in integers, where the differences to q are exact and multiples of one power of
 /// two g below 2^60 g: on grids, where exact ties abound, and for most sites that lie close
@@ -165,27 +153,6 @@ class IntegerRows {
     return Verdict::uncertain();
 }
 
-/// The error of the determinant in double-doubles as a multiple of its magnitude: the lemma of
-/// rounding_count.hpp; twice that covers the magnitude, rounded in doubles.
-constexpr double refined_error = 24 * filters::double_double_epsilon;
-constexpr LiftedRow<filters::RoundingCount> refined_row{
-    {filters::RoundingCount(), filters::RoundingCount(), filters::RoundingCount()},
-    filters::RoundingCount::of(1)};
-static_assert(in_sphere_determinant(refined_row, refined_row, refined_row, refined_row).roundings <=
-              12);
-
-template <PowerSite3 S>
-[[nodiscard]] LiftedRow<DoubleDouble> double_double_row(const S& m, const S& q) noexcept {
-    LiftedRow<DoubleDouble> row{
-        {filters::exact_difference(m.x, q.x), filters::exact_difference(m.y, q.y),
-         filters::exact_difference(m.z, q.z)},
-        {0.0, 0.0}};
-    if constexpr (requires { m.w; }) row.weight = filters::exact_difference(m.w, q.w);
-    if constexpr (requires { m.r; })
-        row.weight = filters::exact_difference(m.r, q.r) * filters::exact_sum(m.r, q.r);
-    return row;
-}
-
 /// Where double-doubles might over- or underflow. The origin may be any of the five: the
 /// determinant is that of five rows (1, x, y, z, height), of which exchanging two turns the sign.
 template <PowerSite3 S>
@@ -213,10 +180,13 @@ template <PowerSite3 S>
     const IntegerRows integers(i, j, k, l, q);
     if (const Verdict verdict = integers.sign_if_narrow(); verdict.is_certain())
         return {verdict.sign(), Stage::exact};
-    const DoubleDouble refined =
-        in_sphere_determinant(double_double_row(i, q), double_double_row(j, q),
-                              double_double_row(k, q), double_double_row(l, q));
-    if (const Verdict verdict = judged(refined.high, refined_error * size); verdict.is_certain())
+    DoubleDouble refined;
+    as_wide_as_possible([&]() __attribute__((always_inline)) {
+        refined = in_sphere_determinant(double_double_row(i, q), double_double_row(j, q),
+                                        double_double_row(k, q), double_double_row(l, q));
+    });
+    if (const Verdict verdict = judged(refined.high, refined_in_sphere_error * size);
+        verdict.is_certain())
         return {verdict.sign(), Stage::refine};
     if (const Verdict verdict = integers.sign_if_wide(); verdict.is_certain())
         return {verdict.sign(), Stage::exact};

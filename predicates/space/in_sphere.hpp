@@ -26,7 +26,7 @@ struct LiftedRow {
     predicates::Offset3<Number> offset;
     Number weight;
 
-    [[nodiscard]] constexpr Number height() const {
+    [[nodiscard, gnu::always_inline]] constexpr Number height() const {
         const auto& [x, y, z] = offset;
         return (x * x + y * y + z * z) - weight;
     }
@@ -34,8 +34,8 @@ struct LiftedRow {
 
 /// Minus the determinant, for any type of number: by its last column, minors of pairs shared.
 template <class Row>
-[[nodiscard]] constexpr auto in_sphere_determinant(const Row& i, const Row& j, const Row& k,
-                                                   const Row& l) {
+[[nodiscard, gnu::always_inline]] constexpr auto in_sphere_determinant(const Row& i, const Row& j,
+                                                                       const Row& k, const Row& l) {
     using Number = decltype(i.height());
     const auto& a = i.offset;
     const auto& b = j.offset;
