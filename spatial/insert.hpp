@@ -24,6 +24,7 @@
 #include "../triangulation/options.hpp"
 #include "cells.hpp"
 #include "kernel.hpp"
+#include "orthospheres.hpp"
 
 namespace signum::spatial {
 
@@ -31,8 +32,10 @@ template <class Kernel>
 class Insertion {
  public:
     /// The first four sites turn positively. `sites`: how many there will be.
-    Insertion(Kernel& kernel, std::size_t sites) : kernel_(kernel), seen_(sites + 1, 0) {
+    Insertion(Kernel& kernel, const Frame& frame, std::size_t sites)
+        : kernel_(kernel), frame_(frame), seen_(sites + 1, 0) {
         cells_.reserve(7 * sites + 64);
+        spheres_.reserve(7 * sites + 64);
         // A cell and those across its facets, which have the vertex at infinity.
         constexpr std::array<Index, 4> first = {0, 1, 2, 3};
         const Index inner = cells_.add();
@@ -50,6 +53,7 @@ class Insertion {
             cells_.vertex(made) = outer;
             cells_.neighbour(made) = neighbours;
         }
+        spheres_.assign(cells_.size(), unknown_sphere);
     }
 
     /// False where the site is hidden; `hidden(v)` tells of each that it hides.
@@ -60,6 +64,7 @@ class Insertion {
         for (const Index v : cells_.vertex(home)) static_cast<void>(see(v));
         kernel_.set_bound();
         if (!conflicts(home, kernel_.in_sphere(seen_of(home)), kernel_.bound())) return false;
+        site_ = in_frame(kernel_.at(q), frame_);
         find_region(home);
         find_hidden(hidden);
         join(q);
@@ -180,68 +185,81 @@ class Insertion {
         const Four& neighbour = cells_.neighbour(c);
         region_[taken_++] = {c, neighbour, seen_of(c)};
         for (const Index n : neighbour) cells_.prefetch(n);
+        for (const Index n : neighbour) __builtin_prefetch(&sphere(n));
         cells_.vertex(c)[0] = Cells::free;
     }
     void find_region(Index home) {
         taken_ = facets_ = vertices_ = 0;
         take(home);
         for (const Seen v : region_[0].vertex) count_in_region(v);
+        const SphereTest test(site_, frame_);
         for (std::size_t next = 0; next < taken_; ++next) {
             // Room for all that may lie beyond the facets of one.
             if (taken_ + 4 > region_.size()) region_.resize(2 * region_.size());
             if (facets_ + 4 > boundary_.size()) boundary_.resize(2 * boundary_.size());
-            look_beyond(region_[next]);
+            look_beyond(region_[next], test);
         }
     }
-    void count_in_region(Seen v) noexcept {
+    void count_in_region(Seen v) {
+        if (in_region_.size() <= v) [[unlikely]]
+            in_region_.resize(2 * count_, -1);
         if (std::exchange(in_region_[v], kernel_.eye()) != kernel_.eye()) ++vertices_;
     }
-    /// The cells beyond the facets of one, judged at once. Which of them are in conflict nobody can
-    /// foretell, so that there is one branch for each, and none for those that are known to be.
-    void look_beyond(const Taken& from) {
-        std::array<std::size_t, 4> place;  // of the facet there
-        std::array<const ViewRow*, 4> beyond;
-        std::array<Seen, 4> apex;
-        const Index any = kernel_.name(from.vertex[0]);
+    /// The cells beyond the facets of one: judged by their spheres, and where these tell nothing by
+    /// their vertices.
+    void look_beyond(const Taken& from, const SphereTest& test) {
+        std::array<Told, 4> told;
+        const Orthosphere* const spheres = spheres_.data();
+        const auto& [a, b, c, d] = from.neighbour;
+        test(spheres[a], spheres[b], spheres[c], spheres[d], told);
+        if (told[0] == Told::nothing || told[1] == Told::nothing || told[2] == Told::nothing ||
+            told[3] == Told::nothing) [[unlikely]]
+            judge(from, told);
 #pragma GCC unroll 4
         for (std::size_t k = 0; k < 4; ++k) {
             const Index n = from.neighbour[k];
-            place[k] = place_of(from.cell, cells_.neighbour(n));
-            const Index v = cells_.vertex(n)[place[k]];
-            apex[k] = see(cells_.is_free(n) ? any : v);
+            if (told[k] == Told::none) {
+                const auto& facet = facet_of[k];
+                boundary_[facets_++] = {
+                    n,
+                    static_cast<std::uint32_t>(place_of(from.cell, cells_.neighbour(n))),
+                    {from.vertex[facet[0]], from.vertex[facet[1]], from.vertex[facet[2]]}};
+            } else if (!cells_.is_free(n)) {
+                const Seen apex = see(cells_.vertex(n)[place_of(from.cell, cells_.neighbour(n))]);
+                take(n);
+                count_in_region(apex);
+            }
         }
-        for (std::size_t k = 0; k < 4; ++k) beyond[k] = &kernel_.row(apex[k]);
-        const auto row = [&](std::size_t k) { return &kernel_.row(from.vertex[k]); };
+    }
+    /// By determinants, four at once.
+    [[gnu::noinline]] void judge(const Taken& from, std::array<Told, 4>& told) {
+        std::array<Seen, 4> apex = from.vertex;
+        for (std::size_t k = 0; k < 4; ++k) {
+            const Index n = from.neighbour[k];
+            if (told[k] != Told::nothing) continue;
+            if (cells_.is_free(n))
+                told[k] = Told::conflict;
+            else
+                apex[k] = see(cells_.vertex(n)[place_of(from.cell, cells_.neighbour(n))]);
+        }
         kernel_.set_bound();
-        if (in_region_.size() < count_) [[unlikely]]
-            in_region_.resize(2 * count_, -1);
+        const auto rows = [this](const std::array<Seen, 4>& v) -> std::array<const ViewRow*, 4> {
+            return {&kernel_.row(v[0]), &kernel_.row(v[1]), &kernel_.row(v[2]), &kernel_.row(v[3])};
+        };
         std::array<double, 4> determinants;
-        in_spheres_beyond({row(0), row(1), row(2), row(3)}, beyond, determinants);
+        in_spheres_beyond(rows(from.vertex), rows(apex), determinants);
         double bound = kernel_.bound();
         if constexpr (Kernel::is_exact) {
             bool are_certain = true;
             for (std::size_t k = 0; k < 4; ++k)
-                are_certain &= filters::magnitude(determinants[k]) > bound ||
-                               cells_.is_free(from.neighbour[k]);
-            if (!are_certain) [[unlikely]]
-                bound = kernel_.refine(from.vertex, apex, determinants);
+                are_certain &=
+                    told[k] != Told::nothing || filters::magnitude(determinants[k]) > bound;
+            if (!are_certain) bound = kernel_.refine(from.vertex, apex, determinants);
         }
-#pragma GCC unroll 4
-        for (std::size_t k = 0; k < 4; ++k) {
-            const Index n = from.neighbour[k];
-            const bool is_taken = cells_.is_free(n);
-            const bool in_conflict = is_taken || conflicts(n, determinants[k], bound);
-            const auto& facet = facet_of[k];
-            boundary_[facets_] = {
-                n,
-                static_cast<std::uint32_t>(place[k]),
-                {from.vertex[facet[0]], from.vertex[facet[1]], from.vertex[facet[2]]}};
-            facets_ += static_cast<std::size_t>(!in_conflict);
-            if (in_conflict && !is_taken) {
-                take(n);
-                count_in_region(apex[k]);
-            }
-        }
+        for (std::size_t k = 0; k < 4; ++k)
+            if (told[k] == Told::nothing)
+                told[k] = conflicts(from.neighbour[k], determinants[k], bound) ? Told::conflict
+                                                                               : Told::none;
     }
     /// Vertices of the region that are on no facet of its boundary, a sphere: with half as many
     /// vertices as facets, and two.
@@ -277,12 +295,32 @@ class Insertion {
             cells_.neighbour(made)[0] = facet.outer;
             cells_.neighbour(facet.outer)[facet.place] = made;
         }
-        for (std::size_t i = facets_; i < taken_; ++i) cells_.remove(region_[i].cell);
+        for (std::size_t i = facets_; i < taken_; ++i) {
+            cells_.remove(region_[i].cell);
+            sphere(region_[i].cell) = unknown_sphere;
+        }
+        make_spheres();
         last_ = made_[0];
         if (count_ <= stride)
             link_by_table();
         else
             link_by_sorting();
+    }
+    void make_spheres() {
+        spheres_.resize(cells_.size());
+        kernel_.set_bound();
+        const SphereMaker maker(kernel_.rows(), site_, frame_, kernel_.reach(), kernel_.height());
+        std::array<Orthosphere, 4> made;
+        for (std::size_t i = 0; i < facets_; i += 4) {
+            const auto facet = [&](std::size_t k) {
+                return &boundary_[std::min(i + k, facets_ - 1)].vertex;
+            };
+            maker.make({facet(0), facet(1), facet(2), facet(3)}, made);
+            for (std::size_t k = 0; k < 4 && i + k < facets_; ++k) sphere(made_[i + k]) = made[k];
+        }
+    }
+    [[nodiscard]] Orthosphere& sphere(Index c) noexcept {
+        return spheres_[static_cast<std::size_t>(c)];
     }
     void link_by_table() {
         Index* const along = along_.data();
@@ -347,7 +385,10 @@ class Insertion {
     enum class Stays : std::uint8_t { no, yes };
 
     Kernel& kernel_;
+    Frame frame_;
     Cells cells_;
+    LargeArray<Orthosphere> spheres_;  // of the cells
+    std::array<double, 4> site_{};     // that is inserted, in the frame
     Index last_ = 0;
     std::uint32_t random_ = 1;
     LargeArray<Seen> seen_;  // by vertex, infinity first

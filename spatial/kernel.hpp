@@ -91,45 +91,64 @@ class ExactKernel : public View<S> {
         return predicates::ccw_cold(a, b, c, d).sign;
     }
     [[nodiscard]] const S& site(Seen v) const noexcept { return this->at(this->name(v)); }
-    /// The tie rule's order, of vertices or of the site that sees them (`itself`).
-    [[nodiscard]] bool precedes(Seen a, Seen b) const noexcept {
-        const Index i = a == itself ? this->eye() : this->name(a);
-        const Index j = b == itself ? this->eye() : this->name(b);
-        if constexpr (std::same_as<S, Point3>) {
-            // On the lattice offsets are exact, and what is seen is at hand.
-            if (is_on_lattice()) {
-                const predicates::Offset3<double> p = offset(a);
-                const predicates::Offset3<double> q = offset(b);
-                if (p.x != q.x) return p.x < q.x;
-                if (p.y != q.y) return p.y < q.y;
-                if (p.z != q.z) return p.z < q.z;
-                return numbers_[i] < numbers_[j];
-            }
-        }
-        return power::precedes(this->at(i), numbers_[i], this->at(j), numbers_[j]);
-    }
-    static constexpr Seen itself = seen_infinity;
-    [[nodiscard]] predicates::Offset3<double> offset(Seen v) const noexcept {
-        return v == itself ? predicates::Offset3<double>{0.0, 0.0, 0.0} : this->row(v).offset;
+    [[nodiscard]] bool precedes(Index a, Index b) const noexcept {
+        return power::precedes(this->at(a), numbers_[a], this->at(b), numbers_[b]);
     }
     [[nodiscard]] bool is_on_lattice() const noexcept {
         return 24.0 * this->magnitude() <= lattice_.exact_below_5();
     }
+    /// Three of the vertices, so that with another site in the place of the fourth, and first, they
+    /// turn as the cell did.
+    [[nodiscard]] Sign side_without(const std::array<Seen, 4>& cell, std::size_t m) const noexcept {
+        constexpr std::size_t others[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+        return side(cell[others[m][0]], cell[others[m][1]], cell[others[m][2]]);
+    }
 
     /// power::in_sphere_tie, with orientations by what is seen.
     [[nodiscard]] bool conflicts_by_rule(const std::array<Seen, 4>& cell) const noexcept {
-        constexpr std::size_t facet_of[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+        if constexpr (std::same_as<S, Point3>) {
+            if (is_on_lattice()) {
+                const filters::Verdict verdict = rule_on_lattice(cell);
+                if (verdict.is_certain()) return verdict.sign() > 0;
+            }
+        }
         std::array<bool, 4> has_no_say{};
         for (;;) {
             // The last one in the order, of those that may have a say.
             std::size_t last = 4;
             for (std::size_t m = 0; m < 4; ++m)
-                if (!has_no_say[m] && precedes(last == 4 ? itself : cell[last], cell[m])) last = m;
+                if (!has_no_say[m] &&
+                    precedes(last == 4 ? this->eye() : this->name(cell[last]), this->name(cell[m])))
+                    last = m;
             if (last == 4) return false;
-            const auto& facet = facet_of[last];
-            const Sign sign = side(cell[facet[0]], cell[facet[1]], cell[facet[2]]);
-            if (sign != 0) return sign > 0;
+            if (const Sign sign = side_without(cell, last); sign != 0) return sign > 0;
             has_no_say[last] = true;
+        }
+    }
+    /// The same for points on the lattice, whose order one number tells: their offset in units,
+    /// with more to a step along an axis than all steps along later ones come to. It is below
+    /// 24 / height of what is exact. Uncertain where the site is one of the cell's points.
+    [[nodiscard]] filters::Verdict rule_on_lattice(const std::array<Seen, 4>& cell) const noexcept {
+        const double along_y = 4.0 * this->largest().z * lattice_.per_unit();
+        const double along_x =
+            4.0 * (this->largest().y * along_y + this->largest().z) * lattice_.per_unit();
+        std::array<double, 4> places;
+        for (std::size_t m = 0; m < 4; ++m) {
+            const auto& [x, y, z] = this->row(cell[m]).offset;
+            places[m] = x * along_x + y * along_y + z;
+            if (places[m] == 0.0) return filters::Verdict::uncertain();
+        }
+        for (;;) {
+            std::size_t last = 4;
+            double place = 0.0;  // of the site itself
+            for (std::size_t m = 0; m < 4; ++m) {
+                last = places[m] > place ? m : last;
+                place = places[m] > place ? places[m] : place;
+            }
+            if (last == 4) return filters::Verdict::certain(-1);
+            if (const Sign sign = side_without(cell, last); sign != 0)
+                return filters::Verdict::certain(sign);
+            places[last] = -1.0;
         }
     }
 

@@ -28,6 +28,7 @@ class Lattice {
             if (lowest < -least_exponent) return;
         }
         if (lowest > least_exponent) return;
+        per_unit_ = std::ldexp(1.0, -lowest);
         exact_below_3_ = std::ldexp(1.0, 53 + 3 * lowest);
         exact_below_5_ = std::ldexp(1.0, 53 + 5 * lowest);
     }
@@ -38,6 +39,8 @@ class Lattice {
     /// offset is below the unit along all axes.
     [[nodiscard]] double exact_below_3() const noexcept { return exact_below_3_; }
     [[nodiscard]] double exact_below_5() const noexcept { return exact_below_5_; }
+    /// How many units are 1.
+    [[nodiscard]] double per_unit() const noexcept { return per_unit_; }
 
  private:
     static constexpr int least_exponent = 150;
@@ -51,6 +54,7 @@ class Lattice {
         return exponent - 1075 + std::countr_zero(fraction | 1ULL << 52);
     }
 
+    double per_unit_ = 0.0;
     double exact_below_3_ = 0.0;
     double exact_below_5_ = 0.0;
 };

@@ -55,8 +55,16 @@ class Construction {
         if (sites_.empty()) return result;
         choose_first();
         result.dimension = 3 - static_cast<int>(apexes_);
+        assemble(structure(options, result), result);
+        return result;
+    }
+
+ private:
+    /// All cells, and who is hidden.
+    [[nodiscard]] Cells structure(const Options& options, SpaceTessellation& result) {
         Kernel kernel(all_.sites, all_.numbers);
-        spatial::Insertion<Kernel> insertion(kernel, all_.sites.size());
+        spatial::Insertion<Kernel> insertion(
+            kernel, spatial::frame_of(std::span<const S>(all_.sites)), all_.sites.size());
         std::vector<Index> hidden;
         constexpr Index between_questions = 4096;
         const auto last = static_cast<Index>(all_.sites.size());
@@ -73,11 +81,10 @@ class Construction {
             result.hidden.push_back(
                 {all_.numbers[static_cast<std::size_t>(v)], nearest(insertion, v)});
         std::ranges::sort(result.hidden, {}, &Hidden::site);
-        assemble(std::move(insertion).release(), result);
-        return result;
+        LargeArray<std::uint32_t>().swap(visited_);
+        LargeArray<Index>().swap(met_);
+        return std::move(insertion).release();
     }
-
- private:
     [[nodiscard]] const S& site(Index i) const noexcept {
         return sites_[static_cast<std::size_t>(i)];
     }
@@ -201,7 +208,7 @@ class Construction {
     /// Laws 1 and 2 of the result. Memory is given back as soon as what lies there has been used:
     /// sites, then the structure's vertices. The structure is read from its first cell to its last:
     /// there neighbours lie close to one another, which in the result they do not.
-    void assemble(Cells&& structure, SpaceTessellation& result) {
+    void assemble(Cells structure, SpaceTessellation& result) {
         const auto last = static_cast<Index>(structure.size());
         for (Index c = 0; c < last; ++c)
             if (!structure.is_free(c)) name(structure.vertex(c), structure.neighbour(c));

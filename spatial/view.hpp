@@ -94,6 +94,7 @@ class View {
     [[nodiscard]] const S& at(Index v) const noexcept { return sites_[v]; }
     [[nodiscard]] Index eye() const noexcept { return eye_; }
     [[nodiscard]] Index name(Seen v) const noexcept { return names_[v]; }
+    [[nodiscard]] const ViewRow* rows() const noexcept { return rows_.data(); }
     [[nodiscard]] const ViewRow& row(Seen v) const noexcept { return rows_[v]; }
     [[nodiscard]] double in_sphere(const std::array<Seen, 4>& cell) const noexcept {
         return power::in_sphere_determinant(row(cell[0]), row(cell[1]), row(cell[2]), row(cell[3]));
@@ -102,6 +103,12 @@ class View {
     [[nodiscard]] double bound() const noexcept { return bound_; }
     /// The largest that the sum of the magnitudes of its terms can be, over 24.
     [[nodiscard]] double magnitude() const noexcept { return magnitude_; }
+    /// The largest offsets along the axes, the largest of these, and the largest height.
+    [[nodiscard]] const predicates::Offset3<double>& largest() const noexcept { return largest_; }
+    [[nodiscard]] double reach() const noexcept {
+        return std::max(std::max(largest_.x, largest_.y), largest_.z);
+    }
+    [[nodiscard]] double height() const noexcept { return rows_[seen_infinity].lift; }
     /// The same for orientations, over 6.
     [[nodiscard]] double volume() const noexcept { return volume_; }
 
