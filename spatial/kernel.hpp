@@ -2,7 +2,9 @@
 /// The questions that an insertion asks, of sites by their places in its order.
 
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <span>
 
 #include "../core/index.hpp"
@@ -48,19 +50,28 @@ class ExactKernel : public View<S> {
                                                        this->row(d).offset));
         return ccw(this->eye(), this->name(b), this->name(c), this->name(d));
     }
-    /// Determinants of cells without the vertex at infinity, of which not all are certain, and what
-    /// they are in error by then.
+    /// Determinants of which not all are certain, as in_spheres_beyond() has them, and what they
+    /// are in error by then. With the vertex at infinity they stay if they are certain.
     [[nodiscard]] double refine(const std::array<Seen, 4>& cell, const std::array<Seen, 4>& beyond,
                                 std::array<double, 4>& determinants) const noexcept {
         if (!can_refine_ || is_on_lattice() || !(this->magnitude() < 0x1p900)) return this->bound();
-        const auto are_sites = [](const std::array<Seen, 4>& v) {
-            return std::ranges::find(v, seen_infinity) == v.end();
+        // In the place of infinity any site will do.
+        const S& any = site(cell[0] != seen_infinity ? cell[0] : cell[1]);
+        const auto sites = [&](const std::array<Seen, 4>& v) -> std::array<const S*, 4> {
+            const auto of = [&](Seen each) { return each != seen_infinity ? &site(each) : &any; };
+            return {of(v[0]), of(v[1]), of(v[2]), of(v[3])};
         };
-        if (!are_sites(cell) || !are_sites(beyond)) return this->bound();
-        const auto sites = [this](const std::array<Seen, 4>& v) -> std::array<const S*, 4> {
-            return {&site(v[0]), &site(v[1]), &site(v[2]), &site(v[3])};
-        };
-        refined_in_spheres_beyond(this->at(this->eye()), sites(cell), sites(beyond), determinants);
+        std::array<double, 4> refined;
+        refined_in_spheres_beyond(this->at(this->eye()), sites(cell), sites(beyond), refined);
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        for (std::size_t k = 0; k < 4; ++k) {
+            bool is_finite = beyond[k] != seen_infinity;
+            for (std::size_t m = 0; m < 4; ++m) is_finite &= m == k || cell[m] != seen_infinity;
+            const bool was_certain = filters::magnitude(determinants[k]) > this->bound();
+            determinants[k] = is_finite     ? refined[k]
+                              : was_certain ? std::copysign(infinity, determinants[k])
+                                            : 0.0;
+        }
         return 24.0 * refined_error * this->magnitude();
     }
     /// Whether the site that sees them conflicts with a cell that turns positively, without the
