@@ -27,9 +27,7 @@
 ///  is
 ///     above the function, which is the lower hull of all lifted sites: this is what a power
 ///     tessellation is.
-///  7. Seen from the centre of a hidden site distances are that function, less a linear one. So
-///  they
-///     are convex as well, and a vertex that has no nearer neighbour is the nearest of all.
+///  7. No visible site is nearer to a hidden one's centre than the one that it names.
 ///  8. With ties the same holds of the tie rule's infinitesimals, which make all inequalities
 ///  strict
 ///     and leave but one tessellation: where one is right without and wrong with them, the arrays
@@ -53,6 +51,7 @@
 #include "../../triangulation/structure/watch.hpp"
 #include "../../triangulation/validate.hpp"
 #include "few.hpp"
+#include "near_sites.hpp"
 #include "questions.hpp"
 
 namespace signum::any_dimension {
@@ -94,7 +93,7 @@ class Check {
         } catch (const Invalid& invalid) {
             result.message = invalid.why;
         }
-        result.filtered = questions_.filtered_count();
+        result.filtered = questions_.filtered_count() + passed_;
         result.multiprecision = questions_.exact_count();
         return result;
     }
@@ -395,27 +394,10 @@ class Check {
             if (c != base_ && !is_infinite(c) && is_near(c) && holds_middle_of_base(c))
                 throw Invalid{cell_name(c) + " and " + cell_name(base_) + " overlap"};
     }
-    /// The orientation with the middle of k+1 sites is the mean of those with each.
     [[nodiscard]] bool holds_middle_of_base(Index c) {
-        const Cell& base = cells_[at(base_)];
-        for (std::size_t i = 0; i < size(); ++i) {
-            bool has_positive = false;
-            bool has_negative = false;
-            for (std::size_t m = 0; m < size(); ++m) {
-                const Sign sign = orientation_with(cells_[at(c)], i, base[m]);
-                has_positive |= sign > 0;
-                has_negative |= sign < 0;
-            }
-            if (!has_negative) continue;
-            if (!has_positive) return false;
-            exact::Dyadic sum;
-            for (std::size_t m = 0; m < size(); ++m) {
-                Cell with = cells_[at(c)];
-                with[i] = base[m];
-                sum += questions_.volume(with);
-            }
-            if (sum.sign() < 0) return false;
-        }
+        for (std::size_t i = 0; i < size(); ++i)
+            if (questions_.orientation_with_middle(cells_[at(c)], i, cells_[at(base_)]) < 0)
+                return false;
         return true;
     }
 
@@ -448,50 +430,34 @@ class Check {
         for (Index c = 0; c < cells(); ++c)
             if (!is_infinite(c))
                 for (std::size_t m = 0; m < size(); ++m) cell_of[at(cells_[at(c)][m])] = c;
-        visited_.resize(cells_.size(), infinite);
-        met_.resize(sites_.size(), infinite);
+        std::vector<Index> visible;
+        for (Index i = 0; at(i) < sites_.size(); ++i)
+            if (seen_[at(i)] == is_vertex) visible.push_back(i);
+        NearSites<S> near(sites_, std::move(visible));
         // Those of one site together.
         std::vector<Hidden> hidden = arrays_.hidden;
         std::ranges::sort(hidden, {}, [](const Hidden& h) { return std::pair(h.by, h.site); });
         Index last = infinite;
         Index c = infinite;
         for (const auto& [q, by] : hidden) {
-            if (by != last) {
-                last = by;
-                c = cell_of[at(by)];
-                find_star(by, c);
-            }
-            for (const Index v : star_) {
-                const Sign sign = questions_.nearer(q, v, by);
-                if (sign < 0) continue;
-                if (sign > 0)
-                    throw Invalid{name(q) + " is said to be hidden by " + name(by) + ", but " +
-                                  name(v) + " is nearer"};
-                if (questions_.precedes(v, by))
-                    note("by the tie rule " + name(q) + " is hidden by " + name(v) + ", not " +
-                         name(by));
-            }
+            check_nearest(q, by, near);
+            if (std::exchange(last, by) != by) c = cell_of[at(by)];
             c = cell_that_holds(q, c);
             judge(c, q);
             advance();
         }
     }
-    /// The sites that share a cell with v, of which one is given.
-    void find_star(Index v, Index cell_of_v) {
-        star_.clear();
-        around_.assign(1, cell_of_v);
-        visited_[at(cell_of_v)] = v;
-        met_[at(v)] = v;
-        for (std::size_t next = 0; next < around_.size(); ++next) {
-            const Cell& cell = cells_[at(around_[next])];
-            for (std::size_t m = 0; m < size(); ++m) {
-                if (cell[m] == v) continue;
-                if (cell[m] != infinite && std::exchange(met_[at(cell[m])], v) != v)
-                    star_.push_back(cell[m]);
-                const Index n = neighbours_[at(around_[next])][m];
-                if (std::exchange(visited_[at(n)], v) != v) around_.push_back(n);
-            }
-        }
+    void check_nearest(Index q, Index by, NearSites<S>& near) {
+        passed_ += near.visit_near(sites_[at(q)], sites_[at(by)], [&](Index v) {
+            if (v == by) return;
+            const Sign sign = questions_.nearer(q, v, by);
+            if (sign > 0)
+                throw Invalid{name(q) + " is said to be hidden by " + name(by) + ", but " +
+                              name(v) + " is nearer"};
+            if (sign == 0 && questions_.precedes(v, by))
+                note("by the tie rule " + name(q) + " is hidden by " + name(v) + ", not " +
+                     name(by));
+        });
     }
     /// A finite cell with the centre of q in it. By chance out of one of the facets that have it on
     /// the other side: where ties are decided otherwise than by the rule a walk that always takes
@@ -555,11 +521,7 @@ class Check {
     std::string not_canonical_;
     std::vector<Seen> seen_;
     Index base_ = 0;
-    // Of the check of hidden sites.
-    std::vector<Index> star_;
-    std::vector<Index> around_;
-    std::vector<Index> visited_;  // by cell, the site whose star it was visited for
-    std::vector<Index> met_;      // by site, likewise
+    std::uint64_t passed_ = 0;  // questions that intervals decided
     std::uint64_t chance_ = 1;
 };
 

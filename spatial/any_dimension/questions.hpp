@@ -88,9 +88,43 @@ class Questions {
         if (verdict.is_certain()) return filtered(verdict.sign());
         return exactly(exact_orientation(v, axes));
     }
-    /// det[c_i - c_0] itself.
-    [[nodiscard]] Exact volume(const Cell& v) const {
-        return determinant(exact_offsets(v, axes_), axes_.count);
+    /// The orientation of v with the middle of the sites of another cell in the place of one of its
+    /// vertices; k >= 1.
+    [[nodiscard]] Sign orientation_with_middle(Cell v, std::size_t place, const Cell& other) {
+        Sign turn = 1;
+        if (place == 0) {
+            std::swap(v[0], v[1]);
+            place = 1;
+            turn = -1;
+        }
+        // Its row k+1 times, which is a sum of offsets.
+        const std::size_t k = axes_.count;
+        RoundedDeterminant<most> rounded;
+        rounded.size = k;
+        for (std::size_t i = 0; i < k; ++i)
+            for (std::size_t m = 0; m < k; ++m) {
+                if (i + 1 != place) {
+                    rounded.set(i, m, offset<double>(site(v[i + 1]), site(v[0]), axes_.axis[m]));
+                    continue;
+                }
+                double terms = 0.0;
+                for (std::size_t each = 0; each <= k; ++each) {
+                    const double x = offset<double>(site(other[each]), site(v[0]), axes_.axis[m]);
+                    rounded.rows[i][m] += x;
+                    terms += filters::magnitude(x);
+                }
+                rounded.largest[m] = std::max(rounded.largest[m], terms);
+            }
+        // Adding up and its terms' own sum commit k + 1 more roundings each.
+        const filters::Verdict verdict =
+            rounded_sign<D, false>(rounded, unit_, 2 * static_cast<int>(k + 1));
+        if (verdict.is_certain()) return filtered(turn * verdict.sign());
+        Matrix<Exact, most> rows = exact_offsets(v, axes_, place);
+        for (std::size_t m = 0; m < k; ++m)
+            for (std::size_t each = 0; each <= k; ++each)
+                rows[place - 1][m] = rows[place - 1][m] +
+                                     offset<Exact>(site(other[each]), site(v[0]), axes_.axis[m]);
+        return exactly(turn * sign_of_determinant(rows, k));
     }
     /// Precondition: orientation(v) > 0.
     [[nodiscard]] Sign in_sphere(const Cell& v, Index q) {
@@ -193,10 +227,12 @@ class Questions {
         if constexpr (requires { s.r; }) s.r = 0.0;
         return s;
     }
-    [[nodiscard]] Matrix<Exact, most> exact_offsets(const Cell& v, const Axes<D>& axes) const {
+    /// c_i - c_0; row i - 1 is 0 for one i, if it is to be.
+    [[nodiscard]] Matrix<Exact, most> exact_offsets(const Cell& v, const Axes<D>& axes,
+                                                    std::size_t but = 0) const {
         Matrix<Exact, most> rows;
         for (std::size_t i = 0; i < axes.count; ++i)
-            for (std::size_t k = 0; k < axes.count; ++k)
+            for (std::size_t k = 0; k < axes.count && i + 1 != but; ++k)
                 rows[i][k] = offset<Exact>(site(v[i + 1]), site(v[0]), axes.axis[k]);
         return rows;
     }

@@ -107,11 +107,11 @@ inline constexpr auto rounding_table = [] {
 }();
 inline constexpr std::array<double, 8> factorials = {1, 1, 2, 6, 24, 120, 720, 5040};
 
-/// The sign, where the filter knows it. `degree`: of the determinant, an offset being of one and a
-/// height, which may stand in the last column, of two.
+/// The sign, where the filter knows it. Heights, if it has them, are the last column. `further`:
+/// the roundings of a number that is more than a difference, beyond one.
 template <int D, bool has_heights, std::size_t most>
-[[nodiscard]] filters::Verdict rounded_sign(const RoundedDeterminant<most>& of,
-                                            const Unit& unit) noexcept {
+[[nodiscard]] filters::Verdict rounded_sign(const RoundedDeterminant<most>& of, const Unit& unit,
+                                            int further = 0) noexcept {
     static_assert(most < factorials.size() && D + 2 <= 8);
     const std::size_t n = of.size;
     const std::size_t offsets = has_heights ? n - 1 : n;
@@ -126,7 +126,7 @@ template <int D, bool has_heights, std::size_t most>
     }
     if (!is_in_window || !(product < 0x1p1000)) return filters::Verdict::uncertain();
     const double value = determinant(of.rows, n);
-    const double error = (rounding_table<most, D, has_heights>[n] + 2) * filters::epsilon;
+    const double error = (rounding_table<most, D, has_heights>[n] + further + 2) * filters::epsilon;
     if (filters::magnitude(value) > error * product)
         return filters::Verdict::certain(filters::sign_of_nonzero(value));
     if (product < unit.exact_below(has_heights ? n + 1 : n))
