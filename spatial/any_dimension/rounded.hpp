@@ -129,7 +129,8 @@ template <int D, bool has_heights, std::size_t most>
     const double error = (rounding_table<most, D, has_heights>[n] + further + 2) * filters::epsilon;
     if (filters::magnitude(value) > error * product)
         return filters::Verdict::certain(filters::sign_of_nonzero(value));
-    if (product < unit.exact_below(has_heights ? n + 1 : n))
+    // Where radii overflow, a height may be none, which no comparison sees.
+    if (value == value && product < unit.exact_below(has_heights ? n + 1 : n))
         return filters::Verdict::certain(sign_of(value));
     return filters::Verdict::uncertain();
 }
