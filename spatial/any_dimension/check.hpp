@@ -4,29 +4,31 @@
 /// Why it suffices, the centres spanning k >= 1 dimensions:
 ///  1. Every cell has k+1 different vertices, and its neighbours agree about their common facets;
 ///     every site is a vertex or hidden, not both. So facets are glued in pairs.
-///  2. The centres lie in a flat of k dimensions (of each, with k+1 that span one, the orientation
-///     along every further axis is 0), and finite cells turn positively: so they span no less.
-///     Across a facet cells turn alike. So finite cells on two sides of a facet lie on two sides of
-///     its hyperplane, and the sum of all finite cells has the hull's facets for its boundary.
-///  3. Take for p the middle of one finite cell, the base. No vertex of the base lies beyond a
-///     hull's facet, and one lies strictly within: so p lies strictly within each. And no facet's
-///     neighbour on the hull has its other vertex beyond the facet's hyperplane.
-///  4. No other finite cell contains p. So the hull, seen from p, winds once around it; as each
-///     facet is seen from the same side, the hull is the border of a star around p. The function
-///     that is 1 on it and grows in proportion along the rays from p is linear over each facet, and
-///     convex across the border of any two (3). A continuous function that is linear on cones and
-///     convex across each wall between two is convex, as is seen along lines that meet none but
-///     walls. So the hull is convex. How many finite cells contain a place does not change but at
-///     the hull: each one within lies in one cell, but for those on facets. The cells are a
-///     triangulation of what the hull encloses, which p's cell being counted once excludes neither
-///     less nor more; branching would show as a place in two cells.
+///  2. The centres lie in a flat of k dimensions: every one has the orientation 0 with k+1 that
+///  span
+///     such a flat, along each further axis. Finite cells turn positively, so that there are no
+///     fewer dimensions. Across a facet cells turn alike: so two finite ones lie on the two sides
+///     of its hyperplane, and the sum of all finite ones has the hull's facets for its border.
+///  3. Let p be the middle of one finite cell, the base. No vertex of the base lies beyond a hull's
+///     facet, and one strictly within: so p lies strictly within. And no facet of the hull has the
+///     other vertex of a neighbour there beyond its hyperplane.
+///  4. No other finite cell contains p. So the sum of all covers p once, and its border, the hull,
+///     winds around p once. All its facets turn the same side to p: so each direction from p meets
+///     one of them, and the hull is the border of a star around p. The function that is 1 on it and
+///     grows in proportion along the rays from p is linear over each facet and convex across the
+///     border of any two (3). A continuous function that is convex across each wall between the
+///     parts on which it is linear is convex, for it is so along all lines that meet none but
+///     walls, and these are dense. So the hull is convex. How many cells contain a place changes
+///     nowhere but at the hull: one does within, none outside, and neither a second layer nor cells
+///     that turn twice around a common face are possible. The cells triangulate what the hull
+///     encloses.
 ///  5. Across every facet the neighbour's other vertex is not in conflict. So the function that is
-///     |x|² - w at the vertices and linear over cells is convex, by the same argument. (On hull
-///     facets in one hyperplane it is, for it is behind them.)
+///     |x|² - w at the vertices and linear over cells is convex, by the same argument. (Facets of
+///     the hull that lie in one hyperplane need no look of their own: the cells behind them do.)
 ///  6. The centre of a hidden site lies in a cell, and the site is not in conflict with it. So it
 ///  is
-///     above the function, which is the lower hull of all lifted sites: this is what a power
-///     tessellation is.
+///     not below the function, which therefore is the lower hull of all lifted sites: this is what
+///     a power tessellation is.
 ///  7. No visible site is nearer to a hidden one's centre than the one that it names.
 ///  8. With ties the same holds of the tie rule's infinitesimals, which make all inequalities
 ///  strict
