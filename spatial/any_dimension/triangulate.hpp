@@ -1,7 +1,7 @@
 #pragma once
 /// Power (regular) tessellations in one to six dimensions, one text for all of them; for equal
 /// weights they are Delaunay's. Exact, and made to be right rather than fast: in space
-/// spatial/triangulate.hpp gives the same arrays a hundred times as fast, in the plane
+/// spatial/triangulate.hpp gives the same arrays in a fraction of the time, in the plane
 /// triangulation/triangulate.hpp the same faces.
 
 #include <array>

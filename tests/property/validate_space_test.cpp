@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cfenv>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -148,6 +149,59 @@ TEST(ValidateSpace, AcceptsAnyDimension) {
     ASSERT_NO_FATAL_FAILURE(expect_canonical_in<4>(random, 50 * thoroughness, 20));
     ASSERT_NO_FATAL_FAILURE(expect_canonical_in<5>(random, 20 * thoroughness, 14));
     ASSERT_NO_FATAL_FAILURE(expect_canonical_in<6>(random, 5 * thoroughness, 12));
+}
+
+/// Of all exponents, the largest and the least among them.
+double any_double(Random& random) {
+    switch (random.below(6)) {
+        case 0:
+            return 0.0;
+        case 1:
+            return std::numeric_limits<double>::max() * (1 - 2 * random.below(2));
+        case 2:
+            return std::numeric_limits<double>::denorm_min() * random.below(4);
+        default:
+            return std::ldexp(random.unit() - 0.5, random.below(2000) - 1000);
+    }
+}
+
+TEST(ValidateSpace, AcceptsSitesOfAllSizes) {
+    Random random(68);
+    for (int trial = 0; trial < 15 * thoroughness; ++trial) {
+        const Sites sites = drawn(4 + random.below(8), [&] {
+            const double x = any_double(random);
+            const double y = random.below(4) == 0 ? x : any_double(random);
+            return power::Site3{x, y, random.below(4) == 0 ? y : any_double(random),
+                                random.below(2) == 0 ? any_double(random) : 0.0};
+        });
+        ASSERT_NO_FATAL_FAILURE(expect_canonical(sites)) << trial;
+        any_dimension_test::Sites<4> in_four;
+        any_dimension_test::Sites<3> in_three;
+        for (const power::Site3& s : sites) {
+            in_four.push_back({{s.x, s.y, any_double(random), s.z}, s.w});
+            in_three.push_back({{s.x, s.y, s.z}, s.w});
+        }
+        ASSERT_NO_FATAL_FAILURE(expect_canonical(triangulate<4>(in_four), in_four)) << trial;
+        ASSERT_EQ(triangulate<3>(in_three).cells, tessellation_of(sites).cells);
+    }
+}
+
+TEST(ValidateSpace, AsksForNoFloatingPointEnvironment) {
+    Random random(69);
+    for (int trial = 0; trial < 50 * thoroughness; ++trial) {
+        const auto sites = small_set<4>(random, 12);
+        const auto expected = triangulate<4>(sites);
+        for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+            std::fesetround(mode);
+            const auto result = triangulate<4>(sites);
+            const Validation judgement = validate(result, std::span<const power::SiteOf<4>>(sites));
+            const bool is_kept = std::fegetround() == mode;
+            std::fesetround(FE_TONEAREST);
+            ASSERT_TRUE(is_kept);
+            ASSERT_EQ(result, expected);
+            ASSERT_TRUE(judgement.canonical) << judgement.message;
+        }
+    }
 }
 
 /// The neighbours of cells, by their facets; where there is none, the cell itself.
