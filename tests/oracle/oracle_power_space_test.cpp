@@ -504,6 +504,22 @@ TEST(OraclePowerSpace, WeightsThatAreReallyReduced) {
     });
 }
 
+TEST(OraclePowerSpace, FiveAndSixDimensions) {
+    Random random(209);
+    const auto check = [&]<int D>() {
+        for (int i = 0; i < 25; ++i) {
+            const auto sites = lattice_sites<D>(random, 3 + random.below(6), 1 + random.below(3),
+                                                1 + random.below(4));
+            auto found = power_space<D>(sites);
+            const auto expected = really_reduced(sites, found.dimension);
+            found.facets.clear();
+            ASSERT_EQ(found, expected) << "dimension " << D << ", input " << i;
+        }
+    };
+    check.operator()<5>();
+    check.operator()<6>();
+}
+
 TEST(OraclePowerSpace, TheDerivativeOfTheDeterminantBreaksTies) {
     Random random(204);
     in_every_dimension([&]<int D>() {

@@ -261,6 +261,8 @@ template SpaceTessellation<1> power_space<1>(std::span<const SpaceSite<1>>, cons
 template SpaceTessellation<2> power_space<2>(std::span<const SpaceSite<2>>, const Ranks&);
 template SpaceTessellation<3> power_space<3>(std::span<const SpaceSite<3>>, const Ranks&);
 template SpaceTessellation<4> power_space<4>(std::span<const SpaceSite<4>>, const Ranks&);
+template SpaceTessellation<5> power_space<5>(std::span<const SpaceSite<5>>, const Ranks&);
+template SpaceTessellation<6> power_space<6>(std::span<const SpaceSite<6>>, const Ranks&);
 template int orientation<1>(std::span<const SpaceSite<1>>, const SpaceTuple<2>&);
 template int orientation<2>(std::span<const SpaceSite<2>>, const SpaceTuple<3>&);
 template int orientation<3>(std::span<const SpaceSite<3>>, const SpaceTuple<4>&);

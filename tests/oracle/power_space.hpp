@@ -1,5 +1,5 @@
 #pragma once
-/// Brute force for the power metric in one to four dimensions: the lower hull of the lifted sites,
+/// Brute force for the power metric in one to six dimensions: the lower hull of the lifted sites,
 /// every simplex against every other site, in rationals with the infinitesimals of the tie rule.
 /// Sites need not span the space.
 
