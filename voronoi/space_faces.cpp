@@ -1,0 +1,390 @@
+#include "space_faces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace signum {
+namespace {
+
+/// In the box's longest sides, which are 1 to 2: what is no farther from a plane lies in it, and
+/// what is no wider is nothing.
+constexpr double on_plane = 0x1p-46;
+constexpr double least_width = 0x1p-45;
+/// From where vertices are too far from the box.
+constexpr double far_from_box = 8.0;
+
+/// A plane across an axis: what lies outside the box is below a low side, above a high one.
+struct Side {
+    double Point3::*axis;
+    bool is_high;
+    explicit Side(int number) noexcept
+        : axis(axes_of_space[number / 2]), is_high(number % 2 != 0) {}
+    [[nodiscard]] double of(const Box3& box) const noexcept {
+        return is_high ? box.high.*axis : box.low.*axis;
+    }
+    /// How far beyond the side.
+    [[nodiscard]] double beyond(const Point3& p, double at) const noexcept {
+        return is_high ? p.*axis - at : at - p.*axis;
+    }
+};
+
+/// What is left of a convex polygon where distances are not positive: nothing, unless some point is
+/// on the good side. `cross(p)` puts a new point into the plane.
+template <class Cross>
+void keep_below(std::vector<Point3>& polygon, std::vector<Point3>& before,
+                const std::vector<double>& distances, const Cross& cross) {
+    before.swap(polygon);
+    polygon.clear();
+    if (std::ranges::none_of(distances, [](double d) { return d < -on_plane; })) return;
+    const std::size_t size = before.size();
+    for (std::size_t k = 0; k < size; ++k) {
+        const std::size_t next = k + 1 < size ? k + 1 : 0;
+        const double from = distances[k];
+        const double to = distances[next];
+        if (from <= on_plane) {
+            polygon.push_back(before[k]);
+            if (from >= -on_plane) cross(polygon.back());
+        }
+        if ((from < -on_plane && to > on_plane) || (from > on_plane && to < -on_plane)) {
+            polygon.push_back(plus(before[k], minus(before[next], before[k]), from / (from - to)));
+            cross(polygon.back());
+        }
+    }
+}
+
+}  // namespace
+
+SpaceFaces::SpaceFaces(const SpaceTessellation& tessellation, const AnySites3& sites,
+                       const Box3& box)
+    : tessellation_(tessellation), sites_(sites, box) {
+    if (tessellation.sites != static_cast<std::int64_t>(sites_.size()))
+        throw std::invalid_argument("a tessellation of another number of sites");
+    if (tessellation.dimension == 3) place_vertices();
+    collect_stars();
+    seen_.resize(sites_.size(), 0);
+}
+
+// ---- vertices and stars ------------------------------------------------------------------------
+
+void SpaceFaces::place_vertices() {
+    vertices_.resize(tessellation_.cells.size());
+    for (std::size_t c = 0; c < vertices_.size(); ++c) {
+        const SpaceCell& four = tessellation_.cells[c];
+        if (four[0] < 0) {
+            vertices_[c] = {{}, far | (beyond_any * at_low_x)};
+            continue;
+        }
+        const Point3 offset = vertex_of(four);
+        vertices_[c] = {offset, where(plus(sites_[four[0]].centre, offset))};
+    }
+}
+
+/// Cramer's rule, and one step of refinement: so the vertex lies within rounding of all planes,
+/// however they meet, and the step need not be repeated while the determinant is above 2^-24 of
+/// what it might be. Below it is computed exactly.
+Point3 SpaceFaces::vertex_of(const SpaceCell& cell) const {
+    constexpr double least = 0x1p-48;  // of squares
+    const Point3 a = sites_.offset(cell[0], cell[1]);
+    const Point3 b = sites_.offset(cell[0], cell[2]);
+    const Point3 c = sites_.offset(cell[0], cell[3]);
+    const Point3 bc = cross(b, c);
+    const Point3 ca = cross(c, a);
+    const Point3 ab = cross(a, b);
+    const double determinant = dot(a, bc);
+    const double aa = dot(a, a);
+    const double bb = dot(b, b);
+    const double cc = dot(c, c);
+    // Neither an overflow nor a NaN gets through.
+    if (!(determinant * determinant > least * aa * bb * cc) || !(aa * bb * cc > 0x1p-900))
+        [[unlikely]]
+        return sites_.exact_vertex(cell);
+    const double inverse = 1.0 / determinant;
+    const auto solve = [&](double i, double j, double k) -> Point3 {
+        return {(i * bc.x + j * ca.x + k * ab.x) * inverse,
+                (i * bc.y + j * ca.y + k * ab.y) * inverse,
+                (i * bc.z + j * ca.z + k * ab.z) * inverse};
+    };
+    const double i = (aa - sites_.weight_difference(cell[0], cell[1])) / 2;
+    const double j = (bb - sites_.weight_difference(cell[0], cell[2])) / 2;
+    const double k = (cc - sites_.weight_difference(cell[0], cell[3])) / 2;
+    const Point3 first = solve(i, j, k);
+    return plus(first, solve(i - dot(a, first), j - dot(b, first), k - dot(c, first)));
+}
+
+std::uint32_t SpaceFaces::where(const Point3& p) const noexcept {
+    const Box3& box = sites_.box();
+    std::uint32_t result = 0;
+    const auto look = [&](double low, double x, double high, unsigned axis) {
+        const auto bit = [&](bool is_set, std::uint32_t first) {
+            return static_cast<std::uint32_t>(is_set) * first;
+        };
+        const std::uint32_t two =
+            bit(x < low - on_plane, beyond_low_x) | bit(x > high + on_plane, beyond_low_x << 1) |
+            bit(x <= low + on_plane, at_low_x) | bit(x >= high - on_plane, at_low_x << 1);
+        result |= two << 2 * axis;
+        result |= bit(x < low - far_from_box || x > high + far_from_box, far);
+    };
+    look(box.low.x, p.x, box.high.x, 0);
+    look(box.low.y, p.y, box.high.y, 1);
+    look(box.low.z, p.z, box.high.z, 2);
+    return result;
+}
+
+void SpaceFaces::collect_stars() {
+    const auto size = static_cast<std::size_t>(tessellation_.dimension + 1);
+    first_.assign(sites_.size() + 2, 0);
+    // Cells with the vertex at infinity have it first.
+    for (const SpaceCell& cell : tessellation_.cells)
+        if (cell[0] >= 0)
+            for (std::size_t k = 0; k < size; ++k) ++first_[static_cast<std::size_t>(cell[k]) + 2];
+    for (std::size_t s = 2; s < first_.size(); ++s) first_[s] += first_[s - 1];
+    star_.resize(first_.back());
+    // The begin of each star moves to its end.
+    for (std::size_t c = 0; c < tessellation_.cells.size(); ++c) {
+        const SpaceCell& cell = tessellation_.cells[c];
+        if (cell[0] >= 0)
+            for (std::size_t k = 0; k < size; ++k)
+                star_[first_[static_cast<std::size_t>(cell[k]) + 1]++] = static_cast<Index>(c);
+    }
+    first_.pop_back();
+}
+
+std::span<const SpaceFaces::Neighbour> SpaceFaces::neighbours(Index i, Index least) {
+    if (++round_ == 0) [[unlikely]] {
+        std::ranges::fill(seen_, 0U);
+        round_ = 1;
+    }
+    neighbours_.clear();
+    for (const Index c : star(i))
+        for (const Index v : cell(c)) {
+            if (v <= least || v == i || v < 0) continue;
+            std::uint32_t& seen = seen_[static_cast<std::size_t>(v)];
+            if (seen == round_) continue;
+            seen = round_;
+            neighbours_.push_back({v, c});
+        }
+    std::ranges::sort(neighbours_, {}, &Neighbour::site);
+    return neighbours_;
+}
+
+// ---- one face ----------------------------------------------------------------------------------
+
+/// All cells around the edge, with infinity's. Two of a cell's vertices are the edge's; the walk
+/// leaves one of the others behind and keeps the last, and what is new is what is left.
+void SpaceFaces::walk_around(Index i, const Neighbour& neighbour) {
+    const Index edge = i ^ neighbour.site;
+    const auto others = [&](const SpaceCell& four) {
+        return four[0] ^ four[1] ^ four[2] ^ four[3] ^ edge;
+    };
+    const SpaceCell& start = cell(neighbour.cell);
+    Index behind = start[0];
+    for (const Index v : start)
+        if (v != i && v != neighbour.site) behind = v;
+    Index ahead = others(start) ^ behind;
+    ring_.clear();
+    around_.clear();
+    Index c = neighbour.cell;
+    do {
+        ring_.push_back(c);
+        around_.push_back(ahead);
+        const SpaceCell& four = cell(c);
+        const auto place = static_cast<std::size_t>(behind == four[1]) +
+                           2 * static_cast<std::size_t>(behind == four[2]) +
+                           3 * static_cast<std::size_t>(behind == four[3]);
+        c = tessellation_.neighbours[static_cast<std::size_t>(c)][place];
+        behind = ahead;
+        ahead ^= others(cell(c));
+    } while (c != neighbour.cell);
+}
+
+/// Of flat sites: who shares a cell with both.
+void SpaceFaces::collect_around(Index i, Index j) {
+    around_.clear();
+    for (const Index c : star(i)) {
+        if (std::ranges::find(cell(c), j) == cell(c).end()) continue;
+        for (const Index v : cell(c))
+            if (v >= 0 && v != i && v != j) around_.push_back(v);
+    }
+}
+
+const CutFace* SpaceFaces::cut(Index i, const Neighbour& neighbour) {
+    const Index j = neighbour.site;
+    touched_ = 0;
+    std::uint32_t all = 0;
+    std::uint32_t any = far;
+    if (tessellation_.dimension == 3) {
+        walk_around(i, neighbour);
+        all = beyond_any;
+        any = 0;
+        for (const Index c : ring_) {
+            const std::uint32_t bits = vertices_[static_cast<std::size_t>(c)].where;
+            all &= bits;
+            any |= bits;
+        }
+        if (all != 0) return nullptr;
+    } else {
+        collect_around(i, j);
+    }
+    face_.plane = sites_.bisector(i, j);
+    if ((any & far) != 0) {
+        cut_section(i);
+    } else {
+        join_vertices(i);
+        measure();
+        if (may_have_no_area() && has_no_area()) return nullptr;
+        touched_ = any / at_low_x;
+        if (touched_ == 0) return &face_;
+        cut_by_box(i, touched_);
+    }
+    if (polygon_.size() < 3) return nullptr;
+    measure();
+    if (is_narrow()) return nullptr;
+    if ((any & far) != 0) {
+        const Box3 box = box_from(i);
+        for (int number = 0; number < 6; ++number) {
+            const Side side(number);
+            for (const Point3& p : polygon_)
+                if (side.beyond(p, side.of(box)) >= -on_plane) touched_ |= 1U << number;
+        }
+    }
+    return &face_;
+}
+
+void SpaceFaces::join_vertices(Index i) {
+    const Point3& eye = sites_[i].centre;
+    polygon_.clear();
+    for (const Index c : ring_) {
+        const Point3& first = sites_[cell(c)[0]].centre;
+        polygon_.push_back(plus(minus(first, eye), vertices_[static_cast<std::size_t>(c)].offset));
+    }
+}
+
+Box3 SpaceFaces::box_from(Index i) const noexcept {
+    const Point3& eye = sites_[i].centre;
+    return {minus(sites_.box().low, eye), minus(sites_.box().high, eye)};
+}
+
+/// The box's section along the plane, as a function over the two axes along which it is least
+/// steep, cut by the planes of the sites around.
+void SpaceFaces::cut_section(Index i) {
+    const auto& [normal, height, unused] = face_.plane;
+    const Box3 box = box_from(i);
+    int steepest = 0;
+    for (int axis = 1; axis < 3; ++axis)
+        if (std::fabs(normal.*axes_of_space[axis]) > std::fabs(normal.*axes_of_space[steepest]))
+            steepest = axis;
+    double Point3::*const up = axes_of_space[steepest];
+    double Point3::*const u = axes_of_space[(steepest + 1) % 3];
+    double Point3::*const v = axes_of_space[(steepest + 2) % 3];
+    polygon_.clear();
+    constexpr bool corners[4][2] = {{false, false}, {true, false}, {true, true}, {false, true}};
+    for (const auto& [high_u, high_v] : corners) {
+        Point3 p;
+        p.*u = high_u ? box.high.*u : box.low.*u;
+        p.*v = high_v ? box.high.*v : box.low.*v;
+        p.*up = (height - normal.*u * (p.*u) - normal.*v * (p.*v)) / normal.*up;
+        polygon_.push_back(p);
+    }
+    cut_by_box(i, 3U << 2 * steepest);
+    for (const Index k : around_)
+        if (k >= 0 && !polygon_.empty()) cut_by(sites_.bisector(i, k));
+}
+
+void SpaceFaces::cut_by_box(Index i, std::uint32_t sides) {
+    const Box3 box = box_from(i);
+    for (int number = 0; number < 6 && !polygon_.empty(); ++number) {
+        if ((sides >> number & 1U) == 0) continue;
+        const Side side(number);
+        const double at = side.of(box);
+        distances_.clear();
+        for (const Point3& p : polygon_) distances_.push_back(side.beyond(p, at));
+        keep_below(polygon_, before_cut_, distances_, [&](Point3& p) { p.*side.axis = at; });
+    }
+}
+
+/// False where all of the polygon lies in the plane; it is left as it is.
+bool SpaceFaces::cut_by(const Bisector& plane) {
+    distances_.clear();
+    for (const Point3& p : polygon_) distances_.push_back(dot(plane.normal, p) - plane.height);
+    if (std::ranges::all_of(distances_, [](double d) { return std::fabs(d) <= on_plane; }))
+        return false;
+    keep_below(polygon_, before_cut_, distances_, [](Point3&) {});
+    return true;
+}
+
+const CutFace* SpaceFaces::cut_side(Index i, int number, std::span<const Neighbour> neighbours) {
+    const Side side(number);
+    const Box3 box = box_from(i);
+    double Point3::*const u = axes_of_space[(number / 2 + 1) % 3];
+    double Point3::*const v = axes_of_space[(number / 2 + 2) % 3];
+    const double outward = side.is_high ? 1.0 : -1.0;
+    face_.plane = {};
+    face_.plane.normal.*side.axis = outward;
+    face_.plane.height = outward * side.of(box);
+    polygon_.assign(4, box.low);
+    for (Point3& p : polygon_) p.*side.axis = side.of(box);
+    polygon_[1].*u = polygon_[2].*u = box.high.*u;
+    polygon_[2].*v = polygon_[3].*v = box.high.*v;
+    for (const Neighbour& each : neighbours) {
+        const Bisector plane = sites_.bisector(i, each.site);
+        // Where the side itself is the plane, the cell lies within the box or outside.
+        if (!cut_by(plane) && dot(plane.normal, face_.plane.normal) > 0.0) polygon_.clear();
+        if (polygon_.size() < 3) return nullptr;
+    }
+    measure();
+    return is_narrow() ? nullptr : &face_;
+}
+
+// ---- areas -------------------------------------------------------------------------------------
+
+/// By triangles around the first point.
+void SpaceFaces::measure() {
+    const Point3& normal = face_.plane.normal;
+    const Point3& first = polygon_.front();
+    Point3 before = minus(polygon_[1], first);
+    Point3 moment;
+    double area = 0.0;
+    longest_square_ = dot(before, before);
+    for (std::size_t k = 2; k < polygon_.size(); ++k) {
+        const Point3 next = minus(polygon_[k], first);
+        const double twice = dot(cross(before, next), normal);
+        area += twice;
+        moment = plus(moment, plus(before, next), twice);
+        longest_square_ = std::max(longest_square_, dot(next, next));
+        before = next;
+    }
+    face_.area = std::fabs(area) / 2;
+    face_.moment = plus(plus({}, moment, area < 0.0 ? -1.0 / 6 : 1.0 / 6), first, face_.area);
+}
+
+/// Whether what was measured is so small or narrow that rounding may have made it.
+bool SpaceFaces::may_have_no_area() const noexcept {
+    const double height = face_.plane.height;
+    const Point3& first = polygon_.front();
+    return !(face_.area >= 0x1p-26 * longest_square_) ||
+           !(longest_square_ >= 0x1p-50 * (height * height + dot(first, first)));
+}
+
+/// A polygon has no area where it has fewer than three different vertices. Those that are equal
+/// follow one another: two cells that share a facet have one vertex where either is tied with the
+/// other's fourth site.
+bool SpaceFaces::has_no_area() const {
+    const double scale = face_.plane.height * face_.plane.height +
+                         dot(polygon_.front(), polygon_.front()) + longest_square_;
+    int changes = 0;
+    for (std::size_t k = 0; k < ring_.size(); ++k) {
+        const std::size_t next = k + 1 < ring_.size() ? k + 1 : 0;
+        const Point3 step = minus(polygon_[next], polygon_[k]);
+        if (dot(step, step) > 0x1p-46 * scale || !sites_.is_tied(cell(ring_[k]), around_[next]))
+            ++changes;
+        if (changes >= 3) return false;
+    }
+    return true;
+}
+
+bool SpaceFaces::is_narrow() const noexcept {
+    return !(face_.area > least_width * std::sqrt(longest_square_));
+}
+
+}  // namespace signum

@@ -1,0 +1,117 @@
+#pragma once
+/// The faces of power cells in a box, one at a time. For sources only.
+///
+/// A face of two sites is a convex polygon: its vertices are those of the cells of the tessellation
+/// around the sites' edge, in their order, so that no decision is left to rounding. Where such a
+/// vertex is at infinity, or so far from the box that its own rounding would be seen, the box's
+/// section along the bisecting plane is cut by the planes of the sites around the edge instead.
+/// Where the box cuts what lies beyond its sides goes.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "../core/large_array.hpp"
+#include "../spatial/triangulate.hpp"
+#include "scaled_sites.hpp"
+
+namespace signum {
+
+/// Seen from the site whose face it is; lengths as in ScaledSites.
+struct CutFace {
+    Bisector plane;  ///< turned outward
+    double area;
+    Point3 moment;  ///< the integral of the place over the face
+};
+
+class SpaceFaces {
+ public:
+    /// The tessellation must outlive it. Throws std::invalid_argument as space_cells() does.
+    SpaceFaces(const SpaceTessellation& tessellation, const AnySites3& sites, const Box3& box);
+
+    [[nodiscard]] const ScaledSites& sites() const noexcept { return sites_; }
+    [[nodiscard]] bool is_visible(Index i) const noexcept {
+        const auto s = static_cast<std::size_t>(i);
+        return first_[s] < first_[s + 1];
+    }
+
+    /// A site that shares an edge with another one, and the first of the finite cells around it.
+    struct Neighbour {
+        Index site;
+        Index cell;
+    };
+    /// Those of site i above `least`, in rising order; valid up to the next call.
+    [[nodiscard]] std::span<const Neighbour> neighbours(Index i, Index least = -1);
+
+    /// The face of site i with a neighbour of it. Nothing where it has no area, or not in the box.
+    /// Told from both sites the polygon is the same but for rounding: ask the lesser one.
+    [[nodiscard]] const CutFace* cut(Index i, const Neighbour& neighbour);
+    /// The part of side 0 to 5 of the box in the cell of a site that has these neighbours.
+    [[nodiscard]] const CutFace* cut_side(Index i, int side, std::span<const Neighbour> neighbours);
+
+    /// Of the face that was cut last; in order, seen from its site.
+    [[nodiscard]] std::span<const Point3> polygon() const noexcept { return polygon_; }
+    /// The sides of the box near which the last two sites may meet it, whether or not there was a
+    /// face: a bit for each.
+    [[nodiscard]] unsigned touched() const noexcept { return touched_; }
+    /// The corners of the box seen from a site.
+    [[nodiscard]] Box3 box_from(Index i) const noexcept;
+
+ private:
+    /// Of a cell of the tessellation, from the centre of its first site, with bits that say where
+    /// it is: `beyond` a side or not, `at` it or beyond; `far` from the box, or at infinity.
+    struct Vertex {
+        Point3 offset;
+        std::uint32_t where;
+    };
+    static constexpr std::uint32_t beyond_low_x = 1;
+    static constexpr std::uint32_t beyond_any = 63;
+    static constexpr std::uint32_t at_low_x = 64;
+    static constexpr std::uint32_t far = 1 << 12;
+
+    void place_vertices();
+    [[nodiscard]] Point3 vertex_of(const SpaceCell& cell) const;
+    [[nodiscard]] std::uint32_t where(const Point3& p) const noexcept;
+    void collect_stars();
+    [[nodiscard]] const SpaceCell& cell(Index c) const noexcept {
+        return tessellation_.cells[static_cast<std::size_t>(c)];
+    }
+    [[nodiscard]] std::span<const Index> star(Index i) const noexcept {
+        const auto s = static_cast<std::size_t>(i);
+        return {star_.data() + first_[s], star_.data() + first_[s + 1]};
+    }
+
+    void walk_around(Index i, const Neighbour& neighbour);
+    void collect_around(Index i, Index j);
+    void join_vertices(Index i);
+    void cut_section(Index i);
+    void cut_by_box(Index i, std::uint32_t sides);
+    bool cut_by(const Bisector& plane);
+    void measure();
+    [[nodiscard]] bool may_have_no_area() const noexcept;
+    [[nodiscard]] bool has_no_area() const;
+    [[nodiscard]] bool is_narrow() const noexcept;
+
+    const SpaceTessellation& tessellation_;
+    ScaledSites sites_;
+    LargeArray<Vertex> vertices_;  // by cell
+    std::vector<std::size_t> first_;
+    LargeArray<Index> star_;  // the finite cells around each site, in rising order
+    LargeArray<std::uint32_t> seen_;
+    std::uint32_t round_ = 0;
+    std::vector<Neighbour> neighbours_;
+
+    // Of the face at hand.
+    std::vector<Index> ring_;    // cells
+    std::vector<Index> around_;  // the site that a cell of the ring shares with the next one
+    std::vector<Point3> polygon_;
+    std::vector<Point3> before_cut_;
+    std::vector<double> distances_;
+    CutFace face_{};
+    double longest_square_ = 0.0;  // of the lines from the polygon's first point
+    unsigned touched_ = 0;
+};
+
+}  // namespace signum
