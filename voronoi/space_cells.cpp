@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "../spatial/order.hpp"
 #include "space_faces.hpp"
 
 namespace signum {
@@ -20,7 +21,12 @@ class Measuring {
     }
 
     [[nodiscard]] SpaceCells run() && {
-        for (Index i = 0; i < size_; ++i) {
+        // Near ones after one another, so that most of what a site looks at has been looked at.
+        const auto place = [&](Index i) { return faces_.sites()[i].centre; };
+        const LargeArray<Index> order = spatial::insertion_order(touched_.size(), place, 1);
+        for (std::size_t k = 0; k < order.size(); ++k) {
+            const Index i = order[k];
+            if (k + 1 < order.size()) faces_.prefetch(order[k + 1]);
             for (const auto& neighbour : faces_.neighbours(i, i)) {
                 const CutFace* const face = faces_.cut(i, neighbour);
                 if (const auto touched = static_cast<std::uint8_t>(faces_.touched());
@@ -39,7 +45,6 @@ class Measuring {
         for (int side = 0; side < 6; ++side)
             if (const Index owner = nearest_to_middle(side); owner >= 0)
                 touched_of(owner) |= static_cast<std::uint8_t>(1U << side);
-        const std::size_t between_sites = found_.size();
         for (Index i = 0; i < size_; ++i) {
             if (touched_of(i) == 0) continue;
             const auto neighbours = faces_.neighbours(i);
@@ -51,7 +56,7 @@ class Measuring {
                 add(i, face->plane.normal, face->plane.height, *face, {});
             }
         }
-        list_faces(between_sites);
+        list_faces();
         for (Index i = 0; i < size_; ++i) finish(i);
         return std::move(result_);
     }
@@ -110,14 +115,10 @@ class Measuring {
         }
         return best;
     }
-    /// Faces between sites were found by the lesser site, then by the other one: so each site gets
-    /// its neighbours in rising order, the lesser ones first.
-    void list_faces(std::size_t between_sites) {
+    /// Into the lists of both cells, which are then put in order.
+    void list_faces() {
         auto& first = result_.first_face;
         first.assign(result_.measures.size() + 2, 0);
-        const auto next = [&](Index i) -> std::int64_t& {
-            return first[static_cast<std::size_t>(i) + 1];
-        };
         for (const Found& each : found_) {
             ++first[static_cast<std::size_t>(each.first) + 2];
             if (each.second >= 0) ++first[static_cast<std::size_t>(each.second) + 2];
@@ -125,14 +126,22 @@ class Measuring {
         for (std::size_t s = 2; s < first.size(); ++s) first[s] += first[s - 1];
         result_.faces.resize(static_cast<std::size_t>(first.back()));
         const auto put = [&](Index i, Index beyond, double area) {
-            result_.faces[static_cast<std::size_t>(next(i)++)] = {beyond, in_plane(area, 2)};
+            // The begin of each list moves to its end.
+            std::int64_t& next = first[static_cast<std::size_t>(i) + 1];
+            result_.faces[static_cast<std::size_t>(next++)] = {beyond, in_plane(area, 2)};
         };
-        for (std::size_t f = 0; f < found_.size(); ++f) {
-            const auto& [i, j, area] = found_[f];
+        for (const auto& [i, j, area] : found_) {
             put(i, j, area);
-            if (f < between_sites) put(j, i, area);
+            if (j >= 0) put(j, i, area);
         }
         first.pop_back();
+        for (std::size_t s = 0; s + 1 < first.size(); ++s)
+            std::sort(result_.faces.begin() + first[s], result_.faces.begin() + first[s + 1],
+                      [](const SpaceFace& a, const SpaceFace& b) {
+                          return (a.beyond < 0) != (b.beyond < 0) ? b.beyond < 0
+                                 : a.beyond < 0                   ? a.beyond > b.beyond
+                                                                  : a.beyond < b.beyond;
+                      });
     }
     /// A product of so many lengths as it is where the sites lie.
     [[nodiscard]] double in_plane(double value, int lengths) const noexcept {

@@ -57,27 +57,27 @@ void keep_below(std::vector<Point3>& polygon, std::vector<Point3>& before,
 
 SpaceFaces::SpaceFaces(const SpaceTessellation& tessellation, const AnySites3& sites,
                        const Box3& box)
-    : tessellation_(tessellation), sites_(sites, box) {
+    : dimension_(tessellation.dimension), sites_(sites, box) {
     if (tessellation.sites != static_cast<std::int64_t>(sites_.size()))
         throw std::invalid_argument("a tessellation of another number of sites");
-    if (tessellation.dimension == 3) place_vertices();
+    cells_.reserve(tessellation.cells.size());
+    for (std::size_t c = 0; c < tessellation.cells.size(); ++c) {
+        cells_.push_back({tessellation.cells[c], tessellation.neighbours[c], {}, 0});
+        if (dimension_ == 3) place_vertex(cells_.back());
+    }
     collect_stars();
     seen_.resize(sites_.size(), 0);
 }
 
 // ---- vertices and stars ------------------------------------------------------------------------
 
-void SpaceFaces::place_vertices() {
-    vertices_.resize(tessellation_.cells.size());
-    for (std::size_t c = 0; c < vertices_.size(); ++c) {
-        const SpaceCell& four = tessellation_.cells[c];
-        if (four[0] < 0) {
-            vertices_[c] = {{}, far | (beyond_any * at_low_x)};
-            continue;
-        }
-        const Point3 offset = vertex_of(four);
-        vertices_[c] = {offset, where(plus(sites_[four[0]].centre, offset))};
+void SpaceFaces::place_vertex(Cell& cell) const {
+    if (cell.sites[0] < 0) {
+        cell.where = far | (beyond_any * at_low_x);
+        return;
     }
+    cell.vertex = vertex_of(cell.sites);
+    cell.where = where(plus(sites_[cell.sites[0]].centre, cell.vertex));
 }
 
 /// Cramer's rule, and one step of refinement: so the vertex lies within rounding of all planes,
@@ -132,20 +132,20 @@ std::uint32_t SpaceFaces::where(const Point3& p) const noexcept {
 }
 
 void SpaceFaces::collect_stars() {
-    const auto size = static_cast<std::size_t>(tessellation_.dimension + 1);
+    const auto size = static_cast<std::size_t>(dimension_ + 1);
     first_.assign(sites_.size() + 2, 0);
     // Cells with the vertex at infinity have it first.
-    for (const SpaceCell& cell : tessellation_.cells)
-        if (cell[0] >= 0)
-            for (std::size_t k = 0; k < size; ++k) ++first_[static_cast<std::size_t>(cell[k]) + 2];
+    for (const auto& [four, neighbours, vertex, where] : cells_)
+        if (four[0] >= 0)
+            for (std::size_t k = 0; k < size; ++k) ++first_[static_cast<std::size_t>(four[k]) + 2];
     for (std::size_t s = 2; s < first_.size(); ++s) first_[s] += first_[s - 1];
     star_.resize(first_.back());
     // The begin of each star moves to its end.
-    for (std::size_t c = 0; c < tessellation_.cells.size(); ++c) {
-        const SpaceCell& cell = tessellation_.cells[c];
-        if (cell[0] >= 0)
+    for (std::size_t c = 0; c < cells_.size(); ++c) {
+        const SpaceCell& four = cells_[c].sites;
+        if (four[0] >= 0)
             for (std::size_t k = 0; k < size; ++k)
-                star_[first_[static_cast<std::size_t>(cell[k]) + 1]++] = static_cast<Index>(c);
+                star_[first_[static_cast<std::size_t>(four[k]) + 1]++] = static_cast<Index>(c);
     }
     first_.pop_back();
 }
@@ -157,14 +157,13 @@ std::span<const SpaceFaces::Neighbour> SpaceFaces::neighbours(Index i, Index lea
     }
     neighbours_.clear();
     for (const Index c : star(i))
-        for (const Index v : cell(c)) {
+        for (const Index v : cell(c).sites) {
             if (v <= least || v == i || v < 0) continue;
             std::uint32_t& seen = seen_[static_cast<std::size_t>(v)];
             if (seen == round_) continue;
             seen = round_;
             neighbours_.push_back({v, c});
         }
-    std::ranges::sort(neighbours_, {}, &Neighbour::site);
     return neighbours_;
 }
 
@@ -177,7 +176,7 @@ void SpaceFaces::walk_around(Index i, const Neighbour& neighbour) {
     const auto others = [&](const SpaceCell& four) {
         return four[0] ^ four[1] ^ four[2] ^ four[3] ^ edge;
     };
-    const SpaceCell& start = cell(neighbour.cell);
+    const SpaceCell& start = cell(neighbour.cell).sites;
     Index behind = start[0];
     for (const Index v : start)
         if (v != i && v != neighbour.site) behind = v;
@@ -188,13 +187,13 @@ void SpaceFaces::walk_around(Index i, const Neighbour& neighbour) {
     do {
         ring_.push_back(c);
         around_.push_back(ahead);
-        const SpaceCell& four = cell(c);
+        const SpaceCell& four = cell(c).sites;
         const auto place = static_cast<std::size_t>(behind == four[1]) +
                            2 * static_cast<std::size_t>(behind == four[2]) +
                            3 * static_cast<std::size_t>(behind == four[3]);
-        c = tessellation_.neighbours[static_cast<std::size_t>(c)][place];
+        c = cell(c).neighbours[place];
         behind = ahead;
-        ahead ^= others(cell(c));
+        ahead ^= others(cell(c).sites);
     } while (c != neighbour.cell);
 }
 
@@ -202,8 +201,9 @@ void SpaceFaces::walk_around(Index i, const Neighbour& neighbour) {
 void SpaceFaces::collect_around(Index i, Index j) {
     around_.clear();
     for (const Index c : star(i)) {
-        if (std::ranges::find(cell(c), j) == cell(c).end()) continue;
-        for (const Index v : cell(c))
+        const SpaceCell& four = cell(c).sites;
+        if (std::ranges::find(four, j) == four.end()) continue;
+        for (const Index v : four)
             if (v >= 0 && v != i && v != j) around_.push_back(v);
     }
 }
@@ -213,12 +213,12 @@ const CutFace* SpaceFaces::cut(Index i, const Neighbour& neighbour) {
     touched_ = 0;
     std::uint32_t all = 0;
     std::uint32_t any = far;
-    if (tessellation_.dimension == 3) {
+    if (dimension_ == 3) {
         walk_around(i, neighbour);
         all = beyond_any;
         any = 0;
         for (const Index c : ring_) {
-            const std::uint32_t bits = vertices_[static_cast<std::size_t>(c)].where;
+            const std::uint32_t bits = cell(c).where;
             all &= bits;
             any |= bits;
         }
@@ -255,8 +255,8 @@ void SpaceFaces::join_vertices(Index i) {
     const Point3& eye = sites_[i].centre;
     polygon_.clear();
     for (const Index c : ring_) {
-        const Point3& first = sites_[cell(c)[0]].centre;
-        polygon_.push_back(plus(minus(first, eye), vertices_[static_cast<std::size_t>(c)].offset));
+        const auto& [four, neighbours, vertex, where] = cell(c);
+        polygon_.push_back(plus(minus(sites_[four[0]].centre, eye), vertex));
     }
 }
 
@@ -376,7 +376,8 @@ bool SpaceFaces::has_no_area() const {
     for (std::size_t k = 0; k < ring_.size(); ++k) {
         const std::size_t next = k + 1 < ring_.size() ? k + 1 : 0;
         const Point3 step = minus(polygon_[next], polygon_[k]);
-        if (dot(step, step) > 0x1p-46 * scale || !sites_.is_tied(cell(ring_[k]), around_[next]))
+        if (dot(step, step) > 0x1p-46 * scale ||
+            !sites_.is_tied(cell(ring_[k]).sites, around_[next]))
             ++changes;
         if (changes >= 3) return false;
     }

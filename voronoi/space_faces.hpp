@@ -28,7 +28,7 @@ struct CutFace {
 
 class SpaceFaces {
  public:
-    /// The tessellation must outlive it. Throws std::invalid_argument as space_cells() does.
+    /// Throws std::invalid_argument as space_cells() does.
     SpaceFaces(const SpaceTessellation& tessellation, const AnySites3& sites, const Box3& box);
 
     [[nodiscard]] const ScaledSites& sites() const noexcept { return sites_; }
@@ -42,8 +42,13 @@ class SpaceFaces {
         Index site;
         Index cell;
     };
-    /// Those of site i above `least`, in rising order; valid up to the next call.
+    /// Those of site i above `least`; valid up to the next call.
     [[nodiscard]] std::span<const Neighbour> neighbours(Index i, Index least = -1);
+
+    /// A hint that the neighbours of a site will be asked for soon.
+    void prefetch(Index i) const noexcept {
+        for (const Index c : star(i)) __builtin_prefetch(&cell(c));
+    }
 
     /// The face of site i with a neighbour of it. Nothing where it has no area, or not in the box.
     /// Told from both sites the polygon is the same but for rounding: ask the lesser one.
@@ -60,10 +65,13 @@ class SpaceFaces {
     [[nodiscard]] Box3 box_from(Index i) const noexcept;
 
  private:
-    /// Of a cell of the tessellation, from the centre of its first site, with bits that say where
-    /// it is: `beyond` a side or not, `at` it or beyond; `far` from the box, or at infinity.
-    struct Vertex {
-        Point3 offset;
+    /// A cell of the tessellation, all that is asked of it in one line of the processor's memory.
+    /// Its vertex is seen from its first site; bits say where that is: `beyond` a side of the box
+    /// or not, `at` it or beyond; `far` from the box, or at infinity.
+    struct alignas(64) Cell {
+        SpaceCell sites;
+        SpaceCell neighbours;
+        Point3 vertex;
         std::uint32_t where;
     };
     static constexpr std::uint32_t beyond_low_x = 1;
@@ -71,12 +79,12 @@ class SpaceFaces {
     static constexpr std::uint32_t at_low_x = 64;
     static constexpr std::uint32_t far = 1 << 12;
 
-    void place_vertices();
+    void place_vertex(Cell& cell) const;
     [[nodiscard]] Point3 vertex_of(const SpaceCell& cell) const;
     [[nodiscard]] std::uint32_t where(const Point3& p) const noexcept;
     void collect_stars();
-    [[nodiscard]] const SpaceCell& cell(Index c) const noexcept {
-        return tessellation_.cells[static_cast<std::size_t>(c)];
+    [[nodiscard]] const Cell& cell(Index c) const noexcept {
+        return cells_[static_cast<std::size_t>(c)];
     }
     [[nodiscard]] std::span<const Index> star(Index i) const noexcept {
         const auto s = static_cast<std::size_t>(i);
@@ -94,9 +102,9 @@ class SpaceFaces {
     [[nodiscard]] bool has_no_area() const;
     [[nodiscard]] bool is_narrow() const noexcept;
 
-    const SpaceTessellation& tessellation_;
+    int dimension_;
     ScaledSites sites_;
-    LargeArray<Vertex> vertices_;  // by cell
+    LargeArray<Cell> cells_;
     std::vector<std::size_t> first_;
     LargeArray<Index> star_;  // the finite cells around each site, in rising order
     LargeArray<std::uint32_t> seen_;
