@@ -17,7 +17,7 @@ set(public_headers
   kinetic/kinetic_tessellation.hpp
   spatial/triangulate.hpp
   voronoi/voronoi.hpp voronoi/curve.hpp voronoi/conic.hpp voronoi/clip.hpp voronoi/polygon.hpp
-  voronoi/contacts.hpp voronoi/compare.hpp
+  voronoi/contacts.hpp voronoi/compare.hpp voronoi/space_cells.hpp voronoi/space_polyhedra.hpp
   motion/simulation.hpp motion/queries.hpp motion/meeting_time.hpp motion/shaking_wall.hpp)
 # What these include in their turn: the filters, which are inline. Nobody includes them by name.
 set(headers_behind
