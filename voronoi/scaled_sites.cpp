@@ -7,7 +7,6 @@
 
 #include "../core/error_free.hpp"
 #include "../exact/multiprecision.hpp"
-#include "../predicates/space/in_sphere.hpp"
 
 namespace signum {
 namespace {
@@ -103,19 +102,6 @@ Bisector ScaledSites::bisector(Index i, Index j) const noexcept {
     }
     const double difference = weight_difference(i, j) / norm;
     return {normal, (norm - difference) / 2, (norm + difference) / 2};
-}
-
-bool ScaledSites::is_tied(const SpaceCell& cell, Index q) const {
-    return std::visit(
-        [&](const auto& all) {
-            const auto at = [&](Index v) -> const auto& {
-                return all[static_cast<std::size_t>(v)];
-            };
-            return power::in_sphere_decision(at(cell[0]), at(cell[1]), at(cell[2]), at(cell[3]),
-                                             at(q))
-                       .sign == 0;
-        },
-        given_);
 }
 
 Point3 ScaledSites::exact_vertex(const SpaceCell& cell) const {

@@ -61,8 +61,6 @@ class ScaledSites {
     /// Precondition: their centres differ.
     [[nodiscard]] Bisector bisector(Index i, Index j) const noexcept;
 
-    /// Exactly, of four sites that turn positively: whether q is as near to their vertex as they.
-    [[nodiscard, gnu::cold]] bool is_tied(const SpaceCell& cell, Index q) const;
     /// The vertex of four sites that are not coplanar, from the first one: each number the double
     /// nearest to the exact one, or 2^1000 in magnitude where that is less.
     [[nodiscard, gnu::cold]] Point3 exact_vertex(const SpaceCell& cell) const;

@@ -8,10 +8,11 @@
 ///     volume and no face.
 ///  2. A face between two cells has one area, told to both. A cell's faces come in the order of
 ///     the sites beyond, then of the box's sides from -1 to -6.
-///  3. Who may share a face the exact tessellation says, and what has no area is no face. Of a face
-///     that lies within the box this is decided exactly: it has fewer than three different
-///     vertices. What is left of one that the box cuts, and a cell's part of a side, is no face
-///     where it is narrower than 2^-45 of the box; nor is one that lies in a side.
+///  3. Who may share a face the exact tessellation says. A face narrower than 2^-40 of its corners'
+///     distance from the site is none: where more than four cells meet in a point, as in lattices,
+///     the rounding of coordinates makes such faces. Nor is what the box leaves of a face, or a
+///     cell's part of a side, narrower than 2^-45 of the box's longest side, and what lies in a
+///     side is the side's.
 ///  4. Numbers are doubles, computed from differences of coordinates: volumes, areas and centroids
 ///     are in error by about 1e-12 of the cell that the nearest sites would have if none weighed
 ///     more than another, so that of tiny faces and cells fewer digits are right. They are finite,

@@ -7,10 +7,12 @@
 namespace signum {
 namespace {
 
-/// In the box's longest sides, which are 1 to 2: what is no farther from a plane lies in it, and
-/// what is no wider is nothing.
+/// In the box's longest side, which is 1 to 2: what is no farther from a plane lies in it, and what
+/// is no wider is nothing.
 constexpr double on_plane = 0x1p-46;
 constexpr double least_width = 0x1p-45;
+/// What is narrower, of its distance from the site, may be nothing but the rounding of coordinates.
+constexpr double least_share = 0x1p-40;
 /// From where vertices are too far from the box.
 constexpr double far_from_box = 8.0;
 
@@ -231,15 +233,16 @@ const CutFace* SpaceFaces::cut(Index i, const Neighbour& neighbour) {
         cut_section(i);
     } else {
         join_vertices(i);
-        measure();
-        if (may_have_no_area() && has_no_area()) return nullptr;
         touched_ = any / at_low_x;
-        if (touched_ == 0) return &face_;
+        if (touched_ == 0) {
+            measure();
+            return is_narrow() ? nullptr : &face_;
+        }
         cut_by_box(i, touched_);
     }
     if (polygon_.size() < 3) return nullptr;
     measure();
-    if (is_narrow()) return nullptr;
+    if (is_narrow_beside_box()) return nullptr;
     if ((any & far) != 0) {
         const Box3 box = box_from(i);
         for (int number = 0; number < 6; ++number) {
@@ -286,6 +289,13 @@ void SpaceFaces::cut_section(Index i) {
         p.*up = (height - normal.*u * (p.*u) - normal.*v * (p.*v)) / normal.*up;
         polygon_.push_back(p);
     }
+    // In a side of the box it is no face, but one of the cells has the side.
+    for (const int number : {2 * steepest, 2 * steepest + 1}) {
+        const double at = Side(number).of(box);
+        if (std::ranges::all_of(polygon_,
+                                [&](const Point3& p) { return std::fabs(p.*up - at) <= on_plane; }))
+            touched_ |= 1U << number;
+    }
     cut_by_box(i, 3U << 2 * steepest);
     for (const Index k : around_)
         if (k >= 0 && !polygon_.empty()) cut_by(sites_.bisector(i, k));
@@ -329,11 +339,11 @@ const CutFace* SpaceFaces::cut_side(Index i, int number, std::span<const Neighbo
     for (const Neighbour& each : neighbours) {
         const Bisector plane = sites_.bisector(i, each.site);
         // Where the side itself is the plane, the cell lies within the box or outside.
-        if (!cut_by(plane) && dot(plane.normal, face_.plane.normal) > 0.0) polygon_.clear();
+        if (!cut_by(plane) && dot(plane.normal, face_.plane.normal) < 0.0) polygon_.clear();
         if (polygon_.size() < 3) return nullptr;
     }
     measure();
-    return is_narrow() ? nullptr : &face_;
+    return is_narrow_beside_box() ? nullptr : &face_;
 }
 
 // ---- areas -------------------------------------------------------------------------------------
@@ -358,34 +368,14 @@ void SpaceFaces::measure() {
     face_.moment = plus(plus({}, moment, area < 0.0 ? -1.0 / 6 : 1.0 / 6), first, face_.area);
 }
 
-/// Whether what was measured is so small or narrow that rounding may have made it.
-bool SpaceFaces::may_have_no_area() const noexcept {
-    const double height = face_.plane.height;
-    const Point3& first = polygon_.front();
-    return !(face_.area >= 0x1p-26 * longest_square_) ||
-           !(longest_square_ >= 0x1p-50 * (height * height + dot(first, first)));
-}
-
-/// A polygon has no area where it has fewer than three different vertices. Those that are equal
-/// follow one another: two cells that share a facet have one vertex where either is tied with the
-/// other's fourth site.
-bool SpaceFaces::has_no_area() const {
-    const double scale = face_.plane.height * face_.plane.height +
-                         dot(polygon_.front(), polygon_.front()) + longest_square_;
-    int changes = 0;
-    for (std::size_t k = 0; k < ring_.size(); ++k) {
-        const std::size_t next = k + 1 < ring_.size() ? k + 1 : 0;
-        const Point3 step = minus(polygon_[next], polygon_[k]);
-        if (dot(step, step) > 0x1p-46 * scale ||
-            !sites_.is_tied(cell(ring_[k]).sites, around_[next]))
-            ++changes;
-        if (changes >= 3) return false;
-    }
-    return true;
-}
-
 bool SpaceFaces::is_narrow() const noexcept {
-    return !(face_.area > least_width * std::sqrt(longest_square_));
+    const double longest = std::sqrt(longest_square_);
+    const double distance = length(polygon_.front()) + longest;
+    return !(face_.area > least_share * distance * longest);
+}
+
+bool SpaceFaces::is_narrow_beside_box() const noexcept {
+    return is_narrow() || !(face_.area > least_width * std::sqrt(longest_square_));
 }
 
 }  // namespace signum

@@ -98,9 +98,8 @@ class SpaceFaces {
     void cut_by_box(Index i, std::uint32_t sides);
     bool cut_by(const Bisector& plane);
     void measure();
-    [[nodiscard]] bool may_have_no_area() const noexcept;
-    [[nodiscard]] bool has_no_area() const;
     [[nodiscard]] bool is_narrow() const noexcept;
+    [[nodiscard]] bool is_narrow_beside_box() const noexcept;
 
     int dimension_;
     ScaledSites sites_;
