@@ -338,6 +338,8 @@ TEST(SpaceCells, AsInRationals) {
             const auto listed = cells.faces_of(names[k]);
             std::vector<SpaceFace> found(listed.begin(), listed.end());
             std::ranges::sort(found, {}, &SpaceFace::beyond);
+            // What rounding of coordinates makes is none.
+            std::erase_if(faces, [](const SpaceFace& face) { return face.area < 1e-13; });
             ASSERT_EQ(found.size(), faces.size()) << trial << " site " << names[k];
             for (std::size_t f = 0; f < faces.size(); ++f) {
                 ASSERT_EQ(found[f].beyond, faces[f].beyond) << trial << " site " << names[k];
