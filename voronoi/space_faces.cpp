@@ -31,28 +31,9 @@ struct Side {
     }
 };
 
-/// What is left of a convex polygon where distances are not positive: nothing, unless some point is
-/// on the good side. `cross(p)` puts a new point into the plane.
-template <class Cross>
-void keep_below(std::vector<Point3>& polygon, std::vector<Point3>& before,
-                const std::vector<double>& distances, const Cross& cross) {
-    before.swap(polygon);
-    polygon.clear();
-    if (std::ranges::none_of(distances, [](double d) { return d < -on_plane; })) return;
-    const std::size_t size = before.size();
-    for (std::size_t k = 0; k < size; ++k) {
-        const std::size_t next = k + 1 < size ? k + 1 : 0;
-        const double from = distances[k];
-        const double to = distances[next];
-        if (from <= on_plane) {
-            polygon.push_back(before[k]);
-            if (from >= -on_plane) cross(polygon.back());
-        }
-        if ((from < -on_plane && to > on_plane) || (from > on_plane && to < -on_plane)) {
-            polygon.push_back(plus(before[k], minus(before[next], before[k]), from / (from - to)));
-            cross(polygon.back());
-        }
-    }
+/// As SpaceFace::beyond.
+[[nodiscard]] constexpr Index name_of_side(int number) noexcept {
+    return static_cast<Index>(-1 - number);
 }
 
 }  // namespace
@@ -257,6 +238,7 @@ const CutFace* SpaceFaces::cut(Index i, const Neighbour& neighbour) {
 void SpaceFaces::join_vertices(Index i) {
     const Point3& eye = sites_[i].centre;
     polygon_.clear();
+    borders_.assign(around_.begin(), around_.end());
     for (const Index c : ring_) {
         const auto& [four, neighbours, vertex, where] = cell(c);
         polygon_.push_back(plus(minus(sites_[four[0]].centre, eye), vertex));
@@ -266,6 +248,17 @@ void SpaceFaces::join_vertices(Index i) {
 Box3 SpaceFaces::box_from(Index i) const noexcept {
     const Point3& eye = sites_[i].centre;
     return {minus(sites_.box().low, eye), minus(sites_.box().high, eye)};
+}
+
+/// The box seen along an axis.
+void SpaceFaces::start_with_rectangle(const Box3& box, int axis) {
+    const int u = (axis + 1) % 3;
+    const int v = (axis + 2) % 3;
+    polygon_.assign(4, box.low);
+    polygon_[1].*axes_of_space[u] = polygon_[2].*axes_of_space[u] = box.high.*axes_of_space[u];
+    polygon_[2].*axes_of_space[v] = polygon_[3].*axes_of_space[v] = box.high.*axes_of_space[v];
+    borders_ = {name_of_side(2 * v), name_of_side(2 * u + 1), name_of_side(2 * v + 1),
+                name_of_side(2 * u)};
 }
 
 /// The box's section along the plane, as a function over the two axes along which it is least
@@ -280,15 +273,9 @@ void SpaceFaces::cut_section(Index i) {
     double Point3::*const up = axes_of_space[steepest];
     double Point3::*const u = axes_of_space[(steepest + 1) % 3];
     double Point3::*const v = axes_of_space[(steepest + 2) % 3];
-    polygon_.clear();
-    constexpr bool corners[4][2] = {{false, false}, {true, false}, {true, true}, {false, true}};
-    for (const auto& [high_u, high_v] : corners) {
-        Point3 p;
-        p.*u = high_u ? box.high.*u : box.low.*u;
-        p.*v = high_v ? box.high.*v : box.low.*v;
+    start_with_rectangle(box, steepest);
+    for (Point3& p : polygon_)
         p.*up = (height - normal.*u * (p.*u) - normal.*v * (p.*v)) / normal.*up;
-        polygon_.push_back(p);
-    }
     // In a side of the box it is no face, but one of the cells has the side.
     for (const int number : {2 * steepest, 2 * steepest + 1}) {
         const double at = Side(number).of(box);
@@ -298,7 +285,40 @@ void SpaceFaces::cut_section(Index i) {
     }
     cut_by_box(i, 3U << 2 * steepest);
     for (const Index k : around_)
-        if (k >= 0 && !polygon_.empty()) cut_by(sites_.bisector(i, k));
+        if (k >= 0 && !polygon_.empty()) cut_by(sites_.bisector(i, k), k);
+}
+
+/// What is left of the polygon where distances are not positive: nothing, unless some point is on
+/// the good side. `put(p)` moves a point onto the plane, to which `beyond` is the name.
+template <class Put>
+void SpaceFaces::keep_below(Index beyond, const Put& put) {
+    points_before_.swap(polygon_);
+    borders_before_.swap(borders_);
+    polygon_.clear();
+    borders_.clear();
+    if (std::ranges::none_of(distances_, [](double d) { return d < -on_plane; })) return;
+    const std::size_t size = points_before_.size();
+    const auto add = [&](const Point3& p, Index border) {
+        polygon_.push_back(p);
+        borders_.push_back(border);
+    };
+    for (std::size_t k = 0; k < size; ++k) {
+        const std::size_t next = k + 1 < size ? k + 1 : 0;
+        const double from = distances_[k];
+        const double to = distances_[next];
+        const bool is_on = std::fabs(from) <= on_plane;
+        if (from <= on_plane) {
+            add(points_before_[k], is_on && to > on_plane ? beyond : borders_before_[k]);
+            if (is_on) put(polygon_.back());
+        }
+        const bool leaves = from < -on_plane && to > on_plane;
+        if (leaves || (from > on_plane && to < -on_plane)) {
+            add(plus(points_before_[k], minus(points_before_[next], points_before_[k]),
+                     from / (from - to)),
+                leaves ? beyond : borders_before_[k]);
+            put(polygon_.back());
+        }
+    }
 }
 
 void SpaceFaces::cut_by_box(Index i, std::uint32_t sides) {
@@ -309,37 +329,34 @@ void SpaceFaces::cut_by_box(Index i, std::uint32_t sides) {
         const double at = side.of(box);
         distances_.clear();
         for (const Point3& p : polygon_) distances_.push_back(side.beyond(p, at));
-        keep_below(polygon_, before_cut_, distances_, [&](Point3& p) { p.*side.axis = at; });
+        keep_below(name_of_side(number), [&](Point3& p) { p.*side.axis = at; });
     }
 }
 
 /// False where all of the polygon lies in the plane; it is left as it is.
-bool SpaceFaces::cut_by(const Bisector& plane) {
+bool SpaceFaces::cut_by(const Bisector& plane, Index beyond) {
     distances_.clear();
     for (const Point3& p : polygon_) distances_.push_back(dot(plane.normal, p) - plane.height);
     if (std::ranges::all_of(distances_, [](double d) { return std::fabs(d) <= on_plane; }))
         return false;
-    keep_below(polygon_, before_cut_, distances_, [](Point3&) {});
+    keep_below(beyond, [](Point3&) {});
     return true;
 }
 
 const CutFace* SpaceFaces::cut_side(Index i, int number, std::span<const Neighbour> neighbours) {
     const Side side(number);
     const Box3 box = box_from(i);
-    double Point3::*const u = axes_of_space[(number / 2 + 1) % 3];
-    double Point3::*const v = axes_of_space[(number / 2 + 2) % 3];
     const double outward = side.is_high ? 1.0 : -1.0;
     face_.plane = {};
     face_.plane.normal.*side.axis = outward;
     face_.plane.height = outward * side.of(box);
-    polygon_.assign(4, box.low);
+    start_with_rectangle(box, number / 2);
     for (Point3& p : polygon_) p.*side.axis = side.of(box);
-    polygon_[1].*u = polygon_[2].*u = box.high.*u;
-    polygon_[2].*v = polygon_[3].*v = box.high.*v;
     for (const Neighbour& each : neighbours) {
         const Bisector plane = sites_.bisector(i, each.site);
         // Where the side itself is the plane, the cell lies within the box or outside.
-        if (!cut_by(plane) && dot(plane.normal, face_.plane.normal) < 0.0) polygon_.clear();
+        if (!cut_by(plane, each.site) && dot(plane.normal, face_.plane.normal) < 0.0)
+            polygon_.clear();
         if (polygon_.size() < 3) return nullptr;
     }
     measure();

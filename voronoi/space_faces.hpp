@@ -58,6 +58,8 @@ class SpaceFaces {
 
     /// Of the face that was cut last; in order, seen from its site.
     [[nodiscard]] std::span<const Point3> polygon() const noexcept { return polygon_; }
+    /// What is on the other side of the edge behind each point: a site, or a side of the box.
+    [[nodiscard]] std::span<const Index> borders() const noexcept { return borders_; }
     /// The sides of the box near which the last two sites may meet it, whether or not there was a
     /// face: a bit for each.
     [[nodiscard]] unsigned touched() const noexcept { return touched_; }
@@ -96,7 +98,10 @@ class SpaceFaces {
     void join_vertices(Index i);
     void cut_section(Index i);
     void cut_by_box(Index i, std::uint32_t sides);
-    bool cut_by(const Bisector& plane);
+    bool cut_by(const Bisector& plane, Index beyond);
+    template <class Put>
+    void keep_below(Index beyond, const Put& put);
+    void start_with_rectangle(const Box3& box, int axis);
     void measure();
     [[nodiscard]] bool is_narrow() const noexcept;
     [[nodiscard]] bool is_narrow_beside_box() const noexcept;
@@ -114,7 +119,9 @@ class SpaceFaces {
     std::vector<Index> ring_;    // cells
     std::vector<Index> around_;  // the site that a cell of the ring shares with the next one
     std::vector<Point3> polygon_;
-    std::vector<Point3> before_cut_;
+    std::vector<Index> borders_;
+    std::vector<Point3> points_before_;
+    std::vector<Index> borders_before_;
     std::vector<double> distances_;
     CutFace face_{};
     double longest_square_ = 0.0;  // of the lines from the polygon's first point

@@ -1,6 +1,7 @@
 #include "space_polyhedra.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "space_faces.hpp"
@@ -30,6 +31,11 @@ class Building {
         std::size_t first;
         std::size_t last;
     };
+    /// A corner of a loop, and who lies beyond the three planes that meet there, in order.
+    struct FacePoint {
+        Point3 place;
+        std::array<Index, 3> planes;
+    };
 
     [[nodiscard]] SpacePolyhedron polyhedron(Index site) {
         loops_.clear();
@@ -55,11 +61,20 @@ class Building {
     }
     void keep(Index beyond, const Point3& normal, const Point3& eye) {
         const std::size_t first = points_.size();
-        for (const Point3& p : faces_.polygon()) points_.push_back(plus(p, eye));
+        const auto polygon = faces_.polygon();
+        const auto borders = faces_.borders();
+        for (std::size_t k = 0; k < polygon.size(); ++k) {
+            std::array<Index, 3> planes = {beyond, borders[k > 0 ? k - 1 : borders.size() - 1],
+                                           borders[k]};
+            std::ranges::sort(planes);
+            points_.push_back({plus(polygon[k], eye), planes});
+        }
         Point3 twice;
+        const auto from_first = [&](std::size_t k) {
+            return minus(points_[k].place, points_[first].place);
+        };
         for (std::size_t k = first + 2; k < points_.size(); ++k)
-            twice = plus(twice, cross(minus(points_[k - 1], points_[first]),
-                                      minus(points_[k], points_[first])));
+            twice = plus(twice, cross(from_first(k - 1), from_first(k)));
         if (dot(twice, normal) < 0.0)
             std::reverse(points_.begin() + static_cast<std::ptrdiff_t>(first), points_.end());
         loops_.push_back({beyond, first, points_.size()});
@@ -70,12 +85,11 @@ class Building {
         SpacePolyhedron result;
         result.site = site;
         result.first_corner = {0};
-        const double near = nearness(site);
-        corners_.clear();
+        join_points(nearness(site));
         for (const auto& [beyond, first, last] : loops_) {
             const std::size_t begin = result.face_corners.size();
             for (std::size_t k = first; k < last; ++k) {
-                const Index corner = corner_at(points_[k], near);
+                const auto corner = static_cast<Index>(root(k));
                 if (result.face_corners.size() == begin || result.face_corners.back() != corner)
                     result.face_corners.push_back(corner);
             }
@@ -92,6 +106,27 @@ class Building {
         name_corners(result);
         return result;
     }
+    /// Where three planes meet is one corner, however badly it is known; and so are places near
+    /// to one another.
+    void join_points(double near) {
+        root_.resize(points_.size());
+        for (std::size_t k = 0; k < points_.size(); ++k) root_[k] = k;
+        const auto are_near = [&](double a, double b) { return std::fabs(a - b) <= near; };
+        for (std::size_t k = 0; k < points_.size(); ++k)
+            for (std::size_t m = 0; m < k; ++m) {
+                const auto& [p, planes] = points_[k];
+                const auto& [q, others] = points_[m];
+                if (planes == others ||
+                    (are_near(p.x, q.x) && are_near(p.y, q.y) && are_near(p.z, q.z)))
+                    join(root(m), root(k));
+            }
+    }
+    [[nodiscard]] std::size_t root(std::size_t k) noexcept {
+        while (root_[k] != k) k = root_[k] = root_[root_[k]];
+        return k;
+    }
+    void join(std::size_t a, std::size_t b) noexcept { root_[std::max(a, b)] = std::min(a, b); }
+
     [[nodiscard]] double nearness(Index site) const noexcept {
         const Box3& box = faces_.sites().box();
         const Point3& eye = faces_.sites()[site].centre;
@@ -100,23 +135,15 @@ class Building {
         for (const auto axis : axes_of_space) {
             largest = std::max({largest, std::fabs(box.low.*axis), std::fabs(box.high.*axis),
                                 std::fabs(eye.*axis)});
-            for (const Point3& p : points_)
-                extent = std::max(extent, std::fabs(p.*axis - points_[0].*axis));
+            for (const FacePoint& p : points_)
+                extent = std::max(extent, std::fabs(p.place.*axis - points_[0].place.*axis));
         }
         return std::max(0x1p-36 * extent, 0x1p-47 * largest);
-    }
-    [[nodiscard]] Index corner_at(const Point3& p, double near) {
-        for (std::size_t k = 0; k < corners_.size(); ++k)
-            if (std::fabs(p.x - corners_[k].x) <= near && std::fabs(p.y - corners_[k].y) <= near &&
-                std::fabs(p.z - corners_[k].z) <= near)
-                return static_cast<Index>(k);
-        corners_.push_back(p);
-        return static_cast<Index>(corners_.size() - 1);
     }
     /// Those that faces have, in the order in which faces have them, in the coordinates of the
     /// sites.
     void name_corners(SpacePolyhedron& result) {
-        names_.assign(corners_.size(), -1);
+        names_.assign(points_.size(), -1);
         const Point3& eye = faces_.sites()[result.site].centre;
         const Box3& box = faces_.sites().box();
         const int exponent = faces_.sites().exponent();
@@ -124,7 +151,7 @@ class Building {
             const auto place = static_cast<std::size_t>(corner);
             if (names_[place] < 0) {
                 names_[place] = static_cast<Index>(result.corners.size());
-                Point3 p = plus(eye, corners_[place]);
+                Point3 p = plus(eye, points_[place].place);
                 for (const auto axis : axes_of_space)
                     p.*axis =
                         std::ldexp(std::clamp(p.*axis, box.low.*axis, box.high.*axis), exponent);
@@ -137,8 +164,8 @@ class Building {
     SpaceFaces faces_;
     std::vector<SpaceFaces::Neighbour> neighbours_;
     std::vector<Loop> loops_;
-    std::vector<Point3> points_;
-    std::vector<Point3> corners_;
+    std::vector<FacePoint> points_;
+    std::vector<std::size_t> root_;
     std::vector<Index> names_;
 };
 

@@ -4,8 +4,9 @@
 /// Laws:
 ///  1. A polyhedron is convex and closed: of every edge there are two faces, which run along it in
 ///     opposite directions. Each corner belongs to three faces at least.
-///  2. Corners nearer to one another than 2^-36 of the cell, or than 2^-47 of the box and its
-///     coordinates, are one; a face that has fewer than three is left out.
+///  2. Where the same three faces meet is one corner, and so are corners nearer to one another than
+///     2^-36 of the cell, or than 2^-47 of the box and its coordinates; a face that has fewer than
+///     three is left out.
 
 #include <span>
 #include <vector>
