@@ -18,6 +18,8 @@ class Measuring {
         result_.measures.resize(faces_.sites().size());
         touched_.resize(faces_.sites().size(), 0);
         found_.reserve(8 * faces_.sites().size());
+        apexes_.reserve(faces_.sites().size());
+        for (Index i = 0; i < size_; ++i) apexes_.push_back(faces_.point_near_cell(i));
     }
 
     [[nodiscard]] SpaceCells run() && {
@@ -75,12 +77,10 @@ class Measuring {
     [[nodiscard]] SpaceMeasure& measure_of(Index i) noexcept {
         return result_.measures[static_cast<std::size_t>(i)];
     }
-    /// The point of the box that is nearest to a site, seen from there: where the cones begin. So
-    /// they are no higher than the box even where the site is far away.
-    [[nodiscard]] Point3 apex(Index i) const noexcept {
-        const Box3 box = faces_.box_from(i);
-        return {std::clamp(0.0, box.low.x, box.high.x), std::clamp(0.0, box.low.y, box.high.y),
-                std::clamp(0.0, box.low.z, box.high.z)};
+    /// Where the cones of a cell begin, seen from its site: in the cell, which may be small and far
+    /// from the site, so that rounding of its faces is not multiplied by that distance.
+    [[nodiscard]] const Point3& apex(Index i) const noexcept {
+        return apexes_[static_cast<std::size_t>(i)];
     }
     /// The cone over a face, its normal turned outward; `offset` leads from where the face was
     /// seen to site i.
@@ -151,12 +151,13 @@ class Measuring {
         SpaceMeasure& measure = measure_of(i);
         const Box3 box = faces_.box_from(i);
         const Point3 sum = measure.centroid;
-        Point3 place = apex(i);
         measure.volume = std::max(measure.volume, 0.0);
+        // Without a volume the site itself, or what is next to it in the box.
+        const Point3 place = measure.volume > 0.0 ? apex(i) : Point3{};
         const Point3& eye = faces_.sites()[i].centre;
         for (double Point3::*const axis : axes_of_space) {
             const double moved = measure.volume > 0.0 ? sum.*axis / measure.volume : 0.0;
-            // Rounding of next to no volume.
+            // Of next to no volume rounding may lead out of it.
             const double x = std::clamp(place.*axis + moved, box.low.*axis, box.high.*axis);
             measure.centroid.*axis = in_plane(eye.*axis + x, 1);
         }
@@ -167,6 +168,7 @@ class Measuring {
     SpaceFaces faces_;
     Index size_;
     SpaceCells result_;
+    LargeArray<Point3> apexes_;
     std::vector<std::uint8_t> touched_;
     std::vector<Found> found_;
 };

@@ -13,10 +13,10 @@
 ///     the rounding of coordinates makes such faces. Nor is what the box leaves of a face, or a
 ///     cell's part of a side, narrower than 2^-45 of the box's longest side, and what lies in a
 ///     side is the side's.
-///  4. Numbers are doubles, computed from differences of coordinates: volumes, areas and centroids
-///     are in error by about 1e-12 of the cell that the nearest sites would have if none weighed
-///     more than another, so that of tiny faces and cells fewer digits are right. They are finite,
-///     but beyond a double's range, and never negative.
+///  4. Numbers are doubles, computed from differences of coordinates, finite but beyond a double's
+///     range, and never negative. Volumes, areas and places are in error by about 1e-12 of those of
+///     a cell as large as the distance of the corners from the site; what is smaller by a factor
+///     has the fewer right digits.
 /// Faces are convex polygons around the edges of the tessellation, so that no cell is cut from the
 /// box plane by plane; volumes are sums of cones over faces.
 

@@ -250,6 +250,21 @@ Box3 SpaceFaces::box_from(Index i) const noexcept {
     return {minus(sites_.box().low, eye), minus(sites_.box().high, eye)};
 }
 
+Point3 SpaceFaces::point_near_cell(Index i) const noexcept {
+    Point3 corner;
+    if (dimension_ == 3)
+        for (const Index c : star(i)) {
+            const auto& [four, neighbours, vertex, where] = cell(c);
+            if ((where & far) != 0) continue;
+            corner = plus(sites_.offset(i, four[0]), vertex);
+            if (where == 0) return corner;
+        }
+    const Box3 box = box_from(i);
+    return {std::clamp(corner.x, box.low.x, box.high.x),
+            std::clamp(corner.y, box.low.y, box.high.y),
+            std::clamp(corner.z, box.low.z, box.high.z)};
+}
+
 /// The box seen along an axis.
 void SpaceFaces::start_with_rectangle(const Box3& box, int axis) {
     const int u = (axis + 1) % 3;

@@ -63,6 +63,9 @@ class SpaceFaces {
     /// The sides of the box near which the last two sites may meet it, whether or not there was a
     /// face: a bit for each.
     [[nodiscard]] unsigned touched() const noexcept { return touched_; }
+    /// A point of the box in a site's cell or near it, seen from the site: a corner; where none is
+    /// in the box, what is nearest there to a corner, or to the site.
+    [[nodiscard]] Point3 point_near_cell(Index i) const noexcept;
     /// The corners of the box seen from a site.
     [[nodiscard]] Box3 box_from(Index i) const noexcept;
 
