@@ -63,36 +63,71 @@ void SpaceFaces::place_vertex(Cell& cell) const {
     cell.where = where(plus(sites_[cell.sites[0]].centre, cell.vertex));
 }
 
-/// Cramer's rule, and one step of refinement: so the vertex lies within rounding of all planes,
-/// however they meet, and the step need not be repeated while the determinant is above 2^-24 of
-/// what it might be. Below it is computed exactly.
-Point3 SpaceFaces::vertex_of(const SpaceCell& cell) const {
-    constexpr double least = 0x1p-48;  // of squares
-    const Point3 a = sites_.offset(cell[0], cell[1]);
-    const Point3 b = sites_.offset(cell[0], cell[2]);
-    const Point3 c = sites_.offset(cell[0], cell[3]);
-    const Point3 bc = cross(b, c);
-    const Point3 ca = cross(c, a);
-    const Point3 ab = cross(a, b);
-    const double determinant = dot(a, bc);
-    const double aa = dot(a, a);
-    const double bb = dot(b, b);
-    const double cc = dot(c, c);
+/// The point where three planes meet: m.v is h for each row of three. By Cramer's rule, and one
+/// step of refinement: so it lies within rounding of all three, however they meet. Nothing where
+/// the determinant is below `least` of what it might be, both squared.
+bool SpaceFaces::meet(const std::array<Point3, 3>& m, const std::array<double, 3>& h, double least,
+                      Point3& v) noexcept {
+    const Point3 bc = cross(m[1], m[2]);
+    const Point3 ca = cross(m[2], m[0]);
+    const Point3 ab = cross(m[0], m[1]);
+    const double determinant = dot(m[0], bc);
+    const double squares = dot(m[0], m[0]) * dot(m[1], m[1]) * dot(m[2], m[2]);
     // Neither an overflow nor a NaN gets through.
-    if (!(determinant * determinant > least * aa * bb * cc) || !(aa * bb * cc > 0x1p-900))
-        [[unlikely]]
-        return sites_.exact_vertex(cell);
+    if (!(determinant * determinant > least * squares) || !(squares > 0x1p-900)) [[unlikely]]
+        return false;
     const double inverse = 1.0 / determinant;
     const auto solve = [&](double i, double j, double k) -> Point3 {
         return {(i * bc.x + j * ca.x + k * ab.x) * inverse,
                 (i * bc.y + j * ca.y + k * ab.y) * inverse,
                 (i * bc.z + j * ca.z + k * ab.z) * inverse};
     };
-    const double i = (aa - sites_.weight_difference(cell[0], cell[1])) / 2;
-    const double j = (bb - sites_.weight_difference(cell[0], cell[2])) / 2;
-    const double k = (cc - sites_.weight_difference(cell[0], cell[3])) / 2;
-    const Point3 first = solve(i, j, k);
-    return plus(first, solve(i - dot(a, first), j - dot(b, first), k - dot(c, first)));
+    const Point3 first = solve(h[0], h[1], h[2]);
+    v = plus(first,
+             solve(h[0] - dot(m[0], first), h[1] - dot(m[1], first), h[2] - dot(m[2], first)));
+    return true;
+}
+
+/// By the planes between the first site and the others. Where two of these are nearly parallel, the
+/// planes of the shortest edges that join the four sites say it better; and where the sites are
+/// nearly coplanar, rationals.
+Point3 SpaceFaces::vertex_of(const SpaceCell& cell) const {
+    const auto height = [&](Index from, Index to, const Point3& offset) {
+        return (dot(offset, offset) - sites_.weight_difference(from, to)) / 2;
+    };
+    std::array<Point3, 3> m;
+    std::array<double, 3> h;
+    for (std::size_t k = 0; k < 3; ++k) {
+        m[k] = sites_.offset(cell[0], cell[k + 1]);
+        h[k] = height(cell[0], cell[k + 1], m[k]);
+    }
+    Point3 v;
+    if (meet(m, h, 0x1p-20, v)) [[likely]]
+        return v;
+    struct Edge {
+        std::size_t from;
+        std::size_t to;
+        double square;
+    };
+    std::array<Edge, 6> edges;
+    std::size_t size = 0;
+    for (std::size_t from = 0; from < 4; ++from)
+        for (std::size_t to = from + 1; to < 4; ++to) {
+            const Point3 offset = sites_.offset(cell[from], cell[to]);
+            edges[size++] = {from, to, dot(offset, offset)};
+        }
+    std::ranges::sort(edges, {}, &Edge::square);
+    std::array<std::size_t, 4> part = {0, 1, 2, 3};
+    size = 0;
+    for (const auto& [from, to, square] : edges) {
+        if (part[from] == part[to]) continue;
+        std::ranges::replace(part, std::size_t{part[to]}, std::size_t{part[from]});
+        m[size] = sites_.offset(cell[from], cell[to]);
+        h[size] = height(cell[from], cell[to], m[size]) +
+                  dot(m[size], sites_.offset(cell[0], cell[from]));
+        ++size;
+    }
+    return meet(m, h, 0x1p-48, v) ? v : sites_.exact_vertex(cell);
 }
 
 std::uint32_t SpaceFaces::where(const Point3& p) const noexcept {
@@ -211,7 +246,7 @@ const CutFace* SpaceFaces::cut(Index i, const Neighbour& neighbour) {
     }
     face_.plane = sites_.bisector(i, j);
     if ((any & far) != 0) {
-        cut_section(i);
+        cut_section(i, j);
     } else {
         join_vertices(i);
         touched_ = any / at_low_x;
@@ -276,9 +311,21 @@ void SpaceFaces::start_with_rectangle(const Box3& box, int axis) {
                 name_of_side(2 * u)};
 }
 
+/// Where k is as near as i and j are, in their bisecting plane: of the two planes that tell the one
+/// that is less parallel to it.
+Bisector SpaceFaces::plane_across(Index i, Index j, Index k) const noexcept {
+    const Bisector one = sites_.bisector(i, k);
+    Bisector other = sites_.bisector(j, k);
+    other.height += dot(other.normal, sites_.offset(i, j));
+    const auto slope = [&](const Bisector& plane) {
+        return std::fabs(dot(plane.normal, face_.plane.normal));
+    };
+    return slope(one) <= slope(other) ? one : other;
+}
+
 /// The box's section along the plane, as a function over the two axes along which it is least
 /// steep, cut by the planes of the sites around.
-void SpaceFaces::cut_section(Index i) {
+void SpaceFaces::cut_section(Index i, Index j) {
     const auto& [normal, height, unused] = face_.plane;
     const Box3 box = box_from(i);
     int steepest = 0;
@@ -300,7 +347,7 @@ void SpaceFaces::cut_section(Index i) {
     }
     cut_by_box(i, 3U << 2 * steepest);
     for (const Index k : around_)
-        if (k >= 0 && !polygon_.empty()) cut_by(sites_.bisector(i, k), k);
+        if (k >= 0 && !polygon_.empty()) cut_by(plane_across(i, j, k), k);
 }
 
 /// What is left of the polygon where distances are not positive: nothing, unless some point is on

@@ -85,6 +85,8 @@ class SpaceFaces {
     static constexpr std::uint32_t far = 1 << 12;
 
     void place_vertex(Cell& cell) const;
+    [[nodiscard]] static bool meet(const std::array<Point3, 3>& m, const std::array<double, 3>& h,
+                                   double least, Point3& v) noexcept;
     [[nodiscard]] Point3 vertex_of(const SpaceCell& cell) const;
     [[nodiscard]] std::uint32_t where(const Point3& p) const noexcept;
     void collect_stars();
@@ -99,7 +101,8 @@ class SpaceFaces {
     void walk_around(Index i, const Neighbour& neighbour);
     void collect_around(Index i, Index j);
     void join_vertices(Index i);
-    void cut_section(Index i);
+    void cut_section(Index i, Index j);
+    [[nodiscard]] Bisector plane_across(Index i, Index j, Index k) const noexcept;
     void cut_by_box(Index i, std::uint32_t sides);
     bool cut_by(const Bisector& plane, Index beyond);
     template <class Put>
