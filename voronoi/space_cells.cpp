@@ -36,7 +36,7 @@ class Measuring {
                     touched_of(i) |= touched;
                     touched_of(neighbour.site) |= touched;
                 }
-                if (face == nullptr) continue;
+                if (face == nullptr || face->is_narrow) continue;
                 found_.push_back({i, neighbour.site, face->area});
                 add(i, face->plane.normal, face->plane.height, *face, {});
                 add(neighbour.site, plus({}, face->plane.normal, -1.0), face->plane.height_beyond,
@@ -53,7 +53,7 @@ class Measuring {
             for (int side = 0; side < 6; ++side) {
                 if ((touched_of(i) >> side & 1U) == 0) continue;
                 const CutFace* const face = faces_.cut_side(i, side, neighbours);
-                if (face == nullptr) continue;
+                if (face == nullptr || face->is_narrow) continue;
                 found_.push_back({i, static_cast<Index>(-1 - side), face->area});
                 add(i, face->plane.normal, face->plane.height, *face, {});
             }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace signum {
 namespace {
@@ -30,6 +31,19 @@ struct Side {
         return is_high ? p.*axis - at : at - p.*axis;
     }
 };
+
+/// Whether one order of a cell's sites is an even permutation of the other.
+[[nodiscard]] bool turns(const SpaceCell& cell, const SpaceCell& other) noexcept {
+    bool is_even = true;
+    SpaceCell left = cell;
+    for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t m = k + 1; m < 4; ++m)
+            if (left[m] == other[k]) {
+                std::swap(left[k], left[m]);
+                is_even = !is_even;
+            }
+    return is_even;
+}
 
 /// As SpaceFace::beyond.
 [[nodiscard]] constexpr Index name_of_side(int number) noexcept {
@@ -199,6 +213,8 @@ void SpaceFaces::walk_around(Index i, const Neighbour& neighbour) {
     for (const Index v : start)
         if (v != i && v != neighbour.site) behind = v;
     Index ahead = others(start) ^ behind;
+    // Counterclockwise seen along the edge from beyond: then these four turn as the cell does.
+    if (!turns(start, {i, neighbour.site, behind, ahead})) std::swap(behind, ahead);
     ring_.clear();
     around_.clear();
     Index c = neighbour.cell;
@@ -252,13 +268,14 @@ const CutFace* SpaceFaces::cut(Index i, const Neighbour& neighbour) {
         touched_ = any / at_low_x;
         if (touched_ == 0) {
             measure();
-            return is_narrow() ? nullptr : &face_;
+            face_.is_narrow = is_narrow(false);
+            return &face_;
         }
         cut_by_box(i, touched_);
     }
     if (polygon_.size() < 3) return nullptr;
     measure();
-    if (is_narrow_beside_box()) return nullptr;
+    face_.is_narrow = is_narrow(true);
     if ((any & far) != 0) {
         const Box3 box = box_from(i);
         for (int number = 0; number < 6; ++number) {
@@ -300,7 +317,14 @@ Point3 SpaceFaces::point_near_cell(Index i) const noexcept {
             std::clamp(corner.z, box.low.z, box.high.z)};
 }
 
-/// The box seen along an axis.
+/// The polygon the other way around.
+void SpaceFaces::turn() {
+    std::ranges::reverse(polygon_);
+    // A border lies behind its point, which now is in front of it.
+    std::reverse(borders_.begin(), borders_.end() - 1);
+}
+
+/// The box seen along an axis, counterclockwise from above.
 void SpaceFaces::start_with_rectangle(const Box3& box, int axis) {
     const int u = (axis + 1) % 3;
     const int v = (axis + 2) % 3;
@@ -338,6 +362,7 @@ void SpaceFaces::cut_section(Index i, Index j) {
     start_with_rectangle(box, steepest);
     for (Point3& p : polygon_)
         p.*up = (height - normal.*u * (p.*u) - normal.*v * (p.*v)) / normal.*up;
+    if (normal.*up < 0.0) turn();
     // In a side of the box it is no face, but one of the cells has the side.
     for (const int number : {2 * steepest, 2 * steepest + 1}) {
         const double at = Side(number).of(box);
@@ -421,8 +446,10 @@ const CutFace* SpaceFaces::cut_side(Index i, int number, std::span<const Neighbo
             polygon_.clear();
         if (polygon_.size() < 3) return nullptr;
     }
+    if (!side.is_high) turn();
     measure();
-    return is_narrow_beside_box() ? nullptr : &face_;
+    face_.is_narrow = is_narrow(true);
+    return &face_;
 }
 
 // ---- areas -------------------------------------------------------------------------------------
@@ -447,14 +474,11 @@ void SpaceFaces::measure() {
     face_.moment = plus(plus({}, moment, area < 0.0 ? -1.0 / 6 : 1.0 / 6), first, face_.area);
 }
 
-bool SpaceFaces::is_narrow() const noexcept {
+bool SpaceFaces::is_narrow(bool is_cut) const noexcept {
     const double longest = std::sqrt(longest_square_);
     const double distance = length(polygon_.front()) + longest;
-    return !(face_.area > least_share * distance * longest);
-}
-
-bool SpaceFaces::is_narrow_beside_box() const noexcept {
-    return is_narrow() || !(face_.area > least_width * std::sqrt(longest_square_));
+    return !(face_.area > least_share * distance * longest) ||
+           (is_cut && !(face_.area > least_width * longest));
 }
 
 }  // namespace signum

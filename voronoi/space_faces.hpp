@@ -23,7 +23,8 @@ namespace signum {
 struct CutFace {
     Bisector plane;  ///< turned outward
     double area;
-    Point3 moment;  ///< the integral of the place over the face
+    Point3 moment;   ///< the integral of the place over the face
+    bool is_narrow;  ///< law 3 of space_cells.hpp: it counts for nothing
 };
 
 class SpaceFaces {
@@ -50,13 +51,14 @@ class SpaceFaces {
         for (const Index c : star(i)) __builtin_prefetch(&cell(c));
     }
 
-    /// The face of site i with a neighbour of it. Nothing where it has no area, or not in the box.
+    /// The face of site i with a neighbour of it. Nothing where none of it is in the box.
     /// Told from both sites the polygon is the same but for rounding: ask the lesser one.
     [[nodiscard]] const CutFace* cut(Index i, const Neighbour& neighbour);
     /// The part of side 0 to 5 of the box in the cell of a site that has these neighbours.
     [[nodiscard]] const CutFace* cut_side(Index i, int side, std::span<const Neighbour> neighbours);
 
-    /// Of the face that was cut last; in order, seen from its site.
+    /// Of the face that was cut last; counterclockwise seen from beyond, in places seen from its
+    /// site.
     [[nodiscard]] std::span<const Point3> polygon() const noexcept { return polygon_; }
     /// What is on the other side of the edge behind each point: a site, or a side of the box.
     [[nodiscard]] std::span<const Index> borders() const noexcept { return borders_; }
@@ -109,8 +111,8 @@ class SpaceFaces {
     void keep_below(Index beyond, const Put& put);
     void start_with_rectangle(const Box3& box, int axis);
     void measure();
-    [[nodiscard]] bool is_narrow() const noexcept;
-    [[nodiscard]] bool is_narrow_beside_box() const noexcept;
+    [[nodiscard]] bool is_narrow(bool is_cut) const noexcept;
+    void turn();
 
     int dimension_;
     ScaledSites sites_;

@@ -47,19 +47,19 @@ class Building {
         for (const SpaceFaces::Neighbour& each : neighbours_) {
             // As the lesser site sees it, so that both cells have the same one.
             const bool is_lesser = site < each.site;
-            const CutFace* const face =
-                is_lesser ? faces_.cut(site, each) : faces_.cut(each.site, {site, each.cell});
-            if (face == nullptr) continue;
-            const Point3 normal = plus({}, face->plane.normal, is_lesser ? 1.0 : -1.0);
-            const Point3 eye = is_lesser ? Point3{} : faces_.sites().offset(site, each.site);
-            keep(each.site, normal, eye);
+            if (is_lesser && faces_.cut(site, each) != nullptr) keep(each.site, {});
+            if (!is_lesser && faces_.cut(each.site, {site, each.cell}) != nullptr) {
+                const std::size_t first = points_.size();
+                keep(each.site, faces_.sites().offset(site, each.site));
+                std::reverse(points_.begin() + static_cast<std::ptrdiff_t>(first), points_.end());
+            }
         }
         for (int side = 0; side < 6; ++side)
-            if (const CutFace* const face = faces_.cut_side(site, side, neighbours_))
-                keep(static_cast<Index>(-1 - side), face->plane.normal, {});
+            if (faces_.cut_side(site, side, neighbours_) != nullptr)
+                keep(static_cast<Index>(-1 - side), {});
         return joined(site);
     }
-    void keep(Index beyond, const Point3& normal, const Point3& eye) {
+    void keep(Index beyond, const Point3& eye) {
         const std::size_t first = points_.size();
         const auto polygon = faces_.polygon();
         const auto borders = faces_.borders();
@@ -69,14 +69,6 @@ class Building {
             std::ranges::sort(planes);
             points_.push_back({plus(polygon[k], eye), planes});
         }
-        Point3 twice;
-        const auto from_first = [&](std::size_t k) {
-            return minus(points_[k].place, points_[first].place);
-        };
-        for (std::size_t k = first + 2; k < points_.size(); ++k)
-            twice = plus(twice, cross(from_first(k - 1), from_first(k)));
-        if (dot(twice, normal) < 0.0)
-            std::reverse(points_.begin() + static_cast<std::ptrdiff_t>(first), points_.end());
         loops_.push_back({beyond, first, points_.size()});
     }
 

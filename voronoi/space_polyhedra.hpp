@@ -6,7 +6,8 @@
 ///     opposite directions. Each corner belongs to three faces at least.
 ///  2. Where the same three faces meet is one corner, and so are corners nearer to one another than
 ///     2^-36 of the cell, or than 2^-47 of the box and its coordinates; a face that has fewer than
-///     three is left out.
+///     three is left out. One that is too narrow to be among the cell's faces stays where its
+///     corners do.
 
 #include <span>
 #include <vector>
@@ -18,7 +19,7 @@ namespace signum {
 struct SpacePolyhedron {
     Index site = 0;
     std::vector<Point3> corners;
-    std::vector<Index> beyond;        ///< by face: as in SpaceFace, in the same order
+    std::vector<Index> beyond;        ///< by face: as in SpaceFace, in that order
     std::vector<Index> first_corner;  ///< by face, and one more
     std::vector<Index> face_corners;  ///< counterclockwise seen from outside
 
