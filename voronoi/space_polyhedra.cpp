@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 #include "space_faces.hpp"
 
@@ -95,8 +97,61 @@ class Building {
             result.beyond.push_back(beyond);
             result.first_corner.push_back(static_cast<Index>(result.face_corners.size()));
         }
+        while (close_gap(result)) {
+        }
         name_corners(result);
         return result;
+    }
+
+    /// A corner from its face's loop to the next one.
+    struct Step {
+        Index from;
+        Index to;
+        std::size_t face;
+        std::size_t place;  ///< of the former in the list
+    };
+    /// Where planes nearly coincide, what is one edge to one face may be several to others, along
+    /// it. The longest of the steps that nobody takes in the other direction gets the corners of
+    /// those that lead back. False where there is none.
+    [[nodiscard]] bool close_gap(SpacePolyhedron& result) {
+        steps_.clear();
+        for (std::size_t f = 0; f < result.beyond.size(); ++f) {
+            const auto first = static_cast<std::size_t>(result.first_corner[f]);
+            const auto last = static_cast<std::size_t>(result.first_corner[f + 1]);
+            for (std::size_t k = first; k < last; ++k)
+                steps_.push_back({result.face_corners[k],
+                                  result.face_corners[k + 1 < last ? k + 1 : first], f, k});
+        }
+        const auto reversed = [](const Step& s) { return std::pair(s.to, s.from); };
+        const auto as_is = [](const Step& s) { return std::pair(s.from, s.to); };
+        std::ranges::sort(steps_, {}, as_is);
+        alone_.clear();
+        for (const Step& each : steps_)
+            if (!std::ranges::binary_search(steps_, reversed(each), {}, as_is))
+                alone_.push_back(each);
+        const auto length_of = [&](const Step& s) {
+            return length(minus(points_[static_cast<std::size_t>(s.to)].place,
+                                points_[static_cast<std::size_t>(s.from)].place));
+        };
+        std::ranges::sort(alone_, std::greater{}, length_of);
+        for (const Step& longest : alone_) {
+            std::vector<Index> back;
+            Index at = longest.to;
+            while (at != longest.from && back.size() < alone_.size()) {
+                const auto next = std::ranges::find(alone_, at, &Step::from);
+                if (next == alone_.end()) break;
+                at = next->to;
+                if (at != longest.from) back.push_back(at);
+            }
+            if (at != longest.from || back.empty()) continue;
+            result.face_corners.insert(
+                result.face_corners.begin() + static_cast<std::ptrdiff_t>(longest.place + 1),
+                back.rbegin(), back.rend());
+            for (std::size_t f = longest.face + 1; f < result.first_corner.size(); ++f)
+                result.first_corner[f] += static_cast<Index>(back.size());
+            return true;
+        }
+        return false;
     }
     /// Where three planes meet is one corner, however badly it is known; and so are places near
     /// to one another.
@@ -158,6 +213,8 @@ class Building {
     std::vector<Loop> loops_;
     std::vector<FacePoint> points_;
     std::vector<std::size_t> root_;
+    std::vector<Step> steps_;
+    std::vector<Step> alone_;
     std::vector<Index> names_;
 };
 
