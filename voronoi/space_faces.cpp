@@ -335,16 +335,20 @@ void SpaceFaces::start_with_rectangle(const Box3& box, int axis) {
                 name_of_side(2 * u)};
 }
 
-/// Where k is as near as i and j are, in their bisecting plane: of the two planes that tell the one
-/// that is less parallel to it.
-Bisector SpaceFaces::plane_across(Index i, Index j, Index k) const noexcept {
+/// By where k is as near as i and j are, in their bisecting plane: of the two planes that tell, the
+/// one that is less parallel to it; by both where both nearly are, for then one may coincide with
+/// it, and the other lie far away.
+void SpaceFaces::cut_across(Index i, Index j, Index k) {
     const Bisector one = sites_.bisector(i, k);
     Bisector other = sites_.bisector(j, k);
     other.height += dot(other.normal, sites_.offset(i, j));
-    const auto slope = [&](const Bisector& plane) {
-        return std::fabs(dot(plane.normal, face_.plane.normal));
-    };
-    return slope(one) <= slope(other) ? one : other;
+    const double slope = std::fabs(dot(one.normal, face_.plane.normal));
+    const double other_slope = std::fabs(dot(other.normal, face_.plane.normal));
+    constexpr double nearly_parallel = 1.0 - 0x1p-30;
+    const bool are_both = std::min(slope, other_slope) > nearly_parallel;
+    if (are_both || slope <= other_slope) cut_by(one, k);
+    if (are_both || slope > other_slope)
+        if (!polygon_.empty()) cut_by(other, k);
 }
 
 /// The box's section along the plane, as a function over the two axes along which it is least
@@ -372,7 +376,7 @@ void SpaceFaces::cut_section(Index i, Index j) {
     }
     cut_by_box(i, 3U << 2 * steepest);
     for (const Index k : around_)
-        if (k >= 0 && !polygon_.empty()) cut_by(plane_across(i, j, k), k);
+        if (k >= 0 && !polygon_.empty()) cut_across(i, j, k);
 }
 
 /// What is left of the polygon where distances are not positive: nothing, unless some point is on

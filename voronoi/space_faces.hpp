@@ -104,7 +104,7 @@ class SpaceFaces {
     void collect_around(Index i, Index j);
     void join_vertices(Index i);
     void cut_section(Index i, Index j);
-    [[nodiscard]] Bisector plane_across(Index i, Index j, Index k) const noexcept;
+    void cut_across(Index i, Index j, Index k);
     void cut_by_box(Index i, std::uint32_t sides);
     bool cut_by(const Bisector& plane, Index beyond);
     template <class Put>
