@@ -3,7 +3,8 @@
 ///
 /// Laws:
 ///  1. A polyhedron is convex and closed: of every edge there are two faces, which run along it in
-///     opposite directions. Each corner belongs to three faces at least.
+///     opposite directions. Each corner belongs to three faces at least. (Where planes almost
+///     coincide, as law 4 of space_cells.hpp has it, edges may lack their other face.)
 ///  2. Where the same three faces meet is one corner, and so are corners nearer to one another than
 ///     2^-36 of the cell, or than 2^-47 of the box and its coordinates; a face that has fewer than
 ///     three is left out. One that is too narrow to be among the cell's faces stays where its
