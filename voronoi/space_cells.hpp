@@ -16,7 +16,10 @@
 ///  4. Numbers are doubles, computed from differences of coordinates, finite but beyond a double's
 ///     range, and never negative. Volumes, areas and places are in error by about 1e-12 of those of
 ///     a cell as large as the distance of the corners from the site; what is smaller by a factor
-///     has the fewer right digits.
+///     has the fewer right digits. Where a bisecting plane almost is a side of the box, or another
+///     bisecting plane, at an angle of less than about 1e-6 but not in it, the line in which they
+///     meet is not known as well: of volumes and their sum half the digits may be lost, and where
+///     sites or planes lie within a few roundings of one another or of a side, nearly all.
 /// Faces are convex polygons around the edges of the tessellation, so that no cell is cut from the
 /// box plane by plane; volumes are sums of cones over faces.
 

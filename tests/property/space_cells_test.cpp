@@ -404,6 +404,16 @@ TEST(SpaceCells, SpheresPlanesAndLines) {
     }
 }
 
+TEST(SpaceCells, NearlyCoplanarAndCocircular) {
+    // Rounded to doubles four of these are neither, and a face is narrower than rounding.
+    const Sites sites = {{0.1, 0.5, 0.4, 0}, {0.1 + 0.2, 0.1 + 0.2, 0.4, 0}, {0.5, 0.5, 0.5, 0},
+                         {0.4, 0.1, 0.5, 0}, {0.1 + 0.2, 0.1, 0.2, 0},       {0.5, 0.0, 0.0, 0}};
+    const Box3 box = {{-0.5, -0.5, -0.5}, {2, 2, 2}};
+    const SpaceCells cells = cells_of(sites, box);
+    ASSERT_NO_FATAL_FAILURE(expect_laws(cells, sites.size()));
+    ASSERT_NO_FATAL_FAILURE(expect_polyhedra(polyhedra_of(sites, box), cells));
+}
+
 TEST(SpaceCells, NoSiteAndOne) {
     const SpaceCells none = cells_of(Sites{}, unit_box);
     ASSERT_NO_FATAL_FAILURE(expect_laws(none, 0));
