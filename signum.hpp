@@ -42,4 +42,6 @@
 #include "voronoi/contacts.hpp"
 #include "voronoi/curve.hpp"
 #include "voronoi/polygon.hpp"
+#include "voronoi/space_cells.hpp"
+#include "voronoi/space_polyhedra.hpp"
 #include "voronoi/voronoi.hpp"

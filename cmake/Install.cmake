@@ -18,7 +18,7 @@ set(public_headers
   spatial/touching_spheres.hpp spatial/triangulate.hpp spatial/validate.hpp spatial/vertices.hpp
   spatial/any_dimension/triangulate.hpp spatial/any_dimension/validate.hpp
   voronoi/voronoi.hpp voronoi/curve.hpp voronoi/conic.hpp voronoi/clip.hpp voronoi/polygon.hpp
-  voronoi/contacts.hpp voronoi/compare.hpp
+  voronoi/contacts.hpp voronoi/compare.hpp voronoi/space_cells.hpp voronoi/space_polyhedra.hpp
   motion/simulation.hpp motion/queries.hpp motion/meeting_time.hpp motion/shaking_wall.hpp)
 # What these include in their turn: the filters, which are inline. Nobody includes them by name.
 set(headers_behind

@@ -1,0 +1,49 @@
+#pragma once
+/// The cells of space_cells.hpp as polyhedra: for pictures, files, and what asks for corners.
+///
+/// Laws:
+///  1. A polyhedron is convex and closed: of every edge there are two faces, which run along it in
+///     opposite directions. Each corner belongs to three faces at least. (Where planes almost
+///     coincide, as law 4 of space_cells.hpp has it, edges may lack their other face.)
+///  2. Where the same three faces meet is one corner, and so are corners nearer to one another than
+///     2^-36 of the cell, or than 2^-47 of the box and its coordinates; a face that has fewer than
+///     three is left out. One that is too narrow to be among the cell's faces stays where its
+///     corners do.
+
+#include <span>
+#include <vector>
+
+#include "space_cells.hpp"
+
+namespace signum {
+
+struct SpacePolyhedron {
+    Index site = 0;
+    std::vector<Point3> corners;
+    std::vector<Index> beyond;        ///< by face: as in SpaceFace, in that order
+    std::vector<Index> first_corner;  ///< by face, and one more
+    std::vector<Index> face_corners;  ///< counterclockwise seen from outside
+
+    [[nodiscard]] std::span<const Index> corners_of(std::size_t face) const {
+        return {face_corners.data() + first_corner.at(face),
+                face_corners.data() + first_corner.at(face + 1)};
+    }
+    friend bool operator==(const SpacePolyhedron&, const SpacePolyhedron&) = default;
+};
+
+/// Those of the sites in `which`, in that order; one without volume has no corners. Throws as
+/// space_cells() does, and std::out_of_range where there is no such site. O(n), and the faces.
+[[nodiscard]] std::vector<SpacePolyhedron> space_polyhedra(const SpaceTessellation& tessellation,
+                                                           std::span<const Point3> sites,
+                                                           const Box3& box,
+                                                           std::span<const Index> which);
+[[nodiscard]] std::vector<SpacePolyhedron> space_polyhedra(const SpaceTessellation& tessellation,
+                                                           std::span<const Site3> sites,
+                                                           const Box3& box,
+                                                           std::span<const Index> which);
+[[nodiscard]] std::vector<SpacePolyhedron> space_polyhedra(const SpaceTessellation& tessellation,
+                                                           std::span<const power::Site3> sites,
+                                                           const Box3& box,
+                                                           std::span<const Index> which);
+
+}  // namespace signum
