@@ -11,6 +11,7 @@
 #include <string>
 
 #include "../../predicates/space/rectangular.hpp"
+#include "../../triangulation/metric.hpp"
 #include "../oracle/linear_system.hpp"
 #include "../oracle/rectangular_space.hpp"
 #include "ball_families.hpp"
@@ -19,6 +20,7 @@ namespace signum {
 
 /// The functions of both metrics, under the names of the tests.
 struct SupremumSpace {
+    using Metric = Supremum;
     static constexpr auto metric = oracle::RectangularMetric::supremum;
     static constexpr int facets = 6;
     static constexpr int most_spheres = 2;
@@ -36,6 +38,7 @@ struct SupremumSpace {
     }
 };
 struct ManhattanSpace {
+    using Metric = Manhattan;
     static constexpr auto metric = oracle::RectangularMetric::manhattan;
     static constexpr int facets = 8;
     static constexpr int most_spheres = 6;
