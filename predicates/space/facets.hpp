@@ -72,6 +72,10 @@ struct Basis {
     /// times[f] G_f = Σ weights[f][t] G_facets[t], times > 0, in least terms.
     std::array<std::int8_t, 8> times = {};
     std::array<std::array<std::int8_t, 4>, 8> weights = {};
+    /// The facets that the relation of f with the basis is about, f among them, and the sign that
+    /// the first of them has in it. Facets with a relation have but one.
+    std::array<FacetSet, 8> related = {};
+    std::array<std::int8_t, 8> sense = {};
     /// Of the centre's coordinates and rho: divisor · value = Σ solution[k][t] G_facets[t].
     std::array<std::int8_t, 4> divisor = {};
     std::array<std::array<std::int8_t, 4>, 4> solution = {};
@@ -147,6 +151,14 @@ template <class Shape>
         const Weights weights = weights_of(row_of<Shape>(f), rows, basis.determinant);
         basis.times[f] = static_cast<std::int8_t>(weights.times);
         basis.weights[f] = weights.of;
+        FacetSet related = facet_bit(f);
+        for (std::size_t t = 0; t < 4; ++t)
+            if (weights.of[t] != 0) related = static_cast<FacetSet>(related | facet_bit(chosen[t]));
+        basis.related[f] = related;
+        basis.sense[f] = 1;
+        for (std::size_t t = 0; t < 4; ++t)
+            if (std::countl_zero(related) == static_cast<int>(chosen[t]))
+                basis.sense[f] = weights.of[t] > 0 ? -1 : 1;
     }
     for (std::size_t k = 0; k < 4; ++k) {
         Row unit = {};

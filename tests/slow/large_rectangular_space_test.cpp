@@ -48,7 +48,7 @@ void judge_until(long questions, const Draw& draw) {
             }
         }
     }
-    for (const long times : said) EXPECT_GT(times, questions / 100);
+    for (const long times : said) EXPECT_GT(times, questions / 200);
 }
 
 template <class Space>
