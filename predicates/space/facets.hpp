@@ -65,10 +65,9 @@ using FacetSet = std::uint8_t;
 struct Basis {
     FacetSet set = 0;
     std::array<std::uint8_t, 4> facets = {};
-    /// 0 where the four (n, 1) are not independent. They span a plane then, and `flat` is the sign
-    /// with which each is in the relation: the sum of two of the forms is that of the other two.
+    /// 0 where the four (n, 1) are not independent, but points of one plane; what follows is for
+    /// the others.
     int determinant = 0;
-    std::array<std::int8_t, 4> flat = {};
     /// times[f] G_f = Σ weights[f][t] G_facets[t], times > 0, in least terms.
     std::array<std::int8_t, 8> times = {};
     std::array<std::array<std::int8_t, 4>, 8> weights = {};
@@ -92,32 +91,40 @@ template <class Shape>
     const auto& n = Shape::normals[facet];
     return {n[0], n[1], n[2], 1};
 }
-/// By the minors of the first two rows and of the last two.
-[[nodiscard]] constexpr int determinant(const Rows& rows) noexcept {
-    const auto minor = [&](std::size_t row, std::size_t a, std::size_t b) {
-        return rows[row][a] * rows[row + 1][b] - rows[row][b] * rows[row + 1][a];
+/// Of the three other rows and columns, with its sign.
+[[nodiscard]] constexpr int cofactor(const Rows& rows, std::size_t row,
+                                     std::size_t column) noexcept {
+    const auto at = [&](std::size_t r, std::size_t c) {
+        return rows[r < row ? r : r + 1][c < column ? c : c + 1];
     };
-    return minor(0, 0, 1) * minor(2, 2, 3) - minor(0, 0, 2) * minor(2, 1, 3) +
-           minor(0, 0, 3) * minor(2, 1, 2) + minor(0, 1, 2) * minor(2, 0, 3) -
-           minor(0, 1, 3) * minor(2, 0, 2) + minor(0, 2, 3) * minor(2, 0, 1);
+    const int minor = at(0, 0) * (at(1, 1) * at(2, 2) - at(1, 2) * at(2, 1)) -
+                      at(0, 1) * (at(1, 0) * at(2, 2) - at(1, 2) * at(2, 0)) +
+                      at(0, 2) * (at(1, 0) * at(2, 1) - at(1, 1) * at(2, 0));
+    return (row + column) % 2 == 0 ? minor : -minor;
+}
+[[nodiscard]] constexpr int determinant(const Rows& rows) noexcept {
+    int sum = 0;
+    for (std::size_t column = 0; column < 4; ++column)
+        sum += rows[0][column] * cofactor(rows, 0, column);
+    return sum;
 }
 
-/// The weights of a row in the rows, by Cramer's rule: times · row = Σ weights[t] rows[t].
+/// times · vector = Σ of[t] rows[t], in least terms, times > 0.
 struct Weights {
     int times;
     std::array<std::int8_t, 4> of;
 };
-[[nodiscard]] constexpr Weights weights_of(const Row& row, const Rows& rows, int whole) noexcept {
-    std::array<int, 4> of = {};
-    int common = whole;
+/// By Cramer's rule: cofactors[t][k] of row t and column k.
+[[nodiscard]] constexpr Weights weights_of(const Row& vector, const Rows& cofactors,
+                                           int determinant) noexcept {
+    Row of = {};
+    int common = determinant;
     for (std::size_t t = 0; t < 4; ++t) {
-        Rows replaced = rows;
-        replaced[t] = row;
-        of[t] = determinant(replaced);
+        for (std::size_t k = 0; k < 4; ++k) of[t] += vector[k] * cofactors[t][k];
         common = std::gcd(common, of[t]);
     }
-    if (whole < 0) common = -common;
-    Weights result{whole / common, {}};
+    if (determinant < 0) common = -common;
+    Weights result{determinant / common, {}};
     for (std::size_t t = 0; t < 4; ++t) result.of[t] = static_cast<std::int8_t>(of[t] / common);
     return result;
 }
@@ -125,45 +132,35 @@ struct Weights {
 template <class Shape>
 [[nodiscard]] constexpr Basis basis_of(const std::array<std::size_t, 4>& chosen) noexcept {
     Basis basis;
-    Rows rows;
+    Rows rows = {};
     for (std::size_t t = 0; t < 4; ++t) {
         basis.set = static_cast<FacetSet>(basis.set | facet_bit(chosen[t]));
         basis.facets[t] = static_cast<std::uint8_t>(chosen[t]);
         rows[t] = row_of<Shape>(chosen[t]);
     }
     basis.determinant = determinant(rows);
-    if (basis.determinant == 0) {
-        // Of no three of these points one lies between the others: two diagonals share a middle.
-        for (unsigned signs : {0b0011U, 0b0101U, 0b1001U}) {
-            bool is_relation = true;
-            for (std::size_t k = 0; k < 4; ++k) {
-                int sum = 0;
-                for (std::size_t t = 0; t < 4; ++t)
-                    sum += (signs >> t & 1U) != 0 ? rows[t][k] : -rows[t][k];
-                is_relation = is_relation && sum == 0;
-            }
-            if (is_relation)
-                for (std::size_t t = 0; t < 4; ++t) basis.flat[t] = (signs >> t & 1U) != 0 ? 1 : -1;
-        }
-        return basis;
-    }
+    if (basis.determinant == 0) return basis;
+    Rows cofactors = {};
+    for (std::size_t t = 0; t < 4; ++t)
+        for (std::size_t k = 0; k < 4; ++k) cofactors[t][k] = cofactor(rows, t, k);
     for (std::size_t f = 0; f < Shape::facets; ++f) {
-        const Weights weights = weights_of(row_of<Shape>(f), rows, basis.determinant);
+        const Weights weights = weights_of(row_of<Shape>(f), cofactors, basis.determinant);
         basis.times[f] = static_cast<std::int8_t>(weights.times);
         basis.weights[f] = weights.of;
-        FacetSet related = facet_bit(f);
-        for (std::size_t t = 0; t < 4; ++t)
-            if (weights.of[t] != 0) related = static_cast<FacetSet>(related | facet_bit(chosen[t]));
-        basis.related[f] = related;
+        basis.related[f] = facet_bit(f);
         basis.sense[f] = 1;
-        for (std::size_t t = 0; t < 4; ++t)
-            if (std::countl_zero(related) == static_cast<int>(chosen[t]))
-                basis.sense[f] = weights.of[t] > 0 ? -1 : 1;
+        bool is_first = true;
+        for (std::size_t t = 0; t < 4; ++t) {
+            if (weights.of[t] == 0) continue;
+            basis.related[f] = static_cast<FacetSet>(basis.related[f] | facet_bit(chosen[t]));
+            if (is_first && chosen[t] < f) basis.sense[f] = weights.of[t] > 0 ? -1 : 1;
+            is_first = false;
+        }
     }
     for (std::size_t k = 0; k < 4; ++k) {
         Row unit = {};
         unit[k] = 1;
-        const Weights weights = weights_of(unit, rows, basis.determinant);
+        const Weights weights = weights_of(unit, cofactors, basis.determinant);
         basis.divisor[k] = static_cast<std::int8_t>(weights.times);
         basis.solution[k] = weights.of;
     }
@@ -208,7 +205,7 @@ template <class Shape>
 /// How many forms a relation of a facet with a basis is the sum of, at most.
 template <class Shape>
 inline constexpr int most_forms = [] {
-    int most = 4;  // of a flat one
+    int most = 0;
     for (const Basis& basis : bases<Shape>) {
         if (basis.determinant == 0) continue;
         for (std::size_t f = 0; f < Shape::facets; ++f) {

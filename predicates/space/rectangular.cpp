@@ -47,12 +47,9 @@ struct Pinned {
 
     /// Whether the sphere in these facets, one of each site, is there and touches in no other.
     [[nodiscard]] Answer holds(const Basis& basis) const noexcept {
+        if (basis.determinant == 0) return Answer::no;
         std::array<double, 4> of_basis;
         for (std::size_t t = 0; t < 4; ++t) of_basis[t] = greatest[basis.facets[t]];
-        if (basis.determinant == 0) {
-            const double rest = flat_excess<double>(basis, of_basis);
-            return filters::magnitude(rest) > bound ? Answer::no : Answer::open;
-        }
         Answer answer = Answer::yes;
         for (std::size_t f = 0; f < Shape::facets; ++f) {
             if (rectangular::holds(basis.set, f)) continue;
@@ -79,7 +76,12 @@ void insert(Spheres& spheres, std::array<FacetSet, Shape::most_spheres>& sets, F
 }
 
 /// Where each facet is pinned by one site alone and no sphere touches in five facets: then a sphere
-/// touches each site in one facet, and none of infinitely many can. False where a sign is open.
+/// touches each site in one facet, and they are not infinitely many. False where a sign is open.
+///
+/// Nothing is missed by looking at independent facets alone. A sphere that all four sites touch in
+/// facets of one plane touches in another facet, too, for it is a corner. Let this take the place
+/// of the one that its site has in the plane: these four are independent, theirs is the same
+/// sphere, no facet exceeds it, and so the sign of the one replaced, 0, is open.
 template <class Shape>
 [[nodiscard]] bool filter_spheres(const Four& sites, Spheres& result) noexcept {
     std::array<Forms3<Shape>, 4> of;
@@ -278,7 +280,7 @@ class Subdivision {
  private:
     /// Whether the facets are those of a cell that was found before, or some of them.
     [[nodiscard]] bool is_known(FacetSet set) const noexcept {
-        return std::any_of(cells_.begin(), cells_.begin() + count_,
+        return std::any_of(cells_.begin(), cells_.begin() + static_cast<std::ptrdiff_t>(count_),
                            [&](FacetSet cell) { return (set & ~cell) == 0; });
     }
     [[nodiscard]] std::array<std::uint8_t, 4> sites_of(const Basis& basis) const noexcept {
@@ -347,7 +349,7 @@ class Subdivision {
     std::array<std::uint8_t, Shape::facets> by_;  // a site that pins the facet
     std::array<unsigned, Shape::facets> pinned_;  // and the set of all
     std::array<FacetSet, Shape::most_cells> cells_;
-    std::ptrdiff_t count_ = 0;
+    std::size_t count_ = 0;
 };
 
 template <class Shape>

@@ -53,14 +53,6 @@ template <class Number>
     for (std::size_t t = 0; t < 4; ++t) sum = sum - Number(basis.weights[facet][t]) * of_basis[t];
     return sum;
 }
-/// The sum of two forms of a flat basis less that of the two others.
-template <class Number>
-[[nodiscard, gnu::always_inline]] constexpr Number flat_excess(
-    const Basis& basis, const std::array<Number, 4>& of_basis) noexcept {
-    Number sum = Number(basis.flat[0]) * of_basis[0];
-    for (std::size_t t = 1; t < 4; ++t) sum = sum + Number(basis.flat[t]) * of_basis[t];
-    return sum;
-}
 
 namespace count {
 using filters::RoundingCount;

@@ -120,6 +120,15 @@ AnyBalls rescaled_tangent(Random& g, int d) {
     return ball_families::rescaled(g, tangent<Space>(g, d));
 }
 
+/// Where denormals begin, which some environments read as zero.
+template <class Space>
+AnyBalls half_denormal(Random& g, int d) {
+    const AnyBalls balls =
+        g.coin() ? ball_families::random_balls(g, d) : off_grid(tangent<Space>(g, d));
+    const int exponent = g.between(-1026, -1019);
+    return changed(balls, [&](double v) { return std::ldexp(v, exponent); });
+}
+
 struct Family {
     const char* name;
     AnyBalls (*draw)(Random&, int dimension);
@@ -150,6 +159,7 @@ inline constexpr Family families[] = {
     {"raw", ball_families::raw, 0.3},
     {"huge", ball_families::huge, 0.5},
     {"denormal", ball_families::denormal, 1},
+    {"half_denormal", half_denormal<Space>, 1},
     {"random_rescaled",
      [](Random& g, int d) { return ball_families::rescaled(g, ball_families::random_balls(g, d)); },
      0.5},
