@@ -8,8 +8,8 @@
 ///
 /// Laws:
 ///  1. the sites are any, and how many spheres touch them is told exactly: cubes at most two,
-///     octahedra at most six, or infinitely many, for two sites of which one lies on an edge or a
-///     facet of the other's sphere leave it free to move;
+///     octahedra at most six, or infinitely many, where facets that all four touch leave a sphere
+///     free to move or to grow;
 ///  2. the spheres come in the order of predicates/space/rectangular.hpp, whatever the order of the
 ///     sites: cubes by their centres' x, then y, then z;
 ///  3. every number is rounded once, to the nearest double, halves to even; an infinity where it

@@ -23,9 +23,11 @@
 ///     all four sites; there are infinitely many spheres where a polygon of the subdivision is
 ///     pinned by all four, for this is an edge of the polyhedron.
 ///  5. The cube of the points n = (±1, ±1, ±1) has at most six cells, each at least a sixth of it.
-///     The octahedron of the points ±x, ±y, ±z has the longest of its three diagonals within and at
-///     most four cells around it; of these at most two are spheres (where the other two diagonals
-///     belong to cells of all kinds, of their sites each would have the lesser radius).
+///     The octahedron of the points ±x, ±y, ±z has the diagonal with the greatest sum of M within
+///     and at most four cells around it. Of four cells at most two are spheres: of three, two would
+///     share +y, say, and two +z. So there were a site u that pins both ends of the z axis but not
+///     +y, and a v that pins both ends of the y axis but not +z, and each would have the lesser
+///     radius of the two.
 /// Source: Gavrilova 1998, 4.6.
 
 #include <array>
