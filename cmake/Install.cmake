@@ -15,7 +15,8 @@ set(public_headers
   triangulation/validate.hpp triangulation/vertices.hpp triangulation/dynamic.hpp
   triangulation/edge_list.hpp triangulation/space.hpp
   kinetic/kinetic_tessellation.hpp
-  spatial/touching_spheres.hpp spatial/triangulate.hpp spatial/validate.hpp spatial/vertices.hpp
+  spatial/touching_rectangular.hpp spatial/touching_spheres.hpp spatial/triangulate.hpp
+  spatial/validate.hpp spatial/vertices.hpp
   spatial/any_dimension/triangulate.hpp spatial/any_dimension/validate.hpp
   voronoi/voronoi.hpp voronoi/curve.hpp voronoi/conic.hpp voronoi/clip.hpp voronoi/polygon.hpp
   voronoi/contacts.hpp voronoi/compare.hpp voronoi/space_cells.hpp voronoi/space_polyhedra.hpp
@@ -33,7 +34,7 @@ set(headers_behind
   predicates/power/edge.hpp predicates/power/in_circle.hpp predicates/power/infinite.hpp
   predicates/power/ties.hpp predicates/power/weight.hpp
   predicates/space/ccw.hpp predicates/space/euclidean.hpp predicates/space/in_sphere.hpp
-  predicates/space/nearer.hpp
+  predicates/space/nearer.hpp predicates/space/rectangular.hpp
   predicates/rectangular/forms.hpp predicates/rectangular/squares.hpp
   triangulation/structure/corners.hpp triangulation/structure/cycle.hpp)
 foreach(header IN LISTS public_headers headers_behind)

@@ -22,7 +22,9 @@ inline constexpr auto& in_circle =
 inline constexpr auto& in_circle_infinite =
     additive::in_circle_infinite<rectangular::in_circle_infinite_decision<rectangular::Manhattan>>;
 /// Whether i alone hides q.
-inline constexpr auto& hidden = additive::hidden<Perturbed<>>;
+[[nodiscard]] inline bool hidden(const Site& q, const Site& i) noexcept {
+    return additive::hidden<Perturbed<>>(q, i);
+}
 /// Which of two sites is nearer to a point.
 inline constexpr auto& nearer = additive::nearer_site<Perturbed<>>;
 /// Under the tie rule, never 0.
