@@ -157,11 +157,11 @@ class Insertion {
     [[nodiscard]] bool conflicts(Index c, double determinant, double bound) {
         if (filters::magnitude(determinant) > bound) [[likely]]
             return determinant > 0.0;
-        return conflicts_closely(c, determinant);
+        return conflicts_closely(c, determinant, bound);
     }
-    [[nodiscard, gnu::noinline]] bool conflicts_closely(Index c, double determinant) {
+    [[nodiscard, gnu::noinline]] bool conflicts_closely(Index c, double determinant, double error) {
         const std::size_t place = cells_.place_of_infinity(c);
-        if (place == 4) return kernel_.conflicts(seen_of(c), determinant);
+        if (place == 4) return kernel_.conflicts(seen_of(c), determinant, error);
         const auto& facet = facet_of[place];
         const std::array<Seen, 4> v = seen_of(c);
         const Sign sign = kernel_.side(v[facet[0]], v[facet[1]], v[facet[2]]);

@@ -75,14 +75,18 @@ class ExactKernel : public View<S> {
         return 24.0 * refined_error * this->magnitude();
     }
     /// Whether the site that sees them conflicts with a cell that turns positively, without the
-    /// vertex at infinity; its determinant is not certain.
-    [[nodiscard]] bool conflicts(const std::array<Seen, 4>& cell,
-                                 double determinant) const noexcept {
-        const Sign sign =
-            is_on_lattice() ? sign_of(determinant)
-                            : power::in_sphere_decision(site(cell[0]), site(cell[1]), site(cell[2]),
-                                                        site(cell[3]), this->at(this->eye()))
-                                  .sign;
+    /// vertex at infinity; its determinant is not certain, for it is not greater than its error may
+    /// be.
+    [[nodiscard]] bool conflicts(const std::array<Seen, 4>& cell, double determinant,
+                                 double error) const noexcept {
+        Sign sign = 0;
+        if (is_on_lattice()) {
+            sign = sign_of(determinant);
+        } else if (!(error < lattice_.zero_below_5())) {
+            sign = power::in_sphere_decision(site(cell[0]), site(cell[1]), site(cell[2]),
+                                             site(cell[3]), this->at(this->eye()))
+                       .sign;
+        }
         return sign != 0 ? sign > 0 : conflicts_by_rule(cell);
     }
 
@@ -189,8 +193,8 @@ class NaiveKernel : public View<S> {
         return sign_of(predicates::ccw_determinant(this->row(b).offset, this->row(c).offset,
                                                    this->row(d).offset));
     }
-    [[nodiscard]] static bool conflicts(const std::array<Seen, 4>& /*cell*/,
-                                        double determinant) noexcept {
+    [[nodiscard]] static bool conflicts(const std::array<Seen, 4>& /*cell*/, double determinant,
+                                        double /*error*/) noexcept {
         return determinant > 0.0;
     }
 };

@@ -39,6 +39,9 @@ class Lattice {
     /// offset is below the unit along all axes.
     [[nodiscard]] double exact_below_3() const noexcept { return exact_below_3_; }
     [[nodiscard]] double exact_below_5() const noexcept { return exact_below_5_; }
+    /// A sum of products of five that is in error by less than this, and no greater, is 0: it is a
+    /// multiple of the unit's fifth power, of which this is half.
+    [[nodiscard]] double zero_below_5() const noexcept { return exact_below_5_ * 0x1p-54; }
     /// How many units are 1.
     [[nodiscard]] double per_unit() const noexcept { return per_unit_; }
 
