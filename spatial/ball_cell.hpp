@@ -1,0 +1,340 @@
+#pragma once
+/// Who may bound the cell of a ball, and in which directions: the search from ball to ball. For
+/// sources only.
+///
+/// From the centre of ball i one goes in a direction u (a unit vector) up to the distance t at
+/// which ball j takes over: |t u - X| = t + R, with X = c_j - c_i, R = r_j - r_i and P = X·X - R² >
+/// 0 (none hides the other). Squared,
+///     1/t = f_j(u) = (2 X·u + 2 R) / P,
+/// where that is positive; else never. So the cell is what lies below the greatest of linear
+/// functions, 0 among them for infinity; and the balls that touch the sphere around a point of its
+/// boundary are those whose f is the greatest in that direction.
+///
+/// All directions are covered by patches, and each has a list of balls; one is left out where on
+/// all of the patch it is certainly less than another, which may be left out in its turn: the
+/// greatest is always in. Patches are divided as long as more balls are in than meet in a vertex.
+///
+/// Laws:
+///  1. for each direction some leaf's list has all balls whose f is the greatest there, if it is
+///     positive;
+///  2. where `may_be_unbounded` says no, the greatest is positive everywhere.
+///
+/// The bounds. u of a patch with centre v is v + w, |w| <= δ. With a = 2X/P, b = 2R/P the greatest
+/// of f_q - f_j is at most (a_q - a_j)·v + b_q - b_j + δ |a_q - a_j|. X and R are each rounded
+/// once, so that P errs by a part of 6 e (X·X + R²) / P = 6 e k, with e = 2^-53, and a and b by one
+/// of (6 k + 4) e; the difference of f commits eight roundings or fewer of numbers that are below 3
+/// (|a| + |b|): together (|a| + |b|) (32 + 16 k) e for each of the two balls. Where P is not
+/// certain (k > 2^40), or very large or small, the ball is in all lists and keeps nobody out.
+/// Within a box
+///     P (f - f_least) <= 2 X·v - f_least X·X + 2 δ |X| + 2 R + f_least R²
+/// has its greatest value coordinate by coordinate, and commits twenty roundings or fewer. Numbers
+/// are scaled, so that the largest is about 1, and of the others what lies below 2^-1074 is lost,
+/// which is nothing beside P >= 2^-600.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "../core/index.hpp"
+#include "../core/site.hpp"
+#include "ball_tree.hpp"
+
+namespace signum::spatial {
+
+/// The directions through a rectangle on a face of the cube: a convex piece of the unit sphere. So
+/// the farthest of them from the one through the rectangle's middle are corners.
+struct Patch {
+    int face;
+    double s, t, half;  // the middle of the rectangle, and half its side
+    std::array<double, 3> v;
+    double delta;
+
+    Patch(int of_face, double middle_s, double middle_t, double half_side)
+        : face(of_face), s(middle_s), t(middle_t), half(half_side), v(direction(s, t)), delta(0.0) {
+        double square = 0.0;
+        for (const double ds : {-half, half}) {
+            for (const double dt : {-half, half}) {
+                const std::array<double, 3> corner = direction(s + ds, t + dt);
+                const double x = corner[0] - v[0], y = corner[1] - v[1], z = corner[2] - v[2];
+                square = std::max(square, x * x + y * y + z * z);
+            }
+        }
+        delta = std::sqrt(square) * (1.0 + 0x1p-48) + 0x1p-48;
+    }
+    [[nodiscard]] Patch quarter(int number) const {
+        const double h = 0.5 * half;
+        return {face, s + ((number & 1) != 0 ? h : -h), t + ((number & 2) != 0 ? h : -h), h};
+    }
+
+ private:
+    [[nodiscard]] std::array<double, 3> direction(double at_s, double at_t) const {
+        const double length = 1.0 / std::sqrt(1.0 + at_s * at_s + at_t * at_t);
+        const auto axis = static_cast<std::size_t>(face % 3);
+        std::array<double, 3> result;
+        result[axis] = face < 3 ? length : -length;
+        result[(axis + 1) % 3] = at_s * length;
+        result[(axis + 2) % 3] = at_t * length;
+        return result;
+    }
+};
+
+class CellSearch {
+ public:
+    /// The place in the tree of a ball that the search has met.
+    using Place = std::uint32_t;
+
+    explicit CellSearch(const BallTree& tree) : tree_(tree), slot_of_(tree.size(), no_slot) {}
+
+    /// Calls leaf(places) with the list of each leaf, in which those balls come first whose name is
+    /// greater than that of the ball; only those lists that have two such.
+    template <class Leaf>
+    void run(Place ball, const Leaf& leaf) {
+        start(ball);
+        for (int face = 0; face < 6; ++face)
+            for (int quarter = 0; quarter < 4; ++quarter)
+                gather(Patch(face, 0.0, 0.0, 1.0).quarter(quarter), 0, leaf);
+    }
+    [[nodiscard]] bool may_be_unbounded() const noexcept { return may_be_unbounded_; }
+    /// All that are in a list, whether that has been passed on or not: law 1 holds of these, too.
+    [[nodiscard]] std::span<const Place> neighbours() const noexcept { return neighbours_; }
+
+ private:
+    struct Seen {
+        double ax, ay, az, b;
+        double length;  // of a
+        double error;
+        bool is_wild;
+        bool is_later;
+        bool is_listed;
+    };
+    using Slot = std::uint32_t;
+    static constexpr Slot no_slot = std::numeric_limits<Slot>::max();
+    static constexpr std::size_t most_gathered = 40;
+    static constexpr int most_depth = 14;
+
+    void start(Place ball) {
+        for (const Place place : places_) slot_of_[place] = no_slot;
+        places_.clear();
+        neighbours_.clear();
+        seen_.clear();
+        ball_ = ball;
+        may_be_unbounded_ = false;
+        const Place first = ball < 8 ? 0 : ball - 8;
+        const Place last = std::min<Place>(static_cast<Place>(tree_.size()), ball + 9);
+        for (Place place = first; place < last; ++place)
+            if (place != ball) slot(place);
+    }
+    Slot slot(Place place) {
+        if (slot_of_[place] != no_slot) return slot_of_[place];
+        const Site3& i = tree_.ball(ball_);
+        const Site3& j = tree_.ball(place);
+        const double x = j.x - i.x, y = j.y - i.y, z = j.z - i.z, r = j.r - i.r;
+        const double square = x * x + y * y + z * z;
+        const double p = square - r * r;
+        const double both = square + r * r;
+        Seen seen{};
+        seen.is_later = tree_.name(place) > tree_.name(ball_);
+        seen.is_wild = !(p > 0x1p-40 * both && p > 0x1p-600 && p < 0x1p600);
+        if (!seen.is_wild) {
+            const double factor = 2.0 / p;
+            seen.ax = x * factor;
+            seen.ay = y * factor;
+            seen.az = z * factor;
+            seen.b = r * factor;
+            seen.length = factor * std::sqrt(square);
+            seen.error = 0x1p-53 * (32.0 + 16.0 * (both / p)) * (seen.length + std::fabs(seen.b));
+        }
+        const auto number = static_cast<Slot>(seen_.size());
+        slot_of_[place] = number;
+        seen_.push_back(seen);
+        places_.push_back(place);
+        return number;
+    }
+
+    /// f in the middle of the patch.
+    [[nodiscard]] static double value(const Seen& q, const Patch& patch) {
+        return q.ax * patch.v[0] + q.ay * patch.v[1] + q.az * patch.v[2] + q.b;
+    }
+    [[nodiscard]] static double least(const Seen& q, const Patch& patch) {
+        return value(q, patch) - patch.delta * q.length - q.error;
+    }
+    [[nodiscard]] static bool is_below_infinity(const Seen& q, const Patch& patch) {
+        return !q.is_wild && value(q, patch) + patch.delta * q.length + q.error < 0.0;
+    }
+    [[nodiscard]] static bool is_below(const Seen& q, const Seen& j, const Patch& patch) {
+        if (q.is_wild || j.is_wild) return false;
+        const double x = q.ax - j.ax, y = q.ay - j.ay, z = q.az - j.az;
+        const double middle =
+            x * patch.v[0] + y * patch.v[1] + z * patch.v[2] + (q.b - j.b) + (q.error + j.error);
+        if (!(middle < 0.0)) return false;
+        const double step = patch.delta * patch.delta * (x * x + y * y + z * z);
+        return middle * middle > step * (1.0 + 0x1p-48) + 0x1p-1000;
+    }
+
+    // ---- from the tree --------------------------------------------------------------------------
+
+    /// What a patch has found so far.
+    struct Gathered {
+        std::vector<Slot> list;
+        double f_least = 0.0;
+        Slot best = no_slot;
+        double best_value = -std::numeric_limits<double>::infinity();
+    };
+    void know(Gathered& gathered, Slot slot, const Patch& patch) const {
+        const Seen& q = seen_[slot];
+        if (q.is_wild) return;
+        gathered.f_least = std::max(gathered.f_least, least(q, patch));
+        const double its_value = value(q, patch);
+        if (its_value <= gathered.best_value) return;
+        gathered.best = slot;
+        gathered.best_value = its_value;
+    }
+
+    template <class Leaf>
+    void gather(const Patch& patch, int depth, const Leaf& leaf) {
+        Gathered gathered;
+        for (Slot slot = 0; slot < seen_.size(); ++slot) know(gathered, slot, patch);
+        if (descend(0, patch, gathered, depth < most_depth ? most_gathered : tree_.size()))
+            return divide(patch, gathered.list, depth, 0, leaf);
+        for (int quarter = 0; quarter < 4; ++quarter)
+            gather(patch.quarter(quarter), depth + 1, leaf);
+    }
+
+    /// Whether the greatest f of a ball in the node may be f_least somewhere in the patch.
+    [[nodiscard]] bool may_reach(const BallTree::Node& node, const Patch& patch,
+                                 double f_least) const {
+        const Site3& i = tree_.ball(ball_);
+        const std::array<double, 3> from{i.x, i.y, i.z};
+        double sum = 0.0, size = 0.0, farthest = 0.0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double low = node.low[k] - from[k], high = node.high[k] - from[k];
+            // 2 v x - f x²: its top is at v / f.
+            const double v = patch.v[k];
+            double x = v > 0.0 ? high : low;
+            if (v * x >= 0.0 && f_least * std::fabs(x) > std::fabs(v))
+                x = std::clamp(v / f_least, low, high);
+            sum += 2.0 * v * x - f_least * x * x;
+            const double far = std::max(std::fabs(low), std::fabs(high));
+            size += 2.0 * far + f_least * far * far;
+            farthest += far * far;
+        }
+        const double least_r = node.least_radius - i.r, greatest_r = node.greatest_radius - i.r;
+        const auto of_radius = [&](double r) { return 2.0 * r + f_least * r * r; };
+        const double radius = std::max(of_radius(least_r), of_radius(greatest_r));
+        const double r = std::max(std::fabs(least_r), std::fabs(greatest_r));
+        sum += radius + 2.0 * patch.delta * std::sqrt(farthest);
+        size += of_radius(r) + 2.0 * farthest;
+        return !(sum + 0x1p-47 * (size + std::sqrt(farthest)) < 0.0);
+    }
+
+    /// False where too many balls are found.
+    bool descend(std::uint32_t number, const Patch& patch, Gathered& gathered, std::size_t most) {
+        const BallTree::Node& node = tree_.nodes()[number];
+        if (!may_reach(node, patch, gathered.f_least)) return true;
+        if (node.second != 0) {
+            // First the half in whose direction the patch lies.
+            const BallTree::Node& one = tree_.nodes()[number + 1];
+            const BallTree::Node& other = tree_.nodes()[node.second];
+            const Site3& i = tree_.ball(ball_);
+            const std::array<double, 3> from{i.x, i.y, i.z};
+            double nearness = 0.0;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const auto away = [&](const BallTree::Node& half) {
+                    return std::max({half.low[k] - from[k], from[k] - half.high[k], 0.0});
+                };
+                nearness += away(other) - away(one);
+            }
+            const std::uint32_t first = nearness >= 0.0 ? number + 1 : node.second;
+            const std::uint32_t second = nearness >= 0.0 ? node.second : number + 1;
+            return descend(first, patch, gathered, most) && descend(second, patch, gathered, most);
+        }
+        for (std::uint32_t place = node.first; place < node.last; ++place) {
+            if (place == ball_) continue;
+            const Slot found = slot(place);
+            know(gathered, found, patch);
+            if (is_below_infinity(seen_[found], patch)) continue;
+            if (gathered.best != no_slot && found != gathered.best &&
+                is_below(seen_[found], seen_[gathered.best], patch))
+                continue;
+            gathered.list.push_back(found);
+        }
+        return gathered.list.size() <= most;
+    }
+
+    // ---- lists ----------------------------------------------------------------------------------
+
+    /// `steady`: how many divisions have left as many in the list.
+    template <class Leaf>
+    void divide(const Patch& patch, const std::vector<Slot>& above, int depth, int steady,
+                const Leaf& leaf) {
+        std::vector<Slot>& list = list_at(depth);
+        list.clear();
+        Gathered best;
+        for (const Slot slot : above) know(best, slot, patch);
+        for (const Slot slot : above) {
+            if (is_below_infinity(seen_[slot], patch)) continue;
+            if (slot != best.best && best.best != no_slot &&
+                is_below(seen_[slot], seen_[best.best], patch))
+                continue;
+            list.push_back(slot);
+        }
+        if (list.size() > 2 && list.size() <= 32) {
+            for (std::size_t q = 0; q < list.size();) {
+                const bool is_out = std::any_of(list.begin(), list.end(), [&](Slot j) {
+                    return j != list[q] && is_below(seen_[list[q]], seen_[j], patch);
+                });
+                if (is_out) {
+                    list[q] = list.back();
+                    list.pop_back();
+                } else {
+                    ++q;
+                }
+            }
+        }
+        const auto later = static_cast<std::size_t>(std::count_if(
+            list.begin(), list.end(), [&](Slot slot) { return seen_[slot].is_later; }));
+        const bool is_open = !(best.f_least > 0.0);
+        if (list.size() > most_in_a_list && later >= 3 && depth < most_depth &&
+            (steady < most_steady || later > most_at_once)) {
+            const int now_steady = list.size() == above.size() ? steady + 1 : 0;
+            const std::vector<Slot> own = list;
+            for (int quarter = 0; quarter < 4; ++quarter)
+                divide(patch.quarter(quarter), own, depth + 1, now_steady, leaf);
+            return;
+        }
+        may_be_unbounded_ |= is_open;
+        for (const Slot slot : list)
+            if (!std::exchange(seen_[slot].is_listed, true)) neighbours_.push_back(places_[slot]);
+        if (later < 2) return;
+        std::partition(list.begin(), list.end(), [&](Slot slot) { return seen_[slot].is_later; });
+        leaf_.clear();
+        for (const Slot slot : list) leaf_.push_back(places_[slot]);
+        leaf(std::span<const Place>(leaf_), later);
+    }
+    std::vector<Slot>& list_at(int depth) {
+        if (lists_.size() <= static_cast<std::size_t>(depth))
+            lists_.resize(static_cast<std::size_t>(depth) + 1);
+        return lists_[static_cast<std::size_t>(depth)];
+    }
+    static constexpr std::size_t most_in_a_list = 5;
+    static constexpr int most_steady = 4;
+    static constexpr std::size_t most_at_once = 12;
+
+    const BallTree& tree_;
+    Place ball_ = 0;
+    bool may_be_unbounded_ = false;
+    std::vector<Slot> slot_of_;  // by place
+    std::vector<Place> places_;  // by slot
+    std::vector<Seen> seen_;
+    std::vector<Place> neighbours_;
+    std::vector<std::vector<Slot>> lists_;
+    std::vector<Place> leaf_;
+};
+
+}  // namespace signum::spatial
