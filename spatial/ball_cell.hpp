@@ -96,9 +96,7 @@ class CellSearch {
     template <class Leaf>
     void run(Place ball, const Leaf& leaf) {
         start(ball);
-        for (int face = 0; face < 6; ++face)
-            for (int quarter = 0; quarter < 4; ++quarter)
-                gather(Patch(face, 0.0, 0.0, 1.0).quarter(quarter), 0, leaf);
+        for (const Patch& patch : first_patches()) divide(patch, near_, 0, 0, false, leaf);
     }
     [[nodiscard]] bool may_be_unbounded() const noexcept { return may_be_unbounded_; }
     /// All that are in a list, whether that has been passed on or not: law 1 holds of these, too.
@@ -109,26 +107,75 @@ class CellSearch {
         double ax, ay, az, b;
         double length;  // of a
         double error;
+        // a and b, divided by that length: F
+        double nx, ny, nz, c;
         bool is_wild;
         bool is_later;
         bool is_listed;
     };
     using Slot = std::uint32_t;
     static constexpr Slot no_slot = std::numeric_limits<Slot>::max();
-    static constexpr std::size_t most_gathered = 40;
+    static constexpr std::size_t most_gathered = 60;
+    static constexpr Place most_beside = 40;
+    static constexpr int most_depth_of_near = 2;
+    static constexpr std::size_t most_high = 12;
     static constexpr int most_depth = 14;
 
     void start(Place ball) {
         for (const Place place : places_) slot_of_[place] = no_slot;
         places_.clear();
         neighbours_.clear();
+        near_.clear();
         seen_.clear();
         ball_ = ball;
         may_be_unbounded_ = false;
-        const Place first = ball < 8 ? 0 : ball - 8;
-        const Place last = std::min<Place>(static_cast<Place>(tree_.size()), ball + 9);
+        // As far as half of those reach that are near in the tree.
+        distances_.clear();
+        const auto size = static_cast<Place>(tree_.size());
+        const Place first = ball < most_beside ? 0 : ball - most_beside;
+        const Place last = std::min(size, ball + most_beside + 1);
         for (Place place = first; place < last; ++place)
-            if (place != ball) slot(place);
+            if (place != ball) distances_.push_back(distance(tree_.ball(place)));
+        reach_ = std::numeric_limits<double>::infinity();
+        if (distances_.size() + 1 < size) {
+            const auto middle =
+                distances_.begin() + static_cast<std::ptrdiff_t>(distances_.size() / 2);
+            std::nth_element(distances_.begin(), middle, distances_.end());
+            reach_ = *middle;
+        }
+        take_near(0);
+    }
+    /// |X| - R
+    [[nodiscard]] double distance(const Site3& j) const {
+        const Site3& i = tree_.ball(ball_);
+        const double x = j.x - i.x, y = j.y - i.y, z = j.z - i.z;
+        return std::sqrt(x * x + y * y + z * z) - (j.r - i.r);
+    }
+    /// All that are not certainly farther than the reach. So the f of all others is less than 2 /
+    /// reach: its greatest value is 2 / (|X| - R).
+    void take_near(std::uint32_t number) {
+        const BallTree::Node& node = tree_.nodes()[number];
+        const Site3& i = tree_.ball(ball_);
+        const std::array<double, 3> from{i.x, i.y, i.z};
+        double square = 0.0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double away = std::max({node.low[k] - from[k], from[k] - node.high[k], 0.0});
+            square += away * away;
+        }
+        const double length = std::sqrt(square), more = node.greatest_radius - i.r;
+        if (length - more > reach_ + 0x1p-46 * (length + std::fabs(more))) return;
+        if (node.second != 0) {
+            take_near(number + 1);
+            take_near(node.second);
+            return;
+        }
+        for (Place place = node.first; place < node.last; ++place) {
+            if (place == ball_) continue;
+            const Site3& j = tree_.ball(place);
+            const double gap = distance(j);
+            const double error = 0x1p-46 * (std::fabs(gap) + 2.0 * std::fabs(j.r - i.r));
+            if (!(gap > reach_ + error)) near_.push_back(slot(place));
+        }
     }
     Slot slot(Place place) {
         if (slot_of_[place] != no_slot) return slot_of_[place];
@@ -148,6 +195,11 @@ class CellSearch {
             seen.az = z * factor;
             seen.b = r * factor;
             seen.length = factor * std::sqrt(square);
+            const double inverse = 1.0 / std::sqrt(square);
+            seen.nx = x * inverse;
+            seen.ny = y * inverse;
+            seen.nz = z * inverse;
+            seen.c = r * inverse;
             seen.error = 0x1p-53 * (32.0 + 16.0 * (both / p)) * (seen.length + std::fabs(seen.b));
         }
         const auto number = static_cast<Slot>(seen_.size());
@@ -169,12 +221,40 @@ class CellSearch {
     }
     [[nodiscard]] static bool is_below(const Seen& q, const Seen& j, const Patch& patch) {
         if (q.is_wild || j.is_wild) return false;
+        if (q.length + q.error <= j.length - j.error && is_lower(q, j, patch)) return true;
         const double x = q.ax - j.ax, y = q.ay - j.ay, z = q.az - j.az;
         const double middle =
             x * patch.v[0] + y * patch.v[1] + z * patch.v[2] + (q.b - j.b) + (q.error + j.error);
         if (!(middle < 0.0)) return false;
         const double step = patch.delta * patch.delta * (x * x + y * y + z * z);
         return middle * middle > step * (1.0 + 0x1p-48) + 0x1p-1000;
+    }
+
+    [[nodiscard]] static double height(const Seen& q, const Patch& patch) {
+        return q.nx * patch.v[0] + q.ny * patch.v[1] + q.nz * patch.v[2] + q.c;
+    }
+    /// Whether F_q < F_j on all of the patch.
+    [[nodiscard]] static bool is_lower(const Seen& q, const Seen& j, const Patch& patch) {
+        const double x = q.nx - j.nx, y = q.ny - j.ny, z = q.nz - j.nz;
+        const double middle = x * patch.v[0] + y * patch.v[1] + z * patch.v[2] + (q.c - j.c) +
+                              0x1p-48 * (4.0 + std::fabs(q.c) + std::fabs(j.c));
+        if (!(middle < 0.0)) return false;
+        return middle * middle >
+               patch.delta * patch.delta * (x * x + y * y + z * z) * (1.0 + 0x1p-46) + 0x1p-90;
+    }
+
+    [[nodiscard]] static const std::vector<Patch>& first_patches() {
+        static const std::vector<Patch> patches = [] {
+            std::vector<Patch> result;
+            constexpr int side = 2;
+            for (int face = 0; face < 6; ++face)
+                for (int s = 0; s < side; ++s)
+                    for (int t = 0; t < side; ++t)
+                        result.emplace_back(face, (2.0 * s + 1.0) / side - 1.0,
+                                            (2.0 * t + 1.0) / side - 1.0, 1.0 / side);
+            return result;
+        }();
+        return patches;
     }
 
     // ---- from the tree --------------------------------------------------------------------------
@@ -185,6 +265,9 @@ class CellSearch {
         double f_least = 0.0;
         Slot best = no_slot;
         double best_value = -std::numeric_limits<double>::infinity();
+        // The highest F in the middle, of those known from the beginning.
+        std::array<std::pair<double, Slot>, most_high> high;
+        std::size_t number_of_high = 0;
     };
     void know(Gathered& gathered, Slot slot, const Patch& patch) const {
         const Seen& q = seen_[slot];
@@ -196,47 +279,123 @@ class CellSearch {
         gathered.best_value = its_value;
     }
 
+    void choose_high(Gathered& gathered, const std::vector<Slot>& known, const Patch& patch) const {
+        high_.clear();
+        for (const Slot slot : known)
+            if (!seen_[slot].is_wild) high_.emplace_back(-height(seen_[slot], patch), slot);
+        gathered.number_of_high = std::min(most_high, high_.size());
+        std::partial_sort(high_.begin(),
+                          high_.begin() + static_cast<std::ptrdiff_t>(gathered.number_of_high),
+                          high_.end());
+        for (std::size_t k = 0; k < gathered.number_of_high; ++k)
+            gathered.high[k] = {-high_[k].first, high_[k].second};
+    }
     template <class Leaf>
-    void gather(const Patch& patch, int depth, const Leaf& leaf) {
+    void gather(const Patch& patch, int depth, const std::vector<Slot>& known, const Leaf& leaf) {
         Gathered gathered;
-        for (Slot slot = 0; slot < seen_.size(); ++slot) know(gathered, slot, patch);
+        for (const Slot slot : known) know(gathered, slot, patch);
+        choose_high(gathered, known, patch);
         if (descend(0, patch, gathered, depth < most_depth ? most_gathered : tree_.size()))
-            return divide(patch, gathered.list, depth, 0, leaf);
+            return divide(patch, gathered.list, depth, 0, true, leaf);
         for (int quarter = 0; quarter < 4; ++quarter)
-            gather(patch.quarter(quarter), depth + 1, leaf);
+            gather(patch.quarter(quarter), depth + 1, gathered.list, leaf);
     }
 
-    /// Whether the greatest f of a ball in the node may be f_least somewhere in the patch.
+    /// Whether some ball in the node may be the greatest somewhere in the patch.
     [[nodiscard]] bool may_reach(const BallTree::Node& node, const Patch& patch,
-                                 double f_least) const {
+                                 const Gathered& gathered) const {
         const Site3& i = tree_.ball(ball_);
         const std::array<double, 3> from{i.x, i.y, i.z};
-        double sum = 0.0, size = 0.0, farthest = 0.0;
+        std::array<double, 3> low, high;
+        double farthest = 0.0;
         for (std::size_t k = 0; k < 3; ++k) {
-            const double low = node.low[k] - from[k], high = node.high[k] - from[k];
-            // 2 v x - f x²: its top is at v / f.
-            const double v = patch.v[k];
-            double x = v > 0.0 ? high : low;
-            if (v * x >= 0.0 && f_least * std::fabs(x) > std::fabs(v))
-                x = std::clamp(v / f_least, low, high);
-            sum += 2.0 * v * x - f_least * x * x;
-            const double far = std::max(std::fabs(low), std::fabs(high));
-            size += 2.0 * far + f_least * far * far;
+            low[k] = node.low[k] - from[k];
+            high[k] = node.high[k] - from[k];
+            const double far = std::max(-low[k], high[k]);
             farthest += far * far;
         }
         const double least_r = node.least_radius - i.r, greatest_r = node.greatest_radius - i.r;
-        const auto of_radius = [&](double r) { return 2.0 * r + f_least * r * r; };
-        const double radius = std::max(of_radius(least_r), of_radius(greatest_r));
-        const double r = std::max(std::fabs(least_r), std::fabs(greatest_r));
-        sum += radius + 2.0 * patch.delta * std::sqrt(farthest);
-        size += of_radius(r) + 2.0 * farthest;
-        return !(sum + 0x1p-47 * (size + std::sqrt(farthest)) < 0.0);
+        const double square_r = std::max(least_r * least_r, greatest_r * greatest_r);
+        const double far = std::sqrt(farthest);
+        // The greatest of 2 X·v - f X·X + 2 R + f R², but for its error: of each coordinate the top
+        // is at v / f.
+        const auto greatest = [&](double f) {
+            double sum = 2.0 * greatest_r + f * square_r;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const double v = patch.v[k];
+                double x = v > 0.0 ? high[k] : low[k];
+                if (v * x >= 0.0 && f * std::fabs(x) > std::fabs(v))
+                    x = std::clamp(v / f, low[k], high[k]);
+                sum += x * (2.0 * v - f * x);
+            }
+            return sum;
+        };
+        const auto error = [&](double f) {
+            return 0x1p-46 *
+                   (far + std::fabs(greatest_r) + std::fabs(least_r) + f * (farthest + square_r));
+        };
+        const double f_least = gathered.f_least;
+        if (greatest(f_least) + 2.0 * patch.delta * far + error(f_least) < 0.0) return false;
+        double square = 0.0, half_square = 0.0, nearest = 0.0;
+        std::array<double, 3> middle;
+        for (std::size_t k = 0; k < 3; ++k) {
+            middle[k] = 0.5 * (low[k] + high[k]);
+            const double half = 0.5 * (high[k] - low[k]);
+            square += middle[k] * middle[k];
+            half_square += half * half;
+            const double near = std::max({low[k], -high[k], 0.0});
+            nearest += near * near;
+        }
+        const double half = std::sqrt(half_square), distance = std::sqrt(square);
+        // F is lower than that of another, whose a is longer: |a| is at most that of the nearest.
+        if (nearest > square_r) {
+            const double length = 2.0 * std::sqrt(nearest) / (nearest - square_r) * (1.0 + 0x1p-40);
+            const double along = middle[0] * patch.v[0] + middle[1] * patch.v[1] +
+                                 middle[2] * patch.v[2] + greatest_r + half;
+            const double slack = 0x1p-46 * (far + std::fabs(greatest_r));
+            for (std::size_t k = 0; k < gathered.number_of_high; ++k) {
+                const auto& [its_height, slot] = gathered.high[k];
+                const Seen& j = seen_[slot];
+                const double top = along - distance * its_height + half * std::fabs(its_height) +
+                                   slack * (1.0 + std::fabs(j.c));
+                if (!(top < 0.0)) continue;
+                if (nearest <= square_r * (1.0 + 0x1p-10) || !(length <= j.length - j.error))
+                    continue;
+                const double x = middle[0] - distance * j.nx, y = middle[1] - distance * j.ny,
+                             z = middle[2] - distance * j.nz;
+                const double change = std::sqrt(x * x + y * y + z * z) + 2.0 * half + slack;
+                if (top + patch.delta * change * (1.0 + 0x1p-46) < 0.0) return false;
+            }
+        }
+        if (gathered.best == no_slot || !(gathered.best_value > 0.0)) return true;
+        // The same beside the best one of f = a·u + b, which changes by a·w: w·(2 X - P a).
+        const Seen& best = seen_[gathered.best];
+        const double f = gathered.best_value;
+        const double top = greatest(f) + error(f) + best.error * (farthest + square_r);
+        if (!(top < 0.0)) return true;
+        const double middle_r = 0.5 * (least_r + greatest_r);
+        const double half_r = 0.5 * (greatest_r - least_r);
+        const double p = square - middle_r * middle_r;
+        const double x = 2.0 * middle[0] - p * best.ax, y = 2.0 * middle[1] - p * best.ay,
+                     z = 2.0 * middle[2] - p * best.az;
+        const double change_of_p =
+            2.0 * distance * half + half_square + half_r * (2.0 * std::fabs(middle_r) + half_r);
+        const double change = std::sqrt(x * x + y * y + z * z) + 2.0 * half +
+                              best.length * (change_of_p + 0x1p-46 * (farthest + square_r));
+        return !(top + patch.delta * (change * (1.0 + 0x1p-46) + 0x1p-46 * far) < 0.0);
     }
 
+    [[nodiscard]] bool is_below_any(Slot slot, const Gathered& gathered, const Patch& patch) const {
+        for (std::size_t k = 0; k < gathered.number_of_high; ++k) {
+            const Slot other = gathered.high[k].second;
+            if (other != slot && is_below(seen_[slot], seen_[other], patch)) return true;
+        }
+        return false;
+    }
     /// False where too many balls are found.
     bool descend(std::uint32_t number, const Patch& patch, Gathered& gathered, std::size_t most) {
         const BallTree::Node& node = tree_.nodes()[number];
-        if (!may_reach(node, patch, gathered.f_least)) return true;
+        if (!may_reach(node, patch, gathered)) return true;
         if (node.second != 0) {
             // First the half in whose direction the patch lies.
             const BallTree::Node& one = tree_.nodes()[number + 1];
@@ -262,6 +421,7 @@ class CellSearch {
             if (gathered.best != no_slot && found != gathered.best &&
                 is_below(seen_[found], seen_[gathered.best], patch))
                 continue;
+            if (is_below_any(found, gathered, patch)) continue;
             gathered.list.push_back(found);
         }
         return gathered.list.size() <= most;
@@ -269,10 +429,11 @@ class CellSearch {
 
     // ---- lists ----------------------------------------------------------------------------------
 
-    /// `steady`: how many divisions have left as many in the list.
+    /// `steady`: how many divisions have left as many in the list. `is_complete`: whether the list
+    /// has been gathered from the whole tree, and not from what is near alone.
     template <class Leaf>
     void divide(const Patch& patch, const std::vector<Slot>& above, int depth, int steady,
-                const Leaf& leaf) {
+                bool is_complete, const Leaf& leaf) {
         std::vector<Slot>& list = list_at(depth);
         list.clear();
         Gathered best;
@@ -297,6 +458,13 @@ class CellSearch {
                 }
             }
         }
+        if (!is_complete && !(best.f_least * reach_ > 2.0 + 0x1p-40)) {
+            const std::vector<Slot> own = list;
+            if (depth >= most_depth_of_near) return gather(patch, depth, own, leaf);
+            for (int quarter = 0; quarter < 4; ++quarter)
+                divide(patch.quarter(quarter), own, depth + 1, 0, false, leaf);
+            return;
+        }
         const auto later = static_cast<std::size_t>(std::count_if(
             list.begin(), list.end(), [&](Slot slot) { return seen_[slot].is_later; }));
         const bool is_open = !(best.f_least > 0.0);
@@ -305,7 +473,7 @@ class CellSearch {
             const int now_steady = list.size() == above.size() ? steady + 1 : 0;
             const std::vector<Slot> own = list;
             for (int quarter = 0; quarter < 4; ++quarter)
-                divide(patch.quarter(quarter), own, depth + 1, now_steady, leaf);
+                divide(patch.quarter(quarter), own, depth + 1, now_steady, true, leaf);
             return;
         }
         may_be_unbounded_ |= is_open;
@@ -333,6 +501,11 @@ class CellSearch {
     std::vector<Place> places_;  // by slot
     std::vector<Seen> seen_;
     std::vector<Place> neighbours_;
+    mutable std::vector<std::pair<double, Slot>> high_;
+    // What is near: |X| - R is at most the reach.
+    double reach_ = 0.0;
+    std::vector<Slot> near_;
+    std::vector<double> distances_;
     std::vector<std::vector<Slot>> lists_;
     std::vector<Place> leaf_;
 };

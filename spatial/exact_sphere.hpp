@@ -16,9 +16,11 @@
 ///  2. the cofactors of y_l in it are a tangent of the curve of a, b, c, in what is called its
 ///     forward direction: there 2 y_l·w grows where l turns positively, and l begins to conflict;
 ///  3. the curve lies in the plane y_b·w = p_b / 2, y_c·w = p_c / 2. With W = p_b p_c - <y_b, y_c>²
-///     it is an ellipse where W < 0, else one branch of a hyperbola or a parabola; and then h =
-///     (X_b × X_c)·x meets each value once along it: in the plane's directions orthogonal to (X_b ×
-///     X_c, 0), which has <,> > 0, there is one with <,> <= 0.
+///     it is an ellipse where W < 0, else one branch of a hyperbola or a parabola. Then the height
+///     n·x, n = X_b × X_c, rises forward all along: its change is det[w', y_b, y_c, (n, 0)] = <w, t>
+///     for the cofactors t of w'. These lie in the plane's directions, which have no more than one
+///     sign of <,> beside that of (n, 0), orthogonal to it, so that <t, t> <= 0; and t's last
+///     number is -n·n, so that t and w lie in opposite halves of the cone.
 
 #include <array>
 #include <cstddef>
