@@ -163,8 +163,9 @@ int main(int argc, char** argv) {
     }
     for (const auto& [four, spheres] : other)
         if (!mine.contains(four)) tell("voronota alone:", four);
-    std::printf("%zu quadruples of both, %zu not; centres of both differ by a part of %.1e at most\n",
-                same, differ, farthest);
+    std::printf(
+        "%zu quadruples of both, %zu not; centres of both differ by a part of %.1e at most\n", same,
+        differ, farthest);
     std::remove(input.c_str());
     std::remove(output.c_str());
     std::remove(folder.c_str());

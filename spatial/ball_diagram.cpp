@@ -282,6 +282,7 @@ class Construction {
         const BallTree tree = tree_of(std::move(visible));
         CellSearch search(tree);
         constexpr std::size_t between_questions = 256;
+        constexpr std::size_t many = 12;
         for (std::size_t place = 0; place < tree.size(); ++place) {
             if (place % between_questions == 0) {
                 if (options_.stop.stop_requested()) throw Stopped();
@@ -296,10 +297,11 @@ class Construction {
                 later_.clear();
                 for (std::size_t m = 0; m < later; ++m) later_.push_back(tree.name(list[m]));
                 std::ranges::sort(later_);
+                const bool are_flat = later > many && are_points_of_a_plane(i, later_);
                 for (std::size_t a = 0; a < later; ++a) {
                     for (std::size_t b = a + 1; b < later; ++b) {
                         pairs_.push_back({i, later_[a], later_[b]});
-                        for (std::size_t c = b + 1; c < later; ++c)
+                        for (std::size_t c = b + 1; c < later && !are_flat; ++c)
                             fours_.push_back({i, later_[a], later_[b], later_[c]});
                     }
                 }
@@ -318,6 +320,23 @@ class Construction {
             for (const Quadruple& four : fours_) try_four(four);
             for (const Triple& curve : pairs_) try_curve(curve);
         }
+    }
+
+    /// The face of a grid, say: seen from one of them, all meet in the direction away from the
+    /// others. No four of them have a vertex.
+    [[nodiscard]] bool are_points_of_a_plane(Index i, std::span<const Index> list) const {
+        const Site3& first = ball(i);
+        if (!std::ranges::all_of(list, [&](Index j) { return same_radius(first, ball(j)); }))
+            return false;
+        const auto turn = [&](Index j, Index k, Index l) {
+            return ccw_decision(centre3(first), centre3(ball(j)), centre3(ball(k)),
+                                centre3(ball(l)))
+                .sign;
+        };
+        for (std::size_t k = 1; k < list.size(); ++k)
+            for (std::size_t l = k + 1; l < list.size(); ++l)
+                if (turn(list[0], list[k], list[l]) != 0) return false;
+        return true;
     }
 
     /// Whether infinitely many spheres touch four balls, of which one sphere touches all.
