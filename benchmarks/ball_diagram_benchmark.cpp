@@ -1,4 +1,5 @@
-/// The diagram of random balls beside the program `voronota` (apt install voronota): times, and
+/// The diagram of random balls beside the program `voronota` (apt install voronota): seconds of one
+/// processor, and
 /// every quadruple that one has and the other has not.
 ///
 ///     ball_diagram_benchmark [n [seed [side]]]
@@ -7,9 +8,10 @@
 /// the side is given. voronota reads and writes text, so that its time holds some of that; to see
 /// how much, the time to print ours follows.
 
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
@@ -32,10 +34,20 @@ using signum::Site3;
 using Quadruple = std::array<Index, 4>;
 using Spheres = std::map<Quadruple, std::vector<Site3>>;
 
-double seconds_of(const auto& work) {
-    const auto start = std::chrono::steady_clock::now();
+/// Of the processor, by this process or by those it has called: other work on the machine counts
+/// less than it does on the clock.
+double processor_seconds(int whose) {
+    rusage usage{};
+    getrusage(whose, &usage);
+    const auto seconds = [](const timeval& t) {
+        return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+    };
+    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+double seconds_of(const auto& work, int whose = RUSAGE_SELF) {
+    const double start = processor_seconds(whose);
     work();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return processor_seconds(whose) - start;
 }
 
 std::vector<Site3> random_balls(std::size_t n, std::uint64_t seed, double side) {
@@ -119,7 +131,8 @@ int main(int argc, char** argv) {
     }
     const std::string command = "voronota calculate-vertices < " + input + " > " + output;
     int status = 0;
-    const double theirs = seconds_of([&] { status = std::system(command.c_str()); });
+    const double theirs =
+        seconds_of([&] { status = std::system(command.c_str()); }, RUSAGE_CHILDREN);
     std::printf("voronota  %8.3f s   %.1f times as long%s\n", theirs, theirs / ours,
                 status == 0 ? "" : ", failed");
 

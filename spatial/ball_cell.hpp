@@ -36,6 +36,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <span>
 #include <utility>
@@ -221,7 +222,11 @@ class CellSearch {
     }
     [[nodiscard]] static bool is_below(const Seen& q, const Seen& j, const Patch& patch) {
         if (q.is_wild || j.is_wild) return false;
-        if (q.length + q.error <= j.length - j.error && is_lower(q, j, patch)) return true;
+        return is_less(q, j, patch) ||
+               (q.length + q.error <= j.length - j.error && is_lower(q, j, patch));
+    }
+    /// Whether f_q < f_j on all of the patch, none of them wild.
+    [[nodiscard]] static bool is_less(const Seen& q, const Seen& j, const Patch& patch) {
         const double x = q.ax - j.ax, y = q.ay - j.ay, z = q.az - j.az;
         const double middle =
             x * patch.v[0] + y * patch.v[1] + z * patch.v[2] + (q.b - j.b) + (q.error + j.error);
@@ -445,17 +450,28 @@ class CellSearch {
                 continue;
             list.push_back(slot);
         }
+        // Where the greatest f is positive, shorter ones that are lower matter little.
+        const bool is_open = !(best.f_least > 0.0);
         if (list.size() > 2 && list.size() <= 32) {
-            for (std::size_t q = 0; q < list.size();) {
-                const bool is_out = std::any_of(list.begin(), list.end(), [&](Slot j) {
-                    return j != list[q] && is_below(seen_[list[q]], seen_[j], patch);
-                });
-                if (is_out) {
-                    list[q] = list.back();
-                    list.pop_back();
-                } else {
-                    ++q;
-                }
+            sorted_.clear();
+            for (const Slot slot : list)
+                sorted_.emplace_back(seen_[slot].is_wild ? HUGE_VAL : value(seen_[slot], patch),
+                                     slot);
+            std::sort(sorted_.begin(), sorted_.end(), std::greater<>());
+            list.clear();
+            for (std::size_t q = 0; q < sorted_.size(); ++q) {
+                const Seen& one = seen_[sorted_[q].second];
+                const bool is_out =
+                    std::any_of(list.begin(), list.end(),
+                                [&](Slot j) {
+                                    return !one.is_wild && !seen_[j].is_wild &&
+                                           is_less(one, seen_[j], patch);
+                                }) ||
+                    (is_open && std::any_of(sorted_.begin(), sorted_.end(), [&](const auto& j) {
+                         return j.second != sorted_[q].second &&
+                                is_below(one, seen_[j.second], patch);
+                     }));
+                if (!is_out) list.push_back(sorted_[q].second);
             }
         }
         if (!is_complete && !(best.f_least * reach_ > 2.0 + 0x1p-40)) {
@@ -467,7 +483,6 @@ class CellSearch {
         }
         const auto later = static_cast<std::size_t>(std::count_if(
             list.begin(), list.end(), [&](Slot slot) { return seen_[slot].is_later; }));
-        const bool is_open = !(best.f_least > 0.0);
         if (list.size() > most_in_a_list && later >= 3 && depth < most_depth &&
             (steady < most_steady || later > most_at_once)) {
             const int now_steady = list.size() == above.size() ? steady + 1 : 0;
@@ -502,6 +517,7 @@ class CellSearch {
     std::vector<Seen> seen_;
     std::vector<Place> neighbours_;
     mutable std::vector<std::pair<double, Slot>> high_;
+    std::vector<std::pair<double, Slot>> sorted_;
     // What is near: |X| - R is at most the reach.
     double reach_ = 0.0;
     std::vector<Slot> near_;
