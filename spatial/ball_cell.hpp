@@ -14,6 +14,12 @@
 /// all of the patch it is certainly less than another, which may be left out in its turn: the
 /// greatest is always in. Patches are divided as long as more balls are in than meet in a vertex.
 ///
+/// At first only those are looked at that are near, with |X| - R no more than a reach: the f of the
+/// others is at most 2 / (|X| - R), so that they are left out where the greatest f is certainly
+/// more than 2 / reach. In the other patches the tree is asked. There, toward the outside, near
+/// ones keep far ones out by F = f / |a| = (X·u + R) / |X|: where F_q < F_j and |a_q| <= |a_j|
+/// either f_q < 0 or f_q < f_j, in each direction.
+///
 /// Laws:
 ///  1. for each direction some leaf's list has all balls whose f is the greatest there, if it is
 ///     positive;
@@ -27,9 +33,10 @@
 /// certain (k > 2^40), or very large or small, the ball is in all lists and keeps nobody out.
 /// Within a box
 ///     P (f - f_least) <= 2 X·v - f_least X·X + 2 δ |X| + 2 R + f_least R²
-/// has its greatest value coordinate by coordinate, and commits twenty roundings or fewer. Numbers
-/// are scaled, so that the largest is about 1, and of the others what lies below 2^-1074 is lost,
-/// which is nothing beside P >= 2^-600.
+/// has its greatest value coordinate by coordinate (f_least may be that of the best ball in the
+/// middle, and then changes by w·(2 X - P a) instead of 2 δ |X|), and commits twenty roundings or
+/// fewer. Numbers are scaled, so that the largest is about 1, and of the others what lies below
+/// 2^-1074 is lost, which is nothing beside P >= 2^-600.
 
 #include <algorithm>
 #include <array>
