@@ -22,6 +22,7 @@
 #include "predicates/supremum.hpp"
 #include "spatial/any_dimension/triangulate.hpp"
 #include "spatial/any_dimension/validate.hpp"
+#include "spatial/ball_diagram.hpp"
 #include "spatial/touching_rectangular.hpp"
 #include "spatial/touching_spheres.hpp"
 #include "spatial/triangulate.hpp"

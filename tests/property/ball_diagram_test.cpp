@@ -1,0 +1,468 @@
+/// The Voronoi diagram of balls against brute force in rationals, and larger ones against what any
+/// diagram obeys.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <span>
+#include <stdexcept>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "../../predicates/space/euclidean.hpp"
+#include "../../spatial/ball_diagram.hpp"
+#include "../../spatial/triangulate.hpp"
+#include "../oracle/ball_edges.hpp"
+#include "../oracle/balls_space.hpp"
+#include "../thoroughness.hpp"
+#include "ball_families.hpp"
+
+namespace signum {
+namespace {
+
+using Balls = std::vector<Site3>;
+
+std::string text_of(const Balls& balls) {
+    std::string result;
+    for (const Site3& b : balls) {
+        char buffer[160];
+        std::snprintf(buffer, sizeof buffer, "{%a, %a, %a, %a},\n", b.x, b.y, b.z, b.r);
+        result += buffer;
+    }
+    return result;
+}
+
+using List = std::vector<Index>;
+List list_of(std::span<const Index> list) {
+    return {list.begin(), list.end()};
+}
+
+/// Of each curve: how many arcs, how many of their ends are at infinity, and whether it is one
+/// closed edge.
+struct Arcs {
+    int arcs = 0;
+    int ends_at_infinity = 0;
+    bool is_closed = false;
+    friend bool operator==(const Arcs&, const Arcs&) = default;
+};
+using Curves = std::map<List, Arcs>;
+void PrintTo(const Arcs& a, std::ostream* out) {
+    *out << a.arcs << " arcs, " << a.ends_at_infinity << " infinite"
+         << (a.is_closed ? ", closed" : "");
+}
+Curves curves_of(const BallDiagram& d) {
+    Curves curves;
+    for (std::size_t e = 0; e < d.edges.size(); ++e) {
+        Arcs& arcs = curves[list_of(d.edges[e])];
+        ++arcs.arcs;
+        for (const Index end : d.ends[e]) arcs.ends_at_infinity += end == infinite;
+        arcs.is_closed |= d.ends[e][0] == no_end;
+    }
+    return curves;
+}
+
+/// The arrays are sorted, and an end is a vertex that the edge's balls touch.
+void expect_order(const BallDiagram& d) {
+    for (std::size_t v = 1; v < d.vertices.size(); ++v) {
+        const List before = list_of(d.vertices[v - 1]), now = list_of(d.vertices[v]);
+        EXPECT_TRUE(before < now || (before == now && d.turns[v - 1] > d.turns[v]));
+    }
+    for (std::size_t e = 0; e < d.edges.size(); ++e) {
+        const List balls = list_of(d.edges[e]);
+        if (e > 0) {
+            const List before = list_of(d.edges[e - 1]);
+            EXPECT_TRUE(before < balls || (before == balls && d.ends[e - 1] <= d.ends[e]));
+        }
+        EXPECT_LE(d.ends[e][0], d.ends[e][1]);
+        for (const Index end : d.ends[e]) {
+            if (end < 0) continue;
+            const auto touching = d.vertices[static_cast<std::size_t>(end)];
+            EXPECT_TRUE(
+                std::includes(touching.begin(), touching.end(), balls.begin(), balls.end()));
+        }
+    }
+}
+
+/// Between the doubles beside it: how it is rounded is the matter of touching_spheres().
+void expect_near(double rounded, const oracle::Surd& x) {
+    const double below = std::nextafter(rounded, -HUGE_VAL);
+    const double above = std::nextafter(rounded, HUGE_VAL);
+    if (std::isfinite(below)) {
+        EXPECT_LT(oracle::Surd(oracle::exactly(below)), x);
+    }
+    if (std::isfinite(above)) {
+        EXPECT_LT(x, oracle::Surd(oracle::exactly(above)));
+    }
+}
+
+void expect_as_oracle(const Balls& balls) {
+    SCOPED_TRACE(text_of(balls));
+    const BallDiagram d = ball_diagram(balls);
+    std::vector<oracle::SpaceBall<3>> exact;
+    for (const Site3& b : balls) exact.push_back(oracle::exact_ball(b));
+    const std::vector<bool> hidden = oracle::hidden_balls<3>(exact);
+    std::size_t number_of_hidden = 0;
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        if (!hidden[i]) continue;
+        ASSERT_LT(number_of_hidden, d.hidden.size());
+        const Hidden& ours = d.hidden[number_of_hidden++];
+        EXPECT_EQ(ours.site, static_cast<Index>(i));
+        std::size_t by = 0;
+        while (hidden[by] || !oracle::contains<3>(exact[by], exact[i])) ++by;
+        EXPECT_EQ(ours.by, static_cast<Index>(by));
+    }
+    EXPECT_EQ(number_of_hidden, d.hidden.size());
+
+    std::map<std::pair<List, Sign>, Site3> ours;
+    for (std::size_t v = 0; v < d.vertices.size(); ++v)
+        ours.insert({{list_of(d.vertices[v]), -d.turns[v]}, d.spheres[v]});
+    const auto vertices = oracle::ball_vertices<3>(exact);
+    EXPECT_EQ(d.vertices.size(), vertices.size());
+    for (const auto& vertex : vertices) {
+        const auto& [c, rho, orientation] = vertex.sphere;
+        const auto mine = ours.find({vertex.balls, orientation});
+        ASSERT_TRUE(mine != ours.end()) << ::testing::PrintToString(vertex.balls);
+        expect_near(mine->second.x, c[0]);
+        expect_near(mine->second.y, c[1]);
+        expect_near(mine->second.z, c[2]);
+        expect_near(mine->second.r, rho);
+    }
+
+    Curves curves;
+    for (const oracle::BallEdge& edge : oracle::ball_edges(exact))
+        curves[edge.balls] = {edge.arcs, edge.ends_at_infinity, edge.is_closed};
+    EXPECT_EQ(curves_of(d), curves);
+    expect_order(d);
+}
+
+class BallDiagramOf : public ::testing::TestWithParam<ball_families::Family> {};
+
+TEST_P(BallDiagramOf, IsTheOracles) {
+    Random g(17);
+    const int trials = static_cast<int>(GetParam().share * 10 * thoroughness);
+    for (int trial = 0; trial < trials && !HasFailure(); ++trial) {
+        Balls balls;
+        const int n = 3 + g.below(5);
+        while (static_cast<int>(balls.size()) < n)
+            for (const AnyBall& b : GetParam().draw(g, 3))
+                if (static_cast<int>(balls.size()) < n) balls.push_back(site_of(b, Site3()));
+        expect_as_oracle(balls);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Families, BallDiagramOf, ::testing::ValuesIn(ball_families::families),
+                         [](const auto& tested) { return tested.param.name; });
+
+// ---- by hand -----------------------------------------------------------------------------------
+
+TEST(BallDiagram, NoneOrFew) {
+    EXPECT_EQ(ball_diagram({}), BallDiagram());
+    const BallDiagram one = ball_diagram(Balls{{1, 2, 3, 4}});
+    EXPECT_EQ(one.balls, 1);
+    EXPECT_EQ(one.vertices.size() + one.edges.size() + one.hidden.size(), 0U);
+    const BallDiagram two = ball_diagram(Balls{{0, 0, 0, 1}, {9, 0, 0, 2}, {0, 0, 0, 1}});
+    EXPECT_EQ(two.edges.size(), 0U);
+    EXPECT_EQ(two.hidden, (std::vector<Hidden>{{2, 0}}));
+    EXPECT_THROW(static_cast<void>(ball_diagram(Balls{{0, 0, 0, HUGE_VAL}})),
+                 std::invalid_argument);
+    Options options;
+    std::stop_source stop;
+    stop.request_stop();
+    options.stop = stop.get_token();
+    EXPECT_THROW(static_cast<void>(ball_diagram(Balls{{0, 0, 0, 1}}, options)), Stopped);
+}
+
+TEST(BallDiagram, ThreeBallsHaveOneEdgeFromInfinityToInfinity) {
+    const BallDiagram d = ball_diagram(Balls{{0, 0, 0, 1}, {5, 0, 0, 1}, {0, 5, 0, 2}});
+    EXPECT_EQ(list_of(d.edges[0]), (List{0, 1, 2}));
+    EXPECT_EQ(d.ends, (std::vector<std::array<Index, 2>>{{infinite, infinite}}));
+    EXPECT_EQ(d.vertices.size(), 0U);
+}
+
+TEST(BallDiagram, ASmallBallBetweenTwoLargeOnesHasARing) {
+    const Balls balls{{-5, 0, 0, 4}, {5, 0, 0, 4}, {0, 0, 0, 0.5}};
+    const BallDiagram d = ball_diagram(balls);
+    EXPECT_EQ(d.vertices.size(), 0U);
+    ASSERT_EQ(d.edges.size(), 1U);
+    EXPECT_EQ(d.ends[0], (std::array<Index, 2>{no_end, no_end}));
+    expect_as_oracle(balls);
+    // The same within a crowd that does not reach it.
+    Balls crowd = balls;
+    for (const double x : {-40.0, 40.0})
+        for (const double y : {-40.0, 40.0})
+            for (const double z : {-40.0, 40.0}) crowd.push_back({x, y, z, 1.0});
+    const Curves curves = curves_of(ball_diagram(crowd));
+    ASSERT_TRUE(curves.contains({0, 1, 2}));
+    EXPECT_TRUE(curves.at({0, 1, 2}).is_closed);
+}
+
+TEST(BallDiagram, AGridHasACellOfEightBallsAVertex) {
+    Balls balls;
+    for (int x = 0; x < 5; ++x)
+        for (int y = 0; y < 5; ++y)
+            for (int z = 0; z < 5; ++z) balls.push_back({1.0 * x, 1.0 * y, 1.0 * z, 0.25});
+    const BallDiagram d = ball_diagram(balls);
+    EXPECT_EQ(d.vertices.size(), 64U);
+    // Each square between two cubes, or on the outside.
+    EXPECT_EQ(d.edges.size(), 240U);
+    for (std::size_t v = 0; v < d.vertices.size(); ++v) EXPECT_EQ(d.vertices[v].size(), 8U);
+    for (std::size_t e = 0; e < d.edges.size(); ++e) EXPECT_EQ(d.edges[e].size(), 4U);
+    expect_order(d);
+}
+
+// ---- small sets of other kinds
+// -------------------------------------------------------------------
+
+Balls few_giants(Random& g, int n) {
+    Balls balls;
+    for (int i = 0; i < n; ++i) {
+        const bool is_giant = i < 2;
+        const auto one = [&] { return (is_giant ? 12.0 : 4.0) * (2 * g.real() - 1); };
+        const double x = one(), y = one(), z = one();
+        balls.push_back({x, y, z, is_giant ? 6.0 + g.real() : g.real()});
+    }
+    return balls;
+}
+/// Small balls between two large ones, whose rings meet, touch or stand alone; on a grid.
+Balls rings(Random& g, int n) {
+    Balls balls{{-64, 0, 0, 60}, {64, 0, 0, 60.0 - g.below(3)}};
+    while (static_cast<int>(balls.size()) < n)
+        balls.push_back({0.5 * g.between(-2, 2), 2.0 * g.between(-4, 4), 2.0 * g.between(-4, 4),
+                         0.5 * g.between(1, 4)});
+    return balls;
+}
+
+TEST(BallDiagram, OfFewGiantsAmongSmallOnesIsTheOracles) {
+    Random g(3);
+    for (int trial = 0; trial < 12 * thoroughness && !HasFailure(); ++trial)
+        expect_as_oracle(few_giants(g, 4 + g.below(4)));
+}
+
+TEST(BallDiagram, OfRingsIsTheOracles) {
+    Random g(4);
+    for (int trial = 0; trial < 20 * thoroughness && !HasFailure(); ++trial)
+        expect_as_oracle(rings(g, 3 + g.below(6)));
+}
+
+// ---- what changes nothing
+// ------------------------------------------------------------------------
+
+Balls random_balls(Random& g, int n, double side, double most) {
+    Balls balls;
+    for (int i = 0; i < n; ++i) {
+        const double x = g.real(), y = g.real(), z = g.real();
+        // Of few bits, so that radii can be changed without rounding.
+        balls.push_back(
+            {side * x, side * y, side * z, 1.0 + std::round((most - 1) * 1024 * g.real()) / 1024});
+    }
+    return balls;
+}
+
+TEST(BallDiagram, AChangeOfAllRadiiChangesTheRadiiOfSpheresAlone) {
+    Random g(5);
+    for (int trial = 0; trial < 4 * thoroughness; ++trial) {
+        Balls balls = trial % 2 == 0 ? random_balls(g, 60, 10, 3) : rings(g, 20);
+        const BallDiagram before = ball_diagram(balls);
+        for (Site3& b : balls) b.r -= 8.0;
+        const BallDiagram after = ball_diagram(balls);
+        EXPECT_EQ(before.vertices, after.vertices);
+        EXPECT_EQ(before.turns, after.turns);
+        EXPECT_EQ(before.edges, after.edges);
+        EXPECT_EQ(before.ends, after.ends);
+        EXPECT_EQ(before.hidden, after.hidden);
+        for (std::size_t v = 0; v < before.spheres.size(); ++v)
+            EXPECT_EQ(before.spheres[v].x, after.spheres[v].x);
+    }
+}
+
+/// A list of balls by other names.
+List renamed(std::span<const Index> list, const std::vector<Index>& names) {
+    List result;
+    for (const Index i : list) result.push_back(names[static_cast<std::size_t>(i)]);
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
+TEST(BallDiagram, OrderAndMirrorOfTheInputChangeNothingElse) {
+    Random g(6);
+    for (int trial = 0; trial < 4 * thoroughness; ++trial) {
+        const Balls balls = trial % 2 == 0 ? random_balls(g, 80, 11, 3) : rings(g, 20);
+        std::vector<Index> names(balls.size());
+        for (std::size_t i = 0; i < names.size(); ++i) names[i] = static_cast<Index>(i);
+        for (std::size_t i = names.size(); i > 1; --i)
+            std::swap(names[i - 1], names[static_cast<std::size_t>(g.below(static_cast<int>(i)))]);
+        Balls shuffled;
+        for (const Index i : names) {
+            Site3 b = balls[static_cast<std::size_t>(i)];
+            std::swap(b.x, b.z);  // a mirror image
+            shuffled.push_back(b);
+        }
+        const BallDiagram d = ball_diagram(balls), other = ball_diagram(shuffled);
+        std::map<List, int> vertices, others;
+        for (std::size_t v = 0; v < d.vertices.size(); ++v) ++vertices[list_of(d.vertices[v])];
+        for (std::size_t v = 0; v < other.vertices.size(); ++v)
+            ++others[renamed(other.vertices[v], names)];
+        // Of equal balls another one is the visible one.
+        if (trial % 2 != 0 && !d.hidden.empty()) continue;
+        EXPECT_EQ(vertices, others);
+        Curves curves;
+        for (const auto& [list, arcs] : curves_of(other)) curves[renamed(list, names)] = arcs;
+        EXPECT_EQ(curves_of(d), curves);
+    }
+}
+
+// ---- larger sets
+// ---------------------------------------------------------------------------------
+
+/// Every vertex is empty, by all balls; edges hang together with vertices; and each ball is in the
+/// diagram or hidden.
+void expect_laws(const Balls& balls, const BallDiagram& d) {
+    expect_order(d);
+    std::vector<int> ends(d.vertices.size());
+    for (const auto& [one, other] : d.ends) {
+        EXPECT_EQ(one == no_end, other == no_end);
+        for (const Index end : {one, other})
+            if (end >= 0) ++ends[static_cast<std::size_t>(end)];
+    }
+    std::vector<char> is_hidden(balls.size()), is_seen(balls.size());
+    for (const Hidden& h : d.hidden) {
+        is_hidden[static_cast<std::size_t>(h.site)] = 1;
+        EXPECT_TRUE(euclidean::hidden(balls[static_cast<std::size_t>(h.site)],
+                                      balls[static_cast<std::size_t>(h.by)]));
+    }
+    for (const Index i : d.edges.balls) is_seen[static_cast<std::size_t>(i)] = 1;
+    for (std::size_t i = 0; i < balls.size(); ++i) EXPECT_FALSE(is_hidden[i] && is_seen[i]);
+    for (std::size_t v = 0; v < d.vertices.size(); ++v) {
+        const auto list = d.vertices[v];
+        if (list.size() != 4 || d.turns[v] == 0) continue;
+        EXPECT_EQ(ends[v], 4);
+        const auto at = [&](std::size_t k) -> const Site3& {
+            return balls[static_cast<std::size_t>(list[k])];
+        };
+        const Site3 &a = at(0), &b = at(d.turns[v] > 0 ? 1 : 2), &c = at(d.turns[v] > 0 ? 2 : 1);
+        ASSERT_TRUE(euclidean::exists(a, b, c, at(3)));
+        for (std::size_t q = 0; q < balls.size(); ++q) {
+            const bool is_one =
+                std::find(list.begin(), list.end(), static_cast<Index>(q)) != list.end();
+            if (!is_one && !is_hidden[q]) {
+                ASSERT_LT(euclidean::in_sphere(a, b, c, at(3), balls[q]), 0);
+            }
+        }
+    }
+}
+
+/// All quadruples of balls, by brute force: the vertices, where no five balls touch one sphere.
+std::map<List, int> all_vertices(const Balls& balls, const BallDiagram& d) {
+    std::vector<Index> visible;
+    for (std::size_t i = 0, h = 0; i < balls.size(); ++i) {
+        if (h < d.hidden.size() && d.hidden[h].site == static_cast<Index>(i)) {
+            ++h;
+        } else {
+            visible.push_back(static_cast<Index>(i));
+        }
+    }
+    std::map<List, int> vertices;
+    const std::size_t n = visible.size();
+    const auto at = [&](std::size_t k) -> const Site3& {
+        return balls[static_cast<std::size_t>(visible[k])];
+    };
+    std::vector<std::size_t> judges(n);  // those that have had a conflict first
+    for (std::size_t i = 0; i < n; ++i) judges[i] = i;
+    const auto try_four = [&](std::size_t i, std::size_t j, std::size_t k, std::size_t l,
+                              List list) {
+        if (!euclidean::exists(at(i), at(j), at(k), at(l))) return;
+        for (std::size_t m = 0; m < n; ++m) {
+            const std::size_t q = judges[m];
+            if (q == i || q == j || q == k || q == l) continue;
+            if (euclidean::in_sphere(at(i), at(j), at(k), at(l), at(q)) <= 0) continue;
+            std::swap(judges[m], judges[m / 2]);
+            return;
+        }
+        ++vertices[std::move(list)];
+    };
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = i + 1; j < n; ++j)
+            for (std::size_t k = j + 1; k < n; ++k)
+                for (std::size_t l = k + 1; l < n; ++l) {
+                    const List list{visible[i], visible[j], visible[k], visible[l]};
+                    try_four(i, j, k, l, list);
+                    try_four(i, k, j, l, list);
+                }
+    return vertices;
+}
+
+TEST(BallDiagram, OfMoreBallsHasAllVertices) {
+    Random g(7);
+    for (int trial = 0; trial < thoroughness; ++trial) {
+        const int n = 40 + g.below(20);
+        const Balls balls = trial % 2 == 0 ? random_balls(g, n, 9, 3) : few_giants(g, n);
+        const BallDiagram d = ball_diagram(balls);
+        expect_laws(balls, d);
+        std::map<List, int> vertices;
+        for (std::size_t v = 0; v < d.vertices.size(); ++v) ++vertices[list_of(d.vertices[v])];
+        EXPECT_EQ(vertices, all_vertices(balls, d));
+    }
+}
+
+TEST(BallDiagram, OfManyBallsObeysItsLaws) {
+    Random g(8);
+    for (const int n : {200, 500, is_fast ? 2000 : 800}) {
+        for (const double most : {1.0, 3.0, 20.0}) {
+            const Balls balls = random_balls(g, n, 2.5 * most * std::cbrt(n) / 3, most);
+            expect_laws(balls, ball_diagram(balls));
+        }
+    }
+    const Balls balls = few_giants(g, 600);
+    expect_laws(balls, ball_diagram(balls));
+}
+
+/// Two clouds far from one another, one inside a shell of large balls: nothing that is reached from
+/// one leads to the other along edges.
+TEST(BallDiagram, HasAllComponents) {
+    Random g(9);
+    Balls balls{{-1e4, 0, 0, 9990}, {1e4, 0, 0, 9990}};
+    for (int i = 0; i < 30; ++i)
+        balls.push_back({2 * g.real() - 1, 40 * g.real() - 20, 40 * g.real() - 20, 0.5});
+    for (int i = 0; i < 30; ++i)
+        balls.push_back({2 * g.real() - 1, 2000 + 40 * g.real(), 40 * g.real() - 20, 0.5});
+    const BallDiagram d = ball_diagram(balls);
+    expect_laws(balls, d);
+    std::map<List, int> vertices;
+    for (std::size_t v = 0; v < d.vertices.size(); ++v) ++vertices[list_of(d.vertices[v])];
+    EXPECT_EQ(vertices, all_vertices(balls, d));
+}
+
+TEST(BallDiagram, OfEqualRadiiIsDelaunays) {
+    Random g(10);
+    Balls balls;
+    for (int i = 0; i < 500; ++i) balls.push_back({g.real(), g.real(), g.real(), 0.125});
+    const BallDiagram d = ball_diagram(balls);
+    std::vector<List> ours, theirs;
+    for (std::size_t v = 0; v < d.vertices.size(); ++v) ours.push_back(list_of(d.vertices[v]));
+    std::set<List> facets;
+    for (const SpaceCell& cell : triangulate(std::span<const Site3>(balls)).cells) {
+        List list(cell.begin(), cell.end());
+        std::sort(list.begin(), list.end());
+        for (std::size_t k = 0; k < 4; ++k) {
+            List facet = list;
+            facet.erase(facet.begin() + static_cast<std::ptrdiff_t>(k));
+            if (facet[0] >= 0) facets.insert(facet);
+        }
+        if (list[0] >= 0) theirs.push_back(list);
+    }
+    std::sort(theirs.begin(), theirs.end());
+    EXPECT_EQ(ours, theirs);
+    std::set<List> edges;
+    for (std::size_t e = 0; e < d.edges.size(); ++e) edges.insert(list_of(d.edges[e]));
+    EXPECT_EQ(edges, facets);
+}
+
+}  // namespace
+}  // namespace signum
