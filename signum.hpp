@@ -20,6 +20,7 @@
 #include "predicates/power.hpp"
 #include "predicates/space.hpp"
 #include "predicates/supremum.hpp"
+#include "spatial/compare.hpp"
 #include "spatial/touching_spheres.hpp"
 #include "spatial/triangulate.hpp"
 #include "spatial/vertices.hpp"

@@ -15,7 +15,7 @@ set(public_headers
   triangulation/validate.hpp triangulation/vertices.hpp triangulation/dynamic.hpp
   triangulation/edge_list.hpp triangulation/space.hpp
   kinetic/kinetic_tessellation.hpp
-  spatial/touching_spheres.hpp spatial/triangulate.hpp spatial/vertices.hpp
+  spatial/compare.hpp spatial/touching_spheres.hpp spatial/triangulate.hpp spatial/vertices.hpp
   voronoi/voronoi.hpp voronoi/curve.hpp voronoi/conic.hpp voronoi/clip.hpp voronoi/polygon.hpp
   voronoi/contacts.hpp voronoi/compare.hpp
   motion/simulation.hpp motion/queries.hpp motion/meeting_time.hpp motion/shaking_wall.hpp)
