@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -376,6 +377,20 @@ TEST(WriteJsonInSpace, HoldsTheArrays) {
     EXPECT_EQ(other["weight_is"], "weight");
     EXPECT_EQ(other["statistics"]["seconds"], 0.5);
     EXPECT_TRUE(other["statistics"]["ccw"].is_null());
+    EXPECT_FALSE(json.contains("vertices"));
+    const std::vector<SpaceVertex> diagram = vertices(tessellation, std::span<const Site3>(sites));
+    std::ostringstream with_vertices;
+    write_json(with_vertices, tessellation, Metric::power, WeightIs::radius, {}, diagram);
+    const auto all = nlohmann::json::parse(with_vertices.str())["vertices"];
+    ASSERT_EQ(all.size(), tessellation.cells.size());
+    for (std::size_t c = 0; c < all.size(); ++c) {
+        if (tessellation.cells[c][0] == infinite) {
+            EXPECT_TRUE(all[c].is_null());
+        } else {
+            const auto& [x, y, z, rho] = diagram[c];
+            EXPECT_EQ((all[c].get<std::array<double, 4>>()), (std::array{x, y, z, rho}));
+        }
+    }
 }
 
 TEST(WriteJsonInSpace, WritesFlatSites) {
