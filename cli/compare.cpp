@@ -348,8 +348,8 @@ void add_compare(CLI::App& tool) {
     command->footer(
         "An edge is wrong when no tessellation of the sites, however ties are decided,\n"
         "has it, and different when it is not the canonical choice; a run that lost its\n"
-        "structure is broken. In space cells are judged, in naive and exact arithmetic, and\n"
-        "there is no picture.\n\n"
+        "structure is broken. In space cells are judged, in naive and exact arithmetic\n"
+        "alone, and nothing is drawn.\n\n"
         "Examples:\n"
         "  signum compare sites.txt --metric power -o wrong.svg\n"
         "  signum compare sites.txt --arithmetic naive --against multiprecision --json\n"

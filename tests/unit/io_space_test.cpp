@@ -158,7 +158,10 @@ TEST(JsonSitesInSpace, RefuseWhatIsWrong) {
               "2:8: a fourth number in a site, where the first site has no more than three; with "
               "--dimension 3 the third is z" +
                   plane);
-    EXPECT_EQ(error("[[1,2,3,4]]", {.dimension = 2}), "1:9: a fourth number in a site" + plane);
+    EXPECT_EQ(error("[[1,2,3,4]]", {.dimension = 2}),
+              "1:9: a fourth number in a site, as those in space have it; those of the plane are "
+              "wanted here" +
+                  plane);
     EXPECT_EQ(error("[[1,2,3,4,5]]", in_space), "1:11: a fifth number in a site" + space);
     EXPECT_EQ(error("[[1,2,3,4],\n[1,2]]"), "2:1: a site that ends before x, y and z" + plane);
     EXPECT_EQ(error("[]", in_space), "1:1: no site in this file" + space);
