@@ -78,13 +78,6 @@ class Comparison {
     }
 
     void judge(Report& report, const SpaceTessellation& canonical) const {
-        if (canonical.dimension < 3) {
-            throw CallError(
-                fmt::format("compare: the sites of {} span no space; give sites that do not lie in "
-                            "a plane, or, where z is the same for all, leave it out with "
-                            "--dimension 2",
-                            call_.input));
-        }
         for (Run& run : report.runs) {
             if (!run.tessellation) continue;
             const CellComparison cells = compare_cells(*run.tessellation, canonical, sites_);

@@ -1,7 +1,10 @@
 #include "compare.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <iterator>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -16,16 +19,17 @@ namespace {
 
 /// Cells and neighbours as they must be, so that nobody reads beyond an array.
 void require_sites(const SpaceTessellation& tessellation, std::size_t sites) {
-    if (tessellation.dimension != 3)
-        throw std::invalid_argument("a tessellation to be compared is of flat sites");
     if (tessellation.sites != static_cast<std::int64_t>(sites))
         throw std::invalid_argument("a tessellation to be compared is of other sites");
     if (tessellation.neighbours.size() != tessellation.cells.size())
         throw std::invalid_argument("a tessellation to be compared lacks neighbours of cells");
-    const auto all_below = [](const std::vector<SpaceCell>& quadruples, Index least,
-                              std::size_t end) {
-        return std::ranges::all_of(quadruples, [&](const SpaceCell& each) {
-            return std::ranges::all_of(each, [&](Index i) {
+    const std::ptrdiff_t size = tessellation.dimension + 1;
+    if (size < 0 || size > 4)
+        throw std::invalid_argument("a tessellation to be compared has no dimension of space");
+    const auto all_below = [size](const std::vector<SpaceCell>& tuples, Index least,
+                                  std::size_t end) {
+        return std::ranges::all_of(tuples, [&](const SpaceCell& each) {
+            return std::all_of(each.begin(), each.begin() + size, [&](Index i) {
                 return i >= least && (i < 0 || static_cast<std::size_t>(i) < end);
             });
         });
@@ -42,6 +46,42 @@ void require_sites(const SpaceTessellation& tessellation, std::size_t sites) {
     return cells;
 }
 
+/// Its corners, which turn positively; nothing where they do not, or span less than all sites do.
+/// One of flat sites gets corners outside of what they span for the dimensions that they lack:
+/// whether another of them conflicts does not depend on these (spatial/triangulate.cpp).
+template <class S>
+[[nodiscard]] std::optional<std::array<S, 4>> corners_of(const SpaceCell& cell,
+                                                         std::size_t dimension,
+                                                         std::span<const S> sites) {
+    std::array<S, 4> corners;
+    double extent = 0.0;
+    for (std::size_t m = 0; m <= dimension; ++m) {
+        corners[m] = sites[static_cast<std::size_t>(cell[m])];
+        for (const double x : {corners[m].x, corners[m].y, corners[m].z})
+            extent = std::max(extent, std::fabs(x));
+    }
+    const auto turn = [&] {
+        return ccw(centre3(corners[0]), centre3(corners[1]), centre3(corners[2]),
+                   centre3(corners[3]));
+    };
+    if (dimension == 3) return turn() > 0 ? std::optional(corners) : std::nullopt;
+    const double step = extent > 0.0 ? extent : 1.0;
+    constexpr std::array<double S::*, 3> axes = {&S::x, &S::y, &S::z};
+    // Some of the axes complete whatever spans a dimension less for each.
+    for (std::size_t first = 0; first < 3; ++first) {
+        for (std::size_t m = dimension + 1; m < 4; ++m) {
+            corners[m] = corners[0];
+            double& moved = corners[m].*axes[(first + m) % 3];
+            moved += moved > 0.0 ? -step : step;
+        }
+        const Sign sign = turn();
+        if (sign == 0) continue;
+        if (sign < 0) std::swap(corners[2], corners[3]);
+        return corners;
+    }
+    return std::nullopt;
+}
+
 /// Whether cells are valid, by the canonical tessellation.
 ///
 /// Why the sites around one visible site of a cell tell: over what the centres span, the canonical
@@ -56,6 +96,7 @@ class Validity {
     Validity(const SpaceTessellation& canonical, std::span<const S> sites)
         : canonical_(canonical),
           sites_(sites),
+          size_(static_cast<std::size_t>(canonical.dimension + 1)),
           cell_of_(sites.size(), infinite),
           visited_(canonical.cells.size(), 0) {
         for (std::size_t c = 0; c < canonical.cells.size(); ++c)
@@ -64,14 +105,13 @@ class Validity {
     }
 
     [[nodiscard]] bool of(const SpaceCell& cell) {
-        const auto& [i, j, k, l] = cell;
-        if (ccw(centre3(site(i)), centre3(site(j)), centre3(site(k)), centre3(site(l))) <= 0)
-            return false;
-        const auto conflicts = [&](Index q) {
-            return power::in_sphere(site(i), site(j), site(k), site(l), site(q)) > 0;
-        };
-        const auto visible = std::ranges::find_if(cell, [&](Index v) { return is_visible(v); });
-        if (visible != cell.end()) return !any_around(*visible, conflicts);
+        const auto corners = corners_of(cell, size_ - 1, sites_);
+        if (!corners) return false;
+        const auto& [i, j, k, l] = *corners;
+        const auto conflicts = [&](Index q) { return power::in_sphere(i, j, k, l, site(q)) > 0; };
+        const auto own = std::span(cell).first(size_);
+        const auto visible = std::ranges::find_if(own, [&](Index v) { return is_visible(v); });
+        if (visible != own.end()) return !any_around(*visible, conflicts);
         for (std::size_t q = 0; q < sites_.size(); ++q)
             if (is_visible(static_cast<Index>(q)) && conflicts(static_cast<Index>(q))) return false;
         return true;
@@ -97,7 +137,7 @@ class Validity {
         visit(cell_of_[static_cast<std::size_t>(centre)]);
         for (std::size_t next = 0; next < around_.size(); ++next) {
             const auto c = static_cast<std::size_t>(around_[next]);
-            for (std::size_t m = 0; m < 4; ++m) {
+            for (std::size_t m = 0; m < size_; ++m) {
                 const Index v = canonical_.cells[c][m];
                 if (v == centre) continue;
                 if (v >= 0 && holds(v)) return true;
@@ -109,6 +149,7 @@ class Validity {
 
     const SpaceTessellation& canonical_;
     std::span<const S> sites_;
+    std::size_t size_;                    ///< of a cell
     std::vector<Index> cell_of_;          ///< a canonical cell of each site; infinite: hidden
     std::vector<std::uint64_t> visited_;  ///< by cell the last round in which it was visited
     std::uint64_t round_ = 0;
@@ -120,6 +161,8 @@ CellComparison compare(const SpaceTessellation& tessellation, const SpaceTessell
                        std::span<const S> sites) {
     require_sites(tessellation, sites.size());
     require_sites(canonical, sites.size());
+    if (tessellation.dimension != canonical.dimension)
+        throw std::invalid_argument("two tessellations to be compared are of two dimensions");
     std::vector<SpaceCell> compared = finite_cells(tessellation);
     std::ranges::sort(compared);
     std::vector<SpaceCell> expected = finite_cells(canonical);
@@ -139,20 +182,23 @@ CellComparison compare(const SpaceTessellation& tessellation, const SpaceTessell
 template <class S>
 FacetTies count_ties(const SpaceTessellation& canonical, std::span<const S> sites) {
     require_sites(canonical, sites.size());
-    const auto site = [&](Index i) -> const S& { return sites[static_cast<std::size_t>(i)]; };
+    const auto dimension = static_cast<std::size_t>(canonical.dimension);
     FacetTies result;
     for (std::size_t c = 0; c < canonical.cells.size(); ++c) {
         const SpaceCell& cell = canonical.cells[c];
         if (!is_finite(cell)) continue;
-        for (const Index n : canonical.neighbours[c]) {
+        const auto corners = corners_of(cell, dimension, sites);
+        if (!corners) continue;
+        const auto& [i, j, k, l] = *corners;
+        for (const Index n : std::span(canonical.neighbours[c]).first(dimension + 1)) {
             const SpaceCell& other = canonical.cells[static_cast<std::size_t>(n)];
-            if (static_cast<std::size_t>(n) < c || !is_finite(other)) continue;
+            if (static_cast<std::size_t>(n) <= c || !is_finite(other)) continue;
             const auto across = std::ranges::find_if(
                 other, [&](Index v) { return std::ranges::count(cell, v) == 0; });
             if (across == other.end()) continue;
             ++result.facets;
-            const auto& [i, j, k, l] = cell;
-            result.ties += power::in_sphere(site(i), site(j), site(k), site(l), site(*across)) == 0;
+            const S& q = sites[static_cast<std::size_t>(*across)];
+            result.ties += power::in_sphere(i, j, k, l, q) == 0;
         }
     }
     return result;

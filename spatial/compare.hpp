@@ -4,8 +4,8 @@
 ///
 /// Laws:
 ///  1. A cell between sites is valid where infinitely small changes of the weights show it,
-///     whichever they are: where its centres span space and turn positively, and no site conflicts
-///     with its vertex; one that touches does not.
+///     whichever they are: where its centres span space and turn positively (of flat sites: span
+///     what all centres span), and no site conflicts with its vertex; one that touches does not.
 ///  2. A cell that is not valid is wrong. A valid one is different where the canonical tessellation
 ///     does not have it, or has it less often.
 ///  3. The canonical tessellation itself has neither.
@@ -27,8 +27,8 @@ struct CellComparison {
 /// Compares the cells between sites; infinite ones are not looked at. `canonical` is the exact
 /// tessellation of the same sites (that it is is the caller's word). Exact. O(n), and for each cell
 /// that the canonical tessellation has not as much as there are cells around one of its sites; for
-/// one of hidden sites alone O(n). Throws std::invalid_argument where one of the two is of flat or
-/// of other sites, or names a site that there is not.
+/// one of hidden sites alone O(n). Throws std::invalid_argument where one of the two is of another
+/// dimension or of other sites, or names a site that there is not.
 [[nodiscard]] CellComparison compare_cells(const SpaceTessellation& tessellation,
                                            const SpaceTessellation& canonical,
                                            std::span<const Point3> sites);

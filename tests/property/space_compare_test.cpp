@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../../predicates/power.hpp"
 #include "../../predicates/space/ccw.hpp"
 #include "../../predicates/space/multiprecision.hpp"
 #include "../../spatial/compare.hpp"
@@ -105,9 +106,11 @@ TEST(CompareCells, FindsNothingWrongInOtherOrdersOfTies) {
     std::size_t different = 0;
     for (int trial = 0; trial < 100 * thoroughness; ++trial) {
         const std::size_t count = 6 + static_cast<std::size_t>(random.below(4));
-        const Sites sites = small_integers(random, count, 3, 1 + random.below(3));
+        Sites sites = small_integers(random, count, 3, 1 + random.below(3));
+        if (trial % 2 == 0)  // flat, in a plane along no axis
+            for (power::Site3& s : sites) s.z = s.x + s.y;
         const SpaceTessellation canonical = triangulate(std::span<const power::Site3>(sites));
-        if (canonical.dimension < 3) continue;
+        if (canonical.dimension < 2) continue;
         std::vector<oracle::SpaceSite<3>> same;
         for (const auto& [x, y, z, w] : sites) same.push_back({{x, y, z}, w});
         oracle::Ranks ranks(count);
@@ -118,7 +121,8 @@ TEST(CompareCells, FindsNothingWrongInOtherOrdersOfTies) {
         SpaceTessellation other = canonical;
         other.cells.clear();
         for (SpaceCell cell : oracle::power_space<3>(same, ranks).cells) {
-            if (turn_of(cell, sites) < 0) std::swap(cell[2], cell[3]);
+            if (canonical.dimension == 3 && turn_of(cell, sites) < 0)
+                std::swap(cell[2], cell[3]);
             other.cells.push_back(cell);
         }
         other.neighbours.assign(other.cells.size(), {0, 0, 0, 0});
@@ -127,6 +131,77 @@ TEST(CompareCells, FindsNothingWrongInOtherOrdersOfTies) {
         different += found.different.size();
     }
     EXPECT_GT(different, 100U);
+}
+
+TEST(CompareCells, IsThatOfThePlaneOnFlatSites) {
+    Random random(13);
+    std::size_t wrong = 0;
+    std::size_t different = 0;
+    for (int trial = 0; trial < 100 * thoroughness; ++trial) {
+        Sites sites = small_integers(random, 4 + static_cast<std::size_t>(random.below(6)),
+                                     2 + random.below(4), 1 + random.below(6));
+        for (power::Site3& s : sites) s.z = 5.0;
+        const auto in_plane = [&](Index i) {
+            const power::Site3& s = sites[static_cast<std::size_t>(i)];
+            return power::Site{s.x, s.y, s.w};
+        };
+        // The same plane along other axes.
+        Sites turned = sites;
+        if (trial % 3 > 0)
+            for (power::Site3& s : turned)
+                s = trial % 3 == 1 ? power::Site3{s.z, s.x, s.y, s.w}
+                                   : power::Site3{s.y, s.z, s.x, s.w};
+        const SpaceTessellation canonical = triangulate(std::span<const power::Site3>(turned));
+        if (canonical.dimension != 2) continue;
+        SpaceTessellation all;
+        all.dimension = 2;
+        all.sites = canonical.sites;
+        const auto n = static_cast<Index>(sites.size());
+        for (Index a = 0; a < n; ++a)
+            for (Index b = a + 1; b < n; ++b)
+                for (Index c = b + 1; c < n; ++c) all.cells.push_back({a, b, c, no_vertex});
+        all.neighbours.assign(all.cells.size(), {0, 0, 0, no_vertex});
+        const CellComparison found = compare_cells(all, canonical, turned);
+        for (const SpaceCell& cell : all.cells) {
+            power::Site i = in_plane(cell[0]);
+            power::Site j = in_plane(cell[1]);
+            const power::Site k = in_plane(cell[2]);
+            const Sign turn = ccw(i, j, k);
+            if (turn < 0) std::swap(i, j);
+            bool valid = turn != 0;
+            for (Index q = 0; q < n && valid; ++q)
+                valid = power::in_circle(i, j, k, in_plane(q)) <= 0;
+            const bool there = std::ranges::count(canonical.cells, cell) > 0;
+            ASSERT_EQ(std::ranges::count(found.wrong, cell), valid ? 0 : 1);
+            ASSERT_EQ(std::ranges::count(found.different, cell), valid && !there ? 1 : 0);
+        }
+        wrong += found.wrong.size();
+        different += found.different.size();
+    }
+    EXPECT_GT(wrong, 500U);
+    EXPECT_GT(different, 50U);
+}
+
+TEST(CompareCells, JudgesSitesOnALineAndInOnePlace) {
+    const auto judged = [](const Sites& sites, int dimension, const SpaceCell& cell) {
+        const SpaceTessellation canonical = triangulate(std::span<const power::Site3>(sites));
+        EXPECT_EQ(canonical.dimension, dimension);
+        SpaceTessellation other = canonical;
+        other.cells = {cell};
+        other.neighbours = {{0, 0, 0, 0}};
+        const CellComparison found = compare_cells(other, canonical, sites);
+        return std::array{found.wrong.size(), found.different.size()};
+    };
+    using Counts = std::array<std::size_t, 2>;
+    const Sites line = {{0, 0, 5, 0}, {1, 1, 6, 0}, {3, 3, 8, 0}, {3, 3, 8, 0}};
+    EXPECT_EQ(judged(line, 1, {0, 1, no_vertex, no_vertex}), (Counts{0, 0}));
+    EXPECT_EQ(judged(line, 1, {0, 2, no_vertex, no_vertex}), (Counts{1, 0}));
+    EXPECT_EQ(judged(line, 1, {1, 3, no_vertex, no_vertex}), (Counts{0, 1}));
+    EXPECT_EQ(judged(line, 1, {2, 3, no_vertex, no_vertex}), (Counts{1, 0}));
+    const Sites place = {{7, 7, 7, 1}, {7, 7, 7, 2}, {7, 7, 7, 2}};
+    EXPECT_EQ(judged(place, 0, {0, no_vertex, no_vertex, no_vertex}), (Counts{1, 0}));
+    EXPECT_EQ(judged(place, 0, {1, no_vertex, no_vertex, no_vertex}), (Counts{0, 0}));
+    EXPECT_EQ(judged(place, 0, {2, no_vertex, no_vertex, no_vertex}), (Counts{0, 1}));
 }
 
 TEST(CompareCells, CountsMoreThanThereShouldBeAsDifferent) {
