@@ -19,7 +19,7 @@ namespace signum::cli {
 namespace {
 
 /// What became of the sites in one arithmetic.
-struct Run {
+struct SpaceRun {
     Arithmetic arithmetic;
     std::optional<SpaceTessellation> tessellation;  ///< nothing where the structure broke
     std::string broken;                             ///< ... and this is where
@@ -27,12 +27,12 @@ struct Run {
     study::Interval seconds = {};  ///< without runs where the structure broke
 };
 
-struct Report {
-    std::array<Run, 2> runs;               ///< the one judged, and the one against it
+struct SpaceReport {
+    std::array<SpaceRun, 2> runs;          ///< the one judged, and the one against it
     std::optional<study::Interval> ratio;  ///< of times, the second to the first
     FacetTies facets;
 
-    [[nodiscard]] const Run& judged() const { return runs[0]; }
+    [[nodiscard]] const SpaceRun& judged() const { return runs[0]; }
 };
 
 template <class S>
@@ -40,13 +40,13 @@ class Comparison {
  public:
     Comparison(const CompareCall& call, std::span<const S> sites) : call_(call), sites_(sites) {}
 
-    [[nodiscard]] Report report() {
+    [[nodiscard]] SpaceReport report() {
         if (!call_.quiet) bar_.emplace();
-        Report report = {{Run{arithmetic_of(call_.arithmetic), {}, ""},
-                          Run{arithmetic_of(call_.against), {}, ""}},
-                         {},
-                         {}};
-        for (Run& run : report.runs) {
+        SpaceReport report = {{SpaceRun{arithmetic_of(call_.arithmetic), {}, ""},
+                               SpaceRun{arithmetic_of(call_.against), {}, ""}},
+                              {},
+                              {}};
+        for (SpaceRun& run : report.runs) {
             try {
                 run.tessellation = build(run.arithmetic, true);
             } catch (const BrokenStructure& error) {
@@ -77,8 +77,8 @@ class Comparison {
         }
     }
 
-    void judge(Report& report, const SpaceTessellation& canonical) const {
-        for (Run& run : report.runs) {
+    void judge(SpaceReport& report, const SpaceTessellation& canonical) const {
+        for (SpaceRun& run : report.runs) {
             if (!run.tessellation) continue;
             const CellComparison cells = compare_cells(*run.tessellation, canonical, sites_);
             run.cells = {cells.cells, cells.wrong.size(), cells.different.size()};
@@ -87,10 +87,10 @@ class Comparison {
     }
 
     /// Times of the runs that did not break, in turns.
-    void measure(Report& report) {
+    void measure(SpaceReport& report) {
         std::vector<study::Contestant> contestants;
-        std::vector<Run*> contesting;
-        for (Run& run : report.runs) {
+        std::vector<SpaceRun*> contesting;
+        for (SpaceRun& run : report.runs) {
             if (!run.tessellation) continue;
             contesting.push_back(&run);
             contestants.push_back([this, arithmetic = run.arithmetic] {
@@ -114,8 +114,8 @@ class Comparison {
     double done_ = 0.0;
 };
 
-std::string answer(const Report& report) {
-    const Run& run = report.judged();
+std::string answer_by_cells(const SpaceReport& report) {
+    const SpaceRun& run = report.judged();
     const std::string near =
         report.facets.ties > 0
             ? fmt::format("; {} of {} facets are ties", report.facets.ties, report.facets.facets)
@@ -124,58 +124,58 @@ std::string answer(const Report& report) {
                             : answer_of_broken(name_of(run.arithmetic), near);
 }
 
-void put_table(TextWriter& text, const Report& report) {
+void put_cell_table(TextWriter& text, const SpaceReport& report) {
     const auto row = [&](std::string_view title, auto words) {
         std::string columns[2];
         for (std::size_t i = 0; i < 2; ++i) columns[i] = words(report.runs[i]);
         text.put(FMT_COMPILE("{:<24}{:>24}{:>24}\n"), title, columns[0], columns[1]);
     };
     const auto cells = [&](std::string_view title, std::size_t Counts::*kind) {
-        row(title, [&](const Run& run) {
+        row(title, [&](const SpaceRun& run) {
             if (!run.tessellation) return std::string();
             const std::size_t count = run.cells.*kind;
             return fmt::format("{} ({:.3g} %)", count, run.cells.percent(count));
         });
     };
-    row("", [](const Run& run) { return std::string(name_of(run.arithmetic)); });
-    row("seconds, median", [](const Run& run) {
+    row("", [](const SpaceRun& run) { return std::string(name_of(run.arithmetic)); });
+    row("seconds, median", [](const SpaceRun& run) {
         return run.tessellation ? fmt::format("{:.3g}", run.seconds.median) : std::string("broken");
     });
-    row("  95 % interval", [](const Run& run) {
+    row("  95 % interval", [](const SpaceRun& run) {
         return run.tessellation ? fmt::format("{:.3g} to {:.3g}", run.seconds.low, run.seconds.high)
                                 : std::string();
     });
-    row("cells", [](const Run& run) {
+    row("cells", [](const SpaceRun& run) {
         return run.tessellation ? fmt::format("{}", run.cells.all) : std::string();
     });
     cells("wrong", &Counts::wrong);
     cells("different", &Counts::different);
     text.put("\n");
-    for (const Run& run : report.runs)
+    for (const SpaceRun& run : report.runs)
         if (!run.tessellation)
             text.put(FMT_COMPILE("{} broke: {}\n"), name_of(run.arithmetic), run.broken);
     if (report.ratio)
         text.put(FMT_COMPILE("{} / {} time: {:.3g} ({:.3g} to {:.3g}, {} rounds)\n"),
                  name_of(report.runs[1].arithmetic), name_of(report.runs[0].arithmetic),
                  report.ratio->median, report.ratio->low, report.ratio->high, report.ratio->runs);
-    text.put(FMT_COMPILE("{}\n"), answer(report));
+    text.put(FMT_COMPILE("{}\n"), answer_by_cells(report));
 }
 
-std::string cell_counts(const Run& run) {
+std::string cell_counts(const SpaceRun& run) {
     if (!run.tessellation) return "\"cells\": null, \"wrong\": null, \"different\": null";
     return fmt::format("\"cells\": {}, \"wrong\": {}, \"different\": {}", run.cells.all,
                        run.cells.wrong, run.cells.different);
 }
 
-void put_json(TextWriter& text, const Report& report) {
-    const Run& judged = report.judged();
+void put_cell_json(TextWriter& text, const SpaceReport& report) {
+    const SpaceRun& judged = report.judged();
     text.put(FMT_COMPILE("{{{}, \"broken\": {}, \"ratio\": {}"), cell_counts(judged),
              quoted_or_null(judged.broken),
              report.ratio ? number_or_null(report.ratio->median) : "null");
     text.put(FMT_COMPILE(",\n\"margins\": {{\"facets\": {}, \"ties\": {}}}"), report.facets.facets,
              report.facets.ties);
-    text.put(FMT_COMPILE(",\n\"answer\": {}"), quoted_or_null(answer(report)));
-    for (const Run& run : report.runs) {
+    text.put(FMT_COMPILE(",\n\"answer\": {}"), quoted_or_null(answer_by_cells(report)));
+    for (const SpaceRun& run : report.runs) {
         text.put(FMT_COMPILE(",\n\"{}\": {{{}, \"broken\": {}"), name_of(run.arithmetic),
                  cell_counts(run), quoted_or_null(run.broken));
         if (run.tessellation) {
@@ -201,15 +201,15 @@ void compare_in_space(const CompareCall& call, const InputSites& sites) {
     }
     check_arithmetic_in_space(call, "--arithmetic", call.arithmetic);
     check_arithmetic_in_space(call, "--against", call.against);
-    const Report report = with_sites_in_space(sites, [&]<class S>(std::span<const S> those) {
+    const SpaceReport report = with_sites_in_space(sites, [&]<class S>(std::span<const S> those) {
         return Comparison<S>(call, those).report();
     });
     DescriptorStream out(1, "standard output");
     TextWriter text(out);
     if (call.json) {
-        put_json(text, report);
+        put_cell_json(text, report);
     } else {
-        put_table(text, report);
+        put_cell_table(text, report);
     }
     text.flush();
     out.flush();

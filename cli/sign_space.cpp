@@ -32,7 +32,7 @@ Answer decide_ccw_in_space(const SignCall& call) {
 
 /// i, j, k, l and q.
 template <class S>
-std::array<S, 5> sites_of(const SignCall& call) {
+std::array<S, 5> sites_in_space_of(const SignCall& call) {
     const std::vector<double> v =
         numbers_of(call, 20, "x y z r of each of the sites i, j, k, l and of the query");
     std::array<S, 5> sites;
@@ -40,11 +40,11 @@ std::array<S, 5> sites_of(const SignCall& call) {
         sites[m] = {v[4 * m], v[4 * m + 1], v[4 * m + 2], v[4 * m + 3]};
     return sites;
 }
-constexpr std::string_view names = "ijklq";
+constexpr std::string_view names_in_space = "ijklq";
 
 template <class S>
 Answer decide_in_sphere_of(const SignCall& call) {
-    const auto sites = sites_of<S>(call);
+    const auto sites = sites_in_space_of<S>(call);
     const auto& [i, j, k, l, q] = sites;
     const Sign turn = ccw_decision(i, j, k, l).sign;
     if (turn < 0) {
@@ -65,7 +65,7 @@ Answer decide_in_sphere_of(const SignCall& call) {
                                    sites[static_cast<std::size_t>(b)], b);
         });
         explain_tie(answer, "sphere of i, j, k and l", "weight, rising x, y, z",
-                    names[static_cast<std::size_t>(last - indices.begin())],
+                    names_in_space[static_cast<std::size_t>(last - indices.begin())],
                     power::in_sphere_tie(sites, indices) > 0);
     }
     explain_stage(answer);
@@ -79,7 +79,7 @@ Answer decide_in_power_sphere(const SignCall& call) {
 
 /// Throws CallError where no sphere touches i, j, k and l with points of contact that turn
 /// positively, and says why.
-void check_existence(const std::array<Site3, 5>& sites) {
+void check_sphere_exists(const std::array<Site3, 5>& sites) {
     const auto& [i, j, k, l, q] = sites;
     if (euclidean::exists(i, j, k, l)) return;
     for (std::size_t a = 0; a < 4; ++a) {
@@ -88,7 +88,7 @@ void check_existence(const std::array<Site3, 5>& sites) {
             throw CallError(
                 fmt::format("sign in_sphere: {0} hides {1}, so that no sphere touches i, j, k and "
                             "l; leave {1} out",
-                            names[a], names[b]));
+                            names_in_space[a], names_in_space[b]));
         }
     }
     throw CallError(
@@ -102,15 +102,15 @@ void check_existence(const std::array<Site3, 5>& sites) {
 
 /// The metric has no tie rule in space.
 Answer decide_in_euclidean_sphere(const SignCall& call) {
-    const auto sites = sites_of<Site3>(call);
+    const auto sites = sites_in_space_of<Site3>(call);
     const auto& [i, j, k, l, q] = sites;
-    check_existence(sites);
+    check_sphere_exists(sites);
     Answer answer = {euclidean::in_sphere_decision(i, j, k, l, q), {}, {}};
     for (std::size_t m = 0; m < 4; ++m) {
         if (euclidean::hidden(q, sites[m]))
-            answer.words.push_back(fmt::format("hidden   {} hides q", names[m]));
+            answer.words.push_back(fmt::format("hidden   {} hides q", names_in_space[m]));
         if (euclidean::hidden(sites[m], q))
-            answer.words.push_back(fmt::format("hidden   q hides {}", names[m]));
+            answer.words.push_back(fmt::format("hidden   q hides {}", names_in_space[m]));
     }
     if (answer.decision.sign == 0) {
         answer.words.emplace_back(
