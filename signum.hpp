@@ -23,6 +23,7 @@
 #include "spatial/any_dimension/triangulate.hpp"
 #include "spatial/any_dimension/validate.hpp"
 #include "spatial/ball_diagram.hpp"
+#include "spatial/compare.hpp"
 #include "spatial/touching_rectangular.hpp"
 #include "spatial/touching_spheres.hpp"
 #include "spatial/triangulate.hpp"

@@ -8,6 +8,7 @@
 #include "../io/number.hpp"
 
 #include "commands.hpp"
+#include "outputs.hpp"
 #include "sites_call.hpp"
 
 namespace signum::cli {
@@ -97,6 +98,25 @@ CLI::Option* add_columns(CLI::App& command, std::string& columns) {
         ->type_name("X,Y[,R]");
 }
 
+namespace {
+
+/// Reads sites as the plane's columns. Where that fails in a file whose ending says that it holds
+/// sites in space, this is what is said.
+SitesFile read_in_plane(const std::string& path, const ReadOptions& options) {
+    try {
+        return read_sites(path, options);
+    } catch (const InputError& error) {
+        if (input_by_ending(ending_of(path)) == SitesInput::text) throw;
+        throw CallError(
+            fmt::format("{}: by its ending it holds sites in space, and sites of the plane are "
+                        "wanted here; signum triangulate and signum compare take it with --metric "
+                        "power (as lines x y [r] it is wrong: {})",
+                        path, error.what()));
+    }
+}
+
+}  // namespace
+
 SitesFile read_sites_by_columns(const std::string& path, const std::string& columns,
                                 std::optional<int> dimension, SitesInput input) {
     Columns chosen;
@@ -130,7 +150,8 @@ SitesFile read_sites_by_columns(const std::string& path, const std::string& colu
             "--dimension 2: the sites of {} lie in space; leave it out, or add --read-as text",
             path));
     }
-    SitesFile file = read_sites(path, {.columns = chosen, .dimension = dimension, .input = input});
+    const ReadOptions options = {.columns = chosen, .dimension = dimension, .input = input};
+    SitesFile file = dimension == 2 ? read_in_plane(path, options) : read_sites(path, options);
     if (!file.note.empty()) say("signum: {}\n", file.note);
     return file;
 }

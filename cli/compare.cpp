@@ -21,19 +21,12 @@
 #include "../voronoi/compare.hpp"
 
 #include "commands.hpp"
-#include "outputs.hpp"
+#include "compare_call.hpp"
+#include "compare_space.hpp"
 #include "progress.hpp"
-#include "sites_call.hpp"
 
 namespace signum::cli {
 namespace {
-
-/// The call as it was typed; SitesCall::arithmetic is the one that is judged.
-struct CompareCall : SitesCall, OutputsCall {
-    std::string against = "exact";
-    double seconds = 1.0;
-    bool json = false;
-};
 
 /// What became of the sites in one arithmetic.
 struct Run {
@@ -43,10 +36,8 @@ struct Run {
     EdgeComparison edges = {};
     study::Interval seconds = {};  ///< without runs where the structure broke
 
-    [[nodiscard]] double percent(std::size_t count) const {
-        return edges.edges == 0
-                   ? 0.0
-                   : 100.0 * static_cast<double>(count) / static_cast<double>(edges.edges);
+    [[nodiscard]] Counts counts() const {
+        return {edges.edges, edges.wrong.size(), edges.different.size()};
     }
 };
 
@@ -163,24 +154,33 @@ std::string answer(const Report& report) {
     if (margins.ties > 0)
         near += fmt::format("{} {} of {} edges are ties", margins.least ? ", and" : ";",
                             margins.ties, margins.edges);
-    if (!run.tessellation)
-        return fmt::format("These sites need exactness: in {} arithmetic the structure broke{}.",
-                           name, near);
-    const std::size_t wrong = run.edges.wrong.size();
-    if (wrong > 0)
+    return run.tessellation ? answer_by(run.counts(), name, "edge", near)
+                            : answer_of_broken(name, near);
+}
+
+}  // namespace
+
+std::string answer_by(const Counts& counts, std::string_view arithmetic, std::string_view kind,
+                      std::string_view near) {
+    if (counts.wrong > 0)
         return fmt::format(
-            "These sites need exactness: {} arithmetic got {} of {} edges wrong ({:.2g} %){}.",
-            name, wrong, run.edges.edges, run.percent(wrong), near);
-    const std::size_t different = run.edges.different.size();
-    if (different > 0)
+            "These sites need exactness: {} arithmetic got {} of {} {}s wrong ({:.2g} %){}.",
+            arithmetic, counts.wrong, counts.all, kind, counts.percent(counts.wrong), near);
+    if (counts.different > 0)
         return fmt::format(
             "These sites need exactness only for a result that does not depend on their order: {} "
-            "arithmetic got no edge wrong, and {} of {} otherwise than the tie rule{}.",
-            name, different, run.edges.edges, near);
-    return fmt::format(
-        "These sites do not need exactness: {} arithmetic got no edge of {} wrong{}.", name,
-        run.edges.edges, near);
+            "arithmetic got no {} wrong, and {} of {} otherwise than the tie rule{}.",
+            arithmetic, kind, counts.different, counts.all, near);
+    return fmt::format("These sites do not need exactness: {} arithmetic got no {} of {} wrong{}.",
+                       arithmetic, kind, counts.all, near);
 }
+
+std::string answer_of_broken(std::string_view arithmetic, std::string_view near) {
+    return fmt::format("These sites need exactness: in {} arithmetic the structure broke{}.",
+                       arithmetic, near);
+}
+
+namespace {
 
 void put_table(TextWriter& text, const Report& report) {
     const auto row = [&](std::string_view title, auto cell) {
@@ -197,7 +197,7 @@ void put_table(TextWriter& text, const Report& report) {
         row(title, [&](const Run& run) {
             if (!run.tessellation) return std::string();
             const std::size_t count = (run.edges.*kind).size();
-            return fmt::format("{} ({:.3g} %)", count, run.percent(count));
+            return fmt::format("{} ({:.3g} %)", count, run.counts().percent(count));
         });
     };
     row("", [](const Run& run) { return std::string(name_of(run.arithmetic)); });
@@ -235,10 +235,6 @@ void put_table(TextWriter& text, const Report& report) {
 }
 
 // ---- JSON --------------------------------------------------------------------------------------
-
-std::string quoted_or_null(const std::string& words) {
-    return words.empty() ? "null" : fmt::format("\"{}\"", words);
-}
 
 std::string edge_counts(const Run& run) {
     if (!run.tessellation) return "\"edges\": null, \"wrong\": null, \"different\": null";
@@ -294,6 +290,7 @@ void run(const CompareCall& call) {
             "in -o wrong.svg");
     }
     const InputSites sites = read_input(call);
+    if (sites.file.dimension == 3) return compare_in_space(call, sites);
     for (const std::string& arithmetic : {call.arithmetic, call.against})
         check_reach(call.input, sites.file, arithmetic);
     const Outputs outputs(targets);
@@ -330,6 +327,7 @@ void add_compare(CLI::App& tool) {
     CLI::App* command = tool.add_subcommand(
         "compare", "Says what rounded arithmetic gets wrong, and what exactness costs");
     add_sites(*command, *call);
+    add_space(*command, *call);
     command
         ->add_option("--arithmetic", call->arithmetic,
                      "The one that is judged, a name that triangulate\n--arithmetic knows")
@@ -350,10 +348,12 @@ void add_compare(CLI::App& tool) {
     command->footer(
         "An edge is wrong when no tessellation of the sites, however ties are decided,\n"
         "has it, and different when it is not the canonical choice; a run that lost its\n"
-        "structure is broken.\n\n"
+        "structure is broken. In space cells are judged, in naive and exact arithmetic\n"
+        "alone, and nothing is drawn.\n\n"
         "Examples:\n"
         "  signum compare sites.txt --metric power -o wrong.svg\n"
-        "  signum compare sites.txt --arithmetic naive --against multiprecision --json");
+        "  signum compare sites.txt --arithmetic naive --against multiprecision --json\n"
+        "  signum compare atoms.pdb --metric power");
     command->callback([call] { run(*call); });
 }
 

@@ -102,8 +102,11 @@ std::string explain_missing(const CLI::App& command) {
 }
 
 std::string explain_surplus(const CLI::App& command, const std::string& word) {
-    return fmt::format("{} is a word too many{}; the least is signum {}", in_quotes(word),
-                       looks_like_option(word) ? ", no option after --" : "", least_call(command));
+    const bool is_study = command.get_name() == "study";
+    return fmt::format("{} is a word too many{}; {}", in_quotes(word),
+                       looks_like_option(word) ? ", no option after --" : "",
+                       is_study ? "a study makes its own sites, signum compare FILE judges yours"
+                                : "the least is signum " + least_call(command));
 }
 
 /// An error of a call whose subcommand is known. What stands where it cannot stand comes first: it

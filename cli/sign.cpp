@@ -270,8 +270,9 @@ void add_sign(CLI::App& tool) {
                      "           or on (0) the circle (diamond, square) that\n"
                      "           touches the others counterclockwise\n"
                      "in_sphere  the same of a sphere in space that touches\n"
-                     "           four others, which turn positively; --metric\n"
-                     "           power alone")
+                     "           four others, in the power metric centres\n"
+                     "           that turn positively, in the Euclidean one\n"
+                     "           in points that do; these two metrics alone")
         ->required()
         ->transform(one_of({"ccw", "in_circle", "in_sphere"}))
         ->type_name("");
@@ -290,7 +291,8 @@ void add_sign(CLI::App& tool) {
     add_weight_is(*command, call->weight_is, "radius");
     command->add_flag("--json", call->json,
                       "Prints {\"sign\": S, \"stage\": NAME}; where in_circle\n"
-                      "or in_sphere is 0 also \"tie\": {\"last\": SITE, \"conflict\": BOOL}");
+                      "or in_sphere is 0, and there is a tie rule, also\n\"tie\": {\"last\": SITE, "
+                      "\"conflict\": BOOL}");
     command->footer(
         "Prints the sign and the stage; words about ties, hidden sites and stages behind\n"
         "the filter go to standard error.\n\n"
@@ -299,7 +301,8 @@ void add_sign(CLI::App& tool) {
         "  signum sign in_circle --metric power -- 0 0 1  1 0 1  0 1 1  1 1 1\n"
         "  signum sign in_circle --metric supremum -- 0 0 0  4 1 0  1 4 0  2 2 0\n"
         "  signum sign ccw --dimension 3 -- 0 0 0  1 0 0  0 1 0  0 0 1\n"
-        "  signum sign in_sphere --metric power -- 0 0 0 1  1 0 0 1  0 1 0 1  0 0 1 1  1 1 1 1");
+        "  signum sign in_sphere --metric power -- 0 0 0 1  1 0 0 1  0 1 0 1  0 0 1 1  1 1 1 1\n"
+        "  signum sign in_sphere -- 0 0 0 1  4 0 0 1  0 4 0 1  0 0 4 0.5  1 1 1 0");
     command->callback([call] { print(decide(*call), call->json); });
 }
 

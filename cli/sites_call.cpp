@@ -142,6 +142,13 @@ void check_reach(const std::string& path, const SitesFile& file, const std::stri
                      "single, or write smaller numbers");
 }
 
+std::string broken_words(const std::string& arithmetic, const BrokenStructure& error) {
+    return fmt::format(
+        "the structure broke, because {} arithmetic rounds its signs: {}; nothing is written, "
+        "--arithmetic exact cannot break",
+        arithmetic, error.what());
+}
+
 Tessellation construct(const SitesCall& call, const InputSites& sites, Method method) {
     check_reach(call.input, sites.file, call.arithmetic);
     std::optional<Progress> progress;
@@ -158,10 +165,7 @@ Tessellation construct(const SitesCall& call, const InputSites& sites, Method me
         return triangulate(strided_view(sites.file.sites, sites.third), metric_of(call.metric),
                            options);
     } catch (const BrokenStructure& error) {
-        throw CheckFailure(
-            fmt::format("the structure broke, because {} arithmetic rounds its signs: "
-                        "{}; nothing is written, --arithmetic exact cannot break",
-                        call.arithmetic, error.what()));
+        throw CheckFailure(broken_words(call.arithmetic, error));
     } catch (const std::invalid_argument& error) {
         throw CallError(error.what());
     }

@@ -59,6 +59,9 @@ void check_reach(const std::string& path, const SitesFile& file, const std::stri
 Tessellation construct(const SitesCall& call, const InputSites& sites,
                        Method method = Method::incremental);
 
+/// What to say where rounded signs broke the structure, so that nothing is written.
+std::string broken_words(const std::string& arithmetic, const BrokenStructure& error);
+
 /// A line of a summary, to standard error. Nobody loses a result because nobody reads its summary:
 /// failures to write are ignored.
 template <typename... Arguments>

@@ -179,7 +179,8 @@ void add_triangulate(CLI::App& tool) {
                      "sum             the exact sign of a sum alone (ESSA)\n"
                      "multiprecision  rationals alone\n"
                      "naive           doubles, which round\n"
-                     "single          floats, which round")
+                     "single          floats, which round\n"
+                     "In space exact and naive alone.")
         ->transform(name_of_arithmetic())
         ->type_name("NAME")
         ->capture_default_str();
@@ -187,7 +188,7 @@ void add_triangulate(CLI::App& tool) {
     add_clip(*command, call->clip,
              "The box that a picture shows. Default: all sites\nwith some room around them");
     command->add_flag("--vertices", call->vertices,
-                      "Adds centre and distance of every finite face\nto the JSON");
+                      "Adds centre and distance of every finite face,\nin space cell, to the JSON");
     command->add_flag("--stats", call->statistics,
                       "Adds counters and time to the JSON and to the\nsummary");
     command->add_flag("--check", call->check,

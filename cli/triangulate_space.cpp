@@ -13,9 +13,11 @@
 #include "../io/write_obj.hpp"
 #include "../io/write_vtk.hpp"
 #include "../spatial/triangulate.hpp"
+#include "../spatial/vertices.hpp"
 
 #include "commands.hpp"
 #include "progress.hpp"
+#include "space_sites.hpp"
 
 namespace signum::cli {
 namespace {
@@ -28,28 +30,26 @@ void refuse_options_of_the_plane(const TriangulateCall& call) {
     };
     if (call.method != name_of(Method::incremental))
         refuse("--method " + call.method, "the method incremental alone");
-    if (arithmetic_of(call.arithmetic) != Arithmetic::exact)
-        refuse("--arithmetic " + call.arithmetic, "exact arithmetic alone");
-    if (call.vertices) refuse("--vertices", "no vertices in JSON yet");
+    check_arithmetic_in_space(call, "--arithmetic", call.arithmetic);
     if (call.check) refuse("--check", "no check yet");
     if (!call.clip.empty()) refuse("--clip", "pictures of all of them alone");
 }
 
+/// Throws CheckFailure where naive arithmetic broke the structure.
 SpaceTessellation construct_in_space(const TriangulateCall& call, const InputSites& sites) {
     std::optional<Progress> progress;
     Options options;
+    options.arithmetic = arithmetic_of(call.arithmetic);
     options.seed = call.seed;
     if (!call.quiet) {
         progress.emplace();
         options.progress = [&progress](double share) { progress->show(share); };
     }
-    const std::vector<Site3>& balls = sites.file.in_space;
     try {
-        if (sites.third == WeightIs::radius) return triangulate(balls, Power{}, options);
-        std::vector<power::Site3> weighted;
-        weighted.reserve(balls.size());
-        for (const auto& [x, y, z, w] : balls) weighted.push_back({x, y, z, w});
-        return triangulate(weighted, Power{}, options);
+        return with_sites_in_space(
+            sites, [&](auto those) { return triangulate(those, Power{}, options); });
+    } catch (const BrokenStructure& error) {
+        throw CheckFailure(broken_words(call.arithmetic, error));
     } catch (const std::invalid_argument& error) {
         throw CallError(error.what());
     }
@@ -94,6 +94,11 @@ void triangulate_in_space(const TriangulateCall& call, const InputSites& sites,
     const Timed result = timed(call, sites);
     const SpaceTessellation& tessellation = result.tessellation;
     const std::vector<Site3>& balls = sites.file.in_space;
+    std::vector<SpaceVertex> diagram;
+    if (call.vertices) {
+        diagram =
+            with_sites_in_space(sites, [&](auto those) { return vertices(tessellation, those); });
+    }
     outputs.write([&](std::ostream& out, std::string_view format) {
         if (format == "svg") {
             write_svg(out, tessellation, balls, sites.third);
@@ -105,7 +110,7 @@ void triangulate_in_space(const TriangulateCall& call, const InputSites& sites,
             write_vtk(out, tessellation, balls, sites.third);
         } else {
             write_json(out, tessellation, metric_of(call.metric), sites.third,
-                       call.statistics ? std::optional(result.statistics) : std::nullopt);
+                       call.statistics ? std::optional(result.statistics) : std::nullopt, diagram);
         }
     });
     if (!call.quiet) summarize(result, sites.third, targets);

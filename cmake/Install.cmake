@@ -15,8 +15,8 @@ set(public_headers
   triangulation/validate.hpp triangulation/vertices.hpp triangulation/dynamic.hpp
   triangulation/edge_list.hpp triangulation/space.hpp
   kinetic/kinetic_tessellation.hpp
-  spatial/ball_diagram.hpp spatial/touching_rectangular.hpp spatial/touching_spheres.hpp spatial/triangulate.hpp
-  spatial/validate.hpp spatial/vertices.hpp
+  spatial/ball_diagram.hpp spatial/compare.hpp spatial/touching_rectangular.hpp
+  spatial/touching_spheres.hpp spatial/triangulate.hpp spatial/validate.hpp spatial/vertices.hpp
   spatial/any_dimension/triangulate.hpp spatial/any_dimension/validate.hpp
   voronoi/voronoi.hpp voronoi/curve.hpp voronoi/conic.hpp voronoi/clip.hpp voronoi/polygon.hpp
   voronoi/contacts.hpp voronoi/compare.hpp voronoi/space_cells.hpp voronoi/space_polyhedra.hpp

@@ -95,9 +95,11 @@ class JsonSites final : public JsonEvents {
         if (depth_ < 2) fail_at_value("a number outside of a site");
         if (size_ == most()) {
             fail_at_value(size_ == 4 ? "a fifth number in a site"
-                          : is_told_ ? "a fourth number in a site"
-                                     : "a fourth number in a site, where the first site has no "
-                                       "more than three; with --dimension 3 the third is z");
+                          : is_told_
+                              ? "a fourth number in a site, as those in space have it; those of "
+                                "the plane are wanted here"
+                              : "a fourth number in a site, where the first site has no "
+                                "more than three; with --dimension 3 the third is z");
         }
         for (std::size_t which = 0; which < places_.size(); ++which) {
             if (places_[which] != size_) continue;

@@ -133,12 +133,15 @@ class TextSites {
     /// A third column without a name that makes it one is no radius.
     void leave_out(std::size_t column) {
         const auto& [x, y, none] = layout_.columns;
+        const bool is_height = columns_.name(column) == "z";
         result_.note = fmt::format(
-            "{}: {} is x, {} is y, and {} is left out: no radius, or it would be called r, "
-            "radius or weight. --columns {},{},{} takes it for one, --columns {},{} leaves it out "
-            "without a word",
+            "{}: {} is x, {} is y, and {} is left out: {}. --columns {},{},{} takes it for {}, "
+            "--columns {},{} leaves it out without a word",
             columns_.place_of_line(), in_quotes(columns_.text(x)), in_quotes(columns_.text(y)),
-            in_quotes(columns_.text(column)), x + 1, y + 1, column + 1, x + 1, y + 1);
+            in_quotes(columns_.text(column)),
+            is_height ? "sites lie in the plane here"
+                      : "no radius, or it would be called r, radius or weight",
+            x + 1, y + 1, column + 1, is_height ? "a radius" : "one", x + 1, y + 1);
     }
 
     /// Other columns beside x, y and r say something about a site; z says that it lies in space.

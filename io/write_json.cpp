@@ -24,6 +24,21 @@ void put_vertices(TextWriter& text, const Tessellation& tessellation) {
     });
 }
 
+void put_vertices(TextWriter& text, const SpaceTessellation& tessellation,
+                  std::span<const SpaceVertex> vertices) {
+    std::size_t next = 0;
+    text.put_array("vertices", tessellation.cells, [&](const SpaceCell& cell) {
+        const SpaceVertex& vertex = vertices[next++];
+        if (cell[0] == infinite || tessellation.dimension < 3) {
+            text.put("null");
+        } else {
+            text.put(FMT_COMPILE("[{}, {}, {}, {}]"), number_or_null(vertex.x),
+                     number_or_null(vertex.y), number_or_null(vertex.z),
+                     number_or_null(vertex.rho));
+        }
+    });
+}
+
 void put_statistics(TextWriter& text, const Statistics& statistics) {
     text.put(",\n\"statistics\": {");
     for (const Counter& counter : counters)
@@ -58,21 +73,23 @@ void write_json(std::ostream& out, const Tessellation& tessellation, const JsonO
 }
 
 void write_json(std::ostream& out, const SpaceTessellation& tessellation, Metric metric,
-                WeightIs weight_is, const std::optional<Statistics>& statistics) {
+                WeightIs weight_is, const std::optional<Statistics>& statistics,
+                std::span<const SpaceVertex> vertices) {
     TextWriter text(out);
     text.put(
         FMT_COMPILE("{{\"format\": \"signum.tessellation\", \"version\": 1, \"dimension\": {}, "
                     "\"metric\": \"{}\", \"weight_is\": \"{}\", \"sites\": {}"),
         tessellation.dimension, name_of(metric), name_of(weight_is), tessellation.sites);
-    const std::ptrdiff_t vertices = tessellation.dimension + 1;
+    const std::ptrdiff_t size = tessellation.dimension + 1;
     const auto put_cell = [&](const SpaceCell& cell) {
-        text.put(FMT_COMPILE("[{}]"), fmt::join(cell.begin(), cell.begin() + vertices, ", "));
+        text.put(FMT_COMPILE("[{}]"), fmt::join(cell.begin(), cell.begin() + size, ", "));
     };
     text.put_array("cells", tessellation.cells, put_cell);
     text.put_array("neighbours", tessellation.neighbours, put_cell);
     text.put_array("hidden", tessellation.hidden, [&](const Hidden& hidden) {
         text.put(FMT_COMPILE("[{}, {}]"), hidden.site, hidden.by);
     });
+    if (!vertices.empty()) put_vertices(text, tessellation, vertices);
     if (statistics) put_statistics(text, *statistics);
     text.put("}\n");
     text.flush();

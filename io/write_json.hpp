@@ -8,8 +8,10 @@
 
 #include <optional>
 #include <ostream>
+#include <span>
 
 #include "../spatial/triangulate.hpp"
+#include "../spatial/vertices.hpp"
 #include "../triangulation/tessellation.hpp"
 
 namespace signum {
@@ -24,8 +26,10 @@ void write_json(std::ostream& out, const Tessellation& tessellation,
                 const JsonOptions& options = {});
 
 /// One of space: its "dimension", and "cells" in place of faces, each with one vertex more than
-/// that. Statistics go in where there are any.
+/// that. Statistics go in where there are any, and so do vertices, one a cell (precondition): null
+/// for infinite cells and for those of flat sites.
 void write_json(std::ostream& out, const SpaceTessellation& tessellation, Metric metric,
-                WeightIs weight_is, const std::optional<Statistics>& statistics = {});
+                WeightIs weight_is, const std::optional<Statistics>& statistics = {},
+                std::span<const SpaceVertex> vertices = {});
 
 }  // namespace signum

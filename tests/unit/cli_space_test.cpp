@@ -110,14 +110,13 @@ TEST_F(ToolInSpace, SaysWhatIsOfThePlaneAlone) {
                "tessellations of the power metric alone; add --metric power\n");
     expect(triangulate({"--check"}), 2,
            "signum: --check" + of_file + "no check yet; leave --check out\n");
-    expect(triangulate({"--vertices"}), 2,
-           "signum: --vertices" + of_file + "no vertices in JSON yet; leave --vertices out\n");
     expect(
         triangulate({"--method", "flips"}), 2,
         "signum: --method flips" + of_file + "the method incremental alone; leave --method out\n");
-    expect(triangulate({"--arithmetic", "naive"}), 2,
-           "signum: --arithmetic naive" + of_file +
-               "exact arithmetic alone; leave --arithmetic out\n");
+    expect(triangulate({"--arithmetic", "single"}), 2,
+           "signum: --arithmetic single" + of_file +
+               "the arithmetics exact and naive alone; leave --arithmetic out, or name one of "
+               "them\n");
     const std::string svg = scratch.path("a.svg");
     expect(triangulate({"--clip", "0", "0", "1", "1", "-o", svg}), 2,
            "signum: --clip" + of_file + "pictures of all of them alone; leave --clip out\n");
@@ -175,6 +174,158 @@ TEST_F(ToolInSpace, WritesEveryFormat) {
     const std::string flat = scratch.file("f.csv", "x,y,z\n0,0,0\n1,1,1\n2,2,2\n");
     EXPECT_TRUE(run({"triangulate", flat, "--metric", "power", "--format", "svg"})
                     .err.starts_with("sites    3, in space\nflat     all lie on a line\n"));
+}
+
+TEST_F(ToolInSpace, WritesVertices) {
+    const std::string json = run(triangulate({"--vertices", "--quiet"})).out;
+    const std::string alone = run(triangulate({"--quiet"})).out;
+    // The same, and behind the hidden sites the vertices: null for infinite cells. The first one is
+    // at (2, 2, z) by the corners 0, 1, 2, and its distance from (1, 1, 1) says -2.125 of z.
+    const std::string same = alone.substr(0, alone.size() - 2);
+    ASSERT_EQ(json.substr(0, same.size()), same);
+    EXPECT_EQ(json.substr(same.size()),
+              ",\n\"vertices\": [\nnull,\nnull,\nnull,\nnull,\n[2, 2, -2.125, 11.515625],\n"
+              "[2, -2.125, 2, 11.515625],\n[-2.125, 2, 2, 11.515625],\n"
+              "[6.125, 6.125, 6.125, 78.546875]]}\n");
+    const std::string flat = scratch.file("flat.csv", "x,y,z\n0,0,5\n1,1,6\n");
+    const Outcome outcome =
+        run({"triangulate", flat, "--metric", "power", "--vertices", "--quiet"});
+    EXPECT_TRUE(outcome.out.ends_with("\"vertices\": [\nnull,\nnull,\nnull]}\n")) << outcome.out;
+    expect(triangulate({"--vertices", "-o", scratch.path("a.csv")}), 2,
+           "signum: --vertices goes into JSON alone; add -o FILE.json\n");
+}
+
+TEST_F(ToolInSpace, TakesNaiveArithmetic) {
+    EXPECT_EQ(run(triangulate({"--arithmetic", "naive", "--quiet"})).out,
+              run(triangulate({"--quiet"})).out);
+}
+
+TEST_F(ToolInSpace, ComparesCells) {
+    const Words words = {"compare", balls, "--metric", "power", "--seconds", "0"};
+    const auto compare = [&](const Words& more) {
+        Words all = words;
+        all.insert(all.end(), more.begin(), more.end());
+        return run(all);
+    };
+    const Outcome table = compare({"--quiet"});
+    EXPECT_EQ(table.code, 0);
+    EXPECT_EQ(table.err, "");
+    EXPECT_TRUE(
+        table.out.starts_with("                                           naive             "
+                              "      exact\nseconds, median "))
+        << table.out;
+    EXPECT_NE(
+        table.out.find("\ncells                                          4                  "
+                       "     4\nwrong                                    0 (0 %)            "
+                       "     0 (0 %)\ndifferent                                0 (0 %)        "
+                       "         0 (0 %)\n\nexact / naive time: "),
+        std::string::npos)
+        << table.out;
+    EXPECT_TRUE(table.out.ends_with(
+        "These sites do not need exactness: naive arithmetic got no cell of 4 wrong.\n"))
+        << table.out;
+    const Outcome json = compare({"--json", "--arithmetic", "exact", "--against", "naive"});
+    EXPECT_TRUE(json.out.starts_with(
+        "{\"cells\": 4, \"wrong\": 0, \"different\": 0, \"broken\": null, \"ratio\": "))
+        << json.out;
+    EXPECT_NE(json.out.find(",\n\"margins\": {\"facets\": 6, \"ties\": 0},\n\"answer\": \"These "),
+              std::string::npos)
+        << json.out;
+    EXPECT_NE(json.out.find(",\n\"exact\": {\"cells\": 4, "), std::string::npos) << json.out;
+    EXPECT_NE(json.out.find(",\n\"naive\": {\"cells\": 4, "), std::string::npos) << json.out;
+
+    const std::string of_file = " of " + balls + " ";
+    EXPECT_EQ(compare({"-o", scratch.path("a.svg")}).err,
+              "signum: -o: pictures are of sites in the plane, and those" + of_file +
+                  "lie in space; leave -o out\n");
+    EXPECT_EQ(compare({"--format", "svg"}).err,
+              "signum: --format: pictures are of sites in the plane, and those" + of_file +
+                  "lie in space; leave --format out\n");
+    EXPECT_EQ(compare({"--against", "sum"}).err,
+              "signum: --against sum: sites in space, as those" + of_file +
+                  "are, have the arithmetics exact and naive alone; leave --against out, or name "
+                  "one of them\n");
+    EXPECT_EQ(run({"compare", balls}).err,
+              "signum: --metric euclidean: sites in space, as those" + of_file +
+                  "are, have tessellations of the power metric alone; add --metric power, or say "
+                  "--dimension 2 to leave z out\n");
+    const std::string flat = scratch.file("flat.csv", "x,y,z\n0,0,5\n1,1,5\n0,1,5\n");
+    const Outcome of_flat =
+        run({"compare", flat, "--metric", "power", "--quiet", "--seconds", "0", "--json"});
+    EXPECT_EQ(of_flat.code, 0);
+    EXPECT_TRUE(of_flat.out.starts_with("{\"cells\": 1, \"wrong\": 0, ")) << of_flat.out;
+}
+
+TEST_F(ToolInSpace, ComparesWhatNaiveArithmeticGetsWrong) {
+    const std::string sphere = scratch.path("sphere.csv");
+    ASSERT_EQ(run({"generate", "sphere", "--dimension", "3", "-n", "100", "--perturb", "1e-11",
+                   "-o", sphere})
+                  .code,
+              0);
+    const Words words = {"compare", sphere, "--metric", "power", "--seconds", "0", "--quiet"};
+    const Outcome wrong = run(words);
+    EXPECT_EQ(wrong.code, 0);
+    EXPECT_NE(wrong.out.find("\ncells "), std::string::npos) << wrong.out;
+    EXPECT_NE(
+        wrong.out.find("These sites need exactness: naive arithmetic got 2 of 284 cells wrong "
+                       "(0.7 %).\n"),
+        std::string::npos)
+        << wrong.out;
+}
+
+TEST_F(ToolInSpace, SaysWhereNaiveArithmeticBreaks) {
+    const std::string sphere = scratch.path("sphere.csv");
+    ASSERT_EQ(run({"generate", "sphere", "--dimension", "3", "-n", "300", "-o", sphere}).code, 0);
+    const Words words = {"compare", sphere, "--metric", "power", "--seconds", "0", "--quiet"};
+    const Outcome table = run(words);
+    EXPECT_EQ(table.code, 0);
+    EXPECT_NE(table.out.find("\nnaive broke: "), std::string::npos) << table.out;
+    EXPECT_EQ(table.out.find("exact / naive time"), std::string::npos) << table.out;
+    EXPECT_TRUE(table.out.ends_with(
+        "These sites need exactness: in naive arithmetic the structure broke.\n"))
+        << table.out;
+    Words with_json = words;
+    with_json.emplace_back("--json");
+    const Outcome json = run(with_json);
+    EXPECT_EQ(json.code, 0);
+    EXPECT_TRUE(json.out.starts_with(
+        "{\"cells\": null, \"wrong\": null, \"different\": null, \"broken\": \""))
+        << json.out;
+    EXPECT_NE(json.out.find("\"ratio\": null"), std::string::npos) << json.out;
+
+    const std::string file = scratch.path("a.json");
+    const Outcome built = run({"triangulate", sphere, "--metric", "power", "--arithmetic", "naive",
+                               "--quiet", "-o", file});
+    EXPECT_EQ(built.code, 1);
+    EXPECT_TRUE(built.err.starts_with(
+        "signum: the structure broke, because naive arithmetic rounds its signs: "))
+        << built.err;
+    EXPECT_FALSE(std::filesystem::exists(file));
+}
+
+TEST_F(ToolInSpace, SaysWhoTakesSitesInSpace) {
+    const std::string atoms = scratch.file("a.xyz", "1\none\nH 0 0 0\n");
+    const std::string wanted =
+        "signum: " + atoms +
+        ": by its ending it holds sites in space, and sites of the plane are wanted here; signum "
+        "triangulate and signum compare take it with --metric power (as lines x y [r] it is "
+        "wrong: " +
+        atoms + ":1:";
+    const std::string plane = scratch.file("plane.txt", "0 0 0\n1 0 0\n0 1 0\n");
+    const std::string json = scratch.path("plane.json");
+    ASSERT_EQ(run({"triangulate", plane, "-o", json}).code, 0);
+    for (const Words& words : {Words{"voronoi", atoms}, Words{"validate", json, atoms}}) {
+        const Outcome outcome = run(words);
+        EXPECT_EQ(outcome.code, 2);
+        EXPECT_TRUE(outcome.err.starts_with(wanted)) << outcome.err;
+    }
+    // What are sites of the plane is read, whatever the name.
+    const std::string lines = scratch.file("lines.xyz", "0 0 0\n1 0 0\n0 1 0\n");
+    EXPECT_EQ(run({"voronoi", lines, "--quiet"}).code, 0);
+    expect({"study", atoms}, 2,
+           "signum: '" + atoms +
+               "' is a word too many; a study makes its own sites, signum compare FILE judges "
+               "yours; see signum study --help\n");
 }
 
 TEST_F(ToolInSpace, Generates) {
@@ -236,9 +387,9 @@ TEST_F(ToolInSpace, PrintsSigns) {
         "{\"sign\": 0, \"stage\": \"exact\", \"tie\": {\"last\": \"j\", \"conflict\": false}}\n");
     EXPECT_EQ(in_sphere({"--metric", "power", "--weight-is", "weight"}, {"1", "1", "1", "-1"}).out,
               "-1 filter\n");
-    EXPECT_EQ(in_sphere({}, {"1", "1", "1", "1"}).err,
-              "signum: sign in_sphere: there is --metric power alone, and this is --metric "
-              "euclidean; add --metric power\n");
+    EXPECT_EQ(in_sphere({"--metric", "supremum"}, {"1", "1", "1", "1"}).err,
+              "signum: sign in_sphere: there are --metric power and euclidean alone, and this is "
+              "--metric supremum; name one of them\n");
     EXPECT_EQ(in_sphere(power, {"1", "1", "1"}).err,
               "signum: sign in_sphere needs 20 numbers after --, x y z r of each of the sites i, "
               "j, k, l and of the query; 19 are given\n");
@@ -261,6 +412,56 @@ TEST_F(ToolInSpace, PrintsSigns) {
     expect({"sign", "in_sphere", "--dimension", "2", "--", "0"}, 2,
            "signum: sign in_sphere: it is asked in space; leave --dimension 2 out, or ask "
            "in_circle\n");
+}
+
+TEST_F(ToolInSpace, PrintsSignsOfEuclideanSpheres) {
+    const Words balls_of_corners = {"0", "0", "0", "1", "4", "0", "0", "1",
+                                    "0", "4", "0", "1", "0", "0", "4", "1"};
+    const auto in_sphere = [](const Words& four, const Words& last, const Words& more = {}) {
+        Words words = {"sign", "in_sphere", "--metric", "euclidean"};
+        words.insert(words.end(), more.begin(), more.end());
+        words.emplace_back("--");
+        words.insert(words.end(), four.begin(), four.end());
+        words.insert(words.end(), last.begin(), last.end());
+        return run(words);
+    };
+    const Outcome inside = in_sphere(balls_of_corners, {"2", "2", "2", "0"});
+    EXPECT_EQ(inside.out, "1 filter\n");
+    EXPECT_EQ(inside.err, "");
+    EXPECT_EQ(in_sphere(balls_of_corners, {"9", "9", "9", "1"}).out, "-1 filter\n");
+    const Outcome hidden = in_sphere(balls_of_corners, {"0", "0", "0", "0.5"});
+    EXPECT_EQ(hidden.out, "-1 filter\n");
+    EXPECT_EQ(hidden.err, "hidden   i hides q\n");
+    // Of equal radii it is the sphere of the centres, which goes through (4, 4, 4).
+    const Outcome tie = in_sphere(balls_of_corners, {"4", "4", "4", "1"});
+    EXPECT_TRUE(tie.out.starts_with("0 ")) << tie.out;
+    EXPECT_TRUE(
+        tie.err.starts_with("tie      q touches the sphere of i, j, k and l; the metric has "
+                            "no tie rule in space\ndecided  "))
+        << tie.err;
+    const std::string json = in_sphere(balls_of_corners, {"4", "4", "4", "1"}, {"--json"}).out;
+    EXPECT_TRUE(json.starts_with("{\"sign\": 0, \"stage\": \"")) << json;
+    EXPECT_EQ(json.find("tie"), std::string::npos) << json;
+
+    const auto refused = [&](const Words& four, const std::string& why) {
+        const Outcome outcome = in_sphere(four, {"2", "2", "2", "0"});
+        EXPECT_EQ(outcome.code, 2);
+        EXPECT_EQ(outcome.out, "");
+        EXPECT_EQ(outcome.err, "signum: sign in_sphere: " + why + "\n");
+    };
+    const std::string no_sphere =
+        "no sphere touches i, j, k and l in points that turn positively; ";
+    refused({"4", "0", "0", "1", "0", "0", "0", "1", "0", "4", "0", "1", "0", "0", "4", "1"},
+            no_sphere + "one touches them in points that turn negatively: exchange two of them");
+    refused({"0", "0", "0", "1", "4", "0", "0", "1", "8", "0", "0", "1", "12", "0", "0", "1"},
+            no_sphere +
+                "none touches them in points that turn negatively either: give four other sites");
+    refused({"0", "0", "0", "1", "0.5", "0", "0", "0", "0", "4", "0", "1", "0", "0", "4", "1"},
+            "i hides j, so that no sphere touches i, j, k and l; leave j out");
+    EXPECT_EQ(in_sphere(balls_of_corners, {"1"}, {"--weight-is", "radius"}).code, 2);
+    EXPECT_EQ(in_sphere(balls_of_corners, {"1"}).err,
+              "signum: sign in_sphere needs 20 numbers after --, x y z r of each of the sites i, "
+              "j, k, l and of the query; 17 are given\n");
 }
 
 }  // namespace

@@ -413,8 +413,9 @@ TEST_F(Tool, TakesTheColumnsThatAreNamed) {
         const Outcome flat = run(words);
         EXPECT_EQ(flat.code, 0);
         EXPECT_EQ(flat.out, run({words[0], plain, "--quiet"}).out);
-        EXPECT_TRUE(flat.err.starts_with("signum: " + heights +
-                                         ":1: 'x' is x, 'y' is y, and 'z' is left out: "))
+        EXPECT_TRUE(flat.err.starts_with(
+            "signum: " + heights +
+            ":1: 'x' is x, 'y' is y, and 'z' is left out: sites lie in the plane here. "))
             << flat.err;
     }
 }

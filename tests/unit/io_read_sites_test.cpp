@@ -329,7 +329,10 @@ TEST(JsonSites, RefusesWhatIsNoListOfSites) {
     EXPECT_EQ(error("[]"), "1:1: no site in this file" + json);
     EXPECT_EQ(error("[[]]"), "1:2: an empty site" + json);
     EXPECT_EQ(error("[[1,2,3],\n [4]]"), "2:2: a site of one number" + json);
-    EXPECT_EQ(error("[[1,2,3,4]]"), "1:9: a fourth number in a site" + json);
+    EXPECT_EQ(error("[[1,2,3,4]]"),
+              "1:9: a fourth number in a site, as those in space have it; those of the plane are "
+              "wanted here" +
+                  json);
     EXPECT_EQ(error("[1,2]"), "1:2: a number outside of a site" + json);
     EXPECT_EQ(error("[[1,[2]]]"), "1:5: an array within a site" + json);
     EXPECT_EQ(error("[[1,\"two\"]]"), "1:5: a string cannot stand here" + json);

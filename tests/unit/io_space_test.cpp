@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -157,7 +158,10 @@ TEST(JsonSitesInSpace, RefuseWhatIsWrong) {
               "2:8: a fourth number in a site, where the first site has no more than three; with "
               "--dimension 3 the third is z" +
                   plane);
-    EXPECT_EQ(error("[[1,2,3,4]]", {.dimension = 2}), "1:9: a fourth number in a site" + plane);
+    EXPECT_EQ(error("[[1,2,3,4]]", {.dimension = 2}),
+              "1:9: a fourth number in a site, as those in space have it; those of the plane are "
+              "wanted here" +
+                  plane);
     EXPECT_EQ(error("[[1,2,3,4,5]]", in_space), "1:11: a fifth number in a site" + space);
     EXPECT_EQ(error("[[1,2,3,4],\n[1,2]]"), "2:1: a site that ends before x, y and z" + plane);
     EXPECT_EQ(error("[]", in_space), "1:1: no site in this file" + space);
@@ -376,6 +380,20 @@ TEST(WriteJsonInSpace, HoldsTheArrays) {
     EXPECT_EQ(other["weight_is"], "weight");
     EXPECT_EQ(other["statistics"]["seconds"], 0.5);
     EXPECT_TRUE(other["statistics"]["ccw"].is_null());
+    EXPECT_FALSE(json.contains("vertices"));
+    const std::vector<SpaceVertex> diagram = vertices(tessellation, std::span<const Site3>(sites));
+    std::ostringstream with_vertices;
+    write_json(with_vertices, tessellation, Metric::power, WeightIs::radius, {}, diagram);
+    const auto all = nlohmann::json::parse(with_vertices.str())["vertices"];
+    ASSERT_EQ(all.size(), tessellation.cells.size());
+    for (std::size_t c = 0; c < all.size(); ++c) {
+        if (tessellation.cells[c][0] == infinite) {
+            EXPECT_TRUE(all[c].is_null());
+        } else {
+            const auto& [x, y, z, rho] = diagram[c];
+            EXPECT_EQ((all[c].get<std::array<double, 4>>()), (std::array{x, y, z, rho}));
+        }
+    }
 }
 
 TEST(WriteJsonInSpace, WritesFlatSites) {

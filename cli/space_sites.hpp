@@ -1,0 +1,39 @@
+#pragma once
+/// Sites of space as the library wants them.
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "../spatial/triangulate.hpp"
+
+#include "commands.hpp"
+#include "sites_call.hpp"
+
+namespace signum::cli {
+
+/// What `call` makes of the sites: of balls, or of sites that carry a weight.
+template <class Call>
+auto with_sites_in_space(const InputSites& sites, const Call& call) {
+    const std::vector<Site3>& balls = sites.file.in_space;
+    if (sites.third == WeightIs::radius) return call(std::span<const Site3>(balls));
+    std::vector<power::Site3> weighted;
+    weighted.reserve(balls.size());
+    for (const auto& [x, y, z, w] : balls) weighted.push_back({x, y, z, w});
+    return call(std::span<const power::Site3>(weighted));
+}
+
+/// Throws CallError for an arithmetic that space has not, given to `option`.
+inline void check_arithmetic_in_space(const SitesCall& call, std::string_view option,
+                                      const std::string& arithmetic) {
+    const Arithmetic asked = arithmetic_of(arithmetic);
+    if (asked == Arithmetic::exact || asked == Arithmetic::naive) return;
+    throw CallError(
+        fmt::format("{} {}: sites in space, as those of {} are, have the arithmetics exact and "
+                    "naive alone; leave {} out, or name one of them",
+                    option, arithmetic, call.input, option));
+}
+
+}  // namespace signum::cli

@@ -1,0 +1,53 @@
+#pragma once
+/// What another arithmetic made of the same sites of space: which cells of a tessellation are
+/// wrong, and which are only not the canonical ones.
+///
+/// Laws:
+///  1. A cell between sites is valid where infinitely small changes of the weights show it,
+///     whichever they are: where its centres span space and turn positively (of flat sites: span
+///     what all centres span), and no site conflicts with its vertex; one that touches does not.
+///  2. A cell that is not valid is wrong. A valid one is different where the canonical tessellation
+///     does not have it, or has it less often.
+///  3. The canonical tessellation itself has neither.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "triangulate.hpp"
+
+namespace signum {
+
+struct CellComparison {
+    std::int64_t cells = 0;            ///< between sites of the compared tessellation
+    std::vector<SpaceCell> wrong;      ///< in no valid tessellation; sorted
+    std::vector<SpaceCell> different;  ///< valid, but not the canonical choice; sorted
+};
+
+/// Compares the cells between sites; infinite ones are not looked at. `canonical` is the exact
+/// tessellation of the same sites (that it is is the caller's word). Exact. O(n), and for each cell
+/// that the canonical tessellation has not as much as there are cells around one of its sites; for
+/// one of hidden sites alone O(n). Throws std::invalid_argument where one of the two is of another
+/// dimension or of other sites, or names a site that there is not.
+[[nodiscard]] CellComparison compare_cells(const SpaceTessellation& tessellation,
+                                           const SpaceTessellation& canonical,
+                                           std::span<const Point3> sites);
+[[nodiscard]] CellComparison compare_cells(const SpaceTessellation& tessellation,
+                                           const SpaceTessellation& canonical,
+                                           std::span<const Site3> sites);
+[[nodiscard]] CellComparison compare_cells(const SpaceTessellation& tessellation,
+                                           const SpaceTessellation& canonical,
+                                           std::span<const power::Site3> sites);
+
+/// Of the facets between two finite cells of a canonical tessellation, how many are ties: the site
+/// across touches the sphere. Exact, O(n). Throws as compare_cells().
+struct FacetTies {
+    std::int64_t facets = 0;
+    std::int64_t ties = 0;
+};
+[[nodiscard]] FacetTies ties_of(const SpaceTessellation& canonical, std::span<const Point3> sites);
+[[nodiscard]] FacetTies ties_of(const SpaceTessellation& canonical, std::span<const Site3> sites);
+[[nodiscard]] FacetTies ties_of(const SpaceTessellation& canonical,
+                                std::span<const power::Site3> sites);
+
+}  // namespace signum
