@@ -166,6 +166,34 @@ template <PowerSite3 S>
     return {multiprecision::in_sphere(i, j, k, l, q), Stage::multiprecision};
 }
 
+/// Whether five sites of equal weights are corners of a box along the axes: no more than two
+/// coordinates along each. They lie on one sphere then, however these were rounded: all of a grid.
+template <PowerSite3 S>
+[[nodiscard]] bool are_corners_of_a_box(const S& i, const S& j, const S& k, const S& l,
+                                        const S& q) noexcept {
+    const auto are_two = [&](double S::*const axis) {
+        const double one = q.*axis;
+        double other = one;
+        for (const S* site : {&i, &j, &k, &l}) {
+            const double here = site->*axis;
+            if (here != one && other != one && here != other) return false;
+            if (here != one) other = here;
+        }
+        return true;
+    };
+    const auto is_one = [&](double S::*const number) {
+        return i.*number == q.*number && j.*number == q.*number && k.*number == q.*number &&
+               l.*number == q.*number;
+    };
+    if constexpr (requires { q.r; }) {
+        if (!is_one(&S::r)) return false;
+    }
+    if constexpr (requires { q.w; }) {
+        if (!is_one(&S::w)) return false;
+    }
+    return are_two(&S::x) && are_two(&S::y) && are_two(&S::z);
+}
+
 template <PowerSite3 S>
 [[nodiscard]] Decision decide(const S& i, const S& j, const S& k, const S& l, const S& q) noexcept {
     if (!in_window(i) || !in_window(j) || !in_window(k) || !in_window(l) || !in_window(q))
@@ -176,6 +204,7 @@ template <PowerSite3 S>
     const double size = determinant_magnitude(rows);
     if (const Verdict verdict = judged(determinant, in_sphere_error * size); verdict.is_certain())
         return {verdict.sign(), Stage::filter};
+    if (are_corners_of_a_box(i, j, k, l, q)) return {0, Stage::exact};
     // Narrow integers are faster than double-doubles, and these than wide ones.
     const IntegerRows integers(i, j, k, l, q);
     if (const Verdict verdict = integers.sign_if_narrow(); verdict.is_certain())

@@ -372,6 +372,11 @@ TEST(SpaceStages, IntegersTellTies) {
         EXPECT_LT(count.contains(Stage::multiprecision) ? count.at(Stage::multiprecision) : 0, 10);
     }
 }
+TEST(SpaceStages, CornersOfABoxNeedNoNumbers) {
+    auto count = stages_of<Point3>(box_corners);
+    EXPECT_GT(count[Stage::exact], 100);
+    EXPECT_EQ(count[Stage::multiprecision], 0);
+}
 TEST(SpaceStages, DoubleDoublesTellWhatIsNearlyTied) {
     const auto count =
         stages_of<Site3>([](Random& g) { return moved_all(g, off_grid(cospherical(g))); });
