@@ -35,24 +35,34 @@
 namespace signum::benchmarks {
 namespace {
 
-struct Kind {
-    const char* name;
-    SpaceDistribution distribution;
-    bool is_regular;
-};
-constexpr Kind kinds[] = {{"random, Delaunay", SpaceDistribution::random, false},
-                          {"random, regular", SpaceDistribution::random, true},
-                          {"lattice, Delaunay", SpaceDistribution::grid, false},
-                          {"sphere, Delaunay", SpaceDistribution::sphere, false}};
-
 using Sites = std::vector<Site3>;
 
-/// Radii are up to the mean distance of neighbours.
-Sites sites_of(const Kind& kind, std::int64_t n) {
-    const double spacing = 700.0 / std::cbrt(static_cast<double>(n));
-    return generate(kind.distribution,
-                    {.count = n, .radius_to = kind.is_regular ? spacing : 0.0, .seed = 1});
+/// Integer points of a cube: exact ties everywhere.
+Sites lattice(std::int64_t n) {
+    const std::int64_t side = std::llround(std::cbrt(static_cast<double>(n)));
+    Sites sites;
+    for (std::int64_t i = 0; i < side * side * side; ++i)
+        sites.push_back({static_cast<double>(i % side), static_cast<double>(i / side % side),
+                         static_cast<double>(i / side / side), 0.0});
+    return sites;
 }
+/// Radii are up to the mean distance of neighbours.
+template <SpaceDistribution distribution, bool has_radii>
+Sites generated(std::int64_t n) {
+    const double spacing = 700.0 / std::cbrt(static_cast<double>(n));
+    return generate(distribution, {.count = n, .radius_to = has_radii ? spacing : 0.0, .seed = 1});
+}
+
+struct Kind {
+    const char* name;
+    Sites (*sites)(std::int64_t);
+    bool is_regular = false;
+};
+constexpr Kind kinds[] = {{"random, Delaunay", generated<SpaceDistribution::random, false>},
+                          {"random, regular", generated<SpaceDistribution::random, true>, true},
+                          {"lattice of integers, Delaunay", lattice},
+                          {"rounded grid, Delaunay", generated<SpaceDistribution::grid, false>},
+                          {"sphere, Delaunay", generated<SpaceDistribution::sphere, false>}};
 
 /// Points where all weights are equal: Delaunay.
 SpaceTessellation tessellate(const Sites& sites, bool is_regular, const Options& options) {
@@ -103,7 +113,7 @@ void add(const std::string& name, Construction construct, Visible& visible) {
 bool measure(std::int64_t n, int argc, char** argv) {
     Visible visible;
     for (const Kind& kind : kinds) {
-        const auto sites = std::make_shared<const Sites>(sites_of(kind, n));
+        const auto sites = std::make_shared<const Sites>(kind.sites(n));
         add(name_of(kind, "exact"), construction(sites, kind.is_regular, Arithmetic::exact),
             visible);
         add(name_of(kind, "naive"), construction(sites, kind.is_regular, Arithmetic::naive),
@@ -151,7 +161,7 @@ bool compare(std::int64_t n) {
     bool all_agree = true;
     for (const Kind& kind : kinds)
         for (std::int64_t size = 10; size <= n; size *= 10) {
-            const Sites sites = sites_of(kind, size);
+            const Sites sites = kind.sites(size);
             std::vector<std::array<Index, 4>> ours;
             for (SpaceCell cell : tessellate(sites, kind.is_regular, {}).cells) {
                 if (cell[0] < 0) continue;
