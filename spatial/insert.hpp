@@ -56,21 +56,25 @@ class Insertion {
         spheres_.assign(cells_.size(), unknown_sphere);
     }
 
-    /// False where the site is hidden; `hidden(v)` tells of each that it hides.
+    /// `hidden(v, near)` tells of each that is hidden now, by the site or as the site itself, and
+    /// of one nearby: who hides it, or the nearest vertex where it would have been.
     template <class Hidden>
-    bool insert(Index q, const Hidden& hidden) {
+    void insert(Index q, const Hidden& hidden) {
         const Index home = locate(q);
         look_from(q);
         for (const Index v : cells_.vertex(home)) static_cast<void>(see(v));
         kernel_.set_bound();
-        if (!conflicts(home, kernel_.in_sphere(seen_of(home)), kernel_.bound())) return false;
+        if (!conflicts(home, kernel_.in_sphere(seen_of(home)), kernel_.bound()))
+            return hidden(q, nearest_of(home));
         site_ = in_frame(kernel_.at(q), frame_);
         find_region(home);
-        find_hidden(hidden);
+        find_hidden([&](Index v) { hidden(v, q); });
         join(q);
-        return true;
     }
 
+    [[nodiscard]] Cells release() && noexcept { return std::move(cells_); }
+
+ private:
     /// The cell in which a site's centre lies, or one with the vertex at infinity that is in
     /// conflict with it. A walk: across any facet that has the site on its other side. To ask them
     /// in a random order keeps it from going around where sites are tied.
@@ -99,10 +103,6 @@ class Insertion {
         }
     }
 
-    [[nodiscard]] const Cells& cells() const noexcept { return cells_; }
-    [[nodiscard]] Cells release() && noexcept { return std::move(cells_); }
-
- private:
     /// A cell in conflict: what is left of it.
     struct Taken {
         Index cell;
@@ -152,6 +152,16 @@ class Insertion {
         const auto base = static_cast<Seen>(base_);
         const auto number = [=](Index each) { return seen[each + 1] - base; };
         return {number(v[0]), number(v[1]), number(v[2]), number(v[3])};
+    }
+    /// The vertex that is nearest to the site, as rounded heights have it.
+    [[nodiscard]] Index nearest_of(Index c) const noexcept {
+        const std::array<Seen, 4> seen = seen_of(c);
+        Seen nearest = seen_infinity;
+        for (const Seen v : seen)
+            if (v != seen_infinity &&
+                (nearest == seen_infinity || kernel_.row(v).lift < kernel_.row(nearest).lift))
+                nearest = v;
+        return kernel_.name(nearest);
     }
     /// Whether a cell is in conflict, of which the determinant is known.
     [[nodiscard]] bool conflicts(Index c, double determinant, double bound) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <ranges>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "../predicates/space/nearer.hpp"
 #include "insert.hpp"
 #include "kernel.hpp"
+#include "nearest_site.hpp"
 #include "order.hpp"
 
 namespace signum {
@@ -65,7 +67,8 @@ class Construction {
         Kernel kernel(all_.sites, all_.numbers);
         spatial::Insertion<Kernel> insertion(
             kernel, spatial::frame_of(std::span<const S>(all_.sites)), all_.sites.size());
-        std::vector<Index> hidden;
+        // The hidden, and a site nearby each.
+        std::vector<std::pair<Index, Index>> hidden;
         constexpr Index between_questions = 4096;
         const auto last = static_cast<Index>(all_.sites.size());
         for (Index q = 4; q < last; ++q) {
@@ -73,16 +76,9 @@ class Construction {
                 if (options.stop.stop_requested()) throw Stopped();
                 if (options.progress) options.progress(static_cast<double>(q) / last);
             }
-            if (!insertion.insert(q, [&](Index v) { hidden.push_back(v); })) hidden.push_back(q);
+            insertion.insert(q, [&](Index v, Index near) { hidden.emplace_back(v, near); });
         }
-        // In the order of insertion, so that each is located near the one before.
-        std::ranges::sort(hidden);
-        for (const Index v : hidden)
-            result.hidden.push_back(
-                {all_.numbers[static_cast<std::size_t>(v)], nearest(insertion, v)});
-        std::ranges::sort(result.hidden, {}, &Hidden::site);
-        LargeArray<std::uint32_t>().swap(visited_);
-        LargeArray<Index>().swap(met_);
+        find_nearest(hidden, result.hidden);
         return std::move(insertion).release();
     }
     [[nodiscard]] const S& site(Index i) const noexcept {
@@ -155,55 +151,38 @@ class Construction {
         throw std::logic_error("flat sites span space");
     }
 
-    /// The number of the visible site nearest to a site's centre: from the corners of the cell in
-    /// which it lies to ever nearer neighbours. Of those as near the first one in the rule's order,
-    /// whose weight is reduced the least.
-    template <class Insertion>
-    [[nodiscard]] Index nearest(Insertion& insertion, Index v) {
-        const Cells& cells = insertion.cells();
-        visited_.resize(cells.size(), 0);
-        met_.resize(all_.sites.size(), infinite);
-        const Point3 p = centre3(all_.sites[static_cast<std::size_t>(v)]);
-        Index best = infinite;
-        Index cell_of_best = infinite;
-        const auto meet = [&](Index cell) {
-            for (const Index other : cells.vertex(cell)) {
-                if (other < 0 || is_apex(other)) continue;
-                if (std::exchange(met_[static_cast<std::size_t>(other)], v) == v) continue;
-                if (best >= 0 && !is_nearer(p, other, best)) continue;
-                best = other;
-                cell_of_best = cell;
-            }
-        };
-        meet(insertion.locate(v));
-        // Cells around one vertex after the other; those around an earlier one were met.
-        for (Index around = infinite; around != best;) {
-            around = best;
-            ++round_;
-            around_.assign(1, cell_of_best);
-            for (std::size_t next = 0; next < around_.size(); ++next) {
-                const SpaceCell cell = cells.vertex(around_[next]);
-                const SpaceCell neighbour = cells.neighbour(around_[next]);
-                meet(around_[next]);
-                for (std::size_t k = 0; k < 4; ++k) {
-                    if (cell[k] == around) continue;
-                    std::uint32_t& visited = visited_[static_cast<std::size_t>(neighbour[k])];
-                    if (std::exchange(visited, round_) != round_) around_.push_back(neighbour[k]);
-                }
-            }
+    /// The visible site nearest to the centre of each hidden one. Looked for from whoever hid it or
+    /// was nearest to it when it came, or, where that has become hidden itself, from whoever did so
+    /// to that one.
+    void find_nearest(const std::vector<std::pair<Index, Index>>& hidden,
+                      std::vector<Hidden>& result) const {
+        if (hidden.empty()) return;
+        constexpr Index is_visible = -1;
+        LargeArray<Index> hider(all_.sites.size(), is_visible);
+        for (const auto& [v, near] : hidden | std::views::reverse) {
+            const Index of_near = hider[static_cast<std::size_t>(near)];
+            hider[static_cast<std::size_t>(v)] = of_near == is_visible ? near : of_near;
         }
-        if (!Kernel::is_exact && best < 0) throw BrokenStructure("no site is near to a hidden one");
-        return all_.numbers[static_cast<std::size_t>(best)];
+        LargeArray<Index> visible;
+        visible.reserve(all_.sites.size() - hidden.size());
+        for (Index v = 0; v < static_cast<Index>(all_.sites.size()); ++v)
+            if (hider[static_cast<std::size_t>(v)] == is_visible && !is_apex(v))
+                visible.push_back(v);
+        if (!Kernel::is_exact && visible.empty()) throw BrokenStructure("all sites are hidden");
+        const Index any = visible.front();
+        spatial::NearestSite<S> nearest(all_.sites, all_.numbers, std::move(visible));
+        result.reserve(hidden.size());
+        for (const auto& [v, near] : hidden) {
+            const Index start = hider[static_cast<std::size_t>(v)];
+            const Index by = nearest(centre3(all_.sites[static_cast<std::size_t>(v)]),
+                                     is_apex(start) ? any : start);
+            result.push_back({all_.numbers[static_cast<std::size_t>(v)],
+                              all_.numbers[static_cast<std::size_t>(by)]});
+        }
+        std::ranges::sort(result, {}, &Hidden::site);
     }
     [[nodiscard]] bool is_apex(Index v) const noexcept {
         return all_.numbers[static_cast<std::size_t>(v)] >= static_cast<Index>(sites_.size());
-    }
-    [[nodiscard]] bool is_nearer(const Point3& p, Index a, Index b) const noexcept {
-        const auto i = static_cast<std::size_t>(a);
-        const auto j = static_cast<std::size_t>(b);
-        const Sign sign = power::nearer_decision(p, all_.sites[i], all_.sites[j]).sign;
-        if (sign != 0) return sign > 0;
-        return power::precedes(all_.sites[i], all_.numbers[i], all_.sites[j], all_.numbers[j]);
     }
     /// Laws 1 and 2 of the result. Memory is given back as soon as what lies there has been used:
     /// sites, then the structure's vertices. The structure is read from its first cell to its last:
@@ -213,12 +192,7 @@ class Construction {
         for (Index c = 0; c < last; ++c)
             if (!structure.is_free(c)) name(structure.vertex(c), structure.neighbour(c));
         all_ = {};
-        LargeArray<Index> place(structure.size(), no_vertex);
-        {
-            const LargeArray<Index> sorted = sort_cells(structure, result.cells);
-            for (std::size_t i = 0; i < sorted.size(); ++i)
-                place[static_cast<std::size_t>(sorted[i])] = static_cast<Index>(i);
-        }
+        const LargeArray<Index> place = sort_cells(structure, result.cells);
         structure.forget_vertices();
         result.neighbours.resize(result.cells.size());
         for (Index c = 0; c < last; ++c) {
@@ -247,56 +221,53 @@ class Construction {
             put_in_order(cell, neighbour, size);
         }
     }
-    /// The cells that are not free, sorted, and the numbers they have in the structure: by the
-    /// first vertex into buckets, then within these.
+    /// The cells that are not free, sorted; returns at which place each of the structure is. By the
+    /// first vertex into buckets, and by the second where the first is at infinity: there may be as
+    /// many of these as of all others. Then within the buckets, whose members stand where the cells
+    /// are to be, each with its number in place of the first vertex, which is the bucket's.
     [[nodiscard]] LargeArray<Index> sort_cells(const Cells& structure,
                                                std::vector<SpaceCell>& cells) const {
         const auto last = static_cast<Index>(structure.size());
-        const auto bucket = [&](Index c) {
-            return static_cast<std::size_t>(structure.vertex(c)[0] - infinite);
+        // From no_vertex up to the last.
+        const auto vertices = static_cast<Index>(sites_.size()) - no_vertex;
+        const auto bucket = [&](const SpaceCell& cell) {
+            return static_cast<std::size_t>(cell[0] == infinite ? cell[1] - no_vertex
+                                                                : vertices + cell[0]);
         };
-        std::vector<Index> ends(sites_.size() + 2, 0);
+        std::vector<Index> ends(2 * static_cast<std::size_t>(vertices), 0);
         for (Index c = 0; c < last; ++c)
-            if (!structure.is_free(c)) ++ends[bucket(c) + 1];
+            if (!structure.is_free(c)) ++ends[bucket(structure.vertex(c)) + 1];
         for (std::size_t b = 1; b < ends.size(); ++b) ends[b] += ends[b - 1];
-        const auto size = static_cast<std::size_t>(ends.back());
-        cells.resize(size);
-        LargeArray<Index> numbers(size);
+        cells.resize(static_cast<std::size_t>(ends.back()));
         // The begin of each bucket moves to its end.
         for (Index c = 0; c < last; ++c) {
             if (structure.is_free(c)) continue;
-            const auto next = static_cast<std::size_t>(ends[bucket(c)]++);
-            cells[next] = structure.vertex(c);
-            numbers[next] = c;
+            const SpaceCell& cell = structure.vertex(c);
+            cells[static_cast<std::size_t>(ends[bucket(cell)]++)] = {cell[1], cell[2], cell[3], c};
         }
-        // In a bucket the first vertices are one.
-        struct Member {
-            std::uint64_t second_and_third;
-            Index fourth;
-            Index number;
+        const auto key = [](const SpaceCell& member) {
+            return static_cast<std::uint64_t>(member[0]) << 32 |
+                   static_cast<std::uint32_t>(member[1]);
         };
-        std::vector<Member> members;
-        std::size_t begin = 0;
+        Index begin = 0;
         for (const Index end : ends) {
-            members.clear();
-            for (std::size_t i = begin; i < static_cast<std::size_t>(end); ++i) {
-                const auto [first, second, third, fourth] = cells[i];
-                members.push_back(
-                    {static_cast<std::uint64_t>(second) << 32 | static_cast<std::uint32_t>(third),
-                     fourth, numbers[i]});
-            }
-            std::ranges::sort(members, [](const Member& a, const Member& b) {
-                return a.second_and_third != b.second_and_third
-                           ? a.second_and_third < b.second_and_third
-                           : a.fourth < b.fourth;
-            });
-            for (const auto& [key, fourth, number] : members) {
-                cells[begin] = {cells[begin][0], static_cast<Index>(key >> 32),
-                                static_cast<Index>(key & 0xFFFF'FFFF), fourth};
-                numbers[begin++] = number;
+            std::sort(cells.begin() + begin, cells.begin() + end,
+                      [&](const SpaceCell& m, const SpaceCell& n) {
+                          return key(m) != key(n) ? key(m) < key(n) : m[2] < n[2];
+                      });
+            begin = end;
+        }
+        LargeArray<Index> place(structure.size(), no_vertex);
+        Index next = 0;
+        for (std::size_t b = 0; b < ends.size(); ++b) {
+            const Index first = std::max(static_cast<Index>(b) - vertices, infinite);
+            for (; next < ends[b]; ++next) {
+                SpaceCell& cell = cells[static_cast<std::size_t>(next)];
+                place[static_cast<std::size_t>(cell[3])] = next;
+                cell = {first, cell[0], cell[1], cell[2]};
             }
         }
-        return numbers;
+        return place;
     }
     static void put_in_order(SpaceCell& cell, SpaceCell& neighbour, std::size_t size) {
         if (size < 4) {
@@ -323,12 +294,6 @@ class Construction {
     LargeArray<Index> order_;
     Numbered<S> all_;
     std::size_t apexes_ = 0;
-    // Of the search for who hides whom: by cell the last round in which it was visited, by site
-    // the last hidden one that met it.
-    LargeArray<std::uint32_t> visited_;
-    LargeArray<Index> met_;
-    std::vector<Index> around_;
-    std::uint32_t round_ = 0;
 };
 
 template <class S>

@@ -18,6 +18,8 @@
 #include <gtest/gtest.h>
 
 #include "../../predicates/space/ccw.hpp"
+#include "../../predicates/space/nearer.hpp"
+#include "../../predicates/space/ties.hpp"
 #include "../../spatial/triangulate.hpp"
 #include "../oracle/oracle_test_support.hpp"
 #include "../oracle/power_space.hpp"
@@ -264,6 +266,54 @@ TEST(Spatial, LargeStarsHaveOneResult) {
     covered.push_back({3.5, 3.5, 3.5, 3.25});
     EXPECT_GT(tessellation_of(covered).hidden.size(), 50U);
     ASSERT_NO_FATAL_FAILURE(expect_one_result(covered));
+}
+
+/// Who is nearest to a hidden site, beside asking all: around hubs, in crowds of sites that are as
+/// near, and where who hid it became hidden too.
+TEST(Spatial, HiddenSitesHaveTheNearestVisibleOne) {
+    Random random(36);
+    const auto towards = [&](double distance) {
+        const double z = 2.0 * random.unit() - 1.0;
+        const double turn = 7.0 * random.unit();
+        const double r = distance * std::sqrt(1.0 - z * z);
+        return Site3{r * std::cos(turn), r * std::sin(turn), distance * z, 0.0};
+    };
+    Sites hub = {{0.0, 0.0, 0.0, 1.0}};
+    for (int i = 0; i < 2000; ++i) {
+        hub.push_back(towards(1.5 + 1e-3 * random.unit()));
+        hub.push_back(towards(0.6 * random.unit()));
+    }
+    Sites growing;
+    for (int i = 0; i < 500; ++i) growing.push_back({0.25 * random.below(8), 0.0, 0.0, 0.1 * i});
+    Sites tied = lattice(6);
+    for (Site3& s : tied) s.r = random.below(4);
+    for (int i = 0; i < 600; ++i) {
+        tied.push_back(
+            {0.5 * random.below(11), 0.5 * random.below(11), 0.5 * random.below(11), 0.0});
+        tied.push_back({random.unit(), random.unit(), 5.0 * random.unit(), 0.5 * random.unit()});
+    }
+    for (const Sites& sites : {hub, growing, tied}) {
+        const SpaceTessellation result = tessellation_of(sites);
+        std::vector<bool> is_hidden(sites.size(), false);
+        for (const Hidden& each : result.hidden)
+            is_hidden[static_cast<std::size_t>(each.site)] = true;
+        EXPECT_GT(result.hidden.size(), sites.size() / 4);
+        for (const Hidden& each : result.hidden) {
+            const Point3 p = centre3(sites[static_cast<std::size_t>(each.site)]);
+            std::size_t best = sites.size();
+            for (std::size_t i = 0; i < sites.size(); ++i) {
+                if (is_hidden[i]) continue;
+                const int sign = best == sites.size()
+                                     ? 1
+                                     : power::nearer_decision(p, sites[i], sites[best]).sign;
+                if (sign > 0 ||
+                    (sign == 0 && power::precedes(sites[i], static_cast<Index>(i), sites[best],
+                                                  static_cast<Index>(best))))
+                    best = i;
+            }
+            ASSERT_EQ(each.by, static_cast<Index>(best)) << each.site;
+        }
+    }
 }
 
 /// The same combinatorics on every lattice: where determinants of doubles are exact, and where they
