@@ -77,12 +77,11 @@ constexpr long hundred_thousand = static_cast<long>(100'000 * effort * effort);
 
 /// Balls in a cube of the side 2; radii of both signs, so that fewer pairs are separate where they
 /// may be larger.
-template <int tenths>
-AnyBalls random_balls(Random& g, int) {
-    const auto one = [&] { return 2 * g.real() - 1; };
-    return ball_families::each([&] {
-        return AnyBall{{one(), one(), one()}, tenths * 0.1 * one()};
-    });
+Draw random_balls(double largest) {
+    return [largest](Random& g, int) {
+        const auto one = [&] { return 2 * g.real() - 1; };
+        return ball_families::each([&] { return AnyBall{{one(), one(), one()}, largest * one()}; });
+    };
 }
 
 class LargeTouchingSpheresOfRandomBalls : public LargeTouchingSpheres {
@@ -100,13 +99,13 @@ class LargeTouchingSpheresOfRandomBalls : public LargeTouchingSpheres {
 };
 
 TEST_F(LargeTouchingSpheresOfRandomBalls, Small) {
-    test(random_balls<1>, 3 * hundred_thousand);
+    test(random_balls(0.1), 3 * hundred_thousand);
 }
 TEST_F(LargeTouchingSpheresOfRandomBalls, Middling) {
-    test(random_balls<3>, 4 * hundred_thousand);
+    test(random_balls(0.3), 4 * hundred_thousand);
 }
 TEST_F(LargeTouchingSpheresOfRandomBalls, Large) {
-    test(random_balls<10>, 3 * hundred_thousand);
+    test(random_balls(1.0), 3 * hundred_thousand);
 }
 TEST_F(LargeTouchingSpheres, OfRawBits) {
     Random random(2034);
