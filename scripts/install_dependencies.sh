@@ -5,7 +5,7 @@
 #
 # build      what the library and the tool need (the default)
 # test       the same, and what the tests need
-# benchmark  the same as build, and what the benchmarks need
+# benchmark  the same as build, and what the benchmarks need, the peers in space included
 #
 # Quiet and quick when everything is there. Otherwise and not as root: prints the one line to type and
 # ends with exit code 3, as it does where the compiler is too old.
@@ -15,7 +15,8 @@ oldest_gcc=12
 oldest_clang=14
 build=(g++ cmake ninja-build libgmp-dev libmpfr-dev libboost-dev libcli11-dev libfmt-dev nlohmann-json3-dev libtomlplusplus-dev)
 test=("${build[@]}" libgtest-dev gnuplot-nox valgrind)
-benchmark=("${build[@]}" libbenchmark-dev)
+# The last three are the peers in space.
+benchmark=("${build[@]}" libbenchmark-dev libcgal-dev voro++-dev voronota)
 
 say() { printf 'signum: %s\n' "$*" >&2; }
 
@@ -26,6 +27,7 @@ probe() {
     cmake) command -v cmake >/dev/null ;;
     ninja-build) command -v ninja >/dev/null ;;
     gnuplot-nox) command -v gnuplot >/dev/null ;;
+    voronota) command -v voronota >/dev/null ;;
     *) dpkg-query -W -f '${db:Status-Status}\n' "$1" 2>/dev/null | grep -qx installed ;;
   esac
 }

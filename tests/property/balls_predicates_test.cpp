@@ -16,6 +16,7 @@
 #include "../../spatial/touching_spheres.hpp"
 #include "ball_families.hpp"
 #include "environments.hpp"
+#include "rounded_surd.hpp"
 
 namespace signum {
 namespace {
@@ -54,29 +55,6 @@ template <class S, class Predicate>
                    << name_of_environment(e) << ": " << text_of<S>(sites);
     }
     return testing::AssertionSuccess();
-}
-
-/// Whether x is the double nearest to the number, halves to even, an infinity beyond them.
-bool is_rounded(double x, const oracle::Surd& number) {
-    using oracle::Rational;
-    using oracle::Surd;
-    constexpr double largest = std::numeric_limits<double>::max();
-    const auto exact = [](double value) { return oracle::exact_ball(Site{value, 0.0, 0.0}).c[0]; };
-    // The next double after the largest would be 2^1024.
-    const auto at = [&](double value) -> Rational {
-        if (std::isfinite(value)) return exact(value);
-        const Rational beyond = 2 * exact(0x1p1023);
-        return value > 0 ? beyond : Rational(-beyond);
-    };
-    const double inner = std::isinf(x) ? std::copysign(largest, x) : x;
-    const Rational below = (at(std::nextafter(inner, -HUGE_VAL)) + at(inner)) / 2;
-    const Rational above = (at(inner) + at(std::nextafter(inner, HUGE_VAL))) / 2;
-    if (std::isinf(x)) return x > 0 ? !(number < Surd(above)) : !(Surd(below) < number);
-    int exponent = 0;
-    const bool even =
-        std::fmod(std::ldexp(std::frexp(x, &exponent), std::min(53, exponent + 1074)), 2) == 0;
-    return even ? !(number < Surd(below)) && !(Surd(above) < number)
-                : Surd(below) < number && number < Surd(above);
 }
 
 /// The number in 500 bits, then as a double: a second opinion where nothing cancels to the last
