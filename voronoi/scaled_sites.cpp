@@ -67,14 +67,15 @@ template <class S>
                       sites);
 }
 
-/// A double of a number over 2^exponent, at most 2^1000 in magnitude.
-[[nodiscard]] double rounded(Rational number, int exponent) {
+/// A double of a number over 2^exponent, less another, at most 2^1000 in magnitude.
+[[nodiscard]] double rounded(Rational number, int exponent, double less) {
     constexpr double most = 0x1p1000;
     const mpq_ptr numeral = number.backend().data();
     if (exponent > 0)
         mpq_div_2exp(numeral, numeral, static_cast<mp_bitcnt_t>(exponent));
     else
         mpq_mul_2exp(numeral, numeral, static_cast<mp_bitcnt_t>(-exponent));
+    number -= exact::to_rational(less);
     const double nearest = exact::round_to_double(number);
     if (std::isnan(nearest)) return number.sign() < 0 ? -most : most;
     return std::clamp(nearest, -most, most);
@@ -163,9 +164,14 @@ class ScaledSites::Exact {
         }
         for (Rational& x : place_) x /= determinant;
     }
-    [[nodiscard]] Point3 place() const {
-        return {rounded(place_[0], all_.exponent_), rounded(place_[1], all_.exponent_),
-                rounded(place_[2], all_.exponent_)};
+    /// From the eye.
+    [[nodiscard]] Point3 place(const Point3& eye) const {
+        Point3 result;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const auto x = axes_of_space[axis];
+            result.*x = rounded(place_[axis] + site_.x[axis], all_.exponent_, eye.*x);
+        }
+        return result;
     }
     [[nodiscard]] bool is_outside(Side side) const {
         const auto axis = static_cast<std::size_t>(side.axis_number());
@@ -182,18 +188,21 @@ class ScaledSites::Exact {
 
 ScaledSites::Rows ScaledSites::rows(Index i, const ThreePlanes& planes) const noexcept {
     Rows result{};
+    const Point3 eye_of_site = eye(i);
+    const Point3 site = minus((*this)[i].centre, eye_of_site);
+    result.size = length(site);
     for (std::size_t k = 0; k < 3; ++k) {
         Point3& m = result.m[k];
         if (is_box_side(planes[k])) [[unlikely]] {
             const Side side = Side::named(planes[k]);
             m.*side.axis() = 1.0;
-            result.h[k] = side.of(box_) - (*this)[i].centre.*side.axis();
+            result.h[k] = side.of(box_) - eye_of_site.*side.axis();
             result.size = std::max(result.size, std::fabs(result.h[k]));
             continue;
         }
         m = offset(i, planes[k]);
         const double square = dot(m, m);
-        result.h[k] = (square - weight_difference(i, planes[k])) / 2;
+        result.h[k] = (square - weight_difference(i, planes[k])) / 2 + dot(m, site);
         result.size = std::max(result.size, std::sqrt(square));
     }
     return result;
@@ -235,7 +244,7 @@ ScaledSites::Rows ScaledSites::shortest_rows(Index i, const ThreePlanes& planes)
         if (part[from] == part[to]) continue;
         std::ranges::replace(part, std::size_t{part[to]}, std::size_t{part[from]});
         const Point3 m = offset(sites[from], sites[to]);
-        const Point3 begin = offset(i, sites[from]);
+        const Point3 begin = minus((*this)[sites[from]].centre, eye(i));
         result.m[size] = m;
         result.h[size] = (square - weight_difference(sites[from], sites[to])) / 2 + dot(m, begin);
         ++size;
@@ -279,14 +288,14 @@ Corner ScaledSites::corner(Index i, const ThreePlanes& planes) const {
     if (meet(rows(i, planes), result)) [[likely]]
         return result;
     if (meet(shortest_rows(i, planes), result)) return result;
-    result.place = Exact(*this, i, planes).place();
+    result.place = Exact(*this, i, planes).place(eye(i));
     result.error = 0x1p-52 * length(result.place) + 0x1p-1000;
     return result;
 }
 
 bool ScaledSites::is_outside(Index i, const ThreePlanes& planes, const Corner& corner,
                              Side side) const {
-    const double at = side.of(box_) - (*this)[i].centre.*side.axis();
+    const double at = side.of(box_) - eye(i).*side.axis();
     const double over = (corner.place.*side.axis() - at) * (side.is_high() ? 1.0 : -1.0);
     const double slack = corner.error + 0x1p-51 * std::fabs(at);
     if (over > slack) return true;
@@ -296,13 +305,13 @@ bool ScaledSites::is_outside(Index i, const ThreePlanes& planes, const Corner& c
 
 std::uint32_t ScaledSites::sides_beyond(Index i, const ThreePlanes& planes,
                                         const Corner& corner) const {
-    const Point3& eye = (*this)[i].centre;
+    const Point3 from = eye(i);
     std::uint32_t result = 0;
     bool is_certain = true;
     for (int axis = 0; axis < 3; ++axis) {
         const auto x = axes_of_space[axis];
-        const double low = box_.low.*x - eye.*x;
-        const double high = box_.high.*x - eye.*x;
+        const double low = box_.low.*x - from.*x;
+        const double high = box_.high.*x - from.*x;
         const double slack = corner.error + 0x1p-50 * std::max(std::fabs(low), std::fabs(high));
         const double place = corner.place.*x;
         is_certain &= std::fabs(place - low) > slack && std::fabs(place - high) > slack;

@@ -7,6 +7,7 @@
 /// SpaceFace::beyond has for them. Where their corner lies doubles say with a bound of their error;
 /// where that says too little, rationals. For sources only.
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -45,8 +46,8 @@ struct Bisector {
 /// Three planes of a site: what lies beyond each.
 using ThreePlanes = std::array<Index, 3>;
 
-/// Where planes meet, seen from their site; each coordinate within `error` of the truth, which is
-/// far below the distance from the site.
+/// Where planes meet, seen from their site's eye; each coordinate within `error` of the truth,
+/// which is far below the distance from there.
 struct Corner {
     Point3 place;
     double error;
@@ -83,6 +84,17 @@ class ScaledSites {
     /// All has been divided by 2^exponent.
     [[nodiscard]] int exponent() const noexcept { return exponent_; }
 
+    /// From where the places of a site's cell are seen: its centre, or the point of the box that is
+    /// nearest to it, so that places have the digits that the box has.
+    [[nodiscard]] Point3 eye(Index i) const noexcept {
+        const Point3& p = (*this)[i].centre;
+        return {std::clamp(p.x, box_.low.x, box_.high.x), std::clamp(p.y, box_.low.y, box_.high.y),
+                std::clamp(p.z, box_.low.z, box_.high.z)};
+    }
+    /// From eye to eye.
+    [[nodiscard]] Point3 between_eyes(Index i, Index j) const noexcept {
+        return minus(eye(j), eye(i));
+    }
     /// From site i to site j.
     [[nodiscard]] Point3 offset(Index i, Index j) const noexcept {
         return minus((*this)[j].centre, (*this)[i].centre);

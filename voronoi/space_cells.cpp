@@ -36,7 +36,7 @@ class Measuring {
                 const Point3& corner = faces_.polygon().front();
                 add(i, face->plane.normal, corner, *face, {});
                 add(j, plus({}, face->plane.normal, -1.0), corner, *face,
-                    faces_.sites().offset(i, j));
+                    faces_.sites().between_eyes(i, j));
                 if (faces_.is_at_box()) [[unlikely]]
                     keep_rims(i, j);
             }
@@ -89,7 +89,7 @@ class Measuring {
     void keep_rims(Index i, Index j) {
         const auto polygon = faces_.polygon();
         const auto borders = faces_.borders();
-        const Point3 offset = faces_.sites().offset(i, j);
+        const Point3 offset = faces_.sites().between_eyes(i, j);
         for (std::size_t k = 0; k < polygon.size(); ++k) {
             if (!is_box_side(borders[k])) continue;
             const int side = Side::named(borders[k]).number;
@@ -183,7 +183,7 @@ class Measuring {
         measure.volume = std::max(measure.volume, 0.0);
         // Without a volume the site itself, or what is next to it in the box.
         const Point3 place = measure.volume > 0.0 ? apexes_[static_cast<std::size_t>(i)] : Point3{};
-        const Point3& eye = faces_.sites()[i].centre;
+        const Point3 eye = faces_.sites().eye(i);
         for (double Point3::*const axis : axes_of_space) {
             const double moved = measure.volume > 0.0 ? sum.*axis / measure.volume : 0.0;
             // Of next to no volume rounding may lead out of it.

@@ -175,7 +175,7 @@ const CutFace* SpaceFaces::cut(Index i, const Neighbour& neighbour) {
             polygon_.push_back(each.known.place);
         } else {
             const Cell& at = cell(each.cell);
-            polygon_.push_back(plus(sites_.offset(i, at.sites[0]), at.vertex));
+            polygon_.push_back(plus(sites_.between_eyes(i, at.sites[0]), at.vertex));
         }
     }
     measure();
@@ -184,17 +184,17 @@ const CutFace* SpaceFaces::cut(Index i, const Neighbour& neighbour) {
 }
 
 void SpaceFaces::join_vertices(Index i) {
-    const Point3& eye = sites_[i].centre;
+    const Point3 eye = sites_.eye(i);
     polygon_.clear();
     borders_.assign(around_.begin(), around_.end());
     for (const Index c : ring_) {
         const auto& [four, neighbours, vertex, where] = cell(c);
-        polygon_.push_back(plus(minus(sites_[four[0]].centre, eye), vertex));
+        polygon_.push_back(plus(minus(sites_.eye(four[0]), eye), vertex));
     }
 }
 
 Box3 SpaceFaces::box_from(Index i) const noexcept {
-    const Point3& eye = sites_[i].centre;
+    const Point3 eye = sites_.eye(i);
     return {minus(sites_.box().low, eye), minus(sites_.box().high, eye)};
 }
 

@@ -67,7 +67,7 @@ class Building {
     void keep(Index site, Index i, Index j) {
         const std::size_t first = points_.size();
         const Index beyond = site == i ? j : i;
-        const Point3 eye = faces_.sites().offset(site, i);
+        const Point3 eye = faces_.sites().between_eyes(site, i);
         const auto polygon = faces_.polygon();
         const auto borders = faces_.borders();
         for (std::size_t k = 0; k < polygon.size(); ++k)
@@ -226,7 +226,7 @@ class Building {
 
     [[nodiscard]] double nearness(Index site) const noexcept {
         const Box3& box = faces_.sites().box();
-        const Point3& eye = faces_.sites()[site].centre;
+        const Point3 eye = faces_.sites().eye(site);
         double extent = 0.0;
         double largest = 1.0;
         for (const auto axis : axes_of_space) {
@@ -241,7 +241,7 @@ class Building {
     /// sites.
     void name_corners(SpacePolyhedron& result) {
         names_.assign(points_.size(), -1);
-        const Point3& eye = faces_.sites()[result.site].centre;
+        const Point3 eye = faces_.sites().eye(result.site);
         const Box3& box = faces_.sites().box();
         const int exponent = faces_.sites().exponent();
         for (Index& corner : result.face_corners) {
