@@ -437,10 +437,7 @@ CutFace SpaceFaces::on_side(Side side, std::span<const SideStep> steps) {
     }
     face.area = std::max(area, 0.0) / 2;
     face.moment = plus(plus({}, moment, 1.0 / 6), first, face.area);
-    const double longest = std::sqrt(longest_square);
-    const double distance = length(first) + longest;
-    face.is_narrow =
-        !(face.area > least_share * distance * longest) || !(face.area > least_width * longest);
+    face.is_narrow = !(face.area > least_width * std::sqrt(longest_square));
     return face;
 }
 

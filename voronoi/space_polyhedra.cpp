@@ -235,7 +235,7 @@ class Building {
             for (const FacePoint& p : points_)
                 extent = std::max(extent, std::fabs(p.place.*axis - points_[0].place.*axis));
         }
-        return std::max(0x1p-36 * extent, 0x1p-47 * largest);
+        return std::max(0x1p-44 * extent, 0x1p-47 * largest);
     }
     /// Those that faces have, in the order in which faces have them, in the coordinates of the
     /// sites.
