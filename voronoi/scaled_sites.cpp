@@ -107,20 +107,15 @@ ScaledSites::ScaledSites(const AnySites3& sites, const Box3& box)
         sites);
 }
 
-Bisector ScaledSites::bisector(Index i, Index j) const noexcept {
-    Point3 normal = offset(i, j);
-    double norm = length(normal);
-    if (norm < 0x1p-200) [[unlikely]] {
+Point3 ScaledSites::direction(Index i, Index j) const noexcept {
+    Point3 way = offset(i, j);
+    double distance = length(way);
+    if (distance < 0x1p-200) [[unlikely]] {
         // The squares may be none.
-        normal = divided(normal, -900);
-        norm = length(normal);
-        normal = plus({}, normal, 1.0 / norm);
-        norm = std::ldexp(norm, -900);
-    } else {
-        normal = plus({}, normal, 1.0 / norm);
+        way = divided(way, -900);
+        distance = length(way);
     }
-    const double difference = weight_difference(i, j) / norm;
-    return {normal, (norm - difference) / 2, (norm + difference) / 2};
+    return plus({}, way, 1.0 / distance);
 }
 
 // ---- where planes meet -------------------------------------------------------------------------

@@ -35,14 +35,6 @@ struct ScaledSite {
     double weight_low;
 };
 
-/// The points p at which a.p, a of length 1, is `height`: as near to one site as to another, seen
-/// from the former, and turned to the latter.
-struct Bisector {
-    Point3 normal;
-    double height;
-    double height_beyond;  ///< the same, seen from the other site
-};
-
 /// Three planes of a site: what lies beyond each.
 using ThreePlanes = std::array<Index, 3>;
 
@@ -109,8 +101,8 @@ class ScaledSites {
         const TwoTerms sum = two_sum(high.high, low.high);
         return sum.high + (sum.low + (high.low + low.low));
     }
-    /// Precondition: their centres differ.
-    [[nodiscard]] Bisector bisector(Index i, Index j) const noexcept;
+    /// The same, of length 1. Precondition: their centres differ.
+    [[nodiscard]] Point3 direction(Index i, Index j) const noexcept;
 
     /// Precondition of all that is told of planes: they meet in one point.
     [[nodiscard]] Corner corner(Index i, const ThreePlanes& planes) const;

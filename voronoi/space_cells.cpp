@@ -34,8 +34,8 @@ class Measuring {
                 const Index j = neighbour.site;
                 if (!face->is_narrow) found_.push_back({i, j, face->area});
                 const Point3& corner = faces_.polygon().front();
-                add(i, face->plane.normal, corner, *face, {});
-                add(j, plus({}, face->plane.normal, -1.0), corner, *face,
+                add(i, face->normal, corner, *face, {});
+                add(j, plus({}, face->normal, -1.0), corner, *face,
                     faces_.sites().between_eyes(i, j));
                 if (faces_.is_at_box()) [[unlikely]]
                     keep_rims(i, j);
@@ -102,7 +102,6 @@ class Measuring {
             ends_.push_back({i, end});
             EdgeEnd other = end;
             other.is_high = !end.is_high;
-            other.beyond = i;
             other.place = minus(end.place, offset);
             ends_.push_back({j, other});
         });
@@ -129,7 +128,7 @@ class Measuring {
             const CutFace face =
                 SpaceFaces::on_side(Side(number), std::span(steps_).subspan(k, last - k));
             if (!face.is_narrow) found_.push_back({i, Side(number).name(), face.area});
-            add(i, face.plane.normal, from, face, {});
+            add(i, face.normal, from, face, {});
             k = last;
         }
     }

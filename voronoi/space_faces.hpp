@@ -18,13 +18,14 @@
 
 #include "../core/large_array.hpp"
 #include "../spatial/triangulate.hpp"
+#include "box_edges.hpp"
 #include "scaled_sites.hpp"
 
 namespace signum {
 
-/// Seen from the site whose face it is; lengths as in ScaledSites.
+/// Seen from the eye of the site whose face it is; lengths as in ScaledSites.
 struct CutFace {
-    Bisector plane;  ///< turned outward
+    Point3 normal;  ///< of length 1, outward
     double area;
     Point3 moment;   ///< the integral of the place over the face
     bool is_narrow;  ///< law 3 of space_cells.hpp: it counts for nothing
@@ -37,59 +38,6 @@ struct SideStep {
     Point3 from;
     Point3 to;
 };
-
-/// An edge of the box: where two of its sides meet. Edges along x are numbered from 0, along y from
-/// 4, along z from 8: first both sides low, then that on the next axis high, then the other.
-struct BoxEdge {
-    int number;
-    explicit constexpr BoxEdge(int of_box) noexcept : number(of_box) {}
-    constexpr BoxEdge(Side a, Side b) noexcept : number(0) {
-        const int axis = 3 - a.axis_number() - b.axis_number();
-        const bool is_next = a.axis_number() == (axis + 1) % 3;
-        const Side next = is_next ? a : b;
-        const Side last = is_next ? b : a;
-        number = 4 * axis + static_cast<int>(next.is_high()) + 2 * static_cast<int>(last.is_high());
-    }
-    [[nodiscard]] constexpr int axis() const noexcept { return number / 4; }
-    [[nodiscard]] constexpr Side next() const noexcept {
-        return Side(2 * ((axis() + 1) % 3) + number % 2);
-    }
-    [[nodiscard]] constexpr Side last() const noexcept {
-        return Side(2 * ((axis() + 2) % 3) + number / 2 % 2);
-    }
-    /// The side in which it begins or ends.
-    [[nodiscard]] constexpr Side end(bool is_high) const noexcept {
-        return Side(2 * axis() + static_cast<int>(is_high));
-    }
-};
-
-/// Where a cell's part of an edge of the box begins or ends at a face.
-struct EdgeEnd {
-    int edge;
-    bool is_high;        ///< it ends there
-    Index beyond;        ///< the site whose part goes on
-    std::size_t corner;  ///< of the face
-    Point3 place;
-};
-/// A cell's part of an edge of the box; where an end is missing it goes on to the box's corner.
-struct EdgePart {
-    BoxEdge edge;
-    const EdgeEnd* low;
-    const EdgeEnd* high;
-};
-/// Where it begins and ends, seen from its site, from where the box is `box`.
-struct Ends3 {
-    Point3 low;
-    Point3 high;
-};
-[[nodiscard]] Ends3 ends_of(const EdgePart& part, const Box3& box) noexcept;
-/// Of the two sides that meet there, around which counterclockwise is up.
-[[nodiscard]] constexpr Side side_around_which_up(BoxEdge edge) noexcept {
-    return edge.next().is_high() == edge.last().is_high() ? edge.next() : edge.last();
-}
-/// All those of a cell from all ends that its faces make; of one that has the whole box, from none.
-/// Valid as long as they are.
-[[nodiscard]] std::vector<EdgePart> edge_parts(std::span<const EdgeEnd> ends, bool is_whole_box);
 
 class SpaceFaces {
  public:
@@ -125,12 +73,12 @@ class SpaceFaces {
     [[nodiscard]] static CutFace on_side(Side side, std::span<const SideStep> steps);
 
     /// Of the face that was cut last; counterclockwise seen from beyond, in places seen from its
-    /// site.
+    /// site's eye.
     [[nodiscard]] std::span<const Point3> polygon() const noexcept { return polygon_; }
     /// What is on the other side of the edge behind each point: a site, or a side of the box.
     [[nodiscard]] std::span<const Index> borders() const noexcept { return borders_; }
     /// The ends that the last face, of sites i and j, makes of parts of the box's edges, seen from
-    /// site i and as the end of its part: of the part of site j it is the other one.
+    /// the eye of site i, as ends of its part: of the part of site j each is the other end.
     template <class Put>
     void for_ends_on_edges(Index i, Index j, const Put& put) const {
         if (corners_.empty()) return;
@@ -138,19 +86,18 @@ class SpaceFaces {
             const Index before = borders_[k > 0 ? k - 1 : borders_.size() - 1];
             if (!is_box_side(before) || !is_box_side(borders_[k])) continue;
             const BoxEdge edge(Side::named(before), Side::named(borders_[k]));
-            put(EdgeEnd{edge.number, sites_.sign_of_offset(i, j, edge.axis()) > 0, j, k,
-                        polygon_[k]});
+            put(EdgeEnd{edge.number, sites_.sign_of_offset(i, j, edge.axis()) > 0, k, polygon_[k]});
         }
     }
     /// The site in whose cell the box is, where no face cuts it.
     [[nodiscard]] Index owner_of_box() const;
-    /// The corners of the box seen from a site.
+    /// The corners of the box seen from a site's eye.
     [[nodiscard]] Box3 box_from(Index i) const noexcept;
 
  private:
     /// A cell of the tessellation, all that is asked of it in one line of the processor's memory.
-    /// Its vertex is seen from its first site; bits say which sides of the box that is not inside
-    /// of, or that it is at infinity.
+    /// Its vertex is seen from its first site's eye; bits say which sides of the box that is not
+    /// inside of, or that it is at infinity.
     struct alignas(64) Cell {
         SpaceCell sites;
         SpaceCell neighbours;
