@@ -185,21 +185,22 @@ ScaledSites::Rows ScaledSites::rows(Index i, const ThreePlanes& planes) const no
     Rows result{};
     const Point3 eye_of_site = eye(i);
     const Point3 site = minus((*this)[i].centre, eye_of_site);
-    result.size = length(site);
+    double largest_square = dot(site, site);
     for (std::size_t k = 0; k < 3; ++k) {
         Point3& m = result.m[k];
         if (is_box_side(planes[k])) [[unlikely]] {
             const Side side = Side::named(planes[k]);
             m.*side.axis() = 1.0;
             result.h[k] = side.of(box_) - eye_of_site.*side.axis();
-            result.size = std::max(result.size, std::fabs(result.h[k]));
+            largest_square = std::max(largest_square, result.h[k] * result.h[k]);
             continue;
         }
         m = offset(i, planes[k]);
         const double square = dot(m, m);
         result.h[k] = (square - weight_difference(i, planes[k])) / 2 + dot(m, site);
-        result.size = std::max(result.size, std::sqrt(square));
+        largest_square = std::max(largest_square, square);
     }
+    result.size = std::sqrt(largest_square);
     return result;
 }
 
