@@ -16,48 +16,32 @@ class Measuring {
         : faces_(tessellation, sites, box), size_(static_cast<Index>(faces_.sites().size())) {
         result_.box = box;
         result_.measures.resize(faces_.sites().size());
-        touched_.resize(faces_.sites().size(), 0);
         found_.reserve(8 * faces_.sites().size());
-        apexes_.reserve(faces_.sites().size());
-        for (Index i = 0; i < size_; ++i) apexes_.push_back(faces_.point_near_cell(i));
+        apexes_.resize(faces_.sites().size());
+        has_apex_.resize(faces_.sites().size(), 0);
     }
 
     [[nodiscard]] SpaceCells run() && {
         // Near ones after one another, so that most of what a site looks at has been looked at.
         const auto place = [&](Index i) { return faces_.sites()[i].centre; };
-        const LargeArray<Index> order = spatial::insertion_order(touched_.size(), place, 1);
+        const LargeArray<Index> order = spatial::insertion_order(has_apex_.size(), place, 1);
         for (std::size_t k = 0; k < order.size(); ++k) {
             const Index i = order[k];
             if (k + 1 < order.size()) faces_.prefetch(order[k + 1]);
             for (const auto& neighbour : faces_.neighbours(i, i)) {
                 const CutFace* const face = faces_.cut(i, neighbour);
-                if (const auto touched = static_cast<std::uint8_t>(faces_.touched());
-                    touched != 0) {
-                    touched_of(i) |= touched;
-                    touched_of(neighbour.site) |= touched;
-                }
-                if (face == nullptr || face->is_narrow) continue;
-                found_.push_back({i, neighbour.site, face->area});
-                add(i, face->plane.normal, face->plane.height, *face, {});
-                add(neighbour.site, plus({}, face->plane.normal, -1.0), face->plane.height_beyond,
-                    *face, faces_.sites().offset(i, neighbour.site));
+                if (face == nullptr) continue;
+                const Index j = neighbour.site;
+                if (!face->is_narrow) found_.push_back({i, j, face->area});
+                const Point3& corner = faces_.polygon().front();
+                add(i, face->normal, corner, *face, {});
+                add(j, plus({}, face->normal, -1.0), corner, *face,
+                    faces_.sites().between_eyes(i, j));
+                if (faces_.is_at_box()) [[unlikely]]
+                    keep_rims(i, j);
             }
         }
-        // A side that no face meets is in one cell.
-        for (int side = 0; side < 6; ++side)
-            if (const Index owner = nearest_to_middle(side); owner >= 0)
-                touched_of(owner) |= static_cast<std::uint8_t>(1U << side);
-        for (Index i = 0; i < size_; ++i) {
-            if (touched_of(i) == 0) continue;
-            const auto neighbours = faces_.neighbours(i);
-            for (int side = 0; side < 6; ++side) {
-                if ((touched_of(i) >> side & 1U) == 0) continue;
-                const CutFace* const face = faces_.cut_side(i, side, neighbours);
-                if (face == nullptr || face->is_narrow) continue;
-                found_.push_back({i, static_cast<Index>(-1 - side), face->area});
-                add(i, face->plane.normal, face->plane.height, *face, {});
-            }
-        }
+        measure_sides();
         list_faces();
         for (Index i = 0; i < size_; ++i) finish(i);
         return std::move(result_);
@@ -71,50 +55,94 @@ class Measuring {
         double area;
     };
 
-    [[nodiscard]] std::uint8_t& touched_of(Index i) noexcept {
-        return touched_[static_cast<std::size_t>(i)];
-    }
+    struct EndOfCell {
+        Index site;
+        EdgeEnd end;
+    };
+
     [[nodiscard]] SpaceMeasure& measure_of(Index i) noexcept {
         return result_.measures[static_cast<std::size_t>(i)];
     }
-    /// Where the cones of a cell begin, seen from its site: in the cell, which may be small and far
-    /// from the site, so that rounding of its faces is not multiplied by that distance.
-    [[nodiscard]] const Point3& apex(Index i) const noexcept {
-        return apexes_[static_cast<std::size_t>(i)];
-    }
-    /// The cone over a face, its normal turned outward; `offset` leads from where the face was
-    /// seen to site i.
-    void add(Index i, const Point3& normal, double height, const CutFace& face,
+    /// The cone over a face, its normal turned outward; `offset` leads from where the face and a
+    /// corner of it were seen to site i. Cones of a cell begin at a corner of its first face, so
+    /// that of a small cell far from its site the rounding of faces is not multiplied by that
+    /// distance.
+    void add(Index i, const Point3& normal, const Point3& corner, const CutFace& face,
              const Point3& offset) noexcept {
-        const Point3 from = apex(i);
-        const double over = height - dot(normal, from);
-        const Point3 moment = plus(face.moment, plus(offset, from), -face.area);
-        SpaceMeasure& measure = measure_of(i);
-        measure.area += face.area;
-        measure.volume += over * face.area / 3;
-        measure.centroid = plus(measure.centroid, moment, over / 4);
-    }
-    /// The visible site nearest to the middle of a side; -1 where there is none. Two are compared
-    /// by differences, which large weights and distances do not swallow.
-    [[nodiscard]] Index nearest_to_middle(int side) const noexcept {
-        const Box3& box = faces_.sites().box();
-        Point3 middle = plus(plus({}, box.low, 0.5), box.high, 0.5);
-        double Point3::*const axis = axes_of_space[side / 2];
-        middle.*axis = side % 2 != 0 ? box.high.*axis : box.low.*axis;
-        Index best = -1;
-        for (Index i = 0; i < size_; ++i) {
-            if (!faces_.is_visible(i)) continue;
-            if (best >= 0) {
-                const Point3 offset = faces_.sites().offset(best, i);
-                const Point3 to_middle = minus(middle, faces_.sites()[best].centre);
-                if (2 * dot(offset, to_middle) <=
-                    dot(offset, offset) - faces_.sites().weight_difference(best, i))
-                    continue;
-            }
-            best = i;
+        const auto s = static_cast<std::size_t>(i);
+        if (has_apex_[s] == 0) {
+            has_apex_[s] = 1;
+            apexes_[s] = minus(corner, offset);
         }
-        return best;
+        const Point3 from = plus(offset, apexes_[s]);
+        const double over = dot(normal, minus(corner, from));
+        SpaceMeasure& measure = measure_of(i);
+        if (!face.is_narrow) measure.area += face.area;
+        measure.volume += over * face.area / 3;
+        measure.centroid = plus(measure.centroid, plus(face.moment, from, -face.area), over / 4);
     }
+
+    // ---- sides of the box ----------------------------------------------------------------------
+
+    /// What the last face leaves on the sides: a step for each of its two cells, in which their
+    /// rims run against the face.
+    void keep_rims(Index i, Index j) {
+        const auto polygon = faces_.polygon();
+        const auto borders = faces_.borders();
+        const Point3 offset = faces_.sites().between_eyes(i, j);
+        for (std::size_t k = 0; k < polygon.size(); ++k) {
+            if (!is_box_side(borders[k])) continue;
+            const int side = Side::named(borders[k]).number;
+            const Point3& from = polygon[k];
+            const Point3& to = polygon[k + 1 < polygon.size() ? k + 1 : 0];
+            steps_.push_back({i, side, to, from});
+            steps_.push_back({j, side, minus(from, offset), minus(to, offset)});
+        }
+        faces_.for_ends_on_edges(i, j, [&](const EdgeEnd& end) {
+            ends_.push_back({i, end});
+            EdgeEnd other = end;
+            other.is_high = !end.is_high;
+            other.place = minus(end.place, offset);
+            ends_.push_back({j, other});
+        });
+    }
+    /// The parts of the box's edges close the rims.
+    void measure_sides() {
+        std::ranges::sort(ends_, {}, &EndOfCell::site);
+        if (ends_.empty()) {
+            if (const Index owner = faces_.owner_of_box(); owner >= 0) add_edges(owner, {}, true);
+        }
+        std::vector<EdgeEnd> of_cell;
+        for (std::size_t k = 0; k < ends_.size();) {
+            const Index i = ends_[k].site;
+            for (of_cell.clear(); k < ends_.size() && ends_[k].site == i; ++k)
+                of_cell.push_back(ends_[k].end);
+            add_edges(i, of_cell, false);
+        }
+        const auto of = [](const SideStep& step) { return std::pair(step.site, step.side); };
+        std::ranges::stable_sort(steps_, {}, of);
+        for (std::size_t k = 0; k < steps_.size();) {
+            std::size_t last = k;
+            while (last < steps_.size() && of(steps_[last]) == of(steps_[k])) ++last;
+            const auto [i, number, from, to] = steps_[k];
+            const CutFace face =
+                SpaceFaces::on_side(Side(number), std::span(steps_).subspan(k, last - k));
+            if (!face.is_narrow) found_.push_back({i, Side(number).name(), face.area});
+            add(i, face.normal, from, face, {});
+            k = last;
+        }
+    }
+    void add_edges(Index i, std::span<const EdgeEnd> ends, bool is_whole_box) {
+        const Box3 box = faces_.box_from(i);
+        for (const EdgePart& part : edge_parts(ends, is_whole_box)) {
+            const auto [low, high] = ends_of(part, box);
+            for (const Side side : {part.edge.next(), part.edge.last()}) {
+                const bool is_up = side.number == side_around_which_up(part.edge).number;
+                steps_.push_back({i, side.number, is_up ? low : high, is_up ? high : low});
+            }
+        }
+    }
+
     /// Into the lists of both cells, which are then put in order.
     void list_faces() {
         auto& first = result_.first_face;
@@ -153,8 +181,8 @@ class Measuring {
         const Point3 sum = measure.centroid;
         measure.volume = std::max(measure.volume, 0.0);
         // Without a volume the site itself, or what is next to it in the box.
-        const Point3 place = measure.volume > 0.0 ? apex(i) : Point3{};
-        const Point3& eye = faces_.sites()[i].centre;
+        const Point3 place = measure.volume > 0.0 ? apexes_[static_cast<std::size_t>(i)] : Point3{};
+        const Point3 eye = faces_.sites().eye(i);
         for (double Point3::*const axis : axes_of_space) {
             const double moved = measure.volume > 0.0 ? sum.*axis / measure.volume : 0.0;
             // Of next to no volume rounding may lead out of it.
@@ -169,8 +197,10 @@ class Measuring {
     Index size_;
     SpaceCells result_;
     LargeArray<Point3> apexes_;
-    std::vector<std::uint8_t> touched_;
+    std::vector<char> has_apex_;
     std::vector<Found> found_;
+    std::vector<SideStep> steps_;
+    std::vector<EndOfCell> ends_;
 };
 
 }  // namespace

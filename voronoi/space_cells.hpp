@@ -8,20 +8,19 @@
 ///     volume and no face.
 ///  2. A face between two cells has one area, told to both. A cell's faces come in the order of
 ///     the sites beyond, then of the box's sides from -1 to -6.
-///  3. Who may share a face the exact tessellation says. A face narrower than 2^-40 of its corners'
-///     distance from the site is none: where more than four cells meet in a point, as in lattices,
-///     the rounding of coordinates makes such faces. Nor is what the box leaves of a face, or a
-///     cell's part of a side, narrower than 2^-45 of the box's longest side, and what lies in a
-///     side is the side's.
-///  4. Numbers are doubles, computed from differences of coordinates, finite but beyond a double's
-///     range, and never negative. Volumes, areas and places are in error by about 1e-12 of those of
-///     a cell as large as the distance of the corners from the site; what is smaller by a factor
-///     has the fewer right digits. Where a bisecting plane almost is a side of the box, or another
-///     bisecting plane, at an angle of less than about 1e-6 but not in it, the line in which they
-///     meet is not known as well: of volumes and their sum half the digits may be lost, and where
-///     sites or planes lie within a few roundings of one another or of a side, nearly all.
+///  3. Who may share a face the exact tessellation says, and what of it the box cuts is decided
+///     exactly, too: what lies in a side is the side's, and what lies a rounding beside it is not.
+///     A face narrower than 2^-40 of its corners' distance from the site, or from the point of the
+///     box that is nearest to it, is none: where more than four cells meet in a point, as in
+///     lattices, the rounding of coordinates makes such faces. Nor is what the box leaves of a
+///     face, or a cell's part of a side, narrower than 2^-45 of the box's longest side.
+///  4. Numbers are doubles, finite but beyond a double's range, and never negative. Volumes, areas
+///     and places are in error by about 1e-12 of those of a cell as large as the distance of the
+///     corners from the site, or from the point of the box that is nearest to it, however nearly
+///     planes coincide; what is smaller by a factor has the fewer right digits.
 /// Faces are convex polygons around the edges of the tessellation, so that no cell is cut from the
-/// box plane by plane; volumes are sums of cones over faces.
+/// box plane by plane; volumes are sums of cones over faces. A corner is the meeting of three
+/// planes: in doubles where they do it well, in rationals where they do not.
 
 #include <cstdint>
 #include <span>

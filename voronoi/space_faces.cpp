@@ -8,29 +8,10 @@
 namespace signum {
 namespace {
 
-/// In the box's longest side, which is 1 to 2: what is no farther from a plane lies in it, and what
-/// is no wider is nothing.
-constexpr double on_plane = 0x1p-46;
-constexpr double least_width = 0x1p-45;
 /// What is narrower, of its distance from the site, may be nothing but the rounding of coordinates.
 constexpr double least_share = 0x1p-40;
-/// From where vertices are too far from the box.
-constexpr double far_from_box = 8.0;
-
-/// A plane across an axis: what lies outside the box is below a low side, above a high one.
-struct Side {
-    double Point3::*axis;
-    bool is_high;
-    explicit Side(int number) noexcept
-        : axis(axes_of_space[number / 2]), is_high(number % 2 != 0) {}
-    [[nodiscard]] double of(const Box3& box) const noexcept {
-        return is_high ? box.high.*axis : box.low.*axis;
-    }
-    /// How far beyond the side.
-    [[nodiscard]] double beyond(const Point3& p, double at) const noexcept {
-        return is_high ? p.*axis - at : at - p.*axis;
-    }
-};
+/// In the box's longest side, which is 1 to 2: what is no wider is nothing.
+constexpr double least_width = 0x1p-45;
 
 /// Whether one order of a cell's sites is an even permutation of the other.
 [[nodiscard]] bool turns(const SpaceCell& cell, const SpaceCell& other) noexcept {
@@ -43,11 +24,6 @@ struct Side {
                 is_even = !is_even;
             }
     return is_even;
-}
-
-/// As SpaceFace::beyond.
-[[nodiscard]] constexpr Index name_of_side(int number) noexcept {
-    return static_cast<Index>(-1 - number);
 }
 
 }  // namespace
@@ -69,98 +45,15 @@ SpaceFaces::SpaceFaces(const SpaceTessellation& tessellation, const AnySites3& s
 // ---- vertices and stars ------------------------------------------------------------------------
 
 void SpaceFaces::place_vertex(Cell& cell) const {
-    if (cell.sites[0] < 0) {
-        cell.where = far | (beyond_any * at_low_x);
+    const auto& [first, second, third, fourth] = cell.sites;
+    if (first < 0) {
+        cell.where = infinite;
         return;
     }
-    cell.vertex = vertex_of(cell.sites);
-    cell.where = where(plus(sites_[cell.sites[0]].centre, cell.vertex));
-}
-
-/// The point where three planes meet: m.v is h for each row of three. By Cramer's rule, and one
-/// step of refinement: so it lies within rounding of all three, however they meet. Nothing where
-/// the determinant is below `least` of what it might be, both squared.
-bool SpaceFaces::meet(const std::array<Point3, 3>& m, const std::array<double, 3>& h, double least,
-                      Point3& v) noexcept {
-    const Point3 bc = cross(m[1], m[2]);
-    const Point3 ca = cross(m[2], m[0]);
-    const Point3 ab = cross(m[0], m[1]);
-    const double determinant = dot(m[0], bc);
-    const double squares = dot(m[0], m[0]) * dot(m[1], m[1]) * dot(m[2], m[2]);
-    // Neither an overflow nor a NaN gets through.
-    if (!(determinant * determinant > least * squares) || !(squares > 0x1p-900)) [[unlikely]]
-        return false;
-    const double inverse = 1.0 / determinant;
-    const auto solve = [&](double i, double j, double k) -> Point3 {
-        return {(i * bc.x + j * ca.x + k * ab.x) * inverse,
-                (i * bc.y + j * ca.y + k * ab.y) * inverse,
-                (i * bc.z + j * ca.z + k * ab.z) * inverse};
-    };
-    const Point3 first = solve(h[0], h[1], h[2]);
-    v = plus(first,
-             solve(h[0] - dot(m[0], first), h[1] - dot(m[1], first), h[2] - dot(m[2], first)));
-    return true;
-}
-
-/// By the planes between the first site and the others. Where two of these are nearly parallel, the
-/// planes of the shortest edges that join the four sites say it better; and where the sites are
-/// nearly coplanar, rationals.
-Point3 SpaceFaces::vertex_of(const SpaceCell& cell) const {
-    const auto height = [&](Index from, Index to, const Point3& offset) {
-        return (dot(offset, offset) - sites_.weight_difference(from, to)) / 2;
-    };
-    std::array<Point3, 3> m;
-    std::array<double, 3> h;
-    for (std::size_t k = 0; k < 3; ++k) {
-        m[k] = sites_.offset(cell[0], cell[k + 1]);
-        h[k] = height(cell[0], cell[k + 1], m[k]);
-    }
-    Point3 v;
-    if (meet(m, h, 0x1p-20, v)) [[likely]]
-        return v;
-    struct Edge {
-        std::size_t from;
-        std::size_t to;
-        double square;
-    };
-    std::array<Edge, 6> edges;
-    std::size_t size = 0;
-    for (std::size_t from = 0; from < 4; ++from)
-        for (std::size_t to = from + 1; to < 4; ++to) {
-            const Point3 offset = sites_.offset(cell[from], cell[to]);
-            edges[size++] = {from, to, dot(offset, offset)};
-        }
-    std::ranges::sort(edges, {}, &Edge::square);
-    std::array<std::size_t, 4> part = {0, 1, 2, 3};
-    size = 0;
-    for (const auto& [from, to, square] : edges) {
-        if (part[from] == part[to]) continue;
-        std::ranges::replace(part, std::size_t{part[to]}, std::size_t{part[from]});
-        m[size] = sites_.offset(cell[from], cell[to]);
-        h[size] = height(cell[from], cell[to], m[size]) +
-                  dot(m[size], sites_.offset(cell[0], cell[from]));
-        ++size;
-    }
-    return meet(m, h, 0x1p-48, v) ? v : sites_.exact_vertex(cell);
-}
-
-std::uint32_t SpaceFaces::where(const Point3& p) const noexcept {
-    const Box3& box = sites_.box();
-    std::uint32_t result = 0;
-    const auto look = [&](double low, double x, double high, unsigned axis) {
-        const auto bit = [&](bool is_set, std::uint32_t first) {
-            return static_cast<std::uint32_t>(is_set) * first;
-        };
-        const std::uint32_t two =
-            bit(x < low - on_plane, beyond_low_x) | bit(x > high + on_plane, beyond_low_x << 1) |
-            bit(x <= low + on_plane, at_low_x) | bit(x >= high - on_plane, at_low_x << 1);
-        result |= two << 2 * axis;
-        result |= bit(x < low - far_from_box || x > high + far_from_box, far);
-    };
-    look(box.low.x, p.x, box.high.x, 0);
-    look(box.low.y, p.y, box.high.y, 1);
-    look(box.low.z, p.z, box.high.z, 2);
-    return result;
+    const ThreePlanes planes = {second, third, fourth};
+    const Corner corner = sites_.corner(first, planes);
+    cell.vertex = corner.place;
+    cell.where = sites_.sides_beyond(first, planes, corner);
 }
 
 void SpaceFaces::collect_stars() {
@@ -244,12 +137,12 @@ void SpaceFaces::collect_around(Index i, Index j) {
 
 const CutFace* SpaceFaces::cut(Index i, const Neighbour& neighbour) {
     const Index j = neighbour.site;
-    touched_ = 0;
+    corners_.clear();
     std::uint32_t all = 0;
-    std::uint32_t any = far;
+    std::uint32_t any = infinite;
     if (dimension_ == 3) {
         walk_around(i, neighbour);
-        all = beyond_any;
+        all = all_sides;
         any = 0;
         for (const Index c : ring_) {
             const std::uint32_t bits = cell(c).where;
@@ -257,210 +150,201 @@ const CutFace* SpaceFaces::cut(Index i, const Neighbour& neighbour) {
             any |= bits;
         }
         if (all != 0) return nullptr;
+    }
+    face_.normal = sites_.direction(i, j);
+    if (any == 0) [[likely]] {
+        join_vertices(i);
+        measure();
+        face_.is_narrow = is_narrow(false);
+        return &face_;
+    }
+    if (dimension_ == 3) {
+        start();
     } else {
         collect_around(i, j);
+        start_flat(i, j);
     }
-    face_.plane = sites_.bisector(i, j);
-    if ((any & far) != 0) {
-        cut_section(i, j);
-    } else {
-        join_vertices(i);
-        touched_ = any / at_low_x;
-        if (touched_ == 0) {
-            measure();
-            face_.is_narrow = is_narrow(false);
-            return &face_;
+    for (int number = 0; number < 6 && !corners_.empty(); ++number)
+        if ((any & (infinite | 1U << number)) != 0) cut_by(i, j, Side(number));
+    if (corners_.size() < 3) return nullptr;
+    polygon_.clear();
+    borders_.clear();
+    for (const FaceCorner& each : corners_) {
+        borders_.push_back(each.border);
+        if (each.cell < 0) {
+            polygon_.push_back(each.known.place);
+        } else {
+            const Cell& at = cell(each.cell);
+            polygon_.push_back(plus(sites_.between_eyes(i, at.sites[0]), at.vertex));
         }
-        cut_by_box(i, touched_);
     }
-    if (polygon_.size() < 3) return nullptr;
     measure();
     face_.is_narrow = is_narrow(true);
-    if ((any & far) != 0) {
-        const Box3 box = box_from(i);
-        for (int number = 0; number < 6; ++number) {
-            const Side side(number);
-            for (const Point3& p : polygon_)
-                if (side.beyond(p, side.of(box)) >= -on_plane) touched_ |= 1U << number;
-        }
-    }
     return &face_;
 }
 
 void SpaceFaces::join_vertices(Index i) {
-    const Point3& eye = sites_[i].centre;
+    const Point3 eye = sites_.eye(i);
     polygon_.clear();
     borders_.assign(around_.begin(), around_.end());
     for (const Index c : ring_) {
         const auto& [four, neighbours, vertex, where] = cell(c);
-        polygon_.push_back(plus(minus(sites_[four[0]].centre, eye), vertex));
+        polygon_.push_back(plus(minus(sites_.eye(four[0]), eye), vertex));
     }
 }
 
 Box3 SpaceFaces::box_from(Index i) const noexcept {
-    const Point3& eye = sites_[i].centre;
+    const Point3 eye = sites_.eye(i);
     return {minus(sites_.box().low, eye), minus(sites_.box().high, eye)};
 }
 
-Point3 SpaceFaces::point_near_cell(Index i) const noexcept {
-    Point3 corner;
-    if (dimension_ == 3)
-        for (const Index c : star(i)) {
-            const auto& [four, neighbours, vertex, where] = cell(c);
-            if ((where & far) != 0) continue;
-            corner = plus(sites_.offset(i, four[0]), vertex);
-            if (where == 0) return corner;
-        }
-    const Box3 box = box_from(i);
-    return {std::clamp(corner.x, box.low.x, box.high.x),
-            std::clamp(corner.y, box.low.y, box.high.y),
-            std::clamp(corner.z, box.low.z, box.high.z)};
+// ---- where the box cuts ------------------------------------------------------------------------
+
+void SpaceFaces::start() {
+    for (std::size_t k = 0; k < ring_.size(); ++k)
+        corners_.push_back({around_[k] < 0 ? at_infinity : around_[k],
+                            (cell(ring_[k]).where & infinite) != 0 ? no_cell : ring_[k]});
 }
 
-/// The polygon the other way around.
-void SpaceFaces::turn() {
-    std::ranges::reverse(polygon_);
-    // A border lies behind its point, which now is in front of it.
-    std::reverse(borders_.begin(), borders_.end() - 1);
-}
-
-/// The box seen along an axis, counterclockwise from above.
-void SpaceFaces::start_with_rectangle(const Box3& box, int axis) {
-    const int u = (axis + 1) % 3;
-    const int v = (axis + 2) % 3;
-    polygon_.assign(4, box.low);
-    polygon_[1].*axes_of_space[u] = polygon_[2].*axes_of_space[u] = box.high.*axes_of_space[u];
-    polygon_[2].*axes_of_space[v] = polygon_[3].*axes_of_space[v] = box.high.*axes_of_space[v];
-    borders_ = {name_of_side(2 * v), name_of_side(2 * u + 1), name_of_side(2 * v + 1),
-                name_of_side(2 * u)};
-}
-
-/// By where k is as near as i and j are, in their bisecting plane: of the two planes that tell, the
-/// one that is less parallel to it; by both where both nearly are, for then one may coincide with
-/// it, and the other lie far away.
-void SpaceFaces::cut_across(Index i, Index j, Index k) {
-    const Bisector one = sites_.bisector(i, k);
-    Bisector other = sites_.bisector(j, k);
-    other.height += dot(other.normal, sites_.offset(i, j));
-    const double slope = std::fabs(dot(one.normal, face_.plane.normal));
-    const double other_slope = std::fabs(dot(other.normal, face_.plane.normal));
-    constexpr double nearly_parallel = 1.0 - 0x1p-30;
-    const bool are_both = std::min(slope, other_slope) > nearly_parallel;
-    if (are_both || slope <= other_slope) cut_by(one, k);
-    if (are_both || slope > other_slope)
-        if (!polygon_.empty()) cut_by(other, k);
-}
-
-/// The box's section along the plane, as a function over the two axes along which it is least
-/// steep, cut by the planes of the sites around.
-void SpaceFaces::cut_section(Index i, Index j) {
-    const auto& [normal, height, unused] = face_.plane;
-    const Box3 box = box_from(i);
-    int steepest = 0;
-    for (int axis = 1; axis < 3; ++axis)
-        if (std::fabs(normal.*axes_of_space[axis]) > std::fabs(normal.*axes_of_space[steepest]))
-            steepest = axis;
-    double Point3::*const up = axes_of_space[steepest];
-    double Point3::*const u = axes_of_space[(steepest + 1) % 3];
-    double Point3::*const v = axes_of_space[(steepest + 2) % 3];
-    start_with_rectangle(box, steepest);
-    for (Point3& p : polygon_)
-        p.*up = (height - normal.*u * (p.*u) - normal.*v * (p.*v)) / normal.*up;
-    if (normal.*up < 0.0) turn();
-    // In a side of the box it is no face, but one of the cells has the side.
-    for (const int number : {2 * steepest, 2 * steepest + 1}) {
-        const double at = Side(number).of(box);
-        if (std::ranges::all_of(polygon_,
-                                [&](const Point3& p) { return std::fabs(p.*up - at) <= on_plane; }))
-            touched_ |= 1U << number;
+/// Of flat sites all corners are at infinity: the ends of the lines that a third site makes, one
+/// or two of them, and between them, or where there is none, whatever goes around the face.
+void SpaceFaces::start_flat(Index i, Index j) {
+    for (const Index k : around_) {
+        corners_.push_back({k, no_cell});
+        corners_.push_back({at_infinity, no_cell});
     }
-    cut_by_box(i, 3U << 2 * steepest);
-    for (const Index k : around_)
-        if (k >= 0 && !polygon_.empty()) cut_across(i, j, k);
+    if (around_.size() == 1) {
+        // Across the line, away from the third site.
+        for (int axis = 0; axis < 3; ++axis)
+            if (const Sign turn = sites_.sign_of_cross(i, j, around_.front(), axis); turn != 0) {
+                corners_.push_back({at_infinity, direction(axis, turn > 0)});
+                return;
+            }
+    }
+    if (!around_.empty()) return;
+    int steepest = 0;
+    while (sites_.sign_of_offset(i, j, steepest) == 0) ++steepest;
+    const bool is_up = sites_.sign_of_offset(i, j, steepest) > 0;
+    const int one = (steepest + (is_up ? 1 : 2)) % 3;
+    const int other = (steepest + (is_up ? 2 : 1)) % 3;
+    for (const bool is_positive : {true, false})
+        for (const int axis : {one, other})
+            corners_.push_back({at_infinity, direction(axis, is_positive)});
 }
 
-/// What is left of the polygon where distances are not positive: nothing, unless some point is on
-/// the good side. `put(p)` moves a point onto the plane, to which `beyond` is the name.
-template <class Put>
-void SpaceFaces::keep_below(Index beyond, const Put& put) {
-    points_before_.swap(polygon_);
-    borders_before_.swap(borders_);
-    polygon_.clear();
-    borders_.clear();
-    if (std::ranges::none_of(distances_, [](double d) { return d < -on_plane; })) return;
-    const std::size_t size = points_before_.size();
-    const auto add = [&](const Point3& p, Index border) {
-        polygon_.push_back(p);
-        borders_.push_back(border);
+/// Of a corner at infinity: the sign of the coordinate to which it tends. The cross product of the
+/// face's normal with that of an edge, outward, is how the edge runs.
+Sign SpaceFaces::sign_at_infinity(Index i, Index j, Index before, const FaceCorner& corner,
+                                  int axis) const {
+    const bool is_end = before != at_infinity;
+    const Index border = is_end ? before : corner.border;
+    if (border >= 0) {
+        const Sign sign = sites_.sign_of_cross(i, j, border, axis);
+        return is_end ? sign : -sign;
+    }
+    int across = 0;
+    bool is_positive = false;
+    if (border == at_infinity) {
+        across = (-2 - corner.cell) / 2;
+        is_positive = (-2 - corner.cell) % 2 != 0;
+    } else {
+        const Side side = Side::named(border);
+        across = side.axis_number();
+        is_positive = side.is_high() == is_end;
+    }
+    if (axis == across) return 0;
+    const bool is_next = axis == (across + 1) % 3;
+    const Sign sign = sites_.sign_of_offset(i, j, 3 - axis - across);
+    return is_next == is_positive ? sign : -sign;
+}
+
+/// On a side is outside of it.
+SpaceFaces::Where SpaceFaces::where_is(Index i, Index j, std::size_t corner, Side side) const {
+    const auto told = [](bool is_outside) { return is_outside ? Where::outside : Where::inside; };
+    const FaceCorner& at = corners_before_[corner];
+    if (at.cell >= 0) return told((cell(at.cell).where >> side.number & 1U) != 0);
+    const Index before =
+        corners_before_[corner > 0 ? corner - 1 : corners_before_.size() - 1].border;
+    const int axis = side.axis_number();
+    const auto is_opposite = [&](Index border) {
+        return border > at_infinity && is_box_side(border) &&
+               Side::named(border).axis_number() == axis;
     };
+    if (is_opposite(before) || is_opposite(at.border)) return Where::inside;
+    if (before != at_infinity && at.border != at_infinity)
+        return told(sites_.is_outside(i, {j, before, at.border}, at.known, side));
+    if (const Sign sign = sign_at_infinity(i, j, before, at, axis); sign != 0)
+        return told((sign > 0) == side.is_high());
+    // It goes along the side. So does the whole line, or the whole plane, or else it may be either.
+    const auto looked_up = [&](const ThreePlanes& planes) {
+        return told(sites_.is_outside(i, planes, sites_.corner(i, planes), side));
+    };
+    const int next = (axis + 1) % 3;
+    const int last = (axis + 2) % 3;
+    const bool is_next = sites_.sign_of_offset(i, j, next) != 0;
+    const bool is_last = sites_.sign_of_offset(i, j, last) != 0;
+    if (!is_next && !is_last) return looked_up({j, Side(2 * next).name(), Side(2 * last).name()});
+    const Index border = before != at_infinity ? before : at.border;
+    if (border >= 0) {
+        const bool is_along_next = sites_.sign_of_cross(i, j, border, next) != 0;
+        return looked_up({j, border, Side(2 * (is_along_next ? next : last)).name()});
+    }
+    if (border == at_infinity) return Where::either;
+    const int third = 3 - axis - Side::named(border).axis_number();
+    return looked_up({j, border, Side(2 * third).name()});
+}
+
+/// A corner that a side has made.
+SpaceFaces::FaceCorner SpaceFaces::made(Index i, Index j, Index before, Index border) const {
+    FaceCorner result{border, no_cell};
+    if (before == at_infinity || border == at_infinity) return result;
+    result.known = sites_.corner(i, {j, before, border});
+    const Box3 box = box_from(i);
+    for (const Index each : {before, border})
+        if (is_box_side(each)) {
+            const Side side = Side::named(each);
+            result.known.place.*side.axis() = side.of(box);
+        }
+    return result;
+}
+
+void SpaceFaces::cut_by(Index i, Index j, Side side) {
+    corners_before_.swap(corners_);
+    corners_.clear();
+    const std::size_t size = corners_before_.size();
+    where_.clear();
+    std::size_t known = size;
+    for (std::size_t k = 0; k < size; ++k) {
+        where_.push_back(where_is(i, j, k, side));
+        if (where_.back() != Where::either) known = k;
+    }
+    // As the one before it.
+    for (std::size_t n = 1; n < size && known < size; ++n) {
+        const std::size_t k = (known + n) % size;
+        if (where_[k] == Where::either) where_[k] = where_[(known + n - 1) % size];
+    }
     for (std::size_t k = 0; k < size; ++k) {
         const std::size_t next = k + 1 < size ? k + 1 : 0;
-        const double from = distances_[k];
-        const double to = distances_[next];
-        const bool is_on = std::fabs(from) <= on_plane;
-        if (from <= on_plane) {
-            add(points_before_[k], is_on && to > on_plane ? beyond : borders_before_[k]);
-            if (is_on) put(polygon_.back());
-        }
-        const bool leaves = from < -on_plane && to > on_plane;
-        if (leaves || (from > on_plane && to < -on_plane)) {
-            add(plus(points_before_[k], minus(points_before_[next], points_before_[k]),
-                     from / (from - to)),
-                leaves ? beyond : borders_before_[k]);
-            put(polygon_.back());
-        }
+        const Index border = corners_before_[k].border;
+        if (where_[k] != Where::outside) corners_.push_back(corners_before_[k]);
+        if (where_[k] == where_[next]) continue;
+        corners_.push_back(where_[next] == Where::outside ? made(i, j, border, side.name())
+                                                          : made(i, j, side.name(), border));
     }
 }
 
-void SpaceFaces::cut_by_box(Index i, std::uint32_t sides) {
-    const Box3 box = box_from(i);
-    for (int number = 0; number < 6 && !polygon_.empty(); ++number) {
-        if ((sides >> number & 1U) == 0) continue;
-        const Side side(number);
-        const double at = side.of(box);
-        distances_.clear();
-        for (const Point3& p : polygon_) distances_.push_back(side.beyond(p, at));
-        keep_below(name_of_side(number), [&](Point3& p) { p.*side.axis = at; });
-    }
-}
-
-/// False where all of the polygon lies in the plane; it is left as it is.
-bool SpaceFaces::cut_by(const Bisector& plane, Index beyond) {
-    distances_.clear();
-    for (const Point3& p : polygon_) distances_.push_back(dot(plane.normal, p) - plane.height);
-    if (std::ranges::all_of(distances_, [](double d) { return std::fabs(d) <= on_plane; }))
-        return false;
-    keep_below(beyond, [](Point3&) {});
-    return true;
-}
-
-const CutFace* SpaceFaces::cut_side(Index i, int number, std::span<const Neighbour> neighbours) {
-    const Side side(number);
-    const Box3 box = box_from(i);
-    const double outward = side.is_high ? 1.0 : -1.0;
-    face_.plane = {};
-    face_.plane.normal.*side.axis = outward;
-    face_.plane.height = outward * side.of(box);
-    start_with_rectangle(box, number / 2);
-    for (Point3& p : polygon_) p.*side.axis = side.of(box);
-    for (const Neighbour& each : neighbours) {
-        const Bisector plane = sites_.bisector(i, each.site);
-        // Where the side itself is the plane, the cell lies within the box or outside.
-        if (!cut_by(plane, each.site) && dot(plane.normal, face_.plane.normal) < 0.0)
-            polygon_.clear();
-        if (polygon_.size() < 3) return nullptr;
-    }
-    if (!side.is_high) turn();
-    measure();
-    face_.is_narrow = is_narrow(true);
-    return &face_;
+Index SpaceFaces::owner_of_box() const {
+    Index best = -1;
+    for (Index i = 0; i < static_cast<Index>(sites_.size()); ++i)
+        if (is_visible(i) && (best < 0 || sites_.is_middle_nearer(best, i))) best = i;
+    return best;
 }
 
 // ---- areas -------------------------------------------------------------------------------------
 
 /// By triangles around the first point.
 void SpaceFaces::measure() {
-    const Point3& normal = face_.plane.normal;
+    const Point3& normal = face_.normal;
     const Point3& first = polygon_.front();
     Point3 before = minus(polygon_[1], first);
     Point3 moment;
@@ -474,8 +358,8 @@ void SpaceFaces::measure() {
         longest_square_ = std::max(longest_square_, dot(next, next));
         before = next;
     }
-    face_.area = std::fabs(area) / 2;
-    face_.moment = plus(plus({}, moment, area < 0.0 ? -1.0 / 6 : 1.0 / 6), first, face_.area);
+    face_.area = std::max(area, 0.0) / 2;
+    face_.moment = plus(plus({}, moment, 1.0 / 6), first, face_.area);
 }
 
 bool SpaceFaces::is_narrow(bool is_cut) const noexcept {
@@ -483,6 +367,28 @@ bool SpaceFaces::is_narrow(bool is_cut) const noexcept {
     const double distance = length(polygon_.front()) + longest;
     return !(face_.area > least_share * distance * longest) ||
            (is_cut && !(face_.area > least_width * longest));
+}
+
+CutFace SpaceFaces::on_side(Side side, std::span<const SideStep> steps) {
+    CutFace face{};
+    double& outward = face.normal.*side.axis();
+    outward = side.is_high() ? 1.0 : -1.0;
+    const Point3& first = steps.front().from;
+    Point3 moment;
+    double area = 0.0;
+    double longest_square = 0.0;
+    for (const SideStep& step : steps) {
+        const Point3 from = minus(step.from, first);
+        const Point3 to = minus(step.to, first);
+        const double twice = dot(cross(from, to), face.normal);
+        area += twice;
+        moment = plus(moment, plus(from, to), twice);
+        longest_square = std::max({longest_square, dot(from, from), dot(to, to)});
+    }
+    face.area = std::max(area, 0.0) / 2;
+    face.moment = plus(plus({}, moment, 1.0 / 6), first, face.area);
+    face.is_narrow = !(face.area > least_width * std::sqrt(longest_square));
+    return face;
 }
 
 }  // namespace signum

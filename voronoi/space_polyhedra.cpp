@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <utility>
 
 #include "space_faces.hpp"
@@ -27,63 +26,140 @@ class Building {
     }
 
  private:
-    /// A face as it was cut, seen from the centre of the cell's site.
+    /// A face as it was cut, by its points.
     struct Loop {
         Index beyond;
         std::size_t first;
         std::size_t last;
+        bool is_reversed;
+    };
+    /// A step between two points, counterclockwise around the cell's part of a side.
+    struct Rim {
+        Index side;
+        std::size_t from;
+        std::size_t to;
     };
     /// A corner of a loop, and who lies beyond the three planes that meet there, in order.
     struct FacePoint {
         Point3 place;
-        std::array<Index, 3> planes;
+        ThreePlanes planes;
     };
 
     [[nodiscard]] SpacePolyhedron polyhedron(Index site) {
         loops_.clear();
         points_.clear();
-        if (!faces_.is_visible(site)) return joined(site);
+        rims_.clear();
+        ends_.clear();
+        if (!faces_.is_visible(site)) return {site, {}, {}, {0}, {}};
         const auto found = faces_.neighbours(site);
         neighbours_.assign(found.begin(), found.end());
         std::ranges::sort(neighbours_, {}, &SpaceFaces::Neighbour::site);
         for (const SpaceFaces::Neighbour& each : neighbours_) {
             // As the lesser site sees it, so that both cells have the same one.
             const bool is_lesser = site < each.site;
-            if (is_lesser && faces_.cut(site, each) != nullptr) keep(each.site, {});
-            if (!is_lesser && faces_.cut(each.site, {site, each.cell}) != nullptr) {
-                const std::size_t first = points_.size();
-                keep(each.site, faces_.sites().offset(site, each.site));
-                std::reverse(points_.begin() + static_cast<std::ptrdiff_t>(first), points_.end());
-            }
+            const Index i = is_lesser ? site : each.site;
+            const Index j = is_lesser ? each.site : site;
+            if (faces_.cut(i, {j, each.cell}) != nullptr) keep(site, i, j);
         }
-        for (int side = 0; side < 6; ++side)
-            if (faces_.cut_side(site, side, neighbours_) != nullptr)
-                keep(static_cast<Index>(-1 - side), {});
+        keep_sides(site);
         return joined(site);
     }
-    void keep(Index beyond, const Point3& eye) {
+    void keep(Index site, Index i, Index j) {
         const std::size_t first = points_.size();
+        const Index beyond = site == i ? j : i;
+        const Point3 eye = faces_.sites().between_eyes(site, i);
         const auto polygon = faces_.polygon();
         const auto borders = faces_.borders();
+        for (std::size_t k = 0; k < polygon.size(); ++k)
+            points_.push_back(
+                {plus(polygon[k], eye),
+                 in_order({beyond, borders[k > 0 ? k - 1 : borders.size() - 1], borders[k]})});
         for (std::size_t k = 0; k < polygon.size(); ++k) {
-            std::array<Index, 3> planes = {beyond, borders[k > 0 ? k - 1 : borders.size() - 1],
-                                           borders[k]};
-            std::ranges::sort(planes);
-            points_.push_back({plus(polygon[k], eye), planes});
+            if (!faces_.is_at_box() || !is_box_side(borders[k])) continue;
+            std::size_t from = first + k;
+            std::size_t to = k + 1 < polygon.size() ? from + 1 : first;
+            if (site == i) std::swap(from, to);
+            rims_.push_back({borders[k], from, to});
         }
-        loops_.push_back({beyond, first, points_.size()});
+        faces_.for_ends_on_edges(i, j, [&](EdgeEnd end) {
+            end.is_high = end.is_high == (site == i);
+            end.corner += first;
+            ends_.push_back(end);
+        });
+        loops_.push_back({beyond, first, points_.size(), site == j});
+    }
+    [[nodiscard]] static ThreePlanes in_order(ThreePlanes planes) {
+        std::ranges::sort(planes);
+        return planes;
     }
 
-    /// Law 2.
+    /// The parts of the box's edges close the rims that faces leave on its sides.
+    void keep_sides(Index site) {
+        const bool is_whole_box = loops_.empty() && site == owner_of_box();
+        const Box3 box = faces_.box_from(site);
+        for (const EdgePart& part : edge_parts(ends_, is_whole_box)) {
+            const auto& [edge, low, high] = part;
+            const auto [from, to] = ends_of(part, box);
+            const auto point = [&](const EdgeEnd* end, bool is_high, const Point3& place) {
+                if (end != nullptr) return end->corner;
+                points_.push_back({place, in_order({edge.next().name(), edge.last().name(),
+                                                    edge.end(is_high).name()})});
+                return points_.size() - 1;
+            };
+            const std::size_t first = point(low, false, from);
+            const std::size_t last = point(high, true, to);
+            const Side up = side_around_which_up(edge);
+            const Side down = up.number == edge.next().number ? edge.last() : edge.next();
+            rims_.push_back({up.name(), first, last});
+            rims_.push_back({down.name(), last, first});
+        }
+        for (int number = 0; number < 6; ++number) keep_side(Side(number).name());
+    }
+    void keep_side(Index side) {
+        const auto start = std::ranges::find(rims_, side, &Rim::side);
+        if (start == rims_.end()) return;
+        const std::size_t first = points_.size();
+        const std::size_t most = first + rims_.size();
+        const ThreePlanes origin = points_[start->from].planes;
+        for (Rim at = *start; points_.size() < most;) {
+            const FacePoint from = points_[at.from];
+            points_.push_back(from);
+            const ThreePlanes& to = points_[at.to].planes;
+            if (to == origin) break;
+            const auto next = std::ranges::find_if(rims_, [&](const Rim& each) {
+                return each.side == side && points_[each.from].planes == to;
+            });
+            if (next == rims_.end()) break;
+            at = *next;
+        }
+        loops_.push_back({side, first, points_.size(), false});
+    }
+    [[nodiscard]] Index owner_of_box() {
+        if (owner_ == unknown) owner_ = faces_.owner_of_box();
+        return owner_;
+    }
+
+    /// Law 2: of all the corners that are near to one another one is made; where that would not
+    /// leave a polyhedron, of those along an edge; and if not that either, of none.
     [[nodiscard]] SpacePolyhedron joined(Index site) {
+        SpacePolyhedron result;
+        for (const Joining joining : {Joining::near, Joining::along_edges, Joining::none}) {
+            join_points(joining, nearness(site));
+            result = with_joined_corners(site);
+            if (is_closed(result)) break;
+        }
+        name_corners(result);
+        return result;
+    }
+    [[nodiscard]] SpacePolyhedron with_joined_corners(Index site) {
         SpacePolyhedron result;
         result.site = site;
         result.first_corner = {0};
-        join_points(nearness(site));
-        for (const auto& [beyond, first, last] : loops_) {
+        for (const auto& [beyond, first, last, is_reversed] : loops_) {
             const std::size_t begin = result.face_corners.size();
             for (std::size_t k = first; k < last; ++k) {
-                const auto corner = static_cast<Index>(root(k));
+                const auto corner =
+                    static_cast<Index>(root(is_reversed ? first + last - 1 - k : k));
                 if (result.face_corners.size() == begin || result.face_corners.back() != corner)
                     result.face_corners.push_back(corner);
             }
@@ -97,75 +173,49 @@ class Building {
             result.beyond.push_back(beyond);
             result.first_corner.push_back(static_cast<Index>(result.face_corners.size()));
         }
-        while (close_gap(result)) {
-        }
-        name_corners(result);
+        // Two sides of one polygon.
+        if (result.beyond.size() < 3) return {site, {}, {}, {0}, {}};
         return result;
     }
-
-    /// A corner from its face's loop to the next one.
-    struct Step {
-        Index from;
-        Index to;
-        std::size_t face;
-        std::size_t place;  ///< of the former in the list
-    };
-    /// Where planes nearly coincide, what is one edge to one face may be several to others, along
-    /// it. The longest of the steps that nobody takes in the other direction gets the corners of
-    /// those that lead back. False where there is none.
-    [[nodiscard]] bool close_gap(SpacePolyhedron& result) {
+    /// Law 1, but for what is convex.
+    [[nodiscard]] bool is_closed(const SpacePolyhedron& result) {
         steps_.clear();
         for (std::size_t f = 0; f < result.beyond.size(); ++f) {
-            const auto first = static_cast<std::size_t>(result.first_corner[f]);
-            const auto last = static_cast<std::size_t>(result.first_corner[f + 1]);
-            for (std::size_t k = first; k < last; ++k)
-                steps_.push_back({result.face_corners[k],
-                                  result.face_corners[k + 1 < last ? k + 1 : first], f, k});
+            const auto loop = result.corners_of(f);
+            for (std::size_t k = 0; k < loop.size(); ++k)
+                steps_.push_back({loop[k], loop[k + 1 < loop.size() ? k + 1 : 0]});
         }
-        const auto reversed = [](const Step& s) { return std::pair(s.to, s.from); };
-        const auto as_is = [](const Step& s) { return std::pair(s.from, s.to); };
-        std::ranges::sort(steps_, {}, as_is);
-        alone_.clear();
-        for (const Step& each : steps_)
-            if (!std::ranges::binary_search(steps_, reversed(each), {}, as_is))
-                alone_.push_back(each);
-        const auto length_of = [&](const Step& s) {
-            return length(minus(points_[static_cast<std::size_t>(s.to)].place,
-                                points_[static_cast<std::size_t>(s.from)].place));
-        };
-        std::ranges::sort(alone_, std::greater{}, length_of);
-        for (const Step& longest : alone_) {
-            std::vector<Index> back;
-            Index at = longest.to;
-            while (at != longest.from && back.size() < alone_.size()) {
-                const auto next = std::ranges::find(alone_, at, &Step::from);
-                if (next == alone_.end()) break;
-                at = next->to;
-                if (at != longest.from) back.push_back(at);
-            }
-            if (at != longest.from || back.empty()) continue;
-            result.face_corners.insert(
-                result.face_corners.begin() + static_cast<std::ptrdiff_t>(longest.place + 1),
-                back.rbegin(), back.rend());
-            for (std::size_t f = longest.face + 1; f < result.first_corner.size(); ++f)
-                result.first_corner[f] += static_cast<Index>(back.size());
-            return true;
-        }
-        return false;
+        std::ranges::sort(steps_);
+        if (std::ranges::adjacent_find(steps_) != steps_.end()) return false;
+        for (const auto& [from, to] : steps_)
+            if (!std::ranges::binary_search(steps_, std::pair(to, from))) return false;
+        // Euler: corners - edges + faces = 2.
+        std::size_t corners = 0;
+        for (std::size_t k = 0; k < steps_.size(); ++k)
+            if (k == 0 || steps_[k].first != steps_[k - 1].first) ++corners;
+        return steps_.empty() || corners + result.beyond.size() == steps_.size() / 2 + 2;
     }
-    /// Where three planes meet is one corner, however badly it is known; and so are places near
-    /// to one another.
-    void join_points(double near) {
+
+    enum class Joining { near, along_edges, none };
+    void join_points(Joining joining, double near) {
         root_.resize(points_.size());
         for (std::size_t k = 0; k < points_.size(); ++k) root_[k] = k;
-        const auto are_near = [&](double a, double b) { return std::fabs(a - b) <= near; };
+        const auto are_near = [&](const Point3& p, const Point3& q) {
+            return std::fabs(p.x - q.x) <= near && std::fabs(p.y - q.y) <= near &&
+                   std::fabs(p.z - q.z) <= near;
+        };
         for (std::size_t k = 0; k < points_.size(); ++k)
             for (std::size_t m = 0; m < k; ++m) {
                 const auto& [p, planes] = points_[k];
                 const auto& [q, others] = points_[m];
-                if (planes == others ||
-                    (are_near(p.x, q.x) && are_near(p.y, q.y) && are_near(p.z, q.z)))
+                if (planes == others || (joining == Joining::near && are_near(p, q)))
                     join(root(m), root(k));
+            }
+        if (joining != Joining::along_edges) return;
+        for (const Loop& loop : loops_)
+            for (std::size_t k = loop.first; k < loop.last; ++k) {
+                const std::size_t next = k + 1 < loop.last ? k + 1 : loop.first;
+                if (are_near(points_[k].place, points_[next].place)) join(root(k), root(next));
             }
     }
     [[nodiscard]] std::size_t root(std::size_t k) noexcept {
@@ -176,7 +226,7 @@ class Building {
 
     [[nodiscard]] double nearness(Index site) const noexcept {
         const Box3& box = faces_.sites().box();
-        const Point3& eye = faces_.sites()[site].centre;
+        const Point3 eye = faces_.sites().eye(site);
         double extent = 0.0;
         double largest = 1.0;
         for (const auto axis : axes_of_space) {
@@ -185,13 +235,13 @@ class Building {
             for (const FacePoint& p : points_)
                 extent = std::max(extent, std::fabs(p.place.*axis - points_[0].place.*axis));
         }
-        return std::max(0x1p-36 * extent, 0x1p-47 * largest);
+        return std::max(0x1p-44 * extent, 0x1p-47 * largest);
     }
     /// Those that faces have, in the order in which faces have them, in the coordinates of the
     /// sites.
     void name_corners(SpacePolyhedron& result) {
         names_.assign(points_.size(), -1);
-        const Point3& eye = faces_.sites()[result.site].centre;
+        const Point3 eye = faces_.sites().eye(result.site);
         const Box3& box = faces_.sites().box();
         const int exponent = faces_.sites().exponent();
         for (Index& corner : result.face_corners) {
@@ -213,8 +263,11 @@ class Building {
     std::vector<Loop> loops_;
     std::vector<FacePoint> points_;
     std::vector<std::size_t> root_;
-    std::vector<Step> steps_;
-    std::vector<Step> alone_;
+    std::vector<Rim> rims_;
+    std::vector<EdgeEnd> ends_;
+    std::vector<std::pair<Index, Index>> steps_;
+    static constexpr Index unknown = -2;
+    Index owner_ = unknown;
     std::vector<Index> names_;
 };
 

@@ -2,13 +2,15 @@
 /// The cells of space_cells.hpp as polyhedra: for pictures, files, and what asks for corners.
 ///
 /// Laws:
-///  1. A polyhedron is convex and closed: of every edge there are two faces, which run along it in
-///     opposite directions. Each corner belongs to three faces at least. (Where planes almost
-///     coincide, as law 4 of space_cells.hpp has it, edges may lack their other face.)
-///  2. Where the same three faces meet is one corner, and so are corners nearer to one another than
-///     2^-36 of the cell, or than 2^-47 of the box and its coordinates; a face that has fewer than
-///     three is left out. One that is too narrow to be among the cell's faces stays where its
-///     corners do.
+///  1. A polyhedron is closed: of every edge there are two faces, which run along it in opposite
+///     directions, and corners - edges + faces = 2. It is convex but for the rounding of corners.
+///     Closed it is by construction: a corner is known by the three planes that meet there, and the
+///     exact tessellation and exact comparisons with the box say which do.
+///  2. Where the same three planes meet is one corner, and so are corners nearer to one another
+///  than
+///     2^-44 of the cell, or than 2^-47 of the box and its coordinates, as long as what they leave
+///     is closed; a face that has fewer than three is left out. One that is too narrow to be among
+///     the cell's faces stays where its corners do.
 
 #include <span>
 #include <vector>
