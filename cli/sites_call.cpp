@@ -28,14 +28,17 @@ void add_sites(CLI::App& command, SitesCall& call) {
     command.add_flag("--quiet", call.quiet, "No summary and no progress on standard error");
 }
 
+void describe_columns_in_space(CLI::Option& columns) {
+    columns.type_name("X,Y[,Z][,R]");
+    columns.description(columns.get_description() +
+                        ".\nIn space x, y, z and, where there are four, r");
+}
+
 void add_space(CLI::App& command, SitesCall& call) {
     call.dimension.reset();
     command.get_option("FILE")->description(
         "Sites, one a line: x y [r], in space x y z [r];\n- for standard input");
-    CLI::Option& columns = *command.get_option("--columns");
-    columns.type_name("X,Y[,Z][,R]");
-    columns.description(columns.get_description() +
-                        ".\nIn space x, y, z and, where there are four, r");
+    describe_columns_in_space(*command.get_option("--columns"));
     command
         .add_option_function<int>(
             "--dimension", [&call](int dimension) { call.dimension = dimension; },

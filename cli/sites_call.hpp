@@ -37,6 +37,9 @@ void add_sites(CLI::App& command, SitesCall& call);
 /// Adds --dimension and --read-as, for a subcommand that takes sites of space, too.
 void add_space(CLI::App& command, SitesCall& call);
 
+/// Adds to what --columns says of itself what holds in space.
+void describe_columns_in_space(CLI::Option& columns);
+
 /// Adds --read-as; empty when it is not given.
 void add_read_as(CLI::App& command, std::string& read_as);
 

@@ -86,7 +86,7 @@ void add_validate(CLI::App& tool) {
             "whether the last number\nis a weight")
         ->required()
         ->type_name("");
-    add_columns(*command, call->columns);
+    describe_columns_in_space(*add_columns(*command, call->columns));
     add_read_as(*command, call->read_as);
     command->add_flag("--quiet", call->quiet, "No progress on standard error");
     command->footer(

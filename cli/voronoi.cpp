@@ -24,10 +24,11 @@ namespace signum::cli {
 namespace {
 
 constexpr std::array<Format, 5> voronoi_formats = {
-    {{"json", "vertices, edges with their curves,\ncells with their measures, in space faces"},
-     {"svg", "a picture with true arcs, in space of solids"},
+    {{"json",
+      "vertices, edges with their curves,\ncells with their measures, in space\nwith their faces"},
+     {"svg", "a picture with true arcs, in space of\nsolid cells"},
      {"geojson", "the cells as polygons"},
-     {"csv", "the cells as a table, polygons as WKT; in space\nvolumes, areas, faces, neighbours"},
+     {"csv", "the cells as a table, polygons as WKT, in\nspace volumes, areas, faces, neighbours"},
      {"vtk", "in space: the cells as polyhedra, for ParaView"}}};
 
 void summarize(const Voronoi& voronoi, std::span<const Target> targets) {
