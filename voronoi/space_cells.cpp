@@ -200,15 +200,17 @@ Box3 default_box(std::span<const Site3> sites) {
             box.high.*axis = std::max(box.high.*axis, centre.*axis);
         }
     }
-    double longest = 0.0;  // halved, as the side itself may be no double
+    double tenth = 0.0;  // of the longest side, which itself may be no double
     double extent = 0.0;
+    bool is_point = true;
     for (const auto axis : axes_of_space) {
-        longest = std::max(longest, box.high.*axis / 2 - box.low.*axis / 2);
+        tenth = std::max(tenth, (box.high.*axis / 2 - box.low.*axis / 2) / 5);
         extent = std::max({extent, std::fabs(box.low.*axis), std::fabs(box.high.*axis)});
+        is_point &= box.low.*axis == box.high.*axis;
     }
     // Doubles are to tell its sides apart.
     constexpr double denormal = std::numeric_limits<double>::denorm_min();
-    const double margin = std::max({longest > 0 ? longest / 5 : 1.0, 0x1p-50 * extent, denormal});
+    const double margin = std::max({is_point ? 1.0 : tenth, 0x1p-50 * extent, denormal});
     constexpr double largest = std::numeric_limits<double>::max();
     for (const auto axis : axes_of_space) {
         box.low.*axis = std::max(box.low.*axis - margin, -largest);

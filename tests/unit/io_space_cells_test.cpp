@@ -164,6 +164,9 @@ TEST(SpaceCellsFiles, TheDefaultBoxIsATenthWider) {
     const Box3 widest = box_of({{-largest, 0, 0, 0}, {largest, 0, 0, 0}});
     EXPECT_EQ(widest.low.x, -largest);
     EXPECT_EQ(widest.high.x, largest);
+    constexpr double least = std::numeric_limits<double>::denorm_min();
+    EXPECT_EQ(box_of({{0, 0, 0, 0}, {least, 0, 0, 0}}),
+              (Box3{{-least, -least, -least}, {2 * least, least, least}}));
     EXPECT_THROW((void)box_of({}), std::invalid_argument);
     EXPECT_THROW((void)box_of({{std::numeric_limits<double>::quiet_NaN(), 0, 0, 0}}),
                  std::invalid_argument);
