@@ -94,9 +94,10 @@ void voronoi_in_space(const VoronoiCall& call, const InputSites& sites,
     const std::optional<Box3> clip = box_in_space_of(call.clip);
     const Outputs outputs(targets);
     const SpaceTessellation tessellation = construct_in_space(call, sites);
-    const auto& [cells, polyhedra] =
-        cells_in(clip ? *clip : default_box(sites.file.in_space), tessellation, sites,
-                 is_written(targets, "vtk") || is_written(targets, "svg"));
+    const bool asks_for_polyhedra = is_written(targets, "vtk") || is_written(targets, "svg");
+    const Cells found = cells_in(clip ? *clip : default_box(sites.file.in_space), tessellation,
+                                 sites, asks_for_polyhedra);
+    const SpaceCells& cells = found.measured;
     std::vector<SpaceVertex> diagram;
     if (is_written(targets, "json")) {
         diagram =
@@ -106,9 +107,9 @@ void voronoi_in_space(const VoronoiCall& call, const InputSites& sites,
         if (format == "csv") {
             write_space_cells_csv(out, cells);
         } else if (format == "svg") {
-            write_space_cells_svg(out, sites.file.in_space, cells, polyhedra);
+            write_space_cells_svg(out, sites.file.in_space, cells, found.polyhedra);
         } else if (format == "vtk") {
-            write_space_cells_vtk(out, cells, polyhedra);
+            write_space_cells_vtk(out, cells, found.polyhedra);
         } else {
             write_space_cells_json(out, cells, tessellation, sites.third, diagram);
         }

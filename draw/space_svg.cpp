@@ -79,8 +79,7 @@ EdgesInSpace edges_of(const SpaceTessellation& tessellation, std::size_t limit) 
                         {std::min(cell[k], cell[m]), std::max(cell[k], cell[m])});
     }
     std::ranges::sort(result.edges);
-    const auto rest = std::ranges::unique(result.edges);
-    result.edges.erase(rest.begin(), rest.end());
+    result.edges.erase(std::unique(result.edges.begin(), result.edges.end()), result.edges.end());
     return result;
 }
 

@@ -211,11 +211,13 @@ class TessellationReader final : public JsonEvents {
     bool expect_other(std::string_view what, Position position) const {
         if (depth_ == 0) fail(position, fmt::format("{} cannot stand here", what));
         if (key_ == Key::other) return true;
+        const bool in_cells =
+            key_ == Key::cells || (key_ == Key::neighbours && seen_.contains(Key::cells));
         const std::string_view wanted = key_ == Key::version     ? "1"
                                         : key_ == Key::sites     ? "the number of sites"
                                         : key_ == Key::dimension ? "a number from -1 to 3"
                                         : key_ == Key::hidden    ? "[[site, by], ...]"
-                                        : key_ == Key::cells     ? "[[i, j, k, l], ...]"
+                                        : in_cells               ? "[[i, j, k, l], ...]"
                                         : longest() >= 3         ? "[[i, j, k], ...]"
                                                                  : "a string";
         cursor().file().fail(position, fmt::format("\"{}\" cannot hold {}; it holds {}",
