@@ -16,6 +16,34 @@ void add_clip(CLI::App& command, std::vector<double>& clip, const std::string& d
         ->expected(4);
 }
 
+void add_clip_in_space(CLI::App& command, std::vector<double>& clip,
+                       const std::string& description) {
+    command.add_option("--clip", clip, description)
+        ->check(finite_number())
+        ->type_name("X0 Y0 [Z0] X1 Y1 [Z1]")
+        ->option_text("X0 Y0 [Z0] X1 Y1 [Z1]")
+        ->expected(4, 6);
+}
+
+void require_numbers(const std::vector<double>& clip, std::size_t count, const std::string& input) {
+    if (clip.empty() || clip.size() == count) return;
+    throw CallError(fmt::format("--clip: {} numbers, but the sites of {} lie in {}; give {}",
+                                clip.size(), input, count == 4 ? "the plane" : "space",
+                                count == 4 ? "X0 Y0 X1 Y1" : "X0 Y0 Z0 X1 Y1 Z1"));
+}
+
+std::optional<Box3> box_in_space_of(const std::vector<double>& clip) {
+    if (clip.empty()) return std::nullopt;
+    const Box3 box = {{clip[0], clip[1], clip[2]}, {clip[3], clip[4], clip[5]}};
+    if (!(box.low.x < box.high.x && box.low.y < box.high.y && box.low.z < box.high.z)) {
+        throw CallError(
+            fmt::format("--clip {}: the corner with the least coordinates comes first, x0 < x1, "
+                        "y0 < y1 and z0 < z1",
+                        fmt::join(clip, " ")));
+    }
+    return box;
+}
+
 std::optional<Box> box_of(const std::vector<double>& clip, std::span<const Target> targets) {
     if (clip.empty()) return std::nullopt;
     const Box box = {clip[0], clip[1], clip[2], clip[3]};

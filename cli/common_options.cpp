@@ -107,11 +107,11 @@ SitesFile read_in_plane(const std::string& path, const ReadOptions& options) {
         return read_sites(path, options);
     } catch (const InputError& error) {
         if (input_by_ending(ending_of(path)) == SitesInput::text) throw;
-        throw CallError(
-            fmt::format("{}: by its ending it holds sites in space, and sites of the plane are "
-                        "wanted here; signum triangulate and signum compare take it with --metric "
-                        "power (as lines x y [r] it is wrong: {})",
-                        path, error.what()));
+        throw CallError(fmt::format(
+            "{}: by its ending it holds sites in space, and sites of the plane are "
+            "wanted here; signum triangulate, voronoi and compare take it with --metric "
+            "power (as lines x y [r] it is wrong: {})",
+            path, error.what()));
     }
 }
 

@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -83,6 +84,27 @@ void refuse_values_of_flags(CLI::App& tool) {
     }
 }
 
+/// An option of several numbers takes as many words as numbers follow it, if they can be its own,
+/// so that it does not take FILE, too.
+void expect_given_numbers(CLI::App& tool, int count, char** words) {
+    const CLI::Validator number = finite_number();
+    for (CLI::App* command : tool.get_subcommands([](CLI::App*) { return true; })) {
+        for (CLI::Option* option : command->get_options()) {
+            const int least = option->get_items_expected_min();
+            const int most = option->get_items_expected_max();
+            if (least < 2) continue;
+            char** const end = words + count;
+            char** const first = std::find(words, end, option->get_name());
+            int numbers = 0;
+            while (first != end && first + 1 + numbers != end &&
+                   number(std::string(first[1 + numbers])).empty())
+                ++numbers;
+            if (least <= numbers && numbers <= most)
+                option->expected(numbers)->allow_extra_args(false);
+        }
+    }
+}
+
 int run(int count, char** words) {
     CLI::App tool("Signs that are right, and the tessellations built on them", "signum");
     tool.set_version_flag("--version", "signum " SIGNUM_VERSION);
@@ -101,6 +123,7 @@ int run(int count, char** words) {
     add_study(tool);
     add_simulate(tool);
     refuse_values_of_flags(tool);
+    expect_given_numbers(tool, count, words);
     try {
         tool.parse(count, words);
         return done;

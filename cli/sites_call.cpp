@@ -28,14 +28,17 @@ void add_sites(CLI::App& command, SitesCall& call) {
     command.add_flag("--quiet", call.quiet, "No summary and no progress on standard error");
 }
 
+void describe_columns_in_space(CLI::Option& columns) {
+    columns.type_name("X,Y[,Z][,R]");
+    columns.description(columns.get_description() +
+                        ".\nIn space x, y, z and, where there are four, r");
+}
+
 void add_space(CLI::App& command, SitesCall& call) {
     call.dimension.reset();
     command.get_option("FILE")->description(
         "Sites, one a line: x y [r], in space x y z [r];\n- for standard input");
-    CLI::Option& columns = *command.get_option("--columns");
-    columns.type_name("X,Y[,Z][,R]");
-    columns.description(columns.get_description() +
-                        ".\nIn space x, y, z and, where there are four, r");
+    describe_columns_in_space(*command.get_option("--columns"));
     command
         .add_option_function<int>(
             "--dimension", [&call](int dimension) { call.dimension = dimension; },
@@ -43,8 +46,12 @@ void add_space(CLI::App& command, SitesCall& call) {
             "header or the\nformat of the file says, else 2")
         ->check(one_of({"2", "3"}))
         ->type_name("2|3");
+    add_read_as(command, call.read_as);
+}
+
+void add_read_as(CLI::App& command, std::string& read_as) {
     command
-        .add_option("--read-as", call.read_as,
+        .add_option("--read-as", read_as,
                     "What FILE is, whatever its ending:\n"
                     "text  lines of columns, or JSON [[x, y, r], ...]\n"
                     "xyz   atoms in space: element x y z [radius]\n"
@@ -88,9 +95,9 @@ void warn_of_negative_radii(const std::string& path, const SitesFile& file) {
 
 /// What the file is taken for. Only what --read-as names, and the ending of a file that may lie in
 /// space, are other than text.
-SitesInput input_of(const SitesCall& call) {
-    if (!call.read_as.empty()) return input_by_ending(call.read_as);
-    return call.dimension == 2 ? SitesInput::text : input_by_ending(ending_of(call.input));
+SitesInput input_of_call(const SitesCall& call) {
+    if (call.read_as.empty() && call.dimension == 2) return SitesInput::text;
+    return input_of(call.input, call.read_as);
 }
 
 /// The metrics that have tessellations of space. Another one is added here.
@@ -106,18 +113,22 @@ void check_space(const SitesCall& call, const SitesFile& file) {
         "--metric {}: sites in space, as those of {} are, have tessellations of the {} metric "
         "alone; add --metric {}{}",
         call.metric, call.input, fmt::join(names, " and "), names.front(),
-        call.dimension || input_of(call) != SitesInput::text
+        call.dimension || input_of_call(call) != SitesInput::text
             ? ""
             : ", or say --dimension 2 to leave z out"));
 }
 
 }  // namespace
 
+SitesInput input_of(const std::string& path, const std::string& read_as) {
+    return input_by_ending(read_as.empty() ? ending_of(path) : read_as);
+}
+
 InputSites read_input(const SitesCall& call) {
     const Metric metric = metric_of(call.metric);
     check_weight_is(call.weight_is, metric);
     InputSites sites = {
-        read_sites_by_columns(call.input, call.columns, call.dimension, input_of(call)),
+        read_sites_by_columns(call.input, call.columns, call.dimension, input_of_call(call)),
         WeightIs::radius};
     check_space(call, sites.file);
     sites.third = sites.file.third.value_or(WeightIs::radius);
@@ -140,6 +151,11 @@ void check_reach(const std::string& path, const SitesFile& file, const std::stri
     throw InputError(path, *file.first_beyond_single,
                      "a number beyond single precision, 3.4e38; take another arithmetic than "
                      "single, or write smaller numbers");
+}
+
+std::string words_of_failed_check(const Validation& result) {
+    return fmt::format("--check: {}: {}; nothing is written, without --check it would be",
+                       result.valid ? "valid, not canonical" : "not valid", result.message);
 }
 
 std::string broken_words(const std::string& arithmetic, const BrokenStructure& error) {

@@ -12,6 +12,7 @@
 
 #include "../io/read_sites.hpp"
 #include "../triangulation/triangulate.hpp"
+#include "../triangulation/validate.hpp"
 
 namespace signum::cli {
 
@@ -36,6 +37,15 @@ void add_sites(CLI::App& command, SitesCall& call);
 /// Adds --dimension and --read-as, for a subcommand that takes sites of space, too.
 void add_space(CLI::App& command, SitesCall& call);
 
+/// Adds to what --columns says of itself what holds in space.
+void describe_columns_in_space(CLI::Option& columns);
+
+/// Adds --read-as; empty when it is not given.
+void add_read_as(CLI::App& command, std::string& read_as);
+
+/// What a file is taken for: what --read-as says, else what its ending says.
+SitesInput input_of(const std::string& path, const std::string& read_as);
+
 /// Accepts the name of an arithmetic.
 [[nodiscard]] CLI::Validator name_of_arithmetic();
 
@@ -58,6 +68,9 @@ void check_reach(const std::string& path, const SitesFile& file, const std::stri
 /// structure.
 Tessellation construct(const SitesCall& call, const InputSites& sites,
                        Method method = Method::incremental);
+
+/// What to say where the result of --check is not what it must be.
+std::string words_of_failed_check(const Validation& result);
 
 /// What to say where rounded signs broke the structure, so that nothing is written.
 std::string broken_words(const std::string& arithmetic, const BrokenStructure& error);

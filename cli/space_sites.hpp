@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "../spatial/triangulate.hpp"
+#include "../triangulation/validate.hpp"
 
 #include "commands.hpp"
 #include "sites_call.hpp"
@@ -24,6 +25,14 @@ auto with_sites_in_space(const InputSites& sites, const Call& call) {
     for (const auto& [x, y, z, w] : balls) weighted.push_back({x, y, z, w});
     return call(std::span<const power::Site3>(weighted));
 }
+
+/// With a progress bar unless quiet. Throws CheckFailure where naive arithmetic broke the
+/// structure.
+SpaceTessellation construct_in_space(const SitesCall& call, const InputSites& sites);
+
+/// validate() with a progress bar unless quiet.
+Validation validate_in_space(const SpaceTessellation& tessellation, const InputSites& sites,
+                             bool quiet);
 
 /// Throws CallError for an arithmetic that space has not, given to `option`.
 inline void check_arithmetic_in_space(const SitesCall& call, std::string_view option,

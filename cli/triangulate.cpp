@@ -116,9 +116,7 @@ Validation check(const TriangulateCall& call, const Tessellation& tessellation) 
         tessellation.arrays(), strided_view(tessellation.sites(), tessellation.weight_is()),
         call.quiet);
     if (!result.valid || (!result.canonical && is_exact(arithmetic_of(call.arithmetic)))) {
-        throw CheckFailure(
-            fmt::format("--check: {}: {}; nothing is written, without --check it would be",
-                        result.valid ? "valid, not canonical" : "not valid", result.message));
+        throw CheckFailure(words_of_failed_check(result));
     }
     return result;
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <optional>
-#include <stdexcept>
 #include <string_view>
 #include <vector>
 
@@ -16,7 +15,6 @@
 #include "../spatial/vertices.hpp"
 
 #include "commands.hpp"
-#include "progress.hpp"
 #include "space_sites.hpp"
 
 namespace signum::cli {
@@ -31,28 +29,7 @@ void refuse_options_of_the_plane(const TriangulateCall& call) {
     if (call.method != name_of(Method::incremental))
         refuse("--method " + call.method, "the method incremental alone");
     check_arithmetic_in_space(call, "--arithmetic", call.arithmetic);
-    if (call.check) refuse("--check", "no check yet");
     if (!call.clip.empty()) refuse("--clip", "pictures of all of them alone");
-}
-
-/// Throws CheckFailure where naive arithmetic broke the structure.
-SpaceTessellation construct_in_space(const TriangulateCall& call, const InputSites& sites) {
-    std::optional<Progress> progress;
-    Options options;
-    options.arithmetic = arithmetic_of(call.arithmetic);
-    options.seed = call.seed;
-    if (!call.quiet) {
-        progress.emplace();
-        options.progress = [&progress](double share) { progress->show(share); };
-    }
-    try {
-        return with_sites_in_space(
-            sites, [&](auto those) { return triangulate(those, Power{}, options); });
-    } catch (const BrokenStructure& error) {
-        throw CheckFailure(broken_words(call.arithmetic, error));
-    } catch (const std::invalid_argument& error) {
-        throw CallError(error.what());
-    }
 }
 
 /// What a construction in space tells about itself: its time; nothing is counted.
@@ -69,7 +46,17 @@ Timed timed(const TriangulateCall& call, const InputSites& sites) {
     return result;
 }
 
-void summarize(const Timed& timed, WeightIs third, std::span<const Target> targets) {
+/// Judges the tessellation from scratch. An exact one must be the canonical one, too.
+Validation checked_in_space(const TriangulateCall& call, const SpaceTessellation& tessellation,
+                            const InputSites& sites) {
+    Validation result = validate_in_space(tessellation, sites, call.quiet);
+    const bool is_bad = !result.canonical && is_exact(arithmetic_of(call.arithmetic));
+    if (!result.valid || is_bad) throw CheckFailure(words_of_failed_check(result));
+    return result;
+}
+
+void summarize(const Timed& timed, WeightIs third, const std::optional<Validation>& checked,
+               std::span<const Target> targets) {
     const SpaceTessellation& tessellation = timed.tessellation;
     const auto infinite_cells = std::ranges::count_if(
         tessellation.cells, [](const SpaceCell& cell) { return cell[0] == infinite; });
@@ -83,6 +70,7 @@ void summarize(const Timed& timed, WeightIs third, std::span<const Target> targe
     say("cells    {}, {} of them infinite\n", tessellation.cells.size(), infinite_cells);
     say("seconds  {:.3g}\n", timed.statistics.seconds);
     say("{}", written(targets));
+    if (checked) say("check    valid, {}canonical\n", checked->canonical ? "" : "not ");
 }
 
 }  // namespace
@@ -99,6 +87,9 @@ void triangulate_in_space(const TriangulateCall& call, const InputSites& sites,
         diagram =
             with_sites_in_space(sites, [&](auto those) { return vertices(tessellation, those); });
     }
+    // Before anything is written: what fails its check is not left under the name asked for.
+    std::optional<Validation> checked;
+    if (call.check) checked = checked_in_space(call, tessellation, sites);
     outputs.write([&](std::ostream& out, std::string_view format) {
         if (format == "svg") {
             write_svg(out, tessellation, balls, sites.third);
@@ -113,7 +104,7 @@ void triangulate_in_space(const TriangulateCall& call, const InputSites& sites,
                        call.statistics ? std::optional(result.statistics) : std::nullopt, diagram);
         }
     });
-    if (!call.quiet) summarize(result, sites.third, targets);
+    if (!call.quiet) summarize(result, sites.third, checked, targets);
 }
 
 }  // namespace signum::cli

@@ -9,6 +9,7 @@
 
 #include "commands.hpp"
 #include "progress.hpp"
+#include "space_sites.hpp"
 
 namespace signum::cli {
 namespace {
@@ -18,17 +19,40 @@ struct ValidateCall {
     std::string tessellation;
     std::string sites;
     std::string columns;
+    std::string read_as;
     bool quiet = false;
 };
+
+Validation judged_in_space(const ValidateCall& call, const ReadTessellation& read) {
+    if (read.arrays.metric != Metric::power) {
+        throw CallError(fmt::format(
+            "{}: its metric is {}, and in space there are tessellations of the power metric alone",
+            call.tessellation, name_of(read.arrays.metric)));
+    }
+    const InputSites sites = {
+        read_sites_by_columns(call.sites, call.columns, 3, input_of(call.sites, call.read_as)),
+        read.arrays.weight_is};
+    return validate_in_space(*read.in_space, sites, call.quiet);
+}
+
+Validation judged_in_plane(const ValidateCall& call, const TessellationArrays& arrays) {
+    if (!call.read_as.empty() && input_of(call.sites, call.read_as) != SitesInput::text) {
+        throw CallError(
+            fmt::format("--read-as {}: it holds sites in space, and the tessellation of {} is one "
+                        "of the plane",
+                        call.read_as, call.tessellation));
+    }
+    const SitesFile file = read_sites_by_columns(call.sites, call.columns);
+    return validate_with_progress(arrays, strided_view(file.sites, arrays.weight_is), call.quiet);
+}
 
 void run(const ValidateCall& call) {
     if (call.tessellation == "-" && call.sites == "-") {
         throw CallError("only one of the two files can be standard input");
     }
-    const TessellationArrays arrays = read_tessellation(call.tessellation);
-    const SitesFile file = read_sites_by_columns(call.sites, call.columns);
+    const ReadTessellation read = read_any_tessellation(call.tessellation);
     const Validation result =
-        validate_with_progress(arrays, strided_view(file.sites, arrays.weight_is), call.quiet);
+        read.in_space ? judged_in_space(call, read) : judged_in_plane(call, read.arrays);
     DescriptorStream out(1, "standard output");
     if (!result.valid) {
         out << fmt::format("not valid: {}\n", result.message);
@@ -56,17 +80,21 @@ void add_validate(CLI::App& tool) {
         ->required()
         ->type_name("");
     command
-        ->add_option("FILE", call->sites,
-                     "Its sites; the tessellation says in which metric,\nand whether the third "
-                     "number is a weight")
+        ->add_option(
+            "FILE", call->sites,
+            "Its sites; the tessellation says whether of plane or\nspace, in which metric, and "
+            "whether the last number\nis a weight")
         ->required()
         ->type_name("");
-    add_columns(*command, call->columns);
+    describe_columns_in_space(*add_columns(*command, call->columns));
+    add_read_as(*command, call->read_as);
     command->add_flag("--quiet", call->quiet, "No progress on standard error");
     command->footer(
         "Prints \"valid, canonical\", \"valid, not canonical: WHY\" or \"not valid: WHY\";\n"
         "exit 1 when it is not valid.\n\n"
-        "Example:\n  signum validate out.json sites.txt");
+        "Examples:\n"
+        "  signum validate out.json sites.txt\n"
+        "  signum validate cells.json protein.pdb");
     command->callback([call] { run(*call); });
 }
 

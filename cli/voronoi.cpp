@@ -17,24 +17,19 @@
 
 #include "clip.hpp"
 #include "commands.hpp"
-#include "outputs.hpp"
-#include "sites_call.hpp"
+#include "voronoi_call.hpp"
+#include "voronoi_space.hpp"
 
 namespace signum::cli {
 namespace {
 
-/// The call as it was typed.
-struct VoronoiCall : SitesCall, OutputsCall {
-    std::vector<double> clip;
-    std::optional<double> tolerance;
-    bool merge = false;
-};
-
-constexpr std::array<Format, 4> voronoi_formats = {
-    {{"json", "vertices, edges with their curves,\ncells with their measures"},
-     {"svg", "a picture with true arcs"},
+constexpr std::array<Format, 5> voronoi_formats = {
+    {{"json",
+      "vertices, edges with their curves,\ncells with their measures, in space\nwith their faces"},
+     {"svg", "a picture with true arcs, in space of\nsolid cells"},
      {"geojson", "the cells as polygons"},
-     {"csv", "the cells as a table, polygons as WKT"}}};
+     {"csv", "the cells as a table, polygons as WKT, in\nspace volumes, areas, faces, neighbours"},
+     {"vtk", "in space: the cells as polyhedra, for ParaView"}}};
 
 void summarize(const Voronoi& voronoi, std::span<const Target> targets) {
     const std::size_t sites = voronoi.tessellation().sites().size();
@@ -52,10 +47,17 @@ void summarize(const Voronoi& voronoi, std::span<const Target> targets) {
 
 void run(const VoronoiCall& call) {
     const std::vector<Target> targets = targets_of(call, call.input, voronoi_formats);
-    const std::optional<Box> clip = box_of(call.clip, targets);
     if (call.tolerance && !(*call.tolerance > 0))
         throw CallError("--tolerance: give a number above 0");
     const InputSites sites = read_input(call);
+    if (sites.file.dimension == 3) return voronoi_in_space(call, sites, targets);
+    if (is_written(targets, "vtk")) {
+        throw CallError(fmt::format(
+            "vtk is written of sites in space, and those of {} lie in the plane; write geojson",
+            call.input));
+    }
+    require_numbers(call.clip, 4, call.input);
+    const std::optional<Box> clip = box_of(call.clip, targets);
     const Outputs outputs(targets);
     const Voronoi diagram(construct(call, sites), {call.merge});
 
@@ -93,11 +95,13 @@ void add_voronoi(CLI::App& tool) {
     CLI::App* command =
         tool.add_subcommand("voronoi", "Computes the diagram of sites: vertices, edges, cells");
     add_sites(*command, *call);
-    add_clip(*command, call->clip,
-             "The box that cells are cut to. Default: JSON has\n"
-             "them whole; tables and GeoJSON cut them to the\n"
-             "smallest box around all centres and a tenth more,\n"
-             "pictures to what they show");
+    add_space(*command, *call);
+    add_clip_in_space(*command, call->clip,
+                      "The box that cells are cut to. Default: JSON has\n"
+                      "them whole; tables and GeoJSON cut them to the\n"
+                      "smallest box around all centres and a tenth more,\n"
+                      "pictures to what they show. In space that box cuts\n"
+                      "them all");
     command
         ->add_option("--tolerance", call->tolerance,
                      "How far the polygons of tables and GeoJSON may be\n"
@@ -112,7 +116,8 @@ void add_voronoi(CLI::App& tool) {
     command->footer(
         "Examples:\n"
         "  signum voronoi sites.txt -o cells.svg -o cells.geojson\n"
-        "  signum voronoi sites.txt --metric power --clip 0 0 100 100 -o areas.csv");
+        "  signum voronoi sites.txt --metric power --clip 0 0 100 100 -o areas.csv\n"
+        "  signum voronoi protein.pdb --metric power -o volumes.csv -o cells.vtk");
     command->callback([call] { run(*call); });
 }
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <utility>
 #include <vector>
 
 #include "document.hpp"
@@ -12,23 +11,10 @@
 #include "numbers.hpp"
 #include "paths.hpp"
 #include "shapes.hpp"
+#include "space_view.hpp"
 
 namespace signum {
 namespace {
-
-// The eye looks from 23 degrees to the right of z and 16 degrees above it. The sines and cosines
-// are rational, so that pictures are the same everywhere.
-constexpr double sine = 5.0 / 13.0;
-constexpr double cosine = 12.0 / 13.0;
-constexpr double sine_up = 7.0 / 25.0;
-constexpr double cosine_up = 24.0 / 25.0;
-constexpr Point3 to_the_right = {cosine, 0.0, -sine};
-constexpr Point3 upward = {-sine * sine_up, cosine_up, -cosine* sine_up};
-constexpr Point3 to_the_eye = {sine * cosine_up, sine_up, cosine* cosine_up};
-
-constexpr double dot_product(const Point3& a, const Point3& b) noexcept {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
 
 /// From far to near, each drawn over those before it.
 constexpr std::size_t slices = 12;
@@ -93,8 +79,7 @@ EdgesInSpace edges_of(const SpaceTessellation& tessellation, std::size_t limit) 
                         {std::min(cell[k], cell[m]), std::max(cell[k], cell[m])});
     }
     std::ranges::sort(result.edges);
-    const auto rest = std::ranges::unique(result.edges);
-    result.edges.erase(rest.begin(), rest.end());
+    result.edges.erase(std::unique(result.edges.begin(), result.edges.end()), result.edges.end());
     return result;
 }
 
@@ -125,7 +110,7 @@ class SpacePicture {
         if (too_large_ > 0)
             legend_.note("sites far larger than the picture, drawn as dots: {}", too_large_);
         SvgText directions;
-        write_directions(directions);
+        write_directions(directions, frame_.height());
         write_document(out,
                        fmt::format("power tessellation of {} sites in space", tessellation_.sites),
                        frame_, pens_, legend_, drawing_, directions);
@@ -241,24 +226,6 @@ class SpacePicture {
                          is_hidden(site) ? "hidden-number" : "number",
                          Px{at.x + reach + font_size / 3}, Px{at.y - reach}, site);
         }
-    }
-
-    /// Arrows beside the lower left corner of the frame.
-    void write_directions(SvgText& text) const {
-        constexpr double arm = 34.0;
-        const Point from = {-44.0, frame_.height() - 30.0};
-        text.add("<g class=\"axes\" font-size=\"{}\" text-anchor=\"middle\">\n", Px{font_size});
-        constexpr std::array<std::pair<Point3, char>, 3> axes = {
-            {{{1.0, 0.0, 0.0}, 'x'}, {{0.0, 1.0, 0.0}, 'y'}, {{0.0, 0.0, 1.0}, 'z'}}};
-        for (const auto& [axis, name] : axes) {
-            const Point tip = {from.x + arm * dot_product(axis, to_the_right),
-                               from.y - arm * dot_product(axis, upward)};
-            const Point label = {from.x + 1.3 * (tip.x - from.x), from.y + 1.3 * (tip.y - from.y)};
-            text.add("<path d=\"M{} {}L{} {}\"/><text x=\"{}\" y=\"{}\">{}</text>\n", Px{from.x},
-                     Px{from.y}, Px{tip.x}, Px{tip.y}, Px{label.x}, Px{label.y + 0.3 * font_size},
-                     name);
-        }
-        text.add("</g>\n");
     }
 
     const SpaceTessellation& tessellation_;

@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <optional>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -19,14 +21,17 @@ enum class Key : std::uint8_t {
     metric,
     weight_is,
     sites,
+    dimension,
     faces,
+    cells,
     neighbours,
     hidden,
     other
 };
 
-constexpr std::array<std::string_view, 8> key_names = {
-    "format", "version", "metric", "weight_is", "sites", "faces", "neighbours", "hidden"};
+constexpr std::array<std::string_view, 10> key_names = {
+    "format",    "version", "metric", "weight_is",  "sites",
+    "dimension", "faces",   "cells",  "neighbours", "hidden"};
 
 Key key_of(std::string_view name) noexcept {
     for (std::size_t i = 0; i < key_names.size(); ++i) {
@@ -39,19 +44,39 @@ std::string_view name_of(Key key) noexcept {
     return key_names[static_cast<std::size_t>(key)];
 }
 
+/// Rows of one table of a tessellation in space, and how long they are.
+struct Rows {
+    std::vector<SpaceCell> rows;
+    Position start;         ///< of the first one
+    std::size_t width = 0;  ///< 0 before the first one
+};
+
 class TessellationReader final : public JsonEvents {
  public:
-    explicit TessellationReader(InputFile& file)
-        : JsonEvents(file, "a tessellation is what signum triangulate writes as JSON") {}
+    TessellationReader(InputFile& file, bool takes_space)
+        : JsonEvents(file, "a tessellation is what signum triangulate writes as JSON"),
+          takes_space_(takes_space) {}
 
-    TessellationArrays read() {
+    ReadTessellation read() {
         parse();
-        for (const Key key : {Key::format, Key::version, Key::metric, Key::sites, Key::faces}) {
+        const bool in_space = seen_.contains(Key::cells);
+        for (const Key key : {Key::format, Key::version, Key::metric, Key::sites,
+                              in_space ? Key::dimension : Key::faces}) {
             if (!seen_.contains(key)) {
                 fail(cursor().structure(), fmt::format("\"{}\" is missing", name_of(key)));
             }
         }
-        return std::move(result_);
+        if (in_space) {
+            SpaceTessellation found = finished_in_space();
+            return {std::move(arrays_), std::move(found)};
+        }
+        // Neighbours that came before the faces.
+        if (neighbours_.width > 0) {
+            require_width(Key::neighbours, neighbours_, 3);
+            for (const auto& [a, b, c, none] : neighbours_.rows)
+                arrays_.neighbours.push_back({a, b, c});
+        }
+        return {std::move(arrays_), std::nullopt};
     }
 
     bool start_object(std::size_t /*size*/) override {
@@ -65,9 +90,14 @@ class TessellationReader final : public JsonEvents {
     }
     bool key(std::string& text) override {
         if (depth_ > 1) return true;
-        if (text == "cells")
-            fail_at_value("\"cells\" are those of a tessellation in space, which is not read yet");
         key_ = key_of(text);
+        if (key_ == Key::cells && !takes_space_)
+            fail_at_value(
+                "\"cells\" are those of a tessellation in space; one of the plane is read");
+        if ((key_ == Key::cells && seen_.contains(Key::faces)) ||
+            (key_ == Key::faces && seen_.contains(Key::cells)))
+            fail_at_value(
+                "\"faces\" are of the plane and \"cells\" of space; there is one of them");
         if (key_ != Key::other && !seen_.insert(key_).second) {
             fail_at_value(fmt::format("a second \"{}\"", text));
         }
@@ -76,7 +106,7 @@ class TessellationReader final : public JsonEvents {
     bool start_array(std::size_t /*size*/) override {
         if (depth_ == 0) fail_at_structure("an array cannot stand here");
         if (key_ != Key::other) {
-            if (width() == 0 || depth_ > 2) expect_other("an array", cursor().structure());
+            if (longest() == 0 || depth_ > 2) expect_other("an array", cursor().structure());
             start_ = cursor().structure();
             size_ = 0;
         }
@@ -105,8 +135,11 @@ class TessellationReader final : public JsonEvents {
             if (value != 1) fail_at_value("version " + text + " is unknown, version 1 is read");
         } else if (key_ == Key::sites && depth_ == 1) {
             if (value < 0) expect_other(text, cursor().value());
-            result_.sites = value;
-        } else if (width() > 0 && depth_ == 3) {
+            arrays_.sites = value;
+        } else if (key_ == Key::dimension && depth_ == 1) {
+            if (value < -1 || value > 3) expect_other(text, cursor().value());
+            dimension_ = static_cast<int>(value);
+        } else if (longest() > 0 && depth_ == 3) {
             add_index(value, text);
         } else {
             expect_other(text, cursor().value());
@@ -119,9 +152,9 @@ class TessellationReader final : public JsonEvents {
                 fail_at_value("the format is " + in_quotes(text) + ", not 'signum.tessellation'");
             }
         } else if (depth_ == 1 && key_ == Key::metric) {
-            result_.metric = find(text, all_metrics);
+            arrays_.metric = find(text, all_metrics);
         } else if (depth_ == 1 && key_ == Key::weight_is) {
-            result_.weight_is = find(text, std::array{WeightIs::radius, WeightIs::weight});
+            arrays_.weight_is = find(text, std::array{WeightIs::radius, WeightIs::weight});
         } else {
             expect_other(in_quotes(text), cursor().value());
         }
@@ -129,28 +162,64 @@ class TessellationReader final : public JsonEvents {
     }
 
  private:
-    /// The numbers in a row of the key's table; 0 when it has none.
-    [[nodiscard]] std::size_t width() const noexcept {
+    /// The most numbers in a row of the key's table; 0 when it has none.
+    [[nodiscard]] std::size_t longest() const noexcept {
         switch (key_) {
             case Key::faces:
-            case Key::neighbours:
                 return 3;
+            case Key::cells:
+                return numbers_.size();
+            case Key::neighbours:
+                return seen_.contains(Key::faces) ? 3 : numbers_.size();
             case Key::hidden:
                 return 2;
             default:
                 return 0;
         }
     }
+    /// The numbers in a row that has ended after `size_`: of space those of the row before it.
+    [[nodiscard]] std::size_t width() const noexcept {
+        if (const Rows* const rows = rows_in_space())
+            return std::max(rows->width > 0 ? rows->width : size_, std::size_t{1});
+        return longest();
+    }
+    /// Where the key's rows go, unless they are known to be of the plane.
+    [[nodiscard]] const Rows* rows_in_space() const noexcept {
+        if (key_ == Key::cells) return &cells_;
+        return key_ == Key::neighbours && longest() > 3 ? &neighbours_ : nullptr;
+    }
+
+    void require_width(Key key, const Rows& rows, std::size_t width) const {
+        if (rows.width == 0 || rows.width == width) return;
+        fail(rows.start, fmt::format("{} numbers in an entry of \"{}\", not {}", rows.width,
+                                     name_of(key), width));
+    }
+    SpaceTessellation finished_in_space() {
+        const auto width = static_cast<std::size_t>(dimension_ + 1);
+        require_width(Key::cells, cells_, width);
+        require_width(Key::neighbours, neighbours_, width);
+        SpaceTessellation result;
+        result.dimension = dimension_;
+        result.sites = arrays_.sites;
+        result.cells = std::move(cells_.rows);
+        result.neighbours = std::move(neighbours_.rows);
+        result.hidden = std::exchange(arrays_.hidden, {});
+        return result;
+    }
 
     /// Anything goes under a key that means nothing; elsewhere `what` is an error.
     bool expect_other(std::string_view what, Position position) const {
         if (depth_ == 0) fail(position, fmt::format("{} cannot stand here", what));
         if (key_ == Key::other) return true;
-        const std::string_view wanted = key_ == Key::version  ? "1"
-                                        : key_ == Key::sites  ? "the number of sites"
-                                        : key_ == Key::hidden ? "[[site, by], ...]"
-                                        : width() == 3        ? "[[i, j, k], ...]"
-                                                              : "a string";
+        const bool in_cells =
+            key_ == Key::cells || (key_ == Key::neighbours && seen_.contains(Key::cells));
+        const std::string_view wanted = key_ == Key::version     ? "1"
+                                        : key_ == Key::sites     ? "the number of sites"
+                                        : key_ == Key::dimension ? "a number from -1 to 3"
+                                        : key_ == Key::hidden    ? "[[site, by], ...]"
+                                        : in_cells               ? "[[i, j, k, l], ...]"
+                                        : longest() >= 3         ? "[[i, j, k], ...]"
+                                                                 : "a string";
         cursor().file().fail(position, fmt::format("\"{}\" cannot hold {}; it holds {}",
                                                    name_of(key_), what, wanted));
     }
@@ -159,8 +228,8 @@ class TessellationReader final : public JsonEvents {
         if (!std::in_range<Index>(value)) {
             fail_at_value(fmt::format("{} does not fit into 32 bits", text));
         }
-        if (size_ == width()) {
-            fail(start_, fmt::format("more than {} numbers in one entry of \"{}\"", width(),
+        if (size_ == longest()) {
+            fail(start_, fmt::format("more than {} numbers in one entry of \"{}\"", longest(),
                                      name_of(key_)));
         }
         numbers_[size_++] = static_cast<Index>(value);
@@ -171,9 +240,21 @@ class TessellationReader final : public JsonEvents {
             fail(start_, fmt::format("{} numbers in an entry of \"{}\", not {}", size_,
                                      name_of(key_), width()));
         }
-        if (key_ == Key::faces) result_.faces.push_back(numbers_);
-        if (key_ == Key::neighbours) result_.neighbours.push_back(numbers_);
-        if (key_ == Key::hidden) result_.hidden.push_back({numbers_[0], numbers_[1]});
+        const auto& [a, b, c, d] = numbers_;
+        if (key_ == Key::hidden) {
+            arrays_.hidden.push_back({a, b});
+        } else if (key_ == Key::faces) {
+            arrays_.faces.push_back({a, b, c});
+        } else if (rows_in_space() == nullptr) {
+            arrays_.neighbours.push_back({a, b, c});
+        } else {
+            Rows& rows = key_ == Key::cells ? cells_ : neighbours_;
+            if (rows.width == 0) rows.start = start_;
+            rows.width = size_;
+            std::fill(numbers_.begin() + static_cast<std::ptrdiff_t>(size_), numbers_.end(),
+                      no_vertex);
+            rows.rows.push_back(numbers_);
+        }
     }
 
     /// The value that has this name.
@@ -188,12 +269,16 @@ class TessellationReader final : public JsonEvents {
                                                            name_of(key_), in_quotes(name), names));
     }
 
-    TessellationArrays result_;
+    bool takes_space_;
+    TessellationArrays arrays_;
+    Rows cells_;
+    Rows neighbours_;  ///< those that came before any faces
+    int dimension_ = -1;
     std::set<Key> seen_;
     Key key_ = Key::other;
     int depth_ = 0;
     Position start_;  ///< of the entry that is being read
-    Face numbers_ = {};
+    SpaceCell numbers_ = {};
     std::size_t size_ = 0;
 };
 
@@ -201,7 +286,12 @@ class TessellationReader final : public JsonEvents {
 
 TessellationArrays read_tessellation(const std::string& path) {
     InputFile file(path, "a tessellation in JSON");
-    return TessellationReader(file).read();
+    return TessellationReader(file, false).read().arrays;
+}
+
+ReadTessellation read_any_tessellation(const std::string& path) {
+    InputFile file(path, "a tessellation in JSON");
+    return TessellationReader(file, true).read();
 }
 
 }  // namespace signum

@@ -1,8 +1,10 @@
 #pragma once
-/// A tessellation from the JSON that write_json() writes, or anyone else.
+/// A tessellation of the plane or of space from the JSON that write_json() writes, or anyone else.
 
+#include <optional>
 #include <string>
 
+#include "../spatial/triangulate.hpp"
 #include "../triangulation/tessellation.hpp"
 
 namespace signum {
@@ -13,5 +15,17 @@ namespace signum {
 /// bits hold: judging them is validate()'s task. Throws InputError with line and column, and
 /// MachineError. O(bytes).
 [[nodiscard]] TessellationArrays read_tessellation(const std::string& path);
+
+/// A tessellation of the plane or of space.
+struct ReadTessellation {
+    /// Of space its metric and what its weights are, and nothing else.
+    TessellationArrays arrays;
+    std::optional<SpaceTessellation> in_space;
+};
+
+/// The same for one of space, too, which "cells" make it in place of "faces". It must say its
+/// "dimension" k, from -1 to 3, and have k+1 numbers in each entry of "cells" and "neighbours"; the
+/// arrays it lacks are empty.
+[[nodiscard]] ReadTessellation read_any_tessellation(const std::string& path);
 
 }  // namespace signum

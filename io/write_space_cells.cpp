@@ -1,10 +1,119 @@
 #include "write_space_cells.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
+#include <string>
+#include <vector>
 
 #include "text_writer.hpp"
 
 namespace signum {
+namespace {
+
+bool is_infinite(const SpaceCell& cell) noexcept {
+    return cell[0] == infinite;
+}
+
+/// In order.
+std::vector<Index> visible_sites(const SpaceTessellation& tessellation) {
+    std::vector<bool> is_hidden(static_cast<std::size_t>(tessellation.sites));
+    for (const auto& [site, by] : tessellation.hidden)
+        is_hidden[static_cast<std::size_t>(site)] = true;
+    std::vector<Index> result;
+    for (Index site = 0; site < static_cast<Index>(tessellation.sites); ++site)
+        if (!is_hidden[static_cast<std::size_t>(site)]) result.push_back(site);
+    return result;
+}
+
+std::string triple_of(const Point3& p) {
+    if (!are_finite(p)) return "null";
+    return fmt::format(FMT_COMPILE("[{}, {}, {}]"), p.x, p.y, p.z);
+}
+
+struct DualEdge {
+    std::array<Index, 3> sites;
+    std::array<Index, 2> vertices;
+};
+
+/// One a facet that is finite, in the order of the cells that have it first. `number_of` is by cell
+/// the vertex's, -1 of infinite ones.
+std::vector<DualEdge> edges_of(const SpaceTessellation& tessellation,
+                               std::span<const Index> number_of) {
+    std::vector<DualEdge> edges;
+    if (tessellation.dimension < 3) return edges;
+    // Of a cell that turns positively, counterclockwise seen from outside.
+    constexpr std::array<std::array<std::size_t, 3>, 4> facets = {
+        {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+    for (std::size_t c = 0; c < tessellation.cells.size(); ++c) {
+        const SpaceCell& cell = tessellation.cells[c];
+        if (is_infinite(cell)) continue;
+        for (std::size_t k = 0; k < 4; ++k) {
+            const auto across = static_cast<std::size_t>(tessellation.neighbours[c][k]);
+            const bool is_told = !is_infinite(tessellation.cells[across]) && across < c;
+            if (is_told) continue;
+            const auto& [i, j, m] = facets[k];
+            edges.push_back({{cell[i], cell[j], cell[m]}, {number_of[c], number_of[across]}});
+        }
+    }
+    return edges;
+}
+
+void put_cell(TextWriter& text, const SpaceCells& cells, Index site, bool is_unbounded) {
+    const auto& [volume, area, centroid] = cells.measures[static_cast<std::size_t>(site)];
+    const auto faces = cells.faces_of(site);
+    const bool is_clipped =
+        std::ranges::any_of(faces, [](const SpaceFace& face) { return is_box_side(face.beyond); });
+    text.put(FMT_COMPILE(R"({{"site": {}, "unbounded": {}, "clipped": {}, "volume": {}, )"
+                         R"("area": {}, "centroid": {}, "faces": [)"),
+             site, is_unbounded, is_clipped, number_or_null(volume), number_or_null(area),
+             volume > 0.0 ? triple_of(centroid) : "null");
+    const char* comma = "";
+    for (const SpaceFace& face : faces) {
+        text.put(FMT_COMPILE(R"({}{{"neighbour": {}, "area": {}}})"), comma, face.beyond,
+                 number_or_null(face.area));
+        comma = ", ";
+    }
+    text.put("]}");
+}
+
+}  // namespace
+
+void write_space_cells_json(std::ostream& out, const SpaceCells& cells,
+                            const SpaceTessellation& tessellation, WeightIs weight_is,
+                            std::span<const SpaceVertex> vertices) {
+    TextWriter text(out);
+    const auto& [low, high] = cells.box;
+    text.put(FMT_COMPILE(R"({{"format": "signum.voronoi", "version": 1, "dimension": 3, )"
+                         R"("metric": "power", "weight_is": "{}", "sites": {}, )"
+                         R"("clip": [{}, {}, {}, {}, {}, {}])"),
+             name_of(weight_is), tessellation.sites, low.x, low.y, low.z, high.x, high.y, high.z);
+    std::vector<SpaceVertex> finite;
+    std::vector<Index> number_of(tessellation.cells.size(), infinite);
+    if (tessellation.dimension == 3)
+        for (std::size_t c = 0; c < tessellation.cells.size(); ++c) {
+            if (is_infinite(tessellation.cells[c])) continue;
+            number_of[c] = static_cast<Index>(finite.size());
+            finite.push_back(vertices[c]);
+        }
+    text.put_array("vertices", finite, [&](const SpaceVertex& v) {
+        text.put(FMT_COMPILE("[{}, {}, {}, {}]"), number_or_null(v.x), number_or_null(v.y),
+                 number_or_null(v.z), number_or_null(v.rho));
+    });
+    text.put_array("edges", edges_of(tessellation, number_of), [&](const DualEdge& edge) {
+        text.put(FMT_COMPILE(R"({{"sites": [{}], "vertices": [{}]}})"), fmt::join(edge.sites, ", "),
+                 fmt::join(edge.vertices, ", "));
+    });
+    const std::vector<bool> unbounded = unbounded_cells(tessellation);
+    text.put_array("cells", visible_sites(tessellation), [&](Index site) {
+        put_cell(text, cells, site, unbounded[static_cast<std::size_t>(site)]);
+    });
+    text.put_array("hidden", tessellation.hidden, [&](const Hidden& hidden) {
+        text.put(FMT_COMPILE("[{}, {}]"), hidden.site, hidden.by);
+    });
+    text.put("}\n");
+    text.flush();
+}
 
 void write_space_cells_csv(std::ostream& out, const SpaceCells& cells) {
     TextWriter text(out);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <stdexcept>
 
 #include "../spatial/order.hpp"
 #include "space_faces.hpp"
@@ -204,6 +206,48 @@ class Measuring {
 };
 
 }  // namespace
+
+std::vector<bool> unbounded_cells(const SpaceTessellation& tessellation) {
+    const bool are_flat = tessellation.dimension < 3;
+    std::vector<bool> result(static_cast<std::size_t>(tessellation.sites), are_flat);
+    for (const auto& [site, by] : tessellation.hidden)
+        result[static_cast<std::size_t>(site)] = false;
+    if (are_flat) return result;
+    for (const auto& [a, b, c, d] : tessellation.cells)
+        if (a == infinite)
+            for (const Index site : {b, c, d}) result[static_cast<std::size_t>(site)] = true;
+    return result;
+}
+
+Box3 default_box(std::span<const Site3> sites) {
+    if (sites.empty()) throw std::invalid_argument("no site, no box");
+    Box3 box = {{sites[0].x, sites[0].y, sites[0].z}, {sites[0].x, sites[0].y, sites[0].z}};
+    for (const auto& [x, y, z, r] : sites) {
+        const Point3 centre = {x, y, z};
+        if (!are_finite(centre)) throw std::invalid_argument("a centre is not finite");
+        for (const auto axis : axes_of_space) {
+            box.low.*axis = std::min(box.low.*axis, centre.*axis);
+            box.high.*axis = std::max(box.high.*axis, centre.*axis);
+        }
+    }
+    double tenth = 0.0;  // of the longest side, which itself may be no double
+    double extent = 0.0;
+    bool is_point = true;
+    for (const auto axis : axes_of_space) {
+        tenth = std::max(tenth, (box.high.*axis / 2 - box.low.*axis / 2) / 5);
+        extent = std::max({extent, std::fabs(box.low.*axis), std::fabs(box.high.*axis)});
+        is_point &= box.low.*axis == box.high.*axis;
+    }
+    // Doubles are to tell its sides apart.
+    constexpr double denormal = std::numeric_limits<double>::denorm_min();
+    const double margin = std::max({is_point ? 1.0 : tenth, 0x1p-50 * extent, denormal});
+    constexpr double largest = std::numeric_limits<double>::max();
+    for (const auto axis : axes_of_space) {
+        box.low.*axis = std::max(box.low.*axis - margin, -largest);
+        box.high.*axis = std::min(box.high.*axis + margin, largest);
+    }
+    return box;
+}
 
 SpaceCells space_cells(const SpaceTessellation& tessellation, std::span<const Point3> sites,
                        const Box3& box) {

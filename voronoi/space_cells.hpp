@@ -75,6 +75,16 @@ struct SpaceCells {
     friend bool operator==(const SpaceCells&, const SpaceCells&) = default;
 };
 
+/// By site, whether its cell has no end: of flat sites that of every visible one. A tessellation
+/// that is valid. O(n).
+[[nodiscard]] std::vector<bool> unbounded_cells(const SpaceTessellation& tessellation);
+
+/// The smallest box around all centres, wider by a tenth of its longest side on each side, and
+/// where all centres are the same by 1; by more where doubles would not tell its sides apart, and
+/// no farther than doubles reach. Throws std::invalid_argument without sites, and where a centre is
+/// not finite. O(n).
+[[nodiscard]] Box3 default_box(std::span<const Site3> sites);
+
 /// `tessellation` is that of the sites, which is the caller's word. Throws std::invalid_argument
 /// where it has another number of sites, unless the box's corners are finite and low < high along
 /// all axes, and where a number of a site or a corner is beyond 2^200 of the box's longest side.

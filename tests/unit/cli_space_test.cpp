@@ -1,6 +1,7 @@
 /// The tool from outside, on sites in space.
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -108,8 +109,6 @@ TEST_F(ToolInSpace, SaysWhatIsOfThePlaneAlone) {
     expect({"triangulate", balls, "--metric", "supremum", "--dimension", "3"}, 2,
            "signum: --metric supremum" + of_file +
                "tessellations of the power metric alone; add --metric power\n");
-    expect(triangulate({"--check"}), 2,
-           "signum: --check" + of_file + "no check yet; leave --check out\n");
     expect(
         triangulate({"--method", "flips"}), 2,
         "signum: --method flips" + of_file + "the method incremental alone; leave --method out\n");
@@ -308,24 +307,162 @@ TEST_F(ToolInSpace, SaysWhoTakesSitesInSpace) {
     const std::string wanted =
         "signum: " + atoms +
         ": by its ending it holds sites in space, and sites of the plane are wanted here; signum "
-        "triangulate and signum compare take it with --metric power (as lines x y [r] it is "
+        "triangulate, voronoi and compare take it with --metric power (as lines x y [r] it is "
         "wrong: " +
         atoms + ":1:";
     const std::string plane = scratch.file("plane.txt", "0 0 0\n1 0 0\n0 1 0\n");
     const std::string json = scratch.path("plane.json");
     ASSERT_EQ(run({"triangulate", plane, "-o", json}).code, 0);
-    for (const Words& words : {Words{"voronoi", atoms}, Words{"validate", json, atoms}}) {
+    for (const Words& words : {Words{"voronoi", atoms, "--dimension", "2", "--read-as", "text"},
+                               Words{"validate", json, atoms}}) {
         const Outcome outcome = run(words);
         EXPECT_EQ(outcome.code, 2);
         EXPECT_TRUE(outcome.err.starts_with(wanted)) << outcome.err;
     }
     // What are sites of the plane is read, whatever the name.
     const std::string lines = scratch.file("lines.xyz", "0 0 0\n1 0 0\n0 1 0\n");
-    EXPECT_EQ(run({"voronoi", lines, "--quiet"}).code, 0);
+    EXPECT_EQ(run({"voronoi", lines, "--quiet", "--dimension", "2"}).code, 0);
     expect({"study", atoms}, 2,
            "signum: '" + atoms +
                "' is a word too many; a study makes its own sites, signum compare FILE judges "
                "yours; see signum study --help\n");
+}
+
+TEST_F(ToolInSpace, WritesCells) {
+    const Words words = {"voronoi", balls,  "--metric", "power", "--clip", "-1",
+                         "-1",      "-1.5", "5",        "5",     "5"};
+    const Outcome json = run(words);
+    EXPECT_EQ(json.code, 0);
+    EXPECT_EQ(json.err,
+              "sites    6, in space\ncells    5, 4 of them unbounded\nhidden   1\nvertices 4\n"
+              "faces    10 between two cells\nbox      -1 -1 -1.5 5 5 5\n"
+              "volume   234, of the box 234\n");
+    EXPECT_TRUE(json.out.starts_with(
+        "{\"format\": \"signum.voronoi\", \"version\": 1, \"dimension\": 3, \"metric\": "
+        "\"power\", \"weight_is\": \"radius\", \"sites\": 6, \"clip\": [-1, -1, -1.5, 5, 5, 5],\n"
+        "\"vertices\": [\n"))
+        << json.out;
+    const std::string csv = scratch.path("a.csv");
+    const std::string vtk = scratch.path("a.vtk");
+    const std::string svg = scratch.path("a.svg");
+    const Outcome files =
+        run({"voronoi", balls, "--metric", "power", "-o", csv, "-o", vtk, "-o", svg});
+    EXPECT_EQ(files.code, 0);
+    EXPECT_EQ(files.out, "");
+    // A tenth of 4 beyond the centres.
+    EXPECT_TRUE(
+        files.err.ends_with("box      -0.4 -0.4 -0.4 4.4 4.4 4.4\nvolume   110.592, of the "
+                            "box 110.592\nwritten  " +
+                            csv + ", " + vtk + ", " + svg + "\n"))
+        << files.err;
+    EXPECT_TRUE(contents(csv).starts_with("site,volume,area,centroid_x,"));
+    EXPECT_NE(contents(vtk).find("CELL_TYPES 5\n42\n42\n42\n42\n42\n"), std::string::npos);
+    EXPECT_NE(contents(svg).find("cells: 5, all cut by the box"), std::string::npos);
+    EXPECT_NE(run({"voronoi", balls, "--metric", "power", "--format", "svg", "--clip", "-9", "-9",
+                   "-9", "9", "9", "9"})
+                  .out.find("1 that the box does not cut are drawn, 4 that it cuts are not"),
+              std::string::npos);
+    EXPECT_EQ(run({"voronoi", balls, "--metric", "power", "--quiet"}).err, "");
+    // FILE may follow the numbers; one site has the whole box.
+    const std::string one = scratch.file("one.xyz", "1\none\nH 1 2 3\n");
+    EXPECT_EQ(run({"voronoi", "--clip", "0", "0", "0", "4", "4", "4", one, "--metric", "power",
+                   "--format", "csv", "--quiet"})
+                  .out,
+              "site,volume,area,centroid_x,centroid_y,centroid_z,faces,neighbours,face_areas\n"
+              "0,64,96,2,2,2,6,-1 -2 -3 -4 -5 -6,16 16 16 16 16 16\n");
+    EXPECT_TRUE(run({"voronoi", one, "--metric", "power"})
+                    .err.ends_with("vertices 0\nfaces    0 between two cells\nbox      0 1 2 2 3 "
+                                   "4\nvolume   8, of the box 8\n"));
+}
+
+TEST_F(ToolInSpace, RefusesWrongCallsOfVoronoi) {
+    const auto refused = [&](const Words& more, const std::string& message) {
+        Words words = {"voronoi", balls};
+        words.insert(words.end(), more.begin(), more.end());
+        expect(words, 2, "signum: " + message + "\n");
+    };
+    const std::string of_file = "as those of " + balls + " are, have ";
+    refused({}, "--metric euclidean: sites in space, " + of_file +
+                    "tessellations of the power metric alone; add --metric power, or say "
+                    "--dimension 2 to leave z out");
+    refused(
+        {"--metric", "power", "--clip", "0", "0", "1", "1"},
+        "--clip: 4 numbers, but the sites of " + balls + " lie in space; give X0 Y0 Z0 X1 Y1 Z1");
+    refused(
+        {"--metric", "power", "--clip", "0", "0", "0", "1", "1"},
+        "--clip: 5 numbers, but the sites of " + balls + " lie in space; give X0 Y0 Z0 X1 Y1 Z1");
+    refused({"--metric", "power", "--clip", "0", "0", "2", "1", "1", "2"},
+            "--clip 0 0 2 1 1 2: the corner with the least coordinates comes first, x0 < x1, "
+            "y0 < y1 and z0 < z1");
+    const std::string csv = scratch.path("a.csv");
+    refused({"--metric", "power", "--clip", "0", "0", "0", "1e-100", "1e-100", "1e-100", "-o", csv},
+            "the box 0 0 0 1e-100 1e-100 1e-100: site 0 is not finite, or too large beside the "
+            "box; cut the cells to another one with --clip");
+    EXPECT_FALSE(std::filesystem::exists(csv));
+    refused({"--metric", "power", "--tolerance", "1"},
+            "--tolerance: cells in space, " + of_file + "no arcs; leave --tolerance out");
+    refused({"--metric", "power", "--merge"},
+            "--merge: cells in space, " + of_file + "vertices one by one alone; leave --merge out");
+    refused({"--metric", "power", "--format", "geojson"},
+            "geojson is written of sites in the plane, and those of " + balls +
+                " lie in space; write vtk");
+}
+
+TEST_F(ToolInSpace, Validates) {
+    const std::string json = scratch.path("a.json");
+    const Outcome made = run(triangulate({"--check", "-o", json}));
+    EXPECT_EQ(made.code, 0);
+    EXPECT_TRUE(made.err.ends_with("\ncheck    valid, canonical\n")) << made.err;
+    const Outcome good = run({"validate", json, balls});
+    EXPECT_EQ(good.code, 0);
+    EXPECT_EQ(good.out, "valid, canonical\n");
+    EXPECT_EQ(good.err, "");
+    EXPECT_EQ(run({"validate", "-", balls}, {.in = json}).out, "valid, canonical\n");
+    EXPECT_EQ(run({"validate", json, "-"}, {.in = balls}).out, "valid, canonical\n");
+    const std::string atoms = scratch.file(
+        "a.data", "6\nsix\nA 0 0 0 1\nA 4 0 0 1\nA 0 4 0 1\nA 0 0 4 1\nA 1 1 1 .5\nA 1 1 1 .25\n");
+    EXPECT_EQ(run({"validate", json, atoms, "--read-as", "xyz"}).out, "valid, canonical\n");
+
+    using Change = std::pair<std::string, std::string>;
+    const auto judged = [&](const std::vector<Change>& changes) {
+        std::string text = contents(json);
+        for (const auto& [from, to] : changes) {
+            const auto place = text.find(from);
+            EXPECT_NE(place, std::string::npos) << from;
+            text.replace(place, from.size(), to);
+        }
+        return run({"validate", scratch.file("b.json", text), balls});
+    };
+    const Outcome turned =
+        judged({{"[0, 1, 2, 4]", "[1, 2, 0, 4]"}, {"[7, 6, 5, 0]", "[6, 5, 7, 0]"}});
+    EXPECT_EQ(turned.code, 0);
+    EXPECT_TRUE(turned.out.starts_with("valid, not canonical: ")) << turned.out;
+    for (const Change& change :
+         {Change{"[0, 1, 2, 4]", "[0, 2, 1, 4]"}, Change{"[0, 1, 2, 4]", "[0, 1, 2, 3]"},
+          Change{"[0, 1, 2, 4]", "[0, 1, 2, 77]"}, Change{"[7, 6, 5, 0]", "[7, 6, 0, 5]"},
+          Change{"[5, 4]", "[5, 0]"}, Change{"\"sites\": 6", "\"sites\": 7"}}) {
+        const Outcome wrong = judged({change});
+        EXPECT_EQ(wrong.code, 1) << change.second;
+        EXPECT_TRUE(wrong.out.starts_with("not valid: ")) << wrong.out;
+        EXPECT_EQ(wrong.err, "signum: " + scratch.path("b.json") +
+                                 " is not a valid tessellation of " + balls + "\n");
+    }
+    EXPECT_EQ(judged({{"\"power\"", "\"euclidean\""}}).err,
+              "signum: " + scratch.path("b.json") +
+                  ": its metric is euclidean, and in space there are tessellations of the power "
+                  "metric alone\n");
+    EXPECT_EQ(judged({{"\"dimension\": 3", "\"dimension\": 2"}}).err,
+              scratch.path("b.json") +
+                  ":3:1: 4 numbers in an entry of \"cells\", not 3; a tessellation is what signum "
+                  "triangulate writes as JSON\n");
+
+    // A tessellation of flat sites, and sites in the plane, which have no z.
+    const std::string flat = scratch.file("flat.csv", "x,y,z\n0,0,5\n1,1,5\n0,1,5\n");
+    ASSERT_EQ(run({"triangulate", flat, "--metric", "power", "-o", json, "--quiet"}).code, 0);
+    EXPECT_EQ(run({"validate", json, flat}).out, "valid, canonical\n");
+    EXPECT_EQ(run({"validate", json, balls}).code, 1);
+    const std::string plane = scratch.file("plane.csv", "x,y\n0,0\n1,1\n0,1\n");
+    EXPECT_EQ(run({"validate", json, plane}).code, 2);
 }
 
 TEST_F(ToolInSpace, Generates) {

@@ -97,7 +97,8 @@ TEST_F(Tool, RefusesWrongCalls) {
     expect({"compare", sites, "--seconds", "-1"}, 2,
            "signum: --seconds: '-1' is not from 0 to 86400; see signum compare --help\n");
     expect({"voronoi", sites, "--clip", "1", "2", "3"}, 2,
-           "signum: --clip takes 4 words after it, X0 Y0 X1 Y1; 3 are given; see signum voronoi "
+           "signum: --clip takes 4 or 6 words after it, X0 Y0 [Z0] X1 Y1 [Z1]; 3 are given; see "
+           "signum voronoi "
            "--help\n");
     expect({"triangulate", sites, "--metric", "euclidian"}, 2,
            "signum: --metric: 'euclidian' is unknown; did you mean euclidean? it is one of power, "
@@ -392,7 +393,7 @@ TEST_F(Tool, TakesTheColumnsThatAreNamed) {
                    "number, as in --columns lon,lat or --columns 2,3,5\n");
     }
     for (const char* columns : {"lon", "1,2,3,4", "lon,,lat", ","}) {
-        expect({"voronoi", cities, "--columns", columns}, 2,
+        expect({"voronoi", cities, "--columns", columns, "--dimension", "2"}, 2,
                std::string("signum: --columns ") + columns +
                    ": give two or three with commas between, by name or number, as in --columns "
                    "lon,lat or --columns 2,3,5\n");
@@ -406,10 +407,10 @@ TEST_F(Tool, TakesTheColumnsThatAreNamed) {
                                          ":1: 'x' is x, 'y' is y, and 'h' is "
                                          "left out: "))
         << left_out.err;
-    // One called z says that sites lie in space, or that voronoi leaves it out.
+    // One called z says that sites lie in space, unless the call says that they do not.
     const std::string heights = scratch.file("z.csv", "x,y,z\n0,0,5\n4,0,5\n0,4,5\n1,1,5\n");
     for (const Words& words : {Words{"triangulate", heights, "--quiet", "--dimension", "2"},
-                               Words{"voronoi", heights, "--quiet"}}) {
+                               Words{"voronoi", heights, "--quiet", "--dimension", "2"}}) {
         const Outcome flat = run(words);
         EXPECT_EQ(flat.code, 0);
         EXPECT_EQ(flat.out, run({words[0], plain, "--quiet"}).out);
@@ -663,6 +664,9 @@ TEST_F(Tool, Validates) {
         scratch.file("e.json",
                      "{\"format\": \"signum.tessellation\", \"version\": 1, \"metric\": \"taxi\", "
                      "\"sites\": 0, \"faces\": []}");
+    expect({"validate", json, sites, "--read-as", "pdb"}, 2,
+           "signum: --read-as pdb: it holds sites in space, and the tessellation of " + json +
+               " is one of the plane\n");
     const Outcome unknown = run({"validate", foreign, sites});
     EXPECT_EQ(unknown.code, 2);
     EXPECT_NE(unknown.err.find("\"metric\" cannot be 'taxi'; it is one of power, euclidean, "
@@ -900,6 +904,8 @@ TEST_F(Tool, WritesDiagrams) {
     EXPECT_NE(contents(svg).find("Voronoi diagram"), std::string::npos);
     // One number may be negative, and so may all.
     EXPECT_EQ(run({"voronoi", sites, "--quiet", "--clip", "-4", "-3", "-2.5", "-1"}).code, 0);
+    // FILE may follow the numbers.
+    EXPECT_EQ(run({"voronoi", "--clip", "-4", "-3", "-2.5", "-1", sites, "--quiet"}).code, 0);
 }
 
 TEST_F(Tool, WritesPolygonsOfDenormalSites) {
@@ -934,8 +940,13 @@ TEST_F(Tool, RefusesWrongCallsOfVoronoi) {
             "signum: --clip: a picture of a box more than a thousand times as long as wide shows "
             "nothing; give another box, or leave the picture out\n");
     refused({"-o", "a.obj"},
-            "signum: -o a.obj: the ending says what to write; give it .json, .svg, .geojson or "
-            ".csv, or say it with --format\n");
+            "signum: -o a.obj: the ending says what to write; give it .json, .svg, .geojson, "
+            ".csv or .vtk, or say it with --format\n");
+    refused({"-o", "a.vtk"}, "signum: vtk is written of sites in space, and those of " + sites +
+                                 " lie in the plane; write geojson\n");
+    refused({"--clip", "0", "0", "0", "1", "1", "1"},
+            "signum: --clip: 6 numbers, but the sites of " + sites +
+                " lie in the plane; give X0 Y0 X1 Y1\n");
     EXPECT_EQ(run({"voronoi", sites, "--clip", "1", "2", "3"}).code, 2);
     EXPECT_EQ(run({"voronoi", sites, "--clip", "1", "2", "3", "x"}).code, 2);
     EXPECT_EQ(run({"voronoi", scratch.path("none.txt")}).code, 2);

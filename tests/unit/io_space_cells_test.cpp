@@ -1,12 +1,16 @@
 /// The files of cells of space, read back.
 
 #include <cstdlib>
+#include <limits>
+#include <span>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "../../draw/space_cells_svg.hpp"
 #include "../../io/write_space_cells.hpp"
 
 namespace signum {
@@ -66,6 +70,106 @@ TEST(SpaceCellsFiles, TheTableHasTheNumbers) {
             EXPECT_EQ(number(areas[f]), faces[f].area);
         }
     }
+}
+
+TEST(SpaceCellsFiles, JsonHasTheDiagram) {
+    // A tetrahedron, whose vertex is (1, 1, 1), and a site beside its first one that this one
+    // hides.
+    const std::vector<Site3> corners = {
+        {0, 0, 0, 0.5}, {2, 0, 0, 0.5}, {0, 2, 0, 0.5}, {0, 0, 2, 0.5}, {0, 0, 0.1, 0}};
+    const std::span<const Site3> all(corners);
+    const SpaceTessellation t = triangulate(all);
+    std::ostringstream out;
+    write_space_cells_json(out, space_cells(t, all, {{0, 0, 0}, {2, 2, 2}}), t, WeightIs::radius,
+                           vertices(t, all));
+    const std::string whole = out.str();
+    EXPECT_TRUE(whole.starts_with(
+        "{\"format\": \"signum.voronoi\", \"version\": 1, \"dimension\": 3, \"metric\": "
+        "\"power\", \"weight_is\": \"radius\", \"sites\": 5, \"clip\": [0, 0, 0, 2, 2, 2],\n"
+        "\"vertices\": [\n[1, 1, 1, 2.75]],\n"
+        "\"edges\": [\n{\"sites\": [1, 2, 3], \"vertices\": [0, -1]},\n"
+        "{\"sites\": [0, 3, 2], \"vertices\": [0, -1]},\n"
+        "{\"sites\": [0, 1, 3], \"vertices\": [0, -1]},\n"
+        "{\"sites\": [0, 2, 1], \"vertices\": [0, -1]}],\n"
+        "\"cells\": [\n{\"site\": 0, \"unbounded\": true, \"clipped\": true, \"volume\": 1, "
+        "\"area\": 6, \"centroid\": [0.5, 0.5, 0.5], \"faces\": [{\"neighbour\": 1, \"area\": 1}, "
+        "{\"neighbour\": 2, \"area\": 1}, {\"neighbour\": 3, \"area\": 1}, {\"neighbour\": -1, "
+        "\"area\": 1}, {\"neighbour\": -3, \"area\": 1}, {\"neighbour\": -5, \"area\": 1}]},\n"
+        "{\"site\": 1, "))
+        << whole;
+    EXPECT_TRUE(whole.ends_with("]}],\n\"hidden\": [\n[4, 0]]}\n")) << whole;
+}
+
+TEST(SpaceCellsFiles, JsonOfFlatSitesHasNoVertices) {
+    const std::vector<Site3> two = {{0, 0, 0, 0}, {1, 0, 0, 0}};
+    const std::span<const Site3> all(two);
+    const SpaceTessellation t = triangulate(all);
+    std::ostringstream out;
+    // The second one's cell does not reach into the box.
+    write_space_cells_json(out, space_cells(t, all, {{-2, 0, 0}, {0, 1, 1}}), t, WeightIs::radius,
+                           vertices(t, all));
+    EXPECT_NE(out.str().find("\"vertices\": [],\n\"edges\": [],\n\"cells\": [\n{\"site\": 0, "
+                             "\"unbounded\": true, \"clipped\": true, \"volume\": 2, "),
+              std::string::npos)
+        << out.str();
+    EXPECT_NE(
+        out.str().find("{\"site\": 1, \"unbounded\": true, \"clipped\": false, \"volume\": 0, "
+                       "\"area\": 0, \"centroid\": null, \"faces\": []}],\n\"hidden\": []}\n"),
+        std::string::npos)
+        << out.str();
+}
+
+TEST(SpaceCellsFiles, ThePictureHasTheSolids) {
+    const auto picture = [](std::span<const Site3> all, const Box3& where, std::size_t limit) {
+        const SpaceTessellation t = triangulate(all);
+        std::vector<Index> which;
+        for (Index i = 0; i < static_cast<Index>(all.size()); ++i) which.push_back(i);
+        std::ostringstream out;
+        write_space_cells_svg(out, all, space_cells(t, all, where),
+                              space_polyhedra(t, all, where, which), {.face_limit = limit});
+        return out.str();
+    };
+    const auto faces_of = [](const std::string& text) {
+        std::size_t count = 0;
+        for (std::size_t at = text.find("<polygon"); at != text.npos;
+             at = text.find("<polygon", at + 1))
+            ++count;
+        return count;
+    };
+    // All cells are cut: three sides of the box are seen, and each of three cells.
+    const std::string whole = picture(sites, box, 100);
+    EXPECT_NE(whole.find("<title>power cells of 4 sites in space</title>"), std::string::npos);
+    EXPECT_NE(whole.find("cells: 3, all cut by the box"), std::string::npos);
+    // Of a cross of seven the one in the middle is a cube, of which three faces are seen.
+    const std::vector<Site3> cross = {{0, 0, 0, 0},  {1, 0, 0, 0}, {-1, 0, 0, 0}, {0, 1, 0, 0},
+                                      {0, -1, 0, 0}, {0, 0, 1, 0}, {0, 0, -1, 0}};
+    const Box3 around = {{-2, -2, -2}, {2, 2, 2}};
+    const std::string cube = picture(cross, around, 100);
+    EXPECT_EQ(faces_of(cube), 3U);
+    EXPECT_NE(cube.find("cells: 1 that the box does not cut are drawn, 6 that it cuts are not"),
+              std::string::npos);
+    EXPECT_NE(cube.find("<g><title>0, volume 1</title>"), std::string::npos);
+    const std::string few = picture(cross, around, 2);
+    EXPECT_EQ(faces_of(few), 2U);
+    EXPECT_NE(few.find("faces: the 2 nearest of 3 drawn"), std::string::npos);
+}
+
+TEST(SpaceCellsFiles, TheDefaultBoxIsATenthWider) {
+    const auto box_of = [](const std::vector<Site3>& all) { return default_box(all); };
+    EXPECT_EQ(box_of({{0, 1, 2, 9}, {10, 5, 4, 9}}), (Box3{{-1, 0, 1}, {11, 6, 5}}));
+    EXPECT_EQ(box_of({{1, 2, 3, 4}}), (Box3{{0, 1, 2}, {2, 3, 4}}));
+    const Box3 far = box_of({{1e300, 0, 0, 0}});
+    EXPECT_LT(far.low.x, far.high.x);
+    constexpr double largest = std::numeric_limits<double>::max();
+    const Box3 widest = box_of({{-largest, 0, 0, 0}, {largest, 0, 0, 0}});
+    EXPECT_EQ(widest.low.x, -largest);
+    EXPECT_EQ(widest.high.x, largest);
+    constexpr double least = std::numeric_limits<double>::denorm_min();
+    EXPECT_EQ(box_of({{0, 0, 0, 0}, {least, 0, 0, 0}}),
+              (Box3{{-least, -least, -least}, {2 * least, least, least}}));
+    EXPECT_THROW((void)box_of({}), std::invalid_argument);
+    EXPECT_THROW((void)box_of({{std::numeric_limits<double>::quiet_NaN(), 0, 0, 0}}),
+                 std::invalid_argument);
 }
 
 TEST(SpaceCellsFiles, TheGridHasThePolyhedra) {

@@ -561,8 +561,8 @@ TEST(ReadTessellation, SaysThatItIsInSpace) {
         FAIL();
     } catch (const InputError& error) {
         EXPECT_NE(std::string(error.what())
-                      .find(":2:1: \"cells\" are those of a tessellation in space, which is not "
-                            "read yet"),
+                      .find(":2:1: \"cells\" are those of a tessellation in space; one of "
+                            "the plane is read"),
                   std::string::npos)
             << error.what();
     }

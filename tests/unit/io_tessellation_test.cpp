@@ -200,6 +200,113 @@ TEST(ReadTessellation, RefusesWhatIsNoTessellation) {
     EXPECT_EQ(error("{\"faces\": ["), "1:12: the file ends too early" + expected);
 }
 
+/// A tetrahedron with a hidden site in it.
+SpaceTessellation tetrahedron() {
+    SpaceTessellation t;
+    t.dimension = 3;
+    t.sites = 5;
+    t.cells = {{-1, 0, 1, 2}, {-1, 0, 2, 3}, {-1, 0, 3, 1}, {-1, 1, 3, 2}, {0, 1, 2, 3}};
+    t.neighbours = {{4, 3, 1, 2}, {4, 3, 2, 0}, {4, 3, 0, 1}, {4, 1, 0, 2}, {3, 1, 2, 0}};
+    t.hidden = {{4, 0}};
+    return t;
+}
+
+std::string json(const SpaceTessellation& tessellation, WeightIs weight_is) {
+    std::ostringstream out;
+    write_json(out, tessellation, Metric::power, weight_is);
+    return out.str();
+}
+
+ReadTessellation read_any(std::string_view text) {
+    const test::Scratch scratch;
+    return read_any_tessellation(scratch.file("t.json", text));
+}
+
+std::string error_of_any(std::string_view text) {
+    const test::Scratch scratch;
+    const std::string path = scratch.file("t.json", text);
+    try {
+        static_cast<void>(read_any_tessellation(path));
+    } catch (const InputError& error) {
+        return std::string(error.what()).substr(path.size() + 1);
+    }
+    return "no error";
+}
+
+const std::string head =
+    "{\"format\": \"signum.tessellation\", \"version\": 1, \"metric\": \"power\", \"sites\": 1";
+
+TEST(ReadAnyTessellation, ReadsWhatIsWritten) {
+    const ReadTessellation in_space = read_any(json(tetrahedron(), WeightIs::weight));
+    ASSERT_TRUE(in_space.in_space.has_value());
+    EXPECT_EQ(*in_space.in_space, tetrahedron());
+    EXPECT_EQ(in_space.arrays.metric, Metric::power);
+    EXPECT_EQ(in_space.arrays.weight_is, WeightIs::weight);
+
+    // Of flat sites cells have fewer vertices.
+    SpaceTessellation line;
+    line.dimension = 1;
+    line.sites = 2;
+    constexpr Index none = no_vertex;
+    line.cells = {{-1, 0, none, none}, {-1, 1, none, none}, {0, 1, none, none}};
+    line.neighbours = {{2, 1, none, none}, {2, 0, none, none}, {1, 0, none, none}};
+    EXPECT_EQ(read_any(json(line, WeightIs::radius)).in_space, line);
+    EXPECT_EQ(read_any(json(SpaceTessellation{}, WeightIs::radius)).in_space, SpaceTessellation{});
+
+    const ReadTessellation in_plane = read_any(json(tessellation()));
+    EXPECT_FALSE(in_plane.in_space.has_value());
+    EXPECT_EQ(in_plane.arrays, triangle());
+}
+
+TEST(ReadAnyTessellation, ReadsKeysInAnyOrder) {
+    const std::string rest = head.substr(1) + "}";
+    EXPECT_EQ(
+        read_any("{\"neighbours\": [[0, 1, 2]], \"faces\": [[3, 4, 5]], " + rest).arrays.neighbours,
+        (std::vector<Face>{{0, 1, 2}}));
+    const ReadTessellation sorted =
+        read_any("{\"neighbours\": [[0, 1, 2]], \"cells\": [[3, 4, 5]], \"dimension\": 2, " + rest);
+    ASSERT_TRUE(sorted.in_space.has_value());
+    EXPECT_EQ(sorted.in_space->cells, (std::vector<SpaceCell>{{3, 4, 5, no_vertex}}));
+    EXPECT_EQ(sorted.in_space->neighbours, (std::vector<SpaceCell>{{0, 1, 2, no_vertex}}));
+    EXPECT_TRUE(sorted.in_space->hidden.empty());
+}
+
+TEST(ReadAnyTessellation, RefusesWrongValues) {
+    EXPECT_EQ(error_of_any(head + "}"), "1:78: \"faces\" is missing" + expected);
+    EXPECT_EQ(error_of_any(head + ",\n\"cells\": []}"),
+              "2:12: \"dimension\" is missing" + expected);
+    EXPECT_EQ(error_of_any("{\"dimension\": 4}"),
+              "1:15: \"dimension\" cannot hold 4; it holds a number from -1 to 3");
+    EXPECT_EQ(error_of_any("{\"dimension\": -2}"),
+              "1:15: \"dimension\" cannot hold -2; it holds a number from -1 to 3");
+    EXPECT_EQ(error_of_any("{\"dimension\": \"3\"}"),
+              "1:15: \"dimension\" cannot hold '3'; it holds a number from -1 to 3");
+    EXPECT_EQ(error_of_any("{\"cells\": 1}"),
+              "1:11: \"cells\" cannot hold 1; it holds [[i, j, k, l], ...]");
+    EXPECT_EQ(error_of_any("{\"cells\": [[0,1,2,3],\n[0,1,2]]}"),
+              "2:1: 3 numbers in an entry of \"cells\", not 4" + expected);
+    EXPECT_EQ(error_of_any("{\"cells\": [[]]}"),
+              "1:12: 0 numbers in an entry of \"cells\", not 1" + expected);
+    EXPECT_EQ(error_of_any("{\"cells\": [[0,1,2,3,4]]}"),
+              "1:12: more than 4 numbers in one entry of \"cells\"" + expected);
+    EXPECT_EQ(error_of_any("{\"cells\": [[0,1,2,2147483648]]}"),
+              "1:19: 2147483648 does not fit into 32 bits" + expected);
+    EXPECT_EQ(error_of_any(head + ", \"dimension\": 3,\n\"cells\": [[0,1,2]]}"),
+              "2:11: 3 numbers in an entry of \"cells\", not 4" + expected);
+    EXPECT_EQ(error_of_any(head + ", \"dimension\": 2,\n\"cells\": [[0,1,2]],\n\"neighbours\": "
+                                  "[[0,1,2,3]]}"),
+              "3:16: 4 numbers in an entry of \"neighbours\", not 3" + expected);
+    EXPECT_EQ(error_of_any("{\"neighbours\": [[0,1,2,3]],\n\"faces\": [], " + head.substr(1) + "}"),
+              "1:17: 4 numbers in an entry of \"neighbours\", not 3" + expected);
+    for (const char* text : {"{\"faces\": [],\n\"cells\": []}", "{\"cells\": [],\n\"faces\": []}"})
+        EXPECT_EQ(error_of_any(text),
+                  "2:1: \"faces\" are of the plane and \"cells\" of space; there is one of them" +
+                      expected);
+    EXPECT_EQ(
+        error("{\"cells\": []}"),
+        "1:2: \"cells\" are those of a tessellation in space; one of the plane is read" + expected);
+}
+
 TEST(WriteCsv, WritesTheFaces) {
     std::ostringstream out;
     write_csv(out, tessellation());
