@@ -1,7 +1,6 @@
 #include "sites_call.hpp"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <stdexcept>
 #include <vector>
@@ -30,6 +29,8 @@ void add_sites(CLI::App& command, SitesCall& call) {
 
 void add_space(CLI::App& command, SitesCall& call) {
     call.dimension.reset();
+    std::vector<std::string_view> metrics;
+    for (const Metric metric : call.metrics_in_space) metrics.push_back(name_of(metric));
     command.get_option("FILE")->description(
         "Sites, one a line: x y [r], in space x y z [r];\n- for standard input");
     CLI::Option& columns = *command.get_option("--columns");
@@ -39,8 +40,9 @@ void add_space(CLI::App& command, SitesCall& call) {
     command
         .add_option_function<int>(
             "--dimension", [&call](int dimension) { call.dimension = dimension; },
-            "2: sites are x y [r]; 3: they are x y z [r], the\nmetric is power. Default: what a "
-            "header or the\nformat of the file says, else 2")
+            fmt::format("2: sites are x y [r]; 3: they are x y z [r], the\nmetric is {}. Default: "
+                        "what a header or the\nformat of the file says, else 2",
+                        fmt::join(metrics, " or ")))
         ->check(one_of({"2", "3"}))
         ->type_name("2|3");
     command
@@ -93,15 +95,12 @@ SitesInput input_of(const SitesCall& call) {
     return call.dimension == 2 ? SitesInput::text : input_by_ending(ending_of(call.input));
 }
 
-/// The metrics that have tessellations of space. Another one is added here.
-constexpr std::array metrics_in_space = {Metric::power};
-
 /// Throws CallError where sites in space are asked for a metric that is of the plane alone.
 void check_space(const SitesCall& call, const SitesFile& file) {
-    if (file.dimension == 2 || std::ranges::count(metrics_in_space, metric_of(call.metric)) > 0)
-        return;
+    const std::vector<Metric>& known = call.metrics_in_space;
+    if (file.dimension == 2 || std::ranges::count(known, metric_of(call.metric)) > 0) return;
     std::vector<std::string_view> names;
-    for (const Metric each : metrics_in_space) names.push_back(name_of(each));
+    for (const Metric each : known) names.push_back(name_of(each));
     throw CallError(fmt::format(
         "--metric {}: sites in space, as those of {} are, have tessellations of the {} metric "
         "alone; add --metric {}{}",

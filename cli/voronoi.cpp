@@ -17,24 +17,17 @@
 
 #include "clip.hpp"
 #include "commands.hpp"
-#include "outputs.hpp"
-#include "sites_call.hpp"
+#include "voronoi_balls.hpp"
+#include "voronoi_call.hpp"
 
 namespace signum::cli {
 namespace {
-
-/// The call as it was typed.
-struct VoronoiCall : SitesCall, OutputsCall {
-    std::vector<double> clip;
-    std::optional<double> tolerance;
-    bool merge = false;
-};
 
 constexpr std::array<Format, 4> voronoi_formats = {
     {{"json", "vertices, edges with their curves,\ncells with their measures"},
      {"svg", "a picture with true arcs"},
      {"geojson", "the cells as polygons"},
-     {"csv", "the cells as a table, polygons as WKT"}}};
+     {"csv", "the cells as a table, polygons as WKT; of balls\nthe vertices"}}};
 
 void summarize(const Voronoi& voronoi, std::span<const Target> targets) {
     const std::size_t sites = voronoi.tessellation().sites().size();
@@ -56,6 +49,7 @@ void run(const VoronoiCall& call) {
     if (call.tolerance && !(*call.tolerance > 0))
         throw CallError("--tolerance: give a number above 0");
     const InputSites sites = read_input(call);
+    if (sites.file.dimension == 3) return voronoi_of_balls(call, sites, targets);
     const Outputs outputs(targets);
     const Voronoi diagram(construct(call, sites), {call.merge});
 
@@ -90,9 +84,11 @@ void run(const VoronoiCall& call) {
 
 void add_voronoi(CLI::App& tool) {
     auto call = std::make_shared<VoronoiCall>();
+    call->metrics_in_space = {Metric::euclidean};
     CLI::App* command =
         tool.add_subcommand("voronoi", "Computes the diagram of sites: vertices, edges, cells");
     add_sites(*command, *call);
+    add_space(*command, *call);
     add_clip(*command, call->clip,
              "The box that cells are cut to. Default: JSON has\n"
              "them whole; tables and GeoJSON cut them to the\n"
@@ -112,7 +108,8 @@ void add_voronoi(CLI::App& tool) {
     command->footer(
         "Examples:\n"
         "  signum voronoi sites.txt -o cells.svg -o cells.geojson\n"
-        "  signum voronoi sites.txt --metric power --clip 0 0 100 100 -o areas.csv");
+        "  signum voronoi sites.txt --metric power --clip 0 0 100 100 -o areas.csv\n"
+        "  signum voronoi balls.xyz --metric euclidean -o diagram.json -o vertices.csv");
     command->callback([call] { run(*call); });
 }
 

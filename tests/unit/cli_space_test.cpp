@@ -314,14 +314,15 @@ TEST_F(ToolInSpace, SaysWhoTakesSitesInSpace) {
     const std::string plane = scratch.file("plane.txt", "0 0 0\n1 0 0\n0 1 0\n");
     const std::string json = scratch.path("plane.json");
     ASSERT_EQ(run({"triangulate", plane, "-o", json}).code, 0);
-    for (const Words& words : {Words{"voronoi", atoms}, Words{"validate", json, atoms}}) {
+    for (const Words& words : {Words{"voronoi", atoms, "--dimension", "2", "--read-as", "text"},
+                               Words{"validate", json, atoms}}) {
         const Outcome outcome = run(words);
         EXPECT_EQ(outcome.code, 2);
         EXPECT_TRUE(outcome.err.starts_with(wanted)) << outcome.err;
     }
     // What are sites of the plane is read, whatever the name.
     const std::string lines = scratch.file("lines.xyz", "0 0 0\n1 0 0\n0 1 0\n");
-    EXPECT_EQ(run({"voronoi", lines, "--quiet"}).code, 0);
+    EXPECT_EQ(run({"voronoi", lines, "--quiet", "--dimension", "2"}).code, 0);
     expect({"study", atoms}, 2,
            "signum: '" + atoms +
                "' is a word too many; a study makes its own sites, signum compare FILE judges "

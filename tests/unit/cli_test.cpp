@@ -392,7 +392,7 @@ TEST_F(Tool, TakesTheColumnsThatAreNamed) {
                    "number, as in --columns lon,lat or --columns 2,3,5\n");
     }
     for (const char* columns : {"lon", "1,2,3,4", "lon,,lat", ","}) {
-        expect({"voronoi", cities, "--columns", columns}, 2,
+        expect({"voronoi", cities, "--columns", columns, "--dimension", "2"}, 2,
                std::string("signum: --columns ") + columns +
                    ": give two or three with commas between, by name or number, as in --columns "
                    "lon,lat or --columns 2,3,5\n");
@@ -406,10 +406,10 @@ TEST_F(Tool, TakesTheColumnsThatAreNamed) {
                                          ":1: 'x' is x, 'y' is y, and 'h' is "
                                          "left out: "))
         << left_out.err;
-    // One called z says that sites lie in space, or that voronoi leaves it out.
+    // One called z says that sites lie in space, unless the call says that they do not.
     const std::string heights = scratch.file("z.csv", "x,y,z\n0,0,5\n4,0,5\n0,4,5\n1,1,5\n");
     for (const Words& words : {Words{"triangulate", heights, "--quiet", "--dimension", "2"},
-                               Words{"voronoi", heights, "--quiet"}}) {
+                               Words{"voronoi", heights, "--quiet", "--dimension", "2"}}) {
         const Outcome flat = run(words);
         EXPECT_EQ(flat.code, 0);
         EXPECT_EQ(flat.out, run({words[0], plain, "--quiet"}).out);
