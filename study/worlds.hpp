@@ -2,6 +2,8 @@
 /// The plane and space, as far as experiments do the same in both. For the sources of study/.
 
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <string_view>
 #include <vector>
 

@@ -3,6 +3,7 @@
 #include <limits>
 #include <span>
 #include <sstream>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
