@@ -41,8 +41,8 @@ void add_space(CLI::App& command, SitesCall& call) {
     command
         .add_option_function<int>(
             "--dimension", [&call](int dimension) { call.dimension = dimension; },
-            fmt::format("2: sites are x y [r]; 3: they are x y z [r], the\nmetric is {}. Default: "
-                        "what a header or the\nformat of the file says, else 2",
+            fmt::format("2: sites are x y [r]; 3: they are x y z [r], the\nmetric is {}.\nDefault: "
+                        "what a header or the format of the\nfile says, else 2",
                         fmt::join(metrics, " or ")))
         ->check(one_of({"2", "3"}))
         ->type_name("2|3");
