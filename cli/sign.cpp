@@ -220,6 +220,9 @@ Answer decide_additively(const SignCall& call, const Predicates& metric) {
 }
 
 Answer decide(const SignCall& call) {
+    if (call.sphere && call.predicate != "in_sphere")
+        throw CallError(fmt::format("--sphere is of in_sphere alone, and this is {}; leave it out",
+                                    call.predicate));
     if (is_in_space(call)) return decide_in_space(call);
     // ccw is the same in every metric.
     if (call.predicate == "ccw") return decide_ccw(call);
@@ -272,7 +275,8 @@ void add_sign(CLI::App& tool) {
                      "in_sphere  the same of a sphere in space that touches\n"
                      "           four others, in the power metric centres\n"
                      "           that turn positively, in the Euclidean one\n"
-                     "           in points that do; these two metrics alone")
+                     "           in points that do; in the supremum and the\n"
+                     "           Manhattan metric of a cube or an octahedron")
         ->required()
         ->transform(one_of({"ccw", "in_circle", "in_sphere"}))
         ->type_name("");
@@ -287,6 +291,14 @@ void add_sign(CLI::App& tool) {
             "ccw: 2 or 3. Default: 3 for twelve numbers, else 2")
         ->check(one_of({"2", "3"}))
         ->type_name("2|3");
+    command
+        ->add_option_function<int>(
+            "--sphere", [call](int sphere) { call->sphere = sphere; },
+            "in_sphere, supremum and Manhattan: which one is meant\n"
+            "where two cubes or up to six octahedra touch the\n"
+            "others, from 0; a call without it lists them")
+        ->check(one_of({"0", "1", "2", "3", "4", "5"}))
+        ->type_name("N");
     add_metric(*command, call->metric);
     add_weight_is(*command, call->weight_is, "radius");
     command->add_flag("--json", call->json,
@@ -302,7 +314,8 @@ void add_sign(CLI::App& tool) {
         "  signum sign in_circle --metric supremum -- 0 0 0  4 1 0  1 4 0  2 2 0\n"
         "  signum sign ccw --dimension 3 -- 0 0 0  1 0 0  0 1 0  0 0 1\n"
         "  signum sign in_sphere --metric power -- 0 0 0 1  1 0 0 1  0 1 0 1  0 0 1 1  1 1 1 1\n"
-        "  signum sign in_sphere -- 0 0 0 1  4 0 0 1  0 4 0 1  0 0 4 0.5  1 1 1 0");
+        "  signum sign in_sphere -- 0 0 0 1  4 0 0 1  0 4 0 1  0 0 4 0.5  1 1 1 0\n"
+        "  signum sign in_sphere --metric supremum -- 0 0 0 1  6 1 2 1  1 7 3 1  2 3 8 1  4 4 4 0");
     command->callback([call] { print(decide(*call), call->json); });
 }
 

@@ -17,6 +17,7 @@ struct SignCall {
     std::string metric;
     std::string weight_is;
     std::optional<int> dimension;
+    std::optional<int> sphere;  ///< which of several, from 0
     bool json = false;
     std::vector<std::string> numbers;
 };

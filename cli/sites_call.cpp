@@ -1,9 +1,9 @@
 #include "sites_call.hpp"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <stdexcept>
+#include <string_view>
 #include <vector>
 
 #include "commands.hpp"
@@ -36,14 +36,17 @@ void describe_columns_in_space(CLI::Option& columns) {
 
 void add_space(CLI::App& command, SitesCall& call) {
     call.dimension.reset();
+    std::vector<std::string_view> metrics;
+    for (const Metric metric : call.metrics_in_space) metrics.push_back(name_of(metric));
     command.get_option("FILE")->description(
         "Sites, one a line: x y [r], in space x y z [r];\n- for standard input");
     describe_columns_in_space(*command.get_option("--columns"));
     command
         .add_option_function<int>(
             "--dimension", [&call](int dimension) { call.dimension = dimension; },
-            "2: sites are x y [r]; 3: they are x y z [r], the\nmetric is power. Default: what a "
-            "header or the\nformat of the file says, else 2")
+            fmt::format("2: sites are x y [r]; 3: they are x y z [r], the\nmetric is {}.\nDefault: "
+                        "what a header or the format of the\nfile says, else 2",
+                        fmt::join(metrics, " or ")))
         ->check(one_of({"2", "3"}))
         ->type_name("2|3");
     add_read_as(command, call.read_as);
@@ -100,15 +103,12 @@ SitesInput input_of_call(const SitesCall& call) {
     return input_of(call.input, call.read_as);
 }
 
-/// The metrics that have tessellations of space. Another one is added here.
-constexpr std::array metrics_in_space = {Metric::power};
-
 /// Throws CallError where sites in space are asked for a metric that is of the plane alone.
 void check_space(const SitesCall& call, const SitesFile& file) {
-    if (file.dimension == 2 || std::ranges::count(metrics_in_space, metric_of(call.metric)) > 0)
-        return;
+    const std::vector<Metric>& known = call.metrics_in_space;
+    if (file.dimension == 2 || std::ranges::count(known, metric_of(call.metric)) > 0) return;
     std::vector<std::string_view> names;
-    for (const Metric each : metrics_in_space) names.push_back(name_of(each));
+    for (const Metric each : known) names.push_back(name_of(each));
     throw CallError(fmt::format(
         "--metric {}: sites in space, as those of {} are, have tessellations of the {} metric "
         "alone; add --metric {}{}",

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -29,12 +30,15 @@ struct SitesCall {
     std::uint64_t seed = 1;
     bool statistics = false;
     bool quiet = false;
+    /// The metrics that the subcommand has of sites in space.
+    std::vector<Metric> metrics_in_space = {Metric::power};
 };
 
 /// Adds FILE, --columns, --metric, --weight-is, --seed and --quiet.
 void add_sites(CLI::App& command, SitesCall& call);
 
-/// Adds --dimension and --read-as, for a subcommand that takes sites of space, too.
+/// Adds --dimension and --read-as, for a subcommand that takes sites of space, too, in those
+/// metrics that the call knows.
 void add_space(CLI::App& command, SitesCall& call);
 
 /// Adds to what --columns says of itself what holds in space.

@@ -28,6 +28,7 @@
 #include "../study/motion/plan.hpp"
 #include "../study/plan.hpp"
 #include "../study/report.hpp"
+#include "../study/space_page.hpp"
 
 #include "commands.hpp"
 #include "gnuplot.hpp"
@@ -43,6 +44,7 @@ namespace fs = std::filesystem;
 struct StudyCall {
     std::string directory = "signum-study";
     bool motion = false;
+    int dimension = 2;  ///< of the sites
     bool quick = false;
     std::vector<std::string> metrics;
     std::string sites;
@@ -55,7 +57,16 @@ struct StudyCall {
 study::Scope scope_of(const StudyCall& call) {
     study::Scope scope;
     scope.quick = call.quick;
-    if (!call.metrics.empty()) {
+    if (call.dimension == 3) {
+        for (const std::string& metric : call.metrics)
+            if (metric != name_of(Metric::power))
+                throw CallError(fmt::format(
+                    "--metric {}: in space the study is of the power metric alone; leave --metric "
+                    "out, or --dimension 3",
+                    metric));
+        scope.metrics = {Metric::power};
+    }
+    if (call.dimension == 2 && !call.metrics.empty()) {
         scope.metrics.clear();
         for (const Metric metric : all_metrics)
             if (std::count(call.metrics.begin(), call.metrics.end(), name_of(metric)) > 0)
@@ -82,8 +93,9 @@ study::Scope scope_of(const StudyCall& call) {
 std::string command_of(const StudyCall& call, const study::Scope& scope) {
     std::string command = "signum study";
     if (call.motion) command += " --motion";
+    if (call.dimension == 3) command += " --dimension 3";
     if (call.quick) command += " --quick";
-    if (scope.metrics.size() < all_metrics.size())
+    if (call.dimension == 2 && scope.metrics.size() < all_metrics.size())
         for (const Metric metric : scope.metrics)
             command += fmt::format(" --metric {}", name_of(metric));
     if (!call.sites.empty()) command += " --sites " + call.sites;
@@ -299,6 +311,8 @@ void run(const StudyCall& call) {
         carry_out(call, account,
                   study::plan_motion({scope.quick, scope.least_sites, scope.most_sites}),
                   study::motion_page);
+    else if (call.dimension == 3)
+        carry_out(call, account, study::plan_in_space(scope), study::space_page);
     else
         carry_out(call, account, study::plan(scope), [](const std::vector<study::Row>& rows) {
             return study::accuracy_page(rows, study::wrong_picture());
@@ -313,6 +327,13 @@ void add_study(CLI::App& tool) {
         "study", "Measures what accuracy costs, and what goes wrong without it: a report");
     CLI::Option* motion = command->add_flag("--motion", call->motion,
                                             "Of balls that move: structures, accuracy, time steps");
+    command
+        ->add_option("--dimension", call->dimension,
+                     "2: of sites in the plane; 3: in space, in the power\nmetric")
+        ->check(one_of({"2", "3"}))
+        ->excludes(motion)
+        ->type_name("2|3")
+        ->capture_default_str();
     command
         ->add_option("-o,--output", call->directory,
                      "Where results.csv, results.json and\nreport.html go")
@@ -338,7 +359,9 @@ void add_study(CLI::App& tool) {
     command->footer(
         "A study that was cut off goes on where it stopped. Leave the machine alone while it "
         "runs.\n\n"
-        "Example:\n  signum study --quick -o my-study && xdg-open my-study/report.html");
+        "Examples:\n"
+        "  signum study --quick -o my-study && xdg-open my-study/report.html\n"
+        "  signum study --dimension 3 --quick -o in-space");
     command->callback([call] { run(*call); });
 }
 

@@ -24,7 +24,7 @@ struct ValidateCall {
 };
 
 Validation judged_in_space(const ValidateCall& call, const ReadTessellation& read) {
-    if (read.arrays.metric != Metric::power) {
+    if (!traits_of(read.arrays.metric).edges_are_straight) {
         throw CallError(fmt::format(
             "{}: its metric is {}, and in space there are tessellations of the power metric alone",
             call.tessellation, name_of(read.arrays.metric)));

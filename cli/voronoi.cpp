@@ -17,6 +17,7 @@
 
 #include "clip.hpp"
 #include "commands.hpp"
+#include "voronoi_balls.hpp"
 #include "voronoi_call.hpp"
 #include "voronoi_space.hpp"
 
@@ -28,7 +29,9 @@ constexpr std::array<Format, 5> voronoi_formats = {
       "vertices, edges with their curves,\ncells with their measures, in space\nwith their faces"},
      {"svg", "a picture with true arcs, in space of\nsolid cells"},
      {"geojson", "the cells as polygons"},
-     {"csv", "the cells as a table, polygons as WKT, in\nspace volumes, areas, faces, neighbours"},
+     {"csv",
+      "the cells as a table, polygons as WKT, in\nspace volumes, areas, faces, neighbours;\nof "
+      "balls the vertices"},
      {"vtk", "in space: the cells as polyhedra, for ParaView"}}};
 
 void summarize(const Voronoi& voronoi, std::span<const Target> targets) {
@@ -50,7 +53,11 @@ void run(const VoronoiCall& call) {
     if (call.tolerance && !(*call.tolerance > 0))
         throw CallError("--tolerance: give a number above 0");
     const InputSites sites = read_input(call);
-    if (sites.file.dimension == 3) return voronoi_in_space(call, sites, targets);
+    if (sites.file.dimension == 3) {
+        return traits_of(metric_of(call.metric)).edges_are_straight
+                   ? voronoi_in_space(call, sites, targets)
+                   : voronoi_of_balls(call, sites, targets);
+    }
     if (is_written(targets, "vtk")) {
         throw CallError(fmt::format(
             "vtk is written of sites in space, and those of {} lie in the plane; write geojson",
@@ -92,6 +99,7 @@ void run(const VoronoiCall& call) {
 
 void add_voronoi(CLI::App& tool) {
     auto call = std::make_shared<VoronoiCall>();
+    call->metrics_in_space = {Metric::power, Metric::euclidean};
     CLI::App* command =
         tool.add_subcommand("voronoi", "Computes the diagram of sites: vertices, edges, cells");
     add_sites(*command, *call);
@@ -117,7 +125,8 @@ void add_voronoi(CLI::App& tool) {
         "Examples:\n"
         "  signum voronoi sites.txt -o cells.svg -o cells.geojson\n"
         "  signum voronoi sites.txt --metric power --clip 0 0 100 100 -o areas.csv\n"
-        "  signum voronoi protein.pdb --metric power -o volumes.csv -o cells.vtk");
+        "  signum voronoi protein.pdb --metric power -o volumes.csv -o cells.vtk\n"
+        "  signum voronoi balls.xyz --metric euclidean -o diagram.json -o vertices.csv");
     command->callback([call] { run(*call); });
 }
 

@@ -17,16 +17,24 @@ auto named(const Values& values, const std::string& name) {
     return *found;
 }
 
-}  // namespace
-
-std::vector<Site> sites_of(const Setting& setting, std::size_t seed) {
+GenerateOptions options_of(const Setting& setting, std::size_t seed) {
     GenerateOptions options;
     options.count = setting.sites;
     options.radius_from = setting.radius_from;
     options.radius_to = setting.radius_to;
     options.perturb = setting.perturbation;
     options.seed = seed;
-    return generate(named(all_distributions, setting.distribution), options);
+    return options;
+}
+
+}  // namespace
+
+std::vector<Site> sites_of(const Setting& setting, std::size_t seed) {
+    return generate(named(all_distributions, setting.distribution), options_of(setting, seed));
+}
+std::vector<Site3> sites_in_space_of(const Setting& setting, std::size_t seed) {
+    return generate(named(all_space_distributions, setting.distribution),
+                    options_of(setting, seed));
 }
 
 std::optional<Options> options_named(const std::string& name) {

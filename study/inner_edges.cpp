@@ -25,4 +25,22 @@ std::vector<std::array<Index, 4>> inner_edges(const Tessellation& tessellation) 
     return result;
 }
 
+std::vector<std::array<Index, 5>> inner_facets(const SpaceTessellation& tessellation) {
+    std::vector<std::array<Index, 5>> result;
+    if (tessellation.dimension < 3) return result;
+    for (std::size_t c = 0; c < tessellation.cells.size(); ++c) {
+        const SpaceCell& cell = tessellation.cells[c];
+        if (cell[0] == infinite) continue;
+        for (const Index n : tessellation.neighbours[c]) {
+            const SpaceCell& other = tessellation.cells[static_cast<std::size_t>(n)];
+            if (static_cast<std::size_t>(n) < c || other[0] == infinite) continue;
+            const auto across = std::ranges::find_if(
+                other, [&](Index v) { return std::ranges::find(cell, v) == cell.end(); });
+            if (across != other.end())
+                result.push_back({cell[0], cell[1], cell[2], cell[3], *across});
+        }
+    }
+    return result;
+}
+
 }  // namespace signum::study

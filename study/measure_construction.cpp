@@ -1,5 +1,5 @@
 /// Contestants build the tessellations of the same sites. In the first pass each builds every set
-/// once, and edges and calls are counted; in all they race.
+/// once, and edges (in space cells) and calls are counted; in all they race.
 
 #include <algorithm>
 #include <functional>
@@ -7,10 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "../voronoi/compare.hpp"
-
-#include "contestants.hpp"
-#include "work.hpp"
+#include "worlds.hpp"
 
 namespace signum::study {
 namespace {
@@ -19,14 +16,14 @@ namespace {
 struct Counts {
     std::size_t sets = 0;
     std::size_t broken = 0;
-    double edges = 0.0;
+    double parts = 0.0;  ///< edges, in space cells
     double wrong = 0.0;
     double different = 0.0;
     Interval wrong_percent;
     Interval different_percent;
     Interval either_percent;
     double hidden = 0.0;
-    Statistics calls;
+    std::optional<Statistics> calls;  ///< where they are counted
 };
 
 /// The share of all sets together, and the least and greatest of a set.
@@ -37,23 +34,24 @@ void add_share(Interval& interval, double part, double all) {
     ++interval.runs;
 }
 
-void add(Counts& counts, const Tessellation& tessellation, const EdgeComparison& comparison) {
-    const auto wrong = static_cast<double>(comparison.wrong.size());
-    const auto different = static_cast<double>(comparison.different.size());
-    const auto edges = static_cast<double>(comparison.edges);
-    counts.edges += edges;
+void add(Counts& counts, const Difference& difference, std::size_t hidden,
+         const Statistics* calls) {
+    const auto& [parts, wrong, different] = difference;
+    counts.parts += parts;
     counts.wrong += wrong;
     counts.different += different;
-    add_share(counts.wrong_percent, wrong, edges);
-    add_share(counts.different_percent, different, edges);
-    add_share(counts.either_percent, wrong + different, edges);
-    counts.hidden += static_cast<double>(tessellation.hidden().size());
-    const Statistics& calls = tessellation.statistics();
-    for (const Counter& counter : counters) counts.calls.*counter.count += calls.*counter.count;
+    add_share(counts.wrong_percent, wrong, parts);
+    add_share(counts.different_percent, different, parts);
+    add_share(counts.either_percent, wrong + different, parts);
+    counts.hidden += static_cast<double>(hidden);
+    if (!calls) return;
+    if (!counts.calls) counts.calls.emplace();
+    for (const Counter& counter : counters) *counts.calls.*counter.count += calls->*counter.count;
 }
 
 /// Of one contestant, without the times.
-std::vector<Row> rows_of(const Cell& cell, const std::string& name, Counts counts) {
+std::vector<Row> rows_of(const Cell& cell, const std::string& name, std::string_view parts,
+                         Counts counts) {
     std::vector<Row> rows;
     const auto put = [&](const std::string& quantity, const Interval& value) {
         rows.push_back({cell.setting, name, quantity, value});
@@ -62,8 +60,8 @@ std::vector<Row> rows_of(const Cell& cell, const std::string& name, Counts count
         exactly(100.0 * static_cast<double>(counts.broken) / static_cast<double>(cell.sets)));
     const auto whole = static_cast<double>(counts.sets);
     if (whole == 0.0) return rows;
-    put("edges", exactly(counts.edges / whole));
-    const double percent = counts.edges > 0.0 ? 100.0 / counts.edges : 0.0;
+    put(std::string(parts), exactly(counts.parts / whole));
+    const double percent = counts.parts > 0.0 ? 100.0 / counts.parts : 0.0;
     counts.wrong_percent.median = percent * counts.wrong;
     counts.different_percent.median = percent * counts.different;
     counts.either_percent.median = percent * (counts.wrong + counts.different);
@@ -74,22 +72,23 @@ std::vector<Row> rows_of(const Cell& cell, const std::string& name, Counts count
         put(quantity, exactly(static_cast<double>(sum) / whole));
     };
     put_mean("hidden", counts.hidden);
-    put_mean("ccw", counts.calls.ccw);
-    put_mean("in_circle", counts.calls.in_circle);
-    put_mean("calls_filter", counts.calls.filtered);
-    put_mean("calls_refine", counts.calls.refined);
-    put_mean("calls_exact", counts.calls.exact);
-    put_mean("calls_essa", counts.calls.essa);
-    put_mean("calls_multiprecision", counts.calls.multiprecision);
-    put_mean("ties", counts.calls.ties);
-    put_mean("swaps", counts.calls.flips);
-    put_mean("events", counts.calls.events);
+    if (!counts.calls) return rows;
+    const Statistics& calls = *counts.calls;
+    put_mean("ccw", calls.ccw);
+    put_mean("in_circle", calls.in_circle);
+    put_mean("calls_filter", calls.filtered);
+    put_mean("calls_refine", calls.refined);
+    put_mean("calls_exact", calls.exact);
+    put_mean("calls_essa", calls.essa);
+    put_mean("calls_multiprecision", calls.multiprecision);
+    put_mean("ties", calls.ties);
+    put_mean("swaps", calls.flips);
+    put_mean("events", calls.events);
     return rows;
 }
 
-}  // namespace
-
-std::vector<Row> measure_construction(const Cell& cell, const Pass& pass) {
+template <class World>
+std::vector<Row> constructions(const Cell& cell, const Pass& pass) {
     const Metric metric = metric_named(cell.setting.metric).value();
     std::vector<std::pair<std::string, Options>> builders;
     for (const std::string& name : cell.contestants)
@@ -97,20 +96,22 @@ std::vector<Row> measure_construction(const Cell& cell, const Pass& pass) {
 
     const bool counts_too = pass.number == 1;
     std::vector<Counts> counts(builders.size());
-    std::vector<std::vector<Site>> sets;  // those that the first contestant builds
+    std::vector<typename World::Sites> sets;  // those that the first contestant builds
+    std::vector<typename World::Sites> broken_sets;
     std::vector<std::size_t> broken_of_these(builders.size(), 0);
     for (std::size_t seed = 1; seed <= cell.sets; ++seed) {
-        std::vector<Site> sites = sites_of(cell.setting, seed);
-        std::optional<Tessellation> canonical;
-        if (counts_too) canonical = triangulate(sites, metric);
+        auto sites = World::sites(cell.setting, seed);
+        std::optional<typename World::Result> canonical;
+        if (counts_too) canonical = World::build(sites, metric);
         bool first_breaks = false;
         for (std::size_t i = 0; i < builders.size() && pass.breaks; ++i) {
             Options options = builders[i].second;
             options.count = true;
             try {
-                const Tessellation tessellation = triangulate(sites, metric, options);
+                const auto tessellation = World::build(sites, metric, options);
                 if (!counts_too) continue;
-                add(counts[i], tessellation, compare_edges(tessellation, *canonical));
+                add(counts[i], World::difference(tessellation, *canonical, sites),
+                    World::hidden(tessellation), World::calls(tessellation));
                 ++counts[i].sets;
             } catch (const BrokenStructure&) {
                 ++counts[i].broken;
@@ -118,38 +119,47 @@ std::vector<Row> measure_construction(const Cell& cell, const Pass& pass) {
                 if (!first_breaks) ++broken_of_these[i];
             }
         }
-        if (!first_breaks) sets.push_back(std::move(sites));
+        (first_breaks ? broken_sets : sets).push_back(std::move(sites));
     }
+    // Where it builds none, the others are timed without it.
+    const bool is_alone = sets.empty();
+    if (is_alone) sets = std::move(broken_sets);
 
     std::vector<Row> rows;
     std::vector<Contestant> racing;
     std::vector<std::string> names;
     for (std::size_t i = 0; i < builders.size(); ++i) {
         if (counts_too) {
-            const auto more = rows_of(cell, builders[i].first, counts[i]);
+            const auto more = rows_of(cell, builders[i].first, World::parts, counts[i]);
             rows.insert(rows.end(), more.begin(), more.end());
         }
-        if (sets.empty() || broken_of_these[i] > 0) continue;
+        if ((is_alone ? counts[i].broken : broken_of_these[i]) > 0) continue;
         names.push_back(builders[i].first);
         racing.emplace_back([&sets, metric, options = builders[i].second] {
             constexpr double long_enough = 1e-3;  // for the clock
             double seconds = 0.0;
             std::size_t built = 0;
             while (seconds < long_enough) {
-                for (const auto& sites : sets)
-                    seconds += triangulate(sites, metric, options).statistics().seconds;
+                for (const auto& sites : sets) seconds += World::seconds(sites, metric, options);
                 built += sets.size();
             }
             return seconds / static_cast<double>(built);
         });
     }
-    if (racing.size() < 2) return rows;
+    if (racing.empty() || (racing.size() < 2 && !is_alone)) return rows;
     const Race race = race_of(racing, cell, pass);
     for (std::size_t i = 0; i < names.size(); ++i) {
         rows.push_back({cell.setting, names[i], "seconds", race.seconds[i]});
-        rows.push_back({cell.setting, names[i], "ratio", race.ratios[i]});
+        if (!is_alone) rows.push_back({cell.setting, names[i], "ratio", race.ratios[i]});
     }
     return rows;
+}
+
+}  // namespace
+
+std::vector<Row> measure_construction(const Cell& cell, const Pass& pass) {
+    return cell.dimension == 3 ? constructions<Space>(cell, pass)
+                               : constructions<Plane>(cell, pass);
 }
 
 }  // namespace signum::study

@@ -2,24 +2,23 @@
 
 #include <cmath>
 
-#include "../voronoi/compare.hpp"
-
-#include "contestants.hpp"
-#include "work.hpp"
+#include "worlds.hpp"
 
 namespace signum::study {
 namespace {
 
-/// Whether the arithmetic gives a wrong edge, or breaks, on any of the sets.
+/// Whether the arithmetic gives a wrong edge (cell), or breaks, on any of the sets.
+template <class World>
 bool errs(const Cell& cell, const Options& options, int exponent) {
     Setting setting = cell.setting;
     setting.perturbation = std::pow(10.0, exponent);
     const Metric metric = metric_named(setting.metric).value();
     for (std::size_t seed = 1; seed <= cell.sets; ++seed) {
-        const std::vector<Site> sites = sites_of(setting, seed);
+        const auto sites = World::sites(setting, seed);
         try {
-            const Tessellation tessellation = triangulate(sites, metric, options);
-            if (!compare_edges(tessellation, triangulate(sites, metric)).wrong.empty()) return true;
+            const auto tessellation = World::build(sites, metric, options);
+            const auto canonical = World::build(sites, metric);
+            if (World::difference(tessellation, canonical, sites).wrong > 0.0) return true;
         } catch (const BrokenStructure&) {
             return true;
         }
@@ -30,25 +29,30 @@ bool errs(const Cell& cell, const Options& options, int exponent) {
 constexpr int greatest = 2;
 constexpr int least = -17;  // moves no site that is not near an axis
 
-}  // namespace
-
-std::vector<Row> measure_first_error(const Cell& cell) {
+template <class World>
+std::vector<Row> first_errors(const Cell& cell) {
     std::vector<Row> rows;
     for (const std::string& name : cell.contestants) {
         const auto options = options_named(name);
         if (!options) continue;
         int bad = least;
         int good = greatest + 1;
-        if (!errs(cell, *options, bad)) good = bad;
+        if (!errs<World>(cell, *options, bad)) good = bad;
         while (good - bad > 1) {
             const int middle = bad + (good - bad) / 2;
-            (errs(cell, *options, middle) ? bad : good) = middle;
+            (errs<World>(cell, *options, middle) ? bad : good) = middle;
         }
         Interval value = exactly(0.0);
         if (good > bad) value = {std::pow(10.0, bad), std::pow(10.0, bad), std::pow(10.0, good), 1};
         rows.push_back({cell.setting, name, "first_error", value});
     }
     return rows;
+}
+
+}  // namespace
+
+std::vector<Row> measure_first_error(const Cell& cell) {
+    return cell.dimension == 3 ? first_errors<Space>(cell) : first_errors<Plane>(cell);
 }
 
 }  // namespace signum::study

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <type_traits>
 
 #include "../generate/generate.hpp"
 #include "../triangulation/options.hpp"
@@ -36,7 +37,9 @@ class Cells {
  public:
     explicit Cells(const Scope& scope) : scope_(scope) {}
 
-    void add(const std::string& experiment, Work work, Metric metric, Distribution distribution,
+    /// A cell of the plane, or of space.
+    template <class AnyDistribution>
+    void add(const std::string& experiment, Work work, Metric metric, AnyDistribution distribution,
              std::int64_t sites, double perturbation, Radii radii, Names contestants) {
         if (sites < scope_.least_sites || sites > scope_.most_sites) return;
         Cell cell;
@@ -48,6 +51,7 @@ class Cells {
                         radii.from,
                         radii.to};
         cell.work = work;
+        cell.dimension = std::is_same_v<AnyDistribution, SpaceDistribution> ? 3 : 2;
         cell.contestants = std::move(contestants);
         // Rationals take a thousand times as long as the rest.
         const bool is_slow =
@@ -178,9 +182,43 @@ std::vector<Cell> plan(const Scope& scope) {
     return cells.take();
 }
 
+std::vector<Cell> plan_in_space(const Scope& scope) {
+    Cells cells(scope);
+    const auto pick = [&](const Sizes& quick, const Sizes& full) {
+        return scope.quick ? quick : full;
+    };
+    const auto radii_of = [](SpaceDistribution distribution) {
+        return distribution == SpaceDistribution::random ? Radii{1.0, 10.0} : Radii{1.0, 1.0};
+    };
+    constexpr Metric metric = Metric::power;
+    const Names both = {"naive", "exact"};
+
+    for (const SpaceDistribution distribution : all_space_distributions)
+        for (const std::int64_t sites : pick({100, 1000}, {100, 1000, 10000}))
+            cells.add("first_error", Work::first_error, metric, distribution, sites, 0.0,
+                      radii_of(distribution), {"naive"});
+    for (const SpaceDistribution distribution : all_space_distributions)
+        for (std::size_t i = 0; i < perturbations.size(); i += scope.quick ? 2 : 1)
+            cells.add("perturbation", Work::construction, metric, distribution, 300,
+                      perturbations[i], radii_of(distribution), both);
+    // In mean distances of neighbours, as in the plane.
+    for (const double factor : {0.0, 0.01, 0.1, 0.3, 1.0, 3.0})
+        cells.add("radii", Work::construction, metric, SpaceDistribution::random, 1000, 0.0,
+                  {0.0, std::round(1e4 * factor * 70.0) / 1e4}, both);
+    for (const SpaceDistribution distribution : all_space_distributions)
+        cells.add("stage_cost", Work::stage_cost, metric, distribution, scope.quick ? 2000 : 10000,
+                  0.0, radii_of(distribution), {});
+    for (const std::int64_t sites :
+         pick({100, 300, 1000, 10000}, {100, 200, 300, 500, 1000, 3000, 10000, 30000, 100000}))
+        for (const SpaceDistribution distribution : all_space_distributions)
+            cells.add("sites", Work::construction, metric, distribution, sites, 0.0,
+                      radii_of(distribution), both);
+    return cells.take();
+}
+
 double expected_seconds(const Cell& cell, std::size_t pass) {
     const bool is_slow = cell.setting.experiment == "kernels";
-    const double per_site = is_slow ? 1e-4 : 1.5e-6;
+    const double per_site = is_slow ? 1e-4 : cell.dimension == 3 ? 8e-6 : 1.5e-6;
     const double once = per_site * static_cast<double>(cell.setting.sites) *
                         static_cast<double>(cell.sets * (cell.contestants.size() + 1));
     if (cell.work == Work::first_error) return 8.0 * once;

@@ -16,7 +16,8 @@ namespace signum::study {
 
 /// What is done with the sites of a cell.
 enum class Work : std::uint8_t {
-    construction,  ///< contestants build the tessellation: times, wrong edges, calls by stage
+    construction,  ///< contestants build the tessellation: times, wrong edges (cells), calls by
+                   ///< stage
     deletion,      ///< sites go into a tessellation one by one, and come out again
     stage_cost,    ///< what a call costs that a stage decides
     first_error,   ///< the greatest perturbation at which inexact arithmetic errs
@@ -26,6 +27,7 @@ enum class Work : std::uint8_t {
 struct Cell {
     Setting setting;
     Work work = Work::construction;
+    int dimension = 2;                     ///< of the sites: of the plane, 3 in space
     std::vector<std::string> contestants;  ///< names of arithmetics, or of methods
     std::size_t sets = 1;                  ///< of sites, of seeds from 1
     /// How often it is measured. A machine is faster in one minute than in the next, which no
@@ -47,6 +49,10 @@ struct Scope {
 /// The cells in the order in which they are measured: what is cheap and new to a reader first, so
 /// that a study that is cut off has something of every figure.
 [[nodiscard]] std::vector<Cell> plan(const Scope& scope);
+
+/// The same in space: distributions of space, the power metric. Deletion and margins are not asked
+/// about there.
+[[nodiscard]] std::vector<Cell> plan_in_space(const Scope& scope);
 
 /// Roughly how long a pass over a cell takes, the first one or a later one: for a progress bar.
 [[nodiscard]] double expected_seconds(const Cell& cell, std::size_t pass);

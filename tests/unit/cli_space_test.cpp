@@ -382,9 +382,10 @@ TEST_F(ToolInSpace, RefusesWrongCallsOfVoronoi) {
         expect(words, 2, "signum: " + message + "\n");
     };
     const std::string of_file = "as those of " + balls + " are, have ";
-    refused({}, "--metric euclidean: sites in space, " + of_file +
-                    "tessellations of the power metric alone; add --metric power, or say "
-                    "--dimension 2 to leave z out");
+    refused({"--metric", "supremum"},
+            "--metric supremum: sites in space, " + of_file +
+                "tessellations of the power and euclidean metric alone; add --metric power, or say "
+                "--dimension 2 to leave z out");
     refused(
         {"--metric", "power", "--clip", "0", "0", "1", "1"},
         "--clip: 4 numbers, but the sites of " + balls + " lie in space; give X0 Y0 Z0 X1 Y1 Z1");
@@ -525,8 +526,8 @@ TEST_F(ToolInSpace, PrintsSigns) {
     EXPECT_EQ(in_sphere({"--metric", "power", "--weight-is", "weight"}, {"1", "1", "1", "-1"}).out,
               "-1 filter\n");
     EXPECT_EQ(in_sphere({"--metric", "supremum"}, {"1", "1", "1", "1"}).err,
-              "signum: sign in_sphere: there are --metric power and euclidean alone, and this is "
-              "--metric supremum; name one of them\n");
+              "signum: sign in_sphere: infinitely many cubes touch i, j, k and l; give four other "
+              "sites\n");
     EXPECT_EQ(in_sphere(power, {"1", "1", "1"}).err,
               "signum: sign in_sphere needs 20 numbers after --, x y z r of each of the sites i, "
               "j, k, l and of the query; 19 are given\n");
@@ -599,6 +600,102 @@ TEST_F(ToolInSpace, PrintsSignsOfEuclideanSpheres) {
     EXPECT_EQ(in_sphere(balls_of_corners, {"1"}).err,
               "signum: sign in_sphere needs 20 numbers after --, x y z r of each of the sites i, "
               "j, k, l and of the query; 17 are given\n");
+}
+
+/// sign in_sphere of a metric, five sites behind it.
+Outcome in_sphere_of(const char* metric, const Words& sites, const Words& more = {}) {
+    Words words = {"sign", "in_sphere", "--metric", metric};
+    words.insert(words.end(), more.begin(), more.end());
+    words.emplace_back("--");
+    words.insert(words.end(), sites.begin(), sites.end());
+    return run(words);
+}
+
+/// Four sites, and one that is asked about.
+Words five(const Words& four, const Words& last) {
+    Words words = four;
+    words.insert(words.end(), last.begin(), last.end());
+    return words;
+}
+
+TEST_F(ToolInSpace, PrintsSignsOfCubes) {
+    const Words four = {"0", "0", "0", "1", "6", "1", "2", "1",
+                        "1", "7", "3", "1", "2", "3", "8", "1"};
+    const Outcome inside = in_sphere_of("supremum", five(four, {"4", "4", "4", "0"}));
+    EXPECT_EQ(inside.code, 0);
+    EXPECT_EQ(inside.out, "1 filter\n");
+    EXPECT_EQ(inside.err, "");
+    EXPECT_EQ(in_sphere_of("Chebyshev", five(four, {"40", "4", "4", "0"})).out, "-1 filter\n");
+    const Outcome hidden = in_sphere_of("supremum", five(four, {"0", "0", "0", "0.5"}));
+    EXPECT_EQ(hidden.out, "-1 filter\n");
+    EXPECT_EQ(hidden.err, "hidden   i hides q\n");
+    // One of the sites itself touches.
+    const Outcome tie = in_sphere_of("supremum", five(four, {"0", "0", "0", "1"}));
+    EXPECT_TRUE(tie.out.starts_with("0 ")) << tie.out;
+    EXPECT_TRUE(
+        tie.err.starts_with("hidden   i hides q\nhidden   q hides i\ntie      q touches the cube "
+                            "of i, j, k and l; the metric has no tie rule in space\n"))
+        << tie.err;
+    EXPECT_EQ(in_sphere_of("supremum", five(four, {"0", "0", "0", "1"}), {"--json"}).out.find("ti"),
+              std::string::npos);
+    EXPECT_EQ(in_sphere_of("supremum", five(four, {"4", "4", "4", "0"}), {"--sphere", "0"}).out,
+              "1 filter\n");
+    EXPECT_EQ(in_sphere_of("supremum", five(four, {"4", "4", "4", "0"}), {"--sphere", "1"}).err,
+              "signum: --sphere 1: one cube alone touches i, j, k and l; leave --sphere out\n");
+}
+
+TEST_F(ToolInSpace, AsksWhichOfSeveralSpheresIsMeant) {
+    const Words cubes = {"2", "2", "9", "1", "4", "9", "6", "2",
+                         "7", "5", "4", "1", "5", "0", "4", "2"};
+    const std::string both =
+        "2 cubes touch i, j, k and l; say which is meant: --sphere 0 is that around 3.5 4.5 5.5 "
+        "with radius 2.5, --sphere 1 is that around 5.5 4.5 7.5 with radius 2.5\n";
+    const Words near_the_first = five(cubes, {"2", "4", "5", "0"});
+    const Outcome unsaid = in_sphere_of("supremum", near_the_first);
+    EXPECT_EQ(unsaid.code, 2);
+    EXPECT_EQ(unsaid.out, "");
+    EXPECT_EQ(unsaid.err, "signum: sign in_sphere: " + both);
+    EXPECT_EQ(in_sphere_of("supremum", near_the_first, {"--sphere", "0"}).out, "1 filter\n");
+    EXPECT_EQ(in_sphere_of("supremum", near_the_first, {"--sphere", "1"}).out, "-1 filter\n");
+    EXPECT_EQ(in_sphere_of("supremum", near_the_first, {"--sphere", "2"}).err,
+              "signum: --sphere 2: " + both);
+
+    // Six octahedra; the site lies on all of them.
+    const Words octahedra = {"0",  "0",  "0", "0",  "7",   "15", "-10", "-6",  "1", "3",
+                             "-2", "-5", "8", "16", "-11", "-4", "0.5", "8.5", "9", "0"};
+    EXPECT_TRUE(in_sphere_of("manhattan", octahedra)
+                    .err.starts_with("signum: sign in_sphere: 6 octahedra touch i, j, k and l; say "
+                                     "which is meant: --sphere 0 is that around 0.5 8.5 -10.5 with "
+                                     "radius 19.5, --sphere 1 is "));
+    const Outcome tie = in_sphere_of("manhattan", octahedra, {"--sphere", "0"});
+    EXPECT_TRUE(tie.out.starts_with("0 ")) << tie.out;
+    EXPECT_TRUE(tie.err.starts_with("tie      q touches the octahedron of ")) << tie.err;
+}
+
+TEST_F(ToolInSpace, SaysWhyThereIsNoCube) {
+    const auto refused = [](const Words& four, const std::string& why) {
+        const Outcome outcome = in_sphere_of("supremum", five(four, {"4", "4", "4", "0"}));
+        EXPECT_EQ(outcome.code, 2);
+        EXPECT_EQ(outcome.out, "");
+        EXPECT_EQ(outcome.err, "signum: sign in_sphere: " + why + "\n");
+    };
+    refused({"9", "4", "5", "2", "8", "0", "7", "0", "0", "2", "1", "1", "7", "3", "6", "2"},
+            "no cube touches i, j, k and l; give four other sites");
+    refused({"2", "0", "0", "0", "3", "2", "2", "1", "5", "3", "8", "2", "3", "2", "3", "1"},
+            "infinitely many cubes touch i, j, k and l; give four other sites");
+    refused({"6", "5", "6", "2", "0", "7", "0", "2", "2", "9", "3", "0", "3", "7", "5", "2"},
+            "l hides k, so that no cube touches i, j, k and l; leave k out");
+    EXPECT_EQ(run({"sign", "ccw", "--sphere", "0", "--", "0"}).err,
+              "signum: --sphere is of in_sphere alone, and this is ccw; leave it out\n");
+    EXPECT_EQ(in_sphere_of("power", {"0"}, {"--sphere", "0"}).err,
+              "signum: --sphere: in the power metric four sites have one sphere; leave it out\n");
+    EXPECT_EQ(
+        in_sphere_of("euclidean", {"0"}, {"--sphere", "0"}).err,
+        "signum: --sphere: in the euclidean metric four sites have two spheres at most, which "
+        "their order tells apart; leave it out\n");
+    EXPECT_EQ(in_sphere_of("supremum", {"0"}, {"--sphere", "6"}).err,
+              "signum: --sphere: '6' is unknown; it is one of 0, 1, 2, 3, 4, 5; see signum sign "
+              "--help (numbers stand after --)\n");
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "../../study/plot.hpp"
 #include "../../study/report.hpp"
 #include "../../study/rows.hpp"
+#include "../../study/space_page.hpp"
 
 namespace signum::study {
 namespace {
@@ -115,6 +116,23 @@ TEST(StudyPlan, KeepsToItsScope) {
     }
 }
 
+TEST(StudyPlan, OfSpaceHasEveryExperimentInBothForms) {
+    for (const bool quick : {false, true}) {
+        Scope scope;
+        scope.quick = quick;
+        const std::vector<Cell> cells = plan_in_space(scope);
+        expect_distinct(cells);
+        std::set<std::string> experiments;
+        for (const Cell& cell : cells) {
+            experiments.insert(cell.setting.experiment);
+            EXPECT_EQ(cell.dimension, 3);
+            EXPECT_EQ(cell.setting.metric, "power");
+        }
+        EXPECT_EQ(experiments, (std::set<std::string>{"first_error", "perturbation", "radii",
+                                                      "stage_cost", "sites"}));
+    }
+}
+
 /// The first row of a contestant and a quantity; fails where there is none.
 double value_of(const std::vector<Row>& rows, const std::string& contestant,
                 const std::string& quantity) {
@@ -165,6 +183,75 @@ TEST(StudyMeasure, EveryKindOfWork) {
     }
 }
 
+/// Whether the contestant has the quantity.
+bool has(const std::vector<Row>& rows, const std::string& contestant, const std::string& quantity) {
+    for (const Row& each : rows)
+        if (each.contestant == contestant && each.quantity == quantity) return true;
+    return false;
+}
+
+Cell cell_in_space(const std::string& distribution, std::int64_t sites) {
+    Cell cell;
+    cell.setting = {"sites", "power", distribution, sites, 0.0, 1.0, 1.0};
+    cell.dimension = 3;
+    cell.contestants = {"naive", "exact"};
+    cell.budget = {1, 1, 0.0};
+    return cell;
+}
+
+TEST(StudyMeasure, CountsCellsInSpace) {
+    Cell cell = cell_in_space("sphere", 300);
+    cell.setting.perturbation = 1e-9;
+    cell.sets = 20;
+    const std::vector<Row> rows = measure(cell);
+    EXPECT_GT(value_of(rows, "naive", "wrong_percent"), 0.0);
+    EXPECT_EQ(value_of(rows, "exact", "wrong_percent"), 0.0);
+    EXPECT_EQ(value_of(rows, "exact", "different_percent"), 0.0);
+    EXPECT_GT(value_of(rows, "exact", "cells"), 800.0);
+    EXPECT_EQ(value_of(rows, "naive", "ratio"), 1.0);
+    EXPECT_GT(value_of(rows, "exact", "ratio"), 0.0);
+    EXPECT_FALSE(has(rows, "exact", "edges"));
+    EXPECT_FALSE(has(rows, "exact", "calls_filter"));  // a construction counts none
+    EXPECT_EQ(rows.back().quantity, end_of_cell);
+}
+
+TEST(StudyMeasure, TimesTheOthersWhereTheFirstBuildsNothing) {
+    const Cell cell = cell_in_space("sphere", 1000);
+    const std::vector<Row> rows = measure(cell);
+    EXPECT_EQ(value_of(rows, "naive", "broken_percent"), 100.0);
+    EXPECT_GT(value_of(rows, "exact", "seconds"), 0.0);
+    EXPECT_FALSE(has(rows, "naive", "seconds"));
+    EXPECT_FALSE(has(rows, "exact", "ratio"));
+    const std::vector<Row> later = measure(cell, {2, true});
+    ASSERT_EQ(later.size(), 2U);
+    EXPECT_EQ(later[0].quantity, "seconds");
+    EXPECT_EQ(later[0].contestant, "exact");
+}
+
+TEST(StudyMeasure, TellsWhoDecidesInSpace) {
+    Cell cell = cell_in_space("grid", 64);
+    cell.work = Work::stage_cost;
+    const std::vector<Row> rows = measure(cell);
+    const double all = value_of(rows, "exact", "in_sphere");
+    EXPECT_GT(all, 100.0);
+    double decided = 0.0;
+    for (const char* stage : {"filter", "refine", "exact", "essa", "multiprecision"})
+        decided += value_of(rows, "exact", std::string("calls_") + stage);
+    EXPECT_EQ(decided, all);
+    EXPECT_GT(value_of(rows, "exact", "ties"), 0.0);
+    EXPECT_GT(value_of(rows, "filter", "ns_per_call"), 0.0);
+    EXPECT_GT(value_of(rows, "multiprecision", "ns_per_call_forced"), 0.0);
+    EXPECT_FALSE(has(measure(cell, {2, true}), "exact", "in_sphere"));
+}
+
+TEST(StudyMeasure, FindsTheFirstErrorInSpace) {
+    Cell cell = cell_in_space("sphere", 100);
+    cell.work = Work::first_error;
+    const double sphere = value_of(measure(cell), "naive", "first_error");
+    EXPECT_GT(sphere, 0.0);
+    EXPECT_LT(sphere, 1e-3);
+}
+
 TEST(StudyPlot, ScriptHasItsDataAndEscapesItsWords) {
     Panel panel;
     panel.title = "a \"word\"";
@@ -207,6 +294,22 @@ TEST(StudyReport, SaysWhatItIsAndWhatIsMissing) {
 
 TEST(StudyFigures, NeedRows) {
     EXPECT_TRUE(figures({}).empty());
+    EXPECT_TRUE(space_figures({}).empty());
+}
+
+TEST(StudyFigures, OfSpaceComeFromItsRows) {
+    const Setting sites = {"sites", "power", "grid", 100, 0.0, 1.0, 1.0};
+    const Setting calls = {"stage_cost", "power", "grid", 100, 0.0, 1.0, 1.0};
+    const std::vector<Row> rows = {{sites, "exact", "ratio", {1.5, 1.5, 1.5, 1}},
+                                   {calls, "exact", "in_sphere", {8, 8, 8, 1}},
+                                   {calls, "exact", "calls_exact", {2, 2, 2, 1}}};
+    const std::vector<Figure> drawn = space_figures(rows);
+    ASSERT_EQ(drawn.size(), 2U);
+    EXPECT_EQ(drawn[0].plot.name, "space_ratio_by_sites");
+    EXPECT_EQ(drawn[0].plot.panels.at(0).series.at(3).points.at(0).y, 1.5);
+    EXPECT_EQ(drawn[1].plot.name, "space_stages");
+    EXPECT_EQ(drawn[1].plot.panels.at(0).series.at(2).points.at(3).y, 25.0);
+    EXPECT_EQ(space_page(rows).figures.size(), 2U);
 }
 
 }  // namespace

@@ -1,0 +1,101 @@
+#include "voronoi_balls.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string_view>
+
+#include "../io/write_ball_diagram.hpp"
+#include "../spatial/ball_diagram.hpp"
+
+#include "commands.hpp"
+#include "progress.hpp"
+
+namespace signum::cli {
+namespace {
+
+/// Options and formats that are of other diagrams: cells of balls are not computed.
+void refuse_what_is_not_of_balls(const VoronoiCall& call, std::span<const Target> targets) {
+    const auto refuse = [&](std::string_view option, std::string_view what) {
+        throw CallError(
+            fmt::format("{0}: the diagram of balls, as those of {1} are, has {2}; leave {0} out",
+                        option, call.input, what));
+    };
+    if (!call.clip.empty()) refuse("--clip", "vertices and edges alone, which are written whole");
+    if (call.tolerance) refuse("--tolerance", "no polygons");
+    if (call.merge) refuse("--merge", "one vertex a sphere anyway");
+    for (const Target& target : targets) {
+        if (target.format == "json" || target.format == "csv") continue;
+        throw CallError(
+            fmt::format("{}: the diagram of balls, as those of {} are, is written as json or csv; "
+                        "name one of them",
+                        target.format, call.input));
+    }
+}
+
+/// Of equal radii many balls may touch one plane or sphere, as those of crystals do, and then each
+/// three and each four of them are looked at; the power metric does not mind.
+void warn_of_equal_radii(const VoronoiCall& call, std::span<const Site3> balls) {
+    constexpr std::size_t few = 500;
+    if (call.quiet || balls.size() < few) return;
+    const double radius = balls.front().r;
+    if (!std::ranges::all_of(balls, [radius](const Site3& ball) { return ball.r == radius; }))
+        return;
+    say("signum: all radii of {} are equal, so that this is the Voronoi diagram of the centres; "
+        "signum triangulate --metric power --vertices has it faster, where many centres lie in one "
+        "plane or on one sphere by far\n",
+        call.input);
+}
+
+BallDiagram diagram_of(const VoronoiCall& call, const InputSites& sites) {
+    std::optional<Progress> progress;
+    Options options;
+    if (!call.quiet) {
+        progress.emplace();
+        options.progress = [&progress](double share) { progress->show(share); };
+    }
+    try {
+        return ball_diagram(sites.file.in_space, options);
+    } catch (const std::invalid_argument& error) {
+        throw CallError(error.what());
+    }
+}
+
+void summarize(const BallDiagram& diagram, std::span<const Target> targets) {
+    const auto count_ends = [&](Index end) {
+        return std::ranges::count_if(diagram.ends, [end](const std::array<Index, 2>& ends) {
+            return ends[0] == end || ends[1] == end;
+        });
+    };
+    const auto hidden = static_cast<std::int64_t>(diagram.hidden.size());
+    say("sites    {}, in space\n", diagram.balls);
+    say("cells    {}\n", diagram.balls - hidden);
+    say("hidden   {}\n", hidden);
+    say("vertices {}\n", diagram.vertices.size());
+    say("edges    {}, {} of them infinite, {} closed\n", diagram.edges.size(), count_ends(infinite),
+        count_ends(no_end));
+    say("{}", written(targets));
+}
+
+}  // namespace
+
+void voronoi_of_balls(const VoronoiCall& call, const InputSites& sites,
+                      std::span<const Target> targets) {
+    refuse_what_is_not_of_balls(call, targets);
+    const Outputs outputs(targets);
+    warn_of_equal_radii(call, sites.file.in_space);
+    const BallDiagram diagram = diagram_of(call, sites);
+    outputs.write([&](std::ostream& out, std::string_view format) {
+        if (format == "csv") {
+            write_csv(out, diagram);
+        } else {
+            write_json(out, diagram);
+        }
+    });
+    if (!call.quiet) summarize(diagram, targets);
+}
+
+}  // namespace signum::cli
