@@ -11,7 +11,12 @@ inline constexpr bool is_fast = false;
 inline constexpr bool is_fast = true;
 #endif
 
-/// For trials that are counted in multiples.
+/// For trials that are counted in multiples. SIGNUM_THOROUGH: a slow test of its own of the same
+/// source.
+#if defined(SIGNUM_THOROUGH)
+inline constexpr int thoroughness = 80;
+#else
 inline constexpr int thoroughness = is_fast ? 8 : 1;
+#endif
 
 }  // namespace signum

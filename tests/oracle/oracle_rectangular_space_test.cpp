@@ -332,7 +332,7 @@ TEST(OracleRectangularSpace, SeesAllOfALatticeOfThePlane) {
     sees_all_of_a_lattice<2>(400);
 }
 TEST(OracleRectangularSpace, SeesAllOfALatticeOfSpace) {
-    sees_all_of_a_lattice<3>(50);
+    sees_all_of_a_lattice<3>(25);
 }
 
 TEST(OracleRectangularSpace, EmptySquaresAreTheFacesOfThePlane) {

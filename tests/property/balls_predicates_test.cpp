@@ -78,8 +78,9 @@ class Balls : public testing::TestWithParam<Family> {
     [[nodiscard]] SitesOf<S> draw() {
         return sites_of<S>(GetParam().draw(random_, dimension_of<S>));
     }
+    /// slow/large_balls_test asks ten million more.
     [[nodiscard]] static int trials(int count) {
-        return static_cast<int>(count * GetParam().share * effort) + 1;
+        return static_cast<int>(0.4 * count * GetParam().share * effort) + 1;
     }
 
     template <class S>

@@ -81,8 +81,9 @@ class RectangularSpace : public testing::TestWithParam<Family> {
  protected:
     Random random_{2028};
     [[nodiscard]] Sites draw() { return sites_of<Site3>(GetParam().draw(random_, 3)); }
+    /// slow/large_rectangular_space_test asks ten million more.
     [[nodiscard]] static int trials(int count) {
-        return static_cast<int>(count * GetParam().share * effort) + 1;
+        return static_cast<int>(0.4 * count * GetParam().share * effort) + 1;
     }
 
     void test_spheres(int count) {
