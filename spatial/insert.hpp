@@ -253,18 +253,15 @@ class Insertion {
                 apex[k] = see(cells_.vertex(n)[place_of(from.cell, cells_.neighbour(n))]);
         }
         kernel_.set_bound();
-        const auto rows = [this](const std::array<Seen, 4>& v) -> std::array<const ViewRow*, 4> {
-            return {&kernel_.row(v[0]), &kernel_.row(v[1]), &kernel_.row(v[2]), &kernel_.row(v[3])};
-        };
         std::array<double, 4> determinants;
-        in_spheres_beyond(rows(from.vertex), rows(apex), determinants);
-        double bound = kernel_.bound();
+        double bound = kernel_.in_spheres(from.vertex, apex, determinants);
         if constexpr (Kernel::is_exact) {
             bool are_certain = true;
             for (std::size_t k = 0; k < 4; ++k)
                 are_certain &=
                     told[k] != Told::nothing || filters::magnitude(determinants[k]) > bound;
-            if (!are_certain) bound = kernel_.refine(from.vertex, apex, determinants);
+            if (!are_certain && bound > 0.0)
+                bound = kernel_.refine(from.vertex, apex, determinants);
         }
         for (std::size_t k = 0; k < 4; ++k)
             if (told[k] == Told::nothing)

@@ -50,6 +50,26 @@ class ExactKernel : public View<S> {
                                                        this->row(d).offset));
         return ccw(this->eye(), this->name(b), this->name(c), this->name(d));
     }
+    /// The determinants in the cells beyond the facets of one, as in_spheres_beyond() has them, and
+    /// what they are in error by; 0 of a lattice's points, where ties are decided but for zeros.
+    [[nodiscard]] double in_spheres(const std::array<Seen, 4>& cell,
+                                    const std::array<Seen, 4>& beyond,
+                                    std::array<double, 4>& determinants) const noexcept {
+        if constexpr (std::same_as<S, Point3>) {
+            if (is_on_lattice()) {
+                // A step along an axis counts more than all steps along later ones come to; all
+                // together less than 24 / height of what is exact.
+                const auto& [x, y, z] = this->largest();
+                const double along_y = 4.0 * z * lattice_.per_unit();
+                const double along_x = 4.0 * (y * along_y + z) * lattice_.per_unit();
+                in_spheres_beyond_by_rule(this->rows(cell), this->rows(beyond), along_x, along_y,
+                                          determinants);
+                return 0.0;
+            }
+        }
+        in_spheres_beyond(this->rows(cell), this->rows(beyond), determinants);
+        return this->bound();
+    }
     /// Determinants of which not all are certain, as in_spheres_beyond() has them, and what they
     /// are in error by then. With the vertex at infinity they stay if they are certain.
     [[nodiscard]] double refine(const std::array<Seen, 4>& cell, const std::array<Seen, 4>& beyond,
@@ -121,12 +141,6 @@ class ExactKernel : public View<S> {
 
     /// power::in_sphere_tie, with orientations by what is seen.
     [[nodiscard]] bool conflicts_by_rule(const std::array<Seen, 4>& cell) const noexcept {
-        if constexpr (std::same_as<S, Point3>) {
-            if (is_on_lattice()) {
-                const filters::Verdict verdict = rule_on_lattice(cell);
-                if (verdict.is_certain()) return verdict.sign() > 0;
-            }
-        }
         std::array<bool, 4> has_no_say{};
         for (;;) {
             // The last one in the order, of those that may have a say.
@@ -138,32 +152,6 @@ class ExactKernel : public View<S> {
             if (last == 4) return false;
             if (const Sign sign = side_without(cell, last); sign != 0) return sign > 0;
             has_no_say[last] = true;
-        }
-    }
-    /// The same for points on the lattice, whose order one number tells: their offset in units,
-    /// with more to a step along an axis than all steps along later ones come to. It is below
-    /// 24 / height of what is exact. Uncertain where the site is one of the cell's points.
-    [[nodiscard]] filters::Verdict rule_on_lattice(const std::array<Seen, 4>& cell) const noexcept {
-        const double along_y = 4.0 * this->largest().z * lattice_.per_unit();
-        const double along_x =
-            4.0 * (this->largest().y * along_y + this->largest().z) * lattice_.per_unit();
-        std::array<double, 4> places;
-        for (std::size_t m = 0; m < 4; ++m) {
-            const auto& [x, y, z] = this->row(cell[m]).offset;
-            places[m] = x * along_x + y * along_y + z;
-            if (places[m] == 0.0) return filters::Verdict::uncertain();
-        }
-        for (;;) {
-            std::size_t last = 4;
-            double place = 0.0;  // of the site itself
-            for (std::size_t m = 0; m < 4; ++m) {
-                last = places[m] > place ? m : last;
-                place = places[m] > place ? places[m] : place;
-            }
-            if (last == 4) return filters::Verdict::certain(-1);
-            if (const Sign sign = side_without(cell, last); sign != 0)
-                return filters::Verdict::certain(sign);
-            places[last] = -1.0;
         }
     }
 
@@ -183,6 +171,12 @@ class NaiveKernel : public View<S> {
         : View<S>(sites.data()) {}
 
     [[nodiscard]] static constexpr double bound() noexcept { return 0.0; }
+    [[nodiscard]] double in_spheres(const std::array<Seen, 4>& cell,
+                                    const std::array<Seen, 4>& beyond,
+                                    std::array<double, 4>& determinants) const noexcept {
+        in_spheres_beyond(this->rows(cell), this->rows(beyond), determinants);
+        return bound();
+    }
     [[nodiscard]] Sign ccw(Index a, Index b, Index c, Index d) const noexcept {
         const S& origin = this->at(a);
         return sign_of(predicates::ccw_determinant(predicates::offset(this->at(b), origin),

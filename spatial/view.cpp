@@ -1,6 +1,7 @@
 #include "view.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "../core/processor.hpp"
 #include "../filters/four.hpp"
@@ -10,6 +11,8 @@ namespace signum::spatial {
 namespace {
 
 using filters::Four;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Rows {
     Four x;
@@ -34,34 +37,90 @@ template <int a, int b, int c, int d>
     chosen.lift = Four{rows.lift[a], rows.lift[b], rows.lift[c], rows.lift[d]};
 }
 
+/// The vertices of the cells beyond, a those beyond the facets.
+struct Beyond {
+    Rows a;
+    Rows b;
+    Rows c;
+    Rows d;
+};
+[[gnu::always_inline]] inline void gather(Beyond& rows, const std::array<const ViewRow*, 4>& cell,
+                                          const std::array<const ViewRow*, 4>& beyond) noexcept {
+    Rows vertices;
+    gather(vertices, cell);
+    gather(rows.a, beyond);
+    // Beyond a facet its vertices turn the other way.
+    choose<1, 0, 0, 0>(rows.b, vertices);
+    choose<3, 2, 3, 1>(rows.c, vertices);
+    choose<2, 3, 1, 2>(rows.d, vertices);
+}
+/// By what the heights are multiplied in power::in_sphere_determinant; those of b and d with the
+/// other sign.
+struct Coefficients {
+    Four a;
+    Four b;
+    Four c;
+    Four d;
+};
+[[gnu::always_inline]] inline void find(Coefficients& coefficients, const Beyond& rows) noexcept {
+    const auto& [a, b, c, d] = rows;
+    const Four ab = a.x * b.y - b.x * a.y;
+    const Four bc = b.x * c.y - c.x * b.y;
+    const Four cd = c.x * d.y - d.x * c.y;
+    const Four da = d.x * a.y - a.x * d.y;
+    const Four ac = a.x * c.y - c.x * a.y;
+    const Four bd = b.x * d.y - d.x * b.y;
+    coefficients.a = b.z * cd - c.z * bd + d.z * bc;
+    coefficients.b = c.z * da + d.z * ac + a.z * cd;
+    coefficients.c = d.z * ab + a.z * bd + b.z * da;
+    coefficients.d = a.z * bc - b.z * ac + c.z * ab;
+}
+[[gnu::always_inline]] inline void sum_up(Four& result, const Coefficients& of,
+                                          const Beyond& rows) noexcept {
+    result = (rows.a.lift * of.a + rows.c.lift * of.c) - (rows.b.lift * of.b + rows.d.lift * of.d);
+}
+
 }  // namespace
 
 void in_spheres_beyond(const std::array<const ViewRow*, 4>& cell,
                        const std::array<const ViewRow*, 4>& beyond,
                        std::array<double, 4>& determinants) noexcept {
     as_wide_as_possible([&]() __attribute__((always_inline)) {
-        Rows vertices;
-        Rows a;
-        Rows b;
-        Rows c;
-        Rows d;
-        gather(vertices, cell);
-        gather(a, beyond);
-        // Beyond a facet its vertices turn the other way.
-        choose<1, 0, 0, 0>(b, vertices);
-        choose<3, 2, 3, 1>(c, vertices);
-        choose<2, 3, 1, 2>(d, vertices);
-        // power::in_sphere_determinant
-        const Four ab = a.x * b.y - b.x * a.y;
-        const Four bc = b.x * c.y - c.x * b.y;
-        const Four cd = c.x * d.y - d.x * c.y;
-        const Four da = d.x * a.y - a.x * d.y;
-        const Four ac = a.x * c.y - c.x * a.y;
-        const Four bd = b.x * d.y - d.x * b.y;
-        const Four result =
-            (a.lift * (b.z * cd - c.z * bd + d.z * bc) +
-             c.lift * (d.z * ab + a.z * bd + b.z * da)) -
-            (b.lift * (c.z * da + d.z * ac + a.z * cd) + d.lift * (a.z * bc - b.z * ac + c.z * ab));
+        Beyond rows;
+        Coefficients coefficients;
+        Four result;
+        gather(rows, cell, beyond);
+        find(coefficients, rows);
+        sum_up(result, coefficients, rows);
+        for (std::size_t k = 0; k < 4; ++k) determinants[k] = result[k];
+    });
+}
+
+void in_spheres_beyond_by_rule(const std::array<const ViewRow*, 4>& cell,
+                               const std::array<const ViewRow*, 4>& beyond, double along_x,
+                               double along_y, std::array<double, 4>& determinants) noexcept {
+    as_wide_as_possible([&]() __attribute__((always_inline)) {
+        Beyond rows;
+        Coefficients coefficients;
+        Four result;
+        gather(rows, cell, beyond);
+        find(coefficients, rows);
+        sum_up(result, coefficients, rows);
+        // Where the site stands in the order, and what it decides.
+        Four last{};
+        Four decisive = Four{} - 1.0;
+        const auto ask = [&](const Rows& of, const Four& coefficient)
+            __attribute__((always_inline)) {
+            const Four place = of.x * along_x + of.y * along_y + of.z;
+            const auto is_later = (place > last) & (coefficient != 0.0);
+            decisive = place == 0.0 ? Four{} : is_later ? coefficient : decisive;
+            last = place == 0.0 ? Four{} + infinity : is_later ? place : last;
+        };
+        ask(rows.a, coefficients.a);
+        ask(rows.b, -coefficients.b);
+        ask(rows.c, coefficients.c);
+        ask(rows.d, -coefficients.d);
+        result = result == 0.0 ? decisive : result;
         for (std::size_t k = 0; k < 4; ++k) determinants[k] = result[k];
     });
 }

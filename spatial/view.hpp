@@ -37,6 +37,14 @@ struct alignas(32) ViewRow {
 void in_spheres_beyond(const std::array<const ViewRow*, 4>& cell,
                        const std::array<const ViewRow*, 4>& beyond,
                        std::array<double, 4>& determinants) noexcept;
+/// The same for points of a lattice, where nothing rounds. A step along x counts along_x, one along
+/// y along_y, so that a point comes before another in the tie rule's order where it has the
+/// smaller sum. Instead of a determinant that is 0, the one that the rule decides by: where the
+/// site is the last point in the order -1, and otherwise the coefficient of the last one that has
+/// any. It stays 0 where the site is one of the points or one of them is at infinity.
+void in_spheres_beyond_by_rule(const std::array<const ViewRow*, 4>& cell,
+                               const std::array<const ViewRow*, 4>& beyond, double along_x,
+                               double along_y, std::array<double, 4>& determinants) noexcept;
 
 /// The same in double-doubles, for sites within their window; rounded at the end. In error by less
 /// than refined_error times the sum of the magnitudes of the terms.
@@ -96,6 +104,10 @@ class View {
     [[nodiscard]] Index name(Seen v) const noexcept { return names_[v]; }
     [[nodiscard]] const ViewRow* rows() const noexcept { return rows_.data(); }
     [[nodiscard]] const ViewRow& row(Seen v) const noexcept { return rows_[v]; }
+    [[nodiscard]] std::array<const ViewRow*, 4> rows(
+        const std::array<Seen, 4>& cell) const noexcept {
+        return {&row(cell[0]), &row(cell[1]), &row(cell[2]), &row(cell[3])};
+    }
     [[nodiscard]] double in_sphere(const std::array<Seen, 4>& cell) const noexcept {
         return power::in_sphere_determinant(row(cell[0]), row(cell[1]), row(cell[2]), row(cell[3]));
     }
