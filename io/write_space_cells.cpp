@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "../spatial/cells.hpp"
+
 #include "text_writer.hpp"
 
 namespace signum {
@@ -42,9 +44,6 @@ std::vector<DualEdge> edges_of(const SpaceTessellation& tessellation,
                                std::span<const Index> number_of) {
     std::vector<DualEdge> edges;
     if (tessellation.dimension < 3) return edges;
-    // Of a cell that turns positively, counterclockwise seen from outside.
-    constexpr std::array<std::array<std::size_t, 3>, 4> facets = {
-        {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
     for (std::size_t c = 0; c < tessellation.cells.size(); ++c) {
         const SpaceCell& cell = tessellation.cells[c];
         if (is_infinite(cell)) continue;
@@ -52,7 +51,7 @@ std::vector<DualEdge> edges_of(const SpaceTessellation& tessellation,
             const auto across = static_cast<std::size_t>(tessellation.neighbours[c][k]);
             const bool is_told = !is_infinite(tessellation.cells[across]) && across < c;
             if (is_told) continue;
-            const auto& [i, j, m] = facets[k];
+            const auto& [i, j, m] = spatial::facet_of[k];  // counterclockwise seen from outside
             edges.push_back({{cell[i], cell[j], cell[m]}, {number_of[c], number_of[across]}});
         }
     }

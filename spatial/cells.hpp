@@ -12,6 +12,8 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -34,6 +36,11 @@ using Four = std::array<Index, 4>;
            2 * static_cast<std::size_t>(each == four[2]) +
            3 * static_cast<std::size_t>(each == four[3]);
 }
+
+/// The places of the vertices of the facet across from one: with that one first they turn as the
+/// cell does.
+inline constexpr std::array<std::array<std::size_t, 3>, 4> facet_of = {
+    {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
 class Cells {
  public:
@@ -65,6 +72,7 @@ class Cells {
     /// One whose vertices and neighbours are to be set.
     [[nodiscard]] Index add() {
         if (free_.empty()) {
+            if (vertex_.size() > most_cells) throw std::length_error("more than 2^31 - 1 cells");
             vertex_.emplace_back();
             neighbour_.emplace_back();
             return static_cast<Index>(vertex_.size() - 1);
@@ -86,6 +94,8 @@ class Cells {
     void forget_vertices() noexcept { LargeArray<Four>().swap(vertex_); }
 
  private:
+    static constexpr std::size_t most_cells = std::numeric_limits<Index>::max() - 1;
+
     LargeArray<Four> vertex_;
     LargeArray<Four> neighbour_;
     std::vector<Index> free_;

@@ -77,7 +77,8 @@ class Insertion {
  private:
     /// The cell in which a site's centre lies, or one with the vertex at infinity that is in
     /// conflict with it. A walk: across any facet that has the site on its other side. To ask them
-    /// in a random order keeps it from going around where sites are tied.
+    /// in a random order keeps it from going around in rounded arithmetic; an exact one ends
+    /// anyway, for what the tie rule chooses is regular.
     [[nodiscard]] Index locate(Index q) noexcept(Kernel::is_exact) {
         Index c = last_;
         if (const std::size_t infinity = cells_.place_of_infinity(c); infinity < 4)
@@ -183,10 +184,6 @@ class Insertion {
         kernel_.set_bound();
         return conflicts(behind, kernel_.in_sphere(seen_of(behind)), kernel_.bound());
     }
-    /// The places of the vertices of the facet across from one: with that one first they turn as
-    /// the cell does.
-    static constexpr std::array<std::array<std::size_t, 3>, 4> facet_of = {
-        {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
     // ---- the region of conflict ----------------------------------------------------------------
 
@@ -280,6 +277,8 @@ class Insertion {
         for (std::size_t i = 0; i < taken_; ++i)
             for (const Seen v : region_[i].vertex)
                 if (stays_[v] == Stays::no) {
+                    if (!Kernel::is_exact && v == seen_infinity)
+                        throw BrokenStructure("a site lies beyond all facets of the hull");
                     stays_[v] = Stays::yes;
                     hidden(kernel_.name(v));
                 }

@@ -10,6 +10,7 @@
 #include "../core/index.hpp"
 #include "../core/sign.hpp"
 #include "../predicates/space/ties.hpp"
+#include "cells.hpp"
 #include "lattice.hpp"
 #include "view.hpp"
 
@@ -135,8 +136,8 @@ class ExactKernel : public View<S> {
     /// Three of the vertices, so that with another site in the place of the fourth, and first, they
     /// turn as the cell did.
     [[nodiscard]] Sign side_without(const std::array<Seen, 4>& cell, std::size_t m) const noexcept {
-        constexpr std::size_t others[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
-        return side(cell[others[m][0]], cell[others[m][1]], cell[others[m][2]]);
+        const auto& [a, b, c] = facet_of[m];
+        return side(cell[a], cell[b], cell[c]);
     }
 
     /// power::in_sphere_tie, with orientations by what is seen.
@@ -160,8 +161,8 @@ class ExactKernel : public View<S> {
     bool can_refine_;
 };
 
-/// The same in doubles, whose word is taken for the truth, and a zero for no conflict: what
-/// exactness is measured against.
+/// The same in doubles, whose word is taken for the truth, and a zero for no conflict, wherever the
+/// orthospheres, which are right, tell nothing: what exactness is measured against.
 template <power::PowerSite3 S>
 class NaiveKernel : public View<S> {
  public:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <ranges>
 #include <stdexcept>
@@ -58,6 +59,7 @@ class Construction {
         choose_first();
         result.dimension = 3 - static_cast<int>(apexes_);
         assemble(structure(options, result), result);
+        if constexpr (!Kernel::is_exact) expect_all(result);
         return result;
     }
 
@@ -203,6 +205,24 @@ class Construction {
                 if (n >= 0) n = place[static_cast<std::size_t>(n)];
             result.neighbours[static_cast<std::size_t>(own)] = neighbours;
         }
+    }
+    /// Every site is visible, or hidden by one that is. Where regions of conflict were no balls, or
+    /// flat sites had volumes by rounding, that need not be so.
+    static void expect_all(const SpaceTessellation& result) {
+        std::vector<bool> is_visible(static_cast<std::size_t>(result.sites), false);
+        for (const SpaceCell& cell : result.cells)
+            for (const Index v : cell)
+                if (v >= 0) is_visible[static_cast<std::size_t>(v)] = true;
+        std::vector<bool> is_told = is_visible;
+        for (const auto& [site, by] : result.hidden) {
+            if (is_visible[static_cast<std::size_t>(site)])
+                throw BrokenStructure("a hidden site is a vertex of a cell");
+            if (!is_visible[static_cast<std::size_t>(by)])
+                throw BrokenStructure("no site is near to a hidden one");
+            is_told[static_cast<std::size_t>(site)] = true;
+        }
+        if (!std::ranges::all_of(is_told, std::identity{}))
+            throw BrokenStructure("a site is neither visible nor hidden");
     }
     /// Gives a cell the names and the order of the result. One of flat sites loses the apexes; what
     /// is not joined to all of them becomes free.

@@ -44,9 +44,10 @@ struct SpaceTessellation {
 /// input. Of the options arithmetic (exact or naive), seed, stop and progress are looked at. Throws
 /// std::invalid_argument, naming the site, for NaN or infinity, for more than 2^28 sites, and for
 /// another arithmetic; Stopped where options.stop asks for it; BrokenStructure where naive
-/// arithmetic led astray. Time: O(n log n) expected on sites spread at random, O(n²) in the worst
-/// case, which is the size of the result. At most 400 bytes a site at the peak on sites spread at
-/// random, the result included, which takes 217 of them.
+/// arithmetic led astray; std::length_error for more than 2^31 - 1 cells. Time: O(n log n) expected
+/// on sites spread at random, O(n²) in the worst case, which is the size of the result. At most 400
+/// bytes a site at the peak on sites spread at random, the result included, which takes 217 of
+/// them.
 [[nodiscard]] SpaceTessellation triangulate(std::span<const Point3> sites, Power metric = {},
                                             const Options& options = {});
 [[nodiscard]] SpaceTessellation triangulate(std::span<const Site3> sites, Power metric = {},

@@ -111,8 +111,16 @@ Point3 ScaledSites::direction(Index i, Index j) const noexcept {
     Point3 way = offset(i, j);
     double distance = length(way);
     if (distance < 0x1p-200) [[unlikely]] {
-        // The squares may be none.
-        way = divided(way, -900);
+        // Their squares may be none, and beside the box they themselves may be: as they were given.
+        way = std::visit(
+            [&](const auto& all) {
+                const auto& from = all[static_cast<std::size_t>(i)];
+                const auto& to = all[static_cast<std::size_t>(j)];
+                return Point3{to.x - from.x, to.y - from.y, to.z - from.z};
+            },
+            given_);
+        way = divided(way,
+                      std::ilogb(std::max({std::fabs(way.x), std::fabs(way.y), std::fabs(way.z)})));
         distance = length(way);
     }
     return plus({}, way, 1.0 / distance);

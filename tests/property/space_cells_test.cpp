@@ -649,6 +649,12 @@ TEST(SpaceCells, KindsOfSitesAndOneWeightForAll) {
     EXPECT_EQ(cells_of(heavy, unit_box), cells);
 }
 
+bool have_a_face(const SpaceCells& cells, Index site, Index beyond) {
+    return std::ranges::any_of(cells.faces_of(site), [&](const SpaceFace& face) {
+        return face.beyond == beyond && face.area > 0.0;
+    });
+}
+
 TEST(SpaceCells, ExtremeSites) {
     Random random(12);
     // Sites that nearly coincide, that lie far from the box, and radii far larger than it.
@@ -664,6 +670,17 @@ TEST(SpaceCells, ExtremeSites) {
             ASSERT_NO_FATAL_FAILURE(expect_polyhedra(polyhedra_of(sites, unit_box), cells))
                 << spread << " " << radius;
         }
+    // Sites that are one beside the box.
+    for (const double near : {5e-324, 1e-310, 1e-230}) {
+        const Sites sites = {{0, 0, 0, 0}, {near, 0, 0, 0}, {2, 0, 0, 0}, {0, near, 4 * near, 0}};
+        for (const double size : {1.0, 3.0, 1e60, 1e100}) {
+            const Box3 box = {{-size, -size, -size}, {size, size, size}};
+            const SpaceCells cells = cells_of(sites, box);
+            ASSERT_NO_FATAL_FAILURE(expect_laws(cells, sites.size())) << near << " " << size;
+            EXPECT_TRUE(have_a_face(cells, 0, 1));
+            EXPECT_TRUE(have_a_face(cells, 0, 3));
+        }
+    }
 }
 
 TEST(SpaceCells, WhatCannotBeIsRefused) {
