@@ -7,6 +7,7 @@
 
 #include "../core/error_free.hpp"
 #include "../exact/multiprecision.hpp"
+#include "../predicates/ccw.hpp"
 
 namespace signum {
 namespace {
@@ -346,22 +347,15 @@ Sign ScaledSites::sign_of_offset(Index i, Index j, int axis) const {
 }
 
 Sign ScaledSites::sign_of_cross(Index i, Index j, Index k, int axis) const {
-    const auto y = axes_of_space[(axis + 1) % 3];
-    const auto z = axes_of_space[(axis + 2) % 3];
-    const Point3 a = offset(i, j);
-    const Point3 b = offset(i, k);
-    const double one = a.*y * (b.*z);
-    const double other = a.*z * (b.*y);
-    if (const double bound = 0x1p-50 * (std::fabs(one) + std::fabs(other)) + 0x1p-900;
-        std::fabs(one - other) > bound)
-        return one > other ? 1 : -1;
-    const ExactSite s = exact_site(given_, i);
-    const ExactSite t = exact_site(given_, j);
-    const ExactSite u = exact_site(given_, k);
-    const auto p = static_cast<std::size_t>((axis + 1) % 3);
-    const auto q = static_cast<std::size_t>((axis + 2) % 3);
-    return exact::sign((t.x[p] - s.x[p]) * (u.x[q] - s.x[q]) -
-                       (t.x[q] - s.x[q]) * (u.x[p] - s.x[p]));
+    return std::visit(
+        [&](const auto& all) -> Sign {
+            const auto projected = [&](Index each) -> Point {
+                const auto& s = all[static_cast<std::size_t>(each)];
+                return axis == 0 ? Point{s.y, s.z} : axis == 1 ? Point{s.z, s.x} : Point{s.x, s.y};
+            };
+            return ccw(projected(i), projected(j), projected(k));
+        },
+        given_);
 }
 
 bool ScaledSites::is_middle_nearer(Index i, Index j) const {
