@@ -198,37 +198,59 @@ class Arcs {
             if (!is_empty(curve_.at(samples[i]).at(0))) continue;
             ++edge_.arcs;
             edge_.ends_at_infinity += (i == 0) + (i + 1 == samples.size());
+            std::optional<Sphere> first, last;
+            if (i > 0) first = stop_on(lines[i - 1], {});
+            if (i < lines.size()) last = stop_on(lines[i], {});
+            edge_.ends.push_back({first, last});
         }
     }
+    /// The stop on a line; of an ellipse that in one of its halves.
+    std::optional<Sphere> stop_on(const Surd& line, std::optional<int> half) const {
+        for (const Sphere& stop : stops_)
+            if (curve_.line(stop) == line && (!half || curve_.half(stop) == *half)) return stop;
+        return {};
+    }
+    /// Of an ellipse, between two lines in one of its halves, in the direction around.
+    struct Piece {
+        bool is_arc;
+        std::optional<Sphere> first;
+        std::optional<Sphere> last;  // none where the next one goes on
+    };
 
     /// From the first line to the last in the one half, and back in the other. Where the halves
     /// meet a piece ends; unless there is a stop, its arc goes on.
     void go_around() {
-        std::vector<bool> is_arc, is_joined;  // of a piece; to the next one
-        const auto is_stop = [&](int half, const Surd& line) {
-            return std::any_of(stops_.begin(), stops_.end(), [&](const Sphere& stop) {
-                return curve_.half(stop) == half && curve_.line(stop) == line;
-            });
-        };
+        std::vector<Piece> pieces;
         for (const int half : {1, -1}) {
             std::vector<Surd> lines(curve_.ends().begin(), curve_.ends().end());
             for (const Sphere& stop : stops_)
                 if (curve_.half(stop) == half) lines.push_back(curve_.line(stop));
             sort(lines);
-            std::vector<bool> pieces;
-            for (std::size_t i = 1; i < lines.size(); ++i)
-                pieces.push_back(
-                    is_empty(curve_.at(between(lines[i - 1], lines[i])).at(half > 0 ? 0 : 1)));
-            if (half < 0) std::reverse(pieces.begin(), pieces.end());
-            is_arc.insert(is_arc.end(), pieces.begin(), pieces.end());
-            is_joined.resize(is_arc.size(), false);
-            is_joined.back() = !is_stop(0, curve_.ends()[half > 0 ? 1 : 0]);
+            // The halves meet on the first line and on the last.
+            const auto end = [&](std::size_t i) {
+                return stop_on(lines[i], i == 0 || i + 1 == lines.size() ? 0 : half);
+            };
+            std::vector<Piece> of_half;
+            for (std::size_t i = 1; i < lines.size(); ++i) {
+                const bool is_arc =
+                    is_empty(curve_.at(between(lines[i - 1], lines[i])).at(half > 0 ? 0 : 1));
+                of_half.push_back({is_arc, end(i - 1), end(i)});
+            }
+            if (half < 0) {
+                std::reverse(of_half.begin(), of_half.end());
+                for (Piece& piece : of_half) std::swap(piece.first, piece.last);
+            }
+            pieces.insert(pieces.end(), of_half.begin(), of_half.end());
         }
-        for (std::size_t i = 0; i < is_arc.size(); ++i) {
-            const std::size_t before = i == 0 ? is_arc.size() - 1 : i - 1;
-            if (is_arc[i] && !(is_joined[before] && is_arc[before])) ++edge_.arcs;
+        const auto next = [&](std::size_t i) { return i + 1 == pieces.size() ? 0 : i + 1; };
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            if (!pieces[i].is_arc || !pieces[i].first) continue;
+            std::size_t j = i;
+            while (!pieces[j].last) j = next(j);
+            ++edge_.arcs;
+            edge_.ends.push_back({pieces[i].first, pieces[j].last});
         }
-        if (stops_.empty() && is_arc[0]) {
+        if (stops_.empty() && pieces[0].is_arc) {
             edge_.arcs = 1;
             edge_.is_closed = true;
         }

@@ -4,9 +4,12 @@
 /// ellipse, whose parts may be several edges, or none; on an ellipse there may be one without an
 /// end.
 
+#include "balls_space.hpp"
 #include "space_ball.hpp"
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,7 +25,13 @@ struct BallEdge {
     int ends_at_infinity = 0;
     /// The one arc is a whole ellipse and has no ends.
     bool is_closed = false;
-    friend bool operator==(const BallEdge&, const BallEdge&) = default;
+    /// Of each open arc the spheres at its two ends, in any order; none where that is at infinity.
+    std::vector<std::array<std::optional<TouchingSphere<3>>, 2>> ends = {};
+    /// The ends apart.
+    friend bool operator==(const BallEdge& a, const BallEdge& b) {
+        return a.balls == b.balls && a.arcs == b.arcs && a.ends_at_infinity == b.ends_at_infinity &&
+               a.is_closed == b.is_closed;
+    }
 };
 
 /// Of every curve that has arcs, sorted by their balls.

@@ -136,9 +136,33 @@ void expect_as_oracle(const Balls& balls) {
     }
 
     Curves curves;
-    for (const oracle::BallEdge& edge : oracle::ball_edges(exact))
+    // Which ends an arc joins: vertices of the oracle's spheres, rising.
+    std::vector<std::pair<List, std::array<Index, 2>>> arcs;
+    const auto end_of = [&](const std::optional<oracle::TouchingSphere<3>>& sphere) -> Index {
+        if (!sphere) return infinite;
+        for (const auto& vertex : vertices) {
+            if (!(vertex.sphere.c == sphere->c && vertex.sphere.rho == sphere->rho)) continue;
+            for (std::size_t v = 0; v < d.vertices.size(); ++v)
+                if (list_of(d.vertices[v]) == vertex.balls &&
+                    -d.turns[v] == vertex.sphere.orientation)
+                    return static_cast<Index>(v);
+        }
+        return no_end;
+    };
+    for (const oracle::BallEdge& edge : oracle::ball_edges(exact)) {
         curves[edge.balls] = {edge.arcs, edge.ends_at_infinity, edge.is_closed};
+        if (edge.is_closed) arcs.push_back({edge.balls, {no_end, no_end}});
+        for (const auto& [first, last] : edge.ends) {
+            const std::array<Index, 2> ends = {end_of(first), end_of(last)};
+            arcs.push_back({edge.balls, {std::min(ends[0], ends[1]), std::max(ends[0], ends[1])}});
+        }
+    }
     EXPECT_EQ(curves_of(d), curves);
+    std::ranges::sort(arcs);
+    std::vector<std::pair<List, std::array<Index, 2>>> our_arcs;
+    for (std::size_t e = 0; e < d.edges.size(); ++e)
+        our_arcs.emplace_back(list_of(d.edges[e]), d.ends[e]);
+    EXPECT_EQ(our_arcs, arcs);
     expect_order(d);
 }
 
