@@ -311,7 +311,11 @@ class CellSearch {
         Gathered gathered;
         for (const Slot slot : known) know(gathered, slot, patch);
         choose_high(gathered, known, patch);
-        if (descend(0, patch, gathered, depth < most_depth ? most_gathered : tree_.size()))
+        // Of balls of which many are the greatest together all along a circle small patches have as
+        // many as large ones: so more are allowed, the smaller the patch.
+        const std::size_t most =
+            depth < most_depth ? most_gathered << (depth + depth / 2) : tree_.size();
+        if (descend(0, patch, gathered, most))
             return divide(patch, gathered.list, depth, 0, true, leaf);
         for (int quarter = 0; quarter < 4; ++quarter)
             gather(patch.quarter(quarter), depth + 1, gathered.list, leaf);
@@ -523,7 +527,7 @@ class CellSearch {
     }
     static constexpr std::size_t most_in_a_list = 5;
     static constexpr int most_steady = 4;
-    static constexpr int most_steady_of_a_kind = 2;
+    static constexpr int most_steady_of_a_kind = 1;
     static constexpr std::size_t most_at_once = 12;
 
     const BallTree& tree_;

@@ -112,8 +112,8 @@ class VertexSearch {
         once(pairs_);
         for (const Quadruple& four : fours_) try_four(four);
         for (const Quadruple& four : equal_->fours(i)) try_four_of_a_kind(four);
-        for (const Triple& curve : pairs_) try_curve(curve);
-        for (const Triple& curve : equal_->threes(i)) try_curve(curve);
+        for (const Triple& curve : pairs_) try_curve(curve, 0);
+        for (const std::vector<Index>& curve : equal_->curves(i)) try_curve(curve, equal_->kind(i));
     }
 
     void try_four(const Quadruple& four) {
@@ -202,14 +202,19 @@ class VertexSearch {
     }
 
     /// A curve without a vertex is an edge as a whole where no other ball ever touches, and none
-    /// conflicts with one of its spheres.
-    void try_curve(const Triple& curve) {
+    /// conflicts with one of its spheres. Of the balls of a kind that is not 0 it is known which
+    /// touch along it, and that no others do.
+    void try_curve(std::span<const Index> known, EqualRadii::Kind kind) {
+        const Triple curve{known[0], known[1], known[2]};
         const auto [a, b, c] = balls_.of(curve);
+        const auto is_known = [&](Index q) {
+            return q == curve[1] || q == curve[2] || (kind != 0 && equal_->kind(q) == kind);
+        };
         const RoughSphere rough(balls_.scaled(curve[0]), balls_.scaled(curve[1]),
                                 balls_.scaled(curve[2]));
         for (std::size_t place = 0; place < neighbours_.size(); ++place) {
             const Index q = neighbours_[place];
-            if (q == curve[1] || q == curve[2]) continue;
+            if (is_known(q)) continue;
             const Site3& l = balls_[q];
             if (!rough.certainly_conflicts(balls_.scaled(q)) &&
                 euclidean::exists_decision(a, b, c, l).sign < 0 &&
@@ -220,9 +225,9 @@ class VertexSearch {
         }
         const std::optional<ExactSphere> sphere = ExactSphere::on_curve({a, b, c});
         if (!sphere) return;
-        FreeCurve free{{curve.begin(), curve.end()}, false};
+        FreeCurve free{{known.begin(), known.end()}, false};
         for (const Index q : neighbours_) {
-            if (q == curve[1] || q == curve[2]) continue;
+            if (is_known(q)) continue;
             const Sign sign = sphere->conflict(balls_[q]);
             if (sign < 0) continue;
             if (sign > 0 || !balls_.touch_along_a_curve({curve[0], curve[1], curve[2], q})) return;
@@ -230,8 +235,7 @@ class VertexSearch {
         }
         std::ranges::sort(free.touching);
         const Triple first{free.touching[0], free.touching[1], free.touching[2]};
-        if (first != curve && !(equal_->are_of_a_kind(curve) && equal_->are_of_a_kind(first)))
-            return;
+        if (kind == 0 ? first != curve : !equal_->are_of_a_kind(first)) return;
         free.is_loop = is_loop({a, b, c});
         result_.free_curves.push_back(std::move(free));
     }

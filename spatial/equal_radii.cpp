@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 #include "../core/index.hpp"
 #include "../core/site.hpp"
@@ -53,24 +54,6 @@ Groups same_spheres(const SpaceTessellation& t, std::size_t corners, const IsOnS
     return groups;
 }
 
-/// Of each group the first one, in the order of words.
-template <std::size_t corners>
-void add_groups(const SpaceTessellation& t, std::span<const Index> names, Groups& groups,
-                std::vector<std::array<Index, corners>>& result) {
-    std::vector<std::array<Index, corners>> first(t.cells.size());
-    for (std::size_t c = 0; c < t.cells.size(); ++c) {
-        if (t.cells[c][0] == infinite) continue;
-        std::array<Index, corners> tuple;
-        for (std::size_t k = 0; k < corners; ++k)
-            tuple[k] = names[static_cast<std::size_t>(t.cells[c][k])];
-        std::ranges::sort(tuple);
-        const std::size_t group = groups.find(c);
-        first[group] = group == c ? tuple : std::min(first[group], tuple);
-    }
-    for (std::size_t c = 0; c < t.cells.size(); ++c)
-        if (t.cells[c][0] != infinite && groups.find(c) == c) result.push_back(first[c]);
-}
-
 }  // namespace
 
 EqualRadii::EqualRadii(const BallSet& balls, std::span<const Index> visible, const Options& options)
@@ -92,7 +75,7 @@ EqualRadii::EqualRadii(const BallSet& balls, std::span<const Index> visible, con
         first = last;
     }
     std::ranges::sort(fours_);
-    std::ranges::sort(threes_);
+    std::ranges::sort(curves_);
 }
 
 void EqualRadii::tessellate(const BallSet& balls, std::span<const Index> names,
@@ -102,16 +85,25 @@ void EqualRadii::tessellate(const BallSet& balls, std::span<const Index> names,
     Options silent;
     silent.stop = options.stop;
     const SpaceTessellation t = triangulate(std::span<const Point3>(centres), {}, silent);
-    const auto ball = [&](Index vertex) -> const Site3& {
-        return balls[names[static_cast<std::size_t>(vertex)]];
-    };
+    const auto name = [&](Index vertex) { return names[static_cast<std::size_t>(vertex)]; };
+    const auto ball = [&](Index vertex) -> const Site3& { return balls[name(vertex)]; };
     if (t.dimension == 3) {
         Groups groups = same_spheres(t, 4, [&](std::size_t c, Index q) {
             const auto [i, j, k, l] = t.cells[c];
             return euclidean::in_sphere_decision(ball(i), ball(j), ball(k), ball(l), ball(q))
                        .sign == 0;
         });
-        add_groups(t, names, groups, fours_);
+        std::vector<Quadruple> first(t.cells.size());  // of each group, in the order of words
+        for (std::size_t c = 0; c < t.cells.size(); ++c) {
+            if (t.cells[c][0] == infinite) continue;
+            Quadruple four;
+            for (std::size_t k = 0; k < 4; ++k) four[k] = name(t.cells[c][k]);
+            std::ranges::sort(four);
+            const std::size_t group = groups.find(c);
+            first[group] = group == c ? four : std::min(first[group], four);
+        }
+        for (std::size_t c = 0; c < t.cells.size(); ++c)
+            if (t.cells[c][0] != infinite && groups.find(c) == c) fours_.push_back(first[c]);
     } else if (t.dimension == 2) {
         // A sphere through three of them meets their plane in the circle.
         std::optional<ExactSphere> sphere;
@@ -122,7 +114,15 @@ void EqualRadii::tessellate(const BallSet& balls, std::span<const Index> names,
             its_cell = c;
             return sphere->conflict(ball(q)) == 0;
         });
-        add_groups(t, names, groups, threes_);
+        std::vector<std::vector<Index>> lists(t.cells.size());
+        for (std::size_t c = 0; c < t.cells.size(); ++c)
+            for (std::size_t k = 0; k < 3 && t.cells[c][0] != infinite; ++k)
+                lists[groups.find(c)].push_back(name(t.cells[c][k]));
+        for (std::vector<Index>& list : lists) {
+            std::ranges::sort(list);
+            list.erase(std::unique(list.begin(), list.end()), list.end());
+            if (!list.empty()) curves_.push_back(std::move(list));
+        }
     }
 }
 

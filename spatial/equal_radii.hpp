@@ -11,10 +11,11 @@
 /// Laws, of balls of a kind, that is of one radius, of which there are some:
 ///  1. each empty sphere that touches four of them, whose centres are not in a plane, is that of
 ///     one of `fours`, and only of one;
-///  2. each curve that touches three of them, and no sphere of which any of them conflicts with, is
-///     that of one of `threes`, and only of one, if no vertex lies on it. This is so of centres in
-///     a plane alone: spheres through three points come by all that lie beside their plane.
-/// They are rising, and of all that it might be the first in the order of words.
+///     These are rising, and the first touches before all others of the kind;
+///  2. each curve that three of them touch along, with none of whose spheres any of them conflicts,
+///     and on which no vertex lies, is that of one of `curves`, and only of one: all of the kind
+///     that touch along it, rising. There are none where the centres lie in no plane, since the
+///     spheres through three points come by all that is beside their plane.
 
 #include <algorithm>
 #include <array>
@@ -44,26 +45,26 @@ class EqualRadii {
         return kind(names[0]) != 0;
     }
 
-    /// Those whose first ball, the first of its kind that touches the sphere or along the curve, is
-    /// this.
+    /// Those whose first ball is this.
     [[nodiscard]] std::span<const Quadruple> fours(Index first) const {
         return with(first, fours_);
     }
-    [[nodiscard]] std::span<const Triple> threes(Index first) const { return with(first, threes_); }
+    [[nodiscard]] std::span<const std::vector<Index>> curves(Index first) const {
+        return with(first, curves_);
+    }
 
  private:
-    template <std::size_t n>
-    [[nodiscard]] static std::span<const std::array<Index, n>> with(
-        Index first, const std::vector<std::array<Index, n>>& all) {
-        const auto range = std::ranges::equal_range(
-            all, first, {}, [](const std::array<Index, n>& tuple) { return tuple[0]; });
+    template <class List>
+    [[nodiscard]] static std::span<const List> with(Index first, const std::vector<List>& all) {
+        const auto range =
+            std::ranges::equal_range(all, first, {}, [](const List& list) { return list.front(); });
         return {range.begin(), range.end()};
     }
     void tessellate(const BallSet& balls, std::span<const Index> kind, const Options& options);
 
     std::vector<Kind> kinds_;
     std::vector<Quadruple> fours_;
-    std::vector<Triple> threes_;
+    std::vector<std::vector<Index>> curves_;
 };
 
 }  // namespace signum::spatial
