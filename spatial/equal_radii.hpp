@@ -8,14 +8,16 @@
 /// balls need not be tried four by four, and three by three; in crystals, where there are few
 /// radii, little else is left.
 ///
-/// Laws, of balls of a kind, that is of one radius, of which there are some:
-///  1. each empty sphere that touches four of them, whose centres are not in a plane, is that of
-///     one of `fours`, and only of one;
-///     These are rising, and the first touches before all others of the kind;
-///  2. each curve that three of them touch along, with none of whose spheres any of them conflicts,
-///     and on which no vertex lies, is that of one of `curves`, and only of one: all of the kind
-///     that touch along it, rising. There are none where the centres lie in no plane, since the
-///     spheres through three points come by all that is beside their plane.
+/// A kind are all visible balls of one radius, if they are not too few.
+///
+/// Laws:
+///  1. each sphere that touches four of a kind, with centres not in a plane, and that no ball
+///     conflicts with, is that of one of `fours`, and only of one. These are rising, and the first
+///     touches before all others of the kind;
+///  2. each curve that three of a kind touch along, on which no vertex lies, and with none of whose
+///     spheres a ball conflicts, is that of one of `curves`, and only of one: all of the kind that
+///     touch along it, rising. There are none where the centres lie in no plane, since the spheres
+///     through three points come by all that is beside their plane.
 
 #include <algorithm>
 #include <array>
