@@ -183,10 +183,8 @@ class VertexSearch {
         add_vertex({first, turn, touching_, {}});
     }
     /// Whether they are the first four in the list, in the order of words, that finitely many
-    /// spheres touch. Of three this is so always.
+    /// spheres touch: none is in it before the third of them but these. Of three this is so always.
     [[nodiscard]] bool is_first_four(const Quadruple& four, std::span<const Index> list) const {
-        for (std::size_t m = 0; m < 3; ++m)
-            if (four[m] != list[m]) return false;
         for (std::size_t m = 3; list[m] != four[3]; ++m)
             if (!balls_.touch_along_a_curve({four[0], four[1], four[2], list[m]})) return false;
         return true;
