@@ -36,20 +36,6 @@ void refuse_what_is_not_of_balls(const VoronoiCall& call, std::span<const Target
     }
 }
 
-/// Of equal radii many balls may touch one plane or sphere, as those of crystals do, and then each
-/// three and each four of them are looked at; the power metric does not mind.
-void warn_of_equal_radii(const VoronoiCall& call, std::span<const Site3> balls) {
-    constexpr std::size_t few = 500;
-    if (call.quiet || balls.size() < few) return;
-    const double radius = balls.front().r;
-    if (!std::ranges::all_of(balls, [radius](const Site3& ball) { return ball.r == radius; }))
-        return;
-    say("signum: all radii of {} are equal, so that this is the Voronoi diagram of the centres; "
-        "signum triangulate --metric power --vertices has it faster, where many centres lie in one "
-        "plane or on one sphere by far\n",
-        call.input);
-}
-
 BallDiagram diagram_of(const VoronoiCall& call, const InputSites& sites) {
     std::optional<Progress> progress;
     Options options;
@@ -86,7 +72,6 @@ void voronoi_of_balls(const VoronoiCall& call, const InputSites& sites,
                       std::span<const Target> targets) {
     refuse_what_is_not_of_balls(call, targets);
     const Outputs outputs(targets);
-    warn_of_equal_radii(call, sites.file.in_space);
     const BallDiagram diagram = diagram_of(call, sites);
     outputs.write([&](std::ostream& out, std::string_view format) {
         if (format == "csv") {

@@ -97,10 +97,12 @@ class CellSearch {
     /// The place in the tree of a ball that the search has met.
     using Place = std::uint32_t;
 
-    explicit CellSearch(const BallTree& tree) : tree_(tree), slot_of_(tree.size(), no_slot) {}
+    /// `kinds` by place: balls of one kind, but 0, need no list where they are among themselves.
+    CellSearch(const BallTree& tree, std::vector<std::uint32_t> kinds)
+        : tree_(tree), kinds_(std::move(kinds)), slot_of_(tree.size(), no_slot) {}
 
     /// Calls leaf(places) with the list of each leaf, in which those balls come first whose name is
-    /// greater than that of the ball; only those lists that have two such.
+    /// greater than that of the ball; only those lists that have two such, not both of its kind.
     template <class Leaf>
     void run(Place ball, const Leaf& leaf) {
         start(ball);
@@ -119,6 +121,7 @@ class CellSearch {
         double nx, ny, nz, c;
         bool is_wild;
         bool is_later;
+        bool is_of_its_kind;
         bool is_listed;
     };
     using Slot = std::uint32_t;
@@ -195,6 +198,7 @@ class CellSearch {
         const double both = square + r * r;
         Seen seen{};
         seen.is_later = tree_.name(place) > tree_.name(ball_);
+        seen.is_of_its_kind = kinds_[place] != 0 && kinds_[place] == kinds_[ball_];
         seen.is_wild = !(p > 0x1p-40 * both && p > 0x1p-600 && p < 0x1p600);
         if (!seen.is_wild) {
             const double factor = 2.0 / p;
@@ -307,7 +311,11 @@ class CellSearch {
         Gathered gathered;
         for (const Slot slot : known) know(gathered, slot, patch);
         choose_high(gathered, known, patch);
-        if (descend(0, patch, gathered, depth < most_depth ? most_gathered : tree_.size()))
+        // Of balls of which many are the greatest together all along a circle small patches have as
+        // many as large ones: so more are allowed, the smaller the patch.
+        const std::size_t most =
+            depth < most_depth ? most_gathered << (depth + depth / 2) : tree_.size();
+        if (descend(0, patch, gathered, most))
             return divide(patch, gathered.list, depth, 0, true, leaf);
         for (int quarter = 0; quarter < 4; ++quarter)
             gather(patch.quarter(quarter), depth + 1, gathered.list, leaf);
@@ -488,10 +496,15 @@ class CellSearch {
                 divide(patch.quarter(quarter), own, depth + 1, 0, false, leaf);
             return;
         }
-        const auto later = static_cast<std::size_t>(std::count_if(
-            list.begin(), list.end(), [&](Slot slot) { return seen_[slot].is_later; }));
-        if (list.size() > most_in_a_list && later >= 3 && depth < most_depth &&
-            (steady < most_steady || later > most_at_once)) {
+        std::size_t later = 0, of_other_kinds = 0;
+        for (const Slot slot : list) {
+            later += seen_[slot].is_later;
+            of_other_kinds += seen_[slot].is_later && !seen_[slot].is_of_its_kind;
+        }
+        const bool is_to_be_divided = of_other_kinds == 0
+                                          ? steady < most_steady_of_a_kind
+                                          : steady < most_steady || later > most_at_once;
+        if (list.size() > most_in_a_list && later >= 3 && depth < most_depth && is_to_be_divided) {
             const int now_steady = list.size() == above.size() ? steady + 1 : 0;
             const std::vector<Slot> own = list;
             for (int quarter = 0; quarter < 4; ++quarter)
@@ -501,7 +514,7 @@ class CellSearch {
         may_be_unbounded_ |= is_open;
         for (const Slot slot : list)
             if (!std::exchange(seen_[slot].is_listed, true)) neighbours_.push_back(places_[slot]);
-        if (later < 2) return;
+        if (later < 2 || of_other_kinds == 0) return;
         std::partition(list.begin(), list.end(), [&](Slot slot) { return seen_[slot].is_later; });
         leaf_.clear();
         for (const Slot slot : list) leaf_.push_back(places_[slot]);
@@ -514,9 +527,11 @@ class CellSearch {
     }
     static constexpr std::size_t most_in_a_list = 5;
     static constexpr int most_steady = 4;
+    static constexpr int most_steady_of_a_kind = 1;
     static constexpr std::size_t most_at_once = 12;
 
     const BallTree& tree_;
+    std::vector<std::uint32_t> kinds_;  // by place
     Place ball_ = 0;
     bool may_be_unbounded_ = false;
     std::vector<Slot> slot_of_;  // by place

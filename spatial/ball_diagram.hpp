@@ -79,9 +79,10 @@ struct BallDiagram {
 
 /// Of the options stop and progress are looked at. Throws std::invalid_argument, naming the ball,
 /// for NaN or infinity, and for more than 2^28 balls; Stopped where options.stop asks for it. Time:
-/// about in proportion to the result for balls spread at random. Where m balls touch one sphere,
-/// each four and each three of them are looked at, m^4 steps; where they touch one plane from one
-/// side, as centres in a plane do with equal radii, each three, m^3 steps.
+/// about in proportion to the result for balls spread at random, and for crystals. Where m balls of
+/// equal radii touch one sphere, or have their centres in a plane, on a circle or on a line, about
+/// m² steps; where m of different radii touch one sphere or one plane from one side, each three and
+/// each four of them are looked at, up to m⁴.
 [[nodiscard]] BallDiagram ball_diagram(std::span<const Site3> balls, const Options& options = {});
 
 }  // namespace signum

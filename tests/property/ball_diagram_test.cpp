@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <set>
 #include <span>
@@ -16,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "../../predicates/space/ccw.hpp"
 #include "../../predicates/space/euclidean.hpp"
 #include "../../spatial/ball_diagram.hpp"
 #include "../../spatial/triangulate.hpp"
@@ -239,6 +241,15 @@ TEST(BallDiagram, AGridHasACellOfEightBallsAVertex) {
     for (std::size_t v = 0; v < d.vertices.size(); ++v) EXPECT_EQ(d.vertices[v].size(), 8U);
     for (std::size_t e = 0; e < d.edges.size(); ++e) EXPECT_EQ(d.edges[e].size(), 4U);
     expect_order(d);
+}
+
+TEST(BallDiagram, OfFiveBallsTouchedInAPlaneFourHaveOneCurve) {
+    const Balls balls{{3, -6, 6, 8}, {-6, -6, -3, 8}, {0, 0, 6, 5}, {0, -3, 0, 2}, {-6, 0, 0, 5}};
+    const Curves curves = curves_of(ball_diagram(balls));
+    EXPECT_EQ(curves.size(), 2U);
+    EXPECT_TRUE(curves.contains({0, 1, 2, 4}));
+    EXPECT_TRUE(curves.contains({0, 1, 3}));
+    expect_as_oracle(balls);
 }
 
 // ---- small sets of other kinds
@@ -486,6 +497,246 @@ TEST(BallDiagram, OfEqualRadiiIsDelaunays) {
     std::set<List> edges;
     for (std::size_t e = 0; e < d.edges.size(); ++e) edges.insert(list_of(d.edges[e]));
     EXPECT_EQ(edges, facets);
+}
+
+// ---- crystals and other sets of which many touch one sphere
+// --------------------------------------
+
+std::array<List, 2> rising(const List& a, const List& b) {
+    return {std::min(a, b), std::max(a, b)};
+}
+
+/// Beside Delaunay's tessellation of the centres, for equal radii: cells with one sphere are one
+/// vertex, two of which share an edge where their cells share a facet; facets of the hull in one
+/// plane are one edge to infinity.
+void expect_as_delaunays(const Balls& balls) {
+    const BallDiagram d = ball_diagram(balls);
+    expect_order(d);
+    const SpaceTessellation t = triangulate(std::span<const Site3>(balls));
+    ASSERT_EQ(t.dimension, 3);
+    const auto at = [&](Index i) -> const Site3& { return balls[static_cast<std::size_t>(i)]; };
+    std::vector<List> touching(t.cells.size());
+    for (std::size_t c = 0; c < t.cells.size(); ++c) {
+        const auto [i, j, k, l] = t.cells[c];
+        if (i == infinite) continue;
+        for (Index q = 0; q < static_cast<Index>(balls.size()); ++q)
+            if (q == i || q == j || q == k || q == l ||
+                euclidean::in_sphere(at(i), at(j), at(k), at(l), at(q)) == 0)
+                touching[c].push_back(q);
+    }
+    std::set<List> vertices;
+    std::map<List, std::array<List, 2>> edges;  // the lists of both ends, none for infinity
+    for (std::size_t c = 0; c < t.cells.size(); ++c) {
+        if (touching[c].empty()) continue;
+        vertices.insert(touching[c]);
+        for (std::size_t k = 0; k < 4; ++k) {
+            const List& other = touching[static_cast<std::size_t>(t.neighbours[c][k])];
+            if (other == touching[c]) continue;
+            List shared;
+            if (other.empty()) {
+                std::array<Index, 3> facet;
+                for (std::size_t m = 0; m < 3; ++m) facet[m] = t.cells[c][(k + 1 + m) % 4];
+                for (const Index q : touching[c])
+                    if (std::ranges::find(facet, q) != facet.end() ||
+                        ccw(at(facet[0]), at(facet[1]), at(facet[2]), at(q)) == 0)
+                        shared.push_back(q);
+            } else {
+                std::ranges::set_intersection(touching[c], other, std::back_inserter(shared));
+            }
+            edges[shared] = rising(touching[c], other);
+        }
+    }
+    std::vector<List> ours;
+    for (std::size_t v = 0; v < d.vertices.size(); ++v) ours.push_back(list_of(d.vertices[v]));
+    EXPECT_EQ(ours, std::vector<List>(vertices.begin(), vertices.end()));
+    ASSERT_EQ(d.edges.size(), edges.size());
+    for (std::size_t e = 0; e < d.edges.size(); ++e) {
+        const auto found = edges.find(list_of(d.edges[e]));
+        ASSERT_TRUE(found != edges.end()) << ::testing::PrintToString(list_of(d.edges[e]));
+        const auto list_at = [&](Index end) {
+            return end < 0 ? List() : ours[static_cast<std::size_t>(end)];
+        };
+        EXPECT_EQ(found->second, rising(list_at(d.ends[e][0]), list_at(d.ends[e][1])));
+    }
+}
+
+/// Points of a grid of n³, those of which `place` makes a ball.
+template <class Place>
+Balls crystal(int n, const Place& place) {
+    Balls balls;
+    for (int x = 0; x < n; ++x)
+        for (int y = 0; y < n; ++y)
+            for (int z = 0; z < n; ++z) place(balls, x, y, z);
+    return balls;
+}
+void cubic(Balls& balls, int x, int y, int z) {
+    balls.push_back({0.1 * x, 0.1 * y, 0.1 * z, 0.05});
+}
+void face_centred(Balls& balls, int x, int y, int z) {
+    if ((x + y + z) % 2 == 0) balls.push_back({1.0 * x, 1.0 * y, 1.0 * z, 0.5});
+}
+void body_centred(Balls& balls, int x, int y, int z) {
+    if (x % 2 == z % 2 && y % 2 == z % 2) balls.push_back({1.0 * x, 1.0 * y, 1.0 * z, 0.5});
+}
+/// Layers of triangles, each over the gaps of that below; with integers, so that layers are exact.
+void close_packed(Balls& balls, int x, int y, int z) {
+    balls.push_back({64.0 * (2 * x + (y + z) % 2), 111.0 * y + 37.0 * (z % 2), 105.0 * z, 64.0});
+}
+void rock_salt(Balls& balls, int x, int y, int z) {
+    balls.push_back({1.0 * x, 1.0 * y, 1.0 * z, (x + y + z) % 2 == 0 ? 0.5 : 0.25});
+}
+
+TEST(BallDiagram, OfCrystalsIsDelaunays) {
+    expect_as_delaunays(crystal(6, cubic));
+    expect_as_delaunays(crystal(6, face_centred));
+    expect_as_delaunays(crystal(8, body_centred));
+    expect_as_delaunays(crystal(5, close_packed));
+}
+
+TEST(BallDiagram, OfCrystalsOfTwoRadiiObeysItsLaws) {
+    const Balls balls = crystal(7, rock_salt);
+    const BallDiagram d = ball_diagram(balls);
+    expect_laws(balls, d);
+    // In the middle of each cube is a vertex of its four large balls.
+    const auto is_half = [](double x) { return x - std::floor(x) == 0.5; };
+    std::size_t middles = 0;
+    for (std::size_t v = 0; v < d.vertices.size(); ++v) {
+        const Site3& s = d.spheres[v];
+        if (!is_half(s.x) || !is_half(s.y) || !is_half(s.z)) continue;
+        ++middles;
+        EXPECT_EQ(d.vertices[v].size(), 4U);
+        for (const Index i : d.vertices[v]) EXPECT_EQ(balls[static_cast<std::size_t>(i)].r, 0.5);
+    }
+    EXPECT_EQ(middles, 216U);
+    expect_as_oracle(crystal(2, rock_salt));
+}
+
+/// Equal balls between two large ones, each with a ring of its own: what they do with others is not
+/// known from their tessellation.
+TEST(BallDiagram, OfEqualBallsBetweenTwoLargeOnesHasAllRings) {
+    Balls balls;
+    for (const double y : {-16.0, 0.0, 16.0})
+        for (const double z : {-16.0, 0.0, 16.0}) balls.push_back({0.0, y, z, 1.0});
+    balls.push_back({-64.0, 0.0, 0.0, 60.0});
+    balls.push_back({64.0, 0.0, 0.0, 60.0});
+    const BallDiagram d = ball_diagram(balls);
+    expect_laws(balls, d);
+    const Curves curves = curves_of(d);
+    for (Index i = 0; i < 9; ++i) {
+        ASSERT_TRUE(curves.contains({i, 9, 10})) << i;
+        EXPECT_TRUE(curves.at({i, 9, 10}).is_closed) << i;
+    }
+}
+
+TEST(BallDiagram, OfCentresInAPlaneIsItsTessellations) {
+    Random g(11);
+    Balls balls;
+    for (int i = 0; i < 200; ++i) {
+        const double x = std::round(1e6 * g.real()), y = std::round(1e6 * g.real());
+        balls.push_back({x, y, x + 2 * y, 3.0});
+    }
+    const BallDiagram d = ball_diagram(balls);
+    EXPECT_EQ(d.vertices.size(), 0U);
+    std::vector<List> ours, theirs;
+    for (std::size_t e = 0; e < d.edges.size(); ++e) {
+        ours.push_back(list_of(d.edges[e]));
+        EXPECT_EQ(d.ends[e], (std::array<Index, 2>{infinite, infinite}));
+    }
+    for (const SpaceCell& cell : triangulate(std::span<const Site3>(balls)).cells)
+        if (cell[0] != infinite) theirs.push_back({cell[0], cell[1], cell[2]});
+    std::sort(theirs.begin(), theirs.end());
+    EXPECT_EQ(ours, theirs);
+    expect_order(d);
+}
+
+TEST(BallDiagram, OfASquareGridInAPlaneHasAnEdgeASquare) {
+    Balls balls;
+    for (int x = 0; x < 12; ++x)
+        for (int y = 0; y < 12; ++y) balls.push_back({1.0 * x, 1.0 * y, 0.0, 0.25});
+    const BallDiagram d = ball_diagram(balls);
+    EXPECT_EQ(d.vertices.size(), 0U);
+    EXPECT_EQ(d.edges.size(), 121U);
+    for (std::size_t e = 0; e < d.edges.size(); ++e) EXPECT_EQ(d.edges[e].size(), 4U);
+}
+
+TEST(BallDiagram, OfCentresOnALineHasNothing) {
+    Random g(12);
+    Balls balls;
+    for (int i = 0; i < 120; ++i) balls.push_back({g.real(), 0.0, 0.0, 0.125});
+    const BallDiagram d = ball_diagram(balls);
+    EXPECT_EQ(d.vertices.size() + d.edges.size() + d.hidden.size(), 0U);
+}
+
+/// Integer points at an integer distance from the origin; in a plane, of three numbers the last 0.
+Balls on_sphere(Random& g, int distance, bool is_flat, std::size_t most) {
+    Balls balls;
+    const int high = is_flat ? 0 : distance;
+    for (int x = -distance; x <= distance; ++x)
+        for (int y = -distance; y <= distance; ++y)
+            for (int z = -high; z <= high; ++z)
+                if (x * x + y * y + z * z == distance * distance)
+                    balls.push_back({1.0 * x, 1.0 * y, 1.0 * z, 1.0});
+    for (std::size_t i = balls.size(); i > 1; --i)
+        std::swap(balls[i - 1], balls[static_cast<std::size_t>(g.below(static_cast<int>(i)))]);
+    balls.resize(std::min(balls.size(), most));
+    return balls;
+}
+
+TEST(BallDiagram, OfCentresOnACircleHasOneEdge) {
+    Random g(13);
+    Balls balls = on_sphere(g, 5 * 13 * 17, true, 60);
+    const BallDiagram d = ball_diagram(balls);
+    EXPECT_EQ(d.vertices.size(), 0U);
+    ASSERT_EQ(d.edges.size(), 1U);
+    EXPECT_EQ(d.edges[0].size(), balls.size());
+    EXPECT_EQ(d.ends[0], (std::array<Index, 2>{infinite, infinite}));
+    // With one ball more on each side of the plane, the edge has two ends; from these others go on
+    // to infinity, between each two neighbours on the circle.
+    balls.insert(balls.begin(), {0.0, 0.0, 3000.0, 1.0});
+    balls.push_back({0.0, 0.0, -4000.0, 2.0});
+    const BallDiagram e = ball_diagram(balls);
+    EXPECT_EQ(e.vertices.size(), 2U);
+    EXPECT_EQ(e.edges.size(), 1 + 2 * (balls.size() - 2));
+    expect_laws(balls, e);
+}
+
+TEST(BallDiagram, OfCentresOnASphereHasOneVertex) {
+    Random g(14);
+    const Balls balls = on_sphere(g, 33, false, 150);
+    const BallDiagram d = ball_diagram(balls);
+    ASSERT_EQ(d.vertices.size(), 1U);
+    EXPECT_EQ(d.vertices[0].size(), balls.size());
+    EXPECT_EQ(d.spheres[0].r, 32.0);
+    // An edge for each facet of the hull, of which those with k corners are k - 2 triangles.
+    std::size_t triangles = 0;
+    for (std::size_t e = 0; e < d.edges.size(); ++e) {
+        triangles += d.edges[e].size() - 2;
+        EXPECT_EQ(d.ends[e], (std::array<Index, 2>{infinite, 0}));
+    }
+    EXPECT_EQ(triangles, 2 * balls.size() - 4);
+    expect_as_delaunays(balls);
+    for (int trial = 0; trial < 3 * thoroughness && !HasFailure(); ++trial)
+        expect_as_oracle(on_sphere(g, 9, false, 6 + static_cast<std::size_t>(g.below(2))));
+}
+
+/// The same, of several radii: each moved outward along its normal, with more radius by as much.
+TEST(BallDiagram, OfBallsOfSeveralRadiiAroundOneSphereObeysItsLaws) {
+    Random g(15);
+    for (const std::size_t n : {7, 16}) {
+        Balls balls = on_sphere(g, 9, false, n);
+        for (Site3& b : balls) {
+            const int times = g.between(1, 4);
+            b = {times * b.x, times * b.y, times * b.z, 9.0 * times - 5.0};
+        }
+        const BallDiagram d = ball_diagram(balls);
+        expect_laws(balls, d);
+        const auto is_around_origin = [](const Site3& s) { return s.x == 0 && s.r == 5.0; };
+        const auto found = std::ranges::find_if(d.spheres, is_around_origin);
+        ASSERT_TRUE(found != d.spheres.end());
+        const auto v = static_cast<Index>(found - d.spheres.begin());
+        EXPECT_EQ(d.vertices[static_cast<std::size_t>(v)].size(), balls.size());
+        if (n < 8) expect_as_oracle(balls);
+    }
 }
 
 }  // namespace
