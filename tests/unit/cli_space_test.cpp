@@ -120,6 +120,9 @@ TEST_F(ToolInSpace, SaysWhatIsOfThePlaneAlone) {
     expect(triangulate({"--clip", "0", "0", "1", "1", "-o", svg}), 2,
            "signum: --clip" + of_file + "pictures of all of them alone; leave --clip out\n");
     EXPECT_FALSE(std::filesystem::exists(svg));
+    expect(triangulate({"--clip", "0", "0", "0", "1", "1", "1", "-o", svg}), 2,
+           "signum: --clip takes 4 words after it, X0 Y0 X1 Y1, a box of the plane; 6 are given; "
+           "see signum triangulate --help\n");
     const std::string vtk = scratch.path("a.vtk");
     expect(triangulate({"--columns", "x,y", "-o", vtk}), 2,
            "signum: vtk is written of sites in space, and those of " + balls +
@@ -395,6 +398,21 @@ TEST_F(ToolInSpace, RefusesWrongCallsOfVoronoi) {
     refused({"--metric", "power", "--clip", "0", "0", "2", "1", "1", "2"},
             "--clip 0 0 2 1 1 2: the corner with the least coordinates comes first, x0 < x1, "
             "y0 < y1 and z0 < z1");
+    for (const char* last : {"nan", "inf"}) {
+        const std::string message = std::string("--clip: '") + last +
+                                    "' is not a finite number; write a finite one; see signum "
+                                    "voronoi --help";
+        refused({"--clip", "0", "0", "0", "1", "1", last}, message);
+        refused({"--clip", "0", "0", "0", last, "1", "1"}, message);
+        refused({"--clip", "0", "0", "1", last}, message);
+        expect({"voronoi", "--clip", "0", "0", "0", "1", "1", last, balls}, 2,
+               "signum: " + message + "\n");
+    }
+    refused({"--clip", "0", "0", "0", "1", "1", "-inf"},
+            "'-inf' is not a finite number; write a finite one; see signum voronoi --help");
+    refused({"--clip", "0", "0", "0", "1", "1", "x"},
+            "--clip: 'x' is not a number; write a decimal or hexadecimal float, such as 1.5, -2e-3 "
+            "or 0x1.8p-3; see signum voronoi --help");
     const std::string csv = scratch.path("a.csv");
     refused({"--metric", "power", "--clip", "0", "0", "0", "1e-100", "1e-100", "1e-100", "-o", csv},
             "the box 0 0 0 1e-100 1e-100 1e-100: site 0 is not finite, or too large beside the "
