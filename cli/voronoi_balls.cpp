@@ -72,6 +72,7 @@ void summarize(const BallDiagram& diagram, std::span<const Target> targets) {
     };
     const auto hidden = static_cast<std::int64_t>(diagram.hidden.size());
     say("sites    {}, in space\n", diagram.balls);
+    say("diagram  of balls, euclidean: vertices and edges; --metric power measures cells\n");
     say("cells    {}\n", diagram.balls - hidden);
     say("hidden   {}\n", hidden);
     say("vertices {}\n", diagram.vertices.size());

@@ -497,6 +497,8 @@ TEST_F(ToolInSpace, Generates) {
     const Outcome outcome = run({"triangulate", csv, "--metric", "power", "--quiet"});
     EXPECT_EQ(outcome.code, 0);
     EXPECT_EQ(outcome.err, "");
+    expect({"generate", "grid", "--dimension", "3", "-n", "268435457"}, 2,
+           "signum: -n 268435457: give a number of sites from 1 to 268435456\n");
     expect({"generate", "circle", "--dimension", "3", "-n", "3"}, 2,
            "signum: circle lies in the plane; leave --dimension 3 out, or take one of random, "
            "sphere, cube, grid\n");
