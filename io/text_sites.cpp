@@ -207,6 +207,7 @@ class TextSites {
         site.y = read_column(layout_.columns[1]);
         if (layout_.columns[2] < columns_.size()) {
             site.r = read_column(layout_.columns[2]);
+            result_.third_may_be_z = may_lie_in_space_ && !layout_.named && chosen_.empty();
             if (site.r < 0.0 && !result_.first_negative) {
                 result_.first_negative = columns_.position_of(columns_[layout_.columns[2]].data());
             }

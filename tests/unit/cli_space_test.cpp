@@ -142,6 +142,24 @@ TEST_F(ToolInSpace, SaysWhatIsOfThePlaneAlone) {
                " has columns of its own; leave --columns out, or add --read-as text\n");
 }
 
+TEST_F(ToolInSpace, IsHintedAtWhereThirdNumbersHideMostSites) {
+    const std::string numbers = "0 0 9\n1 0 1\n0 1 2\n1 1 3\n";
+    const std::string bare = scratch.file("bare.txt", numbers);
+    const std::string hint = "signum: " + bare +
+                             ": most sites are hidden, for the third number of a line is a radius; "
+                             "if it is z, say --dimension 3 --metric power\n";
+    for (const char* command : {"triangulate", "voronoi"}) {
+        EXPECT_TRUE(run({command, bare}).err.ends_with(hint)) << command;
+        EXPECT_EQ(run({command, bare, "--quiet"}).err, "");
+        const std::string named = scratch.file("named.txt", "x y r\n" + numbers);
+        const std::string few = scratch.file("few.txt", "0 0 9\n1 0 1\n20 1 2\n1 30 3\n");
+        for (const Words& said :
+             {Words{command, bare, "--dimension", "2"}, Words{command, bare, "--columns", "1,2,3"},
+              Words{command, named}, Words{command, few}})
+            EXPECT_EQ(run(said).err.find("most sites"), std::string::npos) << said[1];
+    }
+}
+
 TEST_F(ToolInSpace, RefusesWrongInputAndWritesNothing) {
     const std::string bad = scratch.file("bad.csv", "x,y,z\n0,0,1\n4,zero,1\n");
     const std::size_t before = scratch.size();
