@@ -23,6 +23,7 @@
 #include "commands.hpp"
 #include "compare_call.hpp"
 #include "compare_space.hpp"
+#include "compare_table.hpp"
 #include "progress.hpp"
 
 namespace signum::cli {
@@ -182,56 +183,14 @@ std::string answer_of_broken(std::string_view arithmetic, std::string_view near)
 
 namespace {
 
-void put_table(TextWriter& text, const Report& report) {
-    const auto row = [&](std::string_view title, auto cell) {
-        std::string cells[2];
-        for (std::size_t i = 0; i < 2; ++i) cells[i] = cell(report.runs[i]);
-        text.put(FMT_COMPILE("{:<24}{:>24}{:>24}\n"), title, cells[0], cells[1]);
+void put_edge_table(TextWriter& text, const Report& report) {
+    const auto compared = [](const Run& run) -> ComparedRun {
+        if (!run.tessellation) return {name_of(run.arithmetic), true, run.broken, {}, {}, {}};
+        return {name_of(run.arithmetic),       false, "", run.seconds, run.counts(),
+                run.tessellation->statistics()};
     };
-    const auto counter = [&](std::string_view title, std::uint64_t Statistics::*count) {
-        row(title, [&](const Run& run) {
-            return run.tessellation ? fmt::format("{}", run.tessellation->statistics().*count) : "";
-        });
-    };
-    const auto edges = [&](std::string_view title, std::vector<Edge> EdgeComparison::*kind) {
-        row(title, [&](const Run& run) {
-            if (!run.tessellation) return std::string();
-            const std::size_t count = (run.edges.*kind).size();
-            return fmt::format("{} ({:.3g} %)", count, run.counts().percent(count));
-        });
-    };
-    row("", [](const Run& run) { return std::string(name_of(run.arithmetic)); });
-    row("seconds, median", [](const Run& run) {
-        return run.tessellation ? fmt::format("{:.3g}", run.seconds.median) : std::string("broken");
-    });
-    row("  95 % interval", [](const Run& run) {
-        return run.tessellation ? fmt::format("{:.3g} to {:.3g}", run.seconds.low, run.seconds.high)
-                                : std::string();
-    });
-    counter("ccw", &Statistics::ccw);
-    counter("in_circle", &Statistics::in_circle);
-    counter("nearer", &Statistics::nearer);
-    counter("others", &Statistics::others);
-    counter("by the filter", &Statistics::filtered);
-    counter("refined", &Statistics::refined);
-    counter("exactly", &Statistics::exact);
-    counter("by ESSA", &Statistics::essa);
-    counter("in multiprecision", &Statistics::multiprecision);
-    counter("ties", &Statistics::ties);
-    row("edges", [](const Run& run) {
-        return run.tessellation ? fmt::format("{}", run.edges.edges) : std::string();
-    });
-    edges("wrong", &EdgeComparison::wrong);
-    edges("different", &EdgeComparison::different);
-    text.put("\n");
-    for (const Run& run : report.runs)
-        if (!run.tessellation)
-            text.put(FMT_COMPILE("{} broke: {}\n"), name_of(run.arithmetic), run.broken);
-    if (report.ratio)
-        text.put(FMT_COMPILE("{} / {} time: {:.3g} ({:.3g} to {:.3g}, {} rounds)\n"),
-                 name_of(report.runs[1].arithmetic), name_of(report.runs[0].arithmetic),
-                 report.ratio->median, report.ratio->low, report.ratio->high, report.ratio->runs);
-    text.put(FMT_COMPILE("{}\n"), answer(report));
+    put_table(text, "edge", {compared(report.runs[0]), compared(report.runs[1])}, true,
+              report.ratio, answer(report));
 }
 
 // ---- JSON --------------------------------------------------------------------------------------
@@ -301,7 +260,7 @@ void run(const CompareCall& call) {
     if (call.json) {
         put_json(text, report);
     } else {
-        put_table(text, report);
+        put_edge_table(text, report);
     }
     text.flush();
     out.flush();

@@ -12,6 +12,7 @@
 #include "../study/timing.hpp"
 
 #include "commands.hpp"
+#include "compare_table.hpp"
 #include "progress.hpp"
 #include "space_sites.hpp"
 
@@ -125,40 +126,11 @@ std::string answer_by_cells(const SpaceReport& report) {
 }
 
 void put_cell_table(TextWriter& text, const SpaceReport& report) {
-    const auto row = [&](std::string_view title, auto words) {
-        std::string columns[2];
-        for (std::size_t i = 0; i < 2; ++i) columns[i] = words(report.runs[i]);
-        text.put(FMT_COMPILE("{:<24}{:>24}{:>24}\n"), title, columns[0], columns[1]);
+    const auto compared = [](const SpaceRun& run) -> ComparedRun {
+        return {name_of(run.arithmetic), !run.tessellation, run.broken, run.seconds, run.cells, {}};
     };
-    const auto cells = [&](std::string_view title, std::size_t Counts::*kind) {
-        row(title, [&](const SpaceRun& run) {
-            if (!run.tessellation) return std::string();
-            const std::size_t count = run.cells.*kind;
-            return fmt::format("{} ({:.3g} %)", count, run.cells.percent(count));
-        });
-    };
-    row("", [](const SpaceRun& run) { return std::string(name_of(run.arithmetic)); });
-    row("seconds, median", [](const SpaceRun& run) {
-        return run.tessellation ? fmt::format("{:.3g}", run.seconds.median) : std::string("broken");
-    });
-    row("  95 % interval", [](const SpaceRun& run) {
-        return run.tessellation ? fmt::format("{:.3g} to {:.3g}", run.seconds.low, run.seconds.high)
-                                : std::string();
-    });
-    row("cells", [](const SpaceRun& run) {
-        return run.tessellation ? fmt::format("{}", run.cells.all) : std::string();
-    });
-    cells("wrong", &Counts::wrong);
-    cells("different", &Counts::different);
-    text.put("\n");
-    for (const SpaceRun& run : report.runs)
-        if (!run.tessellation)
-            text.put(FMT_COMPILE("{} broke: {}\n"), name_of(run.arithmetic), run.broken);
-    if (report.ratio)
-        text.put(FMT_COMPILE("{} / {} time: {:.3g} ({:.3g} to {:.3g}, {} rounds)\n"),
-                 name_of(report.runs[1].arithmetic), name_of(report.runs[0].arithmetic),
-                 report.ratio->median, report.ratio->low, report.ratio->high, report.ratio->runs);
-    text.put(FMT_COMPILE("{}\n"), answer_by_cells(report));
+    put_table(text, "cell", {compared(report.runs[0]), compared(report.runs[1])}, false,
+              report.ratio, answer_by_cells(report));
 }
 
 std::string cell_counts(const SpaceRun& run) {

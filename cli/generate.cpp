@@ -97,9 +97,11 @@ void generate_to_output(const GenerateCall& call, AnyDistribution distribution,
 }
 
 void run(const GenerateCall& call) {
-    if (call.count < 1 || call.count > max_sites) {
+    constexpr std::int64_t most_in_space = std::int64_t{1} << 28;  // spatial/triangulate.hpp
+    const std::int64_t most = call.dimension == 3 ? most_in_space : max_sites;
+    if (call.count < 1 || call.count > most) {
         throw CallError(
-            fmt::format("-n {}: give a number of sites from 1 to {}", call.count, max_sites));
+            fmt::format("-n {}: give a number of sites from 1 to {}", call.count, most));
     }
     GenerateOptions options;
     options.count = call.count;

@@ -10,8 +10,10 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <string_view>
 
 #include "../io/errors.hpp"
+#include "../io/number.hpp"
 #include "../io/output_file.hpp"
 
 #include "commands.hpp"
@@ -84,8 +86,15 @@ void refuse_values_of_flags(CLI::App& tool) {
     }
 }
 
+bool is_meant_as_number(std::string_view word) {
+    const NumberFault fault = parse_number(word).fault;
+    return fault == NumberFault::not_finite || fault == NumberFault::out_of_range;
+}
+
 /// An option of several numbers takes as many words as numbers follow it, if they can be its own,
-/// so that it does not take FILE, too.
+/// so that it does not take FILE, too. What is meant as a number and is none, as nan is, counts:
+/// its check refuses it. Between the numbers of the plane and those of space, a word is taken for
+/// one that was meant to follow.
 void expect_given_numbers(CLI::App& tool, int count, char** words) {
     const CLI::Validator number = finite_number();
     for (CLI::App* command : tool.get_subcommands([](CLI::App*) { return true; })) {
@@ -99,8 +108,12 @@ void expect_given_numbers(CLI::App& tool, int count, char** words) {
             while (first != end && first + 1 + numbers != end &&
                    number(std::string(first[1 + numbers])).empty())
                 ++numbers;
-            if (least <= numbers && numbers <= most)
-                option->expected(numbers)->allow_extra_args(false);
+            const bool is_number_meant = numbers < most && first != end &&
+                                         first + 1 + numbers != end &&
+                                         is_meant_as_number(first[1 + numbers]);
+            if (is_number_meant) ++numbers;
+            const bool is_whole = numbers == least || numbers == most || is_number_meant;
+            if (least <= numbers && is_whole) option->expected(numbers)->allow_extra_args(false);
         }
     }
 }

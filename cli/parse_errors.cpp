@@ -10,6 +10,7 @@
 
 #include "../io/errors.hpp"
 #include "../io/nearest_word.hpp"
+#include "../io/number.hpp"
 
 #include "commands.hpp"
 
@@ -84,9 +85,10 @@ std::string explain_mismatch(const CLI::App& command, const std::string& message
     if (most > 1 && given > 0) {
         // What is for the plane and for space takes either number and none between.
         return fmt::format(
-            "{} takes {} words after it, {}; {} given", name,
+            "{} takes {} words after it, {}{}; {} given", name,
             least == most ? fmt::format("{}", most) : fmt::format("{} or {}", least, most),
-            option->get_type_name(), given == 1 ? "one is" : fmt::format("{} are", given));
+            option->get_type_name(), most == 4 && given == 6 ? ", a box of the plane" : "",
+            given == 1 ? "one is" : fmt::format("{} are", given));
     }
     if (given > most) return fmt::format("{} is given {} times; give it once", name, given);
     return fmt::format("{} needs a word after it: {} {}", name, name, option->get_type_name());
@@ -116,7 +118,11 @@ std::string explain_in(const CLI::App& tool, const CLI::App& command,
     std::vector<std::string> left_over = command.remaining();
     const auto end_of_options = std::ranges::find(left_over, end_mark);
     for (auto word = left_over.begin(); word != end_of_options; ++word)
-        if (looks_like_option(*word)) return explain_unknown_option(tool, command, *word);
+        if (looks_like_option(*word)) {
+            const NumberFault fault = parse_number(*word).fault;  // -inf is no option
+            return fault == NumberFault::not_finite ? explain(fault, *word)
+                                                    : explain_unknown_option(tool, command, *word);
+        }
     if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) return explain_missing(command);
     if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr)
         return explain_mismatch(command, error.what());

@@ -146,6 +146,14 @@ InputSites read_input(const SitesCall& call) {
     return sites;
 }
 
+void hint_at_space(const SitesCall& call, const SitesFile& file, std::size_t hidden) {
+    if (!file.third_may_be_z || hidden <= file.sites.size() / 2) return;
+    say("signum: {}: most sites are hidden, for the third number of a line is a radius; if it is "
+        "z, "
+        "say --dimension 3 --metric power\n",
+        call.input);
+}
+
 void check_reach(const std::string& path, const SitesFile& file, const std::string& arithmetic) {
     if (arithmetic_of(arithmetic) != Arithmetic::single || !file.first_beyond_single) return;
     throw InputError(path, *file.first_beyond_single,

@@ -1,6 +1,7 @@
 #pragma once
 /// From a file of sites to their tessellation: what several subcommands begin with.
 
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <optional>
@@ -64,6 +65,10 @@ struct InputSites {
 /// Reads the file, and warns of negative radii where they will be squared and nobody has said that
 /// they are radii. Throws InputError, or CallError where metric and weights do not fit.
 InputSites read_input(const SitesCall& call);
+
+/// Where more than half of the sites in the plane are hidden, and the file does not say that its
+/// third numbers are radii, says how to read them as z.
+void hint_at_space(const SitesCall& call, const SitesFile& file, std::size_t hidden);
 
 /// Throws InputError where the file has a number that this arithmetic has not.
 void check_reach(const std::string& path, const SitesFile& file, const std::string& arithmetic);

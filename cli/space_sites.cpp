@@ -40,4 +40,15 @@ Validation validate_in_space(const SpaceTessellation& tessellation, const InputS
                                [&](auto those) { return validate(tessellation, those, options); });
 }
 
+void refuse_option(const SitesCall& call, std::string_view option, std::string_view what,
+                   std::string_view has) {
+    throw CallError(fmt::format("{}: {}, as those of {} are, {}; leave {} out", option, what,
+                                call.input, has, option.substr(0, option.find(' '))));
+}
+
+void say_sites_in_space(std::int64_t sites, WeightIs third) {
+    say("sites    {}, in space{}\n", sites,
+        third == WeightIs::weight ? ", the fourth number a weight" : "");
+}
+
 }  // namespace signum::cli

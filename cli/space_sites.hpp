@@ -1,8 +1,10 @@
 #pragma once
 /// Sites of space as the library wants them.
 
+#include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -33,6 +35,14 @@ SpaceTessellation construct_in_space(const SitesCall& call, const InputSites& si
 /// validate() with a progress bar unless quiet.
 Validation validate_in_space(const SpaceTessellation& tessellation, const InputSites& sites,
                              bool quiet);
+
+/// Throws CallError for an option that `what`, such as "sites in space", does not heed, for it
+/// `has` something else: "have no arcs". Of an option with its value, the message leaves out both.
+[[noreturn]] void refuse_option(const SitesCall& call, std::string_view option,
+                                std::string_view what, std::string_view has);
+
+/// The line of a summary that says how many sites there are.
+void say_sites_in_space(std::int64_t sites, WeightIs third);
 
 /// Throws CallError for an arithmetic that space has not, given to `option`.
 inline void check_arithmetic_in_space(const SitesCall& call, std::string_view option,

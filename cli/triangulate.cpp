@@ -149,6 +149,7 @@ void run(const TriangulateCall& call) {
     });
     if (!call.quiet) {
         summarize(tessellation, targets);
+        hint_at_space(call, sites.file, tessellation.hidden().size());
         if (call.statistics) summarize_statistics(tessellation.statistics());
         if (checked) say("check    valid, {}canonical\n", checked->canonical ? "" : "not ");
     }

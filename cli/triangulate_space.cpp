@@ -22,14 +22,12 @@ namespace {
 
 /// Options that are heeded in the plane alone.
 void refuse_options_of_the_plane(const TriangulateCall& call) {
-    const auto refuse = [&](std::string_view option, std::string_view what) {
-        throw CallError(fmt::format("{}: sites in space, as those of {} are, have {}; leave {} out",
-                                    option, call.input, what, option.substr(0, option.find(' '))));
-    };
+    constexpr std::string_view what = "sites in space";
     if (call.method != name_of(Method::incremental))
-        refuse("--method " + call.method, "the method incremental alone");
+        refuse_option(call, "--method " + call.method, what, "have the method incremental alone");
     check_arithmetic_in_space(call, "--arithmetic", call.arithmetic);
-    if (!call.clip.empty()) refuse("--clip", "pictures of all of them alone");
+    if (!call.clip.empty())
+        refuse_option(call, "--clip", what, "have pictures of all of them alone");
 }
 
 /// What a construction in space tells about itself: its time; nothing is counted.
@@ -61,8 +59,7 @@ void summarize(const Timed& timed, WeightIs third, const std::optional<Validatio
     const auto infinite_cells = std::ranges::count_if(
         tessellation.cells, [](const SpaceCell& cell) { return cell[0] == infinite; });
     const auto hidden = static_cast<std::int64_t>(tessellation.hidden.size());
-    say("sites    {}, in space{}\n", tessellation.sites,
-        third == WeightIs::weight ? ", the fourth number a weight" : "");
+    say_sites_in_space(tessellation.sites, third);
     constexpr std::string_view spans[] = {"in one place", "on a line", "in a plane"};
     if (tessellation.dimension < 3) say("flat     all lie {}\n", spans[tessellation.dimension]);
     say("visible  {}\n", tessellation.sites - hidden);

@@ -92,7 +92,10 @@ void run(const VoronoiCall& call) {
             write_voronoi_csv(out, ClippedVoronoi(diagram, box), tolerance);
         }
     });
-    if (!call.quiet) summarize(diagram, targets);
+    if (!call.quiet) {
+        summarize(diagram, targets);
+        hint_at_space(call, sites.file, diagram.tessellation().hidden().size());
+    }
 }
 
 }  // namespace

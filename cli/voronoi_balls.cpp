@@ -13,20 +13,19 @@
 
 #include "commands.hpp"
 #include "progress.hpp"
+#include "space_sites.hpp"
 
 namespace signum::cli {
 namespace {
 
 /// Options and formats that are of other diagrams: cells of balls are not computed.
 void refuse_what_is_not_of_balls(const VoronoiCall& call, std::span<const Target> targets) {
-    const auto refuse = [&](std::string_view option, std::string_view what) {
-        throw CallError(
-            fmt::format("{0}: the diagram of balls, as those of {1} are, has {2}; leave {0} out",
-                        option, call.input, what));
-    };
-    if (!call.clip.empty()) refuse("--clip", "vertices and edges alone, which are written whole");
-    if (call.tolerance) refuse("--tolerance", "no polygons");
-    if (call.merge) refuse("--merge", "one vertex a sphere anyway");
+    constexpr std::string_view what = "the diagram of balls";
+    if (!call.clip.empty())
+        refuse_option(call, "--clip", what,
+                      "has vertices and edges alone, which are written whole");
+    if (call.tolerance) refuse_option(call, "--tolerance", what, "has no polygons");
+    if (call.merge) refuse_option(call, "--merge", what, "has one vertex a sphere anyway");
     for (const Target& target : targets) {
         if (target.format == "json" || target.format == "csv") continue;
         throw CallError(
@@ -57,7 +56,8 @@ void summarize(const BallDiagram& diagram, std::span<const Target> targets) {
         });
     };
     const auto hidden = static_cast<std::int64_t>(diagram.hidden.size());
-    say("sites    {}, in space\n", diagram.balls);
+    say_sites_in_space(diagram.balls, WeightIs::radius);
+    say("diagram  of balls, euclidean: vertices and edges; --metric power measures cells\n");
     say("cells    {}\n", diagram.balls - hidden);
     say("hidden   {}\n", hidden);
     say("vertices {}\n", diagram.vertices.size());

@@ -20,14 +20,9 @@ namespace {
 
 /// Options and formats that are of the plane alone.
 void refuse_what_is_planar(const VoronoiCall& call, std::span<const Target> targets) {
-    const auto refuse = [&](std::string_view option, std::string_view why) {
-        throw CallError(
-            fmt::format("{0}: cells in space, as those of {1} are, have {2}; leave {0} "
-                        "out",
-                        option, call.input, why));
-    };
-    if (call.tolerance) refuse("--tolerance", "no arcs");
-    if (call.merge) refuse("--merge", "vertices one by one alone");
+    constexpr std::string_view what = "cells in space";
+    if (call.tolerance) refuse_option(call, "--tolerance", what, "have no arcs");
+    if (call.merge) refuse_option(call, "--merge", what, "have vertices one by one alone");
     if (is_written(targets, "geojson")) {
         throw CallError(fmt::format(
             "geojson is written of sites in the plane, and those of {} lie in space; write vtk",
@@ -72,8 +67,7 @@ void summarize(const SpaceTessellation& tessellation, const SpaceCells& cells, W
     for (const SpaceMeasure& measure : cells.measures) volume += measure.volume;
     const Point3& low = cells.box.low;
     const Point3& high = cells.box.high;
-    say("sites    {}, in space{}\n", tessellation.sites,
-        third == WeightIs::weight ? ", the fourth number a weight" : "");
+    say_sites_in_space(tessellation.sites, third);
     say("cells    {}, {} of them unbounded\n", cells.measures.size() - hidden, unbounded);
     say("hidden   {}\n", hidden);
     say("vertices {}\n", tessellation.dimension == 3 ? finite : 0);

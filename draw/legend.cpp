@@ -53,10 +53,12 @@ void Legend::write(SvgText& text, double top) const {
     for (const auto& [is_site, kind, label, left, row] : samples_) {
         const double middle = baseline(row) - 0.36 * font_size;
         if (is_site) {
-            text.add(R"(<{} class="{}" )", outline_.element, kind);
-            outline_.write_geometry(text, {left + 17, middle}, 13);
-            text.add("/>");
-            if (kind == "hidden")
+            if (kind != "dot" && kind != "hidden-dot") {
+                text.add(R"(<{} class="{}" )", outline_.element, kind);
+                outline_.write_geometry(text, {left + 17, middle}, 13);
+                text.add("/>");
+            }
+            if (kind.starts_with("hidden"))
                 Paths(text, "crosses").cross({left + 17, middle}, 5);
             else
                 text.add(R"(<circle class="dot" cx="{}" cy="{}" r="3.5"/>)", Px{left + 17},

@@ -17,7 +17,8 @@ class Legend {
  public:
     Legend(double width, const Outline& outline) : width_(width), outline_(outline) {}
 
-    /// A sample site or a sample line of a style class, and what it stands for.
+    /// A sample site or a sample line of a style class, and what it stands for. Sites of the
+    /// classes dot and hidden-dot have no outline.
     void site(std::string_view kind, std::string label);
     void line(std::string_view kind, std::string_view label);
 

@@ -156,10 +156,26 @@ class SpacePicture {
                                edges_.edges.end() - static_cast<std::ptrdiff_t>(limit));
     }
 
+    /// In pixels; 0 of what is so large that a disc would say nothing.
+    [[nodiscard]] double radius_of(std::size_t site) const {
+        const double radius = frame_.length(seen_.discs[site].r);
+        return radius >= 4 * std::hypot(frame_.width(), frame_.height()) ? 0.0 : radius;
+    }
+    /// Whether some of the sites drawn, hidden or visible ones, are more than dots.
+    [[nodiscard]] bool has_discs(bool hidden) const {
+        return std::ranges::any_of(order_, [&](std::size_t site) {
+            return is_hidden(site) == hidden && radius_of(site) >= pens_.dot;
+        });
+    }
+
     void describe() {
         const std::size_t hidden = tessellation_.hidden.size();
-        legend_.site("site", fmt::format("visible sites: {}", hidden_by_.size() - hidden));
-        if (hidden > 0) legend_.site("hidden", fmt::format("hidden sites: {}", hidden));
+        legend_.site(has_discs(false) ? "site" : "dot",
+                     fmt::format("visible sites: {}", hidden_by_.size() - hidden));
+        if (hidden > 0) {
+            legend_.site(has_discs(true) ? "hidden" : "hidden-dot",
+                         fmt::format("hidden sites: {}", hidden));
+        }
         if (!edges_.edges.empty())
             legend_.line("edge", edges_.of_hull_alone ? "edges of the hull" : "tessellation");
         if (order_.size() < hidden_by_.size())
@@ -194,11 +210,8 @@ class SpacePicture {
 
     void write_site(std::size_t site) {
         const Point at = centre(site);
-        double radius = frame_.length(seen_.discs[site].r);
-        if (radius >= 4 * std::hypot(frame_.width(), frame_.height())) {
-            ++too_large_;
-            radius = 0.0;
-        }
+        const double radius = radius_of(site);
+        if (radius < frame_.length(seen_.discs[site].r)) ++too_large_;
         const auto write_circle = [&](std::string_view kind, double r) {
             drawing_.add(R"(<circle class="{}" cx="{}" cy="{}" r="{}"><title>{})", kind, Px{at.x},
                          Px{at.y}, Px{r}, site);

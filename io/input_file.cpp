@@ -3,8 +3,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -20,6 +22,19 @@ static_assert(block_size > 2 * InputFile::longest_line);
 /// Out of descriptors or memory: nothing that another name would cure.
 bool is_failure_of_machine(int error) noexcept {
     return error == EMFILE || error == ENFILE || error == ENOMEM || error == EIO;
+}
+
+/// What compressed a file that begins so; empty of all others.
+std::string_view compressor_of(std::string_view start) noexcept {
+    using namespace std::string_view_literals;
+    constexpr std::array<std::array<std::string_view, 2>, 4> marks = {
+        {{"\x1F\x8B"sv, "gzip"sv},
+         {"\xFD\x37zXZ"sv, "xz"sv},
+         {"\x28\xB5\x2F\xFD"sv, "zstd"sv},
+         {"PK\x03\x04"sv, "zip"sv}}};
+    for (const auto& [mark, name] : marks)
+        if (start.starts_with(mark)) return name;
+    return {};
 }
 
 /// The position after the text, which starts at `position`.
@@ -56,13 +71,18 @@ InputFile::InputFile(std::string path, std::string_view kind)
     try {
         struct stat status = {};
         if (::fstat(descriptor_, &status) == 0 && S_ISDIR(status.st_mode)) {
-            fail({}, fmt::format("this is a directory; give {}", kind_));
+            throw InputError(path_, fmt::format("this is a directory; give {}", kind_));
         }
         fill();
         const std::string_view start(buffer_.data(), end_);
         if (start.starts_with("\xEF\xBB\xBF")) begin_ = 3;
         if (start.starts_with("\xFF\xFE") || start.starts_with("\xFE\xFF")) {
             fail({}, "this is UTF-16 text; save the file as UTF-8 or ASCII");
+        }
+        if (const std::string_view by = compressor_of(start); !by.empty()) {
+            throw InputError(path_, fmt::format("this is compressed by {}, and compressed files "
+                                                "are not read; decompress it first",
+                                                by));
         }
         refuse_binary(begin_);
     } catch (...) {

@@ -47,6 +47,14 @@ double LineWords::number_in_columns(std::size_t first, std::size_t last) const {
         fail_at_column(std::min(first, line_.size() + 1),
                        fmt::format("no number in columns {} to {}; {}", first, last, advice_));
     }
+    // A file that was cut off there may have lost digits; a blank would say that it has not.
+    if (line_.size() < last && line_.back() != ' ') {
+        fail_at_column(
+            line_.size() + 1,
+            fmt::format("the line ends within columns {} to {}, and the number there may "
+                        "have lost digits; {}",
+                        first, last, advice_));
+    }
     const Number number = parse_number(text);
     if (number.fault != NumberFault::none) {
         fail_at_column(static_cast<std::size_t>(text.data() - line_.data()) + 1,

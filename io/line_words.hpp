@@ -28,6 +28,7 @@ class LineWords {
     /// The nearest double. Fails where the word is no finite number.
     [[nodiscard]] double number(std::size_t word) const;
     /// The number in the columns from `first` to `last`, from 1, without the blanks around it.
+    /// Fails where the line ends with the number before `last`.
     [[nodiscard]] double number_in_columns(std::size_t first, std::size_t last) const;
     /// The columns from `first` to `last`, from 1, as far as the line has them, without the blanks
     /// around them.

@@ -68,6 +68,7 @@ class PlySites {
     }
 
     void read_format() {
+        has_format_ = true;
         if (lines_.size() > 1 && lines_[1] == "ascii") return;
         lines_.fail_at(1, "a PLY file is read in ASCII alone; save it as format ascii 1.0");
     }
@@ -99,6 +100,7 @@ class PlySites {
     }
 
     void check_header() {
+        if (!has_format_) lines_.fail_at_end("the header has no line format ascii 1.0");
         for (std::size_t which = 0; which < radius; ++which)
             if (places_[which] == none) lines_.fail_at_end("no vertices with x, y and z");
     }
@@ -123,6 +125,7 @@ class PlySites {
     static constexpr std::size_t radius = 3;
 
     LineWords lines_;
+    bool has_format_ = false;
     std::vector<Element> elements_;
     std::size_t properties_ = 0;                                    ///< of a vertex
     std::array<std::size_t, 4> places_ = {none, none, none, none};  ///< of x, y, z and r among them

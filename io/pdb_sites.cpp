@@ -2,7 +2,7 @@
 /// blanks.
 
 #include <cstdint>
-#include <set>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -57,12 +57,14 @@ class PdbSites {
                                     lines_.number_in_columns(47, 54), radius()});
     }
 
-    /// Whether another place of this atom was read. Places have a letter in column 17; atoms are
-    /// told apart by their name, chain and residue.
+    /// Whether this is another place of the residue than the one that is read. Places have a letter
+    /// in column 17. Atoms of one letter belong together: under another one the residue may even be
+    /// of another type, with atoms of other names.
     bool is_alternate() {
-        if (lines_.columns(17, 17).empty()) return false;
-        return !seen_.insert(fmt::format("{} {}", lines_.columns(13, 16), lines_.columns(22, 27)))
-                    .second;
+        const std::string_view letter = lines_.columns(17, 17);
+        if (letter.empty()) return false;
+        const std::string residue(lines_.columns(22, 27));
+        return letters_.try_emplace(residue, letter.front()).first->second != letter.front();
     }
 
     [[nodiscard]] double radius() const {
@@ -99,7 +101,9 @@ class PdbSites {
     bool is_over_ = false;         ///< the first model
     std::int64_t others_ = 0;      ///< atoms of later ones
     std::int64_t alternates_ = 0;  ///< places left out
-    std::set<std::string> seen_;   ///< atoms with alternate places
+    /// By chain, number and insertion code of a residue with alternate places: the letter of its
+    /// first atom that has one.
+    std::map<std::string, char> letters_;
     SitesFile result_;
 };
 
@@ -128,6 +132,13 @@ class PqrSites {
             lines_.fail_at(size, fmt::format("{} words; an atom is record, number, name, residue, "
                                              "[chain,] number, x, y, z, charge, radius",
                                              size));
+        }
+        // A line that was cut off after the charge may still have ten words.
+        if (lines_[size - 6].find_first_of("0123456789") == std::string_view::npos) {
+            lines_.fail_at(size - 6,
+                           fmt::format("{} is no residue's number, which stands before the "
+                                       "last five words: x, y, z, charge, radius",
+                                       in_quotes(lines_[size - 6])));
         }
         const Site3 site = {lines_.number(size - 5), lines_.number(size - 4),
                             lines_.number(size - 3), lines_.number(size - 1)};

@@ -55,6 +55,9 @@ struct SitesFile {
     std::vector<Site3> in_space;  ///< in space; the other one of the two is empty
     /// What a header calls the last column, where there is a header that says radius or weight.
     std::optional<WeightIs> third;
+    /// Whether a site of text has a third number, and nobody has said what that is, or that sites
+    /// lie in the plane.
+    bool third_may_be_z = false;
     /// Where the first radius or weight below 0 stands.
     std::optional<Position> first_negative;
     /// Where the first number stands that no float reaches.

@@ -29,6 +29,9 @@ class TextColumns {
     /// `advice` is what to do about a file that holds no such lines: "write one site a line: ...".
     TextColumns(InputFile& file, std::string advice) : file_(file), advice_(std::move(advice)) {}
 
+    /// Another advice, once the first line has told what the others hold.
+    void advise(std::string advice) { advice_ = std::move(advice); }
+
     /// Goes to the next line that has columns; false at the end of the file. The first line is
     /// split at its own separator, since it may be a header; the others at any.
     [[nodiscard]] bool next_line();

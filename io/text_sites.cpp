@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <string>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -13,6 +16,18 @@
 
 namespace signum {
 namespace {
+
+/// Whether the name of a column, in small letters, is not z but may have been meant so: z is a word
+/// of it, as in z_um and pos.z, or one of its two characters.
+bool may_mean_z(std::string_view name) {
+    const auto is_letter = [&](std::size_t i) {
+        return i < name.size() && std::isalpha(static_cast<unsigned char>(name[i])) != 0;
+    };
+    if (name.size() < 2) return false;
+    for (std::size_t i = name.find('z'); i != std::string_view::npos; i = name.find('z', i + 1))
+        if (name.size() == 2 || (!is_letter(i - 1) && !is_letter(i + 1))) return true;
+    return false;
+}
 
 /// Where the numbers of a site stand.
 struct Layout {
@@ -86,9 +101,13 @@ class TextSites {
         }
         if (found[0] == no_column && found[1] == no_column) {
             if (columns_.size() > 3) {
-                columns_.fail_at(0,
-                                 "a header of more than three columns, and none is called x or y; "
-                                 "choose them with --columns, as in --columns 1,2");
+                columns_.fail_at(
+                    0,
+                    fmt::format("a header of more than three columns, and none is called x or y; "
+                                "choose them with --columns, as in --columns 1,2{}",
+                                may_lie_in_space_ ? ", or --columns 1,2,3,4 for x, y, z and r in "
+                                                    "space"
+                                                  : ""));
             }
             std::size_t column = 0;
             for (std::size_t which = 0; which < 2; ++which) {
@@ -102,10 +121,12 @@ class TextSites {
                              "(or radius, weight)");
         }
         if (found[2] == no_column && columns_.size() > 3) {
-            columns_.fail_at(0,
-                             "the header names x and y and several other columns, but no r; name "
-                             "one column r, radius or weight, or choose with --columns, as in "
-                             "--columns x,y");
+            columns_.fail_at(
+                0, fmt::format(
+                       "the header names x and y and several other columns, but no r; name "
+                       "one column r, radius or weight, or choose with --columns, as in "
+                       "--columns x,y{}",
+                       may_lie_in_space_ ? "; where one is called z, sites lie in space" : ""));
         }
         layout_ = {found, columns_.size(), true};
         if (found[2] == no_column && columns_.size() == 3) {
@@ -134,6 +155,15 @@ class TextSites {
     void leave_out(std::size_t column) {
         const auto& [x, y, none] = layout_.columns;
         const bool is_height = columns_.name(column) == "z";
+        if (may_lie_in_space_ && may_mean_z(columns_.name(column))) {
+            result_.note = fmt::format(
+                "{}: {} is x, {} is y, and {} is left out: sites lie in space where it is called "
+                "z. --dimension 3 --columns {},{},{} takes it for z, --columns {},{} leaves it out "
+                "without a word",
+                columns_.place_of_line(), in_quotes(columns_.text(x)), in_quotes(columns_.text(y)),
+                in_quotes(columns_.text(column)), x + 1, y + 1, column + 1, x + 1, y + 1);
+            return;
+        }
         result_.note = fmt::format(
             "{}: {} is x, {} is y, and {} is left out: {}. --columns {},{},{} takes it for {}, "
             "--columns {},{} leaves it out without a word",
@@ -147,12 +177,27 @@ class TextSites {
     /// Other columns beside x, y and r say something about a site; z says that it lies in space.
     void leave_out_height() {
         const std::size_t height = columns_.column_called("z");
-        if (height == no_column) return;
+        if (height == no_column) return leave_out_what_may_be_height();
         const auto& [x, y, third] = layout_.columns;
         result_.note = fmt::format(
             "{}: {} is left out: sites lie in the plane. --columns {},{},{} leaves it out "
             "without a word",
             columns_.place_of_line(), in_quotes(columns_.text(height)), x + 1, y + 1, third + 1);
+    }
+
+    void leave_out_what_may_be_height() {
+        if (!may_lie_in_space_) return;
+        const auto& [x, y, third] = layout_.columns;
+        for (std::size_t column = 0; column < columns_.size(); ++column) {
+            if (column == x || column == y || column == third) continue;
+            if (!may_mean_z(columns_.name(column))) continue;
+            result_.note = fmt::format(
+                "{}: {} is left out: sites lie in space where it is called z. --columns "
+                "{},{},{},{} takes it for z, --columns {},{},{} leaves it out without a word",
+                columns_.place_of_line(), in_quotes(columns_.text(column)), x + 1, y + 1,
+                column + 1, third + 1, x + 1, y + 1, third + 1);
+            return;
+        }
     }
 
     void read_site() {
@@ -162,6 +207,7 @@ class TextSites {
         site.y = read_column(layout_.columns[1]);
         if (layout_.columns[2] < columns_.size()) {
             site.r = read_column(layout_.columns[2]);
+            result_.third_may_be_z = may_lie_in_space_ && !layout_.named && chosen_.empty();
             if (site.r < 0.0 && !result_.first_negative) {
                 result_.first_negative = columns_.position_of(columns_[layout_.columns[2]].data());
             }
@@ -214,6 +260,18 @@ bool lie_in_space(const TextColumns& lines, const Columns& chosen, bool has_head
            lines.column_called("y") != no_column && lines.column_called("z") != no_column;
 }
 
+std::string advice_of(bool in_space) {
+    return fmt::format("write one site a line: {}", in_space ? "x y z [r]" : "x y [r]");
+}
+
+/// What holds atoms, too, and may have been taken for text.
+void refuse_other_formats(const TextColumns& lines) {
+    if (lines.size() != 1 || !lines.name(0).starts_with("data_")) return;
+    lines.fail_at(0,
+                  "this is mmCIF, which is not read; give the atoms as PDB, PQR or XYZ, or their "
+                  "coordinates as lines x,y,z,r below this header");
+}
+
 }  // namespace
 
 std::optional<WeightIs> meaning_of_column(std::string_view name) {
@@ -223,11 +281,12 @@ std::optional<WeightIs> meaning_of_column(std::string_view name) {
 }
 
 SitesFile read_text_sites(InputFile& file, const Columns& columns, std::optional<int> dimension) {
-    TextColumns lines(
-        file, fmt::format("write one site a line: {}", dimension == 3 ? "x y z [r]" : "x y [r]"));
+    TextColumns lines(file, advice_of(dimension == 3));
     if (!lines.next_line()) lines.fail_at_end_of_file("no site in this file");
+    refuse_other_formats(lines);
     const bool has_header = lines.is_header();
     const bool in_space = dimension ? *dimension == 3 : lie_in_space(lines, columns, has_header);
+    lines.advise(advice_of(in_space));
     return in_space ? read_text_sites_in_space(lines, columns, has_header)
                     : TextSites(lines, columns, !dimension).read(has_header);
 }

@@ -19,6 +19,11 @@ namespace signum {
     return std::isfinite(value) ? fmt::format(FMT_COMPILE("{}"), value) : "null";
 }
 
+/// A number in a table; nothing for what is none there.
+[[nodiscard]] inline std::string number_or_blank(double value) {
+    return std::isfinite(value) ? fmt::format(FMT_COMPILE("{}"), value) : "";
+}
+
 class TextWriter {
  public:
     explicit TextWriter(std::ostream& out) : out_(out) {}

@@ -1,7 +1,6 @@
 #include "write_ball_diagram.hpp"
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <ranges>
 #include <span>
@@ -11,10 +10,6 @@
 
 namespace signum {
 namespace {
-
-std::string number_or_blank(double value) {
-    return std::isfinite(value) ? fmt::format(FMT_COMPILE("{}"), value) : "";
-}
 
 auto numbers_below(std::size_t count) {
     return std::views::iota(std::size_t{0}, count);

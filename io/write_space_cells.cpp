@@ -120,8 +120,9 @@ void write_space_cells_csv(std::ostream& out, const SpaceCells& cells) {
     for (std::size_t i = 0; i < cells.measures.size(); ++i) {
         const auto& [volume, area, centroid] = cells.measures[i];
         const auto faces = cells.faces_of(static_cast<Index>(i));
-        text.put(FMT_COMPILE("{},{},{},{},{},{},{},"), i, volume, area, centroid.x, centroid.y,
-                 centroid.z, faces.size());
+        text.put(FMT_COMPILE("{},{},{},{},{},{},{},"), i, number_or_blank(volume),
+                 number_or_blank(area), number_or_blank(centroid.x), number_or_blank(centroid.y),
+                 number_or_blank(centroid.z), faces.size());
         const char* blank = "";
         for (const SpaceFace& face : faces) {
             text.put(FMT_COMPILE("{}{}"), blank, face.beyond);
@@ -130,7 +131,7 @@ void write_space_cells_csv(std::ostream& out, const SpaceCells& cells) {
         text.put(",");
         blank = "";
         for (const SpaceFace& face : faces) {
-            text.put(FMT_COMPILE("{}{}"), blank, face.area);
+            text.put(FMT_COMPILE("{}{}"), blank, number_or_blank(face.area));
             blank = " ";
         }
         text.put("\n");

@@ -131,10 +131,6 @@ std::string well_known_text(const std::vector<std::vector<Point>>& polygons) {
     return polygons.size() == 1 ? "POLYGON " + rings : "MULTIPOLYGON (" + rings + ")";
 }
 
-std::string number_or_nothing(double value) {
-    return std::isfinite(value) ? fmt::format(FMT_COMPILE("{}"), value) : "";
-}
-
 }  // namespace
 
 void write_voronoi_json(std::ostream& out, const ClippedVoronoi& diagram, const Box& box) {
@@ -200,9 +196,9 @@ void write_voronoi_csv(std::ostream& out, const ClippedVoronoi& diagram, double 
         const Measure of = measure(shape);
         const Site& at = site_of(voronoi, site);
         text.put(FMT_COMPILE("{},{},{},{},{},{},{},{},{},{},{},\"{}\"\n"), site, at.x, at.y, at.r,
-                 shape.unbounded, shape.clipped, number_or_nothing(of.area),
-                 number_or_nothing(of.perimeter), number_or_nothing(of.centroid.x),
-                 number_or_nothing(of.centroid.y), fmt::join(neighbours_of(voronoi, site), " "),
+                 shape.unbounded, shape.clipped, number_or_blank(of.area),
+                 number_or_blank(of.perimeter), number_or_blank(of.centroid.x),
+                 number_or_blank(of.centroid.y), fmt::join(neighbours_of(voronoi, site), " "),
                  well_known_text(polygons(shape, tolerance)));
     }
     text.flush();

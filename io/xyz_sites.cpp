@@ -4,12 +4,15 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "atoms.hpp"
 #include "line_words.hpp"
+#include "nearest_word.hpp"
 #include "number.hpp"
 
 namespace signum {
@@ -27,10 +30,15 @@ class XyzSites {
     SitesFile read() {
         std::int64_t frames = 0;
         for (; lines_.next_with_words(); ++frames) read_frame();
-        if (result_.in_space.empty()) lines_.fail_at_end("no atom in this file");
-        if (frames > 1)
-            result_.note =
-                fmt::format("{}: of {} frames the last one is read", lines_.path(), frames);
+        if (result_.in_space.empty()) {
+            lines_.fail_at_end(frames > 1 ? fmt::format("no atom in the last of {} frames", frames)
+                                          : "no atom in this file");
+        }
+        std::vector<std::string> notes;
+        if (frames > 1) notes.push_back(fmt::format("of {} frames the last one is read", frames));
+        if (!has_radius_) notes.emplace_back("no atom has a radius, and all radii are 0");
+        if (!notes.empty())
+            result_.note = fmt::format("{}: {}", lines_.path(), fmt::join(notes, "; "));
         return std::move(result_);
     }
 
@@ -54,6 +62,7 @@ class XyzSites {
         const AtomLayout layout = layout_of_comment();
         result_.in_space.clear();
         result_.first_negative.reset();
+        has_radius_ = false;
         for (std::uint64_t i = 0; i < *atoms; ++i) {
             if (!lines_.next()) {
                 lines_.fail_at_end(fmt::format("the file ends after {} of {} atoms", i, *atoms));
@@ -79,6 +88,7 @@ class XyzSites {
         const std::size_t x = layout.x;
         Site3 site = {lines_.number(x), lines_.number(x + 1), lines_.number(x + 2), 0.0};
         if (layout.radius < lines_.size()) {
+            has_radius_ = true;
             site.r = lines_.number(layout.radius);
             if (site.r < 0.0 && !result_.first_negative)
                 result_.first_negative = lines_.position_of(layout.radius);
@@ -86,7 +96,7 @@ class XyzSites {
         result_.in_space.push_back(site);
     }
 
-    /// Properties=NAME:TYPE:COLUMNS:NAME:... say what stands where.
+    /// Properties=NAME:TYPE:COLUMNS:NAME:... say what stands where; names in any case.
     AtomLayout layout_of_comment() {
         constexpr std::string_view key = "Properties=";
         const std::string_view comment = lines_.line();
@@ -107,7 +117,7 @@ class XyzSites {
         std::optional<std::size_t> position;
         AtomLayout layout = {0, no_word, 0, 0};
         while (!rest.empty()) {
-            const std::string_view name = next_part();
+            const std::string name = in_small_letters(next_part());
             const std::string_view type = next_part();
             const auto count = parse_whole_number(next_part());
             if (!count || *count > most_columns || type.size() != 1)
@@ -127,6 +137,7 @@ class XyzSites {
 
     LineWords lines_;
     bool is_extended_ = false;
+    bool has_radius_ = false;  ///< an atom of this frame
     SitesFile result_;
 };
 

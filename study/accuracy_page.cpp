@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "glossary.hpp"
 #include "html.hpp"
 
 namespace signum::study {
@@ -30,23 +31,14 @@ that holds the true median with a confidence of 95 %. Where there are four metri
 thesis’s experiments.</p>
 )";
 
-constexpr std::string_view glossary = R"(<h2>Words</h2>
-<dl>
-<dt>sign</dt><dd>Whether a number is positive, negative or zero.</dd>
+constexpr std::string_view own_words =
+    R"(<dt>sign</dt><dd>Whether a number is positive, negative or zero.</dd>
 <dt>site</dt><dd>A point with a radius: a disc, a square or a diamond.</dd>
 <dt>tessellation</dt><dd>Which sites are neighbours: a network of triangles over the sites, the dual of the
 Voronoi diagram. An <em>edge</em> joins two neighbours; a <em>wrong</em> edge is one that no exact computation gives.</dd>
 <dt>Delaunay, power, Euclidean, Manhattan, supremum</dt><dd>Tessellations by different distances. Delaunay is
 the power tessellation of sites of equal radii.</dd>
 <dt>double, single precision</dt><dd>Rounded numbers of about 16 and of about 7 decimal digits.</dd>
-<dt>plain, naive</dt><dd>Computed in doubles, whose word is taken for the truth.</dd>
-<dt>exact</dt><dd>With a sign that is never wrong, for all doubles.</dd>
-<dt>filter</dt><dd>Plain arithmetic that also bounds its own error, and so knows when to ask for
-better.</dd>
-<dt>tie</dt><dd>A sign that is exactly zero: four sites on one circle. One rule decides it, so that there is one result.</dd>
-<dt>perturbation</dt><dd>A random number from 0 to it is added to each coordinate.</dd>
-<dt>hidden site</dt><dd>One whose cell is empty, because others cover it.</dd>
-</dl>
 )";
 
 /// A picture as a part of the page, whose styles are its own.
@@ -91,7 +83,7 @@ Page accuracy_page(const std::vector<Row>& rows, const Picture& picture) {
     page.introduction =
         std::string(introduction) + show(picture) + thesis_table(beside_the_thesis(rows));
     for (Figure& figure : figures(rows)) page.figures.push_back({std::move(figure), {}});
-    page.glossary = glossary;
+    page.glossary = glossary(own_words, "four sites on one circle");
     return page;
 }
 

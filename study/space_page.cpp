@@ -4,6 +4,7 @@
 #include <string_view>
 #include <utility>
 
+#include "glossary.hpp"
 #include "results.hpp"
 
 namespace signum::study {
@@ -24,19 +25,11 @@ are medians of the passes; a thin bar reaches from the fastest pass to the slowe
 confidence of 95 %.</p>
 )";
 
-constexpr std::string_view space_glossary = R"(<h2>Words</h2>
-<dl>
-<dt>site</dt><dd>A point with a radius: a ball.</dd>
+constexpr std::string_view own_words =
+    R"(<dt>site</dt><dd>A point with a radius: a ball.</dd>
 <dt>cell</dt><dd>A tetrahedron between four sites that are neighbours. A <em>wrong</em> cell is one that no tessellation of these sites
 has, however ties are decided.</dd>
-<dt>plain, naive</dt><dd>Computed in doubles, whose word is taken for the truth.</dd>
-<dt>exact</dt><dd>With a sign that is never wrong, for all doubles.</dd>
 <dt>breaks</dt><dd>Rounded signs contradict one another so that there is no tessellation.</dd>
-<dt>filter</dt><dd>Plain arithmetic that also bounds its own error, and so knows when to ask for better.</dd>
-<dt>tie</dt><dd>A sign that is exactly zero: five sites on one sphere. One rule decides it, so that there is one result.</dd>
-<dt>perturbation</dt><dd>A random number from 0 to it is added to each coordinate.</dd>
-<dt>hidden site</dt><dd>One whose cell is empty, because others cover it.</dd>
-</dl>
 )";
 
 const Names patterns = {"random", "sphere", "cube", "grid"};
@@ -103,6 +96,7 @@ Figure wrong_cells_by_perturbation(const Results& results) {
 
 Figure first_error_in_space(const Results& results) {
     Panel panel;
+    panel.title = "Greatest perturbation with an error";
     panel.x_label = "sites";
     panel.y_label = "perturbation";
     panel.x_is_log = true;
@@ -141,8 +135,9 @@ Figure cost_by_sites(const Results& results) {
 
 Figure cost_by_perturbation(const Results& results) {
     Panel panel;
+    panel.title = "Time, exact to plain";
     panel.x_label = "perturbation";
-    panel.y_label = "time, exact to plain";
+    panel.y_label = "ratio";
     panel.x_is_log = true;
     panel.y_least = 0.0;
     panel.series = a_curve_a_pattern(results, "perturbation", "exact", "ratio", by_perturbation);
@@ -260,7 +255,7 @@ Page space_page(const std::vector<Row>& rows) {
     page.title = "What accuracy costs in space";
     page.introduction = space_introduction;
     for (Figure& figure : space_figures(rows)) page.figures.push_back({std::move(figure), {}});
-    page.glossary = space_glossary;
+    page.glossary = glossary(own_words, "five sites on one sphere");
     return page;
 }
 

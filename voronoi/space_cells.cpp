@@ -219,11 +219,15 @@ std::vector<bool> unbounded_cells(const SpaceTessellation& tessellation) {
     return result;
 }
 
-Box3 default_box(std::span<const Site3> sites) {
+namespace {
+
+/// Point3, Site3 or power::Site3.
+template <class S>
+Box3 box_around(std::span<const S> sites) {
     if (sites.empty()) throw std::invalid_argument("no site, no box");
     Box3 box = {{sites[0].x, sites[0].y, sites[0].z}, {sites[0].x, sites[0].y, sites[0].z}};
-    for (const auto& [x, y, z, r] : sites) {
-        const Point3 centre = {x, y, z};
+    for (const S& site : sites) {
+        const Point3 centre = {site.x, site.y, site.z};
         if (!are_finite(centre)) throw std::invalid_argument("a centre is not finite");
         for (const auto axis : axes_of_space) {
             box.low.*axis = std::min(box.low.*axis, centre.*axis);
@@ -247,6 +251,18 @@ Box3 default_box(std::span<const Site3> sites) {
         box.high.*axis = std::min(box.high.*axis + margin, largest);
     }
     return box;
+}
+
+}  // namespace
+
+Box3 default_box(std::span<const Point3> sites) {
+    return box_around(sites);
+}
+Box3 default_box(std::span<const Site3> sites) {
+    return box_around(sites);
+}
+Box3 default_box(std::span<const power::Site3> sites) {
+    return box_around(sites);
 }
 
 SpaceCells space_cells(const SpaceTessellation& tessellation, std::span<const Point3> sites,

@@ -83,7 +83,9 @@ struct SpaceCells {
 /// where all centres are the same by 1; by more where doubles would not tell its sides apart, and
 /// no farther than doubles reach. Throws std::invalid_argument without sites, and where a centre is
 /// not finite. O(n).
+[[nodiscard]] Box3 default_box(std::span<const Point3> sites);
 [[nodiscard]] Box3 default_box(std::span<const Site3> sites);
+[[nodiscard]] Box3 default_box(std::span<const power::Site3> sites);
 
 /// `tessellation` is that of the sites, which is the caller's word. Throws std::invalid_argument
 /// where it has another number of sites, unless the box's corners are finite and low < high along

@@ -55,7 +55,9 @@ TEST_F(ToolOfBalls, WritesTheDiagram) {
         << outcome.out;
     EXPECT_TRUE(outcome.out.ends_with("\"hidden\": [\n[5, 4]]}\n")) << outcome.out;
     EXPECT_EQ(outcome.err,
-              "sites    6, in space\ncells    5\nhidden   1\nvertices 4\n"
+              "sites    6, in space\n"
+              "diagram  of balls, euclidean: vertices and edges; --metric power measures cells\n"
+              "cells    5\nhidden   1\nvertices 4\n"
               "edges    10, 4 of them infinite, 0 closed\n");
     EXPECT_EQ(run(voronoi({"--quiet"})).err, "");
     EXPECT_EQ(run(voronoi({"--metric", "euclidean", "--seed", "7"})).out, outcome.out);

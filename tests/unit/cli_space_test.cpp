@@ -120,6 +120,9 @@ TEST_F(ToolInSpace, SaysWhatIsOfThePlaneAlone) {
     expect(triangulate({"--clip", "0", "0", "1", "1", "-o", svg}), 2,
            "signum: --clip" + of_file + "pictures of all of them alone; leave --clip out\n");
     EXPECT_FALSE(std::filesystem::exists(svg));
+    expect(triangulate({"--clip", "0", "0", "0", "1", "1", "1", "-o", svg}), 2,
+           "signum: --clip takes 4 words after it, X0 Y0 X1 Y1, a box of the plane; 6 are given; "
+           "see signum triangulate --help\n");
     const std::string vtk = scratch.path("a.vtk");
     expect(triangulate({"--columns", "x,y", "-o", vtk}), 2,
            "signum: vtk is written of sites in space, and those of " + balls +
@@ -137,6 +140,24 @@ TEST_F(ToolInSpace, SaysWhatIsOfThePlaneAlone) {
     expect(triangulate({"--read-as", "ply", "--columns", "1,2,3"}), 2,
            "signum: --columns 1,2,3: " + balls +
                " has columns of its own; leave --columns out, or add --read-as text\n");
+}
+
+TEST_F(ToolInSpace, IsHintedAtWhereThirdNumbersHideMostSites) {
+    const std::string numbers = "0 0 9\n1 0 1\n0 1 2\n1 1 3\n";
+    const std::string bare = scratch.file("bare.txt", numbers);
+    const std::string hint = "signum: " + bare +
+                             ": most sites are hidden, for the third number of a line is a radius; "
+                             "if it is z, say --dimension 3 --metric power\n";
+    for (const char* command : {"triangulate", "voronoi"}) {
+        EXPECT_TRUE(run({command, bare}).err.ends_with(hint)) << command;
+        EXPECT_EQ(run({command, bare, "--quiet"}).err, "");
+        const std::string named = scratch.file("named.txt", "x y r\n" + numbers);
+        const std::string few = scratch.file("few.txt", "0 0 9\n1 0 1\n20 1 2\n1 30 3\n");
+        for (const Words& said :
+             {Words{command, bare, "--dimension", "2"}, Words{command, bare, "--columns", "1,2,3"},
+              Words{command, named}, Words{command, few}})
+            EXPECT_EQ(run(said).err.find("most sites"), std::string::npos) << said[1];
+    }
 }
 
 TEST_F(ToolInSpace, RefusesWrongInputAndWritesNothing) {
@@ -395,6 +416,21 @@ TEST_F(ToolInSpace, RefusesWrongCallsOfVoronoi) {
     refused({"--metric", "power", "--clip", "0", "0", "2", "1", "1", "2"},
             "--clip 0 0 2 1 1 2: the corner with the least coordinates comes first, x0 < x1, "
             "y0 < y1 and z0 < z1");
+    for (const char* last : {"nan", "inf"}) {
+        const std::string message = std::string("--clip: '") + last +
+                                    "' is not a finite number; write a finite one; see signum "
+                                    "voronoi --help";
+        refused({"--clip", "0", "0", "0", "1", "1", last}, message);
+        refused({"--clip", "0", "0", "0", last, "1", "1"}, message);
+        refused({"--clip", "0", "0", "1", last}, message);
+        expect({"voronoi", "--clip", "0", "0", "0", "1", "1", last, balls}, 2,
+               "signum: " + message + "\n");
+    }
+    refused({"--clip", "0", "0", "0", "1", "1", "-inf"},
+            "'-inf' is not a finite number; write a finite one; see signum voronoi --help");
+    refused({"--clip", "0", "0", "0", "1", "1", "x"},
+            "--clip: 'x' is not a number; write a decimal or hexadecimal float, such as 1.5, -2e-3 "
+            "or 0x1.8p-3; see signum voronoi --help");
     const std::string csv = scratch.path("a.csv");
     refused({"--metric", "power", "--clip", "0", "0", "0", "1e-100", "1e-100", "1e-100", "-o", csv},
             "the box 0 0 0 1e-100 1e-100 1e-100: site 0 is not finite, or too large beside the "
@@ -479,6 +515,8 @@ TEST_F(ToolInSpace, Generates) {
     const Outcome outcome = run({"triangulate", csv, "--metric", "power", "--quiet"});
     EXPECT_EQ(outcome.code, 0);
     EXPECT_EQ(outcome.err, "");
+    expect({"generate", "grid", "--dimension", "3", "-n", "268435457"}, 2,
+           "signum: -n 268435457: give a number of sites from 1 to 268435456\n");
     expect({"generate", "circle", "--dimension", "3", "-n", "3"}, 2,
            "signum: circle lies in the plane; leave --dimension 3 out, or take one of random, "
            "sphere, cube, grid\n");

@@ -384,7 +384,7 @@ TEST(SitesFile, RefusesWhatCannotBeRead) {
         return std::string("no error");
     };
     const std::string directory = scratch.path("");
-    EXPECT_EQ(message(directory), directory + ":1:1: this is a directory; give a file of sites");
+    EXPECT_EQ(message(directory), directory + ": this is a directory; give a file of sites");
     const std::string missing = scratch.path("missing");
     EXPECT_EQ(message(missing), missing +
                                     ": cannot open it (No such file or directory); give a "

@@ -1,5 +1,6 @@
 /// The files of cells of space, read back.
 
+#include <algorithm>
 #include <cstdlib>
 #include <limits>
 #include <span>
@@ -70,6 +71,21 @@ TEST(SpaceCellsFiles, TheTableHasTheNumbers) {
             EXPECT_EQ(number(areas[f]), faces[f].area);
         }
     }
+}
+
+TEST(SpaceCellsFiles, TheTableLeavesOutWhatNoDoubleReaches) {
+    const std::vector<Site3> apart = {{-1e150, 0, 0, 0}, {1e150, 0, 0, 0}};
+    const std::span<const Site3> all(apart);
+    std::ostringstream out;
+    write_space_cells_csv(
+        out, space_cells(triangulate(all), all, {{-1e160, -1e160, -1e160}, {1e160, 1e160, 1e160}}));
+    EXPECT_EQ(out.str().find("inf"), std::string::npos) << out.str();
+    EXPECT_EQ(out.str().find("nan"), std::string::npos) << out.str();
+    const auto columns = parts(parts(out.str(), '\n')[1], ',');
+    ASSERT_EQ(columns.size(), 9U);
+    EXPECT_EQ(columns[1], "");
+    EXPECT_EQ(columns[6], "6");
+    EXPECT_EQ(std::ranges::count(columns[8], ' '), 5);
 }
 
 TEST(SpaceCellsFiles, JsonHasTheDiagram) {
@@ -157,6 +173,10 @@ TEST(SpaceCellsFiles, ThePictureHasTheSolids) {
 TEST(SpaceCellsFiles, TheDefaultBoxIsATenthWider) {
     const auto box_of = [](const std::vector<Site3>& all) { return default_box(all); };
     EXPECT_EQ(box_of({{0, 1, 2, 9}, {10, 5, 4, 9}}), (Box3{{-1, 0, 1}, {11, 6, 5}}));
+    EXPECT_EQ(default_box(std::vector<Point3>{{0, 1, 2}, {10, 5, 4}}),
+              (Box3{{-1, 0, 1}, {11, 6, 5}}));
+    EXPECT_EQ(default_box(std::vector<power::Site3>{{0, 1, 2, -9}, {10, 5, 4, 9}}),
+              (Box3{{-1, 0, 1}, {11, 6, 5}}));
     EXPECT_EQ(box_of({{1, 2, 3, 4}}), (Box3{{0, 1, 2}, {2, 3, 4}}));
     const Box3 far = box_of({{1e300, 0, 0, 0}});
     EXPECT_LT(far.low.x, far.high.x);

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -131,12 +132,58 @@ TEST(TextSitesInSpace, RefuseWhatIsWrong) {
               "1:9: a second column of radii or weights; name one column r, radius or weight");
     EXPECT_EQ(error("1 2 3 4\n", {.columns = {"1", "2", "3", "1"}}),
               "1:1: column 1 is chosen twice; x, y, z and r are different columns");
-    EXPECT_EQ(error("x y z\n"), "1:1: a header and no site; write one site a line: x y [r]");
+    EXPECT_EQ(error("x y z\n"), "1:1: a header and no site; write one site a line: x y z [r]");
     EXPECT_EQ(error("", in_space), "1:1: no site in this file; write one site a line: x y z [r]");
     EXPECT_EQ(error("1 2 3 4\n"),
               "1:7: more than three columns; a site is x y [r], or name the columns x, y and r (or "
               "radius, weight) in a first line, or choose with --columns, as in --columns 1,2; "
               "--dimension 3 reads x y z [r]");
+}
+
+TEST(TextSitesInSpace, AreMissedWhereNoColumnIsCalledZ) {
+    const SitesFile beside_radius = read("x,y,zz,r\n1,2,3,4\n");
+    EXPECT_EQ(beside_radius.sites, (std::vector<Site>{{1, 2, 4}}));
+    expect_note(beside_radius,
+                "f:1: 'zz' is left out: sites lie in space where it is called z. --columns 1,2,3,4 "
+                "takes it for z, --columns 1,2,4 leaves it out without a word");
+    EXPECT_EQ(read("x,y,zz,r\n1,2,3,4\n", {.columns = {"1", "2", "3", "4"}}).in_space,
+              (Sites{{1, 2, 3, 4}}));
+    const SitesFile alone = read("x_um,y_um,z_um\n1,2,3\n");
+    EXPECT_EQ(alone.sites, (std::vector<Site>{{1, 2, 0}}));
+    expect_note(alone,
+                "f:1: 'x_um' is x, 'y_um' is y, and 'z_um' is left out: sites lie in space where "
+                "it is called z. --dimension 3 --columns 1,2,3 takes it for z, --columns 1,2 "
+                "leaves it out without a word");
+    for (const char* name : {"pz", "pos.z", "Z [m]", "z1", "center_z"})
+        EXPECT_NE(read(std::string("x,y,") + name + ",r\n1,2,3,4\n").note, "") << name;
+    for (const char* name : {"zone", "size", "m", "", "fizz"})
+        EXPECT_EQ(read(std::string("x,y,") + name + ",r\n1,2,3,4\n").note, "") << name;
+    EXPECT_EQ(read("x,y,zz,r\n1,2,3,4\n", {.dimension = 2}).note, "");
+    EXPECT_EQ(error("a,b,c,d\n1,2,3,4\n"),
+              "1:1: a header of more than three columns, and none is called x or y; choose them "
+              "with --columns, as in --columns 1,2, or --columns 1,2,3,4 for x, y, z and r in "
+              "space");
+    EXPECT_EQ(error("x,y,zz,m\n1,2,3,4\n"),
+              "1:1: the header names x and y and several other columns, but no r; name one column "
+              "r, radius or weight, or choose with --columns, as in --columns x,y; where one is "
+              "called z, sites lie in space");
+}
+
+TEST(Sites, SayWhichFormatIsNotRead) {
+    const std::string mmcif =
+        "this is mmCIF, which is not read; give the atoms as PDB, PQR or XYZ, "
+        "or their coordinates as lines x,y,z,r below this header";
+    EXPECT_EQ(error("data_1ABC\n#\n_entry.id 1ABC\n"), "1:1: " + mmcif);
+    EXPECT_EQ(error("# made by hand\ndata_1ABC\n", in_space), "2:1: " + mmcif);
+    for (const auto& [mark, name] : std::map<std::string, std::string>{{"\x1F\x8B\x08", "gzip"},
+                                                                       {"\xFD\x37zXZ", "xz"},
+                                                                       {"\x28\xB5\x2F\xFD", "zstd"},
+                                                                       {"PK\x03\x04", "zip"}}) {
+        for (const SitesInput input : {SitesInput::text, SitesInput::pdb, SitesInput::ply})
+            EXPECT_EQ(error(mark + std::string(3, '\0'), as(input)),
+                      " this is compressed by " + name +
+                          ", and compressed files are not read; decompress it first");
+    }
 }
 
 TEST(JsonSitesInSpace, AreToldByTheFirstSite) {
@@ -180,6 +227,12 @@ TEST(XyzSites, ReadAtoms) {
         as(SitesInput::xyz));
     EXPECT_EQ(frames.in_space, (Sites{{5, 6, 7, 4}}));
     expect_note(frames, "f: of 2 frames the last one is read");
+    EXPECT_EQ(read("1\nProperties=Pos:R:3:Radius:R:1\n1 2 3 4\n", as(SitesInput::xyz)).in_space,
+              (Sites{{1, 2, 3, 4}}));
+    expect_note(read("1\n\nO 1 2 3\n", as(SitesInput::xyz)),
+                "f: no atom has a radius, and all radii are 0");
+    expect_note(read("1\n\nO 1 2 3 4\n1\n\nO 1 2 3\n", as(SitesInput::xyz)),
+                "f: of 2 frames the last one is read; no atom has a radius, and all radii are 0");
 }
 
 TEST(XyzSites, RefuseWhatIsWrong) {
@@ -198,6 +251,7 @@ TEST(XyzSites, RefuseWhatIsWrong) {
               "is, as in Properties=species:S:1:pos:R:3:...");
     EXPECT_EQ(wrong("2\n\nO 0 0 0\n"), "3:1: the file ends after 1 of 2 atoms" + advice);
     EXPECT_EQ(wrong("0\n\n"), "2:1: no atom in this file" + advice);
+    EXPECT_EQ(wrong("1\n\nO 0 0 0\n0\n\n"), "5:1: no atom in the last of 2 frames" + advice);
     EXPECT_EQ(wrong(""), "1:1: no atom in this file" + advice);
     EXPECT_EQ(wrong("1\nProperties=species:S:1\nO\n"),
               "2:1: Properties without pos:R:3, the places of the atoms");
@@ -230,6 +284,43 @@ TEST(PdbSites, ReadAtomsWithTheRadiiOfTheirElements) {
                 "out");
 }
 
+TEST(PdbSites, KeepOneLetterOfAResidue) {
+    // Two types of residue share a place, and an atom of either is called differently.
+    const std::string shared =
+        "ATOM      1  CB ASER A   9      10.000   1.000   2.000  0.50  0.00           C\n"
+        "ATOM      2  CB BTHR A   9      11.000   1.000   2.000  0.50  0.00           C\n"
+        "ATOM      3  OG ASER A   9      12.000   1.000   2.000  0.50  0.00           O\n"
+        "ATOM      4  OG1BTHR A   9      13.000   1.000   2.000  0.50  0.00           O\n"
+        "ATOM      5  C   SER A   9      14.000   1.000   2.000  1.00  0.00           C\n"
+        "ATOM      6  CB BTHR A  10      15.000   1.000   2.000  0.50  0.00           C\n"
+        "ATOM      7  CB ASER A  10      16.000   1.000   2.000  0.50  0.00           C\n";
+    const SitesFile file = read(shared, as(SitesInput::pdb));
+    EXPECT_EQ(file.in_space,
+              (Sites{{10, 1, 2, 1.7}, {12, 1, 2, 1.52}, {14, 1, 2, 1.7}, {15, 1, 2, 1.7}}));
+    expect_note(file, "f: 3 alternate places of atoms are left out");
+}
+
+TEST(PdbSites, RefuseLinesThatEndWithinANumber) {
+    const std::string atom = "ATOM      1  N   ALA A   1      11.104   6.134  46.760";
+    const auto cut = [&](std::size_t size) {
+        return error(atom.substr(0, size), as(SitesInput::pdb));
+    };
+    const auto message = [](std::size_t size, std::size_t first) {
+        return fmt::format(
+            "1:{}: the line ends within columns {} to {}, and the number there may have lost "
+            "digits; an atom of a PDB file is a line ATOM or HETATM with x, y and z in columns 31 "
+            "to 54",
+            size + 1, first, first + 7);
+    };
+    EXPECT_EQ(read(atom, as(SitesInput::pdb)).in_space, (Sites{{11.104, 6.134, 46.76, 1.55}}));
+    for (std::size_t size = 49; size < 54; ++size) EXPECT_EQ(cut(size), message(size, 47)) << size;
+    for (std::size_t size = 42; size < 46; ++size) EXPECT_EQ(cut(size), message(size, 39)) << size;
+    for (std::size_t size = 33; size < 38; ++size) EXPECT_EQ(cut(size), message(size, 31)) << size;
+    // A blank says that the number is whole.
+    EXPECT_EQ(read(atom.substr(0, 46) + "   46.7 ", as(SitesInput::pdb)).in_space,
+              (Sites{{11.104, 6.134, 46.7, 1.55}}));
+}
+
 TEST(PdbSites, RefuseWhatIsWrong) {
     const auto wrong = [](std::string_view contents) {
         return error(contents, as(SitesInput::pdb));
@@ -258,6 +349,9 @@ TEST(PqrSites, ReadRadii) {
     EXPECT_EQ(wrong("ATOM 1 N ALA 1 1 2 3 -0.3\n"),
               "1:26: 9 words; an atom is record, number, name, residue, [chain,] number, x, y, z, "
               "charge, radius");
+    EXPECT_EQ(wrong("ATOM 1 N ALA A 1 1 2 3 -0.3\n"),
+              "1:14: 'A' is no residue's number, which stands before the last five words: x, y, z, "
+              "charge, radius");
     EXPECT_EQ(wrong("ATOM 1 N ALA 1 1 2 3 -0.3 -1\n"), "1:27: a negative radius; write 0 or more");
     EXPECT_EQ(wrong("ATOM 1 N ALA 1 1 2 z -0.3 1\n"), "1:20: 'z'" + word);
 }
@@ -284,6 +378,9 @@ TEST(PlySites, ReadVertices) {
     EXPECT_EQ(wrong("1 2 3\n"), "1:1: this is no PLY file" + advice);
     EXPECT_EQ(wrong("ply\nformat binary_little_endian 1.0\n"),
               "2:8: a PLY file is read in ASCII alone; save it as format ascii 1.0");
+    EXPECT_EQ(wrong("ply\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
+                    "end_header\n1 2 3\n"),
+              "6:1: the header has no line format ascii 1.0" + advice);
     EXPECT_EQ(wrong(head + "element vertex\n"), "4:9: an element is a line element NAME NUMBER");
     EXPECT_EQ(wrong(head + "vertices 3\n"),
               "4:1: 'vertices' cannot stand in the header of a PLY file; it ends with end_header");

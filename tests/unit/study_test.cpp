@@ -292,6 +292,22 @@ TEST(StudyReport, SaysWhatItIsAndWhatIsMissing) {
     EXPECT_NE(page.find("signum study --quick"), std::string::npos);
 }
 
+TEST(StudyReport, ExplainsTheSameWordsOfThePlaneAndOfSpace) {
+    const std::string plane = accuracy_page({}, {}).glossary;
+    const std::string space = space_page({}).glossary;
+    for (const char* word : {"site", "plain, naive", "exact", "filter", "tie", "perturbation"}) {
+        const std::string entry = "<dt>" + std::string(word) + "</dt>";
+        EXPECT_NE(plane.find(entry), std::string::npos) << word;
+        EXPECT_NE(space.find(entry), std::string::npos) << word;
+    }
+    EXPECT_NE(plane.find("four sites on one circle. One rule"), std::string::npos);
+    EXPECT_NE(space.find("five sites on one sphere. One rule"), std::string::npos);
+    for (const std::string& all : {plane, space}) {
+        EXPECT_TRUE(all.starts_with("<h2>Words</h2>\n<dl>\n<dt>"));
+        EXPECT_TRUE(all.ends_with("</dd>\n</dl>\n"));
+    }
+}
+
 TEST(StudyFigures, NeedRows) {
     EXPECT_TRUE(figures({}).empty());
     EXPECT_TRUE(space_figures({}).empty());
@@ -301,15 +317,23 @@ TEST(StudyFigures, OfSpaceComeFromItsRows) {
     const Setting sites = {"sites", "power", "grid", 100, 0.0, 1.0, 1.0};
     const Setting calls = {"stage_cost", "power", "grid", 100, 0.0, 1.0, 1.0};
     const std::vector<Row> rows = {{sites, "exact", "ratio", {1.5, 1.5, 1.5, 1}},
+                                   {{"first_error", "power", "grid", 100, 0.0, 1.0, 1.0},
+                                    "naive",
+                                    "first_error",
+                                    {1e-9, 1e-9, 1e-9, 1}},
                                    {calls, "exact", "in_sphere", {8, 8, 8, 1}},
                                    {calls, "exact", "calls_exact", {2, 2, 2, 1}}};
     const std::vector<Figure> drawn = space_figures(rows);
-    ASSERT_EQ(drawn.size(), 2U);
-    EXPECT_EQ(drawn[0].plot.name, "space_ratio_by_sites");
-    EXPECT_EQ(drawn[0].plot.panels.at(0).series.at(3).points.at(0).y, 1.5);
-    EXPECT_EQ(drawn[1].plot.name, "space_stages");
-    EXPECT_EQ(drawn[1].plot.panels.at(0).series.at(2).points.at(3).y, 25.0);
-    EXPECT_EQ(space_page(rows).figures.size(), 2U);
+    ASSERT_EQ(drawn.size(), 3U);
+    EXPECT_EQ(drawn[0].plot.name, "space_first_error");
+    EXPECT_EQ(drawn[0].plot.panels.at(0).series.at(3).points.at(0).y, 1e-9);
+    EXPECT_EQ(drawn[1].plot.name, "space_ratio_by_sites");
+    EXPECT_EQ(drawn[1].plot.panels.at(0).series.at(3).points.at(0).y, 1.5);
+    EXPECT_EQ(drawn[2].plot.name, "space_stages");
+    EXPECT_EQ(drawn[2].plot.panels.at(0).series.at(2).points.at(3).y, 25.0);
+    EXPECT_EQ(space_page(rows).figures.size(), 3U);
+    for (const Figure& figure : drawn)
+        for (const Panel& panel : figure.plot.panels) EXPECT_NE(panel.title, "");
 }
 
 }  // namespace

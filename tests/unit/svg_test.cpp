@@ -691,6 +691,20 @@ TEST(SpaceSvg, DrawsEverySiteOnceAndEveryEdge) {
     EXPECT_EQ(legend(svg).find("nearest"), svg.npos);
 }
 
+TEST(SpaceSvg, ShowsInTheLegendWhatIsDrawn) {
+    const auto samples = [](const std::string& svg) {
+        const auto start = svg.find("<g class=\"legend\"");
+        return svg.substr(start, svg.find("visible sites", start) - start);
+    };
+    const std::string points = drawn(
+        std::vector<Site3>{{0, 0, 0, 0}, {9, 0, 0, 0}, {0, 9, 0, 0}, {0, 0, 9, 0}, {0, 0, 9, 0}});
+    EXPECT_EQ(count(samples(points), "class=\"site\""), 0U);
+    EXPECT_EQ(count(samples(points), "class=\"dot\""), 1U);
+    EXPECT_EQ(points.find("class=\"hidden\""), points.npos);
+    const std::string balls = drawn(std::vector<Site3>{{0, 0, 0, 0}, {9, 0, 0, 1}});
+    EXPECT_EQ(count(samples(balls), "class=\"site\""), 1U);
+}
+
 /// What is far is drawn first, and paler.
 TEST(SpaceSvg, DrawsWhatIsNearOverWhatIsFar) {
     const std::string svg =
