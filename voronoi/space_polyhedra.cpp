@@ -216,7 +216,7 @@ class Building {
         if (joining == Joining::near) {
             order_.resize(points_.size());
             for (std::size_t k = 0; k < points_.size(); ++k) order_[k] = k;
-            join_near(order_, near, 0, 0);
+            join_near(order_, near);
         }
         if (joining != Joining::along_edges) return;
         for (const Loop& loop : loops_)
@@ -231,25 +231,41 @@ class Building {
         return std::fabs(p.x - q.x) <= near && std::fabs(p.y - q.y) <= near &&
                std::fabs(p.z - q.z) <= near;
     }
-    /// In order along an axis they part where a step is longer, until along none of the axes there
-    /// is such a step: what is left together is few, or nearly in one place.
-    void join_near(std::span<std::size_t> points, double near, int axis, int axes_without_step) {
+    /// Along the first axis along which they reach far they part where a step is longer than near;
+    /// where none is, into halves, and once more those that are near to both. What is left
+    /// together is few, or nearly in one place.
+    void join_near(std::span<std::size_t> points, double near) {
         constexpr std::size_t few = 8;
-        constexpr int all_axes = 3;
-        if (points.size() <= few || axes_without_step == all_axes) {
-            join_reached(points, near);
-            return;
-        }
-        const auto along = [&](std::size_t k) { return points_[k].place.*axes_of_space[axis]; };
-        std::ranges::sort(points, {}, along);
+        if (points.size() > few)
+            for (const auto axis : axes_of_space) {
+                const auto place = [&](std::size_t k) { return points_[k].place.*axis; };
+                std::ranges::sort(points, {}, place);
+                if (place(points.back()) - place(points.front()) <= 4 * near) continue;
+                join_parts(points, near, axis);
+                return;
+            }
+        join_reached(points, near);
+    }
+    void join_parts(std::span<std::size_t> points, double near, double Point3::*axis) {
+        const auto place = [&](std::size_t k) { return points_[k].place.*axis; };
         std::size_t first = 0;
-        for (std::size_t k = 1; k <= points.size(); ++k) {
-            if (k < points.size() && along(points[k]) - along(points[k - 1]) <= near) continue;
-            const bool has_step = k - first < points.size();
-            join_near(points.subspan(first, k - first), near, (axis + 1) % all_axes,
-                      has_step ? 1 : axes_without_step + 1);
+        for (std::size_t k = 1; k < points.size(); ++k) {
+            if (place(points[k]) - place(points[k - 1]) <= near) continue;
+            join_near(points.subspan(first, k - first), near);
             first = k;
         }
+        if (first > 0) {
+            join_near(points.subspan(first), near);
+            return;
+        }
+        const std::size_t half = points.size() / 2;
+        const double middle = place(points[half]);
+        std::vector<std::size_t> between;
+        for (const std::size_t k : points)
+            if (std::fabs(place(k) - middle) <= near) between.push_back(k);
+        join_near(points.first(half), near);
+        join_near(points.subspan(half), near);
+        join_near(between, near);
     }
     /// From each point those that have not been reached yet: of points in one place all are at
     /// once.
