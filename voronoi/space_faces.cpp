@@ -124,14 +124,18 @@ void SpaceFaces::walk_around(Index i, const Neighbour& neighbour) {
     } while (c != neighbour.cell);
 }
 
-/// Of flat sites: who shares a cell with both.
-void SpaceFaces::collect_around(Index i, Index j) {
+/// Of flat sites: who shares a cell with both, in the first one and in the one across from there.
+void SpaceFaces::collect_around(Index i, const Neighbour& neighbour) {
     around_.clear();
-    for (const Index c : star(i)) {
-        const SpaceCell& four = cell(c).sites;
-        if (std::ranges::find(four, j) == four.end()) continue;
-        for (const Index v : four)
-            if (v >= 0 && v != i && v != j) around_.push_back(v);
+    const auto is_third = [&](Index v) { return v >= 0 && v != i && v != neighbour.site; };
+    const Cell& first = cell(neighbour.cell);
+    for (std::size_t k = 0; k < first.sites.size(); ++k) {
+        if (!is_third(first.sites[k])) continue;
+        around_.push_back(first.sites[k]);
+        const SpaceCell& across = cell(first.neighbours[k]).sites;
+        if (across[0] < 0) continue;
+        for (const Index v : across)
+            if (is_third(v)) around_.push_back(v);
     }
 }
 
@@ -161,7 +165,7 @@ const CutFace* SpaceFaces::cut(Index i, const Neighbour& neighbour) {
     if (dimension_ == 3) {
         start();
     } else {
-        collect_around(i, j);
+        collect_around(i, neighbour);
         start_flat(i, j);
     }
     for (int number = 0; number < 6 && !corners_.empty(); ++number)

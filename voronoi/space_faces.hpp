@@ -134,7 +134,7 @@ class SpaceFaces {
     }
 
     void walk_around(Index i, const Neighbour& neighbour);
-    void collect_around(Index i, Index j);
+    void collect_around(Index i, const Neighbour& neighbour);
     void join_vertices(Index i);
     void start();
     void start_flat(Index i, Index j);

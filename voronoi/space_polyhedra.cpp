@@ -113,24 +113,38 @@ class Building {
             rims_.push_back({up.name(), first, last});
             rims_.push_back({down.name(), last, first});
         }
+        find_alike();
         for (int number = 0; number < 6; ++number) keep_side(Side(number).name());
+    }
+    /// Where the same planes meet.
+    void find_alike() {
+        by_planes_.clear();
+        for (std::size_t k = 0; k < points_.size(); ++k)
+            by_planes_.push_back({points_[k].planes, k});
+        std::ranges::sort(by_planes_);
+        alike_.resize(points_.size());
+        std::size_t first = 0;
+        for (std::size_t n = 0; n < by_planes_.size(); ++n) {
+            if (by_planes_[n].first != by_planes_[first].first) first = n;
+            alike_[by_planes_[n].second] = by_planes_[first].second;
+        }
     }
     void keep_side(Index side) {
         const auto start = std::ranges::find(rims_, side, &Rim::side);
         if (start == rims_.end()) return;
+        rim_from_.assign(points_.size(), rims_.size());
+        for (std::size_t r = rims_.size(); r-- > 0;)
+            if (rims_[r].side == side) rim_from_[alike_[rims_[r].from]] = r;
         const std::size_t first = points_.size();
         const std::size_t most = first + rims_.size();
-        const ThreePlanes origin = points_[start->from].planes;
+        const std::size_t origin = alike_[start->from];
         for (Rim at = *start; points_.size() < most;) {
             const FacePoint from = points_[at.from];
             points_.push_back(from);
-            const ThreePlanes& to = points_[at.to].planes;
-            if (to == origin) break;
-            const auto next = std::ranges::find_if(rims_, [&](const Rim& each) {
-                return each.side == side && points_[each.from].planes == to;
-            });
-            if (next == rims_.end()) break;
-            at = *next;
+            alike_.push_back(alike_[at.from]);
+            const std::size_t to = alike_[at.to];
+            if (to == origin || rim_from_[to] == rims_.size()) break;
+            at = rims_[rim_from_[to]];
         }
         loops_.push_back({side, first, points_.size(), false});
     }
@@ -198,30 +212,80 @@ class Building {
 
     enum class Joining { near, along_edges, none };
     void join_points(Joining joining, double near) {
-        root_.resize(points_.size());
-        for (std::size_t k = 0; k < points_.size(); ++k) root_[k] = k;
-        const auto are_near = [&](const Point3& p, const Point3& q) {
-            return std::fabs(p.x - q.x) <= near && std::fabs(p.y - q.y) <= near &&
-                   std::fabs(p.z - q.z) <= near;
-        };
-        for (std::size_t k = 0; k < points_.size(); ++k)
-            for (std::size_t m = 0; m < k; ++m) {
-                const auto& [p, planes] = points_[k];
-                const auto& [q, others] = points_[m];
-                if (planes == others || (joining == Joining::near && are_near(p, q)))
-                    join(root(m), root(k));
-            }
+        root_ = alike_;
+        if (joining == Joining::near) {
+            order_.resize(points_.size());
+            for (std::size_t k = 0; k < points_.size(); ++k) order_[k] = k;
+            join_near(order_, near);
+        }
         if (joining != Joining::along_edges) return;
         for (const Loop& loop : loops_)
             for (std::size_t k = loop.first; k < loop.last; ++k) {
                 const std::size_t next = k + 1 < loop.last ? k + 1 : loop.first;
-                if (are_near(points_[k].place, points_[next].place)) join(root(k), root(next));
+                if (are_near(k, next, near)) join(root(k), root(next));
             }
+    }
+    [[nodiscard]] bool are_near(std::size_t k, std::size_t m, double near) const noexcept {
+        const Point3& p = points_[k].place;
+        const Point3& q = points_[m].place;
+        return std::fabs(p.x - q.x) <= near && std::fabs(p.y - q.y) <= near &&
+               std::fabs(p.z - q.z) <= near;
+    }
+    /// Along the first axis along which they reach far they part where a step is longer than near;
+    /// where none is, into halves, and once more those that are near to both. What is left
+    /// together is few, or nearly in one place.
+    void join_near(std::span<std::size_t> points, double near) {
+        constexpr std::size_t few = 8;
+        if (points.size() > few)
+            for (const auto axis : axes_of_space) {
+                const auto place = [&](std::size_t k) { return points_[k].place.*axis; };
+                std::ranges::sort(points, {}, place);
+                if (place(points.back()) - place(points.front()) <= 4 * near) continue;
+                join_parts(points, near, axis);
+                return;
+            }
+        join_reached(points, near);
+    }
+    void join_parts(std::span<std::size_t> points, double near, double Point3::*axis) {
+        const auto place = [&](std::size_t k) { return points_[k].place.*axis; };
+        std::size_t first = 0;
+        for (std::size_t k = 1; k < points.size(); ++k) {
+            if (place(points[k]) - place(points[k - 1]) <= near) continue;
+            join_near(points.subspan(first, k - first), near);
+            first = k;
+        }
+        if (first > 0) {
+            join_near(points.subspan(first), near);
+            return;
+        }
+        const std::size_t half = points.size() / 2;
+        const double middle = place(points[half]);
+        std::vector<std::size_t> between;
+        for (const std::size_t k : points)
+            if (std::fabs(place(k) - middle) <= near) between.push_back(k);
+        join_near(points.first(half), near);
+        join_near(points.subspan(half), near);
+        join_near(between, near);
+    }
+    /// From each point those that have not been reached yet: of points in one place all are at
+    /// once.
+    void join_reached(std::span<std::size_t> points, double near) {
+        std::size_t reached = 0;
+        for (std::size_t from = 0; from < points.size(); ++from) {
+            if (from == reached) ++reached;
+            for (std::size_t k = reached; k < points.size(); ++k) {
+                if (!are_near(points[from], points[k], near)) continue;
+                join(root(points[from]), root(points[k]));
+                std::swap(points[k], points[reached++]);
+            }
+        }
     }
     [[nodiscard]] std::size_t root(std::size_t k) noexcept {
         while (root_[k] != k) k = root_[k] = root_[root_[k]];
         return k;
     }
+    /// Of two roots. The first point of all is the root of what is joined, in whatever order it
+    /// was.
     void join(std::size_t a, std::size_t b) noexcept { root_[std::max(a, b)] = std::min(a, b); }
 
     [[nodiscard]] double nearness(Index site) const noexcept {
@@ -262,7 +326,11 @@ class Building {
     std::vector<SpaceFaces::Neighbour> neighbours_;
     std::vector<Loop> loops_;
     std::vector<FacePoint> points_;
+    std::vector<std::pair<ThreePlanes, std::size_t>> by_planes_;
+    std::vector<std::size_t> alike_;     // by point: the first one where the same planes meet
+    std::vector<std::size_t> rim_from_;  // of a side, by such points; where none begins, the end
     std::vector<std::size_t> root_;
+    std::vector<std::size_t> order_;
     std::vector<Rim> rims_;
     std::vector<EdgeEnd> ends_;
     std::vector<std::pair<Index, Index>> steps_;

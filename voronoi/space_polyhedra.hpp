@@ -34,7 +34,8 @@ struct SpacePolyhedron {
 };
 
 /// Those of the sites in `which`, in that order; one without volume has no corners. Throws as
-/// space_cells() does, and std::out_of_range where there is no such site. O(n), and the faces.
+/// space_cells() does, and std::out_of_range where there is no such site. O(n), and of each cell as
+/// long as it takes to sort its corners.
 [[nodiscard]] std::vector<SpacePolyhedron> space_polyhedra(const SpaceTessellation& tessellation,
                                                            std::span<const Point3> sites,
                                                            const Box3& box,

@@ -541,6 +541,53 @@ TEST(SpaceCells, SpheresPlanesAndLines) {
     }
 }
 
+/// The first site has a face with nearly all others, which lie around it on a sphere or a circle.
+enum class Hub { amid_balls, in_a_plane, above_a_circle, in_a_crowd };
+Sites hub(Hub kind, int count) {
+    Random random(15);
+    Sites sites = {{0.5, 0.5, 0.5, kind == Hub::amid_balls ? 0.2 : 0.0}};
+    if (kind == Hub::above_a_circle) sites[0].z = 0.75;
+    const bool is_crowd = kind == Hub::in_a_crowd;
+    const bool is_sphere = is_crowd || kind == Hub::amid_balls;
+    for (int i = 0; i < count; ++i) {
+        const double z = is_sphere ? 2 * random.unit() - 1 : 0.0;
+        const double angle = 6.2831853 * random.unit();
+        const double radius = is_crowd ? 0x1p-38 : 0.4;
+        const double r = radius * std::sqrt(1 - z * z);
+        sites.push_back({0.5 + r * std::cos(angle), 0.5 + r * std::sin(angle), 0.5 + radius * z,
+                         kind == Hub::amid_balls ? 0.001 * random.unit() : 0.0});
+    }
+    return sites;
+}
+
+TEST(SpaceCells, AHub) {
+    for (const Hub kind :
+         {Hub::amid_balls, Hub::in_a_plane, Hub::above_a_circle, Hub::in_a_crowd}) {
+        const Sites sites = hub(kind, many);
+        const auto number = static_cast<int>(kind);
+        const SpaceCells cells = cells_of(sites, unit_box);
+        ASSERT_NO_FATAL_FAILURE(expect_laws(cells, sites.size())) << number;
+        // Of those of a circle some lie within it by rounding, and of the crowd within the sphere.
+        EXPECT_GT(cells.faces_of(0).size(), sites.size() / 4) << number;
+        ASSERT_NO_FATAL_FAILURE(expect_polyhedra(polyhedra_of(sites, unit_box), cells)) << number;
+    }
+}
+
+TEST(SpaceCells, CornersOfACrowdThatAreNearAreOne) {
+    const Sites sites = hub(Hub::in_a_crowd, many);
+    const SpacePolyhedron cell = polyhedra_of(sites, unit_box).front();
+    // Where three planes meet a corner would have three edges.
+    EXPECT_LT(cell.corners.size(), 2 * cell.beyond.size() - 4);
+    constexpr double near = 0.9 * 0x1p-47;
+    for (std::size_t k = 0; k < cell.corners.size(); ++k)
+        for (std::size_t m = 0; m < k; ++m) {
+            const Point3& p = cell.corners[k];
+            const Point3& q = cell.corners[m];
+            ASSERT_GT(std::max({std::fabs(p.x - q.x), std::fabs(p.y - q.y), std::fabs(p.z - q.z)}),
+                      near);
+        }
+}
+
 TEST(SpaceCells, NearlyCoplanarAndCocircular) {
     // Rounded to doubles four of these are neither, and a face is narrower than rounding.
     const Sites sites = {{0.1, 0.5, 0.4, 0}, {0.1 + 0.2, 0.1 + 0.2, 0.4, 0}, {0.5, 0.5, 0.5, 0},
