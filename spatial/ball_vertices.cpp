@@ -84,10 +84,25 @@ class VertexSearch {
         const Index i = tree.name(place);
         fours_.clear();
         pairs_.clear();
+        before_.clear();
+        const auto once = [](auto& tuples) {
+            std::ranges::sort(tuples);
+            tuples.erase(std::unique(tuples.begin(), tuples.end()), tuples.end());
+        };
+        // No more are kept than twice as many as there are.
+        constexpr std::size_t least_untidy = 1 << 14;
+        std::size_t most_untidy = least_untidy;
         const auto take = [&](std::span<const CellSearch::Place> list, std::size_t later) {
             later_.clear();
             for (std::size_t m = 0; m < later; ++m) later_.push_back(tree.name(list[m]));
             std::ranges::sort(later_);
+            if (later_ == before_) return;  // beside one another patches have the same
+            before_ = later_;
+            if (fours_.size() + pairs_.size() > most_untidy) {
+                once(fours_);
+                once(pairs_);
+                most_untidy = 2 * (fours_.size() + pairs_.size()) + least_untidy;
+            }
             for (std::size_t a = 0; a < later; ++a) {
                 for (std::size_t b = a + 1; b < later; ++b) {
                     const Triple three{i, later_[a], later_[b]};
@@ -104,10 +119,6 @@ class VertexSearch {
         neighbours_.clear();
         for (const CellSearch::Place near : search.neighbours())
             neighbours_.push_back(tree.name(near));
-        const auto once = [](auto& tuples) {
-            std::ranges::sort(tuples);
-            tuples.erase(std::unique(tuples.begin(), tuples.end()), tuples.end());
-        };
         once(fours_);
         once(pairs_);
         for (const Quadruple& four : fours_) try_four(four);
@@ -259,6 +270,7 @@ class VertexSearch {
     // Of the ball in question: who may be its neighbours, and what is to be tried.
     std::vector<Index> neighbours_;
     std::vector<Index> later_;
+    std::vector<Index> before_;
     std::vector<Index> touching_;
     std::vector<Quadruple> fours_;
     std::vector<Triple> pairs_;
