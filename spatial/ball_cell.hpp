@@ -55,6 +55,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -67,11 +68,17 @@ namespace signum::spatial {
 
 /// The directions through a rectangle on a face of the cube: a convex piece of the unit sphere. So
 /// the farthest of them from the one through the rectangle's middle are corners.
+///
+/// Where all centres are on one line, whose direction is the unit vector e, all a are multiples of
+/// e, and f depends on s = u·e alone. There a patch are all u of which this lies in an interval,
+/// v is s e for its middle s, and δ is half its length: |a·(u - v)| <= |a| δ, which is all that is
+/// asked of them.
 struct Patch {
     int face;
     double s, t, half;  // the middle of the rectangle, and half its side
     std::array<double, 3> v;
     double delta;
+    const std::array<double, 3>* line = nullptr;  // e
 
     Patch(int of_face, double middle_s, double middle_t, double half_side)
         : face(of_face), s(middle_s), t(middle_t), half(half_side), v(direction(s, t)), delta(0.0) {
@@ -85,7 +92,18 @@ struct Patch {
         }
         delta = std::sqrt(square) * (1.0 + 0x1p-48) + 0x1p-48;
     }
+    Patch(const std::array<double, 3>& of_line, double middle, double half_length)
+        : face(0),
+          s(middle),
+          t(0.0),
+          half(half_length),
+          v(of_line),
+          delta(half + 0x1p-47),
+          line(&of_line) {
+        for (double& x : v) x *= s;
+    }
     [[nodiscard]] Patch quarter(int number) const {
+        if (line != nullptr) return {*line, s + half * (0.5 * number - 0.75), 0.25 * half};
         const double h = 0.5 * half;
         return {face, s + ((number & 1) != 0 ? h : -h), t + ((number & 2) != 0 ? h : -h), h};
     }
@@ -108,14 +126,19 @@ class CellSearch {
     using Place = std::uint32_t;
 
     /// `kinds` by place: balls of one kind, but 0, need no list where they are among themselves.
-    CellSearch(const BallTree& tree, std::vector<std::uint32_t> kinds)
-        : tree_(tree), kinds_(std::move(kinds)), slot_of_(tree.size(), no_slot) {}
+    /// `line`: that of all centres, if there is one, within 2^-49.
+    CellSearch(const BallTree& tree, std::vector<std::uint32_t> kinds,
+               std::optional<std::array<double, 3>> line)
+        : tree_(tree), kinds_(std::move(kinds)), line_(line), slot_of_(tree.size(), no_slot) {}
+    CellSearch(const CellSearch&) = delete;
+    CellSearch& operator=(const CellSearch&) = delete;
 
     /// Calls leaf(places) with the list of each leaf, in which those balls come first whose name is
     /// greater than that of the ball; only those lists that have two such, not both of its kind.
     template <class Leaf>
     void run(Place ball, const Leaf& leaf) {
         start(ball);
+        if (line_) return divide(Patch(*line_, 0.0, 1.0), near_, 0, 0, false, leaf);
         for (const Patch& patch : first_patches()) divide(patch, near_, 0, 0, false, leaf);
     }
     [[nodiscard]] bool may_be_unbounded() const noexcept { return may_be_unbounded_; }
@@ -644,6 +667,7 @@ class CellSearch {
 
     const BallTree& tree_;
     std::vector<std::uint32_t> kinds_;  // by place
+    std::optional<std::array<double, 3>> line_;
     Place ball_ = 0;
     bool may_be_unbounded_ = false;
     std::vector<Slot> slot_of_;  // by place

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <compare>
 #include <cstddef>
 #include <optional>
 #include <utility>
 
 #include "../filters/bounds.hpp"
+#include "../predicates/ccw.hpp"
 #include "../predicates/space/ball_filter.hpp"
 #include "../predicates/space/ccw.hpp"
 #include "../predicates/space/euclidean.hpp"
@@ -43,6 +45,13 @@ namespace {
     return filters::magnitude(four_gamma<3, double>(rows, between)) > bound;
 }
 
+/// In space three centres are on a line where they are so in each plane of two axes.
+[[nodiscard]] bool are_on_a_line(const Site3& a, const Site3& b, const Site3& c) noexcept {
+    return ccw_decision(Point{a.x, a.y}, Point{b.x, b.y}, Point{c.x, c.y}).sign == 0 &&
+           ccw_decision(Point{a.y, a.z}, Point{b.y, b.z}, Point{c.y, c.z}).sign == 0 &&
+           ccw_decision(Point{a.z, a.x}, Point{b.z, b.x}, Point{c.z, c.x}).sign == 0;
+}
+
 class VertexSearch {
  public:
     VertexSearch(const BallSet& balls, const Options& options) : balls_(balls), options_(options) {}
@@ -64,7 +73,7 @@ class VertexSearch {
         std::vector<EqualRadii::Kind> kinds;
         for (std::size_t place = 0; place < tree.size(); ++place)
             kinds.push_back(equal_->kind(tree.name(place)));
-        CellSearch search(tree, std::move(kinds));
+        CellSearch search(tree, std::move(kinds), line_of(tree));
         constexpr std::size_t between_questions = 256;
         for (std::size_t place = 0; place < tree.size(); ++place) {
             if (place % between_questions == 0) {
@@ -80,6 +89,28 @@ class VertexSearch {
     }
 
  private:
+    /// The direction of the line that all centres are on.
+    [[nodiscard]] std::optional<std::array<double, 3>> line_of(const BallTree& tree) const {
+        const Site3& first = tree.ball(0);
+        std::array<double, 3> direction{};
+        double length = 0.0;
+        std::size_t last = 0;
+        for (std::size_t place = 1; place < tree.size(); ++place) {
+            const Site3& b = tree.ball(place);
+            const double x = b.x - first.x, y = b.y - first.y, z = b.z - first.z;
+            const double its_length = std::hypot(x, y, z);
+            if (!(its_length > length)) continue;
+            length = its_length;
+            direction = {x, y, z};
+            last = place;
+        }
+        if (!(length > 0x1p-960)) return {};
+        for (double& x : direction) x /= length;
+        const Site3 &a = balls_[tree.name(0)], &b = balls_[tree.name(last)];
+        for (std::size_t place = 1; place < tree.size(); ++place)
+            if (!are_on_a_line(a, b, balls_[tree.name(place)])) return {};
+        return direction;
+    }
     void find_of(CellSearch::Place place, const BallTree& tree, CellSearch& search) {
         const Index i = tree.name(place);
         fours_.clear();
