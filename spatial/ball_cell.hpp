@@ -285,7 +285,8 @@ class CellSearch {
     [[nodiscard]] static bool is_below_infinity(const Seen& q, const Patch& patch) {
         return !q.is_wild && value(q, patch) + patch.delta * q.length + q.error < 0.0;
     }
-    [[nodiscard]] bool is_below(const Seen& q, const Seen& j, const Patch& patch) const {
+    [[nodiscard, gnu::always_inline]] bool is_below(const Seen& q, const Seen& j,
+                                                    const Patch& patch) const {
         if (q.is_wild || j.is_wild) return false;
         return is_less(q, j, patch) ||
                (q.length + q.error <= j.length - j.error && is_lower(q, j, patch));

@@ -179,19 +179,29 @@ class VertexSearch {
     }
     template <class Conflict>
     void try_sphere(const Quadruple& four, Sign turn, const Conflict& conflict) {
-        if (!find_touching(four, four[2], conflict)) return;
+        if (!find_touching(four, turn, four[2], conflict)) return;
         if (touching_.size() == 4) return add_vertex({four, turn, {}, {}});
         std::ranges::sort(touching_);
         if (is_first_four(four, touching_)) add_vertex({four, turn, touching_, {}});
     }
     /// All that touch a sphere; false where some ball conflicts with it, or where one touches that
-    /// comes before `least` and is not of the four.
+    /// comes before `least` and is not of the four. What has no conflict with the first is mostly
+    /// a vertex: then its sphere, rounded, tells most others from those that must be asked.
     template <class Conflict>
-    [[nodiscard]] bool find_touching(const Quadruple& four, Index least, const Conflict& conflict) {
+    [[nodiscard]] bool find_touching(const Quadruple& four, Sign turn, Index least,
+                                     const Conflict& conflict) {
+        constexpr std::size_t asked_first = 16;
         touching_.assign(four.begin(), four.end());
+        rounded_.reset();
+        bool is_rounded = false;
         for (std::size_t place = 0; place < neighbours_.size(); ++place) {
             const Index q = neighbours_[place];
             if (std::find(four.begin(), four.end(), q) != four.end()) continue;
+            if (place >= asked_first && !is_rounded) {
+                rounded_ = rounded_sphere(four, turn);
+                is_rounded = true;
+            }
+            if (rounded_ && is_certainly_outside(*rounded_, balls_[q])) continue;
             const Sign sign = conflict(balls_[q]);
             if (sign < 0) continue;
             if (sign == 0 && q > least) {
@@ -210,7 +220,7 @@ class VertexSearch {
         const bool is_positive =
             ccw_decision(centre3(a), centre3(b), centre3(c), centre3(d)).sign > 0;
         const bool is_empty = find_touching(
-            four, four[0],
+            four, is_positive ? 1 : -1, four[0],
             [&, a = a, b = is_positive ? b : c, c = is_positive ? c : b, d = d](const Site3& q) {
                 return euclidean::in_sphere_decision(a, b, c, d, q).sign;
             });
@@ -232,13 +242,23 @@ class VertexSearch {
         return true;
     }
     void add_vertex(BallVertex vertex) {
-        const TouchingSpheres<Site3> found = touching_spheres(balls_.of(vertex.four));
-        for (const TouchingSphere<Site3>& each : found.spheres) {
-            if (each.orientation != vertex.turn) continue;
-            vertex.sphere = each.sphere;
-            break;
-        }
+        if (!rounded_) rounded_ = rounded_sphere(vertex.four, vertex.turn);
+        vertex.sphere = rounded_.value_or(Site3{});
         result_.vertices.push_back(std::move(vertex));
+    }
+    [[nodiscard]] std::optional<Site3> rounded_sphere(const Quadruple& four, Sign turn) const {
+        const TouchingSpheres<Site3> found = touching_spheres(balls_.of(four));
+        for (const TouchingSphere<Site3>& each : found.spheres)
+            if (each.orientation == turn) return each.sphere;
+        return {};
+    }
+    /// Of a sphere whose numbers are each rounded once. Where one of them is infinite, none is.
+    [[nodiscard]] static bool is_certainly_outside(const Site3& sphere, const Site3& q) {
+        const double x = q.x - sphere.x, y = q.y - sphere.y, z = q.z - sphere.z;
+        const double sizes = std::fabs(q.x) + std::fabs(q.y) + std::fabs(q.z) + std::fabs(q.r) +
+                             std::fabs(sphere.x) + std::fabs(sphere.y) + std::fabs(sphere.z) +
+                             std::fabs(sphere.r);
+        return std::hypot(x, y, z) - sphere.r - q.r > 0x1p-46 * sizes + 0x1p-1060;
     }
 
     /// A curve without a vertex is an edge as a whole where no other ball ever touches, and none
@@ -303,6 +323,7 @@ class VertexSearch {
     std::vector<Index> later_;
     std::vector<Index> before_;
     std::vector<Index> touching_;
+    std::optional<Site3> rounded_;  // the sphere that is asked about, where it is known
     std::vector<Quadruple> fours_;
     std::vector<Triple> pairs_;
 };
