@@ -30,13 +30,23 @@
 /// once, so that P errs by a part of 6 e (X·X + R²) / P = 6 e k, with e = 2^-53, and a and b by one
 /// of (6 k + 4) e; the difference of f commits eight roundings or fewer of numbers that are below 3
 /// (|a| + |b|): together (|a| + |b|) (32 + 16 k) e for each of the two balls. Where P is not
-/// certain (k > 2^40), or very large or small, the ball is in all lists and keeps nobody out.
+/// certain (k > 2^40), or unknown, the ball is in all lists and keeps nobody out.
 /// Within a box
 ///     P (f - f_least) <= 2 X·v - f_least X·X + 2 δ |X| + 2 R + f_least R²
 /// has its greatest value coordinate by coordinate (f_least may be that of the best ball in the
 /// middle, and then changes by w·(2 X - P a) instead of 2 δ |X|), and commits twenty roundings or
 /// fewer. Numbers are scaled, so that the largest is about 1, and of the others what lies below
-/// 2^-1074 is lost, which is nothing beside P >= 2^-600.
+/// 2^-1074 is lost, which is nothing beside |X| + |R| >= 2^-960; where P is small for a double, X
+/// and R are multiplied by a power of two.
+///
+/// Of balls that are near one another and far from ball i these bounds tell nothing. Let D and E be
+/// their differences in centre and radius, each rounded once. With h = (P_q - P_j) / 2 =
+/// (D·(X_q + X_j) - E (R_q + R_j)) / 2
+///     P_q (f_q - f_j) / 2 = (D - h a_j)·u + E - h b_j,
+/// where every term is small as they are. h commits eight roundings or fewer of terms that together
+/// are at most (|D| + |E|) s, s the sum of all |X| and |R|, and a and b the part e' = (32 + 16 k) e
+/// at most: together (|D| + |E|) (1 + s (|a_j| + |b_j|)) e' for all of the patch. What underflows
+/// is less than 2^-1000, which is added.
 
 #include <algorithm>
 #include <array>
@@ -45,6 +55,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -57,11 +68,17 @@ namespace signum::spatial {
 
 /// The directions through a rectangle on a face of the cube: a convex piece of the unit sphere. So
 /// the farthest of them from the one through the rectangle's middle are corners.
+///
+/// Where all centres are on one line, whose direction is the unit vector e, all a are multiples of
+/// e, and f depends on s = u·e alone. There a patch are all u of which this lies in an interval,
+/// v is s e for its middle s, and δ is half its length: |a·(u - v)| <= |a| δ, which is all that is
+/// asked of them.
 struct Patch {
     int face;
     double s, t, half;  // the middle of the rectangle, and half its side
     std::array<double, 3> v;
     double delta;
+    const std::array<double, 3>* line = nullptr;  // e
 
     Patch(int of_face, double middle_s, double middle_t, double half_side)
         : face(of_face), s(middle_s), t(middle_t), half(half_side), v(direction(s, t)), delta(0.0) {
@@ -75,7 +92,18 @@ struct Patch {
         }
         delta = std::sqrt(square) * (1.0 + 0x1p-48) + 0x1p-48;
     }
+    Patch(const std::array<double, 3>& of_line, double middle, double half_length)
+        : face(0),
+          s(middle),
+          t(0.0),
+          half(half_length),
+          v(of_line),
+          delta(half + 0x1p-47),
+          line(&of_line) {
+        for (double& x : v) x *= s;
+    }
     [[nodiscard]] Patch quarter(int number) const {
+        if (line != nullptr) return {*line, s + half * (0.5 * number - 0.75), 0.25 * half};
         const double h = 0.5 * half;
         return {face, s + ((number & 1) != 0 ? h : -h), t + ((number & 2) != 0 ? h : -h), h};
     }
@@ -98,14 +126,19 @@ class CellSearch {
     using Place = std::uint32_t;
 
     /// `kinds` by place: balls of one kind, but 0, need no list where they are among themselves.
-    CellSearch(const BallTree& tree, std::vector<std::uint32_t> kinds)
-        : tree_(tree), kinds_(std::move(kinds)), slot_of_(tree.size(), no_slot) {}
+    /// `line`: that of all centres, if there is one, within 2^-49.
+    CellSearch(const BallTree& tree, std::vector<std::uint32_t> kinds,
+               std::optional<std::array<double, 3>> line)
+        : tree_(tree), kinds_(std::move(kinds)), line_(line), slot_of_(tree.size(), no_slot) {}
+    CellSearch(const CellSearch&) = delete;
+    CellSearch& operator=(const CellSearch&) = delete;
 
     /// Calls leaf(places) with the list of each leaf, in which those balls come first whose name is
     /// greater than that of the ball; only those lists that have two such, not both of its kind.
     template <class Leaf>
     void run(Place ball, const Leaf& leaf) {
         start(ball);
+        if (line_) return divide(Patch(*line_, 0.0, 1.0), near_, 0, 0, false, leaf);
         for (const Patch& patch : first_patches()) divide(patch, near_, 0, 0, false, leaf);
     }
     [[nodiscard]] bool may_be_unbounded() const noexcept { return may_be_unbounded_; }
@@ -119,6 +152,7 @@ class CellSearch {
         double error;
         // a and b, divided by that length: F
         double nx, ny, nz, c;
+        Place place;
         bool is_wild;
         bool is_later;
         bool is_of_its_kind;
@@ -174,7 +208,7 @@ class CellSearch {
             square += away * away;
         }
         const double length = std::sqrt(square), more = node.greatest_radius - i.r;
-        if (length - more > reach_ + 0x1p-46 * (length + std::fabs(more))) return;
+        if (length - more > reach_ + 0x1p-46 * (length + std::fabs(more)) + 0x1p-530) return;
         if (node.second != 0) {
             take_near(number + 1);
             take_near(node.second);
@@ -184,24 +218,44 @@ class CellSearch {
             if (place == ball_) continue;
             const Site3& j = tree_.ball(place);
             const double gap = distance(j);
-            const double error = 0x1p-46 * (std::fabs(gap) + 2.0 * std::fabs(j.r - i.r));
+            const double error = 0x1p-46 * (std::fabs(gap) + 2.0 * std::fabs(j.r - i.r)) + 0x1p-530;
             if (!(gap > reach_ + error)) near_.push_back(slot(place));
         }
+    }
+    /// |X| + |R|, or more.
+    [[nodiscard]] static double size_from(const Site3& j, const Site3& i) {
+        return std::fabs(j.x - i.x) + std::fabs(j.y - i.y) + std::fabs(j.z - i.z) +
+               std::fabs(j.r - i.r);
+    }
+    /// A power of two, about 1 / size; 0 where differences are too small to be known.
+    [[nodiscard]] static double unit_of(double size) {
+        return size > 0x1p-960 ? std::ldexp(1.0, -std::ilogb(size)) : 0.0;
     }
     Slot slot(Place place) {
         if (slot_of_[place] != no_slot) return slot_of_[place];
         const Site3& i = tree_.ball(ball_);
         const Site3& j = tree_.ball(place);
-        const double x = j.x - i.x, y = j.y - i.y, z = j.z - i.z, r = j.r - i.r;
-        const double square = x * x + y * y + z * z;
-        const double p = square - r * r;
-        const double both = square + r * r;
+        double x = j.x - i.x, y = j.y - i.y, z = j.z - i.z, r = j.r - i.r;
+        double square = x * x + y * y + z * z;
+        double both = square + r * r;
         Seen seen{};
+        seen.place = place;
+        double unit = 1.0;
+        if (!(both > 0x1p-600)) [[unlikely]] {
+            unit = unit_of(size_from(j, i));
+            x *= unit;
+            y *= unit;
+            z *= unit;
+            r *= unit;
+            square = x * x + y * y + z * z;
+            both = square + r * r;
+        }
+        const double p = square - r * r;
         seen.is_later = tree_.name(place) > tree_.name(ball_);
         seen.is_of_its_kind = kinds_[place] != 0 && kinds_[place] == kinds_[ball_];
-        seen.is_wild = !(p > 0x1p-40 * both && p > 0x1p-600 && p < 0x1p600);
+        seen.is_wild = !(p > 0x1p-40 * both && p > 0x1p-700);
         if (!seen.is_wild) {
-            const double factor = 2.0 / p;
+            const double factor = 2.0 / p * unit;
             seen.ax = x * factor;
             seen.ay = y * factor;
             seen.az = z * factor;
@@ -231,19 +285,68 @@ class CellSearch {
     [[nodiscard]] static bool is_below_infinity(const Seen& q, const Patch& patch) {
         return !q.is_wild && value(q, patch) + patch.delta * q.length + q.error < 0.0;
     }
-    [[nodiscard]] static bool is_below(const Seen& q, const Seen& j, const Patch& patch) {
+    [[nodiscard, gnu::always_inline]] bool is_below(const Seen& q, const Seen& j,
+                                                    const Patch& patch) const {
         if (q.is_wild || j.is_wild) return false;
         return is_less(q, j, patch) ||
                (q.length + q.error <= j.length - j.error && is_lower(q, j, patch));
     }
     /// Whether f_q < f_j on all of the patch, none of them wild.
-    [[nodiscard]] static bool is_less(const Seen& q, const Seen& j, const Patch& patch) {
+    [[nodiscard, gnu::always_inline]] bool is_less(const Seen& q, const Seen& j,
+                                                   const Patch& patch) const {
         const double x = q.ax - j.ax, y = q.ay - j.ay, z = q.az - j.az;
+        const double error = q.error + j.error;
         const double middle =
-            x * patch.v[0] + y * patch.v[1] + z * patch.v[2] + (q.b - j.b) + (q.error + j.error);
+            x * patch.v[0] + y * patch.v[1] + z * patch.v[2] + (q.b - j.b) + error;
+        const double square = x * x + y * y + z * z;
+        if (is_beside(square, error)) [[unlikely]]
+            return is_less_beside(q, j, patch);
         if (!(middle < 0.0)) return false;
-        const double step = patch.delta * patch.delta * (x * x + y * y + z * z);
+        const double step = patch.delta * patch.delta * square;
         return middle * middle > step * (1.0 + 0x1p-48) + 0x1p-1000;
+    }
+    /// Whether the two are so near one another, seen from the ball, that f tells little of their
+    /// difference; or so near the ball, that squares of a overflow.
+    [[nodiscard]] static bool is_beside(double square, double error) {
+        return !(square > 0x1p24 * error * error && square < 0x1p900);
+    }
+
+    /// P_q (f_q - f_j) / 2 = a·u + b, with a bound on the error of this in a patch.
+    struct Difference {
+        double ax, ay, az, b;
+        double length;  // of a
+        double error;
+    };
+    [[nodiscard]] Difference difference(const Seen& q, const Seen& j) const {
+        const Site3& i = tree_.ball(ball_);
+        const Site3& one = tree_.ball(q.place);
+        const Site3& other = tree_.ball(j.place);
+        const double x = one.x - other.x, y = one.y - other.y, z = one.z - other.z;
+        const double r = one.r - other.r;
+        const double size = size_from(other, i), unit = unit_of(size), inverse = 1.0 / unit;
+        const double h = 0.5 * (x * (((one.x - i.x) + (other.x - i.x)) * unit) +
+                                y * (((one.y - i.y) + (other.y - i.y)) * unit) +
+                                z * (((one.z - i.z) + (other.z - i.z)) * unit) -
+                                r * (((one.r - i.r) + (other.r - i.r)) * unit));
+        Difference g{};
+        g.ax = x - h * (j.ax * inverse);
+        g.ay = y - h * (j.ay * inverse);
+        g.az = z - h * (j.az * inverse);
+        g.b = r - h * (j.b * inverse);
+        g.length = std::hypot(g.ax, g.ay, g.az);
+        const double of_j = j.length + std::fabs(j.b);
+        const double terms = ((size_from(one, i) + size) * unit) * (of_j * inverse);
+        g.error = size_from(one, other) * (1.0 + terms) * (j.error / of_j) + 0x1p-1000;
+        return g;
+    }
+    [[nodiscard]] static double middle_of(const Difference& g, const Patch& patch) {
+        return g.ax * patch.v[0] + g.ay * patch.v[1] + g.az * patch.v[2] + g.b;
+    }
+    /// is_less by the balls' own differences.
+    [[nodiscard, gnu::noinline]] bool is_less_beside(const Seen& q, const Seen& j,
+                                                     const Patch& patch) const {
+        const Difference g = difference(q, j);
+        return middle_of(g, patch) + patch.delta * g.length * (1.0 + 0x1p-48) + g.error < 0.0;
     }
 
     [[nodiscard]] static double height(const Seen& q, const Patch& patch) {
@@ -336,6 +439,7 @@ class CellSearch {
         }
         const double least_r = node.least_radius - i.r, greatest_r = node.greatest_radius - i.r;
         const double square_r = std::max(least_r * least_r, greatest_r * greatest_r);
+        if (!(farthest > 0x1p-900)) return true;
         const double far = std::sqrt(farthest);
         // The greatest of 2 X·v - f X·X + 2 R + f R², but for its error: of each coordinate the top
         // is at v / f.
@@ -368,7 +472,7 @@ class CellSearch {
         }
         const double half = std::sqrt(half_square), distance = std::sqrt(square);
         // F is lower than that of another, whose a is longer: |a| is at most that of the nearest.
-        if (nearest > square_r) {
+        if (nearest > square_r && nearest > 0x1p-900) {
             const double length = 2.0 * std::sqrt(nearest) / (nearest - square_r) * (1.0 + 0x1p-40);
             const double along = middle[0] * patch.v[0] + middle[1] * patch.v[1] +
                                  middle[2] * patch.v[2] + greatest_r + half;
@@ -465,9 +569,10 @@ class CellSearch {
                 continue;
             list.push_back(slot);
         }
+        if (list.size() > most_in_pairs) take_out_beside(list, best.best, patch);
         // Where the greatest f is positive, shorter ones that are lower matter little.
         const bool is_open = !(best.f_least > 0.0);
-        if (list.size() > 2 && list.size() <= 32) {
+        if (list.size() > 2 && list.size() <= most_in_pairs) {
             sorted_.clear();
             for (const Slot slot : list)
                 sorted_.emplace_back(seen_[slot].is_wild ? HUGE_VAL : value(seen_[slot], patch),
@@ -477,6 +582,7 @@ class CellSearch {
             for (std::size_t q = 0; q < sorted_.size(); ++q) {
                 const Seen& one = seen_[sorted_[q].second];
                 const bool is_out =
+                    is_less_than_later(q, patch) ||
                     std::any_of(list.begin(), list.end(),
                                 [&](Slot j) {
                                     return !one.is_wild && !seen_[j].is_wild &&
@@ -496,15 +602,17 @@ class CellSearch {
                 divide(patch.quarter(quarter), own, depth + 1, 0, false, leaf);
             return;
         }
-        std::size_t later = 0, of_other_kinds = 0;
+        // Those that are wild remain, however small the patch.
+        std::size_t tame = 0, later = 0, of_other_kinds = 0;
         for (const Slot slot : list) {
+            tame += !seen_[slot].is_wild;
             later += seen_[slot].is_later;
             of_other_kinds += seen_[slot].is_later && !seen_[slot].is_of_its_kind;
         }
         const bool is_to_be_divided = of_other_kinds == 0
                                           ? steady < most_steady_of_a_kind
                                           : steady < most_steady || later > most_at_once;
-        if (list.size() > most_in_a_list && later >= 3 && depth < most_depth && is_to_be_divided) {
+        if (tame > most_in_a_list && later >= 3 && depth < most_depth && is_to_be_divided) {
             const int now_steady = list.size() == above.size() ? steady + 1 : 0;
             const std::vector<Slot> own = list;
             for (int quarter = 0; quarter < 4; ++quarter)
@@ -520,11 +628,39 @@ class CellSearch {
         for (const Slot slot : list) leaf_.push_back(places_[slot]);
         leaf(std::span<const Place>(leaf_), later);
     }
+    /// Whether one of sorted_ is less than one that follows it, but whose value may be the greater.
+    [[nodiscard]] bool is_less_than_later(std::size_t number, const Patch& patch) const {
+        const auto& [its_value, slot] = sorted_[number];
+        const Seen& one = seen_[slot];
+        if (one.is_wild) return false;
+        for (std::size_t k = number + 1; k < sorted_.size(); ++k) {
+            const Seen& other = seen_[sorted_[k].second];
+            if (sorted_[k].first + other.error + one.error < its_value) return false;
+            if (is_less(one, other, patch)) return true;
+        }
+        return false;
+    }
+    /// Those that are less than the greatest of those whose value may be the greatest.
+    void take_out_beside(std::vector<Slot>& list, Slot best, const Patch& patch) const {
+        if (best == no_slot) return;
+        const double its_value = value(seen_[best], patch) - seen_[best].error;
+        Slot top = best;
+        for (const Slot slot : list) {
+            const Seen& q = seen_[slot];
+            if (q.is_wild || slot == top || value(q, patch) + q.error < its_value) continue;
+            if (middle_of(difference(q, seen_[top]), patch) > 0.0) top = slot;
+        }
+        if (top == best) return;
+        std::erase_if(list, [&](Slot slot) {
+            return slot != top && !seen_[slot].is_wild && is_less(seen_[slot], seen_[top], patch);
+        });
+    }
     std::vector<Slot>& list_at(int depth) {
         if (lists_.size() <= static_cast<std::size_t>(depth))
             lists_.resize(static_cast<std::size_t>(depth) + 1);
         return lists_[static_cast<std::size_t>(depth)];
     }
+    static constexpr std::size_t most_in_pairs = 32;
     static constexpr std::size_t most_in_a_list = 5;
     static constexpr int most_steady = 4;
     static constexpr int most_steady_of_a_kind = 1;
@@ -532,6 +668,7 @@ class CellSearch {
 
     const BallTree& tree_;
     std::vector<std::uint32_t> kinds_;  // by place
+    std::optional<std::array<double, 3>> line_;
     Place ball_ = 0;
     bool may_be_unbounded_ = false;
     std::vector<Slot> slot_of_;  // by place

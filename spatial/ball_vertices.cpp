@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <compare>
 #include <cstddef>
 #include <optional>
 #include <utility>
 
 #include "../filters/bounds.hpp"
+#include "../predicates/ccw.hpp"
 #include "../predicates/space/ball_filter.hpp"
 #include "../predicates/space/ccw.hpp"
 #include "../predicates/space/euclidean.hpp"
@@ -43,6 +45,13 @@ namespace {
     return filters::magnitude(four_gamma<3, double>(rows, between)) > bound;
 }
 
+/// In space three centres are on a line where they are so in each plane of two axes.
+[[nodiscard]] bool are_on_a_line(const Site3& a, const Site3& b, const Site3& c) noexcept {
+    return ccw_decision(Point{a.x, a.y}, Point{b.x, b.y}, Point{c.x, c.y}).sign == 0 &&
+           ccw_decision(Point{a.y, a.z}, Point{b.y, b.z}, Point{c.y, c.z}).sign == 0 &&
+           ccw_decision(Point{a.z, a.x}, Point{b.z, b.x}, Point{c.z, c.x}).sign == 0;
+}
+
 class VertexSearch {
  public:
     VertexSearch(const BallSet& balls, const Options& options) : balls_(balls), options_(options) {}
@@ -64,7 +73,7 @@ class VertexSearch {
         std::vector<EqualRadii::Kind> kinds;
         for (std::size_t place = 0; place < tree.size(); ++place)
             kinds.push_back(equal_->kind(tree.name(place)));
-        CellSearch search(tree, std::move(kinds));
+        CellSearch search(tree, std::move(kinds), line_of(tree));
         constexpr std::size_t between_questions = 256;
         for (std::size_t place = 0; place < tree.size(); ++place) {
             if (place % between_questions == 0) {
@@ -80,14 +89,51 @@ class VertexSearch {
     }
 
  private:
+    /// The direction of the line that all centres are on.
+    [[nodiscard]] std::optional<std::array<double, 3>> line_of(const BallTree& tree) const {
+        const Site3& first = tree.ball(0);
+        std::array<double, 3> direction{};
+        double length = 0.0;
+        std::size_t last = 0;
+        for (std::size_t place = 1; place < tree.size(); ++place) {
+            const Site3& b = tree.ball(place);
+            const double x = b.x - first.x, y = b.y - first.y, z = b.z - first.z;
+            const double its_length = std::hypot(x, y, z);
+            if (!(its_length > length)) continue;
+            length = its_length;
+            direction = {x, y, z};
+            last = place;
+        }
+        if (!(length > 0x1p-960)) return {};
+        for (double& x : direction) x /= length;
+        const Site3 &a = balls_[tree.name(0)], &b = balls_[tree.name(last)];
+        for (std::size_t place = 1; place < tree.size(); ++place)
+            if (!are_on_a_line(a, b, balls_[tree.name(place)])) return {};
+        return direction;
+    }
     void find_of(CellSearch::Place place, const BallTree& tree, CellSearch& search) {
         const Index i = tree.name(place);
         fours_.clear();
         pairs_.clear();
+        before_.clear();
+        const auto once = [](auto& tuples) {
+            std::ranges::sort(tuples);
+            tuples.erase(std::unique(tuples.begin(), tuples.end()), tuples.end());
+        };
+        // No more are kept than twice as many as there are.
+        constexpr std::size_t least_untidy = 1 << 14;
+        std::size_t most_untidy = least_untidy;
         const auto take = [&](std::span<const CellSearch::Place> list, std::size_t later) {
             later_.clear();
             for (std::size_t m = 0; m < later; ++m) later_.push_back(tree.name(list[m]));
             std::ranges::sort(later_);
+            if (later_ == before_) return;  // beside one another patches have the same
+            before_ = later_;
+            if (fours_.size() + pairs_.size() > most_untidy) {
+                once(fours_);
+                once(pairs_);
+                most_untidy = 2 * (fours_.size() + pairs_.size()) + least_untidy;
+            }
             for (std::size_t a = 0; a < later; ++a) {
                 for (std::size_t b = a + 1; b < later; ++b) {
                     const Triple three{i, later_[a], later_[b]};
@@ -104,10 +150,6 @@ class VertexSearch {
         neighbours_.clear();
         for (const CellSearch::Place near : search.neighbours())
             neighbours_.push_back(tree.name(near));
-        const auto once = [](auto& tuples) {
-            std::ranges::sort(tuples);
-            tuples.erase(std::unique(tuples.begin(), tuples.end()), tuples.end());
-        };
         once(fours_);
         once(pairs_);
         for (const Quadruple& four : fours_) try_four(four);
@@ -137,19 +179,29 @@ class VertexSearch {
     }
     template <class Conflict>
     void try_sphere(const Quadruple& four, Sign turn, const Conflict& conflict) {
-        if (!find_touching(four, four[2], conflict)) return;
+        if (!find_touching(four, turn, four[2], conflict)) return;
         if (touching_.size() == 4) return add_vertex({four, turn, {}, {}});
         std::ranges::sort(touching_);
         if (is_first_four(four, touching_)) add_vertex({four, turn, touching_, {}});
     }
     /// All that touch a sphere; false where some ball conflicts with it, or where one touches that
-    /// comes before `least` and is not of the four.
+    /// comes before `least` and is not of the four. What has no conflict with the first is mostly
+    /// a vertex: then its sphere, rounded, tells most others from those that must be asked.
     template <class Conflict>
-    [[nodiscard]] bool find_touching(const Quadruple& four, Index least, const Conflict& conflict) {
+    [[nodiscard]] bool find_touching(const Quadruple& four, Sign turn, Index least,
+                                     const Conflict& conflict) {
+        constexpr std::size_t asked_first = 16;
         touching_.assign(four.begin(), four.end());
+        rounded_.reset();
+        bool is_rounded = false;
         for (std::size_t place = 0; place < neighbours_.size(); ++place) {
             const Index q = neighbours_[place];
             if (std::find(four.begin(), four.end(), q) != four.end()) continue;
+            if (place >= asked_first && !is_rounded) {
+                rounded_ = rounded_sphere(four, turn);
+                is_rounded = true;
+            }
+            if (rounded_ && is_certainly_outside(*rounded_, balls_[q])) continue;
             const Sign sign = conflict(balls_[q]);
             if (sign < 0) continue;
             if (sign == 0 && q > least) {
@@ -168,7 +220,7 @@ class VertexSearch {
         const bool is_positive =
             ccw_decision(centre3(a), centre3(b), centre3(c), centre3(d)).sign > 0;
         const bool is_empty = find_touching(
-            four, four[0],
+            four, is_positive ? 1 : -1, four[0],
             [&, a = a, b = is_positive ? b : c, c = is_positive ? c : b, d = d](const Site3& q) {
                 return euclidean::in_sphere_decision(a, b, c, d, q).sign;
             });
@@ -190,13 +242,23 @@ class VertexSearch {
         return true;
     }
     void add_vertex(BallVertex vertex) {
-        const TouchingSpheres<Site3> found = touching_spheres(balls_.of(vertex.four));
-        for (const TouchingSphere<Site3>& each : found.spheres) {
-            if (each.orientation != vertex.turn) continue;
-            vertex.sphere = each.sphere;
-            break;
-        }
+        if (!rounded_) rounded_ = rounded_sphere(vertex.four, vertex.turn);
+        vertex.sphere = rounded_.value_or(Site3{});
         result_.vertices.push_back(std::move(vertex));
+    }
+    [[nodiscard]] std::optional<Site3> rounded_sphere(const Quadruple& four, Sign turn) const {
+        const TouchingSpheres<Site3> found = touching_spheres(balls_.of(four));
+        for (const TouchingSphere<Site3>& each : found.spheres)
+            if (each.orientation == turn) return each.sphere;
+        return {};
+    }
+    /// Of a sphere whose numbers are each rounded once. Where one of them is infinite, none is.
+    [[nodiscard]] static bool is_certainly_outside(const Site3& sphere, const Site3& q) {
+        const double x = q.x - sphere.x, y = q.y - sphere.y, z = q.z - sphere.z;
+        const double sizes = std::fabs(q.x) + std::fabs(q.y) + std::fabs(q.z) + std::fabs(q.r) +
+                             std::fabs(sphere.x) + std::fabs(sphere.y) + std::fabs(sphere.z) +
+                             std::fabs(sphere.r);
+        return std::hypot(x, y, z) - sphere.r - q.r > 0x1p-46 * sizes + 0x1p-1060;
     }
 
     /// A curve without a vertex is an edge as a whole where no other ball ever touches, and none
@@ -259,7 +321,9 @@ class VertexSearch {
     // Of the ball in question: who may be its neighbours, and what is to be tried.
     std::vector<Index> neighbours_;
     std::vector<Index> later_;
+    std::vector<Index> before_;
     std::vector<Index> touching_;
+    std::optional<Site3> rounded_;  // the sphere that is asked about, where it is known
     std::vector<Quadruple> fours_;
     std::vector<Triple> pairs_;
 };

@@ -739,5 +739,139 @@ TEST(BallDiagram, OfBallsOfSeveralRadiiAroundOneSphereObeysItsLaws) {
     }
 }
 
+// ---- what is far apart, on a line, or hidden
+// -----------------------------------------------------
+
+void expect_all_vertices(const Balls& balls) {
+    const BallDiagram d = ball_diagram(balls);
+    expect_laws(balls, d);
+    std::map<List, int> vertices;
+    for (std::size_t v = 0; v < d.vertices.size(); ++v) ++vertices[list_of(d.vertices[v])];
+    EXPECT_EQ(vertices, all_vertices(balls, d));
+}
+
+/// Each at a smaller scale, seen from which all larger ones, and from all larger ones which, is in
+/// one direction.
+Balls ever_smaller(Random& g, int n, int bits) {
+    Balls balls;
+    for (int i = 0; i < n; ++i) {
+        const double scale = std::ldexp(1.0, -i * bits);
+        const auto one = [&] { return scale * (1 + g.real()); };
+        const double x = one(), y = one(), z = one();
+        balls.push_back({x, y, z, 0.2 * scale * g.real()});
+    }
+    return balls;
+}
+/// Two clouds, far from one another.
+Balls two_clouds(Random& g, int n, int bits) {
+    Balls balls;
+    const double scale = std::ldexp(1.0, -bits);
+    for (int i = 0; i < n; ++i) {
+        const auto one = [&] { return scale * g.real(); };
+        const double x = one(), y = one(), z = one();
+        balls.push_back({x + i % 2, y, z, 0.1 * one()});
+    }
+    return balls;
+}
+
+TEST(BallDiagram, OfBallsOnManyScalesIsTheOracles) {
+    Random g(16);
+    for (int trial = 0; trial < 4 * thoroughness && !HasFailure(); ++trial) {
+        expect_as_oracle(ever_smaller(g, 5, 1 + g.below(60)));
+        expect_as_oracle(two_clouds(g, 6, 10 + g.below(60)));
+    }
+}
+
+TEST(BallDiagram, OfMoreBallsOnManyScalesHasAllVertices) {
+    Random g(17);
+    for (const int bits : {2, 4, 10, 40}) expect_all_vertices(ever_smaller(g, 20, bits));
+    for (const int bits : {20, 45, 60}) expect_all_vertices(two_clouds(g, 24, bits));
+    expect_all_vertices(two_clouds(g, 16, 800));
+}
+
+TEST(BallDiagram, OfBallsOfSeveralRadiiOnALineHasRings) {
+    Random g(18);
+    const auto on_a_line = [&](int n, int side, int most) {
+        Balls balls;
+        for (int i = 0; i < n; ++i) {
+            const double t = g.below(side);
+            balls.push_back({t, 2 * t, -t, 0.5 * g.below(most)});
+        }
+        return balls;
+    };
+    for (int trial = 0; trial < 8 * thoroughness && !HasFailure(); ++trial)
+        expect_as_oracle(on_a_line(4 + g.below(4), 100, 20));
+    const Balls balls = on_a_line(400, 1'000'000, 200);
+    const BallDiagram d = ball_diagram(balls);
+    expect_laws(balls, d);
+    EXPECT_EQ(d.vertices.size(), 0U);
+    EXPECT_GT(d.edges.size(), 300U);
+    // Beside the line all is the same as on it but for the search.
+    Balls some(balls.begin(), balls.begin() + 20);
+    const BallDiagram of_some = ball_diagram(some);
+    some.push_back({0.0, 0.0, 1e12, 0.5});
+    const Curves curves = curves_of(ball_diagram(some));
+    for (const auto& [list, arcs] : curves_of(of_some)) {
+        EXPECT_TRUE(arcs.is_closed);
+        EXPECT_TRUE(curves.contains(list));
+    }
+}
+
+TEST(BallDiagram, OfManyHiddenBallsNamesTheFirstThatHides) {
+    const auto expect_hidden_by_first = [](const Balls& balls) {
+        const BallDiagram d = ball_diagram(balls);
+        std::vector<char> is_hidden(balls.size());
+        for (const Hidden& h : d.hidden) is_hidden[static_cast<std::size_t>(h.site)] = 1;
+        auto next = d.hidden.begin();
+        for (std::size_t q = 0; q < balls.size(); ++q) {
+            std::size_t by = 0;
+            while (by < balls.size() &&
+                   (is_hidden[by] || by == q || !euclidean::hidden(balls[q], balls[by])))
+                ++by;
+            if (!is_hidden[q]) {
+                if (by < q) ADD_FAILURE() << q << " is hidden by " << by;
+                continue;
+            }
+            EXPECT_EQ(*next, (Hidden{static_cast<Index>(q), static_cast<Index>(by)}));
+            ++next;
+        }
+    };
+    Random g(19);
+    Balls lattice, in_large_ones;
+    for (int i = 0; i < 600; ++i) {
+        const auto one = [&] { return 1.0 * g.below(4); };
+        const double x = one(), y = one(), z = one();
+        lattice.push_back({x, y, z, 1.0 * g.below(3)});
+        in_large_ones.push_back({g.real(), g.real(), g.real(), i % 8 == 0 ? 1 + g.real() : 0.1});
+    }
+    expect_hidden_by_first(lattice);
+    expect_hidden_by_first(in_large_ones);
+    // As many as this have no time for each to be held against each.
+    constexpr int many = 100'000;
+    Balls equal, nested;
+    for (int i = 0; i < many; ++i) {
+        equal.push_back({1.0, 2.0, 3.0, 1.0});
+        nested.push_back({0.0, 0.0, 0.25 * i, 1.0 + i});
+    }
+    EXPECT_EQ(ball_diagram(equal).hidden.size(), many - 1U);
+    const std::vector<Hidden> hidden = ball_diagram(nested).hidden;
+    ASSERT_EQ(hidden.size(), many - 1U);
+    for (const Hidden& h : hidden) EXPECT_EQ(h.by, many - 1);
+}
+
+/// As many neighbours as there are balls.
+TEST(BallDiagram, OfALargeBallAmidSmallOnesHasAllVertices) {
+    Random g(20);
+    Balls balls{{0, 0, 0, 1}};
+    while (balls.size() < 60) {
+        const double x = 2 * g.real() - 1, y = 2 * g.real() - 1, z = 2 * g.real() - 1;
+        const double length = std::hypot(x, y, z);
+        if (length < 0.1 || length > 1.0) continue;
+        const double r = 0.01 * g.real(), away = (1 + r + 1e-4 * g.real()) / length;
+        balls.push_back({away * x, away * y, away * z, r});
+    }
+    expect_all_vertices(balls);
+}
+
 }  // namespace
 }  // namespace signum
