@@ -250,7 +250,7 @@ TEST(OracleRectangularSpace, AgreesWithTheDefinitionInThePlane) {
     agrees_with_the_definition<2>(1000);
 }
 TEST(OracleRectangularSpace, AgreesWithTheDefinitionInSpace) {
-    agrees_with_the_definition<3>(60);
+    agrees_with_the_definition<3>(30);
 }
 
 /// All points of a lattice that touch; in doubles, which hold them exactly. The corners of what

@@ -172,7 +172,7 @@ class BallDiagramOf : public ::testing::TestWithParam<ball_families::Family> {};
 
 TEST_P(BallDiagramOf, IsTheOracles) {
     Random g(17);
-    const int trials = static_cast<int>(GetParam().share * 4 * thoroughness);
+    const int trials = static_cast<int>(GetParam().share * 2 * thoroughness);
     for (int trial = 0; trial < trials && !HasFailure(); ++trial) {
         Balls balls;
         const int n = 3 + g.below(5);
