@@ -569,7 +569,7 @@ class CellSearch {
                 continue;
             list.push_back(slot);
         }
-        if (list.size() > most_in_pairs) take_out_beside(list, best.best, patch);
+        if (list.size() > most_in_pairs && steady > 0) take_out_below_highest(list, patch);
         // Where the greatest f is positive, shorter ones that are lower matter little.
         const bool is_open = !(best.f_least > 0.0);
         if (list.size() > 2 && list.size() <= most_in_pairs) {
@@ -640,20 +640,33 @@ class CellSearch {
         }
         return false;
     }
-    /// Those that are less than the greatest of those whose value may be the greatest.
-    void take_out_beside(std::vector<Slot>& list, Slot best, const Patch& patch) const {
-        if (best == no_slot) return;
-        const double its_value = value(seen_[best], patch) - seen_[best].error;
-        Slot top = best;
-        for (const Slot slot : list) {
-            const Seen& q = seen_[slot];
-            if (q.is_wild || slot == top || value(q, patch) + q.error < its_value) continue;
-            if (middle_of(difference(q, seen_[top]), patch) > 0.0) top = slot;
+    /// Of a long list: those that are less than one of the few that are the highest in the middle.
+    /// The highest of all may be so there alone, and one of many far balls the next.
+    void take_out_below_highest(std::vector<Slot>& list, const Patch& patch) const {
+        constexpr std::size_t most_highest = 16;
+        for (std::size_t k = 0; k < most_highest && list.size() > most_in_pairs; ++k) {
+            std::size_t top = list.size();
+            for (std::size_t m = k; m < list.size(); ++m) {
+                const Seen& q = seen_[list[m]];
+                if (q.is_wild) continue;
+                if (top == list.size() || is_higher(q, seen_[list[top]], patch)) top = m;
+            }
+            if (top == list.size()) return;
+            std::swap(list[k], list[top]);
+            const Seen& highest = seen_[list[k]];
+            const auto is_out = [&](Slot slot) {
+                return !seen_[slot].is_wild && is_less(seen_[slot], highest, patch);
+            };
+            list.erase(std::remove_if(list.begin() + static_cast<std::ptrdiff_t>(k) + 1, list.end(),
+                                      is_out),
+                       list.end());
         }
-        if (top == best) return;
-        std::erase_if(list, [&](Slot slot) {
-            return slot != top && !seen_[slot].is_wild && is_less(seen_[slot], seen_[top], patch);
-        });
+    }
+    /// In the middle of the patch, as far as that is known.
+    [[nodiscard]] bool is_higher(const Seen& q, const Seen& j, const Patch& patch) const {
+        const double difference_of_f = value(q, patch) - value(j, patch);
+        if (std::fabs(difference_of_f) > q.error + j.error) return difference_of_f > 0.0;
+        return middle_of(difference(q, j), patch) > 0.0;
     }
     std::vector<Slot>& list_at(int depth) {
         if (lists_.size() <= static_cast<std::size_t>(depth))

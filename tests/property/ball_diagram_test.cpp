@@ -787,6 +787,10 @@ TEST(BallDiagram, OfMoreBallsOnManyScalesHasAllVertices) {
     for (const int bits : {2, 4, 10, 40}) expect_all_vertices(ever_smaller(g, 20, bits));
     for (const int bits : {20, 45, 60}) expect_all_vertices(two_clouds(g, 24, bits));
     expect_all_vertices(two_clouds(g, 16, 800));
+    for (const int bits : {20, 30}) {
+        const Balls balls = two_clouds(g, 120, bits);
+        expect_laws(balls, ball_diagram(balls));
+    }
 }
 
 TEST(BallDiagram, OfBallsOfSeveralRadiiOnALineHasRings) {
