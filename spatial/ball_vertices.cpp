@@ -6,6 +6,8 @@
 #include <compare>
 #include <cstddef>
 #include <optional>
+#include <span>
+#include <stdexcept>
 #include <utility>
 
 #include "../filters/bounds.hpp"
@@ -243,7 +245,8 @@ class VertexSearch {
     }
     void add_vertex(BallVertex vertex) {
         if (!rounded_) rounded_ = rounded_sphere(vertex.four, vertex.turn);
-        vertex.sphere = rounded_.value_or(Site3{});
+        if (!rounded_) throw std::logic_error("balls touch no sphere of the orientation that was found");
+        vertex.sphere = *rounded_;
         result_.vertices.push_back(std::move(vertex));
     }
     [[nodiscard]] std::optional<Site3> rounded_sphere(const Quadruple& four, Sign turn) const {
