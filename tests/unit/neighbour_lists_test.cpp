@@ -142,7 +142,7 @@ void expect_lists(std::uint64_t seed, Slot balls, double least, double most, Bou
         World<D> world = world_of<D>(random, balls, least, most, bounds, pull);
         Watched<D> watched(world, structure);
         for (Slot i = 0; i < balls; ++i) ASSERT_NO_FATAL_FAILURE(watched.expect_all_of(i));
-        for (int step = 0; step < 200 * thoroughness; ++step) {
+        for (int step = 0; step < (is_fast ? 1600 : 100); ++step) {
             ASSERT_NO_FATAL_FAILURE(watched.expect_all_in_their_spheres(random));
             if (random.below(4) == 0) {
                 const auto i = static_cast<Slot>(random.below(static_cast<int>(balls)));
@@ -193,7 +193,7 @@ TEST(NeighbourLists, OfABallAsWideAsTheBoxHoldAll) {
 
 /// Balls that crowd in a small part of the place, and balls that come to crowd there.
 TEST(NeighbourLists, OfCrowdsAreShort) {
-    constexpr Slot balls = 2000;
+    constexpr Slot balls = is_fast ? 2000 : 1000;
     for (const Bounds bounds : {Bounds::none, Bounds::box}) {
         for (const Structure structure : {Structure::lists, Structure::levels}) {
             Random random(13);
