@@ -278,7 +278,7 @@ template <std::size_t n, class Question>
         return at(Stage::exact, question(discs));
     };
     if (parts.span() <= numbers::wide_bits) return ask(std::array<Disc<Wide>, n>());
-    return ask(std::array<Disc<Integers>, n>());
+    return ask(std::array<Disc<Widest>, n>());
 }
 
 /// The same by the exact sign of a sum (ESSA), as far as doubles hold all terms.

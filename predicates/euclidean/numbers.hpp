@@ -8,9 +8,9 @@
 ///
 /// Laws:
 ///  1. four sizes: differences below 2^30, in the processor's integers as far as they reach
-///     (integers and grids, where ties abound); numbers that span at most wide_bits bits, in
-///     integers of a fixed size (most other doubles); at most integer_bits, in integers of any
-///     size; all others in rationals, the multiprecision stage;
+///     (integers and grids, where ties abound); numbers that span at most wide_bits bits (most
+///     other doubles), and at most integer_bits, in integers of two fixed sizes; all others in
+///     rationals, the multiprecision stage, which alone allocates memory;
 ///  2. doubles are taken apart by their bits: no rounding, no environment.
 
 #include <algorithm>
@@ -23,6 +23,7 @@
 
 #include "../../core/contract.hpp"
 #include "../../core/site.hpp"
+#include "../../exact/fixed_integer.hpp"
 #include "../../exact/multiprecision.hpp"
 #include "../../exact/sum.hpp"
 #include "../../filters/interval.hpp"
@@ -41,12 +42,9 @@ struct Narrow {
     using Octic = boost::multiprecision::int256_t;
 };
 /// Numbers that span 120 bits have differences below 2^121, powers below 2^243, products of two
-/// powers below 2^486, and the square in H stays below 2^976. Nothing is allocated.
-using Wide = Uniform<boost::multiprecision::number<
-    boost::multiprecision::cpp_int_backend<1024, 1024, boost::multiprecision::signed_magnitude,
-                                           boost::multiprecision::unchecked, void>,
-    boost::multiprecision::et_off>>;
-using Integers = Uniform<exact::Integer>;
+/// powers below 2^486, and the square in H stays below 2^976. Of 400 bits it stays below 2^3216.
+using Wide = Uniform<exact::FixedInteger<1024>>;
+using Widest = Uniform<exact::FixedInteger<3264>>;
 
 namespace numbers {
 

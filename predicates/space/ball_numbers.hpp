@@ -6,8 +6,8 @@
 /// the same amounts and multiplied by the same power of two. Laws:
 ///  1. four sizes: differences to the first ball below 2^24, in the processor's integers as far as
 ///     they reach (integers and grids, where ties abound); numbers that span at most wide_bits
-///     bits, in integers of a fixed size (most other doubles); at most integer_bits, in integers of
-///     any size; all others in rationals, the multiprecision stage;
+///     bits (most other doubles), and at most integer_bits, in integers of two fixed sizes; all
+///     others in rationals, the multiprecision stage, which alone allocates memory;
 ///  2. before the last two, long doubles that carry a bound, for what spans so many bits is rarely
 ///     tied;
 ///  3. doubles are taken apart by their bits: no rounding, no environment.
@@ -19,6 +19,7 @@
 
 #include <boost/multiprecision/cpp_int.hpp>
 
+#include "../../exact/fixed_integer.hpp"
 #include "../../exact/multiprecision.hpp"
 #include "../../filters/wide.hpp"
 #include "../exact_number.hpp"
@@ -39,11 +40,9 @@ struct Numbers {
 /// these add up to at most 4·72²·2^10b, below 2^255.
 using Narrow = Numbers<__int128, boost::multiprecision::int256_t>;
 /// Numbers that span 99 bits have differences below 2^100: by the same count the largest sum is
-/// below 2^1015. Nothing is allocated.
-using Wide = Numbers<boost::multiprecision::number<
-    boost::multiprecision::cpp_int_backend<1024, 1024, boost::multiprecision::signed_magnitude,
-                                           boost::multiprecision::unchecked, void>,
-    boost::multiprecision::et_off>>;
+/// below 2^1015. Of 400 bits it is below 2^4025.
+using Wide = Numbers<exact::FixedInteger<1024>>;
+using Widest = Numbers<exact::FixedInteger<4032>>;
 
 inline constexpr int narrow_bits = 24;
 inline constexpr int wide_bits = 99;

@@ -72,8 +72,7 @@ template <class Question, std::size_t d, std::size_t n>
     const filters::Verdict verdict = exact::in_ieee_environment(ask_bounded<Question, d, n>, balls);
     if (verdict.is_certain()) return {verdict.sign(), Stage::filter};
     if (apart.span() <= integer_bits)
-        return {Question::template ask<d, Numbers<exact::Integer>>(
-                    apart.template integers<exact::Integer>()),
+        return {Question::template ask<d, Widest>(apart.template integers<Widest::Number>()),
                 Stage::exact};
     return {ask_exactly<Question, Arithmetic::multiprecision, d>(balls), Stage::multiprecision};
 }
