@@ -10,43 +10,10 @@
 #include "../../predicates/space/ties.hpp"
 #include "ledger.hpp"
 #include "power_oracle.hpp"
+#include "sites.hpp"
 
 namespace signum::fuzz {
 namespace {
-
-template <std::size_t d, std::size_t n>
-using Places = std::array<std::size_t, n>;
-
-/// The library's sites of three kinds.
-template <class Site>
-[[nodiscard]] Site site_of(const Ball<2>& ball) {
-    if constexpr (
-        requires { Site::w; } || requires { Site::r; })
-        return {ball.centre[0], ball.centre[1], ball.size};
-    else
-        return {ball.centre[0], ball.centre[1]};
-}
-template <class Site>
-[[nodiscard]] Site site_of(const Ball<3>& ball) {
-    if constexpr (
-        requires { Site::w; } || requires { Site::r; })
-        return {ball.centre[0], ball.centre[1], ball.centre[2], ball.size};
-    else
-        return {ball.centre[0], ball.centre[1], ball.centre[2]};
-}
-
-template <std::size_t d, std::size_t n>
-[[nodiscard]] auto chosen(const Scaled<d, d + 2>& scaled, const std::array<std::size_t, n>& at) {
-    std::array<const Exact<d>*, n> sites;
-    for (std::size_t m = 0; m < n; ++m) sites[m] = &scaled.balls[at[m]];
-    return sites;
-}
-template <std::size_t d, std::size_t n>
-[[nodiscard]] auto ranks(const Configuration<d>& given, const std::array<std::size_t, n>& at) {
-    std::array<const Ball<d>*, n> balls;
-    for (std::size_t m = 0; m < n; ++m) balls[m] = &given.balls[at[m]];
-    return ranks_of<n, d>(given.kind, balls);
-}
 
 template <class Site>
 void ask_plane(const Configuration<2>& given, Ledger& ledger) {

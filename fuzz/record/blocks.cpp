@@ -100,11 +100,20 @@ template <std::size_t d>
 
 const std::vector<Metric>& all_metrics() {
     constexpr Shares cheap = {32, 32, 64};
+    constexpr Shares dear = {256, 32, 128, 20};
+    constexpr Shares dearer = {1024, 32, 256, 8};
     static const std::vector<Kind> power = {Kind::points, Kind::weights, Kind::radii};
     static const std::vector<Stage> of_power = {Stage::filter, Stage::refine, Stage::exact,
                                                 Stage::multiprecision};
+    static const std::vector<Stage> of_euclidean = {Stage::filter, Stage::exact,
+                                                    Stage::multiprecision};
+    static const std::vector<Stage> of_sums = {Stage::filter, Stage::exact, Stage::essa};
     static const std::vector<Metric> all = {
         {"power", 2, power, of_power, cheap, ask_power, nullptr},
+        {"euclidean", 2, {Kind::euclidean}, of_euclidean, dear, ask_euclidean, nullptr},
+        {"supremum", 2, {Kind::supremum}, of_sums, cheap, ask_supremum, nullptr},
+        {"manhattan", 2, {Kind::manhattan}, of_sums, cheap, ask_manhattan, nullptr},
+        {"space-euclidean", 3, {Kind::euclidean}, of_euclidean, dearer, nullptr, ask_euclidean},
         {"space-power", 3, power, of_power, cheap, nullptr, ask_power},
     };
     return all;

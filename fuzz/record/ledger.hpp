@@ -16,6 +16,7 @@ template <std::size_t d>
 struct Configuration {
     Kind kind = Kind::points;
     std::array<Ball<d>, d + 2> balls;
+    bool is_brief = false;  ///< asked for what is cheap alone
 };
 
 enum class Predicate : std::uint8_t {
@@ -105,5 +106,9 @@ template <std::size_t n, std::size_t d>
 // One function a metric and a dimension; each asks all predicates that the configuration allows.
 void ask_power(const Configuration<2>& configuration, Ledger& ledger);
 void ask_power(const Configuration<3>& configuration, Ledger& ledger);
+void ask_euclidean(const Configuration<2>& configuration, Ledger& ledger);
+void ask_euclidean(const Configuration<3>& configuration, Ledger& ledger);
+void ask_supremum(const Configuration<2>& configuration, Ledger& ledger);
+void ask_manhattan(const Configuration<2>& configuration, Ledger& ledger);
 
 }  // namespace signum::fuzz

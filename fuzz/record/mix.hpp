@@ -1,6 +1,7 @@
 #pragma once
 /// The configurations of a block: which patterns, moved how, in which shares.
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -15,6 +16,9 @@ struct Shares {
     std::int64_t raw;   ///< any finite bit patterns
     std::int64_t far;   ///< exponents at the ends of the doubles' range, all alike
     std::int64_t tiny;  ///< one number that is nothing beside the others
+    /// Two that touch but for such a number, of which only the cheap predicates are asked; 0 where
+    /// there is no need of it.
+    std::int64_t brief = 0;
 };
 
 /// Of what is left seven eighths are patterns, of which three quarters are moved by 0 to 4 ulps in
@@ -28,6 +32,16 @@ class Mix {
     void make(Kind kind, Configuration<d>& into) {
         into.kind = kind;
         auto& balls = into.balls;
+        into.is_brief = shares_.brief != 0 && moves_.once_in(shares_.brief);
+        if (into.is_brief) {
+            moves_.lattice(kind, balls);
+            std::array<Ball<d>, 2> pair;
+            moves_.nest(kind, pair);
+            balls.front() = pair[0];
+            balls.back() = pair[1];
+            balls.front().centre[0] = tiny();
+            return moves_.scale(kind, balls, static_cast<int>(moves_.integer(-60, 60)));
+        }
         if (moves_.once_in(shares_.raw)) return moves_.raw(kind, balls);
         if (moves_.once_in(8)) {
             moves_.raw(kind, balls, static_cast<int>(moves_.integer(0, 60)));
@@ -42,8 +56,7 @@ class Mix {
                 moves_.move_by_ulps(kind, balls, static_cast<int>(moves_.integer(1, 3)), 4);
             if (moves_.once_in(shares_.tiny)) {
                 auto& ball = balls[static_cast<std::size_t>(moves_.integer(0, d))];
-                double& number = ball.centre[static_cast<std::size_t>(moves_.integer(0, d - 1))];
-                number = std::ldexp(static_cast<double>(moves_.integer(-1000, 1000)), -460);
+                ball.centre[static_cast<std::size_t>(moves_.integer(0, d - 1))] = tiny();
             }
         }
         if (moves_.once_in(shares_.far)) {
@@ -55,6 +68,10 @@ class Mix {
     }
 
  private:
+    [[nodiscard]] double tiny() {
+        return std::ldexp(static_cast<double>(moves_.integer(-1000, 1000)), -460);
+    }
+
     hard::Moves<d> moves_;
     Shares shares_;
 };

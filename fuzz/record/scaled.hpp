@@ -2,6 +2,7 @@
 /// The balls of a call as integers: all numbers multiplied by one power of two, weights by its
 /// square.
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -30,6 +31,31 @@ struct Digits {
     const int zeros = std::countr_zero(significand);
     const auto odd = static_cast<std::int64_t>(significand >> zeros);
     return {number < 0 ? -odd : odd, (field == 0 ? 1 : field) - 1075 + zeros};
+}
+
+/// All numbers are multiples of 2^lowest below 2^(lowest + span).
+struct Units {
+    int lowest = 0;
+    int span = 0;
+};
+template <std::size_t d, std::size_t n>
+[[nodiscard]] Units units_of(const std::array<Ball<d>, n>& balls) {
+    int lowest = std::numeric_limits<int>::max();
+    int highest = std::numeric_limits<int>::min();
+    const auto see = [&](double number) {
+        const Digits digits = digits_of(number);
+        if (digits.significand == 0) return;
+        const std::uint64_t size = static_cast<std::uint64_t>(
+            digits.significand < 0 ? -digits.significand : digits.significand);
+        lowest = std::min(lowest, digits.exponent);
+        highest = std::max(highest, digits.exponent + static_cast<int>(std::bit_width(size)));
+    };
+    for (const Ball<d>& ball : balls) {
+        for (const double x : ball.centre) see(x);
+        see(ball.size);
+    }
+    if (lowest > highest) return {};
+    return {lowest, highest - lowest};
 }
 
 /// A ball in units of 2^exponent.
