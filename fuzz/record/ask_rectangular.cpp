@@ -6,6 +6,7 @@
 
 #include "../../predicates/manhattan.hpp"
 #include "../../predicates/supremum.hpp"
+#include "narrow.hpp"
 #include "rectangular_oracle.hpp"
 #include "sites.hpp"
 
@@ -14,26 +15,10 @@ namespace {
 
 using namespace rectangular_oracle;
 
-/// Integers of the processor, for numbers that span this many bits at most: what is asked adds less
-/// than eight of them.
-using Narrow = __int128;
-constexpr int narrow_bits = 122;
-
 /// Radii under the tie rule are less by an infinitesimal each. Sums hold fewer than 2^8 of any, so
 /// that these are as good: the last site's 2^30 units, those before 2^20, 2^10 and 1, of which
 /// `shift` bits make the unit of all numbers.
 constexpr int shift = 40;
-
-template <class Number>
-[[nodiscard]] Number number_of(const Digits& digits, int unit, int extra) {
-    if (digits.significand == 0) return Number(0);
-    const auto bits = static_cast<std::uint64_t>(digits.exponent - unit + extra);
-    if constexpr (std::is_same_v<Number, Integer>)
-        return Integer(digits.significand, bits);
-    else
-        return static_cast<Narrow>(static_cast<unsigned __int128>(Narrow{digits.significand})
-                                   << bits);
-}
 
 /// The questions about one configuration in numbers of one type.
 template <class Metric, class Number>

@@ -114,6 +114,8 @@ const std::vector<Metric>& all_metrics() {
         {"supremum", 2, {Kind::supremum}, of_sums, cheap, ask_supremum, nullptr},
         {"manhattan", 2, {Kind::manhattan}, of_sums, cheap, ask_manhattan, nullptr},
         {"space-euclidean", 3, {Kind::euclidean}, of_euclidean, dearer, nullptr, ask_euclidean},
+        {"space-supremum", 3, {Kind::supremum}, of_sums, cheap, nullptr, ask_supremum},
+        {"space-manhattan", 3, {Kind::manhattan}, of_sums, cheap, nullptr, ask_manhattan},
         {"space-power", 3, power, of_power, cheap, nullptr, ask_power},
     };
     return all;

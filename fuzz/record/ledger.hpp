@@ -21,7 +21,7 @@ struct Configuration {
 
 enum class Predicate : std::uint8_t {
     ccw,
-    exists,
+    exists,               ///< of cubes and octahedra in space: how many, in their order
     in_circle,            ///< in space in_sphere
     in_circle_perturbed,  ///< where in_circle is 0; its stage is that of the 0
     infinite,             ///< in_circle_infinite; of the power metric in_segment
@@ -109,6 +109,8 @@ void ask_power(const Configuration<3>& configuration, Ledger& ledger);
 void ask_euclidean(const Configuration<2>& configuration, Ledger& ledger);
 void ask_euclidean(const Configuration<3>& configuration, Ledger& ledger);
 void ask_supremum(const Configuration<2>& configuration, Ledger& ledger);
+void ask_supremum(const Configuration<3>& configuration, Ledger& ledger);
 void ask_manhattan(const Configuration<2>& configuration, Ledger& ledger);
+void ask_manhattan(const Configuration<3>& configuration, Ledger& ledger);
 
 }  // namespace signum::fuzz
