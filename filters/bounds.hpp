@@ -21,6 +21,15 @@ inline constexpr double epsilon = 0x1p-52;
     return __builtin_fabsf(value);
 }
 
+/// What a filter compares: a rounded number, and the bound on its error. The formulas of filters
+/// make these of any type of number, so that what is proved of them (tests/structure/proofs) is
+/// what is computed.
+template <class Number>
+struct Compared {
+    Number value;
+    Number bound;
+};
+
 /// The sign of a double that is not 0.
 [[nodiscard]] inline int sign_of_nonzero(double value) noexcept {
     return static_cast<int>(std::bit_cast<std::int64_t>(value) >> 63) | 1;

@@ -54,6 +54,14 @@ template <class Number, HasCentre S>
 inline constexpr double ccw_error = 5 * filters::epsilon;
 static_assert(rounded_ccw<filters::RoundingCount>(Point{}, Point{}, Point{}).roundings == 4);
 
+/// The determinant and its bound, from the differences to c.
+template <class Number>
+[[nodiscard, gnu::always_inline]] constexpr filters::Compared<Number> compared_ccw(
+    const Number& ax, const Number& ay, const Number& bx, const Number& by) noexcept {
+    using filters::magnitude;
+    return {ccw_determinant(ax, ay, bx, by), ccw_error * magnitude(ax * by + ay * bx) + 0x1p-1000};
+}
+
 /// Decides almost every call. Where the two products have one sign, the magnitude of their sum is
 /// the sum of their magnitudes; where they have not, no cancellation happens and any bound below 1
 /// would do. Underflow of a product costs at most 2^-1074 each, which 2^-1000 covers; underflow of
@@ -66,8 +74,7 @@ template <HasCentre S>
     const double ay = filters::pinned(a.y) - origin.y;
     const double bx = filters::pinned(b.x) - origin.x;
     const double by = filters::pinned(b.y) - origin.y;
-    const double determinant = ccw_determinant(ax, ay, bx, by);
-    const double bound = ccw_error * filters::magnitude(ax * by + ay * bx) + 0x1p-1000;
+    const auto [determinant, bound] = compared_ccw(ax, ay, bx, by);
     if (!filters::environment_is_default()) [[unlikely]]
         return filters::Verdict::uncertain();
     if (!(filters::magnitude(determinant) > bound)) [[unlikely]]

@@ -14,7 +14,7 @@ set -euo pipefail
 oldest_gcc=12
 oldest_clang=14
 build=(g++ cmake ninja-build libgmp-dev libmpfr-dev libboost-dev libcli11-dev libfmt-dev nlohmann-json3-dev libtomlplusplus-dev)
-test=("${build[@]}" libgtest-dev gnuplot-nox valgrind)
+test=("${build[@]}" libgtest-dev gnuplot-nox valgrind gappa)
 # The last three are the peers in space.
 benchmark=("${build[@]}" libbenchmark-dev libcgal-dev voro++-dev voronota)
 
@@ -26,6 +26,7 @@ probe() {
     g++) command -v "${CXX:-g++}" >/dev/null || command -v clang++ >/dev/null ;;
     cmake) command -v cmake >/dev/null ;;
     ninja-build) command -v ninja >/dev/null ;;
+    gappa) command -v gappa >/dev/null ;;
     gnuplot-nox) command -v gnuplot >/dev/null ;;
     voronota) command -v voronota >/dev/null ;;
     *) dpkg-query -W -f '${db:Status-Status}\n' "$1" 2>/dev/null | grep -qx installed ;;

@@ -49,6 +49,20 @@ inline constexpr double in_circle_error = 13 * filters::epsilon;
 inline constexpr auto rounded_row = row<filters::RoundingCount>(signum::Site{}, signum::Site{});
 static_assert(in_circle_determinant(rounded_row, rounded_row, rounded_row).roundings == 12);
 
+/// The determinant and its bound.
+template <class Number>
+[[nodiscard, gnu::always_inline]] constexpr filters::Compared<Number> compared_in_circle(
+    const Row<Number>& a, const Row<Number>& b, const Row<Number>& c) noexcept {
+    using filters::magnitude;
+    const Number a_square = a.x * a.x + a.y * a.y;
+    const Number b_square = b.x * b.x + b.y * b.y;
+    const Number c_square = c.x * c.x + c.y * c.y;
+    const Number s = (a_square + magnitude(a.weight)) + (b_square + magnitude(b.weight)) +
+                     (c_square + magnitude(c.weight));
+    return {in_circle_determinant(a, b, c),
+            5 * filters::epsilon * (s * s) + (0x1p-1000 * s + 0x1p-1000)};
+}
+
 /// Decides almost every call. With h_m = |m-q|² + |w_m - w_q| and s = h_i + h_j + h_k the magnitude
 /// of the determinant is at most h_i h_j + h_j h_k + h_k h_i <= s²/3, since |x_j y_k| + |x_k y_j|
 /// is at most
@@ -61,21 +75,14 @@ static_assert(in_circle_determinant(rounded_row, rounded_row, rounded_row).round
 template <PowerSite S>
 [[nodiscard]] inline filters::Verdict in_circle_filter(const S& i, const S& j, const S& k,
                                                        const S& q) noexcept {
-    using filters::magnitude;
     const S origin = filters::pinned(q);
     const Row<double> a = row(filters::pinned(i), origin);
     const Row<double> b = row(filters::pinned(j), origin);
     const Row<double> c = row(filters::pinned(k), origin);
-    const double a_square = a.x * a.x + a.y * a.y;
-    const double b_square = b.x * b.x + b.y * b.y;
-    const double c_square = c.x * c.x + c.y * c.y;
-    const double determinant = in_circle_determinant(a, b, c);
-    const double s = (a_square + magnitude(a.weight)) + (b_square + magnitude(b.weight)) +
-                     (c_square + magnitude(c.weight));
-    const double bound = 5 * filters::epsilon * (s * s) + (0x1p-1000 * s + 0x1p-1000);
+    const auto [determinant, bound] = compared_in_circle(a, b, c);
     if (!filters::environment_is_default()) [[unlikely]]
         return filters::Verdict::uncertain();
-    if (!(magnitude(determinant) > bound)) [[unlikely]]
+    if (!(filters::magnitude(determinant) > bound)) [[unlikely]]
         return filters::Verdict::uncertain();
     return filters::Verdict::certain(filters::sign_of_nonzero(determinant));
 }

@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# Writes the proofs of the filters' bounds and has gappa check each. Without gappa it is skipped (77).
+#
+#   proofs.sh PROGRAM [DIRECTORY]     (proofs/proofs.cpp); with a directory the scripts stay there
+set -euo pipefail
+proofs=$1
+if ! command -v gappa >/dev/null; then
+  echo "gappa is not installed: no bound is proved here"
+  exit 77
+fi
+if [ $# -gt 1 ]; then
+  scratch=$2
+  mkdir -p "$scratch"
+  rm -f "$scratch"/*.g
+else
+  scratch=$(mktemp -d)
+  trap 'rm -rf "$scratch"' EXIT
+fi
+
+"$proofs" "$scratch"
+failed=0
+count=0
+for script in "$scratch"/*.g; do
+  count=$((count + 1))
+  # A warning, of a hint that gappa cannot follow for one, is no proof either.
+  if ! words=$(gappa "$script" 2>&1) || [ -n "$words" ]; then
+    failed=$((failed + 1))
+    echo "not proved:"
+    cat "$script"
+    head -n 5 <<<"$words"
+  fi
+done
+echo "$((count - failed)) of $count propositions are proved"
+# What is false must not be provable: nor must an error that is greater than its bound.
+echo '{ |S| <= 1 /\ |s| <= 2 -> |S + s| <= 2 }' >"$scratch/false.g"
+if gappa "$scratch/false.g" >/dev/null 2>&1; then
+  echo "gappa proves what is false"
+  failed=1
+fi
+rm "$scratch/false.g"
+[ "$failed" -eq 0 ]

@@ -1,0 +1,145 @@
+#pragma once
+/// From what a filter computes to the proof that its bound covers the error of its value.
+
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+#include "../../../filters/bounds.hpp"
+#include "script.hpp"
+
+namespace signum::proofs {
+
+using Compared = filters::Compared<Expression>;
+
+/// What one filter compares, and what is known of its numbers.
+///
+/// Sizes are products of some variables, which stand for numbers above 0. Where there is a window
+/// each of them is at least 2^-window, and a bound's size, in which each sum counts its terms, is
+/// at most `terms` to the power of the degree times the bound.
+struct Filter {
+    const char* name;
+    std::function<Compared()> evaluate;
+    /// The size of an atom.
+    Monomial (*size_of)(const std::string& atom);
+    /// Without a window: what the bound adds for underflow, in sizes.
+    Polynomial spare_for_underflow{};
+    int window = 0;
+    int terms = 0;
+    /// Where the magnitude of the value is not covered by the bound monomial by monomial: how many
+    /// times the bound, without what that adds for underflow, it is at most, and the proof.
+    long double share = 0;
+    void (*prove_share)(Scripts& scripts) = nullptr;
+};
+
+struct Margin {
+    double roundings;
+    double spare;
+};
+
+/// With t t in place of each p q.
+[[nodiscard]] inline Polynomial without_pairs(const Polynomial& all) {
+    Polynomial result;
+    for (const auto& [with_pairs, coefficient] : all) {
+        Monomial monomial = with_pairs;
+        const auto replace = [&monomial](int variable) {
+            const auto place = std::find(monomial.begin(), monomial.end(), variable);
+            if (place == monomial.end()) return false;
+            *place = 't';
+            return true;
+        };
+        while (replace('p') && replace('q')) continue;
+        std::sort(monomial.begin(), monomial.end());
+        result[monomial] += coefficient;
+    }
+    return result;
+}
+
+/// The monomials of the highest degree. Degrees are those of sizes.
+[[nodiscard]] inline Polynomial main_part(const Polynomial& all,
+                                          const std::function<std::size_t(int)>& degree_of) {
+    const auto degree = [&degree_of](const Monomial& monomial) {
+        std::size_t sum = 0;
+        for (const int variable : monomial) sum += degree_of(variable);
+        return sum;
+    };
+    std::size_t highest = 0;
+    for (const auto& [monomial, coefficient] : all) highest = std::max(highest, degree(monomial));
+    Polynomial result;
+    for (const auto& [monomial, coefficient] : all)
+        if (degree(monomial) == highest) result[monomial] = coefficient;
+    return result;
+}
+
+/// In a window: how many times the bound all underflow is, of which each term is multiplied by
+/// sizes, which are at least 2^-window, until it is one of the bound's.
+[[nodiscard]] inline long double underflow_in_window(const Filter& filter,
+                                                     const Polynomial& underflow,
+                                                     const Polynomial& bound) {
+    Polynomial sum;
+    for (const auto& [monomial, coefficient] : underflow) {
+        const Monomial* covers = nullptr;
+        for (const auto& [product, times] : bound)
+            if (std::includes(product.begin(), product.end(), monomial.begin(), monomial.end()))
+                covers = &product;
+        if (covers == nullptr) throw std::logic_error("a term of underflow is not covered");
+        const std::size_t missing = covers->size() - monomial.size();
+        sum[*covers] +=
+            coefficient * std::ldexp(1.0L, filter.window * static_cast<int>(missing) - 1074);
+    }
+    const std::size_t degree = bound.begin()->first.size();
+    return share(sum, bound) *
+           std::pow(static_cast<long double>(filter.terms), static_cast<long double>(degree));
+}
+
+inline Margin prove(Scripts& scripts, const Filter& filter) {
+    Notes of_this;
+    of_this.size_of_atom = filter.size_of;
+    notes = &of_this;
+    const auto [value, bound] = filter.evaluate();
+    notes = nullptr;
+
+    const std::string name = filter.name;
+    for (const Step& step : of_this.steps) scripts.write(step);
+
+    std::map<int, std::size_t> degrees;
+    for (const auto& [name, atom] : of_this.atoms) degrees[atom] = filter.size_of(name).size();
+    const Polynomial main_bound =
+        main_part(bound.magnitude(), [&degrees](int atom) { return degrees.at(atom); });
+    long double times = filter.share;
+    if (filter.prove_share != nullptr) {
+        filter.prove_share(scripts);
+    } else {
+        times = share(value.magnitude(), main_bound);
+        if (times < 0) throw std::logic_error(name + ": the bound lacks a term");
+    }
+
+    // The bound as it is computed is at least (1 - error) times what it means.
+    const Polynomial underflow = without_pairs(value.underflow() + bound.underflow());
+    long double of_underflow = 0;
+    if (filter.window != 0) {
+        of_underflow = underflow_in_window(
+            filter, underflow, main_part(bound.size(), [](int) { return std::size_t{1}; }));
+    } else {
+        for (const auto& [monomial, coefficient] : underflow) {
+            const auto spare = filter.spare_for_underflow.find(monomial);
+            if (spare == filter.spare_for_underflow.end())
+                throw std::logic_error(name + ": a term of underflow is not covered");
+            scripts.write(
+                name + "-underflow-" + std::to_string(monomial.size()),
+                "What underflows is less than what the bound adds for it.",
+                {written_upwards(coefficient) + " * 1b-1074 - (1 - " + written(bound.error()) +
+                 ") * " + written_upwards(spare->second) + " <= 0"});
+        }
+    }
+    scripts.write(name, "The error, in multiples of the bound, is less than the bound as computed.",
+                  {written(value.error()) + " * " + written_upwards(times) + " + " +
+                   written_upwards(of_underflow) + " - (1 - " + written(bound.error()) + ") <= 0"});
+
+    const long double error = unit * static_cast<long double>(value.error());
+    return {static_cast<double>(error * 0x1p52L),
+            static_cast<double>((1 - unit * static_cast<long double>(bound.error())) /
+                                (error * times + of_underflow))};
+}
+
+}  // namespace signum::proofs
