@@ -16,8 +16,7 @@
 namespace signum {
 namespace {
 
-constexpr std::size_t block_size = std::size_t{1} << 18;
-static_assert(block_size > 2 * InputFile::longest_line);
+constexpr std::size_t block_size = 4 * InputFile::longest_line;
 
 /// Out of descriptors or memory: nothing that another name would cure.
 bool is_failure_of_machine(int error) noexcept {

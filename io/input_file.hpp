@@ -15,10 +15,17 @@
 
 namespace signum {
 
+/// A fuzzer's files are small, and are to go beyond lines and blocks.
+#ifdef FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION
+inline constexpr bool is_for_small_files = true;
+#else
+inline constexpr bool is_for_small_files = false;
+#endif
+
 class InputFile {
  public:
     /// The longest line, in bytes.
-    static constexpr std::size_t longest_line = 65'536;
+    static constexpr std::size_t longest_line = is_for_small_files ? 500 : 65'536;
 
     /// Opens `path`, or standard input for "-". `kind` says what the file should hold ("a file of
     /// sites") when it is a directory or cannot be opened, which is an InputError.

@@ -2,17 +2,20 @@
 
 #include <array>
 #include <cstddef>
-#include <ranges>
+#include <numeric>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "text_writer.hpp"
 
 namespace signum {
 namespace {
 
-auto numbers_below(std::size_t count) {
-    return std::views::iota(std::size_t{0}, count);
+std::vector<std::size_t> numbers_below(std::size_t count) {
+    std::vector<std::size_t> numbers(count);
+    std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+    return numbers;
 }
 
 }  // namespace

@@ -40,8 +40,9 @@ void put_in_order(Sketch<D>& sketch, std::span<const std::int32_t> numbers,
         renumber(expected.partner);
     }
     std::ranges::sort(sketch.areas, {}, key_of<D>);
-    const auto again = std::ranges::unique(sketch.areas, {}, key_of<D>);
-    sketch.areas.erase(again.begin(), again.end());
+    const auto is_again = [](const auto& a, const auto& b) { return key_of<D>(a) == key_of<D>(b); };
+    sketch.areas.erase(std::unique(sketch.areas.begin(), sketch.areas.end(), is_again),
+                       sketch.areas.end());
     std::ranges::sort(sketch.rounds, {}, &Sketch<D>::Round::ball);
     std::ranges::sort(sketch.links);
     std::ranges::sort(sketch.expected, {}, &Sketch<D>::Expected::ball);

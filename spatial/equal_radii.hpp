@@ -58,9 +58,9 @@ class EqualRadii {
  private:
     template <class List>
     [[nodiscard]] static std::span<const List> with(Index first, const std::vector<List>& all) {
-        const auto range =
-            std::ranges::equal_range(all, first, {}, [](const List& list) { return list.front(); });
-        return {range.begin(), range.end()};
+        const auto first_of = [](const List& list) { return list.front(); };
+        return {std::ranges::lower_bound(all, first, {}, first_of),
+                std::ranges::upper_bound(all, first, {}, first_of)};
     }
     void tessellate(const BallSet& balls, std::span<const Index> kind, const Options& options);
 

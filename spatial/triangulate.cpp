@@ -4,7 +4,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <ranges>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -161,7 +160,8 @@ class Construction {
         if (hidden.empty()) return;
         constexpr Index is_visible = -1;
         LargeArray<Index> hider(all_.sites.size(), is_visible);
-        for (const auto& [v, near] : hidden | std::views::reverse) {
+        for (auto last = hidden.rbegin(); last != hidden.rend(); ++last) {
+            const auto& [v, near] = *last;
             const Index of_near = hider[static_cast<std::size_t>(near)];
             hider[static_cast<std::size_t>(v)] = of_near == is_visible ? near : of_near;
         }

@@ -1,0 +1,36 @@
+#pragma once
+/// Reading, which may fail in one way alone.
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "../../io/errors.hpp"
+
+#include "target.hpp"
+
+namespace signum::fuzz {
+
+/// A message names the file first, is one line, and short enough to be read.
+inline void judge_message(std::string_view message, std::string_view path) {
+    must(message.starts_with(path) && message.substr(path.size()).starts_with(':'),
+         "a message that does not begin with the file");
+    for (const char c : message)
+        must(static_cast<unsigned char>(c) >= ' ' && c != '\x7f',
+             "a message with a control character");
+    must(message.size() < 2000, "a message of more than 2000 bytes");
+}
+
+/// What `read` gives of the file, or nothing where it throws InputError; whatever else it throws
+/// ends the program.
+template <class Read>
+auto result_of(const std::string& path, const Read& read) -> std::optional<decltype(read(path))> {
+    try {
+        return read(path);
+    } catch (const InputError& error) {
+        judge_message(error.what(), path);
+        return std::nullopt;
+    }
+}
+
+}  // namespace signum::fuzz

@@ -1,0 +1,72 @@
+#include <sstream>
+#include <vector>
+
+#include "../../io/read_sites.hpp"
+#include "../../io/read_tessellation.hpp"
+#include "../../io/write_json.hpp"
+#include "../../spatial/validate.hpp"
+#include "../../triangulation/validate.hpp"
+
+#include "memory_file.hpp"
+#include "parsers.hpp"
+#include "reading.hpp"
+
+namespace signum::fuzz {
+namespace {
+
+constexpr std::int64_t most_judged = 64;
+
+/// Of a grid, so that many a tessellation is right about ties.
+template <class S>
+std::vector<S> grid_sites(std::int64_t count) {
+    std::vector<S> sites;
+    for (std::int64_t i = 0; i < count; ++i) {
+        S site;
+        site.x = static_cast<double>(i % 3);
+        site.y = static_cast<double>(i / 3 % 3);
+        if constexpr (requires { site.z; }) site.z = static_cast<double>(i / 9);
+        site.r = i % 7 == 3 ? 1.5 : 0.0;
+        sites.push_back(site);
+    }
+    return sites;
+}
+
+/// Whatever the arrays hold, they are judged.
+void judge_arrays(const TessellationArrays& arrays) {
+    if (arrays.sites > most_judged ||
+        (arrays.weight_is == WeightIs::weight && arrays.metric != Metric::power))
+        return;
+    const std::vector<Site> sites = grid_sites<Site>(arrays.sites);
+    const Validation verdict = validate(arrays, strided_view(sites, arrays.weight_is));
+    must(verdict.canonical <= verdict.valid, "canonical and not valid");
+    must(verdict.canonical == verdict.message.empty(), "a verdict without a reason");
+}
+
+void judge_in_space(const ReadTessellation& read) {
+    std::ostringstream text;
+    write_json(text, *read.in_space, read.arrays.metric, read.arrays.weight_is);
+    const MemoryFile copy(text.str());
+    const ReadTessellation again = read_any_tessellation(copy.path());
+    must(again.in_space == read.in_space && again.arrays == read.arrays,
+         "a tessellation of space that does not read back to the same");
+    if (read.in_space->sites > most_judged) return;
+    const std::vector<Site3> sites = grid_sites<Site3>(read.in_space->sites);
+    const Validation verdict = validate(*read.in_space, sites);
+    must(verdict.canonical <= verdict.valid, "canonical and not valid");
+}
+
+}  // namespace
+
+void read_tessellation_target(Bytes bytes) {
+    const MemoryFile file(bytes);
+    const auto of_plane = result_of(file.path(), read_tessellation);
+    const auto of_any = result_of(file.path(), read_any_tessellation);
+    if (of_plane) {
+        must(of_any && !of_any->in_space && of_any->arrays == *of_plane,
+             "two readers that differ about a tessellation of the plane");
+        judge_arrays(*of_plane);
+    }
+    if (of_any && of_any->in_space) judge_in_space(*of_any);
+}
+
+}  // namespace signum::fuzz
