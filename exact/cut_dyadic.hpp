@@ -84,8 +84,7 @@ class CutDyadic : public ComparedBySign<CutDyadic<most_bits>> {
     /// The magnitude is below 2^size, and where it is not 0 at least half of that.
     [[nodiscard]] std::int64_t size() const {
         if (significand_.is_zero()) return none;
-        return exponent_ +
-               static_cast<std::int64_t>(mpz_sizeinbase(significand_.backend().data(), 2));
+        return exponent_ + bits_of(significand_);
     }
     [[nodiscard]] CutDyadic cut() && {
         const std::int64_t surplus = size() - exponent_ - most_bits;

@@ -1,6 +1,6 @@
 #pragma once
 /// Dyadic numbers m·2^e: what doubles are, and all their sums and products. For sources only, for
-/// GMP comes with it.
+/// multiprecision.hpp comes with it.
 ///
 /// m is an integer of 128 bits while these surely hold it, which they do in most ties, and of any
 /// size otherwise. Nothing is normalised: where a rational divides by a greatest common divisor

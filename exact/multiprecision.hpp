@@ -1,6 +1,7 @@
 #pragma once
 /// Rational numbers of any size, and the exact ways between them and doubles. For sources only:
-/// no public header includes this one, for it pulls in Boost and GMP.
+/// no public header includes this one, for it pulls in Boost and, where the library is built with
+/// it, GMP.
 ///
 /// Laws:
 ///  1. to_rational is exact for every finite double, round_to_double is off by half a unit in the
@@ -13,17 +14,11 @@
 #include <cstdint>
 #include <limits>
 
-#include <boost/multiprecision/gmp.hpp>
-
 #include "../core/contract.hpp"
 #include "../core/sign.hpp"
+#include "numbers.hpp"
 
 namespace signum::exact {
-
-using Integer =
-    boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
-using Rational = boost::multiprecision::number<boost::multiprecision::gmp_rational,
-                                               boost::multiprecision::et_off>;
 
 /// -1, 0 or +1.
 [[nodiscard]] inline Sign sign(const Rational& value) {
@@ -54,14 +49,8 @@ struct Parts {
 /// flushed.) Precondition: value is finite.
 [[nodiscard]] inline Rational to_rational(double value) {
     const auto [significand, exponent, negative] = parts(value);
-    Rational result = significand;
-    const mpq_ptr number = result.backend().data();
-    if (exponent < 0) {
-        mpq_div_2exp(number, number, static_cast<mp_bitcnt_t>(-exponent));
-    } else {
-        mpq_mul_2exp(number, number, static_cast<mp_bitcnt_t>(exponent));
-    }
-    if (negative) mpq_neg(number, number);
+    Rational result = scaled(significand, exponent);
+    if (negative) result.backend().negate();
     return result;
 }
 
@@ -76,7 +65,6 @@ struct Parts {
     // double that leaves the quotient 53 bits. It is found at the first or second trial.
     Integer numerator = abs(boost::multiprecision::numerator(value));
     Integer denominator = boost::multiprecision::denominator(value);
-    const auto bits_of = [](const Integer& n) { return static_cast<std::int64_t>(msb(n)) + 1; };
     std::int64_t place =
         std::max<std::int64_t>(bits_of(numerator) - bits_of(denominator) - 53, -1074);
     if (place < 0) numerator <<= -place;

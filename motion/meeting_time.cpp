@@ -92,9 +92,7 @@ Integer floor_of(const Dyadic& a, const Dyadic& b) {
     const int exponent = std::min(a.exponent(), b.exponent());
     const Integer numerator = a.significand() << (a.exponent() - exponent);
     const Integer denominator = b.significand() << (b.exponent() - exponent);
-    Integer result;
-    mpz_fdiv_q(result.backend().data(), numerator.backend().data(), denominator.backend().data());
-    return result;
+    return exact::floor_of(numerator, denominator);
 }
 
 /// In a window of time the images that may touch in it are those that are near enough along each

@@ -1,5 +1,5 @@
 /// The gap is P(t) - a sin(ω t + φ), P a parabola with dyadic coefficients. All is exact but for
-/// sines and cosines, of which MPFR gives enclosures as narrow as they are asked for.
+/// sines and cosines, which are enclosed as narrowly as they are asked for.
 ///
 /// Why the signs can be told at every dyadic t: the sine and the cosine of an algebraic number
 /// other than 0 are transcendental (Lindemann), so that the gap and its derivatives are 0 there
@@ -27,9 +27,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include <mpfr.h>
-
 #include "../core/contract.hpp"
+#include "../exact/elementary.hpp"
 #include "../exact/nearest_double.hpp"
 #include "../exact/polynomial.hpp"
 #include "descent.hpp"
@@ -64,27 +63,15 @@ struct Bounded {
     }
 };
 
-class MpfrNumber {
- public:
-    explicit MpfrNumber(mpfr_prec_t bits) { mpfr_init2(number_, bits); }
-    ~MpfrNumber() { mpfr_clear(number_); }
-    MpfrNumber(const MpfrNumber&) = delete;
-    MpfrNumber& operator=(const MpfrNumber&) = delete;
-    [[nodiscard]] mpfr_ptr get() noexcept { return number_; }
+using Function = Dyadic (*)(const Dyadic& x, int bits);
 
- private:
-    mpfr_t number_;
-};
-
-using Function = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t);
-
-/// The sine or cosine of x, |x| at most 2^(-bits / 4). Its series alternates: x - x³/6 + x⁵/120, and 1 - x²/2 +
-/// x⁴/24.
+/// The sine or cosine of x, |x| at most 2^(-bits / 4). Its series alternates: x - x³/6 + x⁵/120,
+/// and 1 - x²/2 + x⁴/24.
 Bounded enclose_near_zero(Function function, const Dyadic& x, int bits) {
     static const Dyadic half(0.5);
     static const Dyadic sixteenth(0.0625);
     const Dyadic square = x * x;
-    if (function == mpfr_cos) {
+    if (function == exact::cosine) {
         const Dyadic value = Dyadic(1.0) - half * square;
         return {value, value + sixteenth * square * square};
     }
@@ -95,23 +82,15 @@ Bounded enclose_near_zero(Function function, const Dyadic& x, int bits) {
     return {x + third.low + std::min(rest, Dyadic()), x + third.high + std::max(rest, Dyadic())};
 }
 
-/// The sine or cosine of x. With |x| < 2^size, x is rounded by at most 2^(min(size, 0) - bits - 1).
-/// That moves the result by no more, which is rounded by at most as much again, or twice that
-/// next to 1. Where x is tiny, its series is nearer.
+/// The sine or cosine of x. Where x is tiny, its series is nearer.
 Bounded enclose(Function function, const Dyadic& x, int bits) {
-    const double at_zero = function == mpfr_sin ? 0.0 : 1.0;
+    const bool is_sine = function == exact::sine;
+    const double at_zero = is_sine ? 0.0 : 1.0;
     if (x.sign() == 0) return {Dyadic(at_zero), Dyadic(at_zero)};
-    const Integer significand = x.significand();
-    const int size = static_cast<int>(msb(abs(significand))) + 1 + x.exponent();
+    const int size = exact::size_of(x);
     if (-4 * size >= bits) return enclose_near_zero(function, x, bits);
-    MpfrNumber argument(bits + std::max(size, 0));
-    mpfr_set_z_2exp(argument.get(), significand.backend().data(), x.exponent(), MPFR_RNDN);
-    MpfrNumber result(bits);
-    function(result.get(), argument.get(), MPFR_RNDN);
-    Integer rounded;
-    const mpfr_exp_t exponent = mpfr_get_z_2exp(rounded.backend().data(), result.get());
-    const Dyadic value(rounded, static_cast<int>(exponent));
-    const Dyadic error(Integer(1), (function == mpfr_sin ? std::min(size, 0) : 0) - bits + 1);
+    const Dyadic value = function(x, bits);
+    const Dyadic error(Integer(1), (is_sine ? std::min(size, 0) : 0) - bits);
     return {value - error, value + error};
 }
 
@@ -155,10 +134,10 @@ class ShakingGap {
     [[nodiscard]] Dyadic parabola_slope(const Dyadic& t) const { return p_[1] + 2 * p_[2] * t; }
     /// Of the gap and its derivative at t.
     [[nodiscard]] Bounded value(const Dyadic& t, int bits) const {
-        return parabola(t) + -a_ * enclose(mpfr_sin, argument(t), bits);
+        return parabola(t) + -a_ * enclose(exact::sine, argument(t), bits);
     }
     [[nodiscard]] Bounded slope(const Dyadic& t, int bits) const {
-        return parabola_slope(t) + -a_omega_ * enclose(mpfr_cos, argument(t), bits);
+        return parabola_slope(t) + -a_omega_ * enclose(exact::cosine, argument(t), bits);
     }
     [[nodiscard]] Sign sign(const Dyadic& t) const;
     [[nodiscard]] Sign slope_sign(const Dyadic& t) const;
@@ -243,7 +222,7 @@ Shape ShakingGap::shape_near_middle(const Dyadic& low, const Dyadic& high, int d
         return Bounded{std::max(there.low - way, Dyadic(-1.0)),
                        std::min(there.high + way, Dyadic(1.0))};
     };
-    return shape(low, high, near_middle(mpfr_sin), near_middle(mpfr_cos));
+    return shape(low, high, near_middle(exact::sine), near_middle(exact::cosine));
 }
 
 /// Whether a convex gap that is above 0 and falls at `low`, and rises at `high`, is below 0 in
@@ -373,10 +352,10 @@ double wave_at(Function function, const Dyadic& size, const ShakingWall& wall, d
 }  // namespace
 
 double speed_at(const ShakingWall& wall, double t) {
-    return wave_at(mpfr_cos, Dyadic(wall.amplitude) * Dyadic(wall.frequency), wall, t);
+    return wave_at(exact::cosine, Dyadic(wall.amplitude) * Dyadic(wall.frequency), wall, t);
 }
 double shift_at(const ShakingWall& wall, double t) {
-    return wave_at(mpfr_sin, Dyadic(wall.amplitude), wall, t);
+    return wave_at(exact::sine, Dyadic(wall.amplitude), wall, t);
 }
 
 template <int D>

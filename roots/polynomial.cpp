@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstdint>
+#include <limits>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -55,17 +57,18 @@ Approximations rounded(const std::vector<Integer>& c, int step) {
     Approximations result;
     result.degree = static_cast<int>(c.size()) - 1;
     std::array<double, most_degree + 1> fraction{};
-    std::array<long, most_degree + 1> exponent{};
-    long most = std::numeric_limits<long>::min();
+    std::array<std::int64_t, most_degree + 1> exponent{};
+    std::int64_t most = std::numeric_limits<std::int64_t>::min();
     for (std::size_t i = 0; i < c.size(); ++i) {
         if (c[i].is_zero()) continue;
-        fraction[i] = mpz_get_d_2exp(&exponent[i], c[i].backend().data());
-        exponent[i] += static_cast<long>(i) * step;
+        const exact::LeadingDigits digits = exact::leading_digits(c[i]);
+        fraction[i] = digits.fraction;
+        exponent[i] = digits.exponent + static_cast<std::int64_t>(i) * step;
         most = std::max(most, exponent[i]);
     }
     for (std::size_t i = 0; i < c.size(); ++i) {
         if (c[i].is_zero()) continue;
-        const long place = exponent[i] - most;
+        const std::int64_t place = exponent[i] - most;
         // Below the range it is 0 with an error. Digits are cut off: less than 2^-52 of the number.
         if (place < -900) {
             result.c[i] = {0.0, 0x1p-900};

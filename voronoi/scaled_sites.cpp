@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "../core/error_free.hpp"
 #include "../exact/multiprecision.hpp"
@@ -71,12 +72,7 @@ template <class S>
 /// A double of a number over 2^exponent, less another, at most 2^1000 in magnitude.
 [[nodiscard]] double rounded(Rational number, int exponent, double less) {
     constexpr double most = 0x1p1000;
-    const mpq_ptr numeral = number.backend().data();
-    if (exponent > 0)
-        mpq_div_2exp(numeral, numeral, static_cast<mp_bitcnt_t>(exponent));
-    else
-        mpq_mul_2exp(numeral, numeral, static_cast<mp_bitcnt_t>(-exponent));
-    number -= exact::to_rational(less);
+    number = exact::scaled(std::move(number), -exponent) - exact::to_rational(less);
     const double nearest = exact::round_to_double(number);
     if (std::isnan(nearest)) return number.sign() < 0 ? -most : most;
     return std::clamp(nearest, -most, most);

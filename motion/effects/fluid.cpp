@@ -2,24 +2,9 @@
 
 #include <cmath>
 
-#include <mpfr.h>
+#include "../../exact/elementary.hpp"
 
 namespace signum::motion {
-namespace {
-
-/// The nearest double.
-double exponential(double x) {
-    mpfr_t number;
-    mpfr_init2(number, 53);
-    mpfr_set_d(number, x, MPFR_RNDN);
-    mpfr_exp(number, number, MPFR_RNDN);
-    const double result = mpfr_get_d(number, MPFR_RNDN);
-    mpfr_clear(number);
-    return result;
-}
-
-}  // namespace
-
 template <int D>
 Kicks<D>::Kicks(const Effects<D>& effects, double time)
     : gravity_(effects.gravity), fluid_(effects.fluid), time_(time) {}
@@ -28,7 +13,7 @@ template <int D>
 double Kicks<D>::decay(double rate) {
     if (rate != rate_) {
         rate_ = rate;
-        decay_ = exponential(-0.5 * rate * time_);
+        decay_ = exact::exponential(-0.5 * rate * time_);
     }
     return decay_;
 }

@@ -5,7 +5,7 @@
 /// places and velocities after a given time goes as h². Kicks of gravity, of linear and of
 /// quadratic drag are each a formula, in the order g/2, linear/2, quadratic, linear/2, g/2, so that
 /// drag never turns a velocity round, however long the step. Doubles, each operation rounded once;
-/// exponentials are those of MPFR.
+/// exponentials are the nearest doubles.
 
 #include <vector>
 

@@ -32,15 +32,49 @@ bool same_bits(double a, double b) {
     return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
-/// value · 2^exponent.
-Rational shifted(Rational value, int exponent) {
-    const mpq_ptr number = value.backend().data();
-    if (exponent < 0) {
-        mpq_div_2exp(number, number, static_cast<mp_bitcnt_t>(-exponent));
-    } else {
-        mpq_mul_2exp(number, number, static_cast<mp_bitcnt_t>(exponent));
+/// The same number of GMP, whatever the library's are.
+mpq_class as_of_gmp(const Rational& value) {
+#if defined(SIGNUM_WITHOUT_GMP)
+    return {mpz_class(numerator(value).str()), mpz_class(denominator(value).str())};
+#else
+    return mpq_class(value.backend().data());
+#endif
+}
+
+Rational shifted(const Rational& value, int exponent) {
+    return signum::exact::scaled(value, exponent);
+}
+
+TEST(Numbers, AreScaledDividedAndCutLikeThoseOfGmp) {
+    using signum::exact::Integer;
+    Random random(7);
+    for (int trial = 0; trial < 20'000; ++trial) {
+        const double value = random.finite();
+        const int exponent = random.between(-3000, 3000);
+        mpq_class expected(value);
+        if (exponent < 0) {
+            expected /= mpz_class(1) << static_cast<unsigned>(-exponent);
+        } else {
+            expected *= mpz_class(1) << static_cast<unsigned>(exponent);
+        }
+        ASSERT_EQ(as_of_gmp(shifted(to_rational(value), exponent)), expected);
+
+        // Integers of up to 1024 digits and more.
+        const Integer a = signum::exact::floor_of(numerator(to_rational(value)) * 3 + 1, 7);
+        mpz_class of_gmp;
+        const mpz_class first = mpq_class(value).get_num() * 3 + 1;
+        mpz_fdiv_q_ui(of_gmp.get_mpz_t(), first.get_mpz_t(), 7);
+        ASSERT_EQ(a.str(), of_gmp.get_str());
+        if (of_gmp == 0) continue;
+        ASSERT_EQ(signum::exact::bits_of(a),
+                  static_cast<std::int64_t>(mpz_sizeinbase(of_gmp.get_mpz_t(), 2)));
+        long places = 0;
+        const double fraction = mpz_get_d_2exp(&places, of_gmp.get_mpz_t());
+        const auto digits = signum::exact::leading_digits(a);
+        ASSERT_EQ(digits.fraction, fraction);
+        ASSERT_EQ(digits.exponent, places);
     }
-    return value;
+    EXPECT_EQ(signum::exact::bits_of(Integer(0)), 0);
 }
 
 TEST(ToRational, IsExactForEveryFiniteDoubleInEveryEnvironment) {
@@ -50,7 +84,7 @@ TEST(ToRational, IsExactForEveryFiniteDoubleInEveryEnvironment) {
         const mpq_class expected = reference_rational(value);
         const Rational result =
             in_environment(trial % Hostile::modes, [&] { return to_rational(value); });
-        ASSERT_TRUE(mpq_equal(result.backend().data(), expected.get_mpq_t()))
+        ASSERT_EQ(as_of_gmp(result), expected)
             << std::hexfloat << value << " in environment " << trial % Hostile::modes;
         ASSERT_EQ(signum::exact::sign(result), sgn(expected));
     }
