@@ -57,6 +57,11 @@ struct DifferenceOf {
           r(Number(m.r) - Number(i.r)),
           l(magnitude(x) + magnitude(y) + magnitude(r)),
           p((x * x + y * y) - r * r) {}
+
+    /// p is of 5 roundings of at most l².
+    [[nodiscard, gnu::always_inline]] constexpr filters::Compared<Number> compared_power() const {
+        return {p, 7 * epsilon * (l * l)};
+    }
 };
 using Difference = DifferenceOf<double>;
 
@@ -103,6 +108,9 @@ template <class... Size>
         return Verdict::certain(filters::sign_of_nonzero(value));
     return Verdict::uncertain();
 }
+[[nodiscard]] inline Verdict sign(const filters::Compared<double>& compared) noexcept {
+    return sign(compared.value, compared.bound);
+}
 
 /// What i, j, k alone decide.
 template <class Number>
@@ -141,12 +149,24 @@ struct TripleOf {
     [[nodiscard]] Verdict apart() const noexcept;
 
     /// The sign of 2ab: 14 roundings of at most (l_j l_k)² (l_j + l_k).
-    [[nodiscard]] Verdict sign_of_twice_ab() const noexcept {
-        return sign(twice_ab(), 17 * epsilon * (l_jk * l_jk) * (j.l + k.l));
+    [[nodiscard, gnu::always_inline]] constexpr filters::Compared<Number> compared_twice_ab()
+        const {
+        return {twice_ab(), 17 * epsilon * (l_jk * l_jk) * (j.l + k.l)};
     }
+    [[nodiscard]] Verdict sign_of_twice_ab() const noexcept { return sign(compared_twice_ab()); }
     /// The sign of Q: 11 roundings of at most (l_j l_k)².
-    [[nodiscard]] Verdict sign_of_q() const noexcept {
-        return sign(q, 13 * epsilon * (l_jk * l_jk));
+    [[nodiscard, gnu::always_inline]] constexpr filters::Compared<Number> compared_q() const {
+        return {q, 13 * epsilon * (l_jk * l_jk)};
+    }
+    [[nodiscard]] Verdict sign_of_q() const noexcept { return sign(compared_q()); }
+    /// The same where the window is not asked for.
+    [[nodiscard, gnu::always_inline]] constexpr filters::Compared<Number> compared_q_anywhere()
+        const {
+        return {q, 13 * epsilon * (l_jk * l_jk) + (0x1p-1000 * l_jk + 0x1p-1000)};
+    }
+    /// The sign of C: 4 roundings of at most l_j l_k.
+    [[nodiscard, gnu::always_inline]] constexpr filters::Compared<Number> compared_xy() const {
+        return {xy, 5 * epsilon * l_jk};
     }
 };
 using Triple = TripleOf<double>;
@@ -155,9 +175,8 @@ inline constexpr CountedTriple counted_triple(Site{}, Site{}, Site{});
 static_assert(counted_triple.xy.roundings == 4 && counted_triple.q.roundings == 11);
 static_assert(counted_triple.twice_ab().roundings == 14 && counted_triple.gamma().roundings == 17);
 
-/// The sign of p, of 5 roundings of at most l².
 [[nodiscard]] inline Verdict sign_of_power(const Difference& m) noexcept {
-    return sign(m.p, 7 * epsilon * (m.l * m.l));
+    return sign(m.compared_power());
 }
 
 template <class Number>
@@ -201,8 +220,7 @@ inline Verdict TripleOf<Number>::apart() const noexcept {
     const Verdict of_q = t.sign_of_q();
     if (!of_q.is_certain()) [[unlikely]]
         return of_q;
-    // C: 4 roundings of at most l_j l_k.
-    if (of_q.sign() < 0) return sign(t.xy, 5 * epsilon * t.l_jk);
+    if (of_q.sign() < 0) return sign(t.compared_xy());
     return t.sign_of_twice_ab();
 }
 
@@ -211,7 +229,7 @@ inline Verdict TripleOf<Number>::apart() const noexcept {
 /// together, and where a product overflows the bound does.
 [[nodiscard]] inline Verdict exists_twice(const Site& i, const Site& j, const Site& k) noexcept {
     const Triple t(filters::pinned(i), filters::pinned(j), filters::pinned(k));
-    const double bound = 13 * epsilon * (t.l_jk * t.l_jk) + (0x1p-1000 * t.l_jk + 0x1p-1000);
+    const double bound = t.compared_q_anywhere().bound;
     if (!filters::environment_is_default()) [[unlikely]]
         return Verdict::uncertain();
     if (t.q < -bound) [[likely]]
@@ -230,8 +248,21 @@ template <class Number>
 }
 static_assert(order_of_middles(counted_triple, counted_triple).roundings == 25);
 
-/// The sign of C_k e_k Q_q - C_q e_q Q_k: 25 roundings. C and Q are at most l_j l_k and its square,
-/// e = p_ij - p_ik - p_jk is at most l_j² + l_k² + l_jk².
+/// 25 roundings. C and Q are at most l_j l_k and its square, e = p_ij - p_ik - p_jk is at most
+/// l_j² + l_k² + l_jk².
+template <class Number>
+[[nodiscard, gnu::always_inline]] constexpr filters::Compared<Number> compared_order_of_middles(
+    const TripleOf<Number>& first, const TripleOf<Number>& second) noexcept {
+    // A bound of the magnitude of a middle.
+    const auto size = [](const TripleOf<Number>& t) {
+        return t.l_jk * (t.j.l * t.j.l + t.k.l * t.k.l + t.jk.l * t.jk.l);
+    };
+    return {order_of_middles(first, second), 29 * epsilon *
+                                                 (size(second) * (first.l_jk * first.l_jk) +
+                                                  size(first) * (second.l_jk * second.l_jk))};
+}
+
+/// The sign of C_k e_k Q_q - C_q e_q Q_k.
 [[nodiscard]] inline Verdict precedes_on_bisector(const Site& i, const Site& j, const Site& q,
                                                   const Site& k) noexcept {
     if (!filters::environment_is_default()) [[unlikely]]
@@ -242,18 +273,12 @@ static_assert(order_of_middles(counted_triple, counted_triple).roundings == 25);
     const Triple second(first_site, second_site, filters::pinned(k));
     if (!in_window(first.j.l, first.k.l, first.jk.l, second.k.l, second.jk.l)) [[unlikely]]
         return Verdict::uncertain();
-    // A bound of the magnitude of a middle.
-    const auto size = [](const Triple& t) {
-        return t.l_jk * (t.j.l * t.j.l + t.k.l * t.k.l + t.jk.l * t.jk.l);
-    };
     // Neither Q may be 0.
     const Verdict of_first = first.sign_of_q();
     const Verdict of_second = second.sign_of_q();
     if (!of_first.is_certain() || !of_second.is_certain()) [[unlikely]]
         return Verdict::uncertain();
-    return sign(order_of_middles(first, second), 29 * epsilon *
-                                                     (size(second) * (first.l_jk * first.l_jk) +
-                                                      size(first) * (second.l_jk * second.l_jk)));
+    return sign(compared_order_of_middles(first, second));
 }
 
 /// A - L √Γ, where A is put in the order of q's row:
@@ -271,6 +296,16 @@ struct ConflictOf {
             (c.r * t.twice_ab() - c.p * t.q)),
           l((c.x * t.yr - c.y * t.xr) + c.r * t.xy),
           gamma(t.gamma()) {}
+
+    /// What the magnitude of A is at most, and the root of what that of Γ is.
+    [[nodiscard, gnu::always_inline]] static constexpr Number size_of_a(
+        const TripleOf<Number>& t, const DifferenceOf<Number>& c) noexcept {
+        return c.l * (t.l_jk * t.l_jk) * (t.j.l + t.k.l + c.l);
+    }
+    [[nodiscard, gnu::always_inline]] static constexpr Number root_of_gamma_size(
+        const TripleOf<Number>& t) noexcept {
+        return t.l_jk * t.jk.l;
+    }
 };
 using Conflict = ConflictOf<double>;
 inline constexpr ConflictOf<filters::RoundingCount> counted_conflict(counted_triple,
@@ -287,6 +322,16 @@ static_assert(counted_conflict.a.roundings == 19 && counted_conflict.l.roundings
 /// Now s <= g(1+9e), and t g <= m since l_jk <= l_j + l_k; so that all is at most
 /// (19 + 8 + 2 + 2) e m + 20e |L| g²/s, and some second-order terms. Both sides are compared times
 /// s, of degree 9, without a division: where s is 0, nothing is certain.
+inline constexpr int conflict_error_of_a = 34;
+inline constexpr int conflict_error_of_root = 22;
+template <class Number>
+[[nodiscard, gnu::always_inline]] constexpr Number bound_of_conflict(const Number& m,
+                                                                     const Number& l,
+                                                                     const Number& g,
+                                                                     const Number& root) noexcept {
+    return epsilon *
+           (conflict_error_of_a * m * root + conflict_error_of_root * magnitude(l) * g * g);
+}
 [[nodiscard, gnu::always_inline]] inline Verdict in_circle_of_visible(const Site& i, const Site& j,
                                                                       const Site& k,
                                                                       const Site& q) noexcept {
@@ -300,9 +345,9 @@ static_assert(counted_conflict.a.roundings == 19 && counted_conflict.l.roundings
     const Conflict conflict(t, c);
     const double root = root_of_positive(conflict.gamma);
     const double difference = conflict.a - conflict.l * root;
-    const double g = t.l_jk * t.jk.l;
-    const double m = c.l * (t.l_jk * t.l_jk) * (t.j.l + t.k.l + c.l);
-    const double bound = epsilon * (34 * m * root + 22 * magnitude(conflict.l) * g * g);
+    const double g = Conflict::root_of_gamma_size(t);
+    const double m = Conflict::size_of_a(t, c);
+    const double bound = bound_of_conflict(m, conflict.l, g, root);
     if (!(magnitude(difference) * root > bound)) [[unlikely]]
         return Verdict::uncertain();
     const Verdict of_q = t.sign_of_q();
@@ -345,6 +390,15 @@ static_assert(counted_infinite_conflict.t.roundings == 7 &&
 /// The sign of T - √p X: T of 7 roundings of at most l_u² l_w, X of 4 roundings of at most l_u l_w.
 /// As above the root s of p is off by less than 8e l_u²/s, and s <= l_u(1+3e): (7 + 4 + 4)e l_u²
 /// l_w + 8e |X| l_u²/s, compared times s as above.
+inline constexpr int infinite_error_of_t = 18;
+inline constexpr int infinite_error_of_root = 10;
+template <class Number>
+[[nodiscard, gnu::always_inline]] constexpr Number bound_of_infinite_conflict(
+    const Number& l_u, const Number& l_w, const Number& cross, const Number& root) noexcept {
+    const Number square = l_u * l_u;
+    return epsilon * square *
+           (infinite_error_of_t * l_w * root + infinite_error_of_root * magnitude(cross));
+}
 [[nodiscard]] inline Verdict in_circle_infinite(const Site& a, const Site& b,
                                                 const Site& q) noexcept {
     if (!filters::environment_is_default()) [[unlikely]]
@@ -356,9 +410,8 @@ static_assert(counted_infinite_conflict.t.roundings == 7 &&
         return Verdict::uncertain();
     const InfiniteConflict conflict(u, w);
     const double root = root_of_positive(u.p);
-    const double square = u.l * u.l;
     return sign((conflict.t - root * conflict.cross) * root,
-                epsilon * square * (18 * w.l * root + 10 * magnitude(conflict.cross)));
+                bound_of_infinite_conflict(u.l, w.l, conflict.cross, root));
 }
 
 /// The square of the distance of two points.

@@ -1,8 +1,8 @@
 #include "edge.hpp"
 
 #include "../../exact/floating_environment.hpp"
-#include "../../filters/rounding_count.hpp"
 #include "../../filters/wide.hpp"
+#include "compared.hpp"
 #include "exact_rows.hpp"
 #include "multiprecision.hpp"
 
@@ -10,12 +10,6 @@ namespace signum::power {
 namespace {
 
 using filters::magnitude;
-
-/// The error of the rounded difference as a multiple of its magnitude: (1+e)^6 - 1 by the lemma,
-/// one more e for second-order terms and the roundings of the bound.
-constexpr double nearer_error = 7 * filters::epsilon;
-static_assert(nearer_difference<filters::RoundingCount>(Point{}, signum::Site{}, signum::Site{})
-                  .roundings == 6);
 
 template <PowerSite S>
 [[nodiscard]] Sign expand(const Point& p, const S& a, const S& b) noexcept {
@@ -37,15 +31,8 @@ template <PowerSite S>
 template <PowerSite S>
 [[nodiscard]] Decision decide(const Point& p, const S& a, const S& b) noexcept {
     if (!cold::in_window(p, a, b)) return decide_beyond_window(p, a, b);
-    const double ax = p.x - a.x;
-    const double ay = p.y - a.y;
-    const double bx = p.x - b.x;
-    const double by = p.y - b.y;
-    const double size =
-        (ax * ax + ay * ay) + (bx * bx + by * by) + magnitude(weight_difference(a, b));
-    const double difference = nearer_difference<double>(p, a, b);
-    if (magnitude(difference) > nearer_error * size)
-        return {filters::sign_of_nonzero(difference), Stage::filter};
+    const auto [difference, bound] = compared_nearer<double>(p, a, b);
+    if (magnitude(difference) > bound) return {filters::sign_of_nonzero(difference), Stage::filter};
     return {expand(p, a, b), Stage::exact};
 }
 

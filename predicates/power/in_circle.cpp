@@ -7,6 +7,7 @@
 
 #include "../../exact/floating_environment.hpp"
 #include "../../filters/wide.hpp"
+#include "compared.hpp"
 #include "exact_rows.hpp"
 #include "multiprecision.hpp"
 
@@ -143,26 +144,11 @@ class IntegerRows {
     return {row.x.high, row.y.high, row.weight.high};
 }
 
-/// The determinant with every operand replaced by its absolute value, every difference by a sum.
-[[nodiscard]] double determinant_magnitude(const Row<double>& a, const Row<double>& b,
-                                           const Row<double>& c) noexcept {
-    const auto absolute = [](const Row<double>& row) {
-        return Row<double>{magnitude(row.x), magnitude(row.y), magnitude(row.weight)};
-    };
-    const Row<double> i = absolute(a);
-    const Row<double> j = absolute(b);
-    const Row<double> k = absolute(c);
-    return (i.x * i.x + i.y * i.y + i.weight) * (j.x * k.y + k.x * j.y) +
-           (j.x * j.x + j.y * j.y + j.weight) * (k.x * i.y + i.x * k.y) +
-           (k.x * k.x + k.y * k.y + k.weight) * (i.x * j.y + j.x * i.y);
-}
-
-/// The filter again, with the magnitude itself for a bound. Inside the window nothing under- or
-/// overflows.
+/// The filter again, with the magnitude itself for a bound.
 [[nodiscard]] Verdict filter(const Row<double>& a, const Row<double>& b,
                              const Row<double>& c) noexcept {
-    const double determinant = in_circle_determinant(a, b, c);
-    if (magnitude(determinant) > in_circle_error * determinant_magnitude(a, b, c))
+    const auto [determinant, bound] = compared_in_circle_finely(a, b, c);
+    if (magnitude(determinant) > bound)
         return Verdict::certain(filters::sign_of_nonzero(determinant));
     return Verdict::uncertain();
 }

@@ -1,6 +1,7 @@
 #include "infinite.hpp"
 
 #include "../../exact/floating_environment.hpp"
+#include "compared.hpp"
 #include "exact_rows.hpp"
 #include "multiprecision.hpp"
 
@@ -9,22 +10,10 @@ namespace {
 
 using filters::magnitude;
 
-/// The error of the rounded determinant as a multiple of its magnitude: (1+e)^8 - 1 by the lemma,
-/// one more e for second-order terms and the roundings of the bound.
-constexpr double in_segment_error = 9 * filters::epsilon;
-static_assert(in_segment_determinant(rounded_row, rounded_row, filters::rounded_difference,
-                                     filters::rounded_difference)
-                  .roundings == 8);
-
-/// Inside the window nothing under- or overflows.
 template <PowerSite S>
 [[nodiscard]] filters::Verdict filter(const Row<double>& a, const Row<double>& b, double t_a,
                                       double t_b) noexcept {
-    const double a_square = a.x * a.x + a.y * a.y;
-    const double b_square = b.x * b.x + b.y * b.y;
-    const double determinant = in_segment_determinant(a, b, t_a, t_b);
-    const double bound = in_segment_error * ((a_square + magnitude(a.weight)) * magnitude(t_b) +
-                                             (b_square + magnitude(b.weight)) * magnitude(t_a));
+    const auto [determinant, bound] = compared_in_segment(a, b, t_a, t_b);
     if (magnitude(determinant) > bound)
         return filters::Verdict::certain(filters::sign_of_nonzero(determinant));
     return filters::Verdict::uncertain();

@@ -116,6 +116,10 @@ template <class Directions, Arithmetic arithmetic>
     }
 }
 
+/// The bounds on the errors of sums of four and of eight forms, as multiples of S.
+inline constexpr double error_of_four = 20 * filters::epsilon;
+inline constexpr int eight_by_four = 5;
+
 /// The forms of n sites, rounded, and the comparisons that a predicate makes of them.
 ///
 /// The bound: with S the greatest |x| + |y| + |r| of the sites, the magnitude of a sum of four
@@ -184,7 +188,7 @@ class Forms {
             sum = with_term(sum, term.factor, forms_[term.site][term.side]);
             addends[t] = addend(term.side, term.site, term.factor);
         }
-        if (filters::exceeds(sum, 5 * bound_)) return filters::sign_of_nonzero(sum);
+        if (filters::exceeds(sum, eight_by_four * bound_)) return filters::sign_of_nonzero(sum);
         return resolve(sum, addends);
     }
 
@@ -202,9 +206,8 @@ class Forms {
         if constexpr (arithmetic == Arithmetic::sum || arithmetic == Arithmetic::multiprecision)
             return everything;
         // Where additions may overflow, saturate or be flushed nothing is certain.
-        return magnitude < 0x1p1000 && filters::environment_is_default()
-                   ? 20 * filters::epsilon * magnitude
-                   : everything;
+        return magnitude < 0x1p1000 && filters::environment_is_default() ? error_of_four * magnitude
+                                                                         : everything;
     }
 
     [[nodiscard]] Addend addend(int side, std::size_t m, int factor) const noexcept {

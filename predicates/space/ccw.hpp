@@ -54,11 +54,13 @@ template <class Number>
 }
 
 /// The largest coordinates of three or four offsets, in magnitude.
-[[nodiscard]] inline Offset3<double> reach(const Offset3<double>& b, const Offset3<double>& c,
-                                           const Offset3<double>& d) noexcept {
+template <class Number>
+[[nodiscard]] inline Offset3<Number> reach(const Offset3<Number>& b, const Offset3<Number>& c,
+                                           const Offset3<Number>& d) noexcept {
     using filters::magnitude;
-    const auto largest = [](double p, double q, double r) {
-        return std::max(std::max(magnitude(p), magnitude(q)), magnitude(r));
+    using std::max;
+    const auto largest = [](const Number& p, const Number& q, const Number& r) {
+        return max(max(magnitude(p), magnitude(q)), magnitude(r));
     };
     return {largest(b.x, c.x, d.x), largest(b.y, c.y, d.y), largest(b.z, c.z, d.z)};
 }
@@ -76,6 +78,13 @@ inline constexpr double ccw3_error = 6 * 9 * filters::epsilon;
 inline constexpr auto rounded_offset = offset<filters::RoundingCount>(Point3{}, Point3{});
 static_assert(ccw_determinant(rounded_offset, rounded_offset, rounded_offset).roundings == 8);
 
+/// The bound on the error of the determinant.
+template <class Number>
+[[nodiscard, gnu::always_inline]] constexpr Number bound_of_ccw(
+    const Offset3<Number>& largest) noexcept {
+    return ccw3_error * (largest.x * largest.y * largest.z);
+}
+
 /// Decides almost every call. Underflow: a product of two coordinates loses at most 2^-1074, and
 /// the whole at most 2^-1070 times the largest coordinate and 1; in the window the bound is at
 /// least 2^-498. Overflow is out of the question there, and a NaN fails the comparison.
@@ -88,7 +97,7 @@ template <HasCentre3 S>
     const Offset3<double> w = offset(filters::pinned(centre3(d)), origin);
     const double determinant = ccw_determinant(u, v, w);
     const Offset3<double> largest = reach(u, v, w);
-    const double bound = ccw3_error * (largest.x * largest.y * largest.z);
+    const double bound = bound_of_ccw(largest);
     if (!filters::environment_is_default() || !in_filter_window(largest)) [[unlikely]]
         return filters::Verdict::uncertain();
     if (!(filters::magnitude(determinant) > bound)) [[unlikely]]

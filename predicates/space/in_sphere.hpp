@@ -66,6 +66,15 @@ static_assert(in_sphere_determinant(rounded_lifted_row, rounded_lifted_row, roun
                                     rounded_lifted_row)
                   .roundings <= 17);
 
+/// The bound on the error of the determinant, from the largest coordinates and weight.
+template <class Number>
+[[nodiscard, gnu::always_inline]] constexpr Number bound_of_in_sphere(
+    const predicates::Offset3<Number>& largest, const Number& weight) noexcept {
+    const Number height =
+        largest.x * largest.x + largest.y * largest.y + largest.z * largest.z + weight;
+    return 24 * in_sphere_error * ((largest.x * largest.y) * (largest.z * height));
+}
+
 /// Decides almost every call. The magnitude is at most 24 times the product of the largest
 /// coordinates, an axis each, and the largest height, |m-q|² + |w_m - w_q|. Underflow: in the
 /// window a height is above 2^-301 and the bound above 2^-800, and what is lost is below 2^-1000
@@ -88,9 +97,7 @@ template <PowerSite3 S>
                                                  largest_of(three.z, magnitude(d.offset.z))};
     const double weight = largest_of(largest_of(magnitude(a.weight), magnitude(b.weight)),
                                      largest_of(magnitude(c.weight), magnitude(d.weight)));
-    const double height =
-        largest.x * largest.x + largest.y * largest.y + largest.z * largest.z + weight;
-    const double bound = 24 * in_sphere_error * ((largest.x * largest.y) * (largest.z * height));
+    const double bound = bound_of_in_sphere(largest, weight);
     if (!filters::environment_is_default() || !predicates::in_filter_window(largest)) [[unlikely]]
         return filters::Verdict::uncertain();
     if (!(magnitude(determinant) > bound)) [[unlikely]]

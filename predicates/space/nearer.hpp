@@ -28,6 +28,17 @@ inline constexpr double nearer_error = 9 * filters::epsilon;
 static_assert(
     nearer_difference<filters::RoundingCount>({}, signum::Site3{}, signum::Site3{}).roundings <= 7);
 
+/// The difference, and the sum of its terms' magnitudes: the bound is so many times that.
+template <class Number, PowerSite3 S>
+[[nodiscard, gnu::always_inline]] constexpr filters::Compared<Number> compared_nearer(
+    const Point3& p, const S& a, const S& b) noexcept {
+    using filters::magnitude;
+    const Number to_a = squared_distance<Number>(p, centre3(a));
+    const Number to_b = squared_distance<Number>(p, centre3(b));
+    const Number weight = weight_difference<Number>(a, b);
+    return {(to_b - to_a) + weight, to_a + to_b + magnitude(weight)};
+}
+
 /// Decides almost every call. Underflow: a product loses at most 2^-1074, and the bound is at least
 /// 2^-950. Overflow: the bound is infinite then or a NaN, and the comparison fails.
 template <PowerSite3 S>
@@ -36,11 +47,7 @@ template <PowerSite3 S>
     const Point3 eye = filters::pinned(p);
     const S one = filters::pinned(a);
     const S other = filters::pinned(b);
-    const double to_one = squared_distance(eye, centre3(one));
-    const double to_other = squared_distance(eye, centre3(other));
-    const double weight = weight_difference(one, other);
-    const double difference = (to_other - to_one) + weight;
-    const double magnitude = to_one + to_other + filters::magnitude(weight);
+    const auto [difference, magnitude] = compared_nearer<double>(eye, one, other);
     if (!filters::environment_is_default() || !(magnitude >= 0x1p-890)) [[unlikely]]
         return filters::Verdict::uncertain();
     if (!(filters::magnitude(difference) > nearer_error * magnitude)) [[unlikely]]

@@ -38,9 +38,12 @@ struct Step {
 struct Notes {
     std::set<Step> steps;
     std::map<std::string, int> atoms;
-    /// What an atom is bounded by in the filter's window: a variable of the size polynomials, and
-    /// how often it is a factor.
+    std::map<int, Monomial> sizes;
+    /// What an atom is bounded by: variables of the size polynomials.
     Monomial (*size_of_atom)(const std::string& name) = nullptr;
+    /// The name of what an atom stands for; those of one name are bounded by one number, the
+    /// greatest of them.
+    std::string (*kind_of_atom)(const std::string& name) = nullptr;
 };
 inline Notes* notes = nullptr;
 
@@ -49,7 +52,7 @@ class Expression {
     Expression() = default;
     /// An input, told by its value (see input()), or 0.
     explicit Expression(double value) {
-        if (value != 0) *this = Expression(input_name(value));
+        if (value != 0) *this = Expression(input_name(value < 0 ? -value : value));
     }
     [[nodiscard]] static Expression constant(double value) {
         Expression result;
@@ -72,6 +75,11 @@ class Expression {
         return result;
     }
     friend Expression operator*(double a, const Expression& b) { return constant(a) * b; }
+    /// Of magnitudes that are bounded by the same.
+    friend Expression max(const Expression& a, const Expression& b) {
+        if (a.magnitude_ != b.magnitude_) throw std::logic_error("a maximum of different kinds");
+        return a.error_ < b.error_ ? b : a;
+    }
     friend Expression operator+(const Expression& a, double b) { return a + constant(b); }
 
     [[nodiscard]] Units error() const { return error_; }
@@ -90,8 +98,11 @@ class Expression {
     }
 
     void become_atom() {
+        const std::string kind =
+            notes->kind_of_atom == nullptr ? name_ : notes->kind_of_atom(name_);
         const int atom =
-            notes->atoms.try_emplace(name_, static_cast<int>(notes->atoms.size())).first->second;
+            notes->atoms.try_emplace(kind, static_cast<int>(notes->atoms.size())).first->second;
+        notes->sizes[atom] = notes->size_of_atom(name_);
         magnitude_ = {{{atom}, 1.0L}};
         size_ = {{notes->size_of_atom(name_), 1.0L}};
     }

@@ -22,6 +22,10 @@ struct Filter {
     std::function<Compared()> evaluate;
     /// The size of an atom.
     Monomial (*size_of)(const std::string& atom);
+    /// Where atoms are bounded by the greatest of a kind.
+    std::string (*kind_of)(const std::string& atom) = nullptr;
+    /// Where nothing underflows.
+    bool in_range = false;
     /// Without a window: what the bound adds for underflow, in sizes.
     Polynomial spare_for_underflow{};
     int window = 0;
@@ -71,6 +75,11 @@ struct Margin {
     return result;
 }
 
+/// Weights and radii of the power metric may be of any size.
+[[nodiscard]] inline bool is_outside_window(int variable) {
+    return variable == 'r' || variable == 'w';
+}
+
 /// In a window: how many times the bound all underflow is, of which each term is multiplied by
 /// sizes, which are at least 2^-window, until it is one of the bound's.
 [[nodiscard]] inline long double underflow_in_window(const Filter& filter,
@@ -79,9 +88,14 @@ struct Margin {
     Polynomial sum;
     for (const auto& [monomial, coefficient] : underflow) {
         const Monomial* covers = nullptr;
-        for (const auto& [product, times] : bound)
-            if (std::includes(product.begin(), product.end(), monomial.begin(), monomial.end()))
+        for (const auto& [product, times] : bound) {
+            Monomial missing;
+            std::set_difference(product.begin(), product.end(), monomial.begin(), monomial.end(),
+                                std::back_inserter(missing));
+            if (product.size() == monomial.size() + missing.size() &&
+                std::none_of(missing.begin(), missing.end(), is_outside_window))
                 covers = &product;
+        }
         if (covers == nullptr) throw std::logic_error("a term of underflow is not covered");
         const std::size_t missing = covers->size() - monomial.size();
         sum[*covers] +=
@@ -92,20 +106,25 @@ struct Margin {
            std::pow(static_cast<long double>(filter.terms), static_cast<long double>(degree));
 }
 
+/// What a formula comes to, each step of it proved; with its atoms.
+template <class Evaluate>
+[[nodiscard]] auto evaluated(Scripts& scripts, Notes& atoms, const Evaluate& evaluate) {
+    notes = &atoms;
+    const auto result = evaluate();
+    notes = nullptr;
+    for (const Step& step : atoms.steps) scripts.write(step);
+    return result;
+}
+
 inline Margin prove(Scripts& scripts, const Filter& filter) {
     Notes of_this;
     of_this.size_of_atom = filter.size_of;
-    notes = &of_this;
-    const auto [value, bound] = filter.evaluate();
-    notes = nullptr;
+    of_this.kind_of_atom = filter.kind_of;
+    const auto [value, bound] = evaluated(scripts, of_this, filter.evaluate);
 
     const std::string name = filter.name;
-    for (const Step& step : of_this.steps) scripts.write(step);
-
-    std::map<int, std::size_t> degrees;
-    for (const auto& [name, atom] : of_this.atoms) degrees[atom] = filter.size_of(name).size();
-    const Polynomial main_bound =
-        main_part(bound.magnitude(), [&degrees](int atom) { return degrees.at(atom); });
+    const Polynomial main_bound = main_part(
+        bound.magnitude(), [&of_this](int atom) { return of_this.sizes.at(atom).size(); });
     long double times = filter.share;
     if (filter.prove_share != nullptr) {
         filter.prove_share(scripts);
@@ -117,7 +136,8 @@ inline Margin prove(Scripts& scripts, const Filter& filter) {
     // The bound as it is computed is at least (1 - error) times what it means.
     const Polynomial underflow = without_pairs(value.underflow() + bound.underflow());
     long double of_underflow = 0;
-    if (filter.window != 0) {
+    if (filter.in_range) {
+    } else if (filter.window != 0) {
         of_underflow = underflow_in_window(
             filter, underflow, main_part(bound.size(), [](int) { return std::size_t{1}; }));
     } else {

@@ -4,7 +4,11 @@
 #include <vector>
 
 #include "../../../predicates/ccw.hpp"
-#include "../../../predicates/power/in_circle.hpp"
+#include "../../../predicates/euclidean/filter.hpp"
+#include "../../../predicates/power/compared.hpp"
+#include "../../../predicates/rectangular/forms.hpp"
+#include "../../../predicates/space/in_sphere.hpp"
+#include "../../../predicates/space/nearer.hpp"
 #include "filter.hpp"
 
 namespace signum::proofs {
@@ -52,6 +56,106 @@ inline void prove_third_of_square(Scripts& scripts) {
          sum + " -> -((i - j) * (i - j) + (j - k) * (j - k) + (k - i) * (k - i)) / 6;\n"});
 }
 
+/// Behind these: the sites as radii, which are the costliest.
+inline power::Row<Expression> power_row(int m) {
+    return power::row<Expression>(input<Site>(m), input<Site>(4));
+}
+inline Compared in_circle_of_power_finely() {
+    return power::compared_in_circle_finely(power_row(1), power_row(2), power_row(3));
+}
+inline Compared in_segment_of_power() {
+    const power::Row<Expression> a = power_row(1);
+    const power::Row<Expression> b = power_row(2);
+    return power::compared_in_segment(a, b, a.x, b.x);
+}
+inline Compared nearer_of_power() {
+    return power::compared_nearer<Expression>(input<Point>(1), input<Site>(2), input<Site>(3));
+}
+
+// ---- the Euclidean metric ----------------------------------------------------------------------
+
+/// The l of the two sites.
+inline Monomial size_in_euclidean(const std::string& atom) {
+    if (atom.size() < 5) return {0};
+    return {10 * (atom[1] - '0') + (atom[4] - '0')};
+}
+using EuclideanTriple = euclidean::filter::TripleOf<Expression>;
+using EuclideanDifference = euclidean::filter::DifferenceOf<Expression>;
+inline EuclideanTriple euclidean_triple(int third = 3) {
+    return {input<Site>(1), input<Site>(2), input<Site>(third)};
+}
+inline EuclideanDifference euclidean_query() {
+    return {input<Site>(4), input<Site>(1)};
+}
+
+inline Filter in_euclidean(const char* name, std::function<Compared()> evaluate) {
+    return {.name = name,
+            .evaluate = std::move(evaluate),
+            .size_of = size_in_euclidean,
+            .window = 110,
+            .terms = 3};
+}
+
+// ---- space -------------------------------------------------------------------------------------
+
+/// Coordinates by axes; weights.
+inline std::string kind_in_space(const std::string& atom) {
+    return atom.substr(0, 1);
+}
+/// Differences of radii and their sums apart, whose product is a weight.
+inline std::string kind_of_radii(const std::string& atom) {
+    return atom[0] == 'r' ? std::string("r") + atom[2] : kind_in_space(atom);
+}
+/// In the window are coordinates alone.
+inline Monomial size_in_space(const std::string& atom) {
+    if (atom[0] == 'w') return {'w', 'w'};
+    return {atom[0]};
+}
+inline predicates::Offset3<Expression> offset_in_space(int m, int from) {
+    return predicates::offset<Expression>(input<Point3>(m), input<Point3>(from));
+}
+inline Compared ccw_in_space() {
+    const auto b = offset_in_space(2, 1);
+    const auto c = offset_in_space(3, 1);
+    const auto d = offset_in_space(4, 1);
+    return {predicates::ccw_determinant(b, c, d),
+            predicates::bound_of_ccw(predicates::reach(b, c, d))};
+}
+template <class S>
+Compared in_sphere_of_power() {
+    const auto row = [](int m) { return power::lifted_row<Expression>(input<S>(m), input<S>(5)); };
+    const auto a = row(1);
+    return {power::in_sphere_determinant(a, row(2), row(3), row(4)),
+            power::bound_of_in_sphere(a.offset, magnitude(a.weight))};
+}
+template <class S>
+Compared nearer_in_space() {
+    const auto [difference, size] =
+        power::compared_nearer<Expression>(input<Point3>(1), input<S>(2), input<S>(3));
+    return {difference, power::nearer_error * size};
+}
+
+// ---- supremum, Manhattan -----------------------------------------------------------------------
+
+inline Expression manhattan_form(int site) {
+    return rectangular::rounded_form<rectangular::Manhattan, Expression>(input<Site>(site), 0);
+}
+/// S, the greatest size of the sites.
+inline Expression manhattan_size() {
+    const Site site = input<Site>(1);
+    return (Expression(site.x) + (Expression(site.y) + Expression(0.0))) + Expression(site.r);
+}
+inline Compared sum_of_four_forms() {
+    return {rectangular::difference_of_widths(manhattan_form(1), manhattan_form(2),
+                                              manhattan_form(3), manhattan_form(4)),
+            rectangular::error_of_four * manhattan_size()};
+}
+inline Compared sum_of_eight_forms() {
+    Expression sum(0.0);
+    for (int m = 1; m <= 8; ++m) sum = sum + manhattan_form(m);
+    return {sum, rectangular::eight_by_four * (rectangular::error_of_four * manhattan_size())};
+}
+
 inline const std::vector<Filter>& all_filters() {
     static const long double third = 1 / (3 * 5 * static_cast<long double>(filters::epsilon));
     static const Polynomial of_in_circle = {{{'t', 't'}, 0x1p-1000L}, {{}, 0x1p-1000L}};
@@ -78,6 +182,73 @@ inline const std::vector<Filter>& all_filters() {
          .spare_for_underflow = of_in_circle,
          .share = third,
          .prove_share = prove_third_of_square},
+        {.name = "power_in_circle_finely",
+         .evaluate = in_circle_of_power_finely,
+         .size_of = size_in_power,
+         .in_range = true},
+        {.name = "power_in_segment",
+         .evaluate = in_segment_of_power,
+         .size_of = size_in_power,
+         .in_range = true},
+        {.name = "power_nearer",
+         .evaluate = nearer_of_power,
+         .size_of = size_in_power,
+         .in_range = true},
+        in_euclidean("euclidean_power", [] { return euclidean_query().compared_power(); }),
+        in_euclidean("euclidean_xy", [] { return euclidean_triple().compared_xy(); }),
+        in_euclidean("euclidean_q", [] { return euclidean_triple().compared_q(); }),
+        {.name = "euclidean_q_anywhere",
+         .evaluate = [] { return euclidean_triple().compared_q_anywhere(); },
+         .size_of = size_in_euclidean,
+         .spare_for_underflow = {{{}, 0x1p-1000L}, {{12, 13}, 0x1p-1000L}}},
+        in_euclidean("euclidean_twice_ab", [] { return euclidean_triple().compared_twice_ab(); }),
+        in_euclidean("euclidean_order_of_middles",
+                     [] {
+                         return euclidean::filter::compared_order_of_middles(euclidean_triple(3),
+                                                                             euclidean_triple(4));
+                     }),
+        {.name = "space_ccw",
+         .evaluate = ccw_in_space,
+         .size_of = size_in_space,
+         .kind_of = kind_in_space,
+         .window = 150,
+         .terms = 1},
+        {.name = "space_in_sphere_points",
+         .evaluate = in_sphere_of_power<Point3>,
+         .size_of = size_in_space,
+         .kind_of = kind_in_space,
+         .window = 150,
+         .terms = 1},
+        {.name = "space_in_sphere_weights",
+         .evaluate = in_sphere_of_power<power::Site3>,
+         .size_of = size_in_space,
+         .kind_of = kind_in_space,
+         .window = 150,
+         .terms = 1},
+        {.name = "space_in_sphere_radii",
+         .evaluate = in_sphere_of_power<Site3>,
+         .size_of = size_in_space,
+         .kind_of = kind_of_radii,
+         .window = 150,
+         .terms = 1},
+        {.name = "space_nearer_radii",
+         .evaluate = nearer_in_space<Site3>,
+         .size_of = size_in_space,
+         .in_range = true},
+        {.name = "space_nearer_weights",
+         .evaluate = nearer_in_space<power::Site3>,
+         .size_of = size_in_space,
+         .in_range = true},
+        {.name = "rectangular_four",
+         .evaluate = sum_of_four_forms,
+         .size_of = size_in_space,
+         .kind_of = kind_in_space,
+         .in_range = true},
+        {.name = "rectangular_eight",
+         .evaluate = sum_of_eight_forms,
+         .size_of = size_in_space,
+         .kind_of = kind_in_space,
+         .in_range = true},
     };
     return filters;
 }

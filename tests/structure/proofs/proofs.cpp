@@ -6,7 +6,9 @@
 #include <cstdio>
 #include <exception>
 
+#include "conflict.hpp"
 #include "filters.hpp"
+#include "laws.hpp"
 #include "rounding.hpp"
 
 int main(int argc, char** argv) {
@@ -18,10 +20,17 @@ int main(int argc, char** argv) {
     try {
         Scripts scripts(argv[1]);
         prove_rounding(scripts);
+        prove_double_doubles(scripts);
         std::puts("filter                     roundings   bound / what is proved");
-        for (const Filter& filter : all_filters()) {
-            const Margin margin = prove(scripts, filter);
-            std::printf("%-28s %7.2f   %.4f\n", filter.name, margin.roundings, margin.spare);
+        const auto print = [](const char* name, const Margin& margin) {
+            std::printf("%-28s %7.2f   %.4f\n", name, margin.roundings, margin.spare);
+        };
+        for (const Filter& filter : all_filters()) print(filter.name, prove(scripts, filter));
+        for (const auto evaluate : {euclidean_in_circle, euclidean_in_circle_infinite}) {
+            Notes notes;
+            notes.size_of_atom = size_in_euclidean;
+            const RootedConflict conflict = evaluated(scripts, notes, evaluate);
+            print(conflict.name, prove(scripts, conflict));
         }
     } catch (const std::exception& error) {
         std::fprintf(stderr, "proofs: %s\n", error.what());
