@@ -2,6 +2,7 @@
 /// From what a filter computes to the proof that its bound covers the error of its value.
 
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -11,6 +12,15 @@
 namespace signum::proofs {
 
 using Compared = filters::Compared<Expression>;
+
+/// That a polynomial, which covers the magnitude of a value, is at most so many times another one,
+/// which is covered by the bound without what that adds for underflow.
+struct Lemma {
+    std::function<Expression()> lesser;
+    std::function<Expression()> greater;
+    long double times;
+    void (*prove)(Scripts& scripts);
+};
 
 /// What one filter compares, and what is known of its numbers.
 ///
@@ -30,10 +40,8 @@ struct Filter {
     Polynomial spare_for_underflow{};
     int window = 0;
     int terms = 0;
-    /// Where the magnitude of the value is not covered by the bound monomial by monomial: how many
-    /// times the bound, without what that adds for underflow, it is at most, and the proof.
-    long double share = 0;
-    void (*prove_share)(Scripts& scripts) = nullptr;
+    /// Where the magnitude of the value is not covered by the bound monomial by monomial.
+    std::optional<Lemma> lemma{};
 };
 
 struct Margin {
@@ -125,13 +133,18 @@ inline Margin prove(Scripts& scripts, const Filter& filter) {
     const std::string name = filter.name;
     const Polynomial main_bound = main_part(
         bound.magnitude(), [&of_this](int atom) { return of_this.sizes.at(atom).size(); });
-    long double times = filter.share;
-    if (filter.prove_share != nullptr) {
-        filter.prove_share(scripts);
+    long double times = 0;
+    if (filter.lemma) {
+        filter.lemma->prove(scripts);
+        const Polynomial lesser = evaluated(scripts, of_this, filter.lemma->lesser).magnitude();
+        const Polynomial greater = evaluated(scripts, of_this, filter.lemma->greater).magnitude();
+        const long double of_lesser = share(value.magnitude(), lesser);
+        const long double of_greater = share(greater, main_bound);
+        if (of_lesser > 0 && of_greater > 0) times = of_lesser * filter.lemma->times * of_greater;
     } else {
         times = share(value.magnitude(), main_bound);
-        if (times < 0) throw std::logic_error(name + ": the bound lacks a term");
     }
+    if (times <= 0) throw std::logic_error(name + ": the bound lacks a term");
 
     // The bound as it is computed is at least (1 - error) times what it means.
     const Polynomial underflow = without_pairs(value.underflow() + bound.underflow());

@@ -56,6 +56,24 @@ inline void prove_third_of_square(Scripts& scripts) {
          sum + " -> -((i - j) * (i - j) + (j - k) * (j - k) + (k - i) * (k - i)) / 6;\n"});
 }
 
+template <class S>
+Lemma third_of_square() {
+    const auto row = [](int m) { return power::row<Expression>(input<S>(m), input<S>(4)); };
+    const auto height = [row](int m) {
+        const auto [x, y, weight] = row(m);
+        return (x * x + y * y) + magnitude(weight);
+    };
+    const auto product = [row, height](int i, int j, int k) {
+        return height(i) * (row(j).x * row(k).y + row(k).x * row(j).y);
+    };
+    return {[product] { return product(1, 2, 3) + (product(2, 3, 1) + product(3, 1, 2)); },
+            [height] {
+                const Expression s = height(1) + (height(2) + height(3));
+                return s * s;
+            },
+            1 / 3.0L, prove_third_of_square};
+}
+
 /// Behind these: the sites as radii, which are the costliest.
 inline power::Row<Expression> power_row(int m) {
     return power::row<Expression>(input<Site>(m), input<Site>(4));
@@ -157,7 +175,6 @@ inline Compared sum_of_eight_forms() {
 }
 
 inline const std::vector<Filter>& all_filters() {
-    static const long double third = 1 / (3 * 5 * static_cast<long double>(filters::epsilon));
     static const Polynomial of_in_circle = {{{'t', 't'}, 0x1p-1000L}, {{}, 0x1p-1000L}};
     static const std::vector<Filter> filters = {
         {.name = "ccw",
@@ -168,20 +185,17 @@ inline const std::vector<Filter>& all_filters() {
          .evaluate = in_circle_of_power<Point>,
          .size_of = size_in_power,
          .spare_for_underflow = of_in_circle,
-         .share = third,
-         .prove_share = prove_third_of_square},
+         .lemma = third_of_square<Point>()},
         {.name = "power_in_circle_weights",
          .evaluate = in_circle_of_power<power::Site>,
          .size_of = size_in_power,
          .spare_for_underflow = of_in_circle,
-         .share = third,
-         .prove_share = prove_third_of_square},
+         .lemma = third_of_square<power::Site>()},
         {.name = "power_in_circle_radii",
          .evaluate = in_circle_of_power<Site>,
          .size_of = size_in_power,
          .spare_for_underflow = of_in_circle,
-         .share = third,
-         .prove_share = prove_third_of_square},
+         .lemma = third_of_square<Site>()},
         {.name = "power_in_circle_finely",
          .evaluate = in_circle_of_power_finely,
          .size_of = size_in_power,
