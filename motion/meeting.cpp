@@ -136,7 +136,7 @@ template <class Flight>
             t = t > now_ ? t : Four{} + now_;
             Flags meets = product < 0.0;
             if constexpr (Flight::grows) meets |= square < 0.0;
-            early = meets & (discriminant > 0.0) ? t : Four{} + infinity;
+            early = (meets & (discriminant > 0.0)) ? t : Four{} + infinity;
             late = early;
         } else {
             const Four size = Flight::falls || Flight::grows ? sizes + bounds.speed_square : square;

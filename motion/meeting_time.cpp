@@ -1,7 +1,6 @@
 #include "meeting_time.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -11,6 +10,7 @@
 #include "../exact/polynomial.hpp"
 #include "descent.hpp"
 #include "nearby_time.hpp"
+#include "vector.hpp"
 
 namespace signum::motion {
 namespace {
@@ -21,7 +21,7 @@ using exact::Polynomial;
 
 /// Of a centre, in the powers of t.
 template <int D>
-using Path = std::array<Polynomial, D>;
+using Path = PerAxis<Polynomial, D>;
 
 template <int D>
 Path<D> path_of(const Ball<D>& ball, const Vector<D>& gravity) {
@@ -69,7 +69,7 @@ struct RelativeFlight {
           reach(radius_of(a) + radius_of(b)) {}
 
     /// The meeting time of the image that is seen shifted.
-    [[nodiscard]] double meeting(const std::array<Dyadic, D>& shift) const {
+    [[nodiscard]] double meeting(const PerAxis<Dyadic, D>& shift) const {
         Path<D> seen = distance;
         for (int i = 0; i < D; ++i) seen[i] = seen[i] - Polynomial{shift[i]};
         return first_descent(square_of<D>(seen) - reach * reach, start);
@@ -135,10 +135,10 @@ class ImageSearch {
     }
 
     const RelativeFlight<D>& pair_;
-    std::array<Dyadic, D> length_;
-    std::array<Integer, D> first_;
-    std::array<Integer, D> last_;
-    std::array<Dyadic, D> shift_;
+    PerAxis<Dyadic, D> length_;
+    PerAxis<Integer, D> first_;
+    PerAxis<Integer, D> last_;
+    PerAxis<Dyadic, D> shift_;
     double best_ = infinity;
 };
 
@@ -164,7 +164,7 @@ struct WithRoot {
 template <int D>
 double meeting_time(const GrowingBall<D>& a, const GrowingBall<D>& b, const Image<D>& image,
                     const Effects<D>& effects) {
-    std::array<Dyadic, D> shift;
+    PerAxis<Dyadic, D> shift;
     for (int i = 0; i < D; ++i)
         if (image[i] != 0) shift[i] = image[i] * length_of(effects, i);
     return RelativeFlight<D>(a, b, effects).meeting(shift);
