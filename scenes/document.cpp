@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "../io/input_file.hpp"
+#include "nesting.hpp"
 
 namespace signum {
 namespace {
@@ -59,6 +60,10 @@ bool is_text_without_quotes(std::string_view value) {
            begin_of_unit(value) < value.size();
 }
 
+const std::string too_deep =
+    fmt::format("more than {} tables and arrays, one within the other; no scene goes that deep",
+                deepest_nesting);
+
 toml::table parsed_override(const Override& override) {
     const std::string& text = override.toml;
     const std::size_t sign = text.find('=');
@@ -66,6 +71,7 @@ toml::table parsed_override(const Override& override) {
         text.find_first_of("[#") < sign)
         throw OverrideError(fmt::format(
             "{}: no key and value; write it like --set effects.restitution=0.8", override.option));
+    if (too_deep_at(text)) throw OverrideError(fmt::format("{}: {}", override.option, too_deep));
     try {
         return toml::parse(text, override.option);
     } catch (const toml::parse_error& error) {
@@ -82,6 +88,14 @@ toml::table parsed_override(const Override& override) {
 
 Document::Document(const std::string& path, std::span<const Override> overrides)
     : path_(path), text_(whole_text(path)) {
+    if (const auto place = too_deep_at(text_)) {
+        const std::string_view before = std::string_view(text_).substr(0, *place);
+        const auto line = 1 + std::ranges::count(before, '\n');
+        const std::size_t last_end = before.rfind('\n');
+        const std::size_t column =
+            last_end == std::string_view::npos ? before.size() + 1 : before.size() - last_end;
+        throw InputError(path_, {line, static_cast<std::int64_t>(column)}, too_deep);
+    }
     try {
         root_ = toml::parse(text_, path_);
     } catch (const toml::parse_error& error) {
@@ -130,25 +144,25 @@ void Document::merge(toml::table& into, toml::table& from, const std::string& op
 }
 
 Position Document::position_of(const toml::source_position& position) const {
-    Position result{static_cast<std::int64_t>(position.line),
-                    static_cast<std::int64_t>(position.column)};
-    // The parser counts code points, and we bytes.
-    std::size_t begin = 0;
-    for (std::int64_t line = 1; line < result.line && begin != std::string::npos; ++line) {
-        begin = text_.find('\n', begin);
-        if (begin != std::string::npos) ++begin;
+    // The parser counts code points, and we bytes. Whoever reads a list asks for places one behind
+    // the other: so each goes on where the last one was found.
+    const Position wanted{static_cast<std::int64_t>(position.line),
+                          static_cast<std::int64_t>(position.column)};
+    Walk& walk = walk_;
+    if (std::pair(wanted.line, wanted.column) < std::pair(walk.line, walk.column)) walk = {};
+    while (walk.line < wanted.line) {
+        const std::size_t end = text_.find('\n', walk.byte);
+        if (end == std::string::npos) return wanted;
+        walk = {walk.line + 1, 1, end + 1, end + 1};
     }
-    if (begin == std::string::npos) return result;
     const auto is_continuation = [&](std::size_t i) {
         return i < text_.size() && (static_cast<unsigned char>(text_[i]) & 0xC0) == 0x80;
     };
-    std::size_t i = begin;
-    for (std::int64_t column = 1; column < static_cast<std::int64_t>(position.column); ++column) {
-        ++i;
-        while (is_continuation(i)) ++i;
+    for (; walk.column < wanted.column; ++walk.column) {
+        ++walk.byte;
+        while (is_continuation(walk.byte)) ++walk.byte;
     }
-    result.column = static_cast<std::int64_t>(i - begin) + 1;
-    return result;
+    return {wanted.line, static_cast<std::int64_t>(walk.byte - walk.begin) + 1};
 }
 
 ScenePlace Document::place_of(const toml::source_region& where) const {

@@ -2,6 +2,8 @@
 /// The text of a scene as tables that know where they stand, with what the command line sets put
 /// into their place.
 
+#include <cstddef>
+#include <cstdint>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -36,9 +38,18 @@ class Document {
     void merge(toml::table& into, toml::table& from, const std::string& option) const;
     [[nodiscard]] Position position_of(const toml::source_position& position) const;
 
+    /// A place in the text.
+    struct Walk {
+        std::int64_t line = 1;
+        std::int64_t column = 1;  ///< in code points
+        std::size_t begin = 0;    ///< of the line
+        std::size_t byte = 0;
+    };
+
     std::string path_;
     std::string text_;
     toml::table root_;
+    mutable Walk walk_;  ///< where the last place was found
 };
 
 }  // namespace signum

@@ -22,5 +22,9 @@ void read_tessellation_target(Bytes bytes);
 void read_state_target(Bytes bytes);
 /// Numbers, units and words that were mistyped.
 void read_words_target(Bytes bytes);
+/// A scene, up to the places of its balls where these are few; and what the command line says in
+/// place of its keys.
+void read_scene_target(Bytes bytes);
+void read_override_target(Bytes bytes);
 
 }  // namespace signum::fuzz

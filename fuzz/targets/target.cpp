@@ -7,6 +7,7 @@
 #include <ctime>
 
 #include "parsers.hpp"
+#include "structures.hpp"
 
 namespace signum::fuzz {
 namespace {
@@ -23,6 +24,12 @@ constexpr std::array targets = {
     Target{"tessellation", read_tessellation_target},
     Target{"state", read_state_target},
     Target{"words", read_words_target},
+    Target{"scene", read_scene_target, 10.0},
+    Target{"override", read_override_target, 10.0},
+    Target{"triangulate", triangulate_target, 10.0},
+    Target{"dynamic", dynamic_target, 10.0},
+    Target{"kinetic", kinetic_target, 10.0},
+    Target{"space", space_target, 10.0},
 };
 
 double processor_seconds() {
