@@ -2,6 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <span>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -298,31 +303,75 @@ bool overlap(const Ball<D>& a, const Ball<D>& b, const Effects<D>& effects) {
     return (square - sum * sum).sign() < 0;
 }
 
-/// Names the first ball that overlaps one before it, and the first of these.
+/// The numbers of the balls, but of points in one place the first one's alone: whatever overlaps
+/// the others overlaps that one, and they do not overlap one another.
 template <int D>
-void refuse_overlap(const State<D>& state, const Effects<D>& effects) {
-    if (state.balls.empty()) return;
+std::vector<std::uint32_t> without_doubled_points(const State<D>& state) {
+    const auto is_before = [](const Vector<D>& a, const Vector<D>& b) {
+        return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+    };
+    std::set<Vector<D>, decltype(is_before)> points(is_before);
+    std::vector<std::uint32_t> numbers;
+    for (std::size_t i = 0; i < state.balls.size(); ++i) {
+        const Ball<D>& ball = state.balls[i];
+        if (ball.radius > 0.0 || points.insert(ball.x).second)
+            numbers.push_back(static_cast<std::uint32_t>(i));
+    }
+    return numbers;
+}
+
+/// Two of the balls of these numbers that overlap, the larger number first; any two, so that as
+/// many as lie in one place need not all be asked.
+template <int D>
+std::optional<std::pair<std::uint32_t, std::uint32_t>> any_overlap(
+    const State<D>& state, const Effects<D>& effects, std::span<const std::uint32_t> numbers) {
+    if (numbers.empty()) return std::nullopt;
     std::vector<typename BoxTree<D>::Node> places;
-    places.reserve(state.balls.size());
-    for (const Ball<D>& ball : state.balls)
+    places.reserve(numbers.size());
+    for (const std::uint32_t number : numbers) {
+        const Ball<D>& ball = state.balls[number];
         places.push_back({.box = {ball.x, ball.x}, .radius = ball.radius});
+    }
     Vector<D> length;
     for (int k = 0; k < D; ++k)
         length[k] = effects.periodic ? effects.box->high[k] - effects.box->low[k] : infinity;
-    constexpr std::uint32_t nobody = ~std::uint32_t{0};
-    std::pair first{nobody, nobody};
+    std::optional<std::pair<std::uint32_t, std::uint32_t>> found;
     BoxTree<D>(places, length)
         .visit_pairs([] { return 0.0; },
                      [&](std::uint32_t i, std::uint32_t j) {
-                         const std::pair pair(std::max(i, j), std::min(i, j));
-                         if (pair < first &&
-                             overlap(state.balls[pair.first], state.balls[pair.second], effects))
-                             first = pair;
-                         return true;
+                         const std::pair pair(numbers[std::max(i, j)], numbers[std::min(i, j)]);
+                         if (overlap(state.balls[pair.first], state.balls[pair.second], effects))
+                             found = pair;
+                         return !found;
                      });
-    if (first.first != nobody)
-        throw BallError(first.first, "a ball that overlaps ball " + std::to_string(first.second) +
-                                         "; balls may touch");
+    return found;
+}
+
+/// Names the first ball that overlaps one before it, and the first of these.
+template <int D>
+void refuse_overlap(const State<D>& state, const Effects<D>& effects) {
+    const std::vector<std::uint32_t> numbers = without_doubled_points(state);
+    const auto first_before = [&](std::uint32_t ball) {
+        return std::ranges::lower_bound(numbers, ball) - numbers.begin();
+    };
+    auto found = any_overlap<D>(state, effects, numbers);
+    if (!found) return;
+    // Among the first `free` of them there is none, and some ball before the end of the found one.
+    std::ptrdiff_t free = 0;
+    while (free < first_before(found->first)) {
+        const std::ptrdiff_t middle = free + (first_before(found->first) - free + 1) / 2;
+        const auto one = any_overlap<D>(state, effects,
+                                        std::span(numbers).first(static_cast<std::size_t>(middle)));
+        if (one)
+            found = one;
+        else
+            free = middle;
+    }
+    const std::uint32_t ball = found->first;
+    std::uint32_t other = 0;
+    while (!overlap(state.balls[ball], state.balls[other], effects)) ++other;
+    throw BallError(ball,
+                    "a ball that overlaps ball " + std::to_string(other) + "; balls may touch");
 }
 
 }  // namespace

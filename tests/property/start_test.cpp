@@ -1,8 +1,10 @@
 /// Every sentence with which start() refuses effects or balls, once each; and what is just allowed.
 
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <limits>
+#include <random>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -299,6 +301,54 @@ TEST(Start, RefusesBallsThatCannotBe) {
     for (const auto& change : allowed) {
         bool of_a_ball = false;
         EXPECT_EQ(sentence(change, of_a_ball), "");
+    }
+}
+
+/// Whole numbers, so that doubles tell who overlaps; points too, which do so within a disc alone.
+TEST(Start, NamesTheFirstBallThatOverlapsOneBeforeIt) {
+    std::mt19937_64 random(29);
+    const auto below = [&](std::uint64_t count) { return static_cast<double>(random() % count); };
+    int refused = 0;
+    for (int trial = 0; trial < 400; ++trial) {
+        std::vector<Body<2>> bodies;
+        std::string expected;
+        const std::uint64_t extent = trial % 4 == 0 ? 3 : 40;
+        for (int i = 0; i < 20; ++i) {
+            const Body<2> body{{below(extent), below(extent)}, {}, below(3), 1.0};
+            for (std::size_t j = 0; j < bodies.size() && expected.empty(); ++j) {
+                const double dx = body.x[0] - bodies[j].x[0];
+                const double dy = body.x[1] - bodies[j].x[1];
+                const double radii = body.radius + bodies[j].radius;
+                if (dx * dx + dy * dy < radii * radii)
+                    expected = std::to_string(i) + ": a ball that overlaps ball " +
+                               std::to_string(j) + "; balls may touch";
+            }
+            bodies.push_back(body);
+        }
+        std::string said;
+        try {
+            (void)start<2>(bodies, {});
+        } catch (const BallError& error) {
+            said = std::to_string(error.ball()) + ": " + error.what();
+            ++refused;
+        }
+        ASSERT_EQ(said, expected) << trial;
+    }
+    EXPECT_GT(refused, 100);
+    EXPECT_LT(refused, 400);
+}
+
+/// Were all pairs asked, each of these would take a minute.
+TEST(Start, TakesManyBallsInOnePlace) {
+    std::vector<Body<2>> bodies(100'000, Body<2>{{1.0, 2.0}, {}, 0.0, 1.0});
+    EXPECT_EQ(start<2>(bodies, {}).balls.size(), bodies.size());
+    for (Body<2>& body : bodies) body.radius = 0.5;
+    bodies[0].x[0] = 9.0;
+    try {
+        (void)start<2>(bodies, {});
+        ADD_FAILURE();
+    } catch (const BallError& error) {
+        EXPECT_EQ(error.ball(), 2);
     }
 }
 
