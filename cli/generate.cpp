@@ -18,6 +18,9 @@
 namespace signum::cli {
 namespace {
 
+/// Which are no distribution, and are of both dimensions.
+constexpr std::string_view hard_sites = "hard";
+
 /// The call as it was typed.
 struct GenerateCall {
     std::string distribution;
@@ -38,6 +41,7 @@ auto distribution_of(const GenerateCall& call, const Distributions& all) {
     if (found != all.end()) return *found;
     std::vector<std::string_view> names;
     for (const auto each : all) names.push_back(name_of(each));
+    names.push_back(hard_sites);
     throw CallError(
         fmt::format("{} lies in {}; {}, or take one of {}", call.distribution,
                     call.dimension == 3 ? "the plane" : "space",
@@ -50,6 +54,7 @@ std::vector<std::string> names_of_distributions() {
     for (const Distribution each : all_distributions) names.emplace_back(name_of(each));
     for (const SpaceDistribution each : all_space_distributions)
         if (std::ranges::count(names, name_of(each)) == 0) names.emplace_back(name_of(each));
+    names.emplace_back(hard_sites);
     return names;
 }
 
@@ -74,15 +79,13 @@ SitesFormat format_of(const GenerateCall& call) {
 }
 
 /// The file is opened before the work.
-template <class AnyDistribution>
-void generate_to_output(const GenerateCall& call, AnyDistribution distribution,
-                        const GenerateOptions& options, SitesFormat format) {
+template <class Make>
+void generate_to_output(const GenerateCall& call, Make make, SitesFormat format) {
     std::optional<OutputFile> file;
     if (call.output != standard_output) file.emplace(call.output);
-    using Sites = decltype(generate(distribution, options));
-    Sites sites;
+    decltype(make()) sites;
     try {
-        sites = generate(distribution, options);
+        sites = make();
     } catch (const std::invalid_argument& error) {
         throw CallError(error.what());
     }
@@ -120,10 +123,15 @@ void run(const GenerateCall& call) {
             fmt::format("--perturb {}: give a number that is not negative", call.perturb));
     }
     const SitesFormat format = format_of(call);
+    const auto write = [&](auto make) { generate_to_output(call, make, format); };
+    const bool is_hard = call.distribution == hard_sites;
+    if (is_hard && call.dimension == 3)
+        return write([&] { return generate_hard_in_space(options); });
+    if (is_hard) return write([&] { return generate_hard(options); });
     if (call.dimension == 3)
-        generate_to_output(call, distribution_of(call, all_space_distributions), options, format);
-    else
-        generate_to_output(call, distribution_of(call, all_distributions), options, format);
+        return write(
+            [&] { return generate(distribution_of(call, all_space_distributions), options); });
+    write([&] { return generate(distribution_of(call, all_distributions), options); });
 }
 
 }  // namespace
@@ -143,11 +151,14 @@ void add_generate(CLI::App& tool) {
                      "offset   on a fine grid far away: sums round\n"
                      "tangent  discs that touch circles, 192 on each,\n"
                      "         exactly\n"
+                     "hard     patterns of sixteen: tangent, nested, collinear,\n"
+                     "         mirrored, exactly or but for a few ulps\n"
                      "With --dimension 3:\n"
                      "random   in the cube [0, 700] x [0, 700] x [0, 700]\n"
                      "sphere   on the largest sphere in it, radius 350\n"
                      "cube     on its boundary\n"
-                     "grid     on a grid of cubes filling it")
+                     "grid     on a grid of cubes filling it\n"
+                     "hard     as in the plane")
         ->required()
         ->transform(one_of(names_of_distributions()))
         ->type_name("");

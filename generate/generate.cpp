@@ -5,6 +5,7 @@
 
 #include "../core/index.hpp"
 #include "generate.hpp"
+#include "hard.hpp"
 #include "uniform.hpp"
 
 namespace signum {
@@ -242,7 +243,76 @@ class Changes {
     Uniform perturbations_;
 };
 
+/// The hard sites, one after the other.
+template <std::size_t d>
+class HardSites {
+ public:
+    explicit HardSites(std::uint64_t seed) : moves_(seed) {}
+
+    const hard::Ball<d>& operator()() {
+        if (next_ == pattern_.size()) make_pattern();
+        return pattern_[next_++];
+    }
+
+ private:
+    void make_pattern() {
+        using hard::Kind;
+        // A weight is no radius.
+        constexpr std::array kinds = {Kind::points, Kind::radii, Kind::euclidean, Kind::supremum,
+                                      Kind::manhattan};
+        const Kind kind = kinds[made_++ % kinds.size()];
+        moves_.any_pattern(kind, pattern_);
+        // Radii below 0 the tool takes for weights; in these metrics their differences alone count.
+        double least = 0.0;
+        for (const hard::Ball<d>& ball : pattern_) least = std::min(least, ball.size);
+        for (hard::Ball<d>& ball : pattern_) ball.size -= least;
+        if (!moves_.once_in(4))
+            moves_.move_by_ulps(kind, pattern_, static_cast<int>(moves_.integer(1, 6)), 4);
+        for (hard::Ball<d>& ball : pattern_) ball.size = std::abs(ball.size);
+        if (moves_.once_in(4))
+            moves_.scale(kind, pattern_, static_cast<int>(moves_.integer(-20, 20)));
+        next_ = 0;
+    }
+
+    hard::Moves<d> moves_;
+    std::array<hard::Ball<d>, 16> pattern_;
+    std::size_t next_ = 16;
+    std::size_t made_ = 0;
+};
+
 }  // namespace
+
+std::vector<Site> generate_hard(const GenerateOptions& options) {
+    check(options);
+    std::vector<Site> sites;
+    sites.reserve(static_cast<std::size_t>(options.count));
+    HardSites<2> balls(options.seed);
+    Changes changes(options);
+    for (std::int64_t i = 0; i < options.count; ++i) {
+        const hard::Ball<2>& ball = balls();
+        const double dx = changes.shift();
+        const double dy = changes.shift();
+        sites.push_back({ball.centre[0] + dx, ball.centre[1] + dy, ball.size + changes.radius()});
+    }
+    return sites;
+}
+
+std::vector<Site3> generate_hard_in_space(const GenerateOptions& options) {
+    check(options);
+    std::vector<Site3> sites;
+    sites.reserve(static_cast<std::size_t>(options.count));
+    HardSites<3> balls(options.seed);
+    Changes changes(options);
+    for (std::int64_t i = 0; i < options.count; ++i) {
+        const hard::Ball<3>& ball = balls();
+        const double dx = changes.shift();
+        const double dy = changes.shift();
+        const double dz = changes.shift();
+        sites.push_back({ball.centre[0] + dx, ball.centre[1] + dy, ball.centre[2] + dz,
+                         ball.size + changes.radius()});
+    }
+    return sites;
+}
 
 std::string_view name_of(Distribution distribution) noexcept {
     constexpr std::string_view names[] = {"random",  "circle", "square", "grid",

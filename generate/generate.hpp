@@ -67,4 +67,11 @@ struct GenerateOptions {
 [[nodiscard]] std::vector<Site3> generate(SpaceDistribution distribution,
                                           const GenerateOptions& options);
 
+/// Patterns of sixteen sites made to be wrong about (hard.hpp): lattices, tangent, nested and
+/// collinear ones of each metric, with copies and mirror images, exact or moved by a few ulps. Each
+/// lies where and is as large as its integers and its power of two have it, so that they overlap at
+/// all scales. The options' radii and perturbations are added to their own.
+[[nodiscard]] std::vector<Site> generate_hard(const GenerateOptions& options);
+[[nodiscard]] std::vector<Site3> generate_hard_in_space(const GenerateOptions& options);
+
 }  // namespace signum

@@ -519,10 +519,10 @@ TEST_F(ToolInSpace, Generates) {
            "signum: -n 268435457: give a number of sites from 1 to 268435456\n");
     expect({"generate", "circle", "--dimension", "3", "-n", "3"}, 2,
            "signum: circle lies in the plane; leave --dimension 3 out, or take one of random, "
-           "sphere, cube, grid\n");
+           "sphere, cube, grid, hard\n");
     expect({"generate", "cube", "-n", "3"}, 2,
            "signum: cube lies in space; add --dimension 3, or take one of random, circle, square, "
-           "grid, lattice, rings, offset, tangent\n");
+           "grid, lattice, rings, offset, tangent, hard\n");
 }
 
 TEST_F(ToolInSpace, PrintsSigns) {

@@ -98,6 +98,25 @@ TEST(Generate, KeepsCentresWhenRadiiChange) {
     }
 }
 
+TEST(Generate, MakesHardSitesOfBothDimensions) {
+    const std::vector<Site> sites = generate_hard({.count = 2000, .seed = 5});
+    EXPECT_EQ(std::ssize(sites), 2000);
+    EXPECT_EQ(sites, generate_hard({.count = 2000, .seed = 5}));
+    EXPECT_NE(sites, generate_hard({.count = 2000, .seed = 6}));
+    const std::size_t places = different(sites);
+    EXPECT_GT(places, 1000);
+    EXPECT_LT(places, 1950);  // copies
+    const std::vector<Site> moved = generate_hard({.count = 2000, .perturb = 1, .seed = 5});
+    for (std::size_t i = 0; i < sites.size(); ++i) {
+        EXPECT_TRUE(std::isfinite(sites[i].x) && std::isfinite(sites[i].y));
+        EXPECT_LE(std::abs(moved[i].x - sites[i].x), 1.0 + std::abs(sites[i].x) * 0x1p-52);
+        EXPECT_EQ(moved[i].r, sites[i].r);
+        EXPECT_GE(sites[i].r, 0);
+    }
+    EXPECT_EQ(std::ssize(generate_hard_in_space({.count = 33})), 33);
+    EXPECT_THROW(static_cast<void>(generate_hard({.count = -1})), std::invalid_argument);
+}
+
 TEST(Generate, HasANameForEachDistribution) {
     std::set<std::string_view> names;
     for (const Distribution each : all_distributions) {
