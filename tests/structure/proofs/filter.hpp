@@ -36,8 +36,6 @@ struct Filter {
     std::string (*kind_of)(const std::string& atom) = nullptr;
     /// Where nothing underflows.
     bool in_range = false;
-    /// Without a window: what the bound adds for underflow, in sizes.
-    Polynomial spare_for_underflow{};
     int window = 0;
     int terms = 0;
     /// Where the magnitude of the value is not covered by the bound monomial by monomial.
@@ -80,6 +78,26 @@ struct Margin {
     Polynomial result;
     for (const auto& [monomial, coefficient] : all)
         if (degree(monomial) == highest) result[monomial] = coefficient;
+    return result;
+}
+
+/// Without a window: what the bound adds for underflow, in sizes; of one size the least.
+[[nodiscard]] inline Polynomial spare_for_underflow(const Polynomial& bound,
+                                                    const Polynomial& main_part,
+                                                    const Notes& atoms) {
+    Polynomial result;
+    for (const auto& [monomial, coefficient] : bound) {
+        if (main_part.contains(monomial)) continue;
+        Monomial product;
+        for (const int atom : monomial) {
+            const Monomial& size = atoms.sizes.at(atom);
+            product.insert(product.end(), size.begin(), size.end());
+        }
+        std::sort(product.begin(), product.end());
+        const Monomial size = without_pairs({{product, 1.0L}}).begin()->first;
+        const auto [place, is_first] = result.try_emplace(size, coefficient);
+        if (!is_first) place->second = std::min(place->second, coefficient);
+    }
     return result;
 }
 
@@ -154,9 +172,10 @@ inline Margin prove(Scripts& scripts, const Filter& filter) {
         of_underflow = underflow_in_window(
             filter, underflow, main_part(bound.size(), [](int) { return std::size_t{1}; }));
     } else {
+        const Polynomial spares = spare_for_underflow(bound.magnitude(), main_bound, of_this);
         for (const auto& [monomial, coefficient] : underflow) {
-            const auto spare = filter.spare_for_underflow.find(monomial);
-            if (spare == filter.spare_for_underflow.end())
+            const auto spare = spares.find(monomial);
+            if (spare == spares.end())
                 throw std::logic_error(name + ": a term of underflow is not covered");
             scripts.write(
                 name + "-underflow-" + std::to_string(monomial.size()),

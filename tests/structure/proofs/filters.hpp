@@ -175,26 +175,19 @@ inline Compared sum_of_eight_forms() {
 }
 
 inline const std::vector<Filter>& all_filters() {
-    static const Polynomial of_in_circle = {{{'t', 't'}, 0x1p-1000L}, {{}, 0x1p-1000L}};
     static const std::vector<Filter> filters = {
-        {.name = "ccw",
-         .evaluate = ccw_in_plane,
-         .size_of = size_in_power,
-         .spare_for_underflow = {{{}, 0x1p-1000L}}},
+        {.name = "ccw", .evaluate = ccw_in_plane, .size_of = size_in_power},
         {.name = "power_in_circle_points",
          .evaluate = in_circle_of_power<Point>,
          .size_of = size_in_power,
-         .spare_for_underflow = of_in_circle,
          .lemma = third_of_square<Point>()},
         {.name = "power_in_circle_weights",
          .evaluate = in_circle_of_power<power::Site>,
          .size_of = size_in_power,
-         .spare_for_underflow = of_in_circle,
          .lemma = third_of_square<power::Site>()},
         {.name = "power_in_circle_radii",
          .evaluate = in_circle_of_power<Site>,
          .size_of = size_in_power,
-         .spare_for_underflow = of_in_circle,
          .lemma = third_of_square<Site>()},
         {.name = "power_in_circle_finely",
          .evaluate = in_circle_of_power_finely,
@@ -213,8 +206,7 @@ inline const std::vector<Filter>& all_filters() {
         in_euclidean("euclidean_q", [] { return euclidean_triple().compared_q(); }),
         {.name = "euclidean_q_anywhere",
          .evaluate = [] { return euclidean_triple().compared_q_anywhere(); },
-         .size_of = size_in_euclidean,
-         .spare_for_underflow = {{{}, 0x1p-1000L}, {{12, 13}, 0x1p-1000L}}},
+         .size_of = size_in_euclidean},
         in_euclidean("euclidean_twice_ab", [] { return euclidean_triple().compared_twice_ab(); }),
         in_euclidean("euclidean_order_of_middles",
                      [] {
