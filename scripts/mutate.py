@@ -1,0 +1,275 @@
+#!/usr/bin/env python3
+"""Breaks the library in one place at a time and shows that a test notices.
+
+  scripts/mutate.py                 every mutant of tests/mutation/*.toml that is not yet judged
+  scripts/mutate.py NAME...         those whose names begin with one of these, or a table's
+  scripts/mutate.py --report        what is known, as tables for docs/mutation.md
+  scripts/mutate.py --check         that each mutant's text is there once, and nothing more
+  scripts/mutate.py --again         forgets what is known first
+
+A mutant is a text of a file, which occurs there once, and what to put in its place. The programs that
+should notice are built from a copy of the sources, in build/mutation, only the objects that read the
+file anew, and run one after the other until one fails. MUTATION_DIRECTORY names another place, so that two
+runs may go on side by side. `refused` is a mutant that does not compile
+because of a static_assert; `broken` one that does not compile for any other reason, which is an error
+of the table. What is known stays in build/mutation/results.json, so that a run may be cut off.
+
+Ends with 1 where a mutant survives that is not said to be equivalent, or is killed and is said to be.
+"""
+import argparse
+import concurrent.futures
+import hashlib
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import time
+import tomllib
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+WORK = pathlib.Path(os.environ.get("MUTATION_DIRECTORY", ROOT / "build" / "mutation")).resolve()
+COPY = WORK / "source"
+RESULTS = WORK / "results.json"
+FLAGS = ["-std=c++20", "-ffp-contract=off"]
+LIBRARIES = ["-lgtest_main", "-lgtest", "-lgmpxx", "-lmpfr", "-lgmp", "-lpthread"]
+COMPILER = (["ccache"] if shutil.which("ccache") else []) + [os.environ.get("CXX", "g++")]
+LIMIT = 600
+PREPARED = set()
+
+
+def read_tables():
+    programs, mutants = {}, []
+    for path in sorted((ROOT / "tests" / "mutation").glob("*.toml")):
+        with open(path, "rb") as file:
+            table = tomllib.load(file)
+        programs.update(table.get("program", {}))
+        for mutant in table.get("mutant", []):
+            mutant["table"] = path.stem
+            mutants.append(mutant)
+    names = [mutant["name"] for mutant in mutants]
+    for name in set(names):
+        if names.count(name) > 1:
+            sys.exit(f"two mutants are called {name}")
+    return programs, mutants
+
+
+def key_of(mutant):
+    """Of what the judgement depends on, but for the tests' own texts."""
+    text = (ROOT / mutant["file"]).read_text()
+    words = [text, mutant["from"], mutant["to"], " ".join(mutant["programs"])]
+    return hashlib.sha256("\0".join(words).encode()).hexdigest()[:16]
+
+
+def copy_sources():
+    """The sources as git knows them, those that have changed alone."""
+    listed = subprocess.run(["git", "-C", ROOT, "ls-files", "-co", "--exclude-standard"], check=True,
+                            capture_output=True, text=True).stdout.split("\n")
+    for name in listed:
+        source, target = ROOT / name, COPY / name
+        if not name or not source.is_file() or name.startswith(("docs/", "fuzz/")):
+            continue
+        if target.exists() and target.read_bytes() == source.read_bytes():
+            continue
+        target.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy2(source, target)
+
+
+def sources_of(program):
+    """The test and what it needs of the library."""
+    names = [program["source"]]
+    for folder in program.get("library", []):
+        path = COPY / folder
+        found = [path] if path.is_file() else sorted(path.rglob("*.cpp"))
+        names += [str(each.relative_to(COPY)) for each in found]
+    return names
+
+
+def object_of(name, folder):
+    return WORK / folder / (name.replace("/", "+") + ".o")
+
+
+def compile_object(name, target):
+    """The compiler's complaint, empty where there is none."""
+    target.parent.mkdir(parents=True, exist_ok=True)
+    command = COMPILER + FLAGS + ["-O0" if name.startswith("tests/") else "-O1", f'-DSIGNUM_SOURCES="{COPY}"', "-MMD", "-MF", str(target) + ".d",
+                                  "-c", name, "-o", str(target)]
+    done = subprocess.run(command, cwd=COPY, capture_output=True, text=True)
+    return done.stderr if done.returncode else ""
+
+
+def reads(name):
+    """The files that an object was made of."""
+    text = (object_of(name, "objects").with_name(object_of(name, "objects").name + ".d")).read_text()
+    words = text.replace("\\\n", " ").split(":", 1)[1].split()
+    return {os.path.normpath(word) for word in words}
+
+
+def build_base(programs, pool):
+    """Objects of the sources as they are; those of an earlier run where nothing has changed."""
+    wanted = sorted({name for program in programs for name in sources_of(program)})
+
+    def build(name):
+        target = object_of(name, "objects")
+        depends = target.with_name(target.name + ".d")
+        if target.exists() and depends.exists():
+            made = target.stat().st_mtime
+            if all((COPY / each).exists() and (COPY / each).stat().st_mtime <= made
+                   for each in reads(name)):
+                return ""
+        return compile_object(name, target)
+
+    for name, complaint in zip(wanted, pool.map(build, wanted)):
+        if complaint:
+            sys.exit(f"{name} does not compile as it is:\n{complaint}")
+
+
+def run_program(program, binary):
+    """Whether it passes."""
+    command = [str(binary), "--gtest_brief=1", "--gtest_fail_fast"]
+    if "script" in program:
+        command = ["bash", str(COPY / program["script"]), str(binary)]
+    if "filter" in program:
+        command.append("--gtest_filter=" + program["filter"])
+    try:
+        done = subprocess.run(command, cwd=COPY, capture_output=True, text=True, timeout=LIMIT)
+    except subprocess.TimeoutExpired:
+        return False
+    if done.returncode == 77:
+        sys.exit("a program skips itself: " + done.stdout)
+    return done.returncode == 0
+
+
+def link(program, changed, binary):
+    objects = [str(object_of(name, "mutant" if name in changed else "objects"))
+               for name in sources_of(program)]
+    libraries = [] if "script" in program else LIBRARIES
+    subprocess.run([COMPILER[-1], *objects, "-o", str(binary), *libraries], check=True)
+
+
+def prepare(name, program, pool):
+    """Builds it of the sources as they are; it has to pass."""
+    if name in PREPARED:
+        return
+    build_base([program], pool)
+    binary = WORK / "program"
+    link(program, set(), binary)
+    if not run_program(program, binary):
+        sys.exit(f"{name} fails on the sources as they are")
+    PREPARED.add(name)
+
+
+def judge(mutant, programs, pool):
+    """killed, survived, refused or broken, and by what."""
+    path = COPY / mutant["file"]
+    text = path.read_text()
+    if text.count(mutant["from"]) != 1:
+        return "broken", f"the text occurs {text.count(mutant['from'])} times"
+    times = path.stat()
+
+    def restore():
+        path.write_text(text)
+        os.utime(path, ns=(times.st_atime_ns, times.st_mtime_ns))
+
+    changed_text = text.replace(mutant["from"], mutant["to"])
+    done = set()
+    try:
+        for name in mutant["programs"]:
+            program = programs[name]
+            restore()
+            prepare(name, program, pool)
+            path.write_text(changed_text)
+            changed = {each for each in sources_of(program) if mutant["file"] in reads(each)}
+            fresh = sorted(changed - done)
+            complaints = pool.map(lambda each: compile_object(each, object_of(each, "mutant")), fresh)
+            for complaint in filter(None, complaints):
+                assertion = re.search(r"static assertion failed", complaint)
+                return ("refused", "static_assert") if assertion else ("broken", complaint[:2000])
+            done |= changed
+            binary = WORK / "mutated_program"
+            link(program, changed, binary)
+            if changed and not run_program(program, binary):
+                return "killed", name
+        return "survived", ""
+    finally:
+        restore()
+
+
+def check(programs, mutants):
+    wrong = [f"{mutant['name']}: the text is not in {mutant['file']}, once" for mutant in mutants
+             if (ROOT / mutant["file"]).read_text().count(mutant["from"]) != 1]
+    wrong += [f"{mutant['name']}: there is no program {name}" for mutant in mutants
+              for name in mutant["programs"] if name not in programs]
+    print("\n".join(wrong) if wrong else f"{len(mutants)} mutants")
+    return wrong != []
+
+
+def report(mutants, known):
+    print("| file | mutants | refused by the compiler | noticed by the proofs | by a test | equivalent | "
+          "survived | not judged |")
+    print("| --- | --- | --- | --- | --- | --- | --- | --- |")
+    rows = {}
+    for mutant in mutants:
+        outcome, by = known.get(key_of(mutant), ("not judged", ""))[:2]
+        row = rows.setdefault(mutant["file"], [0] * 7)
+        row[0] += 1
+        if outcome == "refused":
+            row[1] += 1
+        elif outcome == "killed":
+            row[2 if by == "proofs" else 3] += 1
+        elif outcome == "survived" and "equivalent" in mutant:
+            row[4] += 1
+        else:
+            row[5 if outcome == "survived" else 6] += 1
+            print(f"{mutant['name']}: {outcome}", file=sys.stderr)
+    for file, row in sorted(rows.items()):
+        print(f"| `{file}` | " + " | ".join(str(number or "") for number in row) + " |")
+    total = [sum(row[k] for row in rows.values()) for k in range(7)]
+    print("| all | " + " | ".join(str(number) for number in total) + " |")
+
+
+def main():
+    words = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    words.add_argument("names", nargs="*")
+    words.add_argument("--report", action="store_true")
+    words.add_argument("--again", action="store_true")
+    words.add_argument("--check", action="store_true")
+    words.add_argument("--jobs", type=int, default=os.cpu_count())
+    given = words.parse_args()
+    programs, mutants = read_tables()
+    if given.check:
+        return check(programs, mutants)
+    known = json.loads(RESULTS.read_text()) if RESULTS.exists() and not given.again else {}
+    if given.report:
+        report(mutants, known)
+        return 0
+    chosen = [mutant for mutant in mutants
+              if not given.names or any(mutant["name"].startswith(name) or mutant["table"] == name
+                                            for name in given.names)]
+    wanted = [mutant for mutant in chosen if key_of(mutant) not in known]
+    # Those first that take the least time.
+    wanted.sort(key=lambda mutant: (mutant["programs"][0] != "proofs", mutant["file"].endswith(".hpp")))
+    copy_sources()
+    with concurrent.futures.ThreadPoolExecutor(given.jobs) as pool:
+        for mutant in wanted:
+            begin = time.monotonic()
+            outcome, by = judge(mutant, programs, pool)
+            seconds = round(time.monotonic() - begin)
+            print(f"{mutant['name']:44} {outcome:9} {by} ({seconds} s)", flush=True)
+            if outcome != "broken":
+                known[key_of(mutant)] = [outcome, by]
+                RESULTS.write_text(json.dumps(known, indent=0))
+    wrong = 0
+    for mutant in chosen:
+        outcome = known.get(key_of(mutant), ["broken"])[0]
+        if (outcome in ("survived", "broken")) != ("equivalent" in mutant):
+            print(f"{mutant['name']}: {outcome}" + (", though equivalent" if "equivalent" in mutant else ""))
+            wrong += 1
+    print(f"{len(chosen)} mutants, {wrong} unexplained")
+    return wrong != 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
