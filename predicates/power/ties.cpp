@@ -21,7 +21,7 @@ Sign last_nonzero(std::array<Index, n> ranks, Coefficient coefficient) noexcept 
         if (sign != 0) return sign;
         *last = std::numeric_limits<Index>::min();
     }
-    SIGNUM_EXPECTS(!"the coefficient of q is not 0");
+    SIGNUM_EXPECTS(false && "the coefficient of q is not 0");
     return -1;
 }
 

@@ -1,0 +1,11 @@
+# What some compilers lack is said in a sentence, before a hundred files fail.
+include(CheckCXXSourceCompiles)
+include(CheckIncludeFileCXX)
+check_cxx_source_compiles("__int128 number = 0; int main() { return static_cast<int>(number); }" SIGNUM_HAS_INT128)
+if(NOT SIGNUM_HAS_INT128)
+  message(FATAL_ERROR "signum needs integers of 128 bits: compile for a processor of 64 bits")
+endif()
+check_include_file_cxx(stop_token SIGNUM_HAS_STOP_TOKEN)
+if(NOT SIGNUM_HAS_STOP_TOKEN)
+  message(FATAL_ERROR "signum needs the header stop_token: compile with a later libc++")
+endif()
