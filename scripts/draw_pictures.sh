@@ -11,7 +11,7 @@ Draws the pictures of docs/pictures/ again.
   scripts/draw_pictures.sh TOOL DIR     the same into DIR, without the animations
 
 The pictures of the tool are drawn by the commands of the pages, as they stand there: the lines that
-write files, which later lines read. The animations come from examples/, which is built for them.
+write files, which later lines read. The animations and the neighbourhoods come from examples/, which is built for them.
 The same tool draws the same bytes. Only docs/pictures/, or DIR, changes.
 USAGE
 }
@@ -46,4 +46,7 @@ done
 scripts/build.sh build/run examples -DSIGNUM_BUILD_TESTS=OFF
 for name in path sweep dynamic; do
   "build/run/examples/${name}_animation" > "$out/$name.svg"
+done
+for predicate in ccw in_circle; do
+  build/run/examples/neighbourhood_pictures "$predicate" > "$out/neighbourhood_$predicate.svg"
 done

@@ -3,13 +3,17 @@
 /// the oracles answer the same questions, and what they say is compared as text.
 ///
 ///     # Why it is hard, and where it comes from.
-///     plane                what it is about
+///     plane                what it is about: plane, space, motion, motion_in_space
 ///     ask 0 1 2 3          of which sites the predicates are asked; may be repeated
-///     move 3 y 52          a family: y of site 3 moved by 0, 1, 2, 4, …, 2^52 ulps to both sides
+///     move 3 y 52          a family: y of site 3 moved by 0, 1, 2, 4, …, 2^52 ulps to both sides;
+///                          move 3 y 52 4: by 0, 1, 2^4, 2^8, …
 ///     sites
 ///     0x1p0 2.5 3          x y r, a site a line
 ///     expected             from here on written by make_hard_cases, from the oracles
 ///     power in_circle 0 1 2 3: -*53 0 +*53
+///
+/// Sites of space have the numbers x y z r. Things that move have velocities behind them, u v or
+/// u v w; they are asked in pairs, and `until 4` asks for all strikes up to a time.
 ///
 /// Other families: `shift x 0 60` adds 2^0, 2^1, …, 2^60 to x of all sites (rounded, as whoever
 /// moves an origin does), `scale -1000 1000 50` multiplies all numbers by 2^-1000, 2^-950, ….
@@ -55,17 +59,17 @@ struct Family {
 
     [[nodiscard]] std::size_t steps() const {
         if (kind == Kind::none) return 1;
-        if (kind == Kind::move) return 2 * static_cast<std::size_t>(last) + 3;
+        if (kind == Kind::move) return 2 * static_cast<std::size_t>(last / by) + 3;
         return static_cast<std::size_t>((last - first) / by) + 1;
     }
 
     [[nodiscard]] Rows applied(Rows rows, std::size_t step) const {
         const int exponent = first + by * static_cast<int>(step);
         if (kind == Kind::move) {
-            // -2^last, …, -1, 0, 1, …, 2^last
-            const int from_middle = static_cast<int>(step) - (last + 1);
+            // …, -2^by, -1, 0, 1, 2^by, …
+            const int from_middle = static_cast<int>(step) - (last / by + 1);
             const std::int64_t ulps =
-                from_middle == 0 ? 0 : std::int64_t{1} << (std::abs(from_middle) - 1);
+                from_middle == 0 ? 0 : std::int64_t{1} << (by * (std::abs(from_middle) - 1));
             double& number = rows.at(site).at(column);
             number = moved_by_ulps(number, from_middle < 0 ? -ulps : ulps);
         }
@@ -82,6 +86,7 @@ struct Case {
     std::string name;
     std::string given;  ///< the text before what is expected
     std::string kind;
+    std::optional<double> until;
     std::vector<std::vector<std::size_t>> asked;
     Family family;
     Rows rows;
@@ -96,10 +101,19 @@ inline double number_of(const std::string& word) {
     return number;
 }
 
-inline Family read_family(const std::string& key, std::istringstream& words) {
+/// The numbers of a site, by their names; none of what is no kind.
+inline std::string columns_of(const std::string& kind) {
+    if (kind == "plane") return "xyr";
+    if (kind == "space") return "xyzr";
+    if (kind == "motion") return "xyruv";
+    if (kind == "motion_in_space") return "xyzruvw";
+    return {};
+}
+
+inline Family read_family(const std::string& key, const std::string& columns,
+                          std::istringstream& words) {
     Family family;
     const auto read_column = [&] {
-        const std::string columns = "xyzr";
         char name = 0;
         words >> name;
         family.column = columns.find(name);
@@ -109,6 +123,10 @@ inline Family read_family(const std::string& key, std::istringstream& words) {
         words >> family.site;
         read_column();
         words >> family.last;
+        if (int by = 0; words >> by)
+            family.by = by;
+        else if (words.eof())
+            words.clear();
     } else if (key == "shift") {
         family.kind = Family::Kind::shift;
         read_column();
@@ -117,7 +135,8 @@ inline Family read_family(const std::string& key, std::istringstream& words) {
         family.kind = Family::Kind::scale;
         words >> family.first >> family.last >> family.by;
     }
-    if (!words || family.by < 1 || family.last < family.first || family.column == std::string::npos)
+    if (words.fail() || family.by < 1 || family.last < family.first ||
+        family.column == std::string::npos)
         throw std::invalid_argument("no family: " + key);
     return family;
 }
@@ -154,22 +173,21 @@ inline Case read_case(const std::string& path) {
             std::vector<std::size_t> sites;
             for (std::size_t site = 0; words >> site;) sites.push_back(site);
             result.asked.push_back(sites);
-        } else if (key == "plane") {
+        } else if (!columns_of(key).empty()) {
             result.kind = key;
+        } else if (key == "until" && words >> key) {
+            result.until = number_of(key);
         } else if (key == "move" || key == "shift" || key == "scale") {
-            result.family = read_family(key, words);
+            result.family = read_family(key, columns_of(result.kind), words);
         } else {
             throw std::invalid_argument(path + ": what is " + key + "?");
         }
     }
     if (!in_expected || result.kind.empty())
         throw std::invalid_argument(path + ": no kind, or nothing is expected");
-    const std::size_t columns = 3;
-    for (Row& row : result.rows) {
-        if (row.size() != columns) throw std::invalid_argument(path + ": a site lacks a number");
-    }
-    // The third number of a site of the plane is r.
-    if (result.family.column == 3) result.family.column = columns - 1;
+    for (const Row& row : result.rows)
+        if (row.size() != columns_of(result.kind).size())
+            throw std::invalid_argument(path + ": a site lacks a number");
     for (const auto& sites : result.asked)
         for (const std::size_t site : sites)
             if (site >= result.rows.size())
@@ -177,35 +195,48 @@ inline Case read_case(const std::string& path) {
     return result;
 }
 
-/// A sign as it is written; none where the question is not to be asked.
-inline char letter(std::optional<int> sign) {
-    if (!sign) return '.';
-    return *sign > 0 ? '+' : *sign < 0 ? '-' : '0';
+/// A sign, or yes or no, as they are written.
+inline std::string letter(int sign) {
+    return sign > 0 ? "+" : sign < 0 ? "-" : "0";
+}
+inline std::string letter(bool is) {
+    return is ? "+" : "-";
 }
 
-/// What the oracle does not say.
-inline constexpr char open = '?';
+/// What is not to be asked, and what the oracle does not say.
+inline const std::string unasked = ".";
+inline const std::string open = "?";
 
-/// "-----0" as "-*5 0".
-inline std::string shortened(const std::string& answers) {
+/// "0 1 2"
+template <class Numbers>
+std::string joined(const Numbers& numbers) {
+    std::string text;
+    for (const auto& number : numbers) text += (text.empty() ? "" : " ") + std::to_string(number);
+    return text;
+}
+
+/// - - - - - 0 as "-*5 0".
+inline std::string shortened(const std::vector<std::string>& answers) {
     std::string text;
     for (std::size_t from = 0, to = 0; from < answers.size(); from = to) {
-        to = std::min(answers.find_first_not_of(answers[from], from), answers.size());
-        text += (from == 0 ? "" : " ") + std::string(1, answers[from]);
+        while (to < answers.size() && answers[to] == answers[from]) ++to;
+        text += (from == 0 ? "" : " ") + answers[from];
         if (to - from > 1) text += "*" + std::to_string(to - from);
     }
     return text;
 }
 
-/// The opposite, for the answers of a whole line; what is no line of answers stays as it is.
-inline std::string lengthened(const std::string& line) {
-    const std::size_t colon = line.rfind(": ");
-    if (line.starts_with(' ') || colon == std::string::npos) return line;
-    std::istringstream words(line.substr(colon + 2));
-    std::string text = line.substr(0, colon + 2);
-    for (std::string word; words >> word;)
-        text.append(word.size() > 2 ? std::stoul(word.substr(2)) : 1, word[0]);
-    return text;
+/// The opposite.
+inline std::vector<std::string> lengthened(const std::string& text) {
+    std::istringstream words(text);
+    std::vector<std::string> answers;
+    for (std::string word; words >> word;) {
+        const std::size_t star = word.find('*');
+        answers.insert(answers.end(),
+                       star == std::string::npos ? 1 : std::stoul(word.substr(star + 1)),
+                       word.substr(0, star));
+    }
+    return answers;
 }
 
 /// Answers to one question after another, at one step after another: each question on a line of its
@@ -214,23 +245,22 @@ class AnswerLines {
  public:
     /// Questions come in the same order at every step.
     void begin_step() { next_ = 0; }
-    void add(const std::string& question, char answer) { line(question).answers += answer; }
+    /// The answer is one word.
+    void add(const std::string& question, const std::string& answer) {
+        line(question).answers.push_back(answer);
+    }
     void add_long(const std::string& question, const std::string& answer) {
         Line& found = line(question);
-        std::size_t number = 0;
-        while (number < found.different.size() && found.different[number] != answer) ++number;
-        if (number == found.different.size()) found.different.push_back(answer);
-        found.answers += static_cast<char>(number < 26 ? 'a' + number : 'A' + (number - 26));
-        if (number >= 52) throw std::out_of_range("too many different answers: " + question);
+        const auto place = std::ranges::find(found.different, answer);
+        found.answers.push_back(name_of(static_cast<int>(place - found.different.begin())));
+        if (place == found.different.end()) found.different.push_back(answer);
     }
     [[nodiscard]] Lines text() const {
         Lines result;
         for (const Line& line : lines_) {
             result.push_back(line.question + ": " + shortened(line.answers));
             for (std::size_t i = 0; i < line.different.size(); ++i)
-                result.push_back(
-                    "  " + std::string(1, static_cast<char>(i < 26 ? 'a' + i : 'A' + i - 26)) +
-                    " " + line.different[i]);
+                result.push_back("  " + name_of(static_cast<int>(i)) + " " + line.different[i]);
         }
         return result;
     }
@@ -238,9 +268,13 @@ class AnswerLines {
  private:
     struct Line {
         std::string question;
-        std::string answers;
+        std::vector<std::string> answers;
         Lines different;
     };
+    static std::string name_of(int number) {
+        std::string name(1, static_cast<char>('a' + number % 26));
+        return number < 26 ? name : name + std::to_string(number / 26);
+    }
     Line& line(const std::string& question) {
         if (next_ == lines_.size()) lines_.push_back({question, {}, {}});
         if (lines_[next_].question != question) throw std::logic_error("questions changed");
@@ -251,13 +285,16 @@ class AnswerLines {
 };
 
 /// Whether what was answered is what is expected: the same, but where the oracle does not say.
-inline bool agrees(std::string answered, std::string expected) {
-    answered = lengthened(answered);
-    expected = lengthened(expected);
-    if (answered.size() != expected.size()) return false;
-    for (std::size_t i = 0; i < expected.size(); ++i)
-        if (answered[i] != expected[i] && expected[i] != open) return false;
-    return true;
+inline bool agrees(const std::string& answered, const std::string& expected) {
+    const std::size_t colon = expected.rfind(": ");
+    if (expected.starts_with(' ') || colon == std::string::npos ||
+        answered.substr(0, colon + 2) != expected.substr(0, colon + 2))
+        return answered == expected;
+    const auto said = lengthened(answered.substr(colon + 2));
+    const auto wanted = lengthened(expected.substr(colon + 2));
+    return std::ranges::equal(said, wanted, [](const std::string& a, const std::string& b) {
+        return a == b || b == open;
+    });
 }
 
 }  // namespace signum::hard

@@ -29,9 +29,9 @@ class PlaneAnswers {
     [[nodiscard]] virtual bool hides(Number i, Number q) const = 0;
     /// Under the tie rule. None of the three hides another.
     [[nodiscard]] virtual bool exists(Number i, Number j, Number k) const = 0;
-    /// '+', '0', '-' or open: without the tie rule. The circle exists, and none of its three hides
+    /// The letter, or open: without the tie rule. The circle exists, and none of its three hides
     /// q.
-    [[nodiscard]] virtual char in_circle(Number i, Number j, Number k, Number q) const = 0;
+    [[nodiscard]] virtual std::string in_circle(Number i, Number j, Number k, Number q) const = 0;
     /// Under the tie rule. The circle exists.
     [[nodiscard]] virtual bool conflicts(Number i, Number j, Number k, Number q) const = 0;
     /// Under the tie rule, at the hull edge from a to b. Neither hides the other.
@@ -45,9 +45,7 @@ class PlaneAnswers {
 inline std::string text_of(const std::vector<std::array<std::int32_t, 3>>& faces,
                            const std::vector<std::array<std::int32_t, 2>>& hidden) {
     std::string text;
-    for (const auto& face : faces)
-        text += (text.empty() ? "" : ", ") + std::to_string(face[0]) + " " +
-                std::to_string(face[1]) + " " + std::to_string(face[2]);
+    for (const auto& face : faces) text += (text.empty() ? "" : ", ") + joined(face);
     for (std::size_t i = 0; i < hidden.size(); ++i)
         text += (i == 0 ? "; " : ", ") + std::to_string(hidden[i][0]) + " by " +
                 std::to_string(hidden[i][1]);
@@ -61,25 +59,21 @@ inline void ask_predicates(const std::string& metric, const PlaneAnswers& answer
     const auto apart = [&](std::size_t a, std::size_t b) {
         return !answers.hides(a, b) && !answers.hides(b, a);
     };
-    const auto sign = [](bool is) { return is ? 1 : -1; };
-    const std::string triple =
-        std::to_string(i) + " " + std::to_string(j) + " " + std::to_string(k);
-    const std::string all = triple + " " + std::to_string(q);
+    const std::string triple = joined(std::array{i, j, k});
+    const std::string all = joined(sites);
 
     lines.add(metric + " hidden " + std::to_string(q) + " by " + std::to_string(i),
-              letter(sign(answers.hides(i, q))));
+              letter(answers.hides(i, q)));
     const bool separate = apart(i, j) && apart(j, k) && apart(i, k);
     const bool exists = separate && answers.exists(i, j, k);
-    lines.add(metric + " exists " + triple, separate ? letter(sign(exists)) : letter(std::nullopt));
+    lines.add(metric + " exists " + triple, separate ? letter(exists) : unasked);
     const bool covered = answers.hides(i, q) || answers.hides(j, q) || answers.hides(k, q);
     lines.add(metric + " in_circle " + all,
-              exists && !covered ? answers.in_circle(i, j, k, q) : letter(std::nullopt));
+              exists && !covered ? answers.in_circle(i, j, k, q) : unasked);
     lines.add(metric + " in_circle_perturbed " + all,
-              exists ? letter(sign(answers.conflicts(i, j, k, q))) : letter(std::nullopt));
-    lines.add(
-        metric + " in_circle_infinite_perturbed " + std::to_string(i) + " " + std::to_string(j) +
-            " " + std::to_string(q),
-        apart(i, j) ? letter(sign(answers.conflicts_at_infinity(i, j, q))) : letter(std::nullopt));
+              exists ? letter(answers.conflicts(i, j, k, q)) : unasked);
+    lines.add(metric + " in_circle_infinite_perturbed " + joined(std::array{i, j, q}),
+              apart(i, j) ? letter(answers.conflicts_at_infinity(i, j, q)) : unasked);
 }
 
 /// What is said of the case. make(metric, sites) is a pointer to PlaneAnswers; turn(a, b, c) is the
@@ -93,8 +87,7 @@ Lines plane_answers(const Case& given, const Make& make, const Turn& turn) {
         for (const Row& row : given.family.applied(given.rows, step))
             sites.push_back({row[0], row[1], row[2]});
         for (const auto& asked : given.asked)
-            lines.add("ccw " + std::to_string(asked.at(0)) + " " + std::to_string(asked.at(1)) +
-                          " " + std::to_string(asked.at(2)),
+            lines.add("ccw " + joined(std::array{asked.at(0), asked.at(1), asked.at(2)}),
                       letter(turn(sites[asked[0]], sites[asked[1]], sites[asked[2]])));
         for (const char* metric : plane_metrics) {
             const auto answers = make(metric, sites);
