@@ -195,7 +195,7 @@ void MovingTriangulation::advance(double t) {
 
 double MovingTriangulation::not_before(const Event& event) const {
     const CertificateForm form(event.certificate, sites_);
-    return roots::Polynomial(form, near(event.root)).narrowed(event.root, &tally_).high;
+    return roots::Polynomial(form, near(event.root)).narrowed(event.root, nullptr).high;
 }
 
 /// All events of the next time.

@@ -103,10 +103,11 @@ class MovingTriangulation {
     /// Up to right after the next event. Precondition: there is one.
     void step();
     /// The sign of an event's time less t.
-    [[nodiscard]] Sign compare(const Event& event, double t) const {
+    [[nodiscard]] Sign compare(const Event& event, double t) {
         return kinetic::compare(sites_, event, t, &tally_);
     }
-    /// The least double not before the event.
+    /// The least double not before the event. What it takes is not counted, for several threads may
+    /// ask at once.
     [[nodiscard]] double not_before(const Event& event) const;
 
     [[nodiscard]] bool is_line() const noexcept { return is_line_; }
@@ -206,7 +207,7 @@ class MovingTriangulation {
     std::set<Index> free_;
     std::size_t count_ = 0;
     Moment moment_;
-    mutable roots::Tally tally_;
+    roots::Tally tally_;
     MovingKernel kernel_;
     Watch watch_;
 

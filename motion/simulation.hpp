@@ -235,7 +235,8 @@ class Simulation {
     /// a periodic box that never meet fly for ever where there is no limit, and so do more than
     /// 2^17 without a box. Throws std::invalid_argument for a time that is NaN, std::range_error
     /// where a ball flies so fast, or so late, or is so small, that the clock cannot tell its
-    /// strike from a miss; who goes on after that gets no promise. O(1) expected a strike for lists
+    /// strike from a miss; who goes on after that gets no promise, and whoever is left by
+    /// std::bad_alloc may only be destroyed or given a new value. O(1) expected a strike for lists
     /// and cells in a gas.
     Outcome run(const Limits& limits, const Record& record = {});
 

@@ -60,7 +60,7 @@ inline constexpr double refined_error = 0x1p-96;
 template <power::PowerSite3 S>
 class View {
  public:
-    explicit View(const S* sites) noexcept : sites_(sites) {}
+    explicit View(const S* sites) : sites_(sites) {}
 
     /// From here on vertices are seen from q, and none yet but infinity.
     void look_from(Index q) noexcept {

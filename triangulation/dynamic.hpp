@@ -27,6 +27,8 @@ struct Moves {
 ///     triangulate() of the live sites in the order of their handles.
 ///  2. A handle names its site until that is erased; afterwards it may be given to another one.
 ///  3. What a site hid reappears when it goes, or shrinks.
+///  4. Where std::bad_alloc leaves a change, the sites are those before it. The next one costs as
+///     much as triangulate() beside its own work.
 class DynamicTessellation {
  public:
     /// Weights instead of radii exist in the power metric alone (std::invalid_argument).

@@ -133,8 +133,10 @@ class Allocations : public testing::Test {
         for (const Stage stage : {Stage::filter, Stage::refine, Stage::exact, Stage::essa})
             EXPECT_EQ(allocated[static_cast<std::size_t>(stage)], 0)
                 << name << " by " << name_of(stage);
+#if !defined(SIGNUM_WITHOUT_GMP)
         constexpr auto last = static_cast<std::size_t>(Stage::multiprecision);
         EXPECT_EQ(allocated[last] > 0, calls[last] > 0) << name;
+#endif
     }
 
     TiedNumbers numbers_;

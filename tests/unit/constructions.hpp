@@ -19,12 +19,17 @@
 #include "../../spatial/any_dimension/triangulate.hpp"
 #include "../../spatial/any_dimension/validate.hpp"
 #include "../../spatial/ball_diagram.hpp"
+#include "../../spatial/compare.hpp"
 #include "../../spatial/triangulate.hpp"
 #include "../../spatial/validate.hpp"
+#include "../../spatial/vertices.hpp"
 #include "../../triangulation/dynamic.hpp"
+#include "../../triangulation/edge_list.hpp"
 #include "../../triangulation/triangulate.hpp"
 #include "../../triangulation/validate.hpp"
+#include "../../triangulation/vertices.hpp"
 #include "../../voronoi/clip.hpp"
+#include "../../voronoi/compare.hpp"
 #include "../../voronoi/space_cells.hpp"
 #include "../../voronoi/voronoi.hpp"
 
@@ -184,8 +189,22 @@ inline std::uint64_t kinetic_tessellation(std::span<const Site> sites) {
     return digest.value();
 }
 
+/// Balls that lose energy, spin, grow and are shaken.
+template <int D>
+void add_effects(motion::Effects<D>& effects) {
+    effects.restitution = 0.75;
+    effects.wall_restitution = 0.5;
+    effects.speed_law = motion::SpeedLaw{};
+    effects.contact_duration = 0x1p-10;
+    effects.friction = motion::Friction{0.5, 0.25, 0.5};
+    effects.shake.emplace();
+    effects.shake->amplitude[1] = 0x1p-6;
+    effects.shake->frequency = 8.0;
+    effects.growth = motion::Growth{0x1p-6, 1.0};
+}
+
 /// One ball a site, on a lattice.
-template <int D, motion::Structure structure>
+template <int D, motion::Structure structure, bool has_effects = false>
 std::uint64_t moving_balls(std::span<const Site> sites) {
     Digest digest;
     const auto side =
@@ -195,6 +214,7 @@ std::uint64_t moving_balls(std::span<const Site> sites) {
     effects.box.emplace();
     effects.box->high.fill(static_cast<double>(side));
     effects.gravity[1] = -1.0;
+    if constexpr (has_effects) add_effects(effects);
     for (std::size_t i = 0; i < sites.size(); ++i) {
         std::size_t rest = i;
         for (double& x : bodies[i].x) {
@@ -210,10 +230,29 @@ std::uint64_t moving_balls(std::span<const Site> sites) {
     limits.strikes = 4 * sites.size();
     simulation.run(limits, [&](const motion::Strike& strike) { digest.add(strike.time); });
     for (const motion::Ball<D>& ball : simulation.state().balls) digest.add(ball.x[0]);
+    static_cast<void>(simulation.sketch());
     return digest.value();
 }
 
-/// A job, and how many sites at most make it a short one, of a few milliseconds.
+/// What is asked of results.
+inline std::uint64_t questions(std::span<const Site> sites) {
+    Digest digest;
+    for (const Metric metric : all_metrics) {
+        const Tessellation built = triangulate(sites, metric);
+        digest.add_all(EdgeList(built.arrays()).arrays().faces);
+        digest.add(compare_edges(built, built).edges);
+        for (const DiagramVertex& vertex : vertices(built)) digest.add(vertex.rho);
+    }
+    const std::vector<Site3> balls = sites_in_space(sites);
+    const std::span<const Site3> all(balls);
+    const SpaceTessellation built = triangulate(all);
+    digest.add(compare_cells(built, built, all).cells);
+    digest.add(ties_of(built, all).ties);
+    for (const SpaceVertex& vertex : vertices(built, all)) digest.add(vertex.rho);
+    return digest.value();
+}
+
+/// A job, and how many sites make it one of a few milliseconds.
 struct Construction {
     const char* name;
     std::uint64_t (*run)(std::span<const Site> sites);
@@ -237,10 +276,13 @@ inline constexpr std::array all = {
     Construction{"space", tessellation_of_space, 100},
     Construction{"cells of space", cells_of_space, 50},
     Construction{"four dimensions", tessellation_in_four_dimensions, 20},
-    Construction{"balls", diagram_of_balls, 20},
+    Construction{"balls", diagram_of_balls, 12},
+    Construction{"questions", questions, 20},
     Construction{"kinetic", kinetic_tessellation, 50},
     Construction{"motion by cells", moving_balls<2, motion::Structure::cells>, 50},
     Construction{"motion by levels", moving_balls<3, motion::Structure::levels>, 50},
+    Construction{"motion by lists, with effects", moving_balls<2, motion::Structure::lists, true>,
+                 50},
     Construction{"motion by Delaunay", moving_balls<2, motion::Structure::delaunay>, 50},
 };
 

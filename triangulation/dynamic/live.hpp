@@ -46,6 +46,8 @@ namespace signum::triangulation {
 ///  4. A site has a place for as long as nothing is built anew: place_of_ says which, handle_of_ is
 ///     the other way round, and free handles have the places that are left. All below speaks of
 ///     places but for the public functions. The tie rule knows sites by their handles.
+///  5. Where an exception leaves a change, the sites are those before it, and what is built is of
+///     no use (is_broken_; laws 1 to 3 need not hold): the next change begins with building anew.
 template <class Kernel>
 class Live {
  public:
@@ -69,57 +71,80 @@ class Live {
     [[nodiscard]] Site site(Index handle) const noexcept { return site_at(place_of_[at(handle)]); }
 
     Index insert(const Site& site) {
-        Index handle = 0;
-        if (free_.empty()) {
-            handle = static_cast<Index>(count_);
-        } else {
-            handle = *free_.begin();
-            free_.erase(free_.begin());
-        }
-        if (at(handle) == live_.size()) grow(2 * live_.size());
-        const Index h = place_of_[at(handle)];
-        put(h, site);
-        add(h);
-        return handle;
+        return guarded([&] {
+            std::set<Index>::node_type freed;
+            if (!free_.empty()) freed = free_.extract(free_.begin());
+            const Index handle = freed.empty() ? static_cast<Index>(count_) : freed.value();
+            const auto undo = [&] {
+                if (at(handle) < live_.size()) live_[at(place_of_[at(handle)])] = false;
+                free_.insert(std::move(freed));
+            };
+            with_undo(undo, [&] {
+                if (at(handle) == live_.size()) grow(2 * live_.size());
+                const Index h = place_of_[at(handle)];
+                put(h, site);
+                add(h);
+            });
+            return handle;
+        });
     }
 
     void erase(Index handle) {
-        take(place_of_[at(handle)]);
-        free_.insert(handle);
+        guarded([&] {
+            std::set<Index> freed = {handle};
+            with_undo(given_back(handle), [&] { take(place_of_[at(handle)]); });
+            free_.merge(freed);
+        });
     }
 
     void change(Index handle, double third) {
-        Site site = this->site(handle);
-        site.r = third;
-        replace(handle, site);
+        guarded([&] {
+            Site site = this->site(handle);
+            site.r = third;
+            with_undo(given_back(handle), [&] { replace(handle, site); });
+        });
     }
 
     void move(Index handle, Point centre) {
-        const Index h = place_of_[at(handle)];
-        if (is_built_ && face_of_[at(h)] >= 0 && move_inside(h, centre)) {
-            ++moves_.kept;
-            return;
-        }
-        ++moves_.mended;
-        replace(handle, {centre.x, centre.y, site_at(h).r});
+        guarded([&] {
+            const Index h = place_of_[at(handle)];
+            with_undo(given_back(handle), [&] {
+                if (is_built_ && face_of_[at(h)] >= 0 && move_inside(h, centre)) {
+                    ++moves_.kept;
+                    return;
+                }
+                ++moves_.mended;
+                replace(handle, {centre.x, centre.y, site_at(h).r});
+            });
+        });
     }
 
     /// See repair.hpp. Of a large set that came in no order the memory is read in no order, too: it
     /// is built anew, along a curve, and again when as many edges have changed as there are.
     void move_all(std::span<const Point> centres) {
-        std::vector<S>& moved = moved_;
-        moved = sites_;
-        std::size_t next = 0;
-        for (std::size_t handle = 0; next < centres.size(); ++handle)
-            if (const Index h = place_of_[handle]; live_[at(h)])
-                set_centre(moved[at(h)], centres[next++]);
-        if constexpr (!is_straight) ranks_.renew(moved);
-        const bool is_scattered = count_ > large && changes_ > 2 * count_;
-        if (!is_built_ || is_scattered || !mend(moved)) {
-            ++moves_.built;
-            sites_.swap(moved);
-            build();
-        }
+        guarded([&] {
+            moved_ = sites_;
+            place_before_ = place_of_;
+            std::size_t next = 0;
+            for (std::size_t handle = 0; next < centres.size(); ++handle)
+                if (const Index h = place_of_[handle]; live_[at(h)])
+                    set_centre(moved_[at(h)], centres[next++]);
+            has_moved_ = false;
+            const auto undo = [&] {
+                if (!has_moved_) return;
+                for (std::size_t handle = 0; handle < place_of_.size(); ++handle)
+                    sites_[at(place_of_[handle])] = moved_[at(place_before_[handle])];
+            };
+            with_undo(undo, [&] {
+                if constexpr (!is_straight) ranks_.renew(moved_);
+                const bool is_scattered = count_ > large && changes_ > 2 * count_;
+                if (!is_built_ || is_scattered || !mend()) {
+                    ++moves_.built;
+                    swap_moved();
+                    build();
+                }
+            });
+        });
     }
 
     [[nodiscard]] Tessellation tessellation() const {
@@ -166,6 +191,49 @@ class Live {
         site.y = centre.y;
     }
 
+    /// Does what may be left by an exception. What is built is of no use then: the next change
+    /// builds it anew.
+    template <class Change>
+    decltype(auto) guarded(const Change& change) {
+        try {
+            if (is_broken_) restore();
+            return change();
+        } catch (...) {
+            is_broken_ = true;
+            is_built_ = false;
+            throw;
+        }
+    }
+    /// Puts the sites back where an exception leaves a change; `undo` tells those that it concerns.
+    template <class Undo, class Change>
+    void with_undo(const Undo& undo, const Change& change) {
+        const std::size_t count = count_;
+        try {
+            change();
+        } catch (...) {
+            undo();
+            count_ = count;
+            throw;
+        }
+    }
+    /// Undoes whatever has become of the site, wherever its place is then.
+    [[nodiscard]] auto given_back(Index handle) noexcept {
+        return [this, handle, site = sites_[at(place_of_[at(handle)])]] {
+            const std::size_t h = at(place_of_[at(handle)]);
+            sites_[h] = site;
+            live_[h] = true;
+        };
+    }
+    void restore() {
+        grow(live_.size());
+        build();
+        is_broken_ = false;
+    }
+    void swap_moved() noexcept {
+        sites_.swap(moved_);
+        has_moved_ = true;
+    }
+
     /// Another site under the same handle.
     void replace(Index handle, const Site& site) {
         take(place_of_[at(handle)]);
@@ -187,13 +255,16 @@ class Live {
         ++count_;
     }
 
+    /// Room for so many sites; what an exception has left half done it does again.
     void grow(std::size_t capacity) {
         sites_.resize(capacity);
-        live_.resize(capacity, false);
         hidden_by_.resize(capacity, -1);
         none_hidden_.resize(capacity, -1);
         face_of_.resize(capacity, -1);
         kept_.make_room(2 * capacity, capacity);
+        handle_of_.reserve(capacity);
+        place_of_.reserve(capacity);
+        live_.resize(capacity, false);
         for (std::size_t h = handle_of_.size(); h < capacity; ++h) {
             handle_of_.push_back(static_cast<Index>(h));
             place_of_.push_back(static_cast<Index>(h));
@@ -526,10 +597,10 @@ class Live {
         return true;
     }
 
-    /// All sites to the places where they are in `moved`; false, and what is built is of no use any
+    /// All sites to the places where they are in moved_; false, and what is built is of no use any
     /// more, where that is better done from scratch.
-    bool mend(std::vector<S>& moved) {
-        Kernel kernel = kernel_of(moved);
+    bool mend() {
+        Kernel kernel = kernel_of(moved_);
         Repair<Kernel> repair(*topology_, kernel, face_of_);
         const std::size_t most = 64 + count_ / most_wrong;
         const std::size_t wrong = repair.survey(most);
@@ -552,7 +623,7 @@ class Live {
         } else if (!repair.hull_is_right()) {
             return false;
         }
-        sites_.swap(moved);
+        swap_moved();
         *kernel_ = kernel_of(sites_);
         for (const auto& [h, beside] : out) hidden_by_[at(h)] = -1;
         ++(keep_hidden() && !has_work ? moves_.kept : moves_.mended);
@@ -667,15 +738,18 @@ class Live {
     Lists kept_;
     std::vector<Index> handle_of_;
     std::vector<Index> place_of_;
-    std::set<Index> free_;      // handles
-    std::vector<S> moved_;      // the sites at other centres, while all move
-    std::vector<Index> patch_;  // the faces that the last deletion made
-    std::size_t changes_ = 0;   // edges, roughly, since the last time that all was built
+    std::set<Index> free_;  // handles
+    std::vector<S> moved_;  // the sites at other centres, while all move; then, before that
+    std::vector<Index> place_before_;  // and their places there
+    bool has_moved_ = false;           // which of the two
+    std::vector<Index> patch_;         // the faces that the last deletion made
+    std::size_t changes_ = 0;          // edges, roughly, since the last time that all was built
     Moves moves_;
     std::size_t count_ = 0;
     std::size_t rebuilds_ = 0;
     std::uint64_t insertions_ = 0;
     bool is_built_ = false;
+    bool is_broken_ = false;
     [[no_unique_address]] std::conditional_t<is_straight, NoRanks, Ranks> ranks_;
     std::set<Index, Along> line_;
     std::unique_ptr<Kernel> kernel_;
