@@ -64,7 +64,7 @@ for each in "${targets[@]}"; do
   dictionary=$root/fuzz/dictionaries/$each.dict
   say "$each: $seconds s with $engine"
   if [ "$engine" = libfuzzer ]; then
-    options=(-max_total_time="$seconds" -max_len=65536 -timeout=60 -rss_limit_mb=2048 -print_final_stats=1
+    options=(-max_total_time="$seconds" -max_len=65536 -timeout=60 -report_slow_units=60 -rss_limit_mb=2048 -print_final_stats=1
              -artifact_prefix="$here/found/")
     [ -f "$dictionary" ] && options+=(-dict="$dictionary")
     nice -n 19 "$program" "${options[@]}" "$here/corpus" "$root/fuzz/corpus/$each" </dev/null >"$here/log" 2>&1 || true
