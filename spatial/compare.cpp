@@ -108,7 +108,10 @@ class Validity {
         const auto corners = corners_of(cell, size_ - 1, sites_);
         if (!corners) return false;
         const auto& [i, j, k, l] = *corners;
-        const auto conflicts = [&](Index q) { return power::in_sphere(i, j, k, l, site(q)) > 0; };
+        // A binding by its own name is more than clang++ 14 captures.
+        const auto conflicts = [this, &i = i, &j = j, &k = k, &l = l](Index q) {
+            return power::in_sphere(i, j, k, l, site(q)) > 0;
+        };
         const auto own = std::span(cell).first(size_);
         const auto visible = std::ranges::find_if(own, [&](Index v) { return is_visible(v); });
         if (visible != own.end()) return !any_around(*visible, conflicts);

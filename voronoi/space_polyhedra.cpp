@@ -100,7 +100,8 @@ class Building {
         for (const EdgePart& part : edge_parts(ends_, is_whole_box)) {
             const auto& [edge, low, high] = part;
             const auto [from, to] = ends_of(part, box);
-            const auto point = [&](const EdgeEnd* end, bool is_high, const Point3& place) {
+            const auto point = [this, &edge = edge](const EdgeEnd* end, bool is_high,
+                                                    const Point3& place) {
                 if (end != nullptr) return end->corner;
                 points_.push_back({place, in_order({edge.next().name(), edge.last().name(),
                                                     edge.end(is_high).name()})});
