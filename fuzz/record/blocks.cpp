@@ -63,9 +63,15 @@ template <std::size_t d>
 void ask_block(const Metric& metric, std::uint64_t seed, std::uint64_t calls, Ledger& ledger,
                std::ostream& complaints, const std::string& corpus) {
     Mix<d> mix(seed, metric.shares);
+    hard::Moves<d> moves(seed);
     Configuration<d> given;
     for (std::size_t turn = 0; ledger.calls() < calls; ++turn) {
-        mix.make(metric.kinds[turn % metric.kinds.size()], given);
+        bool is_made = false;
+        if constexpr (d == 3) {
+            is_made = metric.make_space != nullptr;
+            if (is_made) metric.make_space(moves, given);
+        }
+        if (!is_made) mix.make(metric.kinds[turn % metric.kinds.size()], given);
         ask(metric, given, ledger);
         if (complain(metric, given, ledger, complaints)) {
             std::ofstream file(corpus, std::ios::app);
@@ -117,6 +123,14 @@ const std::vector<Metric>& all_metrics() {
         {"space-supremum", 3, {Kind::supremum}, of_sums, cheap, nullptr, ask_supremum},
         {"space-manhattan", 3, {Kind::manhattan}, of_sums, cheap, nullptr, ask_manhattan},
         {"space-power", 3, power, of_power, cheap, nullptr, ask_power},
+        {"space-meeting",
+         3,
+         {Kind::euclidean},
+         {Stage::exact},
+         cheap,
+         nullptr,
+         ask_meeting,
+         make_meeting},
     };
     return all;
 }

@@ -26,6 +26,8 @@ struct Metric {
     Shares shares;
     void (*ask_plane)(const Configuration<2>&, Ledger&) = nullptr;
     void (*ask_space)(const Configuration<3>&, Ledger&) = nullptr;
+    /// Makes the configurations, in the place of Mix; of space alone.
+    void (*make_space)(hard::Moves<3>&, Configuration<3>&) = nullptr;
 };
 
 [[nodiscard]] const std::vector<Metric>& all_metrics();

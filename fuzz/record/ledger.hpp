@@ -27,14 +27,15 @@ enum class Predicate : std::uint8_t {
     infinite,             ///< in_circle_infinite; of the power metric in_segment
     infinite_perturbed,
     hides,
-    nearer
+    nearer,
+    meeting  ///< of two balls: that the time is right
 };
-inline constexpr std::size_t predicate_count = 8;
+inline constexpr std::size_t predicate_count = 9;
 
 [[nodiscard]] constexpr std::string_view name_of(Predicate predicate, std::size_t dimension) {
-    constexpr std::string_view names[] = {
+    constexpr std::array<std::string_view, predicate_count> names = {
         "ccw",   "exists", "in_circle", "in_circle_perturbed", "infinite", "infinite_perturbed",
-        "hides", "nearer"};
+        "hides", "nearer", "meeting"};
     if (dimension == 3 && predicate == Predicate::in_circle) return "in_sphere";
     if (dimension == 3 && predicate == Predicate::in_circle_perturbed) return "in_sphere_perturbed";
     return names[static_cast<std::size_t>(predicate)];
@@ -112,5 +113,9 @@ void ask_supremum(const Configuration<2>& configuration, Ledger& ledger);
 void ask_supremum(const Configuration<3>& configuration, Ledger& ledger);
 void ask_manhattan(const Configuration<2>& configuration, Ledger& ledger);
 void ask_manhattan(const Configuration<3>& configuration, Ledger& ledger);
+
+void ask_meeting(const Configuration<3>& configuration, Ledger& ledger);
+/// What it is asked of, in the place of Mix.
+void make_meeting(hard::Moves<3>& moves, Configuration<3>& into);
 
 }  // namespace signum::fuzz
