@@ -159,6 +159,7 @@ constexpr double refined_error = 16 * filters::double_double_epsilon;
 constexpr Row<filters::RoundingCount> refined_row{
     filters::RoundingCount(), filters::RoundingCount(), filters::RoundingCount::of(1)};
 static_assert(in_circle_determinant(refined_row, refined_row, refined_row).roundings == 8);
+static_assert(refined_error >= 2 * 8 * filters::double_double_epsilon);
 
 [[nodiscard]] Verdict refine(const Row<DoubleDouble>& a, const Row<DoubleDouble>& b,
                              const Row<DoubleDouble>& c) noexcept {

@@ -30,6 +30,7 @@ inline constexpr LiftedRow<filters::RoundingCount> refined_row{
     filters::RoundingCount::of(1)};
 static_assert(in_sphere_determinant(refined_row, refined_row, refined_row, refined_row).roundings <=
               12);
+static_assert(refined_in_sphere_error >= 2 * 12 * filters::double_double_epsilon);
 
 template <PowerSite3 S>
 [[nodiscard, gnu::always_inline]] inline LiftedRow<DoubleDouble> double_double_row(

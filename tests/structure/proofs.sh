@@ -22,8 +22,8 @@ failed=0
 count=0
 for script in "$scratch"/*.g; do
   count=$((count + 1))
-  # A warning, of a hint that gappa cannot follow for one, is no proof either.
-  if ! words=$(gappa "$script" 2>&1) || [ -n "$words" ]; then
+  # What it finds it finds at once. A warning, of a hint that gappa cannot follow for one, is no proof either.
+  if ! words=$(timeout 60 gappa "$script" 2>&1) || [ -n "$words" ]; then
     failed=$((failed + 1))
     echo "not proved:"
     cat "$script"
