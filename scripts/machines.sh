@@ -70,7 +70,7 @@ cell() {
   fi
   for environment in "${environments[@]}"; do
     output=$place/$name.$environment.txt
-    timeout 600 $emulator "$build/signs" "$environment" >"$output" 2>>"$log"
+    timeout 3600 $emulator "$build/signs" "$environment" >"$output" 2>>"$log"
     case $? in
       0)
         if cmp -s "$output" "$expected"; then
