@@ -48,3 +48,19 @@
 #include "voronoi/space_cells.hpp"
 #include "voronoi/space_polyhedra.hpp"
 #include "voronoi/voronoi.hpp"
+
+/// All of the library.
+namespace signum {
+/// The power metric (Laguerre, regular, weighted Delaunay): distance |p-c|² - w.
+namespace power {}
+/// Discs and balls with additive weights: distance |p-c| - r.
+namespace euclidean {}
+/// Diamonds and octahedra with additive weights: distance |p-c| - r in the norm |x| + |y|.
+namespace manhattan {}
+/// Squares and cubes with additive weights: distance |p-c| - r in the norm max(|x|, |y|).
+namespace supremum {}
+/// The exact sign of a sum, step by step.
+namespace exact {}
+/// Balls that move and strike.
+namespace motion {}
+}  // namespace signum

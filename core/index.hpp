@@ -5,6 +5,7 @@
 
 namespace signum {
 
+/// The number of a site, a face, a half-edge: from 0, in the order of the input or of the array.
 using Index = std::int32_t;
 
 /// The vertex at infinity, in every triple of vertices.

@@ -6,34 +6,34 @@ namespace signum {
 
 /// A point of the plane.
 struct Point {
-    double x = 0.0;
-    double y = 0.0;
+    double x = 0.0;  ///< the first coordinate
+    double y = 0.0;  ///< the second
     friend bool operator==(const Point&, const Point&) = default;
 };
 
 /// A point of space.
 struct Point3 {
-    double x = 0.0;
-    double y = 0.0;
-    double z = 0.0;
+    double x = 0.0;  ///< the first coordinate
+    double y = 0.0;  ///< the second
+    double z = 0.0;  ///< the third
     friend bool operator==(const Point3&, const Point3&) = default;
 };
 
 /// A disc (square, diamond) with centre (x, y) and radius r; r may be negative. In the power metric
 /// the weight of the site is r², the exact product.
 struct Site {
-    double x = 0.0;
-    double y = 0.0;
-    double r = 0.0;
+    double x = 0.0;  ///< the first coordinate of the centre
+    double y = 0.0;  ///< the second
+    double r = 0.0;  ///< the radius
     friend bool operator==(const Site&, const Site&) = default;
 };
 
 /// The same in space: a ball (cube, octahedron) with centre (x, y, z).
 struct Site3 {
-    double x = 0.0;
-    double y = 0.0;
-    double z = 0.0;
-    double r = 0.0;
+    double x = 0.0;  ///< the first coordinate of the centre
+    double y = 0.0;  ///< the second
+    double z = 0.0;  ///< the third
+    double r = 0.0;  ///< the radius
     friend bool operator==(const Site3&, const Site3&) = default;
 };
 
@@ -41,18 +41,18 @@ namespace power {
 
 /// A site of the power metric that carries its weight w itself: distance |p-c|² - w.
 struct Site {
-    double x = 0.0;
-    double y = 0.0;
-    double w = 0.0;
+    double x = 0.0;  ///< the first coordinate of the centre
+    double y = 0.0;  ///< the second
+    double w = 0.0;  ///< the weight
     friend bool operator==(const Site&, const Site&) = default;
 };
 
 /// The same in space.
 struct Site3 {
-    double x = 0.0;
-    double y = 0.0;
-    double z = 0.0;
-    double w = 0.0;
+    double x = 0.0;  ///< the first coordinate of the centre
+    double y = 0.0;  ///< the second
+    double z = 0.0;  ///< the third
+    double w = 0.0;  ///< the weight
     friend bool operator==(const Site3&, const Site3&) = default;
 };
 

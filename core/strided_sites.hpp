@@ -12,6 +12,7 @@
 
 namespace signum {
 
+/// Sites, seen where they are; to copy a view copies no site.
 class StridedSites {
  public:
     StridedSites() = default;
@@ -58,7 +59,9 @@ class StridedSites {
         SIGNUM_EXPECTS(stride % static_cast<std::ptrdiff_t>(alignof(double)) == 0);
     }
 
+    /// How many sites.
     [[nodiscard]] std::size_t size() const noexcept { return size_; }
+    /// Whether the third number of a site is a weight, not a radius.
     [[nodiscard]] bool third_is_weight() const noexcept { return third_is_weight_; }
     /// Precondition: i < size().
     [[nodiscard]] Site operator[](std::size_t i) const noexcept {

@@ -56,8 +56,8 @@ namespace exact {
 
 /// A sign and the number of steps that it took.
 struct SumTrace {
-    Sign sign;
-    std::size_t steps;
+    Sign sign;          ///< of the sum
+    std::size_t steps;  ///< cancellations and reductions, as above
 };
 
 /// sign_of_sum, and how long its way was.

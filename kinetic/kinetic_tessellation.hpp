@@ -54,6 +54,7 @@ class KineticTessellation {
                                  Fall fall = {});
     /// What was moved from is to be destroyed or given a new value.
     KineticTessellation(KineticTessellation&&) noexcept;
+    /// Likewise.
     KineticTessellation& operator=(KineticTessellation&&) noexcept;
     ~KineticTessellation();
 
@@ -69,11 +70,14 @@ class KineticTessellation {
     /// O(degree); else as erase and insert.
     void change(Index handle, const MovingSite& site);
 
+    /// Whether the handle names a site.
     [[nodiscard]] bool contains(Index handle) const noexcept;
+    /// How many sites are there.
     [[nodiscard]] std::size_t size() const noexcept;
     /// Throws std::out_of_range unless contains(handle).
     [[nodiscard]] MovingSite site(Index handle) const;
 
+    /// Up to when it has gone on.
     [[nodiscard]] double time() const noexcept;
     /// A time at which faces may change: the least double that is not before the next event.
     /// Nothing where there is none.
@@ -99,6 +103,7 @@ class KineticTessellation {
     /// and goes within it.
     void watch(std::function<void(Index a, Index b, bool comes)> on_edge);
 
+    /// What was done up to now.
     [[nodiscard]] KineticStatistics statistics() const noexcept;
 
  private:

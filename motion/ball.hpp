@@ -14,10 +14,10 @@ namespace signum::motion {
 /// strike it flies on x + v s + g s²/2, s = t - time. One of space fills a cache line.
 template <int D>
 struct alignas(D == 3 ? 64 : 16) Ball {
-    Vector<D> x{};
-    Vector<D> v{};
-    double radius = 0.0;
-    double time = 0.0;
+    Vector<D> x{};        ///< the centre at its time
+    Vector<D> v{};        ///< the velocity then
+    double radius = 0.0;  ///< at time 0, where radii grow
+    double time = 0.0;    ///< its own
 };
 
 /// The rate at which a ball's radius grows: at time t it is radius + rate · t.
@@ -60,6 +60,7 @@ template <int D>
                                                       const Effects<D>& effects) noexcept {
     return ball.v[axis] + fall_of(effects, axis) * (t - ball.time);
 }
+/// Where its centre is at a time, rounded.
 template <int D>
 [[nodiscard]] inline Vector<D> centre(const Ball<D>& ball, double t,
                                       const Effects<D>& effects) noexcept {

@@ -13,9 +13,9 @@ namespace signum::motion {
 /// The box's sides go to and fro together: by amplitude · sin(frequency · t + phase).
 template <int D>
 struct Shake {
-    Vector<D> amplitude{};
+    Vector<D> amplitude{};   ///< along each axis
     double frequency = 0.0;  ///< in radians per unit of time
-    double phase = 0.0;
+    double phase = 0.0;      ///< in radians
     friend bool operator==(const Shake&, const Shake&) = default;
 };
 
@@ -50,7 +50,7 @@ struct Growth {
 /// with the force linear · r · (u - v) + quadratic · r^(D-1) · |u - v| (u - v). Needs time steps.
 template <int D>
 struct Fluid {
-    Vector<D> velocity{};
+    Vector<D> velocity{};              ///< at the origin
     PerAxis<Vector<D>, D> gradient{};  ///< a row an axis
     double linear = 0.0;               ///< from 0
     double quadratic = 0.0;            ///< from 0
@@ -67,6 +67,7 @@ struct LastingContacts {
     int sweeps = 1000;         ///< from 2
 };
 
+/// What acts on balls beside their strikes, and how they strike. None of it is on by default.
 template <int D>
 struct Effects {
     /// The acceleration of all balls.
@@ -80,16 +81,21 @@ struct Effects {
     /// A strike is elastic that comes no later than that after one of the two has struck last
     /// (Luding, McNamara, Granular Matter 1:113, 1998); 0 is never.
     double contact_duration = 0.0;
+    /// Balls spin, and rub.
     std::optional<Friction> friction = {};
     /// Walls around all balls, or the cell of a periodic world.
     std::optional<Box<D>> box = {};
+    /// Whether the box is a cell, and what leaves it on one side comes in on the other.
     bool periodic = false;
     /// Of the box, which is not periodic.
     std::optional<Shake<D>> shake = {};
     /// The log's number of the first one is 2 D, after the sides of a box, be there one or not.
     std::vector<Obstacle<D>> obstacles = {};
+    /// Radii grow.
     std::optional<Growth> growth = {};
+    /// Balls are dragged along.
     std::optional<Fluid<D>> fluid = {};
+    /// Balls may come to rest on one another.
     std::optional<LastingContacts> contacts = {};
     /// Forces, gravity among them, act by kicks in steps of that time, between which all balls fly
     /// straight; 0 is none: then flights are parabolas, without error.

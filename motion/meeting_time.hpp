@@ -18,6 +18,7 @@
 namespace signum::motion {
 
 template <int D>
+/// A ball whose radius may change as time goes on.
 struct GrowingBall : Ball<D> {
     /// q; the radius of Ball is r, that at time 0.
     double growth = 0.0;
@@ -37,6 +38,7 @@ template <int D>
                                   const Image<D>& image, const Effects<D>& effects);
 
 template <int D>
+/// Of a ball and a half space.
 [[nodiscard]] double meeting_time(const GrowingBall<D>& ball, const HalfSpace<D>& wall,
                                   const Effects<D>& effects);
 
@@ -51,8 +53,10 @@ template <int D>
 [[nodiscard]] double refined_meeting(const GrowingBall<D>& ball, const HalfSpace<D>& wall,
                                      const Effects<D>& effects, double about);
 template <int D>
+/// The same of a sphere.
 [[nodiscard]] double refined_meeting(const GrowingBall<D>& ball, const Sphere<D>& wall,
                                      const Effects<D>& effects, double about);
+/// The same of a segment.
 [[nodiscard]] double refined_meeting(const GrowingBall<2>& ball, const Segment& wall,
                                      const Effects<2>& effects, double about);
 

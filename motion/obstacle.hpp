@@ -12,18 +12,22 @@ namespace signum::motion {
 /// not be a unit vector. F = n·x - offset - speed · t - |n| (r + q t).
 template <int D>
 struct HalfSpace {
-    Vector<D> normal{};  ///< not 0
-    double offset = 0.0;
-    double speed = 0.0;  ///< of the wall along n, times |n|
+    Vector<D> normal{};   ///< not 0
+    double offset = 0.0;  ///< of the wall at t = 0, times |n|
+    double speed = 0.0;   ///< of the wall along n, times |n|
 };
 
 /// A circle or sphere with its centre at centre + velocity · t. D is the difference of the centres.
 template <int D>
 struct Sphere {
-    enum class Side { outside, inside };
-    Vector<D> centre{};
-    Vector<D> velocity{};
-    double radius = 0.0;
+    /// On which side of it balls are.
+    enum class Side {
+        outside,  ///< it is a pillar
+        inside    ///< it is a drum
+    };
+    Vector<D> centre{};    ///< at t = 0
+    Vector<D> velocity{};  ///< for ever
+    double radius = 0.0;   ///< above 0
     /// Where the balls are: F = |D|² - (radius + r + q t)² outside, (radius - r - q t)² - |D|²
     /// inside.
     Side side = Side::outside;
@@ -34,18 +38,21 @@ struct Sphere {
 /// it, would not know its side. F = d² - (r + q t)², d the distance of the centre from the nearest
 /// point of it.
 struct Segment {
-    Vector<2> from{};
-    Vector<2> to{};  ///< not from
+    Vector<2> from{};  ///< one end
+    Vector<2> to{};    ///< the other one, another point
 };
 
+/// Which kinds of obstacles there are.
 template <int D>
 struct ObstacleOf {
-    using type = std::variant<HalfSpace<3>, Sphere<3>>;
+    using type = std::variant<HalfSpace<3>, Sphere<3>>;  ///< in space
 };
+/// In the plane segments, too.
 template <>
 struct ObstacleOf<2> {
-    using type = std::variant<HalfSpace<2>, Sphere<2>, Segment>;
+    using type = std::variant<HalfSpace<2>, Sphere<2>, Segment>;  ///< in the plane
 };
+/// An obstacle of any kind.
 template <int D>
 using Obstacle = typename ObstacleOf<D>::type;
 

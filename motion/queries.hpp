@@ -34,8 +34,9 @@ template <int D>
 [[nodiscard]] State<D> state_at(const State<D>& state, const Effects<D>& effects, double time,
                                 const Options& options = {});
 
+/// What strikes in a stretch of time.
 struct StrikeList {
-    std::vector<Strike> strikes;
+    std::vector<Strike> strikes;  ///< in their order
     /// A collapse: the list is complete up to the time of outcome.last.
     Outcome outcome;
 };
@@ -53,9 +54,10 @@ template <int D>
     const State<D>& state, const Effects<D>& effects, double time,
     double until = std::numeric_limits<double>::infinity(), const Options& options = {});
 
+/// Who is near.
 struct Neighbour {
-    std::int32_t ball = 0;
-    double gap = 0.0;
+    std::int32_t ball = 0;  ///< its number
+    double gap = 0.0;       ///< between the surfaces
     friend bool operator==(const Neighbour&, const Neighbour&) = default;
 };
 /// The nearest neighbour of a ball at the time of the state; none of a ball alone. Throws
@@ -65,12 +67,13 @@ template <int D>
 [[nodiscard]] std::optional<Neighbour> nearest(const State<D>& state, const Effects<D>& effects,
                                                std::int32_t ball);
 
+/// Two balls with the least gap of all.
 struct ClosestPair {
     /// When it is the closest one, or begins to be.
     double time = 0.0;
     /// a < b.
     std::int32_t a = 0;
-    std::int32_t b = 0;
+    std::int32_t b = 0;  ///< the larger number
     /// At that time.
     double gap = 0.0;
     friend bool operator==(const ClosestPair&, const ClosestPair&) = default;
@@ -81,12 +84,13 @@ template <int D>
 [[nodiscard]] std::optional<ClosestPair> closest_pair(const State<D>& state,
                                                       const Effects<D>& effects);
 
+/// Which pair is the closest, as time goes on.
 struct ClosestPairs {
-    std::vector<ClosestPair> pairs;
+    std::vector<ClosestPair> pairs;  ///< in the order of their times
     /// The list is complete up to here: the end, after a collapse the time of outcome.last, after a
     /// stop some time before.
     double time = 0.0;
-    Outcome outcome;
+    Outcome outcome;  ///< how the run ended
 };
 /// Which pair is the closest one from `begin` to `end`: the one right after `begin`, and from each
 /// time on, right after which it is another one, that one. These times, which are roots of

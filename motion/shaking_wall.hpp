@@ -10,11 +10,11 @@ namespace signum::motion {
 /// odd number, a ceiling. F = x - (level + …) - (r + q t), for a ceiling with the first two
 /// exchanged.
 struct ShakingWall {
-    Wall wall = 0;  ///< 2 · axis, 1 more for a ceiling
-    double level = 0.0;
-    double amplitude = 0.0;
+    Wall wall = 0;           ///< 2 · axis, 1 more for a ceiling
+    double level = 0.0;      ///< where it is at rest
+    double amplitude = 0.0;  ///< how far it shakes
     double frequency = 0.0;  ///< in radians per unit of time
-    double phase = 0.0;
+    double phase = 0.0;      ///< at t = 0, in radians
 };
 
 /// The meeting time, of meetings from the ball's own time and `since` on. Throws std::domain_error

@@ -23,18 +23,18 @@ namespace signum::motion {
 /// A ball as it is at the start, t = 0.
 template <int D>
 struct Body {
-    Vector<D> x{};
-    Vector<D> v{};
-    double radius = 0.0;
-    double mass = 1.0;
-    Spin<D> spin{};  ///< heeded where there is friction
+    Vector<D> x{};        ///< centre at t = 0
+    Vector<D> v{};        ///< velocity
+    double radius = 0.0;  ///< at t = 0
+    double mass = 1.0;    ///< above 0
+    Spin<D> spin{};       ///< heeded where there is friction
 };
 
 /// A meeting that was no strike: of two balls, or of ball `a` and wall -1 - b.
 struct Passed {
-    std::int32_t a = 0;
-    std::int32_t b = 0;
-    double time = 0.0;
+    std::int32_t a = 0;  ///< a ball
+    std::int32_t b = 0;  ///< a ball, or wall -1 - b
+    double time = 0.0;   ///< of the meeting
     friend bool operator==(const Passed&, const Passed&) = default;
 };
 
@@ -42,10 +42,10 @@ struct Passed {
 /// exchanged in the last time step: along the normal towards a, and along their surfaces.
 template <int D>
 struct StandingContact {
-    std::int32_t a = 0;
-    std::int32_t b = 0;
-    double push = 0.0;
-    Vector<D> rub{};
+    std::int32_t a = 0;  ///< a ball
+    std::int32_t b = 0;  ///< a ball, or wall -1 - b
+    double push = 0.0;   ///< along the normal
+    Vector<D> rub{};     ///< along the surfaces
     friend bool operator==(const StandingContact&, const StandingContact&) = default;
 };
 
@@ -56,16 +56,16 @@ struct State {
     double time = 0.0;
     /// In the order of the input, each at its own time.
     std::vector<Ball<D>> balls;
-    std::vector<double> masses;
+    std::vector<double> masses;  ///< in their order
     /// How many strikes in a row found each ball in place.
     std::vector<std::uint32_t> in_place;
-    std::vector<Passed> passed;
+    std::vector<Passed> passed;  ///< meetings that were no strikes
     /// Those of all balls where there is friction, and none otherwise.
     std::vector<Spin<D>> spins = {};
     /// When each ball has struck last, -infinity where it has not, where a contact has a duration;
     /// none otherwise.
     std::vector<double> last_strikes = {};
-    std::vector<StandingContact<D>> contacts = {};
+    std::vector<StandingContact<D>> contacts = {};  ///< that stand
     /// Where there are time steps: 2 k + 1 in step k, counted from 0, 2 k between two steps.
     std::uint64_t half_steps = 0;
 };
@@ -74,22 +74,24 @@ struct State {
 /// numbers.
 template <int D>
 struct Sketch {
+    /// A box.
     struct Area {
-        Box<D> box;
+        Box<D> box;  ///< where it is
         /// Of cells: 0 the finest, each next one of cells four times as wide.
         int level = 0;
         /// Of segments: whose it is.
         std::int32_t ball = -1;
     };
+    /// A disc or a ball.
     struct Round {
-        std::int32_t ball = 0;
-        Vector<D> centre{};
-        double radius = 0.0;
+        std::int32_t ball = 0;  ///< whose it is
+        Vector<D> centre{};     ///< where it is
+        double radius = 0.0;    ///< how large
     };
     /// What a ball will strike first, as far as it knows: another one, or wall -1 - partner.
     struct Expected {
-        std::int32_t ball = 0;
-        std::int32_t partner = 0;
+        std::int32_t ball = 0;     ///< who expects it
+        std::int32_t partner = 0;  ///< whom, or wall -1 - partner
         /// Then or a little later.
         double time = 0.0;
     };
@@ -109,6 +111,7 @@ struct Sketch {
 /// What is wrong with a ball; what() says it, and what would be right.
 class BallError : public std::invalid_argument {
  public:
+    /// Of a ball, and what to say of it.
     BallError(std::int64_t ball, const std::string& what)
         : std::invalid_argument(what), ball_(ball) {}
     /// Its number.
@@ -134,11 +137,11 @@ void check(const State<D>& state, const Effects<D>& effects);
 
 /// A line of the log.
 struct Strike {
-    double time = 0.0;
-    bool wall = false;
+    double time = 0.0;  ///< when
+    bool wall = false;  ///< whether b is a wall
     /// Numbers of balls, a < b; or of a ball and a wall.
     std::int32_t a = 0;
-    std::int32_t b = 0;
+    std::int32_t b = 0;  ///< see a
     /// The momentum exchanged along the normal; 0 where nobody asked for it.
     double impulse = 0.0;
     friend bool operator==(const Strike&, const Strike&) = default;
@@ -146,7 +149,7 @@ struct Strike {
 
 /// What a run has done.
 struct Counts {
-    std::uint64_t strikes = 0;
+    std::uint64_t strikes = 0;  ///< that were done
     /// Pairs that were asked when they meet.
     std::uint64_t checks = 0;
     /// Events of the structure.
@@ -157,21 +160,21 @@ struct Counts {
     std::uint64_t stale = 0;
     /// Meeting times told by double-doubles, and by rationals.
     std::uint64_t refined = 0;
-    std::uint64_t exact = 0;
+    std::uint64_t exact = 0;  ///< by rationals
     /// Coordinates and strikes rounded by double-doubles, and by rationals.
     std::uint64_t rounded = 0;
-    std::uint64_t rounded_exactly = 0;
+    std::uint64_t rounded_exactly = 0;  ///< by rationals
     /// The sum of (1+e) μ |V·D| over all strikes of two balls.
     double virial = 0.0;
     /// Balls whose velocity was found anew at a time step.
     std::uint64_t predictions = 0;
     /// Contacts that began to stand, and that ended.
     std::uint64_t joins = 0;
-    std::uint64_t breaks = 0;
+    std::uint64_t breaks = 0;  ///< of contacts that stood
     /// Of the reactions of standing contacts, the largest one of all steps (contact_forces.hpp),
     /// and in how many steps it stayed above the tolerance.
     double residual = 0.0;
-    std::uint64_t unsolved = 0;
+    std::uint64_t unsolved = 0;  ///< steps
 };
 
 /// How far to go.
@@ -191,26 +194,29 @@ enum class Ending { until, strikes, nothing, stopped, collapse };
 
 /// How a run ended, and of a collapse which balls (or ball and wall) struck last.
 struct Outcome {
-    Ending ending = Ending::until;
-    Strike last;
+    Ending ending = Ending::until;  ///< why it ended
+    Strike last;                    ///< the last strike
 };
 
 /// The structures that propose pairs, in the order of their names; automatic chooses one.
 enum class Structure { automatic, pairs, cells, tree, segments, levels, lists, delaunay };
+/// In the order of their enumerators.
 inline constexpr std::array all_structures = {
     Structure::automatic, Structure::pairs,  Structure::cells, Structure::tree,
     Structure::segments,  Structure::levels, Structure::lists, Structure::delaunay};
+/// The name by which files and the tool know it.
 [[nodiscard]] std::string_view name_of(Structure structure) noexcept;
 
+/// How to simulate; the log depends on neither, but where the kernel rounds.
 struct Options {
-    Structure structure = Structure::automatic;
-    Kernel kernel = Kernel::exact;
+    Structure structure = Structure::automatic;  ///< what proposes pairs
+    Kernel kernel = Kernel::exact;               ///< what decides
 };
 
 /// A structure that can be used, and why it is that one.
 struct Choice {
-    Structure structure;
-    std::string why;
+    Structure structure;  ///< never automatic
+    std::string why;      ///< a sentence
 };
 /// What is chosen for a wish, which is followed where the structure can do it.
 template <int D>
@@ -224,7 +230,9 @@ class Simulation {
     /// same effects. Throws as check() does.
     Simulation(const State<D>& state, const Effects<D>& effects, const Options& options = {});
     ~Simulation();
+    /// What was moved from may only be destroyed or given a new value.
     Simulation(Simulation&&) noexcept;
+    /// Likewise.
     Simulation& operator=(Simulation&&) noexcept;
 
     /// Called with each strike, right before it is done. Neither this nor `stop` may call run().
@@ -240,7 +248,9 @@ class Simulation {
     /// and cells in a gas.
     Outcome run(const Limits& limits, const Record& record = {});
 
+    /// Where it stands, to be kept or gone on from. O(n).
     [[nodiscard]] State<D> state() const;
+    /// What was done up to now.
     [[nodiscard]] const Counts& counts() const;
     /// For pictures: nothing of it is kept while the simulation runs. O(n log n), and the links.
     [[nodiscard]] Sketch<D> sketch() const;

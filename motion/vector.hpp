@@ -8,23 +8,32 @@ namespace signum::motion {
 /// One thing an axis.
 template <class T, int D>
 struct PerAxis {
-    T values[D]{};
+    T values[D]{};  ///< in the order of the axes
 
+    /// That of an axis: 0, 1, 2.
     [[nodiscard]] constexpr T& operator[](int axis) noexcept { return values[axis]; }
+    /// The same.
     [[nodiscard]] constexpr const T& operator[](int axis) const noexcept { return values[axis]; }
+    /// The first one.
     [[nodiscard]] constexpr T* begin() noexcept { return values; }
+    /// Behind the last one.
     [[nodiscard]] constexpr T* end() noexcept { return values + D; }
+    /// The first one.
     [[nodiscard]] constexpr const T* begin() const noexcept { return values; }
+    /// Behind the last one.
     [[nodiscard]] constexpr const T* end() const noexcept { return values + D; }
+    /// Gives all of them one value.
     constexpr void fill(const T& value) noexcept {
         for (T& each : values) each = value;
     }
     friend bool operator==(const PerAxis&, const PerAxis&) = default;
 };
 
+/// A place, a velocity, an acceleration.
 template <int D>
 using Vector = PerAxis<double, D>;
 
+/// a·b, rounded.
 template <int D>
 [[nodiscard, gnu::always_inline]] inline double dot(const Vector<D>& a,
                                                     const Vector<D>& b) noexcept {
@@ -48,6 +57,7 @@ using Spin = PerAxis<double, D == 2 ? 1 : 3>;
 [[nodiscard]] inline Vector<2> turned(const Spin<2>& spin, const Vector<2>& arm) noexcept {
     return {{-spin[0] * arm[1], spin[0] * arm[0]}};
 }
+/// The same in space.
 [[nodiscard]] inline Vector<3> turned(const Spin<3>& spin, const Vector<3>& arm) noexcept {
     return {{spin[1] * arm[2] - spin[2] * arm[1], spin[2] * arm[0] - spin[0] * arm[2],
              spin[0] * arm[1] - spin[1] * arm[0]}};
@@ -56,6 +66,7 @@ using Spin = PerAxis<double, D == 2 ? 1 : 3>;
 [[nodiscard]] inline Spin<2> torque(const Vector<2>& arm, const Vector<2>& push) noexcept {
     return {{arm[0] * push[1] - arm[1] * push[0]}};
 }
+/// The same in space.
 [[nodiscard]] inline Spin<3> torque(const Vector<3>& arm, const Vector<3>& push) noexcept {
     return {turned(arm, push)};
 }
@@ -63,8 +74,8 @@ using Spin = PerAxis<double, D == 2 ? 1 : 3>;
 /// An axis-parallel box: low < high in each coordinate.
 template <int D>
 struct Box {
-    Vector<D> low{};
-    Vector<D> high{};
+    Vector<D> low{};   ///< the corner of least coordinates
+    Vector<D> high{};  ///< the opposite corner
 };
 
 }  // namespace signum::motion

@@ -21,10 +21,12 @@ enum class Arithmetic : std::uint8_t {
     multiprecision  ///< rationals alone
 };
 
+/// In the order of their enumerators.
 inline constexpr std::array all_arithmetics = {Arithmetic::exact,  Arithmetic::naive,
                                                Arithmetic::single, Arithmetic::interval,
                                                Arithmetic::sum,    Arithmetic::multiprecision};
 
+/// The name by which files and the tool know it.
 [[nodiscard]] constexpr std::string_view name_of(Arithmetic arithmetic) noexcept {
     constexpr std::string_view names[] = {"exact",    "naive", "single",
                                           "interval", "sum",   "multiprecision"};

@@ -117,6 +117,7 @@ template <HasCentre S>
                                            const Point& c) noexcept {
     return ccw_decision<Point>(a, b, c);
 }
+/// The same of points, so that braces suffice: ccw({0, 0}, {1, 0}, {0, 1}).
 [[nodiscard]] inline Sign ccw(const Point& a, const Point& b, const Point& c) noexcept {
     return ccw<Point>(a, b, c);
 }

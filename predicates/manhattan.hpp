@@ -29,6 +29,7 @@ inline constexpr auto& in_circle_infinite =
 inline constexpr auto& nearer = additive::nearer_site<Perturbed<>>;
 /// Under the tie rule, never 0.
 inline constexpr auto& in_circle_perturbed = additive::in_circle_perturbed<Perturbed<>>;
+/// Under the tie rule, never 0.
 inline constexpr auto& in_circle_infinite_perturbed =
     additive::in_circle_infinite_perturbed<Perturbed<>>;
 

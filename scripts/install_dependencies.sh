@@ -17,7 +17,7 @@ build=(g++ cmake ninja-build libgmp-dev libmpfr-dev libboost-dev libcli11-dev li
 python=(python3-dev pybind11-dev python3-numpy python3-scipy python3-pytest python3-matplotlib python3-pandas
   python3-shapely python3-geopandas python3-nbclient python3-nbformat python3-ipykernel python3-setuptools python3-wheel
   python3-pip)
-test=("${build[@]}" libgtest-dev librapidcheck-dev gnuplot-nox valgrind gappa libeigen3-dev libcgal-dev pkg-config librsvg2-bin dpkg-dev
+test=("${build[@]}" libgtest-dev librapidcheck-dev gnuplot-nox valgrind gappa doxygen libeigen3-dev libcgal-dev pkg-config librsvg2-bin dpkg-dev
   lintian "${python[@]}")
 # The last three are the peers in space.
 benchmark=("${build[@]}" libbenchmark-dev libcgal-dev voro++-dev voronota)
@@ -30,7 +30,7 @@ probe() {
     g++) command -v "${CXX:-g++}" >/dev/null || command -v clang++ >/dev/null ;;
     cmake) command -v cmake >/dev/null ;;
     ninja-build) command -v ninja >/dev/null ;;
-    gappa) command -v gappa >/dev/null ;;
+    gappa | doxygen | valgrind | lintian) command -v "$1" >/dev/null ;;
     gnuplot-nox) command -v gnuplot >/dev/null ;;
     voronota) command -v voronota >/dev/null ;;
     *) dpkg-query -W -f '${db:Status-Status}\n' "$1" 2>/dev/null | grep -qx installed ;;

@@ -33,14 +33,17 @@ namespace signum {
 
 /// Lists of balls, one behind the other: list k is balls[first[k]] ... balls[first[k+1] - 1].
 struct BallLists {
-    std::vector<std::int64_t> first = {0};
-    std::vector<Index> balls;
+    std::vector<std::int64_t> first = {0};  ///< where each list begins, and where the last one ends
+    std::vector<Index> balls;               ///< of all lists, one after the other
 
+    /// How many lists.
     [[nodiscard]] std::size_t size() const noexcept { return first.size() - 1; }
+    /// One of them.
     [[nodiscard]] std::span<const Index> operator[](std::size_t k) const noexcept {
         const auto begin = static_cast<std::size_t>(first[k]);
         return {balls.data() + begin, static_cast<std::size_t>(first[k + 1]) - begin};
     }
+    /// Adds a list behind the others.
     void add(std::span<const Index> list) {
         balls.insert(balls.end(), list.begin(), list.end());
         first.push_back(static_cast<std::int64_t>(balls.size()));
@@ -54,7 +57,7 @@ inline constexpr Index no_end = -2;
 /// Hidden balls (those that lie in another one; of equal balls all but the first) occur in nothing
 /// but `hidden`.
 struct BallDiagram {
-    std::int64_t balls = 0;
+    std::int64_t balls = 0;  ///< how many, hidden ones included
 
     /// All balls that touch the sphere of a vertex, rising: four in general. Sorted as words; two
     /// vertices of the same balls are one after the other, that first whose `turn` is +1.
@@ -70,7 +73,7 @@ struct BallDiagram {
     /// several edges of the same balls are parts of one curve. Both ends may be one vertex, and two
     /// edges may have the same ends.
     BallLists edges;
-    std::vector<std::array<Index, 2>> ends;
+    std::vector<std::array<Index, 2>> ends;  ///< of edges, in their order
 
     /// Those that are hidden, and the visible ball of the smallest number that hides each.
     std::vector<Hidden> hidden;

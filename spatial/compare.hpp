@@ -18,6 +18,7 @@
 
 namespace signum {
 
+/// How the cells of a tessellation compare with those of the canonical one.
 struct CellComparison {
     std::int64_t cells = 0;            ///< between sites of the compared tessellation
     std::vector<SpaceCell> wrong;      ///< in no valid tessellation; sorted
@@ -32,9 +33,11 @@ struct CellComparison {
 [[nodiscard]] CellComparison compare_cells(const SpaceTessellation& tessellation,
                                            const SpaceTessellation& canonical,
                                            std::span<const Point3> sites);
+/// The same of balls.
 [[nodiscard]] CellComparison compare_cells(const SpaceTessellation& tessellation,
                                            const SpaceTessellation& canonical,
                                            std::span<const Site3> sites);
+/// The same of sites with weights.
 [[nodiscard]] CellComparison compare_cells(const SpaceTessellation& tessellation,
                                            const SpaceTessellation& canonical,
                                            std::span<const power::Site3> sites);
@@ -42,11 +45,14 @@ struct CellComparison {
 /// Of the facets between two finite cells of a canonical tessellation, how many are ties: the site
 /// across touches the sphere. Exact, O(n). Throws as compare_cells().
 struct FacetTies {
-    std::int64_t facets = 0;
-    std::int64_t ties = 0;
+    std::int64_t facets = 0;  ///< between two finite cells
+    std::int64_t ties = 0;    ///< of them, those that the tie rule decided
 };
+/// Of points.
 [[nodiscard]] FacetTies ties_of(const SpaceTessellation& canonical, std::span<const Point3> sites);
+/// Of balls.
 [[nodiscard]] FacetTies ties_of(const SpaceTessellation& canonical, std::span<const Site3> sites);
+/// Of sites with weights.
 [[nodiscard]] FacetTies ties_of(const SpaceTessellation& canonical,
                                 std::span<const power::Site3> sites);
 

@@ -24,8 +24,9 @@
 
 namespace signum {
 
+/// All cubes or octahedra that touch four.
 struct RectangularSpheres {
-    bool infinitely_many = false;
+    bool infinitely_many = false;  ///< then none of them is listed
     /// Else all of them: centres and radii.
     std::vector<Site3> spheres;
 };
@@ -33,6 +34,7 @@ struct RectangularSpheres {
 /// Throws std::invalid_argument where the sites are not four, and, naming the site, for NaN or
 /// infinity.
 [[nodiscard]] RectangularSpheres touching_spheres(std::span<const Site3> four, Supremum metric);
+/// The octahedra.
 [[nodiscard]] RectangularSpheres touching_spheres(std::span<const Site3> four, Manhattan metric);
 
 }  // namespace signum

@@ -24,12 +24,13 @@
 
 namespace signum {
 
+/// How many spheres touch.
 enum class SphereCount : std::uint8_t { none, one, two, infinitely_many };
 
 /// A sphere (circle) as a site: its centre and its radius.
 template <class S>
 struct TouchingSphere {
-    S sphere;
+    S sphere;  ///< centre and radius, each number rounded once
     /// How the points of contact turn, in the order of the balls: +1 where ccw of them is positive,
     /// -1 where it is negative, 0 where they lie in one plane (on one line), or where one of the
     /// balls is a point at the centre.
@@ -37,8 +38,9 @@ struct TouchingSphere {
 };
 
 template <class S>
+/// The spheres that touch, two at most.
 struct TouchingSpheres {
-    SphereCount count = SphereCount::none;
+    SphereCount count = SphereCount::none;  ///< how many
     /// Of one sphere the first, of two the first with the orientation +1 and the second with -1; no
     /// other is looked at.
     std::array<TouchingSphere<S>, 2> spheres = {};
@@ -47,6 +49,7 @@ struct TouchingSpheres {
 /// Throws std::invalid_argument where the balls are not four (the discs not three), and, naming the
 /// ball, for NaN or infinity.
 [[nodiscard]] TouchingSpheres<Site3> touching_spheres(std::span<const Site3> four);
+/// In the plane: the circles that touch three discs.
 [[nodiscard]] TouchingSpheres<Site> touching_spheres(std::span<const Site> three);
 
 }  // namespace signum

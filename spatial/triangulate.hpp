@@ -17,6 +17,7 @@ namespace signum {
 /// Four vertices, or the four cells across from them; -1 is infinity. Of flat sites fewer vertices,
 /// and then `no_vertex`.
 using SpaceCell = std::array<Index, 4>;
+/// No vertex: cells of flat sites have fewer than four.
 inline constexpr Index no_vertex = -2;
 
 /// A tessellation of space as plain arrays of indices.
@@ -31,10 +32,10 @@ inline constexpr Index no_vertex = -2;
 struct SpaceTessellation {
     /// k: 3, or less of flat sites: 2 in a plane, 1 on a line, 0 in one place, -1 of none.
     int dimension = -1;
-    std::int64_t sites = 0;
-    std::vector<SpaceCell> cells;
-    std::vector<SpaceCell> neighbours;
-    std::vector<Hidden> hidden;
+    std::int64_t sites = 0;             ///< how many, hidden ones included
+    std::vector<SpaceCell> cells;       ///< law 1
+    std::vector<SpaceCell> neighbours;  ///< law 2
+    std::vector<Hidden> hidden;         ///< sorted by site
     friend bool operator==(const SpaceTessellation&, const SpaceTessellation&) = default;
 };
 
@@ -50,8 +51,10 @@ struct SpaceTessellation {
 /// them.
 [[nodiscard]] SpaceTessellation triangulate(std::span<const Point3> sites, Power metric = {},
                                             const Options& options = {});
+/// The same of balls.
 [[nodiscard]] SpaceTessellation triangulate(std::span<const Site3> sites, Power metric = {},
                                             const Options& options = {});
+/// The same of sites with weights.
 [[nodiscard]] SpaceTessellation triangulate(std::span<const power::Site3> sites, Power metric = {},
                                             const Options& options = {});
 

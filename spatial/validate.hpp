@@ -25,9 +25,11 @@ namespace signum {
 [[nodiscard]] Validation validate(const SpaceTessellation& tessellation,
                                   std::span<const Point3> sites,
                                   const ValidationOptions& options = {});
+/// The same of balls.
 [[nodiscard]] Validation validate(const SpaceTessellation& tessellation,
                                   std::span<const Site3> sites,
                                   const ValidationOptions& options = {});
+/// The same of sites with weights.
 [[nodiscard]] Validation validate(const SpaceTessellation& tessellation,
                                   std::span<const power::Site3> sites,
                                   const ValidationOptions& options = {});

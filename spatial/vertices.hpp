@@ -14,10 +14,10 @@ namespace signum {
 /// halves to even; NaN where it exceeds the doubles. NaN in all four for a cell with the vertex at
 /// infinity, and for one of flat sites, whose points at equal distance are a line or more.
 struct SpaceVertex {
-    double x;
-    double y;
-    double z;
-    double rho;
+    double x;    ///< the first coordinate of the centre
+    double y;    ///< the second
+    double z;    ///< the third
+    double rho;  ///< the power distance
 };
 
 /// One vertex a cell, in the order of the cells. Double-doubles with a bound, rationals behind
@@ -25,8 +25,10 @@ struct SpaceVertex {
 /// or a cell names a site that there is not.
 [[nodiscard]] std::vector<SpaceVertex> vertices(const SpaceTessellation& tessellation,
                                                 std::span<const Point3> sites);
+/// The same of balls.
 [[nodiscard]] std::vector<SpaceVertex> vertices(const SpaceTessellation& tessellation,
                                                 std::span<const Site3> sites);
+/// The same of sites with weights.
 [[nodiscard]] std::vector<SpaceVertex> vertices(const SpaceTessellation& tessellation,
                                                 std::span<const power::Site3> sites);
 

@@ -25,19 +25,19 @@ using Edge = std::array<Index, 2>;
 
 /// A site whose cell is empty, and the visible site nearest to its centre.
 struct Hidden {
-    Index site;
-    Index by;
+    Index site;  ///< the hidden one
+    Index by;    ///< the visible one that is nearest to its centre
     friend bool operator==(const Hidden&, const Hidden&) = default;
 };
 
 /// The tessellation as arrays: what files carry and what validate() judges, whoever made it.
 struct TessellationArrays {
-    Metric metric = Metric::power;
-    WeightIs weight_is = WeightIs::radius;
-    std::int64_t sites = 0;
-    std::vector<Face> faces;
-    std::vector<Face> neighbours;
-    std::vector<Hidden> hidden;
+    Metric metric = Metric::power;          ///< of the distance
+    WeightIs weight_is = WeightIs::radius;  ///< what third numbers are
+    std::int64_t sites = 0;                 ///< how many, hidden ones included
+    std::vector<Face> faces;                ///< counterclockwise, the smallest number first, sorted
+    std::vector<Face> neighbours;           ///< neighbours[f][k] is across from faces[f][k]
+    std::vector<Hidden> hidden;             ///< sorted by site
     friend bool operator==(const TessellationArrays&, const TessellationArrays&) = default;
 };
 

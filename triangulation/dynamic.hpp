@@ -35,6 +35,7 @@ class DynamicTessellation {
     explicit DynamicTessellation(Metric metric, WeightIs weight_is = WeightIs::radius);
     /// What was moved from is empty.
     DynamicTessellation(DynamicTessellation&&) noexcept;
+    /// Likewise.
     DynamicTessellation& operator=(DynamicTessellation&&) noexcept;
     ~DynamicTessellation();
 
@@ -65,7 +66,9 @@ class DynamicTessellation {
     /// sites' distance, as neighbours change.
     void move_all(std::span<const Point> centres);
 
+    /// Whether the handle names a site.
     [[nodiscard]] bool contains(Index handle) const noexcept;
+    /// How many sites are there.
     [[nodiscard]] std::size_t size() const noexcept;
     /// Throws std::out_of_range unless contains(handle).
     [[nodiscard]] Site site(Index handle) const;

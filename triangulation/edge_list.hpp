@@ -23,11 +23,13 @@
 
 namespace signum {
 
+/// The list of all half-edges; walks along it cost O(1) a step.
 class EdgeList {
     struct AroundCell;
     struct AroundVertex;
 
  public:
+    /// One side of an edge.
     struct HalfEdge {
         Index origin;    ///< a vertex
         Index twin;      ///< the other half, a half-edge as the next two
@@ -41,18 +43,24 @@ class EdgeList {
     template <class Step>
     class Loop {
      public:
+        /// Goes along a loop once.
         class Iterator {
          public:
-            using value_type = Index;
-            using difference_type = std::ptrdiff_t;
+            using value_type = Index;                ///< a half-edge
+            using difference_type = std::ptrdiff_t;  ///< of iterators
+            /// At the first half-edge of a loop, which must outlive it.
             Iterator(const Loop& loop) noexcept : loop_(&loop), at_(loop.first_) {}
+            /// The half-edge at hand.
             [[nodiscard]] Index operator*() const noexcept { return at_; }
+            /// To the next one.
             Iterator& operator++() noexcept {
                 at_ = Step::from(*loop_->list_, at_);
                 round_ = at_ == loop_->first_;
                 return *this;
             }
+            /// To the next one.
             void operator++(int) noexcept { ++*this; }
+            /// Whether it has come round.
             [[nodiscard]] bool operator==(std::default_sentinel_t) const noexcept {
                 return round_ || at_ < 0;
             }
@@ -63,7 +71,9 @@ class EdgeList {
             bool round_ = false;
         };
 
+        /// At the first half-edge.
         [[nodiscard]] Iterator begin() const noexcept { return {*this}; }
+        /// When it has come round.
         [[nodiscard]] std::default_sentinel_t end() const noexcept { return {}; }
 
      private:
@@ -78,11 +88,13 @@ class EdgeList {
     /// neighbours do not fit the faces. O(n).
     explicit EdgeList(const TessellationArrays& arrays);
 
+    /// All of them; law 2 says where which one stands.
     [[nodiscard]] std::span<const HalfEdge> half_edges() const noexcept { return half_edges_; }
     /// This and what follows throws std::out_of_range for a number that names nothing.
     [[nodiscard]] const HalfEdge& operator[](Index h) const {
         return half_edges_[checked("half-edge", h, half_edges_.size())];
     }
+    /// How many vertices.
     [[nodiscard]] Index vertices() const noexcept {
         return static_cast<Index>(half_edges_.size() / 3);
     }

@@ -22,7 +22,7 @@ enum class WeightIs : std::uint8_t { radius, weight };
 
 /// What is known of a metric without computing anything.
 struct MetricTraits {
-    Metric metric;
+    Metric metric;                            ///< whose row this is
     std::string_view name;                    ///< in files and on the command line
     std::string_view title;                   ///< in sentences: the … metric
     std::array<std::string_view, 4> aliases;  ///< what else it is called; unused ones are empty
@@ -83,6 +83,7 @@ inline constexpr std::array<MetricTraits, 4> metric_table = {{
     return metric_table[static_cast<std::size_t>(metric)];
 }
 
+/// In the order of the table.
 inline constexpr auto all_metrics = [] {
     std::array<Metric, metric_table.size()> metrics{};
     for (std::size_t i = 0; i < metrics.size(); ++i) metrics[i] = metric_table[i].metric;
@@ -93,10 +94,12 @@ inline constexpr auto all_metrics = [] {
 /// triangulate(sites, Euclidean{}) says what it means.
 template <Metric which>
 struct MetricType {
-    static constexpr Metric metric = which;
+    static constexpr Metric metric = which;  ///< its enumerator
+    /// Its row of the table.
     static constexpr const MetricTraits& traits = traits_of(which);
     static_assert(traits.metric == which, "the rows follow the enumerators");
-    // NOLINTNEXTLINE(google-explicit-constructor): for the sake of calls
+    /// Its enumerator, for the sake of calls.
+    // NOLINTNEXTLINE(google-explicit-constructor)
     constexpr operator Metric() const noexcept { return which; }
 };
 struct Power : MetricType<Metric::power> {};
@@ -122,9 +125,11 @@ decltype(auto) with_metric(Metric metric, Visit&& visit) {
     throw std::invalid_argument("no such metric");
 }
 
+/// The name by which files and the tool know it.
 [[nodiscard]] constexpr std::string_view name_of(Metric metric) noexcept {
     return traits_of(metric).name;
 }
+/// The same of what a third number is.
 [[nodiscard]] constexpr std::string_view name_of(WeightIs weight_is) noexcept {
     return weight_is == WeightIs::radius ? "radius" : "weight";
 }

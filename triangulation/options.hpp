@@ -20,8 +20,10 @@ enum class Method : std::uint8_t {
     sweep         ///< Manhattan and supremum: a line sweeps the plane
 };
 
+/// In the order of their enumerators.
 inline constexpr std::array all_methods = {Method::incremental, Method::flips, Method::sweep};
 
+/// The name by which files and the tool know it.
 [[nodiscard]] constexpr std::string_view name_of(Method method) noexcept {
     constexpr std::string_view names[] = {"incremental", "flips", "sweep"};
     return names[static_cast<int>(method)];
@@ -40,6 +42,7 @@ inline constexpr std::array all_methods = {Method::incremental, Method::flips, M
     return false;
 }
 
+/// How to build; the result depends on none of this but `arithmetic` where it rounds.
 struct Options {
     /// The single kernel takes the sites rounded to floats: std::invalid_argument, naming the site,
     /// for a number beyond 3.4e38.

@@ -28,6 +28,7 @@
 
 namespace signum {
 
+/// One of these tessellations, whose edges can be swapped.
 class ExtendedTessellation {
  public:
     /// Edges are numbered in the order of the faces and the corners that they lie across from.
@@ -47,8 +48,10 @@ class ExtendedTessellation {
     [[nodiscard]] Index faces() const noexcept { return static_cast<Index>(corner_.size() / 3); }
     /// Three vertices counterclockwise, and the edges across from them.
     [[nodiscard]] Face corners_of(Index f) const;
+    /// Across from the corners, in their order.
     [[nodiscard]] Face edges_of(Index f) const;
 
+    /// Whether law 1 holds afterwards. O(1).
     [[nodiscard]] bool can_swap(Index e) const;
     /// Replaces edge e by the other diagonal of its two faces. Throws std::invalid_argument unless
     /// can_swap(e). O(1).

@@ -15,7 +15,7 @@ namespace signum {
 /// What a construction did. Counters are 0 unless Options::count asked for them. The calls, of four
 /// kinds, are as many as the decisions, of five stages.
 struct Statistics {
-    bool counted = false;
+    bool counted = false;              ///< whether anybody counted
     std::uint64_t ccw = 0;             ///< calls of ccw
     std::uint64_t in_circle = 0;       ///< calls of in_circle, at infinity too
     std::uint64_t nearer = 0;          ///< comparisons of two sites' distances from a point
@@ -33,9 +33,10 @@ struct Statistics {
 
 /// The counters, by the names that files give them.
 struct Counter {
-    const char* name;
-    std::uint64_t Statistics::*count;
+    const char* name;                  ///< as in files
+    std::uint64_t Statistics::*count;  ///< where it is
 };
+/// All of them, in the order of files.
 inline constexpr Counter counters[] = {
     {"ccw", &Statistics::ccw},
     {"in_circle", &Statistics::in_circle},
@@ -71,17 +72,23 @@ class Tessellation {
     /// whoever walks around sites asks for.
     void expect_neighbours() const;
 
+    /// The metric of the distance.
     [[nodiscard]] Metric metric() const noexcept { return arrays_.metric; }
+    /// What the third number of a site is.
     [[nodiscard]] WeightIs weight_is() const noexcept { return arrays_.weight_is; }
+    /// All of it, as files carry it.
     [[nodiscard]] const TessellationArrays& arrays() const noexcept { return arrays_; }
 
     /// All sites in the order given, hidden ones included; r is a radius or a weight (weight_is()).
     [[nodiscard]] std::span<const Site> sites() const noexcept { return sites_; }
+    /// All 2n-2 of n visible sites: counterclockwise triples, the smallest number first, sorted; -1
+    /// is infinity.
     [[nodiscard]] std::span<const Face> faces() const noexcept { return arrays_.faces; }
     /// Three faces for every face: neighbours()[f][k] lies across the edge opposite faces()[f][k].
     [[nodiscard]] std::span<const Face> neighbours() const noexcept { return arrays_.neighbours; }
     /// Sorted by site.
     [[nodiscard]] std::span<const Hidden> hidden() const noexcept { return arrays_.hidden; }
+    /// What the construction did.
     [[nodiscard]] const Statistics& statistics() const noexcept { return statistics_; }
 
     /// All 3n-3 edges, those to infinity (-1, a) included, smaller number first, sorted. Two sites

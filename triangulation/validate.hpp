@@ -18,8 +18,8 @@ namespace signum {
 /// canonical when it is moreover the one that the tie rule chooses, with the arrays in canonical
 /// order.
 struct Validation {
-    bool valid = false;
-    bool canonical = false;
+    bool valid = false;      ///< a tessellation of the sites
+    bool canonical = false;  ///< the one that the tie rule chooses
     /// What is wrong and where (face, site), empty where nothing is: first the reason for not being
     /// valid, otherwise the reason for not being canonical.
     std::string message;
@@ -27,6 +27,7 @@ struct Validation {
     std::uint64_t multiprecision = 0;  ///< questions that took exact numbers
 };
 
+/// For those who wait.
 struct ValidationOptions {
     /// Checked every few thousand faces; a stopped validation throws Stopped.
     std::stop_token stop = {};

@@ -15,9 +15,9 @@ namespace signum {
 /// metric three discs on a common tangent line may have a face by the tie rule alone. Where the tie
 /// rule chooses one of many squares, it is the one that its infinitesimals tend to.
 struct DiagramVertex {
-    double x;
-    double y;
-    double rho;
+    double x;    ///< the first coordinate of the centre
+    double y;    ///< the second
+    double rho;  ///< the distance
 };
 
 /// One vertex a face, in face order. Exact rationals behind a filter; O(n).

@@ -22,21 +22,24 @@ inline constexpr Box no_box = {
     -std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
     std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
 
+/// The part of a cell that lies in a box.
 struct CellShape {
-    Index site = 0;
+    Index site = 0;          ///< whose cell
     bool unbounded = false;  ///< the cell itself, not its part in a box
     bool in_box = false;     ///< whether there is a box
     bool clipped = false;    ///< whether a piece of the border is among the loops
-    std::vector<std::vector<Conic>> loops;
+    std::vector<std::vector<Conic>>
+        loops;  ///< counterclockwise, each a chain of curves that closes
 };
 
 /// Of a shape: infinite numbers where the cell is unbounded and there is no box, NaN for their
 /// centroid and that of nothing. Areas beyond a double's range are infinite, too.
 struct Measure {
-    double area;
-    double perimeter;
-    Point centroid;
+    double area;       ///< square units
+    double perimeter;  ///< along arcs, and along the box where it cuts
+    Point centroid;    ///< of the area
 };
+/// Area, length and centroid of a shape. O(its edges).
 [[nodiscard]] Measure measure(const CellShape& shape);
 
 /// The smallest box around all centres, wider by a tenth of its longer side on each side, and where
@@ -57,6 +60,7 @@ enum class Lengths : std::uint8_t {
     divided  ///< by 2^exponent of the diagram, for those who go beyond a double's range
 };
 
+/// A diagram and a box, edge by edge and cell by cell.
 class ClippedVoronoi {
  public:
     /// The diagram is not copied. Throws std::invalid_argument unless the box is no_box, or x0 < x1
@@ -64,6 +68,7 @@ class ClippedVoronoi {
     explicit ClippedVoronoi(const Voronoi& voronoi, const Box& box = no_box,
                             Lengths lengths = Lengths::of_the_plane);
 
+    /// The whole diagram.
     [[nodiscard]] const Voronoi& voronoi() const noexcept { return voronoi_; }
     /// The parts of an edge in the box, in its direction, each the continuation of the one before
     /// or behind a gap. Throws std::out_of_range where there is no such edge.

@@ -18,6 +18,7 @@
 
 namespace signum {
 
+/// How the edges of a tessellation compare with those of the canonical one.
 struct EdgeComparison {
     std::int64_t edges = 0;       ///< edges between sites of the compared tessellation
     std::vector<Edge> wrong;      ///< in no valid tessellation; sorted, as often as they are there

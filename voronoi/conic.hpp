@@ -20,31 +20,36 @@ namespace signum {
 
 /// All points with x0 <= x <= x1 and y0 <= y <= y1.
 struct Box {
-    double x0;
-    double y0;
-    double x1;
-    double y1;
+    double x0;  ///< left
+    double y0;  ///< bottom
+    double x1;  ///< right
+    double y1;  ///< top
     friend bool operator==(const Box&, const Box&) = default;
 };
 
+/// A piece of a conic: a rational quadratic Bézier curve, s from 0 to 1.
 struct Conic {
-    Point from;
-    Point control;
-    Point to;
-    double weight;
+    Point from;     ///< where it begins
+    Point control;  ///< where the tangents at its ends meet
+    Point to;       ///< where it ends
+    double weight;  ///< of the control point: 1 of a segment
 
     friend bool operator==(const Conic&, const Conic&) = default;
 
+    /// The segment between two points.
     [[nodiscard]] static Conic straight(Point from, Point to) noexcept {
         return {from, {from.x + (to.x - from.x) / 2, from.y + (to.y - from.y) / 2}, to, 1.0};
     }
+    /// Whether it is a segment.
     [[nodiscard]] bool is_straight() const noexcept { return weight == 1.0; }
+    /// The same from its end to its beginning.
     [[nodiscard]] Conic reversed() const noexcept { return {to, control, from, weight}; }
 
     /// Precondition: 0 <= s <= 1.
     [[nodiscard]] Point at(double s) const noexcept;
     /// The part from at(first) to at(last). Precondition: 0 <= first < last <= 1.
     [[nodiscard]] Conic part(double first, double last) const noexcept;
+    /// The parts before and behind the middle, s = 1/2.
     [[nodiscard]] std::pair<Conic, Conic> halves() const noexcept;
     /// How far the curve is from its chord at most.
     [[nodiscard]] double bulge() const noexcept;
@@ -55,10 +60,11 @@ struct Conic {
     /// Integrals over the region between the curve and the two lines from `origin` to its ends,
     /// positive where they run counterclockwise: area, and x and y relative to the origin.
     struct Moments {
-        double area;
-        double x;
-        double y;
+        double area;  ///< the integral of 1
+        double x;     ///< of x
+        double y;     ///< of y
     };
+    /// See Moments.
     [[nodiscard]] Moments moments(Point origin) const noexcept;
     /// Length, by quadrature; relative error below 1e-9.
     [[nodiscard]] double length() const;
@@ -66,8 +72,8 @@ struct Conic {
 
 /// A part of a curve that lies in a box, in terms of s.
 struct Inside {
-    double first;
-    double last;
+    double first;  ///< where it begins
+    double last;   ///< where it ends
 };
 
 /// The parts of a conic in the open box, in order; a part that runs along the border is not among

@@ -24,10 +24,13 @@ class Canonical {
     /// O(n).
     explicit Canonical(const Tessellation& tessellation);
 
+    /// The canonical tessellation.
     [[nodiscard]] const Tessellation& tessellation() const noexcept { return tessellation_; }
+    /// A site of it, by its number.
     [[nodiscard]] const Site& site(Index i) const {
         return tessellation_.sites()[checked("site", i, face_at_.size())];
     }
+    /// A face of it, by its number.
     [[nodiscard]] const Face& face(Index f) const {
         return tessellation_.faces()[checked("face", f, tessellation_.faces().size())];
     }
@@ -67,12 +70,16 @@ class Canonical {
 /// metrics of a short walk.
 using Contacts = std::function<bool(Index, Index)>;
 
+/// In the metric of the tessellation.
 [[nodiscard]] Contacts contacts_of(const Canonical& canonical);
 
 /// The same where the metric is known.
 [[nodiscard]] Contacts contacts_in(Power metric, const Canonical& canonical);
+/// Of discs.
 [[nodiscard]] Contacts contacts_in(Euclidean metric, const Canonical& canonical);
+/// Of diamonds.
 [[nodiscard]] Contacts contacts_in(Manhattan metric, const Canonical& canonical);
+/// Of squares.
 [[nodiscard]] Contacts contacts_in(Supremum metric, const Canonical& canonical);
 
 }  // namespace signum

@@ -25,37 +25,44 @@ namespace signum {
 /// Pieces of straight lines between two knots, beyond which each runs on for ever. Both are the
 /// same where there is one line alone.
 struct StraightCurve {
-    Point origin;  ///< at t = 0, were it not for the knots
-    Point right;   ///< towards the second site; not always a unit vector
-    Point upward;  ///< `right` turned left by a quarter
-    std::array<double, 2> knots = {0, 0};
+    Point origin;                          ///< at t = 0, were it not for the knots
+    Point right;                           ///< towards the second site; not always a unit vector
+    Point upward;                          ///< `right` turned left by a quarter
+    std::array<double, 2> knots = {0, 0};  ///< parameters where the pieces meet
     double shift = 0;  ///< the piece between the knots is that far right of the origin
     std::array<double, 2> slopes = {0, 0};  ///< how far right each unit of t beyond a knot leads
 
+    /// The point at a parameter.
     [[nodiscard]] Point at(double t) const noexcept;
+    /// The parameter of a point of the curve.
     [[nodiscard]] double parameter(Point p) const noexcept;
     /// Where it is at least that far from the origin: |t| of this.
     [[nodiscard]] double beyond(double reach) const noexcept;
 };
 
+/// One branch of a hyperbola.
 struct HyperbolaCurve {
     Point middle;   ///< of the two centres
     Point forward;  ///< unit vector from the first centre to the second
     Point upward;   ///< `forward` turned left by a quarter
     double a;  ///< half the difference of the radii, that of the first minus that of the second
-    double b;
+    double b;  ///< the other semiaxis
 
+    /// The point at a parameter.
     [[nodiscard]] Point at(double t) const noexcept;
+    /// The parameter of a point of the curve.
     [[nodiscard]] double parameter(Point p) const noexcept;
+    /// Where it is at least that far from the middle: |t| of this.
     [[nodiscard]] double beyond(double reach) const noexcept;
 };
 
+/// What edges lie on.
 using Curve = std::variant<StraightCurve, HyperbolaCurve>;
 
 /// A site as its tessellation knows it.
 struct NumberedSite {
-    Site site;
-    Index index;
+    Site site;    ///< itself
+    Index index;  ///< its number
 };
 
 /// The bisector of sites a and b of a tessellation, all lengths divided by 2^exponent. In the power

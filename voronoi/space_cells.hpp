@@ -35,8 +35,8 @@ namespace signum {
 
 /// All points from the one corner to the other.
 struct Box3 {
-    Point3 low;
-    Point3 high;
+    Point3 low;   ///< the corner of least coordinates
+    Point3 high;  ///< the opposite corner
     friend bool operator==(const Box3&, const Box3&) = default;
 };
 
@@ -46,15 +46,17 @@ struct Box3 {
     return beyond < 0;
 }
 
+/// A face of a cell.
 struct SpaceFace {
     Index beyond;  ///< the site on the other side, or a side of the box
-    double area;
+    double area;   ///< square units
     friend bool operator==(const SpaceFace&, const SpaceFace&) = default;
 };
 
+/// What a cell measures in the box.
 struct SpaceMeasure {
-    double volume = 0.0;
-    double area = 0.0;  ///< of the whole surface
+    double volume = 0.0;  ///< cubic units
+    double area = 0.0;    ///< of the whole surface
     /// In the box. Where there is no volume, the point of the box nearest to the site's centre.
     Point3 centroid;
     friend bool operator==(const SpaceMeasure&, const SpaceMeasure&) = default;
@@ -62,10 +64,10 @@ struct SpaceMeasure {
 
 /// The cells as plain arrays.
 struct SpaceCells {
-    Box3 box;
+    Box3 box;                              ///< what the cells are cut to
     std::vector<SpaceMeasure> measures;    ///< by site
     std::vector<std::int64_t> first_face;  ///< by site, and one more: where its faces begin
-    std::vector<SpaceFace> faces;
+    std::vector<SpaceFace> faces;          ///< of all cells, one after the other
 
     /// Those of a site. Throws std::out_of_range where there is no such site.
     [[nodiscard]] std::span<const SpaceFace> faces_of(Index site) const {
@@ -84,7 +86,9 @@ struct SpaceCells {
 /// no farther than doubles reach. Throws std::invalid_argument without sites, and where a centre is
 /// not finite. O(n).
 [[nodiscard]] Box3 default_box(std::span<const Point3> sites);
+/// The same of balls.
 [[nodiscard]] Box3 default_box(std::span<const Site3> sites);
+/// The same of sites with weights.
 [[nodiscard]] Box3 default_box(std::span<const power::Site3> sites);
 
 /// `tessellation` is that of the sites, which is the caller's word. Throws std::invalid_argument
@@ -93,8 +97,10 @@ struct SpaceCells {
 /// O(n), where no site has neighbours without bound.
 [[nodiscard]] SpaceCells space_cells(const SpaceTessellation& tessellation,
                                      std::span<const Point3> sites, const Box3& box);
+/// The same of balls.
 [[nodiscard]] SpaceCells space_cells(const SpaceTessellation& tessellation,
                                      std::span<const Site3> sites, const Box3& box);
+/// The same of sites with weights.
 [[nodiscard]] SpaceCells space_cells(const SpaceTessellation& tessellation,
                                      std::span<const power::Site3> sites, const Box3& box);
 

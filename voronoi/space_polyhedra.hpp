@@ -19,13 +19,15 @@
 
 namespace signum {
 
+/// A cell as a solid.
 struct SpacePolyhedron {
-    Index site = 0;
-    std::vector<Point3> corners;
+    Index site = 0;                   ///< whose cell
+    std::vector<Point3> corners;      ///< each once
     std::vector<Index> beyond;        ///< by face: as in SpaceFace, in that order
     std::vector<Index> first_corner;  ///< by face, and one more
     std::vector<Index> face_corners;  ///< counterclockwise seen from outside
 
+    /// The corners of a face, by their places in `corners`, counterclockwise from outside.
     [[nodiscard]] std::span<const Index> corners_of(std::size_t face) const {
         return {face_corners.data() + first_corner.at(face),
                 face_corners.data() + first_corner.at(face + 1)};
@@ -40,10 +42,12 @@ struct SpacePolyhedron {
                                                            std::span<const Point3> sites,
                                                            const Box3& box,
                                                            std::span<const Index> which);
+/// The same of balls.
 [[nodiscard]] std::vector<SpacePolyhedron> space_polyhedra(const SpaceTessellation& tessellation,
                                                            std::span<const Site3> sites,
                                                            const Box3& box,
                                                            std::span<const Index> which);
+/// The same of sites with weights.
 [[nodiscard]] std::vector<SpacePolyhedron> space_polyhedra(const SpaceTessellation& tessellation,
                                                            std::span<const power::Site3> sites,
                                                            const Box3& box,

@@ -35,18 +35,19 @@ namespace signum {
 /// No vertex: the edge runs to infinity, or beyond the doubles.
 inline constexpr Index at_infinity = -1;
 
+/// An edge, from vertex to vertex; by index, as all that belongs to it.
 struct VoronoiEdge {
-    Index left;   ///< the site whose cell lies on the left
-    Index right;  ///< and on the right
-    Index from;   ///< a vertex, or at_infinity
-    Index to;
+    Index left;       ///< the site whose cell lies on the left
+    Index right;      ///< and on the right
+    Index from;       ///< a vertex, or at_infinity
+    Index to;         ///< a vertex, or at_infinity
     Index from_face;  ///< the faces of the tessellation on whose circles the edge ends
-    Index to_face;
+    Index to_face;    ///< the same at its other end
 };
 
 /// A step along the boundary of a cell.
 struct VoronoiStep {
-    Index edge;
+    Index edge;    ///< its number
     bool forward;  ///< whether the cell's site is the edge's left one
 };
 
@@ -59,28 +60,34 @@ enum class EdgeKind : std::uint8_t {
     polyline,  ///< two or three straight pieces, the outer ones rays where the edge has no end
     hyperbola  ///< an arc of a hyperbola
 };
+/// The name by which files know it.
 [[nodiscard]] std::string_view name_of(EdgeKind kind) noexcept;
 
 /// The geometry of an edge: a stretch of a curve. Lengths are those of the plane divided by
 /// 2^exponent, which is 0 unless coordinates are of extreme size.
 struct EdgeGeometry {
-    EdgeKind kind;
-    Curve curve;
-    double from;  ///< parameters on the curve, infinite where the edge does not end
-    double to;
-    Point start;  ///< the points there; not finite where the edge does not end
-    Point end;
+    EdgeKind kind;  ///< what it looks like
+    Curve curve;    ///< what it is a stretch of
+    double from;    ///< parameters on the curve, infinite where the edge does not end
+    double to;      ///< the parameter at the other end
+    Point start;    ///< the points there; not finite where the edge does not end
+    Point end;      ///< the point there
 };
 
+/// How to make a diagram.
 struct VoronoiOptions {
     /// One vertex for all neighbouring faces whose circles are the same; edges between them vanish.
     bool merge = false;
 };
 
+/// The diagram of one tessellation.
 class Voronoi {
  public:
+    /// Takes the tessellation over. Throws std::invalid_argument where its neighbours are missing.
+    /// O(n).
     explicit Voronoi(Tessellation tessellation, const VoronoiOptions& options = {});
 
+    /// What it is the dual of.
     [[nodiscard]] const Tessellation& tessellation() const noexcept { return tessellation_; }
 
     /// Centre and distance of every vertex, each number the double nearest to the exact one.
@@ -98,9 +105,11 @@ class Voronoi {
         const std::size_t s = checked("site", site, hidden_.size());
         return {steps_.data() + first_step_[s], first_step_[s + 1] - first_step_[s]};
     }
+    /// Whether the site has no cell.
     [[nodiscard]] bool is_hidden(Index site) const {
         return hidden_[checked("site", site, hidden_.size())];
     }
+    /// Whether the cell of a site reaches to infinity.
     [[nodiscard]] bool is_unbounded(Index site) const;
 
     /// The geometry of an edge; nothing where its sites lie too near to each other for a direction.

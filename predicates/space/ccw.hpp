@@ -25,6 +25,7 @@ template <class S>
 concept HasCentre3 = std::same_as<decltype(S::x), double> && std::same_as<decltype(S::y), double> &&
     std::same_as<decltype(S::z), double>;
 
+/// Its centre alone.
 template <HasCentre3 S>
 [[nodiscard]] constexpr Point3 centre3(const S& s) noexcept {
     return {s.x, s.y, s.z};
@@ -135,6 +136,7 @@ template <HasCentre3 S>
                                            const Point3& d) noexcept {
     return ccw_decision<Point3>(a, b, c, d);
 }
+/// The sign alone.
 [[nodiscard]] inline Sign ccw(const Point3& a, const Point3& b, const Point3& c,
                               const Point3& d) noexcept {
     return ccw<Point3>(a, b, c, d);

@@ -28,6 +28,7 @@ namespace signum::euclidean {
 /// +1 or -1, with the stage that decided. Precondition of all: finite numbers.
 [[nodiscard]] Decision exists_decision(const Site3& i, const Site3& j, const Site3& k,
                                        const Site3& l) noexcept;
+/// The sign alone, as a yes or a no.
 [[nodiscard]] inline bool exists(const Site3& i, const Site3& j, const Site3& k,
                                  const Site3& l) noexcept {
     SIGNUM_EXPECTS(are_finite(i, j, k, l));
@@ -38,6 +39,7 @@ namespace signum::euclidean {
 /// they are), 0 where q touches it, -1 otherwise; q may be hidden. Precondition: exists(i,j,k,l).
 [[nodiscard]] Decision in_sphere_decision(const Site3& i, const Site3& j, const Site3& k,
                                           const Site3& l, const Site3& q) noexcept;
+/// The sign alone.
 [[nodiscard]] inline Sign in_sphere(const Site3& i, const Site3& j, const Site3& k, const Site3& l,
                                     const Site3& q) noexcept {
     SIGNUM_EXPECTS(are_finite(i, j, k, l, q));

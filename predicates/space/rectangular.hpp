@@ -34,18 +34,18 @@ namespace signum::rectangular {
 /// k and l. (The facets are independent; where a site touches in an edge or a corner it may stand
 /// here more than once, and another one not at all.)
 struct Contacts {
-    std::array<std::uint8_t, 4> facets = {};
-    std::array<std::uint8_t, 4> sites = {};
+    std::array<std::uint8_t, 4> facets = {};  ///< as facets.hpp numbers them
+    std::array<std::uint8_t, 4> sites = {};   ///< by facet
     friend bool operator==(const Contacts&, const Contacts&) = default;
 };
 
 /// The spheres that touch four sites.
 struct Spheres {
-    bool infinitely_many = false;
+    bool infinitely_many = false;  ///< then none of them is here
     /// Else so many, in the order of law 3.
     std::uint8_t count = 0;
-    Stage stage = Stage::filter;
-    std::array<Contacts, 6> spheres = {};
+    Stage stage = Stage::filter;           ///< the dearest one that was asked
+    std::array<Contacts, 6> spheres = {};  ///< the first `count` of these
 };
 
 /// What the metrics differ by: facets.hpp.
@@ -84,9 +84,13 @@ template <class Shape>
 
 namespace signum::supremum {
 
+/// All cubes that touch four sites.
 inline constexpr auto& spheres = rectangular::spheres<rectangular::Cube>;
+/// Which side of one of them a site is on; see rectangular::in_sphere.
 inline constexpr auto& in_sphere = rectangular::in_sphere<rectangular::Cube>;
+/// The same, and the stage that decided.
 inline constexpr auto& in_sphere_decision = rectangular::in_sphere_decision<rectangular::Cube>;
+/// Whether i alone hides q, and the stage that decided.
 inline constexpr auto& hides_decision = rectangular::hides_decision<rectangular::Cube>;
 /// Whether i alone hides q. (A template, so that three numbers in braces stay a site of the plane.)
 template <std::same_as<Site3> S>
@@ -99,11 +103,16 @@ template <std::same_as<Site3> S>
 
 namespace signum::manhattan {
 
+/// All octahedra that touch four sites.
 inline constexpr auto& spheres = rectangular::spheres<rectangular::Octahedron>;
+/// Which side of one of them a site is on; see rectangular::in_sphere.
 inline constexpr auto& in_sphere = rectangular::in_sphere<rectangular::Octahedron>;
+/// The same, and the stage that decided.
 inline constexpr auto& in_sphere_decision =
     rectangular::in_sphere_decision<rectangular::Octahedron>;
+/// Whether i alone hides q, and the stage that decided.
 inline constexpr auto& hides_decision = rectangular::hides_decision<rectangular::Octahedron>;
+/// Whether i alone hides q. (A template, so that three numbers in braces stay a site of the plane.)
 template <std::same_as<Site3> S>
 [[nodiscard]] inline bool hidden(const S& q, const S& i) noexcept {
     SIGNUM_EXPECTS(are_finite(q, i));

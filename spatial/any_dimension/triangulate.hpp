@@ -22,8 +22,9 @@ namespace power {
 /// A site of D dimensions that carries its weight w: distance |p-c|² - w.
 template <int D>
 struct SiteOf {
+    /// Its coordinates.
     std::array<double, static_cast<std::size_t>(D)> centre{};
-    double w = 0.0;
+    double w = 0.0;  ///< the weight
     friend bool operator==(const SiteOf&, const SiteOf&) = default;
 };
 
@@ -48,10 +49,10 @@ template <int D>
 struct TessellationOf {
     /// k: D, or less of flat sites, 0 in one place, -1 of none.
     int dimension = -1;
-    std::int64_t sites = 0;
-    std::vector<CellOf<D>> cells;
-    std::vector<CellOf<D>> neighbours;
-    std::vector<Hidden> hidden;
+    std::int64_t sites = 0;             ///< how many, hidden ones included
+    std::vector<CellOf<D>> cells;       ///< sorted
+    std::vector<CellOf<D>> neighbours;  ///< neighbours[c][i] is across from cells[c][i]
+    std::vector<Hidden> hidden;         ///< sorted by site
     friend bool operator==(const TessellationOf&, const TessellationOf&) = default;
 };
 
