@@ -49,6 +49,7 @@ foreach(folder IN ITEMS bindings/c/signum interop)
   install(FILES ${headers} DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/signum/${name}" COMPONENT development)
 endforeach()
 
+option(SIGNUM_DEBIAN "Make Debian packages with cpack: scripts/package.sh" OFF)
 # Its parts are those of a distribution's packages: library, development, tool.
 set(libraries signum)
 foreach(library IN ITEMS signum_static signum_classic)
@@ -63,7 +64,9 @@ install(TARGETS ${libraries} EXPORT signum-targets
 install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT licence)
 if(TARGET signum_tool)
   install(TARGETS signum_tool COMPONENT tool)
-  install(FILES packaging/signum.1 DESTINATION "${CMAKE_INSTALL_MANDIR}/man1" COMPONENT tool)
+  if(NOT SIGNUM_DEBIAN)
+    install(FILES packaging/signum.1 DESTINATION "${CMAKE_INSTALL_MANDIR}/man1" COMPONENT tool)
+  endif()
   install(FILES packaging/completions/signum.bash RENAME signum COMPONENT tool
           DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions")
   set(SIGNUM_ZSH_FOLDER "${CMAKE_INSTALL_DATADIR}/zsh/site-functions" CACHE STRING "Where zsh looks for completions")
@@ -107,3 +110,7 @@ file(RELATIVE_PATH PREFIX_FROM_PC "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
 string(REGEX REPLACE "/$" "" PREFIX_FROM_PC "${PREFIX_FROM_PC}")
 configure_file(packaging/signum.pc.in "${PROJECT_BINARY_DIR}/signum.pc" @ONLY)
 install(FILES "${PROJECT_BINARY_DIR}/signum.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig" COMPONENT development)
+
+if(SIGNUM_DEBIAN)
+  include("${PROJECT_SOURCE_DIR}/packaging/debian/packages.cmake")
+endif()
