@@ -39,14 +39,41 @@ set(headers_behind
   triangulation/structure/corners.hpp triangulation/structure/cycle.hpp)
 foreach(header IN LISTS public_headers headers_behind)
   cmake_path(GET header PARENT_PATH folder)
-  install(FILES "${header}" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/signum/${folder}")
+  install(FILES "${header}" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/signum/${folder}" COMPONENT development)
+endforeach()
+# Those of C, and those that bring libraries of others along.
+foreach(folder IN ITEMS bindings/c/signum interop)
+  file(GLOB headers CONFIGURE_DEPENDS "${folder}/*.h" "${folder}/*.hpp")
+  cmake_path(GET folder FILENAME name)
+  string(REGEX REPLACE "^signum$" "" name "${name}")
+  install(FILES ${headers} DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/signum/${name}" COMPONENT development)
 endforeach()
 
-install(TARGETS signum EXPORT signum-targets)
+option(SIGNUM_DEBIAN "Make Debian packages with cpack: scripts/package.sh" OFF)
+# Its parts are those of a distribution's packages: library, development, tool.
+set(libraries signum)
+foreach(library IN ITEMS signum_static signum_classic)
+  if(TARGET ${library})
+    list(APPEND libraries ${library})
+  endif()
+endforeach()
+install(TARGETS ${libraries} EXPORT signum-targets
+        RUNTIME COMPONENT library
+        LIBRARY COMPONENT library NAMELINK_COMPONENT development
+        ARCHIVE COMPONENT development)
+install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT licence)
 if(TARGET signum_tool)
-  install(TARGETS signum_tool)
+  install(TARGETS signum_tool COMPONENT tool)
+  if(NOT SIGNUM_DEBIAN)
+    install(FILES packaging/signum.1 DESTINATION "${CMAKE_INSTALL_MANDIR}/man1" COMPONENT tool)
+  endif()
+  install(FILES packaging/completions/signum.bash RENAME signum COMPONENT tool
+          DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions")
+  set(SIGNUM_ZSH_FOLDER "${CMAKE_INSTALL_DATADIR}/zsh/site-functions" CACHE STRING "Where zsh looks for completions")
+  mark_as_advanced(SIGNUM_ZSH_FOLDER)
+  install(FILES packaging/completions/_signum DESTINATION "${SIGNUM_ZSH_FOLDER}" COMPONENT tool)
 endif()
-install(EXPORT signum-targets NAMESPACE signum:: DESTINATION "${package_directory}")
+install(EXPORT signum-targets NAMESPACE signum:: DESTINATION "${package_directory}" COMPONENT development)
 
 configure_package_config_file(cmake/signum-config.cmake.in "${PROJECT_BINARY_DIR}/signum-config.cmake"
                               INSTALL_DESTINATION "${package_directory}")
@@ -56,4 +83,34 @@ write_basic_package_version_file("${PROJECT_BINARY_DIR}/signum-config-version.cm
 install(FILES "${PROJECT_BINARY_DIR}/signum-config.cmake"
               "${PROJECT_BINARY_DIR}/signum-config-version.cmake" cmake/FindGMP.cmake
               cmake/FindMPFR.cmake cmake/HeaderAndLibrary.cmake
-        DESTINATION "${package_directory}")
+        DESTINATION "${package_directory}" COMPONENT development)
+
+# For pkg-config. Who links the static library needs what it is linked with, the C++ library included, for a
+# program in C; where there is no other library, that is everyone.
+set(libraries ${CMAKE_CXX_IMPLICIT_LINK_LIBRARIES})
+list(FILTER libraries INCLUDE REGEX "^(stdc\\+\\+|c\\+\\+|c\\+\\+abi|m)$")
+list(TRANSFORM libraries PREPEND " -l")
+list(JOIN libraries "" libraries)
+string(APPEND libraries " -pthread")
+set(requires "")
+if(SIGNUM_WITH_GMP)
+  set(requires " mpfr, gmp")
+endif()
+set(PC_LIBRARIES "")
+set(PC_REQUIRES "")
+set(PC_PRIVATE_LIBRARIES "${libraries}")
+set(PC_PRIVATE_REQUIRES "${requires}")
+if(NOT BUILD_SHARED_LIBS)
+  set(PC_LIBRARIES "${libraries}")
+  set(PC_REQUIRES "${requires}")
+  set(PC_PRIVATE_LIBRARIES "")
+  set(PC_PRIVATE_REQUIRES "")
+endif()
+file(RELATIVE_PATH PREFIX_FROM_PC "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
+string(REGEX REPLACE "/$" "" PREFIX_FROM_PC "${PREFIX_FROM_PC}")
+configure_file(packaging/signum.pc.in "${PROJECT_BINARY_DIR}/signum.pc" @ONLY)
+install(FILES "${PROJECT_BINARY_DIR}/signum.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig" COMPONENT development)
+
+if(SIGNUM_DEBIAN)
+  include("${PROJECT_SOURCE_DIR}/packaging/debian/packages.cmake")
+endif()
