@@ -219,8 +219,7 @@ py::array log_of(std::vector<motion::Strike> strikes) {
                 {sizeof(motion::Strike)}, kept.base);
 }
 
-/// What the run did until it ended, or was ended by a signal: then that is raised, and the log of it
-/// is in the simulation's own array no more than in the caller's hands.
+/// How it ended, and its log; where a signal ended it that is raised, and the log is lost.
 py::tuple run(Simulation& simulation, double until, const py::object& strikes, bool log,
               const py::object& progress) {
     motion::Limits limits;
@@ -301,8 +300,9 @@ py::object closest_pair(const State& state) {
 
 void bind_simulation(py::module_& module) {
     py::class_<Simulation>(module, "_Simulation")
-        .def(py::init(&simulation))
-        .def("run", &run)
+        .def(py::init(&simulation), py::arg("balls"), py::arg("effects"), py::arg("structure"),
+             py::arg("arithmetic"))
+        .def("run", &run, py::arg("until"), py::arg("strikes"), py::arg("log"), py::arg("progress"))
         .def("state", &state_of)
         .def("counts", &counts);
 }

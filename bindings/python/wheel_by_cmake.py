@@ -1,8 +1,7 @@
 """Makes a wheel: what `pip install .` calls (PEP 517). CMake builds, the standard library packs.
 
-Nothing is fetched: CMake, a compiler, GMP, MPFR, Boost and pybind11 are the system's. Settings of pip
-(--config-settings build-dir=DIR) and the environment: SIGNUM_BUILD_DIRECTORY names a build folder that is
-kept, CMAKE_ARGS are further arguments for CMake.
+Nothing is fetched: CMake, a compiler, GMP, MPFR, Boost and pybind11 are the system's. In the environment
+SIGNUM_BUILD_DIRECTORY names a build folder that is kept, CMAKE_ARGS are further arguments for CMake.
 """
 
 import base64
@@ -53,15 +52,14 @@ def call(*command):
         raise SystemExit("signum: the build failed; what is above says why. docs/python.md lists what it needs.")
 
 
-def build(directory, staging):
-    """The package as CMake installs it into `staging`."""
+def build(directory):
+    """Configures and compiles."""
     call(
         "cmake", "-S", ROOT, "-B", directory, "-DCMAKE_BUILD_TYPE=Release", "-DBUILD_SHARED_LIBS=OFF",
         "-DSIGNUM_BUILD_PYTHON=ON", "-DSIGNUM_BUILD_TOOL=OFF", "-DSIGNUM_BUILD_TESTS=OFF",
         f"-DSIGNUM_PYTHON={sys.executable}", *shlex.split(os.environ.get("CMAKE_ARGS", "")),
     )  # fmt: skip
     call("cmake", "--build", directory, "--target", "signum_python", "--parallel", os.cpu_count() or 1)
-    call("cmake", "--install", directory, "--component", "python", "--prefix", staging)
 
 
 def pack(wheel, files, information):
@@ -76,19 +74,20 @@ def pack(wheel, files, information):
         archive.writestr(f"{information}/RECORD", "\n".join(record) + "\n")
 
 
-def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
+def wheel_of(directory, wheel_directory):
+    """Packs what has been built in a directory, and gives the wheel's name."""
     about = project()
     name = f"{about['name']}-{about['version']}"
     information = f"{name}.dist-info"
-    with tempfile.TemporaryDirectory() as scratch:
-        kept = (config_settings or {}).get("build-dir") or os.environ.get("SIGNUM_BUILD_DIRECTORY")
-        staging = pathlib.Path(scratch) / "staging"
-        build(pathlib.Path(kept or pathlib.Path(scratch) / "build").resolve(), staging)
+    with tempfile.TemporaryDirectory() as staging:
+        call("cmake", "--install", directory, "--component", "python", "--prefix", staging)
         files = [
             (path.relative_to(staging).as_posix(), path.read_bytes())
-            for path in sorted(staging.rglob("*"))
+            for path in sorted(pathlib.Path(staging).rglob("*"))
             if path.is_file()
         ]
+    if not files:
+        raise SystemExit("signum: there is no Python package in " + str(directory))
     files += [
         (f"{information}/METADATA", metadata(about).encode()),
         (f"{information}/LICENSE", (ROOT / "LICENSE").read_bytes()),
@@ -100,3 +99,10 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     wheel = f"{name}-{tag()}.whl"
     pack(pathlib.Path(wheel_directory) / wheel, files, information)
     return wheel
+
+
+def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
+    with tempfile.TemporaryDirectory() as scratch:
+        directory = pathlib.Path(os.environ.get("SIGNUM_BUILD_DIRECTORY", scratch)).resolve()
+        build(directory)
+        return wheel_of(directory, wheel_directory)

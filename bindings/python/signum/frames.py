@@ -94,6 +94,7 @@ def cells_geometries(cells: Cells, tolerance: float | None = None) -> npt.NDArra
     one of a hidden site or outside the box an empty Polygon. Raises ValueError for a tolerance that is not
     positive.
     """
+    from shapely import wkt
     from shapely.geometry import MultiPolygon, Polygon
 
     points, first, sites = cells.polygons(tolerance)
@@ -101,8 +102,9 @@ def cells_geometries(cells: Cells, tolerance: float | None = None) -> npt.NDArra
     for site, begin, end in zip(sites, first[:-1], first[1:]):
         of_site[site].append(Polygon(points[begin:end]))
     geometries = np.empty(len(cells), object)
+    nothing = wkt.loads("POLYGON EMPTY")
     for site, own in enumerate(of_site):
-        geometries[site] = MultiPolygon(own) if len(own) > 1 else own[0] if own else Polygon()
+        geometries[site] = MultiPolygon(own) if len(own) > 1 else own[0] if own else nothing
     return geometries
 
 

@@ -67,7 +67,7 @@ class Simulation:
 
         log: whether to keep the strikes. Nothing happens where `until` is past. progress is called now
         and then, with 0: there is no telling how far it is. On Ctrl-C the simulation stands where it
-        was stopped, and goes on from there. Raises ValueError for a time that is NaN, and where a ball
+        was stopped, and goes on from there; the log up to there is lost. Raises ValueError for a time that is NaN, and where a ball
         flies so fast that the clock cannot tell its strike from a miss.
         """
         return Run(*self._simulation.run(until, strikes, log, progress))

@@ -88,7 +88,7 @@ def test_newtons_cradle():
     balls[0][0] = -3.0
     simulation = signum.Simulation(balls)
     run = simulation.run(10)
-    assert run.ending == "until"
+    assert run.ending == "nothing", "nothing meets any more"
     assert run.log["time"].tolist() == [3, 3, 3]
     assert list(zip(run.log["a"], run.log["b"])) == [(0, 1), (1, 2), (2, 3)]
     assert not run.log["wall"].any() and run.log["impulse"].tolist() == [1, 1, 1]
@@ -96,7 +96,6 @@ def test_newtons_cradle():
     assert state.v.tolist() == [[0, 0], [0, 0], [0, 0], [1, 0]]
     assert state.centres(10)[3].tolist() == [13, 0]
     assert simulation.counts["strikes"] == 3 and len(state) == 4 and state.mass.tolist() == [1] * 4
-    assert simulation.run().ending == "nothing"
 
 
 def test_the_log_does_not_depend_on_the_structure():
@@ -121,7 +120,7 @@ def test_a_ball_that_falls():
     run = signum.Simulation(ball, gravity=(0, -2), obstacles=[effects.HalfSpace((0, 1), 0)]).run(2.5)
     assert run.log.tolist() == [(1.0, True, 0, 4, 4.0)]  # twice the momentum, 1 m times 2 m/s
     half = signum.Simulation(ball, gravity=(0, -2), wall_restitution=0.5, box=((-5, 0), (5, 9))).run(2.5)
-    assert half.log["time"].tolist() == [1.0, 2.0] and half.log["b"].tolist() == [2, 2]
+    assert half.log["time"].tolist() == [1.0, 2.0, 2.5] and set(half.log["b"]) == {2}
 
 
 def test_in_space_and_effects():
