@@ -23,14 +23,14 @@ _CORNERS = {
 }
 
 
-def draw(result: Any, ax: Any = None, **options: Any) -> Any:
+def draw(result: Any, ax: Any = None, *, sites: bool = True, **options: Any) -> Any:
     """Draws any result of signum, and gives the axes it is drawn in.
 
     A Tessellation or DynamicTessellation, with edges straight from centre to centre; a Voronoi or Cells,
     with its sites, whose edges are the true ones; a KineticTessellation or Simulation as it is now, a
     State; a SpaceTessellation; SpaceCells as polyhedra. ax: axes of Matplotlib (of projection '3d' for
-    what lies in space), new ones if there are none. options: for the collection of lines, polygons or
-    patches that shows the result. Raises TypeError for anything else.
+    what lies in space), new ones if there are none. sites: whether to draw the sites as well. options: for
+    the collection of lines, polygons or patches that shows the result. Raises TypeError for anything else.
     """
     if isinstance(result, Simulation):
         result = result.state()
@@ -40,7 +40,7 @@ def draw(result: Any, ax: Any = None, **options: Any) -> Any:
         result = result.clip()
     for kind, painter in _PAINTERS.items():
         if isinstance(result, kind):
-            return painter(result, ax, options)
+            return painter(result, ax, sites, options)
     raise TypeError(f"there is no picture of a {type(result).__name__}")
 
 
@@ -60,7 +60,7 @@ def animate(moving: Any, times: Iterable[float], ax: Any = None, **options: Any)
         ax.clear()
         if isinstance(moving, Simulation):
             moving.run(time, log=False)
-            _draw_state(moving.state(), ax, {}, time)
+            _draw_state(moving.state(), ax, True, {}, time)
         else:
             moving.advance(time)
             draw(moving, ax)
@@ -111,41 +111,44 @@ def _draw_sites(tessellation: Any, ax: Any) -> None:
         ax.plot(*sites[which, :2].T, ".", color=colour, markersize=3, zorder=3)
 
 
-def _draw_tessellation(tessellation: Any, ax: Any, options: dict[str, Any]) -> Any:
+def _draw_tessellation(tessellation: Any, ax: Any, sites: bool, options: dict[str, Any]) -> Any:
     ax = _axes(ax)
     edges = tessellation.edges()
     edges = edges[(edges >= 0).all(axis=1)]
     style = {"color": EDGE, "linewidth": 0.7, "zorder": 2} | options
     ax.add_collection(LineCollection(tessellation.sites[edges, :2], **style))
-    _draw_sites(tessellation, ax)
+    if sites:
+        _draw_sites(tessellation, ax)
     ax.autoscale_view()
     return ax
 
 
-def _draw_cells(cells: Any, ax: Any, options: dict[str, Any]) -> Any:
+def _draw_cells(cells: Any, ax: Any, sites: bool, options: dict[str, Any]) -> Any:
     ax = _axes(ax)
     points, first, _ = cells.polygons()
     style = {"facecolor": "none", "edgecolor": CELL, "linewidth": 0.7, "zorder": 2} | options
     ax.add_collection(PolyCollection(np.split(points, first[1:-1]) if len(first) > 1 else [], **style))
-    _draw_sites(cells.voronoi.tessellation, ax)
+    if sites:
+        _draw_sites(cells.voronoi.tessellation, ax)
     x0, y0, x1, y1 = cells.box
     ax.set_xlim(x0, x1)
     ax.set_ylim(y0, y1)
     return ax
 
 
-def _draw_space(tessellation: Any, ax: Any, options: dict[str, Any]) -> Any:
+def _draw_space(tessellation: Any, ax: Any, sites: bool, options: dict[str, Any]) -> Any:
     ax = _axes(ax, in_space=True)
     edges = tessellation.edges()
     edges = edges[(edges >= 0).all(axis=1)]
     centres = tessellation.sites[:, :3]
     style = {"color": EDGE, "linewidth": 0.5} | options
     ax.add_collection3d(Line3DCollection(centres[edges], **style))
-    ax.scatter(*centres.T, color=SITE, s=5)
+    if sites:
+        ax.scatter(*centres.T, color=SITE, s=5)
     return ax
 
 
-def _draw_polyhedra(cells: Any, ax: Any, options: dict[str, Any]) -> Any:
+def _draw_polyhedra(cells: Any, ax: Any, sites: bool, options: dict[str, Any]) -> Any:
     ax = _axes(ax, in_space=True)
     faces = []
     for site in range(len(cells)):
@@ -158,7 +161,7 @@ def _draw_polyhedra(cells: Any, ax: Any, options: dict[str, Any]) -> Any:
     return ax
 
 
-def _draw_state(state: Any, ax: Any, options: dict[str, Any], time: float | None = None) -> Any:
+def _draw_state(state: Any, ax: Any, sites: bool, options: dict[str, Any], time: float | None = None) -> Any:
     centres = state.centres(time)
     if state.dimension == 3:
         ax = _axes(ax, in_space=True)
