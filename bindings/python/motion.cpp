@@ -1,0 +1,370 @@
+/// Balls that move and strike, in the plane and in space.
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "../../motion/queries.hpp"
+#include "../../motion/simulation.hpp"
+#include "names.hpp"
+#include "parts.hpp"
+#include "results.hpp"
+#include "watched.hpp"
+
+namespace signum::python {
+namespace {
+
+template <int D>
+motion::Vector<D> vector_of(const py::object& object, const char* what) {
+    const py::array array = doubles(object);
+    if (array.ndim() != 1 || array.size() != D)
+        throw py::value_error(std::string(what) + ": " + std::to_string(D) + " numbers are needed");
+    const auto numbers = array.unchecked<double, 1>();
+    motion::Vector<D> result;
+    for (int k = 0; k < D; ++k) result[k] = numbers(k);
+    return result;
+}
+double number(const py::object& from, const char* name) {
+    return from.attr(name).cast<double>();
+}
+
+template <int D>
+motion::Box<D> box_of_corners(const py::object& object) {
+    const Rows rows(object, "box", D, D);
+    if (rows.size() != 2) throw py::value_error("box: two corners are needed");
+    motion::Box<D> box;
+    for (int k = 0; k < D; ++k) {
+        box.low[k] = rows.at(0, k);
+        box.high[k] = rows.at(1, k);
+    }
+    return box;
+}
+
+/// An obstacle by the class of signum.effects that it is of.
+template <int D>
+motion::Obstacle<D> obstacle_of(const py::object& object) {
+    const std::string kind = py::str(py::type::of(object).attr("__name__"));
+    if (kind == "HalfSpace")
+        return motion::HalfSpace<D>{vector_of<D>(object.attr("normal"), "normal"),
+                                    number(object, "offset"), number(object, "speed")};
+    if (kind == "Sphere") {
+        const py::object velocity = object.attr("velocity");
+        return motion::Sphere<D>{
+            vector_of<D>(object.attr("centre"), "centre"),
+            velocity.is_none() ? motion::Vector<D>{} : vector_of<D>(velocity, "velocity"),
+            number(object, "radius"),
+            object.attr("inside").cast<bool>() ? motion::Sphere<D>::Side::inside
+                                               : motion::Sphere<D>::Side::outside};
+    }
+    if constexpr (D == 2)
+        if (kind == "Segment")
+            return motion::Segment{vector_of<2>(object.attr("start"), "start"),
+                                   vector_of<2>(object.attr("end"), "end")};
+    throw py::value_error("obstacles: " + kind + " is none of the classes of signum.effects" +
+                          (D == 3 ? " for space" : ""));
+}
+
+/// The fields of a signum.effects.Effects.
+template <int D>
+motion::Effects<D> effects_of(const py::object& given) {
+    motion::Effects<D> effects;
+    const auto with = [&given](const char* name, auto&& then) {
+        const py::object field = given.attr(name);
+        if (!field.is_none()) then(field);
+    };
+    with("gravity", [&](const py::object& g) { effects.gravity = vector_of<D>(g, "gravity"); });
+    effects.restitution = number(given, "restitution");
+    effects.wall_restitution = number(given, "wall_restitution");
+    effects.contact_duration = number(given, "contact_duration");
+    effects.time_step = number(given, "time_step");
+    effects.periodic = given.attr("periodic").cast<bool>();
+    with("box", [&](const py::object& box) { effects.box = box_of_corners<D>(box); });
+    with("speed_law", [&](const py::object& law) {
+        effects.speed_law = motion::SpeedLaw{number(law, "speed"), number(law, "power")};
+    });
+    with("friction", [&](const py::object& f) {
+        const py::object inertia = f.attr("inertia");
+        effects.friction = motion::Friction{number(f, "coefficient"), number(f, "wall_coefficient"),
+                                            number(f, "tangential_restitution"),
+                                            inertia.is_none() ? (D == 2 ? 0.5 : 0.4)
+                                                              : inertia.cast<double>()};
+    });
+    with("shake", [&](const py::object& s) {
+        effects.shake = motion::Shake<D>{vector_of<D>(s.attr("amplitude"), "amplitude"),
+                                         number(s, "frequency"), number(s, "phase")};
+    });
+    with("growth", [&](const py::object& g) {
+        effects.growth = motion::Growth{number(g, "rate"), number(g, "until")};
+    });
+    with("fluid", [&](const py::object& f) {
+        motion::Fluid<D> fluid;
+        fluid.linear = number(f, "linear");
+        fluid.quadratic = number(f, "quadratic");
+        if (const py::object v = f.attr("velocity"); !v.is_none())
+            fluid.velocity = vector_of<D>(v, "velocity");
+        if (const py::object g = f.attr("gradient"); !g.is_none()) {
+            const Rows rows(g, "gradient", D, D);
+            if (rows.size() != D) throw py::value_error("gradient: a row an axis is needed");
+            for (int i = 0; i < D; ++i)
+                for (int k = 0; k < D; ++k)
+                    fluid.gradient[i][k] = rows.at(static_cast<std::size_t>(i), k);
+        }
+        effects.fluid = fluid;
+    });
+    with("contacts", [&](const py::object& c) {
+        effects.contacts = motion::LastingContacts{number(c, "speed"), number(c, "tolerance"),
+                                                   c.attr("sweeps").cast<int>()};
+    });
+    for (const py::handle obstacle : given.attr("obstacles"))
+        effects.obstacles.push_back(obstacle_of<D>(py::reinterpret_borrow<py::object>(obstacle)));
+    return effects;
+}
+
+template <int D>
+std::vector<motion::Body<D>> bodies_of(const Rows& rows) {
+    std::vector<motion::Body<D>> bodies(rows.size());
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        motion::Body<D>& body = bodies[i];
+        for (int k = 0; k < D; ++k) {
+            body.x[k] = rows.at(i, k);
+            body.v[k] = rows.at(i, D + 1 + k);
+        }
+        body.radius = rows.at(i, D);
+        const double r = body.radius;
+        body.mass = rows.columns() > 2 * D + 1 ? rows.at(i, 2 * D + 1) : D == 2 ? r * r : r * r * r;
+    }
+    return bodies;
+}
+
+/// A state and the effects that places at other times depend on.
+template <int D>
+struct StateAndEffects {
+    motion::State<D> state;
+    motion::Effects<D> effects;
+};
+template <int D>
+struct Running {
+    motion::Effects<D> effects;
+    motion::Simulation<D> simulation;
+};
+using State = std::variant<StateAndEffects<2>, StateAndEffects<3>>;
+using Simulation = Exclusive<std::variant<Running<2>, Running<3>>>;
+
+motion::Structure structure_of(const std::string& name) {
+    if (name == "auto") return motion::Structure::automatic;
+    return named(name, "structure", motion::all_structures);
+}
+
+template <int D>
+Running<D> started(const Rows& rows, const py::object& effects, const motion::Options& options) {
+    const motion::Effects<D> acting = effects_of<D>(effects);
+    const std::vector<motion::Body<D>> bodies = bodies_of<D>(rows);
+    try {
+        return watched([&](Watch&) {
+            const motion::State<D> state =
+                motion::start(std::span<const motion::Body<D>>(bodies), acting);
+            return Running<D>{acting, motion::Simulation<D>(state, acting, options)};
+        });
+    } catch (const motion::BallError& error) {
+        throw py::value_error("balls: row " + std::to_string(error.ball()) + ": " + error.what());
+    }
+}
+
+std::unique_ptr<Simulation> simulation(const py::object& balls, const py::object& effects,
+                                       const std::string& structure, const std::string& arithmetic) {
+    const Rows rows(balls, "balls", 5, 8);
+    motion::Options options;
+    options.structure = structure_of(structure);
+    if (arithmetic != "exact" && arithmetic != "naive")
+        throw py::value_error("arithmetic '" + arithmetic + "' is none of exact, naive");
+    options.kernel = arithmetic == "naive" ? motion::Kernel::naive : motion::Kernel::exact;
+    if (rows.columns() <= 6) return std::make_unique<Simulation>(started<2>(rows, effects, options));
+    return std::make_unique<Simulation>(started<3>(rows, effects, options));
+}
+
+/// visit(running) of the simulation, with the interpreter free.
+template <class Visit>
+auto with_running(Simulation& simulation, Visit visit) {
+    return watched([&](Watch& watch) {
+        return simulation.use([&](auto& either) {
+            return std::visit([&](auto& running) { return visit(running, watch); }, either);
+        });
+    });
+}
+
+const char* name_of(motion::Ending ending) noexcept {
+    switch (ending) {
+        case motion::Ending::until:
+            return "until";
+        case motion::Ending::strikes:
+            return "strikes";
+        case motion::Ending::nothing:
+            return "nothing";
+        case motion::Ending::stopped:
+            return "stopped";
+        case motion::Ending::collapse:
+            break;
+    }
+    return "collapse";
+}
+
+py::array log_of(std::vector<motion::Strike> strikes) {
+    const Owned<motion::Strike> kept = owned(std::move(strikes));
+    return view(kept.elements->data(), {static_cast<py::ssize_t>(kept.elements->size())},
+                {sizeof(motion::Strike)}, kept.base);
+}
+
+/// How it ended, and its log; where a signal ended it that is raised, and the log is lost.
+py::tuple run(Simulation& simulation, double until, const py::object& strikes, bool log,
+              const py::object& progress) {
+    motion::Limits limits;
+    limits.until = until;
+    if (!strikes.is_none()) limits.strikes = strikes.cast<std::uint64_t>();
+    std::vector<motion::Strike> all;
+    motion::Simulation<2>::Record record;
+    if (log) record = [&all](const motion::Strike& strike) { all.push_back(strike); };
+    const motion::Outcome outcome = watched(progress, [&](Watch& watch) {
+        limits.stop = watch.stop();
+        return simulation.use([&](auto& either) {
+            return std::visit(
+                [&](auto& running) { return running.simulation.run(limits, record); }, either);
+        });
+    });
+    return py::make_tuple(name_of(outcome.ending), log_of(std::move(all)));
+}
+
+State state_of(Simulation& simulation) {
+    return with_running(simulation, [](auto& running, Watch&) -> State {
+        return StateAndEffects{running.simulation.state(), running.effects};
+    });
+}
+
+py::dict counts(Simulation& simulation) {
+    const motion::Counts all =
+        with_running(simulation, [](auto& running, Watch&) { return running.simulation.counts(); });
+    py::dict result;
+    result["strikes"] = all.strikes;
+    result["checks"] = all.checks;
+    result["own"] = all.own;
+    result["stale"] = all.stale;
+    result["refined"] = all.refined;
+    result["exact"] = all.exact;
+    result["joins"] = all.joins;
+    result["breaks"] = all.breaks;
+    result["virial"] = all.virial;
+    return result;
+}
+
+/// Numbers of the balls in place: from `offset` numbers on.
+py::array part_of_balls(const py::object& self, int which) {
+    return std::visit(
+        [&](const auto& with_effects) {
+            using Balls = std::decay_t<decltype(with_effects.state.balls)>;
+            using Ball = typename Balls::value_type;
+            constexpr std::size_t d = sizeof(Ball::x) / sizeof(double);
+            constexpr std::size_t offsets[] = {0, d, 2 * d, 2 * d + 1};
+            return part<double>(std::span<const Ball>(with_effects.state.balls),
+                                offsets[static_cast<std::size_t>(which)], which < 2 ? d : 1, self);
+        },
+        self.cast<const State&>());
+}
+
+template <int D>
+py::array centres_at(const StateAndEffects<D>& with_effects, double time) {
+    std::vector<motion::Vector<D>> centres;
+    centres.reserve(with_effects.state.balls.size());
+    for (const motion::Ball<D>& ball : with_effects.state.balls)
+        centres.push_back(motion::centre(ball, time, with_effects.effects));
+    return table<double>(std::move(centres));
+}
+double time_of(const State& state) {
+    return std::visit([](const auto& with_effects) { return with_effects.state.time; }, state);
+}
+
+py::object closest_pair(const State& state) {
+    const auto pair = watched([&](Watch&) {
+        return std::visit(
+            [](const auto& with_effects) {
+                return motion::closest_pair(with_effects.state, with_effects.effects);
+            },
+            state);
+    });
+    if (!pair) return py::none();
+    return py::make_tuple(pair->a, pair->b, pair->gap);
+}
+
+void bind_simulation(py::module_& module) {
+    py::class_<Simulation>(module, "_Simulation")
+        .def(py::init(&simulation), py::arg("balls"), py::arg("effects"), py::arg("structure"),
+             py::arg("arithmetic"))
+        .def("run", &run, py::arg("until"), py::arg("strikes"), py::arg("log"), py::arg("progress"))
+        .def("state", &state_of)
+        .def("counts", &counts);
+}
+
+void bind_state(py::module_& module) {
+    py::class_<State>(module, "State", R"(Balls at one time: what Simulation.state() gives.
+
+Each ball's x and v are those at its own time, of its last strike, and exact; until its next strike it
+flies on. The arrays are read-only views of the state's memory.)")
+        .def_property_readonly("time", &time_of, "Nothing is left to do before it.")
+        .def_property_readonly(
+            "dimension", [](const State& state) { return state.index() == 0 ? 2 : 3; }, "2 or 3.")
+        .def_property_readonly(
+            "x", [](const py::object& self) { return part_of_balls(self, 0); },
+            "Centres at the balls' own times, float64 (n, dimension).")
+        .def_property_readonly(
+            "v", [](const py::object& self) { return part_of_balls(self, 1); },
+            "Velocities at the balls' own times, float64 (n, dimension).")
+        .def_property_readonly(
+            "radius", [](const py::object& self) { return part_of_balls(self, 2); },
+            "Radii at time 0, or at the end of a growth: float64 (n,).")
+        .def_property_readonly(
+            "own_time", [](const py::object& self) { return part_of_balls(self, 3); },
+            "The balls' own times, float64 (n,).")
+        .def_property_readonly(
+            "mass",
+            [](const py::object& self) {
+                return std::visit(
+                    [&](const auto& with_effects) {
+                        return column(std::span<const double>(with_effects.state.masses), self);
+                    },
+                    self.cast<const State&>());
+            },
+            "Masses, float64 (n,).")
+        .def("centres", [](const State& state, const py::object& time) {
+                const double at = time.is_none() ? time_of(state) : time.cast<double>();
+                return std::visit(
+                    [at](const auto& with_effects) { return centres_at(with_effects, at); }, state);
+            },
+            py::arg("time") = py::none(),
+            R"(All centres at one time, that of the state unless it is given: float64 (n, dimension).
+
+Rounded. What strikes after the state's time it does not know.)")
+        .def("closest_pair", &closest_pair,
+             R"((a, b, gap) of the two balls whose surfaces are nearest to each other; None of fewer than two.
+
+Which pair it is is exact, gap the nearest double. Raises ValueError where balls grow or there are time
+steps.)")
+        .def("__len__", [](const State& state) {
+                return std::visit(
+                    [](const auto& with_effects) { return with_effects.state.balls.size(); }, state);
+            },
+            "How many balls there are.");
+}
+
+}  // namespace
+
+void bind_motion(py::module_& module) {
+    using motion::Strike;
+    PYBIND11_NUMPY_DTYPE(Strike, time, wall, a, b, impulse);
+    bind_state(module);
+    bind_simulation(module);
+}
+
+}  // namespace signum::python

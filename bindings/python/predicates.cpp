@@ -1,0 +1,332 @@
+/// The predicates, for arrays of any shape.
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "../../exact/sign_of_sum.hpp"
+#include "../../motion/meeting_time.hpp"
+#include "../../predicates/ccw.hpp"
+#include "../../predicates/euclidean.hpp"
+#include "../../predicates/manhattan.hpp"
+#include "../../predicates/power.hpp"
+#include "../../predicates/space.hpp"
+#include "../../predicates/supremum.hpp"
+#include "broadcast.hpp"
+#include "names.hpp"
+#include "parts.hpp"
+
+namespace signum::python {
+namespace {
+
+Point point(const Row& row) {
+    return {row[0], row[1]};
+}
+Site site(const Row& row) {
+    return {row[0], row[1], row[2]};
+}
+power::Site weighted(const Row& row) {
+    return {row[0], row[1], row[2]};
+}
+Point3 point3(const Row& row) {
+    return {row[0], row[1], row[2]};
+}
+Site3 ball(const Row& row) {
+    return {row[0], row[1], row[2], row[3]};
+}
+power::Site3 weighted_ball(const Row& row) {
+    return {row[0], row[1], row[2], row[3]};
+}
+
+// Where a predicate says nothing, Python says so.
+void require(bool holds, const char* otherwise) {
+    if (!holds) throw std::invalid_argument(otherwise);
+}
+constexpr const char* no_circle = "no circle touches i, j and k counterclockwise (exists)";
+constexpr const char* no_sphere = "no sphere touches i, j, k and l, turned positively (exists)";
+
+// The same names in four namespaces, by a type.
+struct PowerSigns {
+    static bool exists(const auto& i, const auto& j, const auto& k) {
+        return power::exists(i, j, k);
+    }
+    static int in_circle(const auto& i, const auto& j, const auto& k, const auto& q) {
+        require(exists(i, j, k), no_circle);
+        return power::in_circle(i, j, k, q);
+    }
+    static int in_circle_infinite(const auto& a, const auto& b, const auto& q) {
+        require(a.x != b.x || a.y != b.y, "a and b have one centre");
+        return power::in_circle_infinite(a, b, q);
+    }
+    static bool hidden(const auto& q, const auto& i) { return power::hidden(q, i); }
+    static int nearer(const Point& p, const auto& a, const auto& b) {
+        return power::nearer(p, a, b);
+    }
+};
+#define SIGNUM_ADDITIVE_SIGNS(Name, space)                                                      \
+    struct Name {                                                                               \
+        static bool exists(const Site& i, const Site& j, const Site& k) {                       \
+            return space::exists(i, j, k);                                                      \
+        }                                                                                       \
+        static int in_circle(const Site& i, const Site& j, const Site& k, const Site& q) {      \
+            require(exists(i, j, k), no_circle);                                                \
+            require(!hidden(q, i) && !hidden(q, j) && !hidden(q, k), "q is hidden by i, j or k"); \
+            return space::in_circle(i, j, k, q);                                                \
+        }                                                                                       \
+        static int in_circle_infinite(const Site& a, const Site& b, const Site& q) {            \
+            require(!hidden(a, b) && !hidden(b, a), "one of a and b hides the other");          \
+            return space::in_circle_infinite(a, b, q);                                          \
+        }                                                                                       \
+        static bool hidden(const Site& q, const Site& i) { return space::hidden(q, i); }        \
+        static int nearer(const Point& p, const Site& a, const Site& b) {                       \
+            return space::nearer(p, a, b);                                                      \
+        }                                                                                       \
+    };
+SIGNUM_ADDITIVE_SIGNS(EuclideanSigns, euclidean)
+SIGNUM_ADDITIVE_SIGNS(ManhattanSigns, manhattan)
+SIGNUM_ADDITIVE_SIGNS(SupremumSigns, supremum)
+#undef SIGNUM_ADDITIVE_SIGNS
+
+/// ask(signs, site_of) with the predicates of the metric, and what makes a site of a row.
+template <class Ask>
+py::object in_metric(const std::string& name, const std::string& weight_is, Ask ask) {
+    const Metric metric = metric_of(name);
+    if (weight_of(weight_is) == WeightIs::weight) {
+        if (metric != Metric::power) throw std::invalid_argument(no_weights(metric));
+        return ask(PowerSigns{}, weighted);
+    }
+    return with_metric(metric, [&](auto type) -> py::object {
+        using Type = decltype(type);
+        if constexpr (std::is_same_v<Type, Power>) return ask(PowerSigns{}, site);
+        if constexpr (std::is_same_v<Type, Euclidean>) return ask(EuclideanSigns{}, site);
+        if constexpr (std::is_same_v<Type, Manhattan>) return ask(ManhattanSigns{}, site);
+        if constexpr (std::is_same_v<Type, Supremum>) return ask(SupremumSigns{}, site);
+    });
+}
+
+py::object ccw_of(const py::object& a, const py::object& b, const py::object& c,
+                  const py::object& d) {
+    if (d.is_none()) {
+        const Broadcast<3> all({a, b, c}, {{{"a", 2, 2}, {"b", 2, 2}, {"c", 2, 2}}});
+        return all([](const auto& r) { return ccw(point(r[0]), point(r[1]), point(r[2])); });
+    }
+    const Broadcast<4> all({a, b, c, d}, {{{"a", 3, 3}, {"b", 3, 3}, {"c", 3, 3}, {"d", 3, 3}}});
+    return all([](const auto& r) {
+        return ccw(point3(r[0]), point3(r[1]), point3(r[2]), point3(r[3]));
+    });
+}
+
+py::object exists(const py::object& i, const py::object& j, const py::object& k,
+                  const std::string& metric, const std::string& weight_is) {
+    const Broadcast<3> all({i, j, k}, {{{"i", 2, 3}, {"j", 2, 3}, {"k", 2, 3}}});
+    return in_metric(metric, weight_is, [&](auto signs, auto of) {
+        return all([of](const auto& r) { return decltype(signs)::exists(of(r[0]), of(r[1]), of(r[2])); });
+    });
+}
+
+py::object in_circle(const py::object& i, const py::object& j, const py::object& k,
+                     const py::object& q, const std::string& metric, const std::string& weight_is) {
+    const Broadcast<4> all({i, j, k, q}, {{{"i", 2, 3}, {"j", 2, 3}, {"k", 2, 3}, {"q", 2, 3}}});
+    return in_metric(metric, weight_is, [&](auto signs, auto of) {
+        return all([of](const auto& r) {
+            return decltype(signs)::in_circle(of(r[0]), of(r[1]), of(r[2]), of(r[3]));
+        });
+    });
+}
+
+py::object in_circle_infinite(const py::object& a, const py::object& b, const py::object& q,
+                              const std::string& metric, const std::string& weight_is) {
+    const Broadcast<3> all({a, b, q}, {{{"a", 2, 3}, {"b", 2, 3}, {"q", 2, 3}}});
+    return in_metric(metric, weight_is, [&](auto signs, auto of) {
+        return all([of](const auto& r) {
+            return decltype(signs)::in_circle_infinite(of(r[0]), of(r[1]), of(r[2]));
+        });
+    });
+}
+
+py::object hidden(const py::object& q, const py::object& i, const std::string& metric,
+                  const std::string& weight_is) {
+    const Broadcast<2> all({q, i}, {{{"q", 2, 3}, {"i", 2, 3}}});
+    return in_metric(metric, weight_is, [&](auto signs, auto of) {
+        return all([of](const auto& r) { return decltype(signs)::hidden(of(r[0]), of(r[1])); });
+    });
+}
+
+py::object nearer(const py::object& p, const py::object& a, const py::object& b,
+                  const std::string& metric, const std::string& weight_is) {
+    const Broadcast<3> all({p, a, b}, {{{"p", 2, 2}, {"a", 2, 3}, {"b", 2, 3}}});
+    return in_metric(metric, weight_is, [&](auto signs, auto of) {
+        return all([of](const auto& r) {
+            return decltype(signs)::nearer(point(r[0]), of(r[1]), of(r[2]));
+        });
+    });
+}
+
+template <class Shape>
+int in_sphere_of_facets(const std::array<Row, 5>& r, int number) {
+    const auto found = rectangular::spheres<Shape>(ball(r[0]), ball(r[1]), ball(r[2]), ball(r[3]));
+    require(!found.infinitely_many, "infinitely many spheres touch i, j, k and l");
+    require(number >= 0 && number < found.count, "so many spheres do not touch i, j, k and l");
+    return rectangular::in_sphere<Shape>(ball(r[0]), ball(r[1]), ball(r[2]), ball(r[3]), ball(r[4]),
+                                         static_cast<std::uint8_t>(number));
+}
+
+py::object in_sphere(const py::object& i, const py::object& j, const py::object& k,
+                     const py::object& l, const py::object& q, const std::string& name,
+                     const std::string& weight_is, int number) {
+    const Broadcast<5> all({i, j, k, l, q}, {{{"i", 3, 4}, {"j", 3, 4}, {"k", 3, 4}, {"l", 3, 4},
+                                              {"q", 3, 4}}});
+    const Metric metric = metric_of(name);
+    const bool weights = weight_of(weight_is) == WeightIs::weight;
+    if (weights && metric != Metric::power) throw std::invalid_argument(no_weights(metric));
+    const auto in_power = [](const auto& a, const auto& b, const auto& c, const auto& d,
+                             const auto& e) {
+        require(ccw(a, b, c, d) > 0, no_sphere);
+        return power::in_sphere(a, b, c, d, e);
+    };
+    switch (metric) {
+        case Metric::power:
+            if (weights)
+                return all([&](const auto& r) {
+                    return in_power(weighted_ball(r[0]), weighted_ball(r[1]), weighted_ball(r[2]),
+                                    weighted_ball(r[3]), weighted_ball(r[4]));
+                });
+            return all([&](const auto& r) {
+                return in_power(ball(r[0]), ball(r[1]), ball(r[2]), ball(r[3]), ball(r[4]));
+            });
+        case Metric::euclidean:
+            return all([](const auto& r) {
+                require(euclidean::exists(ball(r[0]), ball(r[1]), ball(r[2]), ball(r[3])), no_sphere);
+                return euclidean::in_sphere(ball(r[0]), ball(r[1]), ball(r[2]), ball(r[3]),
+                                            ball(r[4]));
+            });
+        case Metric::manhattan:
+            return all([number](const auto& r) {
+                return in_sphere_of_facets<rectangular::Octahedron>(r, number);
+            });
+        case Metric::supremum:
+            break;
+    }
+    return all([number](const auto& r) {
+        return in_sphere_of_facets<rectangular::Cube>(r, number);
+    });
+}
+
+py::object sign_of_sum_along(const py::object& terms, int axis) {
+    py::array array = doubles(terms);
+    if (array.ndim() == 0) throw py::value_error("terms: an array of at least one axis is needed");
+    if (axis < -array.ndim() || axis >= array.ndim())
+        throw py::value_error("axis: there is no such axis");
+    array = array.attr("swapaxes")(axis, -1);
+    const py::ssize_t count = array.shape(array.ndim() - 1);
+    if (count > std::numeric_limits<int>::max()) throw py::value_error("terms: too many");
+    const auto most = static_cast<int>(count);
+    const Broadcast<1> all({array}, {{{"terms", most, most}}});
+    std::vector<double> sum(static_cast<std::size_t>(count));
+    py::object result = all([&](const auto& r) {
+        for (int k = 0; k < most; ++k) sum[static_cast<std::size_t>(k)] = r[0][k];
+        return sign_of_sum(sum);
+    });
+    // The last axis has taken the place of the one that is gone.
+    if (array.ndim() < 3) return result;
+    const int place = axis < 0 ? axis + static_cast<int>(array.ndim()) : axis;
+    if (place == array.ndim() - 1) return result;
+    return py::module_::import("numpy").attr("moveaxis")(result, place, -1);
+}
+
+template <int D>
+motion::GrowingBall<D> flying(const Row& row) {
+    motion::GrowingBall<D> result;
+    for (int k = 0; k < D; ++k) {
+        result.x[k] = row[k];
+        result.v[k] = row[D + 1 + k];
+    }
+    result.radius = row[D];
+    if (result.radius < 0.0) throw std::invalid_argument("a radius is negative");
+    return result;
+}
+
+template <int D>
+py::object meetings(const py::object& a, const py::object& b, double until,
+                    const py::object& periodic_box) {
+    constexpr int columns = 2 * D + 1;
+    motion::Effects<D> effects;
+    if (!periodic_box.is_none()) {
+        const Rows box(periodic_box, "periodic_box", D, D);
+        if (box.size() != 2) throw py::value_error("periodic_box: two corners are needed");
+        effects.periodic = true;
+        effects.box.emplace();
+        for (int k = 0; k < D; ++k) {
+            effects.box->low[k] = box.at(0, k);
+            effects.box->high[k] = box.at(1, k);
+            if (!(box.at(0, k) < box.at(1, k)))
+                throw py::value_error("periodic_box: the first corner must be below the second");
+        }
+    }
+    const Broadcast<2> all({a, b}, {{{"a", columns, columns}, {"b", columns, columns}}});
+    return all([&](const auto& r) {
+        return motion::meeting_time(flying<D>(r[0]), flying<D>(r[1]), effects, until);
+    });
+}
+
+py::object meeting_time(const py::object& a, const py::object& b, double until,
+                        const py::object& periodic_box) {
+    const py::array balls = doubles(a);
+    const bool in_space = balls.ndim() > 0 && balls.shape(balls.ndim() - 1) == 7;
+    return in_space ? meetings<3>(a, b, until, periodic_box) : meetings<2>(a, b, until, periodic_box);
+}
+
+}  // namespace
+
+void bind_predicates(py::module_& module) {
+    const auto metric = py::arg("metric") = "euclidean";
+    const auto weight_is = py::arg("weight_is") = "radius";
+    module.def("ccw", &ccw_of, py::arg("a"), py::arg("b"), py::arg("c"), py::arg("d") = py::none(),
+               R"(The orientation of three points of the plane, or of four of space, exactly.
+
++1 where a, b, c turn counterclockwise (in space where det(b-a, c-a, d-a) > 0), 0 where they lie on one
+line (in one plane), -1 otherwise. This and all predicates: the last axis of an operand is a point or a
+site, the others are matched as NumPy's functions match them; the answer is an array of int8, or an int
+where there is one row. Raises ValueError naming the row of a number that is not finite, or for which a
+predicate has no meaning. Other threads run meanwhile.)");
+    module.def("exists", &exists, py::arg("i"), py::arg("j"), py::arg("k"), metric, py::kw_only(), weight_is,
+               "Whether a circle of the metric touches i, j and k counterclockwise: bool. See ccw().");
+    module.def("in_circle", &in_circle, py::arg("i"), py::arg("j"), py::arg("k"), py::arg("q"), metric,
+               py::kw_only(), weight_is,
+               R"(Whether q is nearer to the centre of the circle around i, j and k than these, exactly.
+
++1 where it is, 0 where it touches the circle, -1 otherwise; sites are x, y and a radius, 0 where it is
+left out. Raises ValueError where exists(i, j, k) is false and, but for the power metric, where one of
+them hides q. See ccw().)");
+    module.def("in_circle_infinite", &in_circle_infinite, py::arg("a"), py::arg("b"), py::arg("q"), metric,
+               py::kw_only(), weight_is,
+               R"(in_circle() at the hull edge from a to b, all other sites on its left.
+
+Raises ValueError where a and b have no such edge: in the power metric those with one centre, in the others
+where one hides the other. See ccw().)");
+    module.def("hidden", &hidden, py::arg("q"), py::arg("i"), metric, py::kw_only(), weight_is,
+               "Whether i alone hides q, the same place and size included: bool. See ccw().");
+    module.def("nearer", &nearer, py::arg("p"), py::arg("a"), py::arg("b"), metric, py::kw_only(), weight_is,
+               R"(Which of two sites is nearer to a point: +1 for a, -1 for b.
+
+0 in the power metric where both are as near; in the others the larger radius wins, then the smaller x and
+y, then a. See ccw().)");
+    module.def("in_sphere", &in_sphere, py::arg("i"), py::arg("j"), py::arg("k"), py::arg("l"), py::arg("q"),
+               py::arg("metric") = "power", py::kw_only(), weight_is, py::arg("sphere") = 0,
+               R"(in_circle() of space: sites are x, y, z and a radius, 0 where it is left out.
+
+i, j, k and l must turn positively, as in ccw(). In the Manhattan and the supremum metric several spheres
+may touch four sites: sphere says which one. Raises ValueError where there is none. See ccw().)");
+    module.def("sign_of_sum", &sign_of_sum_along, py::arg("terms"), py::arg("axis") = -1,
+               "The exact sign of sums of doubles along an axis: int8, or an int for one sum. See ccw().");
+    module.def("meeting_time", &meeting_time, py::arg("a"), py::arg("b"), py::kw_only(),
+               py::arg("until") = std::numeric_limits<double>::infinity(),
+               py::arg("periodic_box") = py::none(),
+               R"(When two balls in flight meet: float64, or a float for one pair; inf for never.
+
+Balls are x, y, r, vx, vy, or x, y, z, r, vx, vy, vz, and fly from time 0 on. The double nearest to the
+exact time at which the gap between them closes. periodic_box: two corners; then until must be finite, or
+the search may not end (ValueError). Errors as those of ccw(), and for a negative radius.)");
+}
+
+}  // namespace signum::python

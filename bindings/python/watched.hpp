@@ -1,0 +1,114 @@
+#pragma once
+/// Long work: the interpreter is free while it runs, and is looked after now and then, so that Ctrl-C
+/// ends it and who asked is told how far it has come.
+
+#include <atomic>
+#include <chrono>
+#include <exception>
+#include <functional>
+#include <stdexcept>
+#include <stop_token>
+#include <utility>
+
+#include <pybind11/pybind11.h>
+
+#include "../../triangulation/options.hpp"
+
+namespace signum::python {
+
+namespace py = pybind11;
+
+/// Of one piece of work. Made and destroyed by who holds the interpreter, asked by who does not.
+class Watch {
+ public:
+    explicit Watch(py::object progress) : progress_(std::move(progress)) {}
+
+    [[nodiscard]] std::stop_token token() const noexcept { return source_.get_token(); }
+    [[nodiscard]] bool stops() const noexcept { return source_.stop_requested(); }
+    /// Looks after the interpreter, ten times a second at most.
+    void look(double share) noexcept {
+        const auto now = std::chrono::steady_clock::now();
+        if (now - last_ < std::chrono::milliseconds(100)) return;
+        const py::gil_scoped_acquire held;
+        try {
+            if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+            if (!progress_.is_none()) progress_(share);
+        } catch (...) {
+            error_ = std::current_exception();
+            source_.request_stop();
+        }
+        last_ = std::chrono::steady_clock::now();
+    }
+    /// The same in a loop of one's own. Throws Stopped.
+    void at(std::size_t done, std::size_t all) {
+        if (done % 1024 != 0) return;
+        look(static_cast<double>(done) / static_cast<double>(all));
+        if (stops()) throw Stopped();
+    }
+    [[nodiscard]] std::function<void(double)> progress() {
+        return [this](double share) { look(share); };
+    }
+    /// For who asks whether to stop.
+    [[nodiscard]] std::function<bool()> stop() {
+        return [this] {
+            look(0.0);
+            return stops();
+        };
+    }
+    void rethrow() const {
+        if (error_) std::rethrow_exception(error_);
+    }
+
+ private:
+    py::object progress_;
+    std::stop_source source_;
+    std::exception_ptr error_;
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+/// What work(watch) gives. Throws what a signal or the progress callback threw.
+template <class Work>
+auto watched(const py::object& progress, Work&& work) {
+    Watch watch(progress);
+    try {
+        auto result = [&] {
+            const py::gil_scoped_release released;
+            return std::forward<Work>(work)(watch);
+        }();
+        watch.rethrow();
+        return result;
+    } catch (const Stopped&) {
+        watch.rethrow();
+        throw;
+    }
+}
+template <class Work>
+auto watched(Work&& work) {
+    return watched(py::none(), std::forward<Work>(work));
+}
+
+/// Something that changes: one call at a time. As the interpreter is free while a call runs, another
+/// thread, or a callback, may come in between.
+template <class Value>
+class Exclusive {
+ public:
+    template <class... Arguments>
+    explicit Exclusive(Arguments&&... arguments) : value_(std::forward<Arguments>(arguments)...) {}
+
+    /// Throws std::runtime_error where a call is running.
+    template <class Use>
+    decltype(auto) use(Use&& with) {
+        if (busy_.test_and_set()) throw std::runtime_error("another call is using this object");
+        struct Release {
+            std::atomic_flag& flag;
+            ~Release() { flag.clear(); }
+        } const release{busy_};
+        return std::forward<Use>(with)(value_);
+    }
+
+ private:
+    Value value_;
+    std::atomic_flag busy_;
+};
+
+}  // namespace signum::python
