@@ -1,5 +1,5 @@
-/// CGAL's triangulations on signum's predicates beside CGAL's on its own kernel's, interleaved: what
-/// interop/cgal.hpp is worth.
+/// CGAL's triangulations on signum's predicates beside CGAL's on its own kernel's, interleaved:
+/// what interop/cgal.hpp is worth.
 ///
 /// usage: interop_benchmark [--sites=100000] [Google Benchmark's options]
 
@@ -117,8 +117,8 @@ std::vector<Kernel::Point_3> sphere(std::int64_t n) {
 /// Points that weigh up to `largest`, or all the same.
 template <class P>
 auto weighted(const std::vector<P>& points, double largest) {
-    using Weighted =
-        std::conditional_t<std::same_as<P, Kernel::Point_2>, Kernel::Weighted_point_2, Kernel::Weighted_point_3>;
+    using Weighted = std::conditional_t<std::same_as<P, Kernel::Point_2>, Kernel::Weighted_point_2,
+                                        Kernel::Weighted_point_3>;
     Random random(2);
     std::vector<Weighted> result;
     for (const P& p : points) result.emplace_back(p, largest * uniform(random));
@@ -144,10 +144,12 @@ std::size_t hash_of(const Triangulation& triangulation) {
     };
     if constexpr (requires { triangulation.finite_cell_handles(); }) {
         for (const auto c : triangulation.finite_cell_handles())
-            for (int k = 0; k < 4; ++k) add(triangulation.geom_traits().construct_point_3_object()(c->vertex(k)->point()));
+            for (int k = 0; k < 4; ++k)
+                add(triangulation.geom_traits().construct_point_3_object()(c->vertex(k)->point()));
     } else {
         for (const auto f : triangulation.finite_face_handles())
-            for (int k = 0; k < 3; ++k) add(triangulation.geom_traits().construct_point_2_object()(f->vertex(k)->point()));
+            for (int k = 0; k < 3; ++k)
+                add(triangulation.geom_traits().construct_point_2_object()(f->vertex(k)->point()));
     }
     return hash;
 }
@@ -164,8 +166,8 @@ class Contest {
     /// Whether all results agree.
     [[nodiscard]] bool print(const Measurements& measured) const {
         constexpr double millisecond = 1e-3;
-        print_header({"CGAL's", fmt::format("kernel of CGAL {}, ms", CGAL_VERSION_STR), "signum's predicates, ms",
-                      "kernel / signum"});
+        print_header({"CGAL's", fmt::format("kernel of CGAL {}, ms", CGAL_VERSION_STR),
+                      "signum's predicates, ms", "kernel / signum"});
         bool agree = true;
         for (const std::string& name : names_) {
             const std::string kernel = name + ", kernel";
@@ -185,14 +187,16 @@ class Contest {
  private:
     template <class Triangulation, class P>
     void add_one(const std::string& name, std::shared_ptr<const std::vector<P>> points) {
-        benchmark::RegisterBenchmark(name.c_str(), [points, name, hashes = hashes_](benchmark::State& state) {
-            for (auto _ : state) {
-                const Triangulation triangulation(points->begin(), points->end());
-                state.PauseTiming();
-                (*hashes)[name] = hash_of(triangulation);
-                state.ResumeTiming();
-            }
-        })
+        benchmark::RegisterBenchmark(name.c_str(),
+                                     [points, name, hashes = hashes_](benchmark::State& state) {
+                                         for (auto _ : state) {
+                                             const Triangulation triangulation(points->begin(),
+                                                                               points->end());
+                                             state.PauseTiming();
+                                             (*hashes)[name] = hash_of(triangulation);
+                                             state.ResumeTiming();
+                                         }
+                                     })
             ->Iterations(1)
             ->Unit(benchmark::kMillisecond);
     }
@@ -235,7 +239,8 @@ int main(int argc, char** argv) {
     contest.add<Delaunay3>("Delaunay_triangulation_3, turned lattice", turned_lattice(n));
     contest.add<Delaunay3>("Delaunay_triangulation_3, sphere", sphere(n / 10));
     contest.add<Regular3>("Regular_triangulation_3, random", weighted(cube(n), in_space));
-    contest.add<Regular3>("Regular_triangulation_3, lattice of equal weights", weighted(lattice(n), 0.0));
+    contest.add<Regular3>("Regular_triangulation_3, lattice of equal weights",
+                          weighted(lattice(n), 0.0));
     contest.add<Regular3>("Regular_triangulation_3, sphere", weighted(sphere(n / 10), 0.0));
     return contest.print(run_interleaved(argc, argv, 7)) ? 0 : 1;
 }

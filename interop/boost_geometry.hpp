@@ -47,7 +47,8 @@ template <std::ranges::input_range Range>
     using Element = std::ranges::range_value_t<Range>;
     static_assert(std::is_same_v<typename bg::tag<Element>::type, bg::point_tag>,
                   "signum takes sites from a range of points");
-    static_assert(bg::dimension<Element>::value == 2, "signum takes sites of the plane from points of the plane");
+    static_assert(bg::dimension<Element>::value == 2,
+                  "signum takes sites of the plane from points of the plane");
     static_assert(std::is_same_v<typename bg::coordinate_system<Element>::type, bg::cs::cartesian>,
                   "signum measures in the plane: project longitudes and latitudes first");
     using Number = typename bg::coordinate_type<Element>::type;
@@ -57,14 +58,15 @@ template <std::ranges::input_range Range>
     std::vector<Point> result;
     if constexpr (std::ranges::sized_range<Range>) result.reserve(std::ranges::size(range));
     for (const Element& point : range)
-        result.push_back({static_cast<double>(bg::get<0>(point)), static_cast<double>(bg::get<1>(point))});
+        result.push_back(
+            {static_cast<double>(bg::get<0>(point)), static_cast<double>(bg::get<1>(point))});
     return result;
 }
 
 /// The part of a site's cell that lies in the box of the diagram: a polygon for each piece into
 /// which the box cuts it, arcs to within `tolerance` (voronoi/polygon.hpp). Cells have no holes.
-/// Empty for a hidden site and, without a box, where the cell is unbounded. Closed and turned as the
-/// polygon's type says. Throws std::out_of_range where there is no such site,
+/// Empty for a hidden site and, without a box, where the cell is unbounded. Closed and turned as
+/// the polygon's type says. Throws std::out_of_range where there is no such site,
 /// std::invalid_argument unless the tolerance is positive.
 template <class Multi = MultiPolygon>
 [[nodiscard]] Multi cell(const ClippedVoronoi& diagram, Index site, double tolerance) {

@@ -3,9 +3,10 @@
 ///
 /// Laws:
 ///  1. Traits<Kernel> is Kernel, whose numbers are doubles, with other predicates: those that the
-///     Delaunay and regular triangulations of plane and space ask while they are built, searched and
-///     checked. Each has the sign that the kernel's own has, for all finite doubles, so that the
-///     triangulation is the same. Points, constructions and all other predicates are the kernel's.
+///     Delaunay and regular triangulations of plane and space ask while they are built, searched
+///     and checked. Each has the sign that the kernel's own has, for all finite doubles, so that
+///     the triangulation is the same. Points, constructions and all other predicates are the
+///     kernel's.
 ///  2. CGAL decides ties by its own rule, by the order of coordinates. Where all weights are equal
 ///     signum's rule chooses the same; otherwise either choice is valid.
 ///  3. CGAL's points carry a weight, signum's Site a radius, whose square need not be a double. So
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -28,6 +30,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_structural_filtering_traits.h>
+#include <CGAL/Unique_hash_map.h>
 #include <CGAL/enum.h>
 
 #include "../core/index.hpp"
@@ -43,12 +46,17 @@ namespace signum::cgal {
 
 namespace details {
 
-// ---- points ------------------------------------------------------------------------------------
+// ---- points -------------------------------------------------------------------------------------
 
 /// One of CGAL's points, plain or weighted, of the plane or of space, as one of ours.
 template <class P>
-[[nodiscard]] inline auto ours(const P& p) noexcept {
-    if constexpr (requires { p.weight(); p.z(); })
+[[nodiscard, gnu::always_inline]] inline auto ours(const P& p) noexcept {
+    if constexpr (HasCentre<P> || HasCentre3<P>)
+        return p;
+    else if constexpr (requires {
+                           p.weight();
+                           p.z();
+                       })
         return power::Site3{p.x(), p.y(), p.z(), p.weight()};
     else if constexpr (requires { p.weight(); })
         return power::Site{p.x(), p.y(), p.weight()};
@@ -61,7 +69,10 @@ template <class P>
 /// And the other way.
 template <class P, class S>
 [[nodiscard]] P theirs(const S& s) {
-    if constexpr (requires { s.w; s.z; })
+    if constexpr (requires {
+                      s.w;
+                      s.z;
+                  })
         return P({s.x, s.y, s.z}, s.w);
     else if constexpr (requires { s.w; })
         return P({s.x, s.y}, s.w);
@@ -77,67 +88,185 @@ template <class CgalSign>
     return static_cast<CgalSign>(sign);
 }
 
-// ---- which side of a circle or sphere, however its points turn -----------------------------------
+// ---- ties on grids ------------------------------------------------------------------------------
 
-[[nodiscard]] inline Sign turn(const Point& a, const Point& b, const Point& c) noexcept {
-    return ccw(a, b, c);
+/// Places relative to one of them, in multiples of one power of two: integers of so few bits that
+/// determinants fit into 64. On grids, where ties abound, that is as fast as a filter.
+template <class S, std::size_t number>
+class SmallOffsets {
+ public:
+    /// From sites[origin]; the largest offset has `bits` bits.
+    SmallOffsets(const S* const (&sites)[number], std::size_t origin, int bits) noexcept {
+        double largest = 0.0;
+        for (std::size_t m = 0; m < number; ++m)
+            for (std::size_t k = 0; k < dimension; ++k) {
+                const double offset = sites[m]->*axes[k] - sites[origin]->*axes[k];
+                largest = std::max(largest, filters::magnitude(offset));
+            }
+        if (!filters::environment_is_default()) return;
+        if (!(largest >= 0x1p-500 && largest <= 0x1p500)) return;
+        constexpr std::uint64_t exponent = 0x7FF0'0000'0000'0000;
+        const double scale =
+            std::bit_cast<double>((std::uint64_t(2 * 1023 + bits - 1) << 52) -
+                                  (std::bit_cast<std::uint64_t>(largest) & exponent));
+        are_exact_ = true;
+        for (std::size_t m = 0; m < number; ++m)
+            for (std::size_t k = 0; k < dimension; ++k)
+                offsets_[m][k] = integer(sites[m]->*axes[k] * scale);
+        for (std::size_t k = 0; k < dimension; ++k) {
+            const std::int64_t from = offsets_[origin][k];
+            for (std::size_t m = 0; m < number; ++m) offsets_[m][k] -= from;
+        }
+    }
+
+    [[nodiscard]] bool are_exact() const noexcept { return are_exact_; }
+    [[nodiscard]] std::int64_t operator()(std::size_t site, std::size_t axis) const noexcept {
+        return offsets_[site][axis];
+    }
+    [[nodiscard]] predicates::Offset3<std::int64_t> operator[](std::size_t site) const noexcept {
+        return {offsets_[site][0], offsets_[site][1], offsets_[site][2]};
+    }
+
+ private:
+    static constexpr std::size_t dimension = HasCentre3<S> ? 3 : 2;
+    static constexpr auto axes = [] {
+        if constexpr (dimension == 3)
+            return std::array{&S::x, &S::y, &S::z};
+        else
+            return std::array{&S::x, &S::y};
+    }();
+
+    [[nodiscard]] std::int64_t integer(double value) noexcept {
+        if (!(filters::magnitude(value) <= 0x1p62)) {
+            are_exact_ = false;
+            return 0;
+        }
+        const auto result = static_cast<std::int64_t>(value);
+        are_exact_ &= static_cast<double>(result) == value;
+        return result;
+    }
+
+    bool are_exact_ = false;
+    std::array<std::array<std::int64_t, dimension>, number> offsets_{};
+};
+
+template <class S, class... Others>
+[[nodiscard]] inline bool weigh_the_same(const S& first, const Others&... others) noexcept {
+    if constexpr (requires { first.w; })
+        return ((others.w == first.w) && ...);
+    else
+        return true;
 }
-[[nodiscard]] inline Sign turn(const power::Site& a, const power::Site& b,
-                               const power::Site& c) noexcept {
-    return ccw(a, b, c);
+
+// ---- signs, however the points turn -------------------------------------------------------------
+
+template <class S>
+[[nodiscard, gnu::cold, gnu::noinline]] Sign turn_uncertain(const S& p, const S& q,
+                                                            const S& r) noexcept {
+    // Two products of 60 bits.
+    const SmallOffsets from({&p, &q, &r}, 2, 30);
+    if (from.are_exact()) {
+        const auto determinant = predicates::ccw_determinant<std::int64_t>(from(0, 0), from(0, 1),
+                                                                           from(1, 0), from(1, 1));
+        return (determinant > 0) - (determinant < 0);
+    }
+    return predicates::ccw_cold({p.x, p.y}, {q.x, q.y}, {r.x, r.y}).sign;
 }
-template <power::PowerSite3 S>
-[[nodiscard]] inline Sign turn(const S& a, const S& b, const S& c, const S& d) noexcept {
-    return ccw(a, b, c, d);
+template <class S>
+[[nodiscard, gnu::cold, gnu::noinline]] Sign turn_uncertain(const S& p, const S& q, const S& r,
+                                                            const S& s) noexcept {
+    // Six products of 57 bits.
+    const SmallOffsets from({&p, &q, &r, &s}, 0, 19);
+    if (from.are_exact()) {
+        const std::int64_t determinant = predicates::ccw_determinant(from[1], from[2], from[3]);
+        return (determinant > 0) - (determinant < 0);
+    }
+    return predicates::ccw_cold(centre3(p), centre3(q), centre3(r), centre3(s)).sign;
+}
+/// The orientation of three points of the plane or four of space.
+template <class... S>
+[[nodiscard]] inline Sign turn(const S&... points) noexcept {
+    const filters::Verdict verdict = predicates::ccw_filter(points...);
+    if (verdict.is_certain()) [[likely]]
+        return verdict.sign();
+    return turn_uncertain(points...);
 }
 
 /// The sign of the determinant where the filter leaves it open. It changes with every exchange of
 /// two sites; so the last one is exchanged until the others turn, and turned positively. Where none
 /// do, all sites are in one line or plane, and it is 0.
-template <power::PowerSite S>
-[[nodiscard, gnu::cold, gnu::noinline]] Sign side_of_circle_uncertain(std::array<S, 4> m) noexcept {
-    for (std::size_t k = 4; k-- > 0;) {
-        std::swap(m[k], m[3]);
-        const Sign exchanged = k == 3 ? 1 : -1;
-        const Sign around = ccw(m[0], m[1], m[2]);
+template <class S>
+[[nodiscard, gnu::cold, gnu::noinline]] Sign side_of_circle_uncertain(const S& p, const S& q,
+                                                                      const S& r,
+                                                                      const S& t) noexcept {
+    if (weigh_the_same(p, q, r, t)) {
+        // Heights of 29 bits, minors of 29, three products of 58.
+        const SmallOffsets from({&p, &q, &r, &t}, 3, 14);
+        if (from.are_exact()) {
+            const auto row = [&](std::size_t k) {
+                return power::Row<std::int64_t>{from(k, 0), from(k, 1), 0};
+            };
+            const std::int64_t determinant = power::in_circle_determinant(row(0), row(1), row(2));
+            return (determinant > 0) - (determinant < 0);
+        }
+    }
+    std::array m = {p, q, r, t};
+    for (std::size_t last = 4; last-- > 0;) {
+        std::swap(m[last], m[3]);
+        const Sign exchanged = last == 3 ? 1 : -1;
+        const Sign around = turn(m[0], m[1], m[2]);
         if (around > 0) return exchanged * power::in_circle_cold(m[0], m[1], m[2], m[3]).sign;
         if (around < 0) return -exchanged * power::in_circle_cold(m[1], m[0], m[2], m[3]).sign;
-        std::swap(m[k], m[3]);
+        std::swap(m[last], m[3]);
     }
     return 0;
 }
-template <power::PowerSite3 S>
-[[nodiscard, gnu::cold, gnu::noinline]] Sign side_of_sphere_uncertain(std::array<S, 5> m) noexcept {
-    for (std::size_t k = 5; k-- > 0;) {
-        std::swap(m[k], m[4]);
-        const Sign exchanged = k == 4 ? 1 : -1;
-        const Sign around = ccw(m[0], m[1], m[2], m[3]);
-        if (around > 0)
-            return exchanged * power::in_sphere_cold(m[0], m[1], m[2], m[3], m[4]).sign;
+template <class S>
+[[nodiscard, gnu::cold, gnu::noinline]] Sign side_of_sphere_uncertain(const S& p, const S& q,
+                                                                      const S& r, const S& s,
+                                                                      const S& t) noexcept {
+    if (weigh_the_same(p, q, r, s, t)) {
+        // Heights of 24 bits, minors of three rows of 36, four products of 60.
+        const SmallOffsets from({&p, &q, &r, &s, &t}, 4, 11);
+        if (from.are_exact()) {
+            const auto row = [&](std::size_t k) {
+                return power::LiftedRow<std::int64_t>{from[k], 0};
+            };
+            const std::int64_t determinant =
+                power::in_sphere_determinant(row(0), row(1), row(2), row(3));
+            return (determinant > 0) - (determinant < 0);
+        }
+    }
+    std::array m = {p, q, r, s, t};
+    for (std::size_t last = 5; last-- > 0;) {
+        std::swap(m[last], m[4]);
+        const Sign exchanged = last == 4 ? 1 : -1;
+        const Sign around = turn(m[0], m[1], m[2], m[3]);
+        if (around > 0) return exchanged * power::in_sphere_cold(m[0], m[1], m[2], m[3], m[4]).sign;
         if (around < 0)
             return -exchanged * power::in_sphere_cold(m[1], m[0], m[2], m[3], m[4]).sign;
-        std::swap(m[k], m[4]);
+        std::swap(m[last], m[4]);
     }
     return 0;
 }
 /// +1 where t conflicts with p, q, r, which turn counterclockwise; -1 where these turn clockwise.
-template <power::PowerSite S>
+template <class S>
 [[nodiscard]] inline Sign side_of_circle(const S& p, const S& q, const S& r, const S& t) noexcept {
     const filters::Verdict verdict = power::in_circle_filter(p, q, r, t);
     if (verdict.is_certain()) [[likely]]
         return verdict.sign();
-    return side_of_circle_uncertain<S>({p, q, r, t});
+    return side_of_circle_uncertain(p, q, r, t);
 }
-template <power::PowerSite3 S>
+template <class S>
 [[nodiscard]] inline Sign side_of_sphere(const S& p, const S& q, const S& r, const S& s,
                                          const S& t) noexcept {
     const filters::Verdict verdict = power::in_sphere_filter(p, q, r, s, t);
     if (verdict.is_certain()) [[likely]]
         return verdict.sign();
-    return side_of_sphere_uncertain<S>({p, q, r, s, t});
+    return side_of_sphere_uncertain(p, q, r, s, t);
 }
 
-// ---- circles in a plane of space -----------------------------------------------------------------
+// ---- circles in a plane of space ----------------------------------------------------------------
 
 /// The same site elsewhere along an axis, about as far as `extent`, toward 0. Not a matter of
 /// rounding: any other place will do, near ones make for certain filters.
@@ -164,10 +293,10 @@ template <power::PowerSite3 S>
 [[nodiscard]] inline Sign conflict_in_plane(const S& p, const S& q, const S& r,
                                             const S& t) noexcept {
     double S::*axis = &S::z;
-    if (ccw(Point{p.x, p.y}, Point{q.x, q.y}, Point{r.x, r.y}) == 0)
-        axis = ccw(Point{p.y, p.z}, Point{q.y, q.z}, Point{r.y, r.z}) != 0 ? &S::x : &S::y;
+    if (turn(Point{p.x, p.y}, Point{q.x, q.y}, Point{r.x, r.y}) == 0)
+        axis = turn(Point{p.y, p.z}, Point{q.y, q.z}, Point{r.y, r.z}) != 0 ? &S::x : &S::y;
     const S apex = moved(p, axis, std::max(extent_of(p, q), extent_of(p, r)));
-    return side_of_sphere(p, q, r, apex, t) * ccw(p, q, r, apex);
+    return side_of_sphere(p, q, r, apex, t) * turn(p, q, r, apex);
 }
 /// The same for the segment of p and q, by two apexes. Precondition: p and q are not at one place.
 template <power::PowerSite3 S>
@@ -177,7 +306,7 @@ template <power::PowerSite3 S>
     const double extent = extent_of(p, q);
     const S one = moved(p, along_x ? &S::y : &S::x, extent);
     const S other = moved(p, along_x || along_y ? &S::z : &S::y, extent);
-    return side_of_sphere(p, q, one, other, t) * ccw(p, q, one, other);
+    return side_of_sphere(p, q, one, other, t) * turn(p, q, one, other);
 }
 /// The same at one place: who weighs more.
 template <class S>
@@ -193,19 +322,19 @@ template <class Visit>
     const auto xy = [](const Point3& m) -> Point { return {m.x, m.y}; };
     const auto yz = [](const Point3& m) -> Point { return {m.y, m.z}; };
     const auto xz = [](const Point3& m) -> Point { return {m.x, m.z}; };
-    if (const Sign sign = ccw(xy(p), xy(q), xy(r)); sign != 0) return visit(sign, xy);
-    if (const Sign sign = ccw(yz(p), yz(q), yz(r)); sign != 0) return visit(sign, yz);
-    return visit(ccw(xz(p), xz(q), xz(r)), xz);
+    if (const Sign sign = turn(xy(p), xy(q), xy(r)); sign != 0) return visit(sign, xy);
+    if (const Sign sign = turn(yz(p), yz(q), yz(r)); sign != 0) return visit(sign, yz);
+    return visit(turn(xz(p), xz(q), xz(r)), xz);
 }
 
-// ---- the predicates ------------------------------------------------------------------------------
+// ---- the predicates -----------------------------------------------------------------------------
 
 template <class K>
 struct Orientation_2 : K::Orientation_2 {
     using K::Orientation_2::operator();
     using Point_2 = typename K::Point_2;
     CGAL::Orientation operator()(const Point_2& p, const Point_2& q, const Point_2& r) const {
-        return sign_cast<CGAL::Orientation>(ccw(ours(p), ours(q), ours(r)));
+        return sign_cast<CGAL::Orientation>(turn(ours(p), ours(q), ours(r)));
     }
 };
 
@@ -260,7 +389,7 @@ struct Orientation_3 : K::Orientation_3 {
     using Point_3 = typename K::Point_3;
     CGAL::Orientation operator()(const Point_3& p, const Point_3& q, const Point_3& r,
                                  const Point_3& s) const {
-        return sign_cast<CGAL::Orientation>(ccw(ours(p), ours(q), ours(r), ours(s)));
+        return sign_cast<CGAL::Orientation>(turn(ours(p), ours(q), ours(r), ours(s)));
     }
 };
 
@@ -276,7 +405,7 @@ struct Coplanar_orientation_3 : K::Coplanar_orientation_3 {
                                  const Point_3& s) const {
         return sign_cast<CGAL::Orientation>(
             first_turn(ours(p), ours(q), ours(r), [&](Sign sign, auto flat) {
-                return sign * ccw(flat(ours(p)), flat(ours(q)), flat(ours(s)));
+                return sign * turn(flat(ours(p)), flat(ours(q)), flat(ours(s)));
             }));
     }
 };
@@ -296,8 +425,7 @@ struct Coplanar_side_of_bounded_circle_3 : K::Coplanar_side_of_bounded_circle_3 
     using Point_3 = typename K::Point_3;
     CGAL::Bounded_side operator()(const Point_3& p, const Point_3& q, const Point_3& r,
                                   const Point_3& t) const {
-        return sign_cast<CGAL::Bounded_side>(
-            conflict_in_plane(ours(p), ours(q), ours(r), ours(t)));
+        return sign_cast<CGAL::Bounded_side>(conflict_in_plane(ours(p), ours(q), ours(r), ours(t)));
     }
 };
 
@@ -349,8 +477,9 @@ struct Compare_power_distance_3 : K::Compare_power_distance_3 {
 /// of the kernel.
 template <class Kernel = CGAL::Exact_predicates_inexact_constructions_kernel>
 class Traits : public Kernel {
-    static_assert(std::same_as<typename Kernel::FT, double>,
-                  "signum's predicates take doubles: Exact_predicates_inexact_constructions_kernel");
+    static_assert(
+        std::same_as<typename Kernel::FT, double>,
+        "signum's predicates take doubles: Exact_predicates_inexact_constructions_kernel");
 
  public:
     using Orientation_2 = details::Orientation_2<Kernel>;
@@ -387,6 +516,308 @@ class Traits : public Kernel {
     }
     Compare_power_distance_3 compare_power_distance_3_object() const { return {}; }
 };
+
+// ---- results, to and from CGAL
+// -------------------------------------------------------------------
+
+namespace details {
+
+/// Whether a triangulation is one of the plane, and whether its points carry weights.
+template <class T>
+inline constexpr bool is_planar = requires {
+    typename T::Face_handle;
+};
+template <class T>
+inline constexpr bool is_weighted = requires(const typename T::Point& p) {
+    p.weight();
+};
+
+/// The points or sites that go to and from a triangulation.
+template <class T>
+using SiteOf =
+    std::conditional_t<is_planar<T>, std::conditional_t<is_weighted<T>, power::Site, Point>,
+                       std::conditional_t<is_weighted<T>, power::Site3, Point3>>;
+template <class T>
+using ResultOf = std::conditional_t<is_planar<T>, TessellationArrays, SpaceTessellation>;
+
+/// The numbers of sites by what they are; of equal ones the first counts.
+template <class S>
+class Numbers {
+ public:
+    explicit Numbers(std::span<const S> sites) : sites_(sites), order_(sites.size()) {
+        for (std::size_t i = 0; i < sites.size(); ++i) order_[i] = static_cast<Index>(i);
+        std::ranges::stable_sort(order_, {}, [this](Index i) { return key(at(i)); });
+    }
+    [[nodiscard]] Index operator()(const S& site) const {
+        const auto found =
+            std::ranges::lower_bound(order_, key(site), {}, [this](Index i) { return key(at(i)); });
+        if (found == order_.end() || key(at(*found)) != key(site))
+            throw std::invalid_argument("a vertex of the triangulation is none of the sites");
+        return *found;
+    }
+
+ private:
+    [[nodiscard]] const S& at(Index i) const { return sites_[static_cast<std::size_t>(i)]; }
+    [[nodiscard]] static auto key(const S& s) {
+        const double third = [&] {
+            if constexpr (requires { s.z; })
+                return s.z;
+            else
+                return 0.0;
+        }();
+        const double weight = [&] {
+            if constexpr (requires { s.w; })
+                return s.w;
+            else
+                return 0.0;
+        }();
+        return std::array{s.x, s.y, third, weight};
+    }
+
+    std::span<const S> sites_;
+    std::vector<Index> order_;
+};
+
+/// Turns a row so that its smallest number comes first and, of a cell, the next smallest second;
+/// the orientation stays. Of flat sites numbers rise.
+template <std::size_t number>
+void turn_row(std::array<Index, number>& row, std::array<Index, number>& neighbours,
+              std::size_t used) {
+    const auto exchange = [&](std::size_t a, std::size_t b) {
+        std::swap(row[a], row[b]);
+        std::swap(neighbours[a], neighbours[b]);
+    };
+    // By exchanges, of which an odd number is made even at the end, where that counts.
+    bool is_odd = false;
+    for (std::size_t k = 1; k < used; ++k)
+        for (std::size_t m = k; m > 0 && row[m] < row[m - 1]; --m) {
+            exchange(m, m - 1);
+            is_odd = !is_odd;
+        }
+    if (is_odd && used == number) exchange(number - 2, number - 1);
+}
+
+/// Rows turned and sorted, each with its neighbours, which are renumbered.
+template <std::size_t number>
+void put_in_order(std::vector<std::array<Index, number>>& rows,
+                  std::vector<std::array<Index, number>>& neighbours, std::size_t used = number) {
+    const std::size_t count = rows.size();
+    std::vector<Index> order(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        order[i] = static_cast<Index>(i);
+        turn_row(rows[i], neighbours[i], used);
+    }
+    std::ranges::sort(order, {}, [&](Index i) { return rows[static_cast<std::size_t>(i)]; });
+    std::vector<Index> place(count);
+    for (std::size_t i = 0; i < count; ++i)
+        place[static_cast<std::size_t>(order[i])] = static_cast<Index>(i);
+    const auto sorted = [&](const auto& all) {
+        auto result = all;
+        for (std::size_t i = 0; i < count; ++i) result[i] = all[static_cast<std::size_t>(order[i])];
+        return result;
+    };
+    rows = sorted(rows);
+    neighbours = sorted(neighbours);
+    for (auto& row : neighbours)
+        for (std::size_t k = 0; k < used; ++k) row[k] = place[static_cast<std::size_t>(row[k])];
+}
+
+/// All faces or cells of a triangulation, infinite ones too, as rows of the sites' numbers.
+template <std::size_t number, class T, class Handles, class Visit>
+void read_rows(const T& triangulation, const Handles& handles, Visit number_of, std::size_t used,
+               std::vector<std::array<Index, number>>& rows,
+               std::vector<std::array<Index, number>>& neighbours) {
+    using Handle = typename Handles::value_type;
+    CGAL::Unique_hash_map<Handle, Index> numbers;
+    Index count = 0;
+    for (const Handle h : handles) numbers[h] = count++;
+    for (const Handle h : handles) {
+        auto& row = rows.emplace_back();
+        auto& across = neighbours.emplace_back();
+        row.fill(no_vertex);
+        across.fill(no_vertex);
+        for (std::size_t k = 0; k < used; ++k) {
+            const auto v = h->vertex(static_cast<int>(k));
+            row[k] = triangulation.is_infinite(v) ? infinite : number_of(v);
+            across[k] = numbers[h->neighbor(static_cast<int>(k))];
+        }
+    }
+}
+
+/// The faces of visible sites on one line, in their order along it: between neighbours one on
+/// either side, tied to infinity; beyond the ends the two sides meet.
+inline void read_line(const std::vector<Index>& line, std::vector<Face>& faces,
+                      std::vector<Face>& neighbours) {
+    const auto last = static_cast<Index>(line.size()) - 2;
+    for (Index i = 0; i <= last; ++i) {
+        const Index a = line[static_cast<std::size_t>(i)];
+        const Index b = line[static_cast<std::size_t>(i) + 1];
+        const Index left = 2 * i;
+        const Index right = left + 1;
+        faces.push_back({a, b, infinite});
+        neighbours.push_back({i == last ? right : left + 2, i == 0 ? right : left - 2, right});
+        faces.push_back({b, a, infinite});
+        neighbours.push_back({i == 0 ? left : right - 2, i == last ? left : right + 2, left});
+    }
+}
+
+}  // namespace details
+
+/// A Delaunay or regular triangulation of CGAL's, on any traits whose numbers are doubles, as
+/// signum's arrays, in canonical order (triangulation/arrays.hpp, spatial/triangulate.hpp). `sites`
+/// are the points that it was made of, Point, power::Site, Point3 or power::Site3, in any order:
+/// they give the numbers; of equal ones the first is visible. Throws std::invalid_argument for a
+/// vertex that is none of them. O(n log n), and for each hidden site the way to the nearest.
+template <class T>
+[[nodiscard]] details::ResultOf<T> arrays(const T& triangulation,
+                                          std::span<const details::SiteOf<T>> sites) {
+    using S = details::SiteOf<T>;
+    const details::Numbers<S> numbers(sites);
+    std::vector<bool> is_visible(sites.size(), false);
+    std::vector<Index> visible;
+    const auto number_of = [&](const auto& vertex) {
+        return numbers(details::ours(vertex->point()));
+    };
+    for (auto v = triangulation.finite_vertices_begin(); v != triangulation.finite_vertices_end();
+         ++v) {
+        visible.push_back(number_of(v));
+        is_visible[static_cast<std::size_t>(visible.back())] = true;
+    }
+    details::ResultOf<T> result;
+    result.sites = static_cast<std::int64_t>(sites.size());
+    const int dimension = triangulation.dimension();
+    if constexpr (details::is_planar<T>) {
+        if (details::is_weighted<T> && !sites.empty()) result.weight_is = WeightIs::weight;
+        if (dimension == 2) {
+            std::vector<typename T::Face_handle> handles;
+            for (const auto f : triangulation.all_face_handles()) handles.push_back(f);
+            details::read_rows(triangulation, handles, number_of, 3, result.faces,
+                               result.neighbours);
+        } else if (dimension == 1) {
+            std::ranges::sort(visible, {}, [&](Index i) {
+                const S& s = sites[static_cast<std::size_t>(i)];
+                return std::pair(s.x, s.y);
+            });
+            details::read_line(visible, result.faces, result.neighbours);
+        }
+        details::put_in_order(result.faces, result.neighbours);
+    } else {
+        result.dimension = dimension;
+        const auto used = static_cast<std::size_t>(dimension + 1);
+        std::vector<typename T::Cell_handle> handles;
+        if (dimension >= 0)
+            for (auto c = triangulation.tds().raw_cells_begin();
+                 c != triangulation.tds().raw_cells_end(); ++c)
+                handles.push_back(c);
+        details::read_rows(triangulation, handles, number_of, used, result.cells,
+                           result.neighbours);
+        details::put_in_order(result.cells, result.neighbours, used);
+    }
+    // Whoever is hidden: of points the equal one, of sites with weights the nearest.
+    std::vector<Site> plane;
+    if constexpr (details::is_planar<T> && details::is_weighted<T>)
+        if (visible.size() < sites.size() && visible.size() > 1)
+            for (const S& s : sites) plane.push_back({s.x, s.y, s.w});
+    const Tessellation tessellation = [&]() -> Tessellation {
+        if constexpr (details::is_planar<T>)
+            if (!plane.empty()) return {result, std::move(plane), {}};
+        return {};
+    }();
+    for (std::size_t i = 0; i < sites.size(); ++i) {
+        if (is_visible[i]) continue;
+        const S& s = sites[i];
+        Index by = visible.front();
+        if constexpr (!details::is_weighted<T>)
+            by = numbers(s);
+        else if constexpr (!details::is_planar<T>)
+            by = number_of(triangulation.nearest_power_vertex({s.x, s.y, s.z}));
+        else if (visible.size() > 1)
+            by = tessellation.nearest({s.x, s.y});
+        result.hidden.push_back({static_cast<Index>(i), by});
+    }
+    return result;
+}
+
+/// The other way: makes a triangulation of CGAL's out of signum's arrays, without asking a
+/// predicate, and returns the vertex of every site: of a hidden point that of the equal one, of a
+/// hidden site what CGAL's insert() returns, which keeps it among its own hidden ones. Flat sites
+/// are inserted as CGAL does. Throws std::invalid_argument where the sites are not as many as the
+/// arrays say. Precondition: the arrays are a tessellation of the sites, with their neighbours; of
+/// whom one does not know that, validate() is to be asked. O(n).
+template <class T>
+std::vector<typename T::Vertex_handle> assign(T& triangulation, const details::ResultOf<T>& result,
+                                              std::span<const details::SiteOf<T>> sites) {
+    if (result.sites != static_cast<std::int64_t>(sites.size()))
+        throw std::invalid_argument("the tessellation is of " + std::to_string(result.sites) +
+                                    " sites, and there are " + std::to_string(sites.size()));
+    using Vertex_handle = typename T::Vertex_handle;
+    std::vector<bool> is_hidden(sites.size(), false);
+    for (const Hidden& h : result.hidden) is_hidden[static_cast<std::size_t>(h.site)] = true;
+    std::vector<Vertex_handle> vertices(sites.size());
+    const auto point = [&](std::size_t i) { return details::theirs<typename T::Point>(sites[i]); };
+
+    const auto& rows = [&]() -> const auto& {
+        if constexpr (details::is_planar<T>)
+            return result.faces;
+        else
+            return result.cells;
+    }
+    ();
+    const bool is_flat = [&] {
+        if constexpr (details::is_planar<T>)
+            return std::ranges::none_of(rows, [](const Face& face) { return face[0] >= 0; });
+        else
+            return result.dimension < 3;
+    }();
+    if (is_flat) {
+        triangulation.clear();
+        for (std::size_t i = 0; i < sites.size(); ++i)
+            if (!is_hidden[i]) vertices[i] = triangulation.insert(point(i));
+    } else {
+        auto& tds = triangulation.tds();
+        triangulation.clear();
+        tds.clear();
+        tds.set_dimension(details::is_planar<T> ? 2 : 3);
+        const Vertex_handle at_infinity = tds.create_vertex();
+        triangulation.set_infinite_vertex(at_infinity);
+        for (std::size_t i = 0; i < sites.size(); ++i) {
+            if (is_hidden[i]) continue;
+            vertices[i] = tds.create_vertex();
+            vertices[i]->set_point(point(i));
+        }
+        const auto vertex = [&](Index i) {
+            return i == infinite ? at_infinity : vertices[static_cast<std::size_t>(i)];
+        };
+        const auto create = [&](const auto& row) {
+            if constexpr (details::is_planar<T>) {
+                const auto f = tds.create_face(vertex(row[0]), vertex(row[1]), vertex(row[2]));
+                for (const Index i : row) vertex(i)->set_face(f);
+                return f;
+            } else {
+                const auto c =
+                    tds.create_cell(vertex(row[0]), vertex(row[1]), vertex(row[2]), vertex(row[3]));
+                for (const Index i : row) vertex(i)->set_cell(c);
+                return c;
+            }
+        };
+        std::vector<decltype(create(rows.front()))> handles;
+        handles.reserve(rows.size());
+        for (const auto& row : rows) handles.push_back(create(row));
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            for (std::size_t k = 0; k < rows[i].size(); ++k)
+                handles[i]->set_neighbor(
+                    static_cast<int>(k),
+                    handles[static_cast<std::size_t>(result.neighbours[i][k])]);
+    }
+    for (const auto& [site, by] : result.hidden) {
+        Vertex_handle& hidden = vertices[static_cast<std::size_t>(site)];
+        if constexpr (details::is_weighted<T>)
+            hidden = triangulation.insert(point(static_cast<std::size_t>(site)));
+        else
+            hidden = vertices[static_cast<std::size_t>(by)];
+    }
+    return vertices;
+}
 
 }  // namespace signum::cgal
 

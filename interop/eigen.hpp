@@ -2,7 +2,8 @@
 /// Eigen's matrices as sites, and results as Eigen's matrices; without a copy but where it is said.
 ///
 /// Laws:
-///  1. A row is a site: x y, and perhaps a radius or a weight; in space x y z, and perhaps the same.
+///  1. A row is a site: x y, and perhaps a radius or a weight; in space x y z, and perhaps the
+///  same.
 ///  2. Matrices, maps, Refs and blocks of them are legal, by rows or by columns, with any strides.
 ///     Numbers must be doubles: others do not compile, for nothing is to be rounded, or copied,
 ///     behind the caller's back.
@@ -34,13 +35,15 @@ namespace details {
 /// Says in a sentence what is wrong with a matrix, when it is compiled.
 template <class Derived, int least, int greatest>
 constexpr void expect_matrix() {
-    static_assert(std::same_as<typename Derived::Scalar, double>,
-                  "signum takes sites from matrices of double: convert it first, by .cast<double>()");
+    static_assert(
+        std::same_as<typename Derived::Scalar, double>,
+        "signum takes sites from matrices of double: convert it first, by .cast<double>()");
     static_assert((Derived::Flags & Eigen::DirectAccessBit) != 0,
                   "signum takes sites from numbers in memory: evaluate the expression first");
-    static_assert(Derived::ColsAtCompileTime == Eigen::Dynamic ||
-                      (Derived::ColsAtCompileTime >= least && Derived::ColsAtCompileTime <= greatest),
-                  "a site is a row, of x and y or of x, y and a radius or weight; in space a z comes third");
+    static_assert(
+        Derived::ColsAtCompileTime == Eigen::Dynamic ||
+            (Derived::ColsAtCompileTime >= least && Derived::ColsAtCompileTime <= greatest),
+        "a site is a row, of x and y or of x, y and a radius or weight; in space a z comes third");
 }
 
 /// For matrices whose number of columns is known only when the program runs.
@@ -66,8 +69,8 @@ template <class S>
 inline constexpr Eigen::Index numbers_of = static_cast<Eigen::Index>(sizeof(S) / sizeof(double));
 
 template <class S>
-concept SpaceSite = std::same_as<S, Point3> || std::same_as<S, signum::Site3> ||
-    std::same_as<S, power::Site3>;
+concept SpaceSite =
+    std::same_as<S, Point3> || std::same_as<S, signum::Site3> || std::same_as<S, power::Site3>;
 
 template <class Number, int columns>
 using Rows = Eigen::Map<const Eigen::Matrix<Number, Eigen::Dynamic, columns, Eigen::RowMajor>>;
@@ -134,19 +137,23 @@ template <details::SpaceSite S, class Derived>
 
 /// Faces or their neighbours as an N×3 matrix of 32-bit integers, a view.
 [[nodiscard]] inline details::Rows<Index, 3> matrix(std::span<const Face> faces) {
-    return {faces.empty() ? nullptr : faces.front().data(), static_cast<Eigen::Index>(faces.size()), 3};
+    return {faces.empty() ? nullptr : faces.front().data(), static_cast<Eigen::Index>(faces.size()),
+            3};
 }
 /// Cells of space or their neighbours as an N×4 matrix, a view.
 [[nodiscard]] inline details::Rows<Index, 4> matrix(std::span<const SpaceCell> cells) {
-    return {cells.empty() ? nullptr : cells.front().data(), static_cast<Eigen::Index>(cells.size()), 4};
+    return {cells.empty() ? nullptr : cells.front().data(), static_cast<Eigen::Index>(cells.size()),
+            4};
 }
 /// Edges, or hidden sites and who hides them, as an N×2 matrix, a view.
 [[nodiscard]] inline details::Rows<Index, 2> matrix(std::span<const Edge> edges) {
-    return {edges.empty() ? nullptr : edges.front().data(), static_cast<Eigen::Index>(edges.size()), 2};
+    return {edges.empty() ? nullptr : edges.front().data(), static_cast<Eigen::Index>(edges.size()),
+            2};
 }
 [[nodiscard]] inline details::Rows<Index, 2> matrix(std::span<const Hidden> hidden) {
     static_assert(sizeof(Hidden) == 2 * sizeof(Index));
-    return {hidden.empty() ? nullptr : &hidden.front().site, static_cast<Eigen::Index>(hidden.size()), 2};
+    return {hidden.empty() ? nullptr : &hidden.front().site,
+            static_cast<Eigen::Index>(hidden.size()), 2};
 }
 
 /// Points and sites as the rows of a matrix, a view: N×2 of Point, N×3 of Site, power::Site and
@@ -166,8 +173,9 @@ requires std::same_as<S, Point> || std::same_as<S, Site> || std::same_as<S, powe
 template <class Row, class Derived>
 requires std::same_as<Row, Face> || std::same_as<Row, SpaceCell>
 [[nodiscard]] std::vector<Row> rows(const Eigen::DenseBase<Derived>& matrix) {
-    static_assert(std::same_as<typename Derived::Scalar, Index>,
-                  "faces and cells are 32-bit integers: convert the matrix, by .cast<std::int32_t>()");
+    static_assert(
+        std::same_as<typename Derived::Scalar, Index>,
+        "faces and cells are 32-bit integers: convert the matrix, by .cast<std::int32_t>()");
     constexpr auto width = static_cast<Eigen::Index>(std::tuple_size_v<Row>);
     details::expect_columns(matrix.cols(), width, width);
     std::vector<Row> result(static_cast<std::size_t>(matrix.rows()));
