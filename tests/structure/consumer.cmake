@@ -32,7 +32,7 @@ if(NOT output STREQUAL expected)
 endif()
 
 file(GLOB_RECURSE headers RELATIVE "${scratch}/prefix/include" "${scratch}/prefix/include/*.hpp")
-# Those bring along what they are for.
+# Those of interop/ are for who has Eigen, Boost or CGAL: tests/adoption/interop compiles them.
 list(FILTER headers EXCLUDE REGEX "^signum/interop/")
 list(LENGTH headers count)
 if(count LESS 20)
