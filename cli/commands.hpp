@@ -76,7 +76,7 @@ CLI::Option* add_columns(CLI::App& command, std::string& columns);
 /// that may have been meant. Throws InputError, CallError and MachineError.
 SitesFile read_sites_by_columns(const std::string& path, const std::string& columns,
                                 std::optional<int> dimension = 2,
-                                SitesInput input = SitesInput::text);
+                                SitesInput input = SitesInput::text, bool attributes = false);
 
 /// Adds the option --weight-is; empty when it is not given. `otherwise` says what holds then.
 CLI::Option* add_weight_is(CLI::App& command, std::string& weight_is, std::string_view otherwise);

@@ -106,7 +106,8 @@ SitesFile read_in_plane(const std::string& path, const ReadOptions& options) {
     try {
         return read_sites(path, options);
     } catch (const InputError& error) {
-        if (input_by_ending(ending_of(path)) == SitesInput::text) throw;
+        const SitesInput input = input_by_ending(ending_of(path));
+        if (input == SitesInput::text || input == SitesInput::node) throw;
         throw CallError(fmt::format(
             "{}: by its ending it holds sites in space, and sites of the plane are "
             "wanted here; signum triangulate, voronoi and compare take it with --metric "
@@ -118,7 +119,7 @@ SitesFile read_in_plane(const std::string& path, const ReadOptions& options) {
 }  // namespace
 
 SitesFile read_sites_by_columns(const std::string& path, const std::string& columns,
-                                std::optional<int> dimension, SitesInput input) {
+                                std::optional<int> dimension, SitesInput input, bool attributes) {
     Columns chosen;
     for (std::size_t start = 0; !columns.empty() && start <= columns.size();) {
         const std::size_t end = std::min(columns.find(',', start), columns.size());
@@ -140,17 +141,19 @@ SitesFile read_sites_by_columns(const std::string& path, const std::string& colu
             dimension == 3 ? "--columns x,y,z or --columns 2,3,4,6"
                            : "--columns lon,lat or --columns 2,3,5"));
     }
-    if (!chosen.empty() && input != SitesInput::text) {
+    const bool is_of_space = input != SitesInput::text && input != SitesInput::node;
+    if (!chosen.empty() && is_of_space) {
         throw CallError(fmt::format(
             "--columns {}: {} has columns of its own; leave --columns out, or add --read-as text",
             columns, path));
     }
-    if (dimension == 2 && input != SitesInput::text) {
+    if (dimension == 2 && is_of_space) {
         throw CallError(fmt::format(
             "--dimension 2: the sites of {} lie in space; leave it out, or add --read-as text",
             path));
     }
-    const ReadOptions options = {.columns = chosen, .dimension = dimension, .input = input};
+    const ReadOptions options = {
+        .columns = chosen, .dimension = dimension, .input = input, .attributes = attributes};
     SitesFile file = dimension == 2 ? read_in_plane(path, options) : read_sites(path, options);
     if (!file.note.empty()) say("signum: {}\n", file.note);
     return file;

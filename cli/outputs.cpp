@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <sstream>
 
 #include <fmt/format.h>
 
@@ -29,6 +30,13 @@ bool is_same_path(const std::string& a, const std::string& b) {
 }
 
 namespace {
+
+/// What png and pdf are; nothing for other formats.
+std::optional<Converted> converted(std::string_view format) {
+    if (format == "png") return Converted::png;
+    if (format == "pdf") return Converted::pdf;
+    return std::nullopt;
+}
 
 /// ".a, .b or .c"
 std::string listed(std::span<const Format> formats) {
@@ -74,10 +82,11 @@ void add_outputs(CLI::App& command, OutputsCall& call, std::span<const Format> f
     for (const Format& format : formats) width = std::max(width, format.name.size());
     std::string description = "Where the result goes, by its ending:\n";
     std::vector<std::string> names;
-    for (const auto& [name, writes] : formats) {
+    for (const Format& format : formats) {
+        const std::string_view name = format.name;
         names.emplace_back(name);
         description += fmt::format(".{:<{}}  ", name, width);
-        for (const char c : writes) {
+        for (const char c : format.writes) {
             description += c;
             if (c == '\n') description += std::string(width + 3, ' ');
         }
@@ -129,6 +138,24 @@ std::vector<Target> targets_of(const OutputsCall& call, const std::string& input
     return targets;
 }
 
+void require_formats_of(Lies sites, std::span<const Target> targets,
+                        std::span<const Format> formats, const std::string& input) {
+    const auto named = [](Lies lies) { return lies == Lies::in_space ? "space" : "the plane"; };
+    for (const Target& target : targets) {
+        const Format& format = *std::ranges::find(formats, target.format, &Format::name);
+        if (format.sites == Lies::anywhere || format.sites == sites) continue;
+        throw CallError(
+            fmt::format("{} is written of sites in {}, and those of {} lie in {}; write {}",
+                        format.name, named(format.sites), input, named(sites), format.instead));
+    }
+}
+
+bool is_picture_written(std::span<const Target> targets) {
+    return std::ranges::any_of(targets, [](const Target& target) {
+        return target.format == "svg" || converted(target.format);
+    });
+}
+
 bool is_written(std::span<const Target> targets, std::string_view format) {
     return std::ranges::find(targets, format, &Target::format) != targets.end();
 }
@@ -144,6 +171,7 @@ std::string written(std::span<const Target> targets) {
 
 Outputs::Outputs(std::span<const Target> targets) : targets_(targets) {
     for (const Target& target : targets) {
+        if (converted(target.format) && !converter_) converter_.emplace();
         files_.push_back(
             target.path == standard_output ? nullptr : std::make_unique<OutputFile>(target.path));
     }
@@ -151,13 +179,20 @@ Outputs::Outputs(std::span<const Target> targets) : targets_(targets) {
 
 void Outputs::write(
     const std::function<void(std::ostream& out, std::string_view format)>& write_one) const {
+    const auto write = [&](std::ostream& out, std::string_view format) {
+        const std::optional<Converted> made_of_svg = converted(format);
+        if (!made_of_svg) return write_one(out, format);
+        std::ostringstream svg;
+        write_one(svg, "svg");
+        out << converter_->convert(std::move(svg).str(), *made_of_svg);
+    };
     for (std::size_t i = 0; i < targets_.size(); ++i) {
         if (files_[i]) {
-            write_one(files_[i]->stream(), targets_[i].format);
+            write(files_[i]->stream(), targets_[i].format);
             files_[i]->finish();
         } else {
             DescriptorStream out(1, "standard output");
-            write_one(out, targets_[i].format);
+            write(out, targets_[i].format);
             out.flush();
         }
     }

@@ -1,8 +1,10 @@
 #pragma once
 /// Where results go, by -o and --format: checked, opened before the work, complete or not there.
 
+#include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <span>
 #include <string>
@@ -12,17 +14,23 @@
 #include <CLI/CLI.hpp>
 
 #include "../io/output_file.hpp"
+#include "../io/svg_converter.hpp"
 
 namespace signum::cli {
 
 /// The path of standard output.
 inline constexpr std::string_view standard_output = "-";
 
+/// Where sites lie.
+enum class Lies : std::uint8_t { anywhere, in_plane, in_space };
+
 /// A format that a subcommand writes. Its name is that of --format and, after a point, the ending
 /// of its files.
 struct Format {
     std::string_view name;
-    std::string_view writes;  ///< for the help; lines end with \n
+    std::string_view writes;        ///< for the help; lines end with \n
+    Lies sites = Lies::anywhere;    ///< of which it is written
+    std::string_view instead = {};  ///< of other sites
 };
 
 /// The part of a call that says where its results go.
@@ -57,6 +65,13 @@ std::string ending_of(const std::string& path);
 std::vector<Target> targets_of(const OutputsCall& call, const std::string& input,
                                std::span<const Format> formats);
 
+/// Throws CallError where a format is not written of sites that lie there, as those of the input.
+void require_formats_of(Lies sites, std::span<const Target> targets,
+                        std::span<const Format> formats, const std::string& input);
+
+/// Whether a picture is written: svg, or what is made of it.
+bool is_picture_written(std::span<const Target> targets);
+
 /// Whether anything is written in that format.
 bool is_written(std::span<const Target> targets, std::string_view format);
 
@@ -65,16 +80,18 @@ std::string written(std::span<const Target> targets);
 
 class Outputs {
  public:
-    /// Opens all files: a directory that cannot be written should not cost minutes. The targets
-    /// must outlive the object.
+    /// Opens all files, and finds the program that makes png and pdf: a directory that cannot be
+    /// written should not cost minutes. The targets must outlive the object.
     explicit Outputs(std::span<const Target> targets);
 
-    /// Writes every target; files appear under their names when all are complete.
+    /// Writes every target; files appear under their names when all are complete. Of what is made
+    /// of a picture write_one is asked for svg.
     void write(
         const std::function<void(std::ostream& out, std::string_view format)>& write_one) const;
 
  private:
     std::span<const Target> targets_;
+    std::optional<SvgConverter> converter_;
     std::vector<std::unique_ptr<OutputFile>> files_;  ///< one a target; null for standard output
 };
 

@@ -61,8 +61,9 @@ void add_read_as(CLI::App& command, std::string& read_as) {
                     "pdb   atoms of a protein, with the van der Waals\n"
                     "      radii of their elements\n"
                     "pqr   the same with radii of their own\n"
-                    "ply   the vertices of a mesh, in ASCII")
-        ->transform(one_of({"text", "xyz", "pdb", "pqr", "ply"}))
+                    "ply   the vertices of a mesh, in ASCII\n"
+                    "node  points of Triangle or, in space, TetGen")
+        ->transform(one_of({"text", "xyz", "pdb", "pqr", "ply", "node"}))
         ->type_name("NAME");
 }
 
@@ -96,11 +97,12 @@ void warn_of_negative_radii(const std::string& path, const SitesFile& file) {
                              : fmt::format("the first of {}", negative.size()));
 }
 
-/// What the file is taken for. Only what --read-as names, and the ending of a file that may lie in
-/// space, are other than text.
+/// What the file is taken for. Where sites lie in the plane, only what --read-as names, and the
+/// ending of a file that may lie there, are other than text.
 SitesInput input_of_call(const SitesCall& call) {
-    if (call.read_as.empty() && call.dimension == 2) return SitesInput::text;
-    return input_of(call.input, call.read_as);
+    const SitesInput input = input_of(call.input, call.read_as);
+    const bool is_told = !call.read_as.empty() || input == SitesInput::node;
+    return call.dimension == 2 && !is_told ? SitesInput::text : input;
 }
 
 /// Throws CallError where sites in space are asked for a metric that is of the plane alone.
@@ -127,9 +129,9 @@ SitesInput input_of(const std::string& path, const std::string& read_as) {
 InputSites read_input(const SitesCall& call) {
     const Metric metric = metric_of(call.metric);
     check_weight_is(call.weight_is, metric);
-    InputSites sites = {
-        read_sites_by_columns(call.input, call.columns, call.dimension, input_of_call(call)),
-        WeightIs::radius};
+    InputSites sites = {read_sites_by_columns(call.input, call.columns, call.dimension,
+                                              input_of_call(call), call.attributes),
+                        WeightIs::radius};
     check_space(call, sites.file);
     sites.third = sites.file.third.value_or(WeightIs::radius);
     if (sites.third == WeightIs::weight && !traits_of(metric).has_weights) {

@@ -29,6 +29,7 @@ struct SitesCall {
     std::string weight_is;
     std::string arithmetic = "exact";
     std::uint64_t seed = 1;
+    bool attributes = false;  ///< of the sites, as what is written wants them
     bool statistics = false;
     bool quiet = false;
     /// The metrics that the subcommand has of sites in space.

@@ -15,12 +15,16 @@
 #include "../draw/svg.hpp"
 #include "../io/write_csv.hpp"
 #include "../io/write_json.hpp"
+#include "../io/write_nodes.hpp"
 #include "../io/write_obj.hpp"
+#include "../io/write_ply.hpp"
+#include "../io/write_vtk.hpp"
 #include "../triangulation/triangulate.hpp"
 #include "../triangulation/validate.hpp"
 
 #include "clip.hpp"
 #include "commands.hpp"
+#include "formats.hpp"
 #include "outputs.hpp"
 #include "progress.hpp"
 #include "triangulate_call.hpp"
@@ -43,18 +47,11 @@ Method method_of(const std::string& name, Metric metric) {
                     name, fmt::join(built, " and "), name_of(metric), built.back()));
 }
 
-constexpr std::array<Format, 5> triangulate_formats = {
-    {{"json", "faces, in space cells, neighbours, hidden sites"},
-     {"svg", "a picture"},
-     {"csv", "a table a,b,c of faces, in space a,b,c,d of\ncells; -1 is infinity"},
-     {"obj", "a mesh of the finite faces"},
-     {"vtk", "in space: a grid of tetrahedra, for ParaView"}}};
-
 /// Options that one format alone heeds.
 void require_formats_for_options(const TriangulateCall& call, std::span<const Target> targets) {
     if (call.vertices && !is_written(targets, "json"))
         throw CallError("--vertices goes into JSON alone; add -o FILE.json");
-    if (!call.clip.empty() && !is_written(targets, "svg"))
+    if (!call.clip.empty() && !is_picture_written(targets))
         throw CallError("--clip is what a picture shows; add -o FILE.svg");
 }
 
@@ -79,6 +76,18 @@ void write(std::ostream& out, std::string_view format, const Tessellation& tesse
         write_csv(out, tessellation);
     } else if (format == "obj") {
         write_obj(out, tessellation);
+    } else if (format == "ply") {
+        write_ply(out, tessellation);
+    } else if (format == "vtk") {
+        write_vtk(out, vtk_grid(tessellation));
+    } else if (format == "vtp") {
+        write_vtp(out, vtk_grid(tessellation));
+    } else if (format == "node") {
+        write_node(out, tessellation.sites());
+    } else if (format == "ele") {
+        write_ele(out, tessellation);
+    } else if (format == "neigh") {
+        write_neigh(out, tessellation);
     } else {
         write_json(out, tessellation, options);
     }
@@ -133,11 +142,7 @@ void run(const TriangulateCall& call) {
     const std::optional<Box> clip = box_of(call.clip, targets);
     const InputSites sites = read_input(call);
     if (sites.file.dimension == 3) return triangulate_in_space(call, sites, targets);
-    if (is_written(targets, "vtk")) {
-        throw CallError(fmt::format(
-            "vtk is written of sites in space, and those of {} lie in the plane; write obj",
-            call.input));
-    }
+    require_formats_of(Lies::in_plane, targets, triangulate_formats, call.input);
     const Outputs outputs(targets);
     const Tessellation tessellation = construct(call, sites, method);
     if (clip) require_fit(*clip, Voronoi(tessellation));
@@ -198,7 +203,8 @@ void add_triangulate(CLI::App& tool) {
         "  signum triangulate sites.txt --metric power -o out.json -o out.svg --check\n"
         "  signum triangulate sites.txt --metric supremum --stats -o squares.svg\n"
         "  signum triangulate sites.txt --clip 0 0 10 10 -o part.svg\n"
-        "  signum triangulate balls.txt --dimension 3 --metric power -o grid.vtk");
+        "  signum triangulate balls.txt --dimension 3 --metric power -o grid.vtu\n"
+        "  signum triangulate sites.node -o sites.ele -o sites.neigh -o picture.pdf");
     command->callback([call] { run(*call); });
 }
 

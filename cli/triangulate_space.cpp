@@ -9,12 +9,15 @@
 #include "../draw/space_svg.hpp"
 #include "../io/write_csv.hpp"
 #include "../io/write_json.hpp"
+#include "../io/write_nodes.hpp"
 #include "../io/write_obj.hpp"
+#include "../io/write_ply.hpp"
 #include "../io/write_vtk.hpp"
 #include "../spatial/triangulate.hpp"
 #include "../spatial/vertices.hpp"
 
 #include "commands.hpp"
+#include "formats.hpp"
 #include "space_sites.hpp"
 
 namespace signum::cli {
@@ -75,6 +78,7 @@ void summarize(const Timed& timed, WeightIs third, const std::optional<Validatio
 void triangulate_in_space(const TriangulateCall& call, const InputSites& sites,
                           std::span<const Target> targets) {
     refuse_options_of_the_plane(call);
+    require_formats_of(Lies::in_space, targets, triangulate_formats, call.input);
     const Outputs outputs(targets);
     const Timed result = timed(call, sites);
     const SpaceTessellation& tessellation = result.tessellation;
@@ -95,7 +99,17 @@ void triangulate_in_space(const TriangulateCall& call, const InputSites& sites,
         } else if (format == "obj") {
             write_obj(out, tessellation, balls);
         } else if (format == "vtk") {
-            write_vtk(out, tessellation, balls, sites.third);
+            write_vtk(out, vtk_grid(tessellation, balls, sites.third));
+        } else if (format == "vtu") {
+            write_vtu(out, vtk_grid(tessellation, balls, sites.third));
+        } else if (format == "ply") {
+            write_ply(out, balls, sites.third);
+        } else if (format == "node") {
+            write_node(out, balls);
+        } else if (format == "ele") {
+            write_ele(out, tessellation);
+        } else if (format == "neigh") {
+            write_neigh(out, tessellation);
         } else {
             write_json(out, tessellation, metric_of(call.metric), sites.third,
                        call.statistics ? std::optional(result.statistics) : std::nullopt, diagram);

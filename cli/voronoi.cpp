@@ -17,22 +17,13 @@
 
 #include "clip.hpp"
 #include "commands.hpp"
+#include "formats.hpp"
 #include "voronoi_balls.hpp"
 #include "voronoi_call.hpp"
 #include "voronoi_space.hpp"
 
 namespace signum::cli {
 namespace {
-
-constexpr std::array<Format, 5> voronoi_formats = {
-    {{"json",
-      "vertices, edges with their curves,\ncells with their measures, in space\nwith their faces"},
-     {"svg", "a picture with true arcs, in space of\nsolid cells"},
-     {"geojson", "the cells as polygons"},
-     {"csv",
-      "the cells as a table, polygons as WKT, in\nspace volumes, areas, faces, neighbours;\nof "
-      "balls the vertices"},
-     {"vtk", "in space: the cells as polyhedra, for ParaView"}}};
 
 void summarize(const Voronoi& voronoi, std::span<const Target> targets) {
     const std::size_t sites = voronoi.tessellation().sites().size();
@@ -48,8 +39,18 @@ void summarize(const Voronoi& voronoi, std::span<const Target> targets) {
     say("{}", written(targets));
 }
 
-void run(const VoronoiCall& call) {
+/// Tables have the attributes of the sites on request.
+std::span<const Attribute> carried_to_tables(const VoronoiCall& call, const InputSites& sites) {
+    if (!call.carry) return {};
+    return sites.file.attributes;
+}
+
+void run(VoronoiCall& call) {
     const std::vector<Target> targets = targets_of(call, call.input, voronoi_formats);
+    if (call.carry && !is_written(targets, "csv"))
+        throw CallError(
+            "--carry is for tables, and GeoJSON has the columns anyway; add -o FILE.csv");
+    call.attributes = call.carry || is_written(targets, "geojson");
     if (call.tolerance && !(*call.tolerance > 0))
         throw CallError("--tolerance: give a number above 0");
     const InputSites sites = read_input(call);
@@ -58,18 +59,17 @@ void run(const VoronoiCall& call) {
                    ? voronoi_in_space(call, sites, targets)
                    : voronoi_of_balls(call, sites, targets);
     }
-    if (is_written(targets, "vtk")) {
-        throw CallError(fmt::format(
-            "vtk is written of sites in space, and those of {} lie in the plane; write geojson",
-            call.input));
-    }
+    require_formats_of(Lies::in_plane, targets, voronoi_formats, call.input);
     require_numbers(call.clip, 4, call.input);
     const std::optional<Box> clip = box_of(call.clip, targets);
     const Outputs outputs(targets);
     const Voronoi diagram(construct(call, sites), {call.merge});
 
     const Box box = clip.value_or(default_box(diagram.tessellation().sites(), diagram.exponent()));
-    const bool is_used = clip || is_written(targets, "geojson") || is_written(targets, "csv");
+    const bool is_used =
+        clip ||
+        std::ranges::any_of(std::array<std::string_view, 5>{"geojson", "csv", "wkt", "vtk", "vtp"},
+                            [&](std::string_view format) { return is_written(targets, format); });
     if (is_used) require_fit(box, diagram);
     const double longer = std::max(box.x1 / 2 - box.x0 / 2, box.y1 / 2 - box.y0 / 2);
     const double tolerance = call.tolerance.value_or(
@@ -87,9 +87,17 @@ void run(const VoronoiCall& call) {
         } else if (format == "svg") {
             write_voronoi_svg(out, diagram, clip);
         } else if (format == "geojson") {
-            write_voronoi_geojson(out, ClippedVoronoi(diagram, box), box, tolerance);
+            write_voronoi_geojson(out, ClippedVoronoi(diagram, box), box, tolerance,
+                                  sites.file.attributes);
+        } else if (format == "wkt") {
+            write_voronoi_wkt(out, ClippedVoronoi(diagram, box), tolerance);
+        } else if (format == "vtk") {
+            write_vtk(out, vtk_grid(ClippedVoronoi(diagram, box), tolerance));
+        } else if (format == "vtp") {
+            write_vtp(out, vtk_grid(ClippedVoronoi(diagram, box), tolerance));
         } else {
-            write_voronoi_csv(out, ClippedVoronoi(diagram, box), tolerance);
+            write_voronoi_csv(out, ClippedVoronoi(diagram, box), tolerance,
+                              carried_to_tables(call, sites));
         }
     });
     if (!call.quiet) {
@@ -120,6 +128,9 @@ void add_voronoi(CLI::App& tool) {
                      "side of the box / 10000")
         ->check(finite_number())
         ->type_name("T");
+    command->add_flag("--carry", call->carry,
+                      "A table of cells in the plane has the other named\n"
+                      "columns of FILE, too, as GeoJSON has them");
     command->add_flag("--merge", call->merge,
                       "One vertex where several faces have the same\n"
                       "circle, without edges of no length");
@@ -127,8 +138,9 @@ void add_voronoi(CLI::App& tool) {
     command->footer(
         "Examples:\n"
         "  signum voronoi sites.txt -o cells.svg -o cells.geojson\n"
+        "  signum voronoi cities.csv -o cells.geojson -o cells.pdf\n"
         "  signum voronoi sites.txt --metric power --clip 0 0 100 100 -o areas.csv\n"
-        "  signum voronoi protein.pdb --metric power -o volumes.csv -o cells.vtk\n"
+        "  signum voronoi protein.pdb --metric power -o volumes.csv -o cells.vtu\n"
         "  signum voronoi balls.xyz --metric euclidean -o diagram.json -o vertices.csv");
     command->callback([call] { run(*call); });
 }

@@ -26,6 +26,7 @@ void refuse_what_is_not_of_balls(const VoronoiCall& call, std::span<const Target
                       "has vertices and edges alone, which are written whole");
     if (call.tolerance) refuse_option(call, "--tolerance", what, "has no polygons");
     if (call.merge) refuse_option(call, "--merge", what, "has one vertex a sphere anyway");
+    if (call.carry) refuse_option(call, "--carry", what, "has tables of vertices alone");
     for (const Target& target : targets) {
         if (target.format == "json" || target.format == "csv") continue;
         throw CallError(

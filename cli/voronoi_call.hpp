@@ -13,6 +13,7 @@ struct VoronoiCall : SitesCall, OutputsCall {
     std::vector<double> clip;
     std::optional<double> tolerance;
     bool merge = false;
+    bool carry = false;
 };
 
 }  // namespace signum::cli

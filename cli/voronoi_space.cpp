@@ -13,6 +13,7 @@
 
 #include "clip.hpp"
 #include "commands.hpp"
+#include "formats.hpp"
 #include "space_sites.hpp"
 
 namespace signum::cli {
@@ -23,11 +24,8 @@ void refuse_what_is_planar(const VoronoiCall& call, std::span<const Target> targ
     constexpr std::string_view what = "cells in space";
     if (call.tolerance) refuse_option(call, "--tolerance", what, "have no arcs");
     if (call.merge) refuse_option(call, "--merge", what, "have vertices one by one alone");
-    if (is_written(targets, "geojson")) {
-        throw CallError(fmt::format(
-            "geojson is written of sites in the plane, and those of {} lie in space; write vtk",
-            call.input));
-    }
+    if (call.carry) refuse_option(call, "--carry", what, "have tables of measures alone");
+    require_formats_of(Lies::in_space, targets, voronoi_formats, call.input);
 }
 
 struct Cells {
@@ -88,7 +86,8 @@ void voronoi_in_space(const VoronoiCall& call, const InputSites& sites,
     const std::optional<Box3> clip = box_in_space_of(call.clip);
     const Outputs outputs(targets);
     const SpaceTessellation tessellation = construct_in_space(call, sites);
-    const bool asks_for_polyhedra = is_written(targets, "vtk") || is_written(targets, "svg");
+    const bool asks_for_polyhedra =
+        is_written(targets, "vtk") || is_written(targets, "vtu") || is_picture_written(targets);
     const Cells found = cells_in(clip ? *clip : default_box(sites.file.in_space), tessellation,
                                  sites, asks_for_polyhedra);
     const SpaceCells& cells = found.measured;
@@ -103,7 +102,9 @@ void voronoi_in_space(const VoronoiCall& call, const InputSites& sites,
         } else if (format == "svg") {
             write_space_cells_svg(out, sites.file.in_space, cells, found.polyhedra);
         } else if (format == "vtk") {
-            write_space_cells_vtk(out, cells, found.polyhedra);
+            write_vtk(out, vtk_grid(cells, found.polyhedra));
+        } else if (format == "vtu") {
+            write_vtu(out, vtk_grid(cells, found.polyhedra));
         } else {
             write_space_cells_json(out, cells, tessellation, sites.third, diagram);
         }

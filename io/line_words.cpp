@@ -11,6 +11,7 @@ namespace signum {
 bool LineWords::next() {
     constexpr std::string_view blanks = " \t";
     if (!file_.next_line(line_, advice_)) return false;
+    line_ = line_.substr(0, line_.find(comment_));
     words_.clear();
     for (std::size_t end = 0; end < line_.size();) {
         const std::size_t begin = line_.find_first_not_of(blanks, end);

@@ -14,8 +14,10 @@ namespace signum {
 
 class LineWords {
  public:
-    /// `advice` says what a line should be, as the end of an error message.
-    LineWords(InputFile& file, std::string advice) : file_(file), advice_(std::move(advice)) {}
+    /// `advice` says what a line should be, as the end of an error message. What stands from
+    /// `comment` on is no part of a line.
+    LineWords(InputFile& file, std::string advice, char comment = '\0')
+        : file_(file), advice_(std::move(advice)), comment_(comment) {}
 
     /// Goes to the next line, which may have no word; false at the end of the file.
     [[nodiscard]] bool next();
@@ -46,6 +48,7 @@ class LineWords {
  private:
     InputFile& file_;
     std::string advice_;
+    char comment_;  ///< which no line has where nothing is a comment
     std::string_view line_;
     std::vector<std::string_view> words_;
 };

@@ -5,6 +5,7 @@
 #include "input_file.hpp"
 #include "json_sites.hpp"
 #include "mesh_sites.hpp"
+#include "node_sites.hpp"
 #include "read_sites.hpp"
 #include "text_sites.hpp"
 
@@ -21,12 +22,14 @@ SitesFile read_input(InputFile& file, const ReadOptions& options) {
             return read_pqr_sites(file);
         case SitesInput::ply:
             return read_ply_sites(file);
+        case SitesInput::node:
+            return read_node_sites(file, options);
         case SitesInput::text:
             break;
     }
     const char first = file.first_character();
     return first == '[' || first == '{' ? read_json_sites(file, options.columns, options.dimension)
-                                        : read_text_sites(file, options.columns, options.dimension);
+                                        : read_text_sites(file, options);
 }
 
 }  // namespace
@@ -36,6 +39,7 @@ SitesInput input_by_ending(std::string_view ending) noexcept {
     if (ending == "pdb" || ending == "ent") return SitesInput::pdb;
     if (ending == "pqr") return SitesInput::pqr;
     if (ending == "ply") return SitesInput::ply;
+    if (ending == "node") return SitesInput::node;
     return SitesInput::text;
 }
 

@@ -6,7 +6,8 @@
 ///  1. Every number is read to the nearest double.
 ///  2. Whatever is not exactly a list of sites is an InputError that names file, line and column; a
 ///     file is read whole or not at all.
-///  3. Memory beyond the sites themselves is bounded, whatever the file holds.
+///  3. Memory beyond the sites themselves, and the attributes that were asked for, is bounded,
+///     whatever the file holds.
 
 #include <cstdint>
 #include <optional>
@@ -18,6 +19,7 @@
 #include "../core/site.hpp"
 #include "../core/strided_sites.hpp"
 #include "../triangulation/tessellation.hpp"
+#include "attributes.hpp"
 #include "errors.hpp"
 
 namespace signum {
@@ -33,9 +35,11 @@ enum class SitesInput : std::uint8_t {
     xyz,   ///< atoms: their number, a comment, then a line each: element x y z [radius]
     pdb,   ///< atoms of the Protein Data Bank, with the radii of their elements
     pqr,   ///< the same with charges and radii
-    ply    ///< vertices of a mesh
+    ply,   ///< vertices of a mesh
+    node   ///< points of Triangle (in the plane) or TetGen (in space)
 };
-/// By the ending of the name, in small letters: .xyz, .pdb, .ent, .pqr, .ply, else text.
+/// By the ending of the name, in small letters: .xyz, .pdb, .ent, .pqr, .ply, .node,
+/// else text.
 [[nodiscard]] SitesInput input_by_ending(std::string_view ending) noexcept;
 
 /// How a file is read, where it leaves that open.
@@ -44,8 +48,10 @@ struct ReadOptions {
     /// 2 or 3; nothing: what the file says. Sites of text lie in space where a header names x, y
     /// and z, or where four columns are chosen; those of JSON where the first one has four numbers.
     std::optional<int> dimension = std::nullopt;
-    /// All but text lie in space.
+    /// All but text and nodes lie in space.
     SitesInput input = SitesInput::text;
+    /// Whether the attributes of text and nodes are read, too.
+    bool attributes = false;
 };
 
 /// At least one site, all numbers finite; r is a radius or a weight, as the user of the file says.
@@ -62,6 +68,8 @@ struct SitesFile {
     std::optional<Position> first_negative;
     /// Where the first number stands that no float reaches.
     std::optional<Position> first_beyond_single;
+    /// Those that were asked for.
+    std::vector<Attribute> attributes;
     /// What was left out, in a sentence, where a file has what may have been meant, such as a third
     /// column of another name, and nobody had said so; else empty.
     std::string note;

@@ -38,16 +38,19 @@ struct Layout {
 
 class TextSites {
  public:
-    /// `lines` stands at the first one. `may_lie_in_space`: nobody has said that the sites lie in
-    /// the plane.
-    TextSites(TextColumns& lines, const Columns& chosen, bool may_lie_in_space)
-        : columns_(lines), chosen_(chosen), may_lie_in_space_(may_lie_in_space) {}
+    /// `lines` stands at the first one.
+    TextSites(TextColumns& lines, const ReadOptions& options)
+        : columns_(lines),
+          chosen_(options.columns),
+          may_lie_in_space_(!options.dimension),
+          has_attributes_(options.attributes) {}
 
     SitesFile read(bool has_header) {
         read_layout(has_header);
         if (!has_header) read_site();
         while (columns_.next_line()) read_site();
         if (result_.sites.empty()) columns_.fail_at_end_of_file("a header and no site");
+        result_.attributes = std::move(attributes_).attributes();
         return std::move(result_);
     }
 
@@ -61,6 +64,9 @@ class TextSites {
         } else {
             columns_.split_again();
         }
+        if (!has_attributes_ || !has_header) return;
+        attributes_ = AttributeColumns(columns_, layout_.columns);
+        columns_.keep_separator();
     }
 
     /// Takes the columns that the caller chose.
@@ -213,6 +219,7 @@ class TextSites {
             }
         }
         result_.sites.push_back(site);
+        attributes_.read(columns_);
     }
 
     [[noreturn]] void fail_at_surplus() const {
@@ -246,8 +253,10 @@ class TextSites {
 
     TextColumns& columns_;
     const Columns& chosen_;
-    bool may_lie_in_space_;
+    bool may_lie_in_space_;  ///< nobody has said that the sites lie in the plane
+    bool has_attributes_;    ///< which are to be read
     Layout layout_;
+    AttributeColumns attributes_;
     SitesFile result_;
 };
 
@@ -280,15 +289,17 @@ std::optional<WeightIs> meaning_of_column(std::string_view name) {
     return std::nullopt;
 }
 
-SitesFile read_text_sites(InputFile& file, const Columns& columns, std::optional<int> dimension) {
+SitesFile read_text_sites(InputFile& file, const ReadOptions& options) {
+    const std::optional<int> dimension = options.dimension;
     TextColumns lines(file, advice_of(dimension == 3));
     if (!lines.next_line()) lines.fail_at_end_of_file("no site in this file");
     refuse_other_formats(lines);
     const bool has_header = lines.is_header();
-    const bool in_space = dimension ? *dimension == 3 : lie_in_space(lines, columns, has_header);
+    const bool in_space =
+        dimension ? *dimension == 3 : lie_in_space(lines, options.columns, has_header);
     lines.advise(advice_of(in_space));
-    return in_space ? read_text_sites_in_space(lines, columns, has_header)
-                    : TextSites(lines, columns, !dimension).read(has_header);
+    return in_space ? read_text_sites_in_space(lines, options, has_header)
+                    : TextSites(lines, options).read(has_header);
 }
 
 }  // namespace signum

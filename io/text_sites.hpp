@@ -11,14 +11,13 @@ namespace signum {
 
 /// Reads all sites of an open file, of 2 or 3 dimensions or of those that its header or the columns
 /// tell. Throws InputError.
-[[nodiscard]] SitesFile read_text_sites(InputFile& file, const Columns& columns,
-                                        std::optional<int> dimension);
+[[nodiscard]] SitesFile read_text_sites(InputFile& file, const ReadOptions& options);
 
 /// What the name of a column of radii or weights, in small letters, says about its numbers.
 [[nodiscard]] std::optional<WeightIs> meaning_of_column(std::string_view name);
 
 /// Those of space. `lines` stands at the first line, which has_header says is a header.
-[[nodiscard]] SitesFile read_text_sites_in_space(TextColumns& lines, const Columns& columns,
+[[nodiscard]] SitesFile read_text_sites_in_space(TextColumns& lines, const ReadOptions& options,
                                                  bool has_header);
 
 }  // namespace signum

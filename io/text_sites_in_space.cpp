@@ -17,7 +17,8 @@ namespace {
 
 class TextSitesInSpace {
  public:
-    TextSitesInSpace(TextColumns& lines, const Columns& chosen) : lines_(lines), chosen_(chosen) {
+    TextSitesInSpace(TextColumns& lines, const ReadOptions& options)
+        : lines_(lines), chosen_(options.columns), has_attributes_(options.attributes) {
         result_.dimension = 3;
     }
 
@@ -29,9 +30,14 @@ class TextSitesInSpace {
         } else {
             lines_.split_again();
         }
+        if (has_attributes_ && has_header) {
+            attributes_ = AttributeColumns(lines_, places_);
+            lines_.keep_separator();
+        }
         if (!has_header) read_site();
         while (lines_.next_line()) read_site();
         if (result_.in_space.empty()) lines_.fail_at_end_of_file("a header and no site");
+        result_.attributes = std::move(attributes_).attributes();
         return std::move(result_);
     }
 
@@ -116,6 +122,7 @@ class TextSitesInSpace {
                 result_.first_negative = lines_.position_of(lines_[places_[radius]].data());
         }
         result_.in_space.push_back(site);
+        attributes_.read(lines_);
     }
 
     double read_coordinate(std::size_t which) {
@@ -150,13 +157,16 @@ class TextSitesInSpace {
     std::array<std::size_t, 4> places_ = {0, 1, 2, 3};  ///< of x, y, z and r
     std::size_t most_ = 4;                              ///< columns in a line
     bool named_ = false;                                ///< by a header
+    bool has_attributes_;                               ///< which are to be read
+    AttributeColumns attributes_;
     SitesFile result_;
 };
 
 }  // namespace
 
-SitesFile read_text_sites_in_space(TextColumns& lines, const Columns& columns, bool has_header) {
-    return TextSitesInSpace(lines, columns).read(has_header);
+SitesFile read_text_sites_in_space(TextColumns& lines, const ReadOptions& options,
+                                   bool has_header) {
+    return TextSitesInSpace(lines, options).read(has_header);
 }
 
 }  // namespace signum

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -139,51 +141,30 @@ void write_space_cells_csv(std::ostream& out, const SpaceCells& cells) {
     text.flush();
 }
 
-void write_space_cells_vtk(std::ostream& out, const SpaceCells& cells,
-                           std::span<const SpacePolyhedron> polyhedra) {
-    std::vector<const SpacePolyhedron*> shown;
-    std::size_t corners = 0;
-    std::size_t numbers = 0;
+VtkGrid vtk_grid(const SpaceCells& cells, std::span<const SpacePolyhedron> polyhedra) {
+    VtkGrid grid;
+    grid.title = "signum: power cells";
+    grid.of_cells = {{"site", true, {}}, {"volume", false, {}}, {"faces", true, {}}};
     for (const SpacePolyhedron& each : polyhedra) {
         if (each.corners.empty()) continue;
-        shown.push_back(&each);
-        corners += each.corners.size();
-        // How many follow, how many faces, and for each face its corners and how many.
-        numbers += 2 + each.beyond.size() + each.face_corners.size();
-    }
-    TextWriter text(out);
-    text.put("# vtk DataFile Version 3.0\nsignum: power cells\nASCII\nDATASET UNSTRUCTURED_GRID\n");
-    text.put(FMT_COMPILE("POINTS {} double\n"), corners);
-    for (const SpacePolyhedron* each : shown)
-        for (const Point3& p : each->corners) text.put(FMT_COMPILE("{} {} {}\n"), p.x, p.y, p.z);
-    text.put(FMT_COMPILE("CELLS {} {}\n"), shown.size(), numbers);
-    std::size_t first = 0;
-    for (const SpacePolyhedron* each : shown) {
-        text.put(FMT_COMPILE("{} {}"), 1 + each->beyond.size() + each->face_corners.size(),
-                 each->beyond.size());
-        for (std::size_t f = 0; f < each->beyond.size(); ++f) {
-            const auto loop = each->corners_of(f);
-            text.put(FMT_COMPILE(" {}"), loop.size());
-            for (const Index corner : loop)
-                text.put(FMT_COMPILE(" {}"), first + static_cast<std::size_t>(corner));
+        const auto first = static_cast<std::int64_t>(grid.points.size());
+        grid.points.insert(grid.points.end(), each.corners.begin(), each.corners.end());
+        std::vector<std::int64_t> corners(each.corners.size());
+        std::iota(corners.begin(), corners.end(), first);
+        grid.add_cell(VtkCell::polyhedron, corners);
+        grid.faces.push_back(static_cast<std::int64_t>(each.beyond.size()));
+        for (std::size_t f = 0; f < each.beyond.size(); ++f) {
+            const auto loop = each.corners_of(f);
+            grid.faces.push_back(static_cast<std::int64_t>(loop.size()));
+            for (const Index corner : loop) grid.faces.push_back(first + corner);
         }
-        text.put("\n");
-        first += each->corners.size();
+        grid.face_ends.push_back(static_cast<std::int64_t>(grid.faces.size()));
+        const double volume = cells.measures.at(static_cast<std::size_t>(each.site)).volume;
+        grid.of_cells[0].values.push_back(each.site);
+        grid.of_cells[1].values.push_back(volume);
+        grid.of_cells[2].values.push_back(static_cast<double>(each.beyond.size()));
     }
-    constexpr int polyhedron = 42;
-    text.put(FMT_COMPILE("CELL_TYPES {}\n"), shown.size());
-    for (std::size_t i = 0; i < shown.size(); ++i) text.put(FMT_COMPILE("{}\n"), polyhedron);
-    text.put(FMT_COMPILE("CELL_DATA {}\n"), shown.size());
-    const auto put_column = [&](std::string_view name, std::string_view type, const auto& value) {
-        text.put(FMT_COMPILE("SCALARS {} {} 1\nLOOKUP_TABLE default\n"), name, type);
-        for (const SpacePolyhedron* each : shown) text.put(FMT_COMPILE("{}\n"), value(*each));
-    };
-    put_column("site", "int", [](const SpacePolyhedron& each) { return each.site; });
-    put_column("volume", "double", [&](const SpacePolyhedron& each) {
-        return cells.measures.at(static_cast<std::size_t>(each.site)).volume;
-    });
-    put_column("faces", "int", [](const SpacePolyhedron& each) { return each.beyond.size(); });
-    text.flush();
+    return grid;
 }
 
 }  // namespace signum

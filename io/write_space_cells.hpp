@@ -1,5 +1,5 @@
 #pragma once
-/// Cells of space as JSON, as a table, and as polyhedra for programs that draw.
+/// Cells of space as JSON, as a table, and as polyhedra of VTK.
 ///
 /// Law: numbers are written so that reading them gives the same double; in JSON those beyond a
 /// double's range, and the centroid of a cell without volume, are null.
@@ -10,6 +10,7 @@
 #include "../spatial/vertices.hpp"
 #include "../voronoi/space_cells.hpp"
 #include "../voronoi/space_polyhedra.hpp"
+#include "vtk_grid.hpp"
 
 namespace signum {
 
@@ -27,10 +28,8 @@ void write_space_cells_json(std::ostream& out, const SpaceCells& cells,
 /// list in one column.
 void write_space_cells_csv(std::ostream& out, const SpaceCells& cells);
 
-/// The polyhedra that have corners, as an unstructured grid of polyhedra in VTK's legacy format,
-/// which ParaView and VisIt open: with site, volume and number of faces of each. `cells` are those
-/// of the same sites in the same box.
-void write_space_cells_vtk(std::ostream& out, const SpaceCells& cells,
-                           std::span<const SpacePolyhedron> polyhedra);
+/// The polyhedra that have corners, with site, volume and number of faces of each. `cells` are
+/// those of the same sites in the same box.
+[[nodiscard]] VtkGrid vtk_grid(const SpaceCells& cells, std::span<const SpacePolyhedron> polyhedra);
 
 }  // namespace signum

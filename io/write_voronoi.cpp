@@ -1,6 +1,12 @@
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 #include <string>
+#include <string_view>
 #include <vector>
+
+#include <nlohmann/json.hpp>
 
 #include "../voronoi/polygon.hpp"
 #include "text_writer.hpp"
@@ -119,6 +125,37 @@ std::string rings_of(const std::vector<std::vector<Point>>& polygons) {
     return result;
 }
 
+/// Names of attributes beside those that a table or a feature has already, each once.
+std::vector<std::string> names_beside(std::vector<std::string> taken,
+                                      std::span<const Attribute> attributes) {
+    const std::size_t own = taken.size();
+    for (const Attribute& attribute : attributes) {
+        std::string name = attribute.name;
+        while (std::ranges::count(taken, name) > 0) name.insert(0, "input_");
+        taken.push_back(std::move(name));
+    }
+    taken.erase(taken.begin(), taken.begin() + static_cast<std::ptrdiff_t>(own));
+    return taken;
+}
+
+std::string json_string(const std::string& text) {
+    return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::string json_value(const Attribute& attribute, std::size_t site) {
+    const std::string& value = attribute.values.at(site);
+    if (attribute.is_number) return value.empty() ? "null" : value;
+    return json_string(value);
+}
+
+/// In quotes where it has to be.
+std::string csv_value(std::string_view text) {
+    if (text.find_first_of(",;#\"\t ") == std::string_view::npos) return std::string(text);
+    std::string result = "\"";
+    for (const char c : text) result += c == '"' ? "\"\"" : std::string(1, c);
+    return result + '"';
+}
+
 /// MULTIPOLYGON, or POLYGON where there is one.
 std::string well_known_text(const std::vector<std::vector<Point>>& polygons) {
     if (polygons.empty()) return "POLYGON EMPTY";
@@ -160,8 +197,19 @@ void write_voronoi_json(std::ostream& out, const ClippedVoronoi& diagram, const 
 }
 
 void write_voronoi_geojson(std::ostream& out, const ClippedVoronoi& diagram, const Box& box,
-                           double tolerance) {
+                           double tolerance, std::span<const Attribute> attributes) {
     const Voronoi& voronoi = diagram.voronoi();
+    const std::vector<std::string> names =
+        names_beside({"site", "x", "y", std::string(name_of(voronoi.tessellation().weight_is())),
+                      "unbounded", "clipped", "area", "perimeter", "centroid", "neighbours"},
+                     attributes);
+    const auto told_of = [&](Index site) {
+        std::string told;
+        for (std::size_t i = 0; i < names.size(); ++i)
+            told += fmt::format(FMT_COMPILE(", {}: {}"), json_string(names[i]),
+                                json_value(attributes[i], static_cast<std::size_t>(site)));
+        return told;
+    };
     TextWriter text(out);
     text.put(FMT_COMPILE(R"({{"type": "FeatureCollection", "bbox": {})"), bounds_of(box));
     text.put_array("features", visible_sites(voronoi), [&](Index site) {
@@ -176,32 +224,79 @@ void write_voronoi_geojson(std::ostream& out, const ClippedVoronoi& diagram, con
                 fmt::format(R"({{"type": "MultiPolygon", "coordinates": [{}]}})", rings_of(rings));
         text.put(FMT_COMPILE(R"({{"type": "Feature", "id": {0}, "properties": {{"site": {0}, )"
                              R"("x": {1}, "y": {2}, "{3}": {4}, "unbounded": {5}, "clipped": {6}, )"
-                             R"({7}, "neighbours": [{8}]}}, "geometry": {9}}})"),
+                             R"({7}, "neighbours": [{8}]{9}}}, "geometry": {10}}})"),
                  site, at.x, at.y, name_of(voronoi.tessellation().weight_is()), at.r,
                  shape.unbounded, shape.clipped, measures_of(shape),
-                 fmt::join(neighbours_of(voronoi, site), ", "), geometry);
+                 fmt::join(neighbours_of(voronoi, site), ", "), told_of(site), geometry);
     });
     text.put("}\n");
     text.flush();
 }
 
-void write_voronoi_csv(std::ostream& out, const ClippedVoronoi& diagram, double tolerance) {
+void write_voronoi_csv(std::ostream& out, const ClippedVoronoi& diagram, double tolerance,
+                       std::span<const Attribute> attributes) {
     const Voronoi& voronoi = diagram.voronoi();
+    const std::vector<std::string> own = {
+        "site",       "x",
+        "y",          std::string(name_of(voronoi.tessellation().weight_is())),
+        "unbounded",  "clipped",
+        "area",       "perimeter",
+        "centroid_x", "centroid_y",
+        "neighbours"};
+    std::vector<std::string> taken = own;
+    taken.emplace_back("WKT");
     TextWriter text(out);
-    text.put(FMT_COMPILE("site,x,y,{},unbounded,clipped,area,perimeter,centroid_x,centroid_y,"
-                         "neighbours,WKT\n"),
-             name_of(voronoi.tessellation().weight_is()));
+    text.put(FMT_COMPILE("{}"), fmt::join(own, ","));
+    for (const std::string& name : names_beside(taken, attributes))
+        text.put(FMT_COMPILE(",{}"), csv_value(name));
+    text.put(",WKT\n");
     for (const Index site : visible_sites(voronoi)) {
         const CellShape shape = diagram.cell(site);
         const Measure of = measure(shape);
         const Site& at = site_of(voronoi, site);
-        text.put(FMT_COMPILE("{},{},{},{},{},{},{},{},{},{},{},\"{}\"\n"), site, at.x, at.y, at.r,
+        text.put(FMT_COMPILE("{},{},{},{},{},{},{},{},{},{},{}"), site, at.x, at.y, at.r,
                  shape.unbounded, shape.clipped, number_or_blank(of.area),
                  number_or_blank(of.perimeter), number_or_blank(of.centroid.x),
-                 number_or_blank(of.centroid.y), fmt::join(neighbours_of(voronoi, site), " "),
-                 well_known_text(polygons(shape, tolerance)));
+                 number_or_blank(of.centroid.y), fmt::join(neighbours_of(voronoi, site), " "));
+        for (const Attribute& attribute : attributes)
+            text.put(FMT_COMPILE(",{}"),
+                     csv_value(attribute.values.at(static_cast<std::size_t>(site))));
+        text.put(FMT_COMPILE(",\"{}\"\n"), well_known_text(polygons(shape, tolerance)));
     }
     text.flush();
+}
+
+void write_voronoi_wkt(std::ostream& out, const ClippedVoronoi& diagram, double tolerance) {
+    const std::size_t sites = diagram.voronoi().tessellation().sites().size();
+    TextWriter text(out);
+    for (Index site = 0; site < static_cast<Index>(sites); ++site)
+        text.put(FMT_COMPILE("{}\n"), well_known_text(polygons(diagram.cell(site), tolerance)));
+    text.flush();
+}
+
+VtkGrid vtk_grid(const ClippedVoronoi& diagram, double tolerance) {
+    const Voronoi& voronoi = diagram.voronoi();
+    const Tessellation& tessellation = voronoi.tessellation();
+    VtkGrid grid;
+    grid.title = fmt::format("signum: {} cells", name_of(tessellation.metric()));
+    grid.of_cells = {{"site", true, {}},
+                     {std::string(name_of(tessellation.weight_is())), false, {}},
+                     {"area", false, {}}};
+    for (const Index site : visible_sites(voronoi)) {
+        const CellShape shape = diagram.cell(site);
+        const double area = measure(shape).area;
+        for (const auto& polygon : polygons(shape, tolerance)) {
+            std::vector<std::int64_t> corners(polygon.size());
+            std::iota(corners.begin(), corners.end(),
+                      static_cast<std::int64_t>(grid.points.size()));
+            for (const Point& p : polygon) grid.points.push_back({p.x, p.y, 0.0});
+            grid.add_cell(VtkCell::polygon, corners);
+            grid.of_cells[0].values.push_back(site);
+            grid.of_cells[1].values.push_back(site_of(voronoi, site).r);
+            grid.of_cells[2].values.push_back(area);
+        }
+    }
+    return grid;
 }
 
 }  // namespace signum

@@ -1,17 +1,21 @@
 #pragma once
-/// A tessellation of space as an unstructured grid of VTK in its legacy form, ASCII, which ParaView
-/// opens.
+/// A tessellation as a grid of VTK (io/vtk_grid.hpp).
 
-#include <ostream>
 #include <span>
 
 #include "../spatial/triangulate.hpp"
+#include "../triangulation/tessellation.hpp"
+#include "vtk_grid.hpp"
 
 namespace signum {
 
+/// All sites as points at z = 0 with their radius or weight and whether they are hidden; the finite
+/// faces as triangles, and before them as lines the edges that bound none of these. O(n log n).
+[[nodiscard]] VtkGrid vtk_grid(const Tessellation& tessellation);
+
 /// All sites as points with their radius or weight and whether they are hidden, and the finite
-/// cells: tetrahedra, turning as VTK wants them; of flat sites triangles, lines or a vertex.
-void write_vtk(std::ostream& out, const SpaceTessellation& tessellation,
-               std::span<const Site3> sites, WeightIs weight_is);
+/// cells: tetrahedra, turning as VTK wants them; of flat sites triangles, lines or a vertex. O(n).
+[[nodiscard]] VtkGrid vtk_grid(const SpaceTessellation& tessellation, std::span<const Site3> sites,
+                               WeightIs weight_is);
 
 }  // namespace signum

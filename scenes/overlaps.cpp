@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
+#include <cstdint>
+#include <limits>
 #include <vector>
 
+#include "../motion/box_tree.hpp"
 #include "beside_wall.hpp"
 
 namespace signum {
@@ -21,40 +23,32 @@ double largest_of(const std::vector<double>& radii) {
     return radii.empty() ? 0.0 : *std::ranges::max_element(radii);
 }
 
-/// Tells of all pairs that are less than the sum of their radii and that share of it apart:
-/// visit(i, j, distance). Along x each ball looks ahead as far as it goes itself, in a periodic box
-/// around it.
+/// Tells of all pairs that are less than the sum of their radii and that share of it apart, each
+/// once, until visit(i, j, distance) returns false. In a periodic box the nearest image counts.
 template <int D, typename Visit>
 void visit_pairs(const Places<D>& places, const motion::Effects<D>& effects, double share,
                  const Visit& visit) {
     const auto& [centres, radii] = places;
-    const std::size_t n = centres.size();
-    std::vector<double> begins(n);
-    for (std::size_t i = 0; i < n; ++i) begins[i] = centres[i][0] - radii[i] * (1.0 + share);
-    std::vector<std::size_t> order(n);
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::sort(order, [&](std::size_t a, std::size_t b) { return begins[a] < begins[b]; });
+    if (centres.empty()) return;
     const auto side = [&](int k) { return effects.box->high[k] - effects.box->low[k]; };
-    for (std::size_t place = 0; place < n; ++place) {
-        const std::size_t i = order[place];
-        const double end = centres[i][0] + radii[i] * (1.0 + share);
-        for (std::size_t step = 1; step < n; ++step) {
-            const bool is_around = place + step >= n;
-            if (is_around && !effects.periodic) break;
-            const std::size_t j = order[(place + step) % n];
-            const double shift = is_around ? side(0) : 0.0;
-            if (begins[j] + shift >= end) break;
-            const double ahead = centres[j][0] - centres[i][0] + shift;
-            double square = ahead * ahead;
-            for (int k = 1; k < D; ++k) {
-                double d = centres[j][k] - centres[i][k];
-                if (effects.periodic) d -= side(k) * std::nearbyint(d / side(k));
-                square += d * d;
-            }
-            const double both = (radii[i] + radii[j]) * (1.0 + share);
-            if (square < both * both) visit(i, j, std::sqrt(square));
+    std::vector<typename motion::BoxTree<D>::Node> boxes;
+    boxes.reserve(centres.size());
+    for (std::size_t i = 0; i < centres.size(); ++i)
+        boxes.push_back({.box = {centres[i], centres[i]}, .radius = radii[i] * (1.0 + share)});
+    motion::Vector<D> length;
+    for (int k = 0; k < D; ++k) length[k] = effects.periodic ? side(k) : motion::infinity;
+    // Just below 0, so that points in one place are no pairs.
+    const auto bound = [] { return -std::numeric_limits<double>::denorm_min(); };
+    motion::BoxTree<D>(boxes, length).visit_pairs(bound, [&](std::uint32_t i, std::uint32_t j) {
+        double square = 0.0;
+        for (int k = 0; k < D; ++k) {
+            double d = centres[j][k] - centres[i][k];
+            if (effects.periodic) d -= side(k) * std::nearbyint(d / side(k));
+            square += d * d;
         }
-    }
+        const double both = (radii[i] + radii[j]) * (1.0 + share);
+        return square >= both * both || visit(i, j, std::sqrt(square));
+    });
 }
 
 /// visit(i, distance) for each ball and wall.
@@ -98,6 +92,7 @@ Overlaps deepest_overlaps(const motion::State<D>& state, const motion::Effects<D
     visit_pairs(places, effects, 0.0, [&](std::size_t i, std::size_t j, double distance) {
         result.of_balls = std::max(result.of_balls, depth(distance, radii[i] + radii[j],
                                                           scale(std::min(radii[i], radii[j]))));
+        return true;
     });
     return result;
 }
@@ -122,13 +117,19 @@ void part(std::span<motion::Body<D>> bodies, const motion::Effects<D>& effects) 
             depth(distance, radii[i], radii[i]) <= deepest)
             shrink(i, distance, radii[i]);
     });
+    // Around a ball are at most twelve that touch it and are no smaller, and hardly more where they
+    // overlap by so little: where there are more pairs, there are deeper ones among them, which
+    // nobody can take apart.
+    std::size_t pairs_left = 16 * places.centres.size();
     visit_pairs(places, effects, 0.5 * margin, [&](std::size_t i, std::size_t j, double distance) {
+        if (pairs_left-- == 0) return false;
         const double both = radii[i] + radii[j];
         // In a ball a point is as deep as in one of its own size.
         const double smaller = std::min(radii[i], radii[j]);
-        if (depth(distance, both, smaller > 0.0 ? smaller : both) > deepest) return;
+        if (depth(distance, both, smaller > 0.0 ? smaller : both) > deepest) return true;
         shrink(i, distance, both);
         shrink(j, distance, both);
+        return true;
     });
 }
 

@@ -19,14 +19,16 @@ struct Overlaps {
 };
 /// As parts of the smaller radius, of points of the largest one; 0 where nothing overlaps, NaNs
 /// where a coordinate is none.
-/// O(n log n + n²w), w the mean diameter as a share of the extent along x, and n walls.
+/// O(n (log n + walls) + pairs that overlap), as a rule.
 template <int D>
 [[nodiscard]] Overlaps deepest_overlaps(const motion::State<D>& state,
                                         const motion::Effects<D>& effects, double time);
 
 /// Rounding leaves balls inside one another, and contacts that stand do by a 256th of the smaller
 /// radius and a little more. Those that are no deeper in one another, or in walls at t = 0, are
-/// made smaller until they are apart by a part in 10^9; those that are deeper stay. O(as above).
+/// made smaller until they are apart by a part in 10^9; those that are deeper stay, and where there
+/// are more pairs than balls that are apart could have, so may others. O(n (log n + walls)), as a
+/// rule.
 template <int D>
 void part(std::span<motion::Body<D>> bodies, const motion::Effects<D>& effects);
 

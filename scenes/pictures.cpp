@@ -12,18 +12,11 @@
 namespace signum {
 namespace {
 
-void require_program(const std::string& name, const std::string& argument, std::string_view what,
-                     std::string_view package) {
-    if (has_program(name, argument)) return;
-    throw MachineError(fmt::format(
-        "{} by {}, which is not there; install it (Debian: apt-get install {}), or leave {} out of "
-        "[record]",
-        what == "images" ? "images are drawn" : "a video is made", name, package, what));
-}
-
-void run_well(const std::string& name, std::vector<std::string> arguments, std::string_view what) {
-    if (run_program(name, std::move(arguments)).status != 0)
-        throw MachineError(fmt::format("{} failed at {}", name, what));
+void require_ffmpeg() {
+    if (has_program("ffmpeg", "-version")) return;
+    throw MachineError(
+        "a video is made by ffmpeg, which is not there; install it (Debian: apt-get install "
+        "ffmpeg), or leave video out of [record]");
 }
 
 /// "image-%04d.png" with a number.
@@ -45,9 +38,7 @@ void copy_to(const std::string& from, const std::string& to) {
 
 Pictures::Pictures(std::string images, std::string video)
     : images_(std::move(images)), video_(std::move(video)) {
-    require_program("rsvg-convert", "--version", images_.empty() ? "video" : "images",
-                    "librsvg2-bin");
-    if (!video_.empty()) require_program("ffmpeg", "-version", "video", "ffmpeg");
+    if (!video_.empty()) require_ffmpeg();
 }
 
 std::string Pictures::made(std::size_t number) const {
@@ -55,19 +46,19 @@ std::string Pictures::made(std::size_t number) const {
 }
 
 void Pictures::add(std::string_view svg) {
-    const std::string drawing = folder_.file("frame.svg");
-    std::ofstream(drawing, std::ios::binary) << svg;
-    run_well("rsvg-convert", {"-o", made(count_), drawing}, "an image");
+    OutputFile image(made(count_));
+    image.stream() << converter_.convert(svg, Converted::png);
+    image.publish();
     ++count_;
 }
 
 void Pictures::publish() {
     const std::string video = folder_.file("video.mp4");
-    if (!video_.empty())
-        run_well("ffmpeg",
-                 {"-y", "-loglevel", "error", "-nostdin", "-framerate", "25", "-i",
-                  folder_.file("%07d.png"), "-pix_fmt", "yuv420p", video},
-                 "the video");
+    if (!video_.empty() &&
+        run_program("ffmpeg", {"-y", "-loglevel", "error", "-nostdin", "-framerate", "25", "-i",
+                               folder_.file("%07d.png"), "-pix_fmt", "yuv420p", video})
+                .status != 0)
+        throw MachineError("ffmpeg failed at the video");
     if (!images_.empty())
         for (std::size_t i = 0; i < count_; ++i) copy_to(made(i), numbered(images_, i));
     if (!video_.empty()) copy_to(video, video_);

@@ -1,6 +1,5 @@
 #pragma once
-/// Frames as images and as a video, made by two programs: rsvg-convert (Debian: librsvg2-bin) and,
-/// for a video, ffmpeg.
+/// Frames as images (io/svg_converter.hpp) and as a video, made by ffmpeg.
 ///
 /// Law: nothing appears under its name before all is made.
 
@@ -9,6 +8,7 @@
 #include <string_view>
 
 #include "../io/scratch_folder.hpp"
+#include "../io/svg_converter.hpp"
 
 namespace signum {
 
@@ -27,6 +27,7 @@ class Pictures {
  private:
     [[nodiscard]] std::string made(std::size_t number) const;
 
+    SvgConverter converter_;
     std::string images_;
     std::string video_;
     ScratchFolder folder_ = ScratchFolder("pictures");  ///< where images are until all are there

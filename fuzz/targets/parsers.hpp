@@ -13,6 +13,7 @@ void read_xyz_target(Bytes bytes);
 void read_pdb_target(Bytes bytes);
 void read_pqr_target(Bytes bytes);
 void read_ply_target(Bytes bytes);
+void read_node_target(Bytes bytes);
 /// Balls from lines, and from frames.
 void read_balls_target(Bytes bytes);
 void read_frames_target(Bytes bytes);

@@ -36,6 +36,9 @@ void judge_sites(const SitesFile& file, SitesFormat format) {
 void judge(const SitesFile& file, SitesFormat format) {
     must(file.sites.empty() != file.in_space.empty(), "sites of neither or of both dimensions");
     must(file.dimension == (file.sites.empty() ? 3 : 2), "sites of another dimension");
+    for (const Attribute& attribute : file.attributes)
+        must(attribute.values.size() == file.sites.size() + file.in_space.size(),
+             "an attribute without a value a site");
     if (file.dimension == 2)
         judge_sites<Site>(file, format);
     else
@@ -52,7 +55,8 @@ void read_with(Bytes bytes, const ReadOptions& options, SitesFormat format = Sit
 }  // namespace
 
 void read_sites_target(Bytes bytes) {
-    static const std::array<ReadOptions, 7> all = {{{},
+    static const std::array<ReadOptions, 8> all = {{{},
+                                                    {.attributes = true},
                                                     {.dimension = 2},
                                                     {.dimension = 3},
                                                     {.columns = {"2", "1"}, .dimension = 2},
@@ -77,6 +81,11 @@ void read_pqr_target(Bytes bytes) {
 }
 void read_ply_target(Bytes bytes) {
     read_with(bytes, {.input = SitesInput::ply});
+}
+void read_node_target(Bytes bytes) {
+    read_with(bytes, {.input = SitesInput::node, .attributes = true});
+    read_with(bytes, {.columns = {"2", "3", "4"}, .input = SitesInput::node});
+    read_with(bytes, {.columns = {"5", "2", "3", "4"}, .dimension = 3, .input = SitesInput::node});
 }
 
 }  // namespace signum::fuzz

@@ -123,11 +123,11 @@ TEST_F(ToolInSpace, SaysWhatIsOfThePlaneAlone) {
     expect(triangulate({"--clip", "0", "0", "0", "1", "1", "1", "-o", svg}), 2,
            "signum: --clip takes 4 words after it, X0 Y0 X1 Y1, a box of the plane; 6 are given; "
            "see signum triangulate --help\n");
-    const std::string vtk = scratch.path("a.vtk");
-    expect(triangulate({"--columns", "x,y", "-o", vtk}), 2,
-           "signum: vtk is written of sites in space, and those of " + balls +
-               " lie in the plane; write obj\n");
-    EXPECT_FALSE(std::filesystem::exists(vtk));
+    const std::string vtu = scratch.path("a.vtu");
+    expect(triangulate({"--columns", "x,y", "-o", vtu}), 2,
+           "signum: vtu is written of sites in space, and those of " + balls +
+               " lie in the plane; write vtp\n");
+    EXPECT_FALSE(std::filesystem::exists(vtu));
     expect(triangulate({"--dimension", "4"}), 2,
            "signum: --dimension: '4' is unknown; it is one of 2, 3; see signum triangulate "
            "--help\n");

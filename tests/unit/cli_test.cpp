@@ -492,10 +492,8 @@ TEST_F(Tool, WritesEveryFormatToStandardOutput) {
 
 TEST_F(Tool, RefusesOutputsThatCannotBeMeant) {
     expect(triangulate({"-o", "a.txt"}), 2,
-           "signum: -o a.txt: the ending says what to write; give it .json, .svg, .csv, .obj or "
-           ".vtk, or "
-           "say "
-           "it with --format\n");
+           "signum: -o a.txt: the ending says what to write; give it .json, .svg, .png, .pdf, "
+           ".csv, .obj, .ply, .vtk, .vtp, .vtu, .node, .ele or .neigh, or say it with --format\n");
     expect(triangulate({"-o", "a.json", "-o", "a.json"}), 2,
            "signum: -o a.json is given twice; give it once\n");
     const std::string csv = scratch.file("sites.csv", "0,0\n");
@@ -940,10 +938,12 @@ TEST_F(Tool, RefusesWrongCallsOfVoronoi) {
             "signum: --clip: a picture of a box more than a thousand times as long as wide shows "
             "nothing; give another box, or leave the picture out\n");
     refused({"-o", "a.obj"},
-            "signum: -o a.obj: the ending says what to write; give it .json, .svg, .geojson, "
-            ".csv or .vtk, or say it with --format\n");
-    refused({"-o", "a.vtk"}, "signum: vtk is written of sites in space, and those of " + sites +
-                                 " lie in the plane; write geojson\n");
+            "signum: -o a.obj: the ending says what to write; give it .json, .svg, .png, .pdf, "
+            ".geojson, .csv, .wkt, .vtk, .vtp or .vtu, or say it with --format\n");
+    refused({"-o", "a.vtu"}, "signum: vtu is written of sites in space, and those of " + sites +
+                                 " lie in the plane; write vtp\n");
+    refused({"--carry", "-o", "a.geojson"},
+            "signum: --carry is for tables, and GeoJSON has the columns anyway; add -o FILE.csv\n");
     refused({"--clip", "0", "0", "0", "1", "1", "1"},
             "signum: --clip: 6 numbers, but the sites of " + sites +
                 " lie in the plane; give X0 Y0 X1 Y1\n");

@@ -194,7 +194,7 @@ TEST(SpaceCellsFiles, TheDefaultBoxIsATenthWider) {
 
 TEST(SpaceCellsFiles, TheGridHasThePolyhedra) {
     std::ostringstream out;
-    write_space_cells_vtk(out, cells(), polyhedra());
+    write_vtk(out, vtk_grid(cells(), polyhedra()));
     std::istringstream in(out.str());
     std::string line;
     for (const char* expected : {"# vtk DataFile Version 3.0", "signum: power cells", "ASCII",

@@ -399,6 +399,7 @@ TEST(PlySites, ReadVertices) {
 TEST(SitesInput, IsToldByTheEnding) {
     EXPECT_EQ(input_by_ending("xyz"), SitesInput::xyz);
     EXPECT_EQ(input_by_ending("ent"), SitesInput::pdb);
+    EXPECT_EQ(input_by_ending("node"), SitesInput::node);
     EXPECT_EQ(input_by_ending("csv"), SitesInput::text);
 }
 
@@ -587,7 +588,7 @@ TEST(WriteVtk, WritesFiniteCells) {
     const SpaceTessellation tessellation = triangulate(sites);
     const std::size_t finite = tessellation.cells.size() - facets_of_hull(tessellation);
     std::ostringstream out;
-    write_vtk(out, tessellation, sites, WeightIs::radius);
+    write_vtk(out, vtk_grid(tessellation, sites, WeightIs::radius));
     std::istringstream in(out.str());
     std::string line;
     for (const char* head : {"# vtk DataFile Version 3.0", "signum: power tessellation of space",
@@ -638,7 +639,7 @@ TEST(WriteVtk, WritesFiniteCells) {
 TEST(WriteVtk, WritesFlatSites) {
     const auto vtk = [](const Sites& sites) {
         std::ostringstream out;
-        write_vtk(out, triangulate(sites), sites, WeightIs::weight);
+        write_vtk(out, vtk_grid(triangulate(sites), sites, WeightIs::weight));
         return out.str();
     };
     EXPECT_NE(vtk({{0, 0, 5, 0}, {1, 0, 5, 0}, {0, 1, 5, 0}})

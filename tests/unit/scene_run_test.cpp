@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <fstream>
 #include <numbers>
+#include <span>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -466,6 +469,49 @@ TEST_F(SceneRuns, EnergiesTellSpin) {
     }
     EXPECT_EQ(first_spin, 4.5);
     EXPECT_TRUE(changes);
+}
+
+/// All pairs of many balls would take minutes.
+TEST(Overlaps, ManyBallsInOnePlaceTakeNoLonger) {
+    std::vector<motion::Body<2>> bodies(300'000);
+    for (motion::Body<2>& body : bodies) body.radius = 1;
+    bodies.back().x = {5, 5};
+    const std::clock_t start = std::clock();
+    part(std::span(bodies), motion::Effects<2>{});
+    EXPECT_LT(std::clock() - start, 30 * CLOCKS_PER_SEC);
+    // Nothing here can be taken apart.
+    for (const motion::Body<2>& body : bodies) ASSERT_EQ(body.radius, 1);
+}
+
+TEST(Overlaps, AreThoseOfAllPairs) {
+    // A grid that is shaken, in a periodic box: all overlaps are small enough to be undone.
+    motion::Effects<3> effects;
+    effects.box = {{0, 0, 0}, {12, 12, 12}};
+    effects.periodic = true;
+    std::vector<motion::Body<3>> bodies;
+    std::uint32_t random = 1;
+    const auto next = [&] { return (random = random * 1664525 + 1013904223) * 0x1p-32; };
+    for (int i = 0; i < 216; ++i) {
+        motion::Body<3>& body = bodies.emplace_back();
+        body.x = {2.0 * (i % 6) + 1, 2.0 * (i / 6 % 6) + 1, 2.0 * (i / 36) + 1};
+        for (double& x : body.x) x += 0.004 * (next() - 0.5);
+        body.radius = i % 5 == 0 ? 0.5 : 1.0;
+    }
+    const std::vector<motion::Body<3>> before = bodies;
+    part(std::span(bodies), effects);
+    int undone = 0;
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            double square = 0;
+            for (int k = 0; k < 3; ++k) {
+                const double d = bodies[i].x[k] - bodies[j].x[k];
+                const double nearest = d - 12 * std::nearbyint(d / 12);
+                square += nearest * nearest;
+            }
+            undone += std::sqrt(square) < before[i].radius + before[j].radius ? 1 : 0;
+            EXPECT_GE(std::sqrt(square), bodies[i].radius + bodies[j].radius) << i << " " << j;
+        }
+    EXPECT_GT(undone, 100);
 }
 
 }  // namespace
