@@ -41,6 +41,7 @@ foreach(header IN LISTS public_headers headers_behind)
   cmake_path(GET header PARENT_PATH folder)
   install(FILES "${header}" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/signum/${folder}")
 endforeach()
+install(FILES bindings/c/signum.h DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/signum")
 
 install(TARGETS signum EXPORT signum-targets)
 if(TARGET signum_tool)
