@@ -116,8 +116,8 @@ int signum_ccw(const double a[2], const double b[2], const double c[2]);
 /// in the power metric whether ccw of their centres is +1.
 int signum_exists(signum_metric metric, const double i[3], const double j[3], const double k[3]);
 /// +1 where q conflicts with the vertex of i, j, k (is nearer than they are), 0 where it touches, -1
-/// otherwise. Preconditions: signum_exists(i, j, k); but in the power metric q is hidden by none of
-/// them. Otherwise any sign is told.
+/// otherwise. Preconditions: signum_exists(i, j, k), and q is hidden by none of them. Where they do not
+/// hold any sign may be told; a library built with assertions ends the program, here and below.
 int signum_in_circle(signum_metric metric, const double i[3], const double j[3], const double k[3],
                      const double q[3]);
 int signum_in_circle_points(const double i[2], const double j[2], const double k[2],
@@ -290,7 +290,8 @@ typedef struct signum_diagram_arrays {
 } signum_diagram_arrays;
 #define SIGNUM_DIAGRAM_ARRAYS {sizeof(signum_diagram_arrays), 0, NULL, 0, NULL}
 
-/// With `merge`, neighbouring faces whose circles are the same share a vertex. O(n).
+/// With `merge`, neighbouring faces whose circles are the same share a vertex, and the edge between
+/// them leads from it to itself. O(n).
 signum_status signum_voronoi_create(const signum_tessellation* tessellation, int32_t merge,
                                     signum_voronoi** voronoi, signum_error* error);
 void signum_voronoi_free(signum_voronoi* voronoi);
