@@ -50,6 +50,7 @@ foreach(folder IN ITEMS bindings/c/signum interop)
   string(REGEX REPLACE "^signum$" "" name "${name}")
   install(FILES ${headers} DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/signum/${name}" COMPONENT development)
 endforeach()
+install(FILES bindings/c/signum.h DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/signum")
 
 option(SIGNUM_DEBIAN "Make Debian packages with cpack: scripts/package.sh" OFF)
 # Its parts are those of a distribution's packages: library, development, tool.

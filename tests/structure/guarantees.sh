@@ -21,7 +21,7 @@ while read -r word; do
       file=$tests/$word.cpp
       [ -f "$file" ] || fail "$word, and there is no such file"
       ;;
-    structure.*)
+    structure.* | adoption.*)
       named=$((named + 1))
       grep -q ": $word\$" <<<"$known" || fail "$word, which CTest does not know"
       ;;
