@@ -4,10 +4,12 @@
 /// A struct holds the operands; determinant<Number>() is the number. minus<Number>(a, b) makes a
 /// Number of the difference of two doubles, which is all that a determinant knows of its operands.
 /// ceiling() is not below the determinant's size, the same formula with every difference replaced
-/// by its magnitude and every subtraction by an addition: but for its roundings, for it is a power
-/// of a sum of magnitudes, in which every product of the formula occurs.
+/// by its magnitude and every subtraction by an addition, but for its roundings: it is a product of
+/// sums of magnitudes, in which every product of the formula occurs. It is above 2^200, or NaN,
+/// where a difference is above 2^100.
 
 #include <array>
+#include <limits>
 
 #include "../../predicates/ccw.hpp"
 #include "../../predicates/space/ccw.hpp"
@@ -167,7 +169,14 @@ struct Orient4d {
             (length(a, e, 3) + length(b, e, 3)) + (length(c, e, 3) + length(d, e, 3));
         double height = 0.0;
         for (const double each : heights) height += filters::magnitude(each - heights[4]);
+        if (!(sum <= 0x1p100 && height <= 0x1p100)) return std::numeric_limits<double>::infinity();
         return (sum * sum) * (sum * height);
+    }
+    template <class Predicate>
+    [[nodiscard]] bool all_coordinates(const Predicate& hold) const noexcept {
+        for (const double height : heights)
+            if (!hold(height)) return false;
+        return Insphere{a, b, c, d, e}.all_coordinates(hold);
     }
 };
 

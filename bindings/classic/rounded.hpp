@@ -18,9 +18,9 @@ namespace signum::classic {
 template <class Determinant>
 [[nodiscard, gnu::cold, gnu::noinline]] double rounded_cold(const Determinant& d) noexcept;
 
-/// Underflow: where all differences are below 2^100, a product that loses 2^-1074 is multiplied by
-/// four more at most, and some sixty of them cost less than 2^-660: nothing, beside 2^-500.
-/// Overflow is as far.
+/// Underflow: differences are below 2^100, for else the ceiling is above 2^200. A product that
+/// loses 2^-1074 is multiplied by four of them at most, and some sixty such losses are less than
+/// 2^-660: nothing beside 2^-500. What overflows ends as a NaN, which no comparison lets pass.
 template <class Determinant>
 [[nodiscard, gnu::always_inline]] inline double rounded(const Determinant& d) noexcept {
     Pair value;
