@@ -43,14 +43,12 @@ foreach(header IN LISTS public_headers headers_behind interop_headers)
   cmake_path(GET header PARENT_PATH folder)
   install(FILES "${header}" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/signum/${folder}" COMPONENT development)
 endforeach()
-# Those of C, and those that bring libraries of others along.
-foreach(folder IN ITEMS bindings/c/signum interop)
-  file(GLOB headers CONFIGURE_DEPENDS "${folder}/*.h" "${folder}/*.hpp")
-  cmake_path(GET folder FILENAME name)
-  string(REGEX REPLACE "^signum$" "" name "${name}")
-  install(FILES ${headers} DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/signum/${name}" COMPONENT development)
-endforeach()
-install(FILES bindings/c/signum.h DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/signum")
+# Those of C.
+set(c_headers bindings/c/signum.h)
+if(TARGET signum_classic)
+  list(APPEND c_headers bindings/classic/classic.h)
+endif()
+install(FILES ${c_headers} DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/signum" COMPONENT development)
 
 option(SIGNUM_DEBIAN "Make Debian packages with cpack: scripts/package.sh" OFF)
 # Its parts are those of a distribution's packages: library, development, tool.
