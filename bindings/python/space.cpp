@@ -55,7 +55,7 @@ Sites sites_of(const py::object& object, bool weights) {
     return copied<Site3>(rows);
 }
 
-std::shared_ptr<Space> triangulated(const py::object& sites, const std::string& weight_is,
+std::shared_ptr<Space> triangulated_space(const py::object& sites, const std::string& weight_is,
                                     const std::string& arithmetic, std::uint64_t seed,
                                     const py::object& progress) {
     Options options;
@@ -96,7 +96,7 @@ Box3 box_of(const py::object& object, const Sites& sites) {
             {rows.at(1, 0), rows.at(1, 1), rows.at(1, 2)}};
 }
 
-std::shared_ptr<SpaceClip> clipped(const std::shared_ptr<Space>& space, const py::object& box) {
+std::shared_ptr<SpaceClip> clipped_space(const std::shared_ptr<Space>& space, const py::object& box) {
     auto result = std::make_shared<SpaceClip>();
     result->space = space;
     const Box3 in_box = box_of(box, space->sites);
@@ -128,7 +128,7 @@ py::tuple polyhedron(const SpaceClip& clip, Index site) {
                           column(std::move(shape.beyond)));
 }
 
-void bind_tessellation(py::module_& module) {
+void bind_space_tessellation(py::module_& module) {
     const auto arrays = [](const py::object& self) -> const SpaceTessellation& {
         return self.cast<const Space&>().tessellation;
     };
@@ -210,7 +210,7 @@ double nearest to the exact value; NaN for a cell with infinity, and of flat sit
             },
             py::arg("progress") = py::none(),
             "Judges the tessellation from scratch, in numbers of the judge's own: a Validation.")
-        .def("clip", &clipped, py::arg("box") = py::none(),
+        .def("clip", &clipped_space, py::arg("box") = py::none(),
              R"(The cells in a box, ((x0, y0, z0), (x1, y1, z1)): a SpaceCells.
 
 Without one in the smallest box around all centres, wider by a tenth of its longest side. Raises
@@ -225,7 +225,7 @@ ValueError unless the first corner is below the second, and where a number is be
         });
 }
 
-void bind_cells(py::module_& module) {
+void bind_space_cells(py::module_& module) {
     const auto measures = [](const py::object& self, std::size_t offset, std::size_t columns) {
         const SpaceCells& cells = self.cast<const SpaceClip&>().cells;
         return part<double>(std::span<const SpaceMeasure>(cells.measures), offset, columns, self);
@@ -291,9 +291,9 @@ IndexError where there is no such site.)")
 void bind_space(py::module_& module) {
     static_assert(offsetof(SpaceFace, area) == sizeof(double));
     static_assert(sizeof(SpaceMeasure) == 5 * sizeof(double));
-    bind_tessellation(module);
-    bind_cells(module);
-    module.def("triangulate_space", &triangulated, py::arg("sites"), py::kw_only(),
+    bind_space_tessellation(module);
+    bind_space_cells(module);
+    module.def("triangulate_space", &triangulated_space, py::arg("sites"), py::kw_only(),
                py::arg("weight_is") = "radius", py::arg("arithmetic") = "exact", py::arg("seed") = 1,
                py::arg("progress") = py::none(),
                R"(The power tessellation of sites in space: a SpaceTessellation.
