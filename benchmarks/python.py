@@ -69,13 +69,15 @@ def families(n):
     rng = np.random.default_rng(2)
     side = int(n**0.5)
     x, y = np.meshgrid(np.arange(side) * 0.1, np.arange(side) * 0.1)
-    angle = rng.uniform(0, 2 * np.pi, n)
+    # Beyond a few thousand there Qhull takes minutes.
+    on_circle = min(n, 2000)
+    angle = rng.uniform(0, 2 * np.pi, on_circle)
     centres = rng.uniform(0, 1, (max(n // 1000, 1), 2))
     return {
         "random": rng.uniform(0, 1, (n, 2)),
         "clustered": centres[rng.integers(0, len(centres), n)] + rng.normal(scale=1e-4, size=(n, 2)),
         "grid, 0.1 apart": np.column_stack([x.ravel(), y.ravel()]),
-        "on a circle": np.column_stack([np.cos(angle), np.sin(angle)]),
+        f"{on_circle} on a circle": np.column_stack([np.cos(angle), np.sin(angle)]),
         "random, 1e8 away": rng.uniform(0, 1, (n, 2)) + 1e8,
     }
 

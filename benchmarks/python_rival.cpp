@@ -1,5 +1,6 @@
-/// Builds the tessellation of the sites of a file of doubles, x and y in turn, each time a line comes
-/// on standard input, and says how many seconds it took: what benchmarks/python.py compares with.
+/// Builds the tessellation of the sites of a file of doubles, x and y in turn, each time a line
+/// comes on standard input, and says how many seconds it took: what benchmarks/python.py compares
+/// with.
 
 #include <chrono>
 #include <cstdio>
@@ -21,7 +22,8 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "python_rival: no such file or metric\n");
         return 2;
     }
-    std::vector<signum::Point> sites(static_cast<std::size_t>(file.tellg()) / sizeof(signum::Point));
+    std::vector<signum::Point> sites(static_cast<std::size_t>(file.tellg()) /
+                                     sizeof(signum::Point));
     file.seekg(0);
     file.read(reinterpret_cast<char*>(sites.data()),
               static_cast<std::streamsize>(sites.size() * sizeof(signum::Point)));

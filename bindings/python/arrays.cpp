@@ -26,7 +26,8 @@ Rows::Rows(const py::object& object, const std::string& what, int least, int mos
             shape += (k > 0 ? ", " : "") + std::to_string(array_.shape(k));
         throw py::value_error(what + ": a table of " + std::to_string(least) +
                               (least == most ? "" : " to " + std::to_string(most)) +
-                              " columns is needed, a row each; this one's shape is (" + shape + ")");
+                              " columns is needed, a row each; this one's shape is (" + shape +
+                              ")");
     }
     first_ = static_cast<const char*>(array_.data());
     size_ = static_cast<std::size_t>(array_.shape(0));
@@ -38,7 +39,7 @@ Rows::Rows(const py::object& object, const std::string& what, int least, int mos
 
 StridedSites Rows::sites(bool third_is_weight) const noexcept {
     if (size_ == 0) return {};
-    return {size_,     row_stride_, column(0), column(1), columns_ > 2 ? column(2) : nullptr,
+    return {size_,          row_stride_, column(0), column(1), columns_ > 2 ? column(2) : nullptr,
             third_is_weight};
 }
 
@@ -56,7 +57,8 @@ py::array_t<std::int64_t, py::array::c_style> whole_numbers(const py::object& ob
 Index narrowed(std::int64_t number, const std::string& what, std::size_t row) {
     const auto index = static_cast<Index>(number);
     if (index != number)
-        throw py::value_error(what + ": row " + std::to_string(row) + " has a number beyond 32 bits");
+        throw py::value_error(what + ": row " + std::to_string(row) +
+                              " has a number beyond 32 bits");
     return index;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
-/// Between NumPy's arrays and the library's views and vectors. Nothing is copied on the way in where
-/// an array holds aligned doubles of this machine, whatever its strides; nothing on the way out.
+/// Between NumPy's arrays and the library's views and vectors. Nothing is copied on the way in
+/// where an array holds aligned doubles of this machine, whatever its strides; nothing on the way
+/// out.
 
 #include <array>
 #include <cstddef>
@@ -23,11 +24,12 @@ namespace py = pybind11;
 /// numbers. Throws ValueError for a number that no double is (signum/_exact.py).
 [[nodiscard]] py::array doubles(const py::object& object);
 
-/// A table of doubles, a row a site, a point or a ball. It keeps its array alive, and is itself to be
-/// destroyed by who holds the interpreter.
+/// A table of doubles, a row a site, a point or a ball. It keeps its array alive, and is itself to
+/// be destroyed by who holds the interpreter.
 class Rows {
  public:
-    /// `what` names it in errors; throws ValueError unless there are from `least` to `most` columns.
+    /// `what` names it in errors; throws ValueError unless there are from `least` to `most`
+    /// columns.
     Rows(const py::object& object, const std::string& what, int least, int most);
 
     [[nodiscard]] std::size_t size() const noexcept { return size_; }
@@ -73,10 +75,11 @@ template <class Number, class Element>
 [[nodiscard]] py::array table(std::span<const Element> elements, py::handle base) {
     constexpr std::size_t columns = sizeof(Element) / sizeof(Number);
     static_assert(sizeof(Element) == columns * sizeof(Number));
-    return view(reinterpret_cast<const Number*>(elements.data()),
-                {static_cast<py::ssize_t>(elements.size()), static_cast<py::ssize_t>(columns)},
-                {static_cast<py::ssize_t>(sizeof(Element)), static_cast<py::ssize_t>(sizeof(Number))},
-                base);
+    return view(
+        reinterpret_cast<const Number*>(elements.data()),
+        {static_cast<py::ssize_t>(elements.size()), static_cast<py::ssize_t>(columns)},
+        {static_cast<py::ssize_t>(sizeof(Element)), static_cast<py::ssize_t>(sizeof(Number))},
+        base);
 }
 
 /// A vector that Python owns from now on.

@@ -1,7 +1,7 @@
 #pragma once
-/// A function of rows, called for all rows of arrays of any shape, as NumPy's own functions are: the
-/// last axis of an operand is a row, the others are matched from behind, and one of length 1 serves
-/// for all.
+/// A function of rows, called for all rows of arrays of any shape, as NumPy's own functions are:
+/// the last axis of an operand is a row, the others are matched from behind, and one of length 1
+/// serves for all.
 
 #include <array>
 #include <cstddef>
@@ -49,12 +49,10 @@ class Broadcast {
             const py::ssize_t last = array.ndim() - 1;
             const Operand& operand = operands[i];
             if (last < 0 || array.shape(last) < operand.least || array.shape(last) > operand.most)
-                throw py::value_error(std::string(operand.name) + ": " +
-                                      std::to_string(operand.least) +
-                                      (operand.least == operand.most
-                                           ? ""
-                                           : " to " + std::to_string(operand.most)) +
-                                      " numbers are needed along the last axis");
+                throw py::value_error(
+                    std::string(operand.name) + ": " + std::to_string(operand.least) +
+                    (operand.least == operand.most ? "" : " to " + std::to_string(operand.most)) +
+                    " numbers are needed along the last axis");
             arrays_[i] = array;
             rows_[i] = {static_cast<const char*>(array.data()), array.strides(last),
                         static_cast<int>(array.shape(last))};

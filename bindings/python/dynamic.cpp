@@ -80,15 +80,15 @@ void moved_all(Dynamic& dynamic, const py::object& centres) {
 }
 
 void bind_changing(py::module_& module) {
-    py::class_<Dynamic>(module, "DynamicTessellation", R"(A tessellation whose sites come, go, grow and move.
+    py::class_<Dynamic>(module, "DynamicTessellation",
+                        R"(A tessellation whose sites come, go, grow and move.
 
 At any time it is that of triangulate() of the sites that are there, in the order of their handles. A
 handle names its site until that is erased; then it may be given to another one. One call at a time:
 while one runs in another thread the next one raises RuntimeError.)")
         .def(py::init([](const std::string& metric, const std::string& weight_is,
                          const py::object& sites) {
-                 auto dynamic =
-                     std::make_unique<Dynamic>(metric_of(metric), weight_of(weight_is));
+                 auto dynamic = std::make_unique<Dynamic>(metric_of(metric), weight_of(weight_is));
                  if (!sites.is_none()) inserted(*dynamic, sites);
                  return dynamic;
              }),
@@ -101,15 +101,20 @@ while one runs in another thread the next one raises RuntimeError.)")
 Each gets the least that is free. Raises ValueError, naming the row, for a number that is not finite; then
 nothing has changed. On Ctrl-C the sites up to there are in. Expected O(sqrt n) a site.)")
         .def("erase", &erased, py::arg("handles"),
-             "Takes one site or several away; what they hid reappears. Raises IndexError for no handle.")
-        .def("change", [](Dynamic& dynamic, Index handle, double third) {
+             "Takes one site or several away; what they hid reappears. Raises IndexError for no "
+             "handle.")
+        .def(
+            "change",
+            [](Dynamic& dynamic, Index handle, double third) {
                 used(dynamic, [&](DynamicTessellation& all) {
                     all.change(handle, third);
                     return true;
                 });
             },
             py::arg("handle"), py::arg("third"), "Gives a site another radius, or weight.")
-        .def("move", [](Dynamic& dynamic, Index handle, const py::object& centre) {
+        .def(
+            "move",
+            [](Dynamic& dynamic, Index handle, const py::object& centre) {
                 const Point point = point_of(centre, "centre");
                 used(dynamic, [&](DynamicTessellation& all) {
                     all.move(handle, point);
@@ -121,13 +126,18 @@ nothing has changed. On Ctrl-C the sites up to there are in. Expected O(sqrt n) 
              R"(Gives every site another centre: (n, 2), in the order of their handles. O(n).
 
 Raises ValueError unless there is one for each, all finite; then nothing has changed.)")
-        .def("site", [](Dynamic& dynamic, Index handle) {
+        .def(
+            "site",
+            [](Dynamic& dynamic, Index handle) {
                 const Site site =
                     dynamic.use([&](DynamicTessellation& all) { return all.site(handle); });
                 return py::make_tuple(site.x, site.y, site.r);
             },
-            py::arg("handle"), "(x, y, r) of a site. Raises IndexError where there is no such handle.")
-        .def("tessellation", [](Dynamic& dynamic) {
+            py::arg("handle"),
+            "(x, y, r) of a site. Raises IndexError where there is no such handle.")
+        .def(
+            "tessellation",
+            [](Dynamic& dynamic) {
                 return used(dynamic, [](DynamicTessellation& all) { return all.tessellation(); });
             },
             R"(The Tessellation of the sites, numbered from 0 in the order of their handles. O(n log n).)")
@@ -149,11 +159,15 @@ Raises ValueError unless there is one for each, all finite; then nothing has cha
                 return result;
             },
             "How many moves left all as it was, were mended, or had all built anew.")
-        .def("__contains__", [](Dynamic& dynamic, Index handle) {
+        .def(
+            "__contains__",
+            [](Dynamic& dynamic, Index handle) {
                 return dynamic.use([&](DynamicTessellation& all) { return all.contains(handle); });
             },
             py::arg("handle"), "Whether a site has that handle.")
-        .def("__len__", [](Dynamic& dynamic) {
+        .def(
+            "__len__",
+            [](Dynamic& dynamic) {
                 return dynamic.use([](DynamicTessellation& all) { return all.size(); });
             },
             "How many sites there are.");
@@ -211,8 +225,8 @@ class Moving {
 using Kinetic = Exclusive<Moving>;
 
 MovingSite moving_site(const Rows& rows, std::size_t i) {
-    return {rows.at(i, 0), rows.at(i, 1), rows.at(i, 3), rows.at(i, 4), rows.at(i, 2),
-            rows.columns() > 5 ? rows.at(i, 5) : 0.0};
+    return {rows.at(i, 0), rows.at(i, 1), rows.at(i, 3),
+            rows.at(i, 4), rows.at(i, 2), rows.columns() > 5 ? rows.at(i, 5) : 0.0};
 }
 MovingSite one_moving_site(const py::object& object) {
     const Rows rows(doubles(object).attr("reshape")(1, -1), "site", 5, 6);
@@ -266,27 +280,36 @@ auto asked(Kinetic& kinetic, Use use) {
 }
 
 void bind_moving(py::module_& module) {
-    py::class_<Kinetic>(module, "KineticTessellation", R"(A power tessellation whose sites move, kept up exactly.
+    py::class_<Kinetic>(module, "KineticTessellation",
+                        R"(A power tessellation whose sites move, kept up exactly.
 
 Sites are x, y, r, vx, vy and, if they are not of time 0, their own time: at time t the centre is
 (x, y) + (vx, vy) (t - time), and where all fall alike g (t - time)^2 / 2 more. Handles and threads as those of
 a DynamicTessellation.)")
         .def(py::init(&moving), py::arg("sites"), py::kw_only(), py::arg("start") = 0.0,
              py::arg("fall") = py::make_tuple(0.0, 0.0),
-             "Of sites with handles 0, 1, 2 ...; raises ValueError naming the row that is not finite.")
-        .def("insert", [](Kinetic& kinetic, const py::object& site) {
+             "Of sites with handles 0, 1, 2 ...; raises ValueError naming the row that is not "
+             "finite.")
+        .def(
+            "insert",
+            [](Kinetic& kinetic, const py::object& site) {
                 const MovingSite one = one_moving_site(site);
                 return asked(kinetic, [&](KineticTessellation& all) { return all.insert(one); });
             },
             py::arg("site"), "Adds a site at the present time, and gives its handle.")
-        .def("erase", [](Kinetic& kinetic, Index handle) {
+        .def(
+            "erase",
+            [](Kinetic& kinetic, Index handle) {
                 asked(kinetic, [&](KineticTessellation& all) {
                     all.erase(handle);
                     return true;
                 });
             },
-            py::arg("handle"), "Takes a site away. Raises IndexError where there is no such handle.")
-        .def("change", [](Kinetic& kinetic, Index handle, const py::object& site) {
+            py::arg("handle"),
+            "Takes a site away. Raises IndexError where there is no such handle.")
+        .def(
+            "change",
+            [](Kinetic& kinetic, Index handle, const py::object& site) {
                 const MovingSite one = one_moving_site(site);
                 asked(kinetic, [&](KineticTessellation& all) {
                     all.change(handle, one);
@@ -294,7 +317,9 @@ a DynamicTessellation.)")
                 });
             },
             py::arg("handle"), py::arg("site"), "From now on a site moves otherwise.")
-        .def("site", [](Kinetic& kinetic, Index handle) {
+        .def(
+            "site",
+            [](Kinetic& kinetic, Index handle) {
                 const MovingSite site =
                     asked(kinetic, [&](KineticTessellation& all) { return all.site(handle); });
                 return py::make_tuple(site.x, site.y, site.r, site.vx, site.vy, site.time);
@@ -306,24 +331,32 @@ a DynamicTessellation.)")
                 return asked(kinetic, [](KineticTessellation& all) { return all.time(); });
             },
             "The present time.")
-        .def("next_event", [](Kinetic& kinetic) -> py::object {
+        .def(
+            "next_event",
+            [](Kinetic& kinetic) -> py::object {
                 const auto time =
                     asked(kinetic, [](KineticTessellation& all) { return all.next_event(); });
                 return time ? py::object(py::float_(*time)) : py::none();
             },
-            "A time at which faces may change next: the least double not before it; None for never.")
+            "A time at which faces may change next: the least double not before it; None for "
+            "never.")
         .def("advance", &advanced, py::arg("time"), py::kw_only(), py::arg("log") = false,
              R"(Goes on to a time, all that happens at it included.
 
 log: whether to tell the edges between sites that come and go, a structured array of time, a, b (a < b)
 and comes. Raises ValueError unless the time is finite and not past. Ctrl-C ends it between two events;
 the time is then that of the last one.)")
-        .def("faces", [](Kinetic& kinetic) {
+        .def(
+            "faces",
+            [](Kinetic& kinetic) {
                 return table<Index>(
                     asked(kinetic, [](KineticTessellation& all) { return all.faces(); }));
             },
-            "The finite faces right after the present time: triples of handles, int32 (f, 3), sorted.")
-        .def("tessellation", [](Kinetic& kinetic) {
+            "The finite faces right after the present time: triples of handles, int32 (f, 3), "
+            "sorted.")
+        .def(
+            "tessellation",
+            [](Kinetic& kinetic) {
                 return asked(kinetic, [](KineticTessellation& all) { return all.tessellation(); });
             },
             R"(The Tessellation of the sites as they are now, at the doubles nearest to their places.
@@ -336,12 +369,16 @@ Raises OverflowError where a site is beyond the doubles. O(n log n).)")
                     asked(kinetic, [](KineticTessellation& all) { return all.statistics(); }));
             },
             "What keeping it up took, by name.")
-        .def("__contains__", [](Kinetic& kinetic, Index handle) {
+        .def(
+            "__contains__",
+            [](Kinetic& kinetic, Index handle) {
                 return asked(kinetic,
                              [&](KineticTessellation& all) { return all.contains(handle); });
             },
             py::arg("handle"), "Whether a site has that handle.")
-        .def("__len__", [](Kinetic& kinetic) {
+        .def(
+            "__len__",
+            [](Kinetic& kinetic) {
                 return asked(kinetic, [](KineticTessellation& all) { return all.size(); });
             },
             "How many sites there are.");

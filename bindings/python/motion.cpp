@@ -89,10 +89,10 @@ motion::Effects<D> effects_of(const py::object& given) {
     });
     with("friction", [&](const py::object& f) {
         const py::object inertia = f.attr("inertia");
-        effects.friction = motion::Friction{number(f, "coefficient"), number(f, "wall_coefficient"),
-                                            number(f, "tangential_restitution"),
-                                            inertia.is_none() ? (D == 2 ? 0.5 : 0.4)
-                                                              : inertia.cast<double>()};
+        effects.friction =
+            motion::Friction{number(f, "coefficient"), number(f, "wall_coefficient"),
+                             number(f, "tangential_restitution"),
+                             inertia.is_none() ? (D == 2 ? 0.5 : 0.4) : inertia.cast<double>()};
     });
     with("shake", [&](const py::object& s) {
         effects.shake = motion::Shake<D>{vector_of<D>(s.attr("amplitude"), "amplitude"),
@@ -176,14 +176,16 @@ Running<D> started(const Rows& rows, const py::object& effects, const motion::Op
 }
 
 std::unique_ptr<Simulation> simulation(const py::object& balls, const py::object& effects,
-                                       const std::string& structure, const std::string& arithmetic) {
+                                       const std::string& structure,
+                                       const std::string& arithmetic) {
     const Rows rows(balls, "balls", 5, 8);
     motion::Options options;
     options.structure = structure_of(structure);
     if (arithmetic != "exact" && arithmetic != "naive")
         throw py::value_error("arithmetic '" + arithmetic + "' is none of exact, naive");
     options.kernel = arithmetic == "naive" ? motion::Kernel::naive : motion::Kernel::exact;
-    if (rows.columns() <= 6) return std::make_unique<Simulation>(started<2>(rows, effects, options));
+    if (rows.columns() <= 6)
+        return std::make_unique<Simulation>(started<2>(rows, effects, options));
     return std::make_unique<Simulation>(started<3>(rows, effects, options));
 }
 
@@ -231,8 +233,8 @@ py::tuple run(Simulation& simulation, double until, const py::object& strikes, b
     const motion::Outcome outcome = watched(progress, [&](Watch& watch) {
         limits.stop = watch.stop();
         return simulation.use([&](auto& either) {
-            return std::visit(
-                [&](auto& running) { return running.simulation.run(limits, record); }, either);
+            return std::visit([&](auto& running) { return running.simulation.run(limits, record); },
+                              either);
         });
     });
     return py::make_tuple(name_of(outcome.ending), log_of(std::move(all)));
@@ -337,7 +339,9 @@ flies on. The arrays are read-only views of the state's memory.)")
                     self.cast<const State&>());
             },
             "Masses, float64 (n,).")
-        .def("centres", [](const State& state, const py::object& time) {
+        .def(
+            "centres",
+            [](const State& state, const py::object& time) {
                 const double at = time.is_none() ? time_of(state) : time.cast<double>();
                 return std::visit(
                     [at](const auto& with_effects) { return centres_at(with_effects, at); }, state);
@@ -346,14 +350,18 @@ flies on. The arrays are read-only views of the state's memory.)")
             R"(All centres at one time, that of the state unless it is given: float64 (n, dimension).
 
 Rounded. What strikes after the state's time it does not know.)")
-        .def("closest_pair", &closest_pair,
-             R"((a, b, gap) of the two balls whose surfaces are nearest to each other; None of fewer than two.
+        .def(
+            "closest_pair", &closest_pair,
+            R"((a, b, gap) of the two balls whose surfaces are nearest to each other; None of fewer than two.
 
 Which pair it is is exact, gap the nearest double. Raises ValueError where balls grow or there are time
 steps.)")
-        .def("__len__", [](const State& state) {
+        .def(
+            "__len__",
+            [](const State& state) {
                 return std::visit(
-                    [](const auto& with_effects) { return with_effects.state.balls.size(); }, state);
+                    [](const auto& with_effects) { return with_effects.state.balls.size(); },
+                    state);
             },
             "How many balls there are.");
 }

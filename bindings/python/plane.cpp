@@ -144,31 +144,38 @@ The smallest number comes first, and faces are sorted, so that the same sites ha
             [](const py::object& self) {
                 return table<Index>(self.cast<const Tessellation&>().hidden(), self);
             },
-            "int32 (m, 2): sites whose cells are empty, and the visible site nearest to each centre.")
+            "int32 (m, 2): sites whose cells are empty, and the visible site nearest to each "
+            "centre.")
         .def_property_readonly(
             "statistics", [](const Tessellation& t) { return dictionary(t.statistics()); },
             "What the construction did: counters (None unless count=True asked for them), seconds.")
-        .def("edges", [](const Tessellation& t) {
+        .def(
+            "edges",
+            [](const Tessellation& t) {
                 return table<Index>(watched([&](Watch&) { return t.edges(); }));
             },
             R"(All edges, int32 (3n-3, 2), those to infinity (-1, a) included, smaller number first.
 
 Sorted. Sites that share several edges appear as often. O(n log n).)")
-        .def("vertices", [](const Tessellation& t) {
+        .def(
+            "vertices",
+            [](const Tessellation& t) {
                 return table<double>(watched([&](Watch&) { return vertices(t); }));
             },
             R"(The vertex of the Voronoi diagram of every face: float64 (2n-2, 3), x, y, rho.
 
 rho is its distance from its three sites in the metric. Each number is the double nearest to the exact
 value; NaN for a face with infinity, and where it is beyond the doubles. O(n).)")
-        .def("neighbours_of", [](const Tessellation& t, Index site) {
-                return column(t.neighbours(site));
-            },
+        .def(
+            "neighbours_of",
+            [](const Tessellation& t, Index site) { return column(t.neighbours(site)); },
             py::arg("site"),
             R"(The sites joined to a site, counterclockwise from the smallest, -1 for infinity.
 
 Empty for a hidden site. Raises IndexError where there is no such site.)")
-        .def("locate", [](const Tessellation& t, const py::object& points) {
+        .def(
+            "locate",
+            [](const Tessellation& t, const py::object& points) {
                 return answers(points, "points", [&](Point p) { return t.locate(p); });
             },
             py::arg("points"),
@@ -178,7 +185,9 @@ In the power metric its closure contains the point, exactly, and outside the hul
 whose edge sees it; in the others, whose edges are curved, the first face at the site nearest to it. -1
 where there is no face. O(n^(1/3)) a point on uniform sites. Raises ValueError naming the row that is not
 finite.)")
-        .def("nearest", [](const Tessellation& t, const py::object& points) {
+        .def(
+            "nearest",
+            [](const Tessellation& t, const py::object& points) {
                 return answers(points, "points", [&](Point p) { return t.nearest(p); });
             },
             py::arg("points"),
@@ -186,23 +195,27 @@ finite.)")
 
 -1 without sites; errors and time as locate().)")
         .def("may_share_edge", &may_share_edge, py::arg("pairs"),
-            R"(Whether two sites share an edge however ties are decided: bool (k,) for int (k, 2).
+             R"(Whether two sites share an edge however ties are decided: bool (k,) for int (k, 2).
 
 What is False of an edge that another program has found, is a wrong one. This tessellation must be one
 that an exact arithmetic made. Raises IndexError where there is no such site.)")
-        .def("validate", [](const Tessellation& t, const py::object& progress) {
+        .def(
+            "validate",
+            [](const Tessellation& t, const py::object& progress) {
                 return watched(progress, [&](Watch& watch) {
                     return validate(t, {watch.token(), watch.progress()});
                 });
             },
             py::arg("progress") = py::none(),
             "Judges the tessellation from scratch, in numbers of the judge's own: a Validation.")
-        .def("__len__", [](const Tessellation& t) { return t.sites().size(); },
-             "How many sites there are.")
+        .def(
+            "__len__", [](const Tessellation& t) { return t.sites().size(); },
+            "How many sites there are.")
         .def("__repr__", [](const Tessellation& t) {
             return "<signum.Tessellation: " + std::string(name_of(t.metric())) + ", " +
-                   std::to_string(t.sites().size()) + " sites, " + std::to_string(t.faces().size()) +
-                   " faces, " + std::to_string(t.hidden().size()) + " hidden>";
+                   std::to_string(t.sites().size()) + " sites, " +
+                   std::to_string(t.faces().size()) + " faces, " +
+                   std::to_string(t.hidden().size()) + " hidden>";
         });
 }
 
@@ -210,9 +223,11 @@ that an exact arithmetic made. Raises IndexError where there is no such site.)")
 
 void bind_plane(py::module_& module) {
     static py::exception<BrokenStructure> broken(module, "BrokenStructure", PyExc_RuntimeError);
-    broken.attr("__doc__") = "Inexact arithmetic led a construction astray. Exact ones never raise it.";
+    broken.attr("__doc__") =
+        "Inexact arithmetic led a construction astray. Exact ones never raise it.";
 
-    py::class_<Validation>(module, "Validation", "What validate() says; true where the result is valid.")
+    py::class_<Validation>(module, "Validation",
+                           "What validate() says; true where the result is valid.")
         .def_readonly("valid", &Validation::valid, "Whether it is a tessellation of the sites.")
         .def_readonly("canonical", &Validation::canonical,
                       "Whether it is the one that the rule of ties chooses, its arrays in order.")
@@ -220,7 +235,8 @@ void bind_plane(py::module_& module) {
         .def_readonly("filtered", &Validation::filtered, "Questions that a filter decided.")
         .def_readonly("multiprecision", &Validation::multiprecision,
                       "Questions that took exact numbers.")
-        .def("__bool__", [](const Validation& v) { return v.valid; }, "The same as valid.")
+        .def(
+            "__bool__", [](const Validation& v) { return v.valid; }, "The same as valid.")
         .def("__repr__", [](const Validation& v) {
             return std::string("<signum.Validation: ") + (v.valid ? "valid" : "not valid") +
                    (v.canonical ? ", canonical" : "") +

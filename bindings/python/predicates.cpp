@@ -63,24 +63,24 @@ struct PowerSigns {
         return power::nearer(p, a, b);
     }
 };
-#define SIGNUM_ADDITIVE_SIGNS(Name, space)                                                      \
-    struct Name {                                                                               \
-        static bool exists(const Site& i, const Site& j, const Site& k) {                       \
-            return space::exists(i, j, k);                                                      \
-        }                                                                                       \
-        static int in_circle(const Site& i, const Site& j, const Site& k, const Site& q) {      \
-            require(exists(i, j, k), no_circle);                                                \
+#define SIGNUM_ADDITIVE_SIGNS(Name, space)                                                        \
+    struct Name {                                                                                 \
+        static bool exists(const Site& i, const Site& j, const Site& k) {                         \
+            return space::exists(i, j, k);                                                        \
+        }                                                                                         \
+        static int in_circle(const Site& i, const Site& j, const Site& k, const Site& q) {        \
+            require(exists(i, j, k), no_circle);                                                  \
             require(!hidden(q, i) && !hidden(q, j) && !hidden(q, k), "q is hidden by i, j or k"); \
-            return space::in_circle(i, j, k, q);                                                \
-        }                                                                                       \
-        static int in_circle_infinite(const Site& a, const Site& b, const Site& q) {            \
-            require(!hidden(a, b) && !hidden(b, a), "one of a and b hides the other");          \
-            return space::in_circle_infinite(a, b, q);                                          \
-        }                                                                                       \
-        static bool hidden(const Site& q, const Site& i) { return space::hidden(q, i); }        \
-        static int nearer(const Point& p, const Site& a, const Site& b) {                       \
-            return space::nearer(p, a, b);                                                      \
-        }                                                                                       \
+            return space::in_circle(i, j, k, q);                                                  \
+        }                                                                                         \
+        static int in_circle_infinite(const Site& a, const Site& b, const Site& q) {              \
+            require(!hidden(a, b) && !hidden(b, a), "one of a and b hides the other");            \
+            return space::in_circle_infinite(a, b, q);                                            \
+        }                                                                                         \
+        static bool hidden(const Site& q, const Site& i) { return space::hidden(q, i); }          \
+        static int nearer(const Point& p, const Site& a, const Site& b) {                         \
+            return space::nearer(p, a, b);                                                        \
+        }                                                                                         \
     };
 SIGNUM_ADDITIVE_SIGNS(EuclideanSigns, euclidean)
 SIGNUM_ADDITIVE_SIGNS(ManhattanSigns, manhattan)
@@ -111,16 +111,16 @@ py::object ccw_of(const py::object& a, const py::object& b, const py::object& c,
         return all([](const auto& r) { return ccw(point(r[0]), point(r[1]), point(r[2])); });
     }
     const Broadcast<4> all({a, b, c, d}, {{{"a", 3, 3}, {"b", 3, 3}, {"c", 3, 3}, {"d", 3, 3}}});
-    return all([](const auto& r) {
-        return ccw(point3(r[0]), point3(r[1]), point3(r[2]), point3(r[3]));
-    });
+    return all(
+        [](const auto& r) { return ccw(point3(r[0]), point3(r[1]), point3(r[2]), point3(r[3])); });
 }
 
 py::object exists(const py::object& i, const py::object& j, const py::object& k,
                   const std::string& metric, const std::string& weight_is) {
     const Broadcast<3> all({i, j, k}, {{{"i", 2, 3}, {"j", 2, 3}, {"k", 2, 3}}});
     return in_metric(metric, weight_is, [&](auto signs, auto of) {
-        return all([of](const auto& r) { return decltype(signs)::exists(of(r[0]), of(r[1]), of(r[2])); });
+        return all(
+            [of](const auto& r) { return decltype(signs)::exists(of(r[0]), of(r[1]), of(r[2])); });
     });
 }
 
@@ -174,8 +174,8 @@ int in_sphere_of_facets(const std::array<Row, 5>& r, int number) {
 py::object in_sphere(const py::object& i, const py::object& j, const py::object& k,
                      const py::object& l, const py::object& q, const std::string& name,
                      const std::string& weight_is, int number) {
-    const Broadcast<5> all({i, j, k, l, q}, {{{"i", 3, 4}, {"j", 3, 4}, {"k", 3, 4}, {"l", 3, 4},
-                                              {"q", 3, 4}}});
+    const Broadcast<5> all({i, j, k, l, q},
+                           {{{"i", 3, 4}, {"j", 3, 4}, {"k", 3, 4}, {"l", 3, 4}, {"q", 3, 4}}});
     const Metric metric = metric_of(name);
     const bool weights = weight_of(weight_is) == WeightIs::weight;
     if (weights && metric != Metric::power) throw std::invalid_argument(no_weights(metric));
@@ -196,7 +196,8 @@ py::object in_sphere(const py::object& i, const py::object& j, const py::object&
             });
         case Metric::euclidean:
             return all([](const auto& r) {
-                require(euclidean::exists(ball(r[0]), ball(r[1]), ball(r[2]), ball(r[3])), no_sphere);
+                require(euclidean::exists(ball(r[0]), ball(r[1]), ball(r[2]), ball(r[3])),
+                        no_sphere);
                 return euclidean::in_sphere(ball(r[0]), ball(r[1]), ball(r[2]), ball(r[3]),
                                             ball(r[4]));
             });
@@ -207,9 +208,8 @@ py::object in_sphere(const py::object& i, const py::object& j, const py::object&
         case Metric::supremum:
             break;
     }
-    return all([number](const auto& r) {
-        return in_sphere_of_facets<rectangular::Cube>(r, number);
-    });
+    return all(
+        [number](const auto& r) { return in_sphere_of_facets<rectangular::Cube>(r, number); });
 }
 
 py::object sign_of_sum_along(const py::object& terms, int axis) {
@@ -273,7 +273,8 @@ py::object meeting_time(const py::object& a, const py::object& b, double until,
                         const py::object& periodic_box) {
     const py::array balls = doubles(a);
     const bool in_space = balls.ndim() > 0 && balls.shape(balls.ndim() - 1) == 7;
-    return in_space ? meetings<3>(a, b, until, periodic_box) : meetings<2>(a, b, until, periodic_box);
+    return in_space ? meetings<3>(a, b, until, periodic_box)
+                    : meetings<2>(a, b, until, periodic_box);
 }
 
 }  // namespace
@@ -289,36 +290,42 @@ line (in one plane), -1 otherwise. This and all predicates: the last axis of an 
 site, the others are matched as NumPy's functions match them; the answer is an array of int8, or an int
 where there is one row. Raises ValueError naming the row of a number that is not finite, or for which a
 predicate has no meaning. Other threads run meanwhile.)");
-    module.def("exists", &exists, py::arg("i"), py::arg("j"), py::arg("k"), metric, py::kw_only(), weight_is,
-               "Whether a circle of the metric touches i, j and k counterclockwise: bool. See ccw().");
-    module.def("in_circle", &in_circle, py::arg("i"), py::arg("j"), py::arg("k"), py::arg("q"), metric,
-               py::kw_only(), weight_is,
-               R"(Whether q is nearer to the centre of the circle around i, j and k than these, exactly.
+    module.def(
+        "exists", &exists, py::arg("i"), py::arg("j"), py::arg("k"), metric, py::kw_only(),
+        weight_is,
+        "Whether a circle of the metric touches i, j and k counterclockwise: bool. See ccw().");
+    module.def(
+        "in_circle", &in_circle, py::arg("i"), py::arg("j"), py::arg("k"), py::arg("q"), metric,
+        py::kw_only(), weight_is,
+        R"(Whether q is nearer to the centre of the circle around i, j and k than these, exactly.
 
 +1 where it is, 0 where it touches the circle, -1 otherwise; sites are x, y and a radius, 0 where it is
 left out. Raises ValueError where exists(i, j, k) is false and, but for the power metric, where one of
 them hides q. See ccw().)");
-    module.def("in_circle_infinite", &in_circle_infinite, py::arg("a"), py::arg("b"), py::arg("q"), metric,
-               py::kw_only(), weight_is,
+    module.def("in_circle_infinite", &in_circle_infinite, py::arg("a"), py::arg("b"), py::arg("q"),
+               metric, py::kw_only(), weight_is,
                R"(in_circle() at the hull edge from a to b, all other sites on its left.
 
 Raises ValueError where a and b have no such edge: in the power metric those with one centre, in the others
 where one hides the other. See ccw().)");
     module.def("hidden", &hidden, py::arg("q"), py::arg("i"), metric, py::kw_only(), weight_is,
                "Whether i alone hides q, the same place and size included: bool. See ccw().");
-    module.def("nearer", &nearer, py::arg("p"), py::arg("a"), py::arg("b"), metric, py::kw_only(), weight_is,
+    module.def("nearer", &nearer, py::arg("p"), py::arg("a"), py::arg("b"), metric, py::kw_only(),
+               weight_is,
                R"(Which of two sites is nearer to a point: +1 for a, -1 for b.
 
 0 in the power metric where both are as near; in the others the larger radius wins, then the smaller x and
 y, then a. See ccw().)");
-    module.def("in_sphere", &in_sphere, py::arg("i"), py::arg("j"), py::arg("k"), py::arg("l"), py::arg("q"),
-               py::arg("metric") = "power", py::kw_only(), weight_is, py::arg("sphere") = 0,
+    module.def("in_sphere", &in_sphere, py::arg("i"), py::arg("j"), py::arg("k"), py::arg("l"),
+               py::arg("q"), py::arg("metric") = "power", py::kw_only(), weight_is,
+               py::arg("sphere") = 0,
                R"(in_circle() of space: sites are x, y, z and a radius, 0 where it is left out.
 
 i, j, k and l must turn positively, as in ccw(). In the Manhattan and the supremum metric several spheres
 may touch four sites: sphere says which one. Raises ValueError where there is none. See ccw().)");
-    module.def("sign_of_sum", &sign_of_sum_along, py::arg("terms"), py::arg("axis") = -1,
-               "The exact sign of sums of doubles along an axis: int8, or an int for one sum. See ccw().");
+    module.def(
+        "sign_of_sum", &sign_of_sum_along, py::arg("terms"), py::arg("axis") = -1,
+        "The exact sign of sums of doubles along an axis: int8, or an int for one sum. See ccw().");
     module.def("meeting_time", &meeting_time, py::arg("a"), py::arg("b"), py::kw_only(),
                py::arg("until") = std::numeric_limits<double>::infinity(),
                py::arg("periodic_box") = py::none(),

@@ -55,9 +55,9 @@ Sites sites_of(const py::object& object, bool weights) {
     return copied<Site3>(rows);
 }
 
-std::shared_ptr<Space> triangulated(const py::object& sites, const std::string& weight_is,
-                                    const std::string& arithmetic, std::uint64_t seed,
-                                    const py::object& progress) {
+std::shared_ptr<Space> triangulated_space(const py::object& sites, const std::string& weight_is,
+                                          const std::string& arithmetic, std::uint64_t seed,
+                                          const py::object& progress) {
     Options options;
     options.arithmetic = arithmetic_of(arithmetic);
     options.seed = seed;
@@ -96,13 +96,16 @@ Box3 box_of(const py::object& object, const Sites& sites) {
             {rows.at(1, 0), rows.at(1, 1), rows.at(1, 2)}};
 }
 
-std::shared_ptr<SpaceClip> clipped(const std::shared_ptr<Space>& space, const py::object& box) {
+std::shared_ptr<SpaceClip> clipped_space(const std::shared_ptr<Space>& space,
+                                         const py::object& box) {
     auto result = std::make_shared<SpaceClip>();
     result->space = space;
     const Box3 in_box = box_of(box, space->sites);
     return watched([&](Watch&) {
         result->cells = std::visit(
-            [&](const auto& all) { return space_cells(space->tessellation, std::span(all), in_box); },
+            [&](const auto& all) {
+                return space_cells(space->tessellation, std::span(all), in_box);
+            },
             space->sites);
         return result;
     });
@@ -128,12 +131,13 @@ py::tuple polyhedron(const SpaceClip& clip, Index site) {
                           column(std::move(shape.beyond)));
 }
 
-void bind_tessellation(py::module_& module) {
+void bind_space_tessellation(py::module_& module) {
     const auto arrays = [](const py::object& self) -> const SpaceTessellation& {
         return self.cast<const Space&>().tessellation;
     };
     // Of flat sites a cell has fewer vertices, and then those numbers are not there.
-    const auto cells = [](const std::vector<SpaceCell>& all, int dimension, const py::object& self) {
+    const auto cells = [](const std::vector<SpaceCell>& all, int dimension,
+                          const py::object& self) {
         return view(reinterpret_cast<const Index*>(all.data()),
                     {static_cast<py::ssize_t>(all.size()), std::max(dimension + 1, 0)},
                     {sizeof(SpaceCell), sizeof(Index)}, self);
@@ -180,17 +184,24 @@ Sorted, so that the same sites have the same array. Of flat sites a cell has dim
             [=](const py::object& self) {
                 return table<Index>(std::span<const Hidden>(arrays(self).hidden), self);
             },
-            "int32 (m, 2): sites whose cells are empty, and the visible site nearest to each centre.")
-        .def("edges", [](const Space& space) {
+            "int32 (m, 2): sites whose cells are empty, and the visible site nearest to each "
+            "centre.")
+        .def(
+            "edges",
+            [](const Space& space) {
                 return table<Index>(watched([&](Watch&) { return edges_of(space.tessellation); }));
             },
             R"(All edges, int32 (k, 2), each once, those to infinity (-1, a) included. Sorted.
 
 O(m log m) for m cells.)")
-        .def("vertices", [](const Space& space) {
+        .def(
+            "vertices",
+            [](const Space& space) {
                 return table<double>(watched([&](Watch&) {
                     return std::visit(
-                        [&](const auto& all) { return vertices(space.tessellation, std::span(all)); },
+                        [&](const auto& all) {
+                            return vertices(space.tessellation, std::span(all));
+                        },
                         space.sites);
                 }));
             },
@@ -198,7 +209,9 @@ O(m log m) for m cells.)")
 
 rho is its power distance from its sites: for points the square of the sphere's radius. Each number is the
 double nearest to the exact value; NaN for a cell with infinity, and of flat sites. O(m).)")
-        .def("validate", [](const Space& space, const py::object& progress) {
+        .def(
+            "validate",
+            [](const Space& space, const py::object& progress) {
                 return watched(progress, [&](Watch& watch) {
                     const ValidationOptions options = {watch.token(), watch.progress()};
                     return std::visit(
@@ -210,13 +223,14 @@ double nearest to the exact value; NaN for a cell with infinity, and of flat sit
             },
             py::arg("progress") = py::none(),
             "Judges the tessellation from scratch, in numbers of the judge's own: a Validation.")
-        .def("clip", &clipped, py::arg("box") = py::none(),
+        .def("clip", &clipped_space, py::arg("box") = py::none(),
              R"(The cells in a box, ((x0, y0, z0), (x1, y1, z1)): a SpaceCells.
 
 Without one in the smallest box around all centres, wider by a tenth of its longest side. Raises
 ValueError unless the first corner is below the second, and where a number is beyond 2^200 of the box.)")
-        .def("__len__", [](const Space& space) { return space.tessellation.sites; },
-             "How many sites there are.")
+        .def(
+            "__len__", [](const Space& space) { return space.tessellation.sites; },
+            "How many sites there are.")
         .def("__repr__", [](const Space& space) {
             const SpaceTessellation& t = space.tessellation;
             return "<signum.SpaceTessellation: " + std::to_string(t.sites) + " sites, " +
@@ -225,13 +239,14 @@ ValueError unless the first corner is below the second, and where a number is be
         });
 }
 
-void bind_cells(py::module_& module) {
+void bind_space_cells(py::module_& module) {
     const auto measures = [](const py::object& self, std::size_t offset, std::size_t columns) {
         const SpaceCells& cells = self.cast<const SpaceClip&>().cells;
         return part<double>(std::span<const SpaceMeasure>(cells.measures), offset, columns, self);
     };
-    py::class_<SpaceClip, std::shared_ptr<SpaceClip>>(module, "SpaceCells",
-                                                      R"(The power cells of space in a box, which they tile.
+    py::class_<SpaceClip, std::shared_ptr<SpaceClip>>(
+        module, "SpaceCells",
+        R"(The power cells of space in a box, which they tile.
 
 What SpaceTessellation.clip() gives. Lengths, areas and volumes are doubles, in error by about 1e-12 of
 those of a cell as large as the distance of its corners from its site.)")
@@ -262,14 +277,16 @@ those of a cell as large as the distance of its corners from its site.)")
                 const SpaceCells& cells = self.cast<const SpaceClip&>().cells;
                 return column(std::span<const std::int64_t>(cells.first_face), self);
             },
-            "int64 (n + 1,): the faces of site s are those from first_face[s] to first_face[s + 1].")
+            "int64 (n + 1,): the faces of site s are those from first_face[s] to first_face[s + "
+            "1].")
         .def_property_readonly(
             "face_beyond",
             [](const py::object& self) {
                 const SpaceCells& cells = self.cast<const SpaceClip&>().cells;
                 return part<Index>(std::span<const SpaceFace>(cells.faces), 0, 1, self);
             },
-            "int32: the site beyond each face, or -1 to -6 for a side of the box, x first, low first.")
+            "int32: the site beyond each face, or -1 to -6 for a side of the box, x first, low "
+            "first.")
         .def_property_readonly(
             "face_areas",
             [](const py::object& self) {
@@ -277,13 +294,15 @@ those of a cell as large as the distance of its corners from its site.)")
                 return part<double>(std::span<const SpaceFace>(cells.faces), 1, 1, self);
             },
             "float64: the area of each face, the same seen from both sides.")
-        .def("polyhedron", &polyhedron, py::arg("site"),
-             R"(A cell as corners (k, 3), faces (a list of arrays of corners) and what lies beyond each.
+        .def(
+            "polyhedron", &polyhedron, py::arg("site"),
+            R"(A cell as corners (k, 3), faces (a list of arrays of corners) and what lies beyond each.
 
 Corners of a face run counterclockwise seen from outside. A cell without volume has none. Raises
 IndexError where there is no such site.)")
-        .def("__len__", [](const SpaceClip& clip) { return clip.cells.measures.size(); },
-             "How many sites there are.");
+        .def(
+            "__len__", [](const SpaceClip& clip) { return clip.cells.measures.size(); },
+            "How many sites there are.");
 }
 
 }  // namespace
@@ -291,11 +310,11 @@ IndexError where there is no such site.)")
 void bind_space(py::module_& module) {
     static_assert(offsetof(SpaceFace, area) == sizeof(double));
     static_assert(sizeof(SpaceMeasure) == 5 * sizeof(double));
-    bind_tessellation(module);
-    bind_cells(module);
-    module.def("triangulate_space", &triangulated, py::arg("sites"), py::kw_only(),
-               py::arg("weight_is") = "radius", py::arg("arithmetic") = "exact", py::arg("seed") = 1,
-               py::arg("progress") = py::none(),
+    bind_space_tessellation(module);
+    bind_space_cells(module);
+    module.def("triangulate_space", &triangulated_space, py::arg("sites"), py::kw_only(),
+               py::arg("weight_is") = "radius", py::arg("arithmetic") = "exact",
+               py::arg("seed") = 1, py::arg("progress") = py::none(),
                R"(The power tessellation of sites in space: a SpaceTessellation.
 
 sites: x, y, z (Delaunay), or x, y, z and a radius (weight_is='weight': its square), a row each. They are

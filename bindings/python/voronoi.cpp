@@ -22,7 +22,8 @@ using Shared = std::shared_ptr<const Voronoi>;
 
 /// The cells in a box, and what they measure.
 struct Clip {
-    Clip(Shared of, const Box& in_box) : voronoi(std::move(of)), box(in_box), cells(*voronoi, box) {}
+    Clip(Shared of, const Box& in_box)
+        : voronoi(std::move(of)), box(in_box), cells(*voronoi, box) {}
 
     Shared voronoi;
     Box box;
@@ -31,8 +32,8 @@ struct Clip {
 };
 
 std::shared_ptr<Clip> clipped(const std::shared_ptr<Voronoi>& voronoi, const py::object& object) {
-    const Box box = box_of(object).value_or(
-        default_box(voronoi->tessellation().sites(), voronoi->exponent()));
+    const Box box =
+        box_of(object).value_or(default_box(voronoi->tessellation().sites(), voronoi->exponent()));
     return watched([&](Watch& watch) {
         auto clip = std::make_shared<Clip>(voronoi, box);
         clip->measures.resize(voronoi->tessellation().sites().size());
@@ -101,14 +102,15 @@ py::array cell(const Voronoi& voronoi, Index site) {
 
 void bind_diagram(py::module_& module) {
     static_assert(sizeof(VoronoiEdge) == 6 * sizeof(Index));
-    py::class_<Voronoi, std::shared_ptr<Voronoi>>(module, "Voronoi",
-                                                  R"(The Voronoi diagram of a tessellation of the plane.
+    py::class_<Voronoi, std::shared_ptr<Voronoi>>(
+        module, "Voronoi",
+        R"(The Voronoi diagram of a tessellation of the plane.
 
 Vertices, edges along bisectors and cells; unbounded ones as well. What voronoi() gives. Its arrays are
 read-only views of its memory.)")
-        .def_property_readonly("tessellation", &Voronoi::tessellation,
-                               py::return_value_policy::reference_internal,
-                               "The Tessellation whose diagram it is; a copy of that it was made of.")
+        .def_property_readonly(
+            "tessellation", &Voronoi::tessellation, py::return_value_policy::reference_internal,
+            "The Tessellation whose diagram it is; a copy of that it was made of.")
         .def_property_readonly(
             "vertices",
             [](const py::object& self) {
@@ -129,14 +131,18 @@ read-only views of its memory.)")
             R"(int32 (e, 6): the sites to the left and right, the vertices from and to, their faces.
 
 An edge runs with its first site on the left; a vertex of -1 lies at infinity.)")
-        .def("cell", &cell, py::arg("site"),
-             R"(The boundary of a cell, counterclockwise: int32 (k, 2), an edge and whether it runs forward.
+        .def(
+            "cell", &cell, py::arg("site"),
+            R"(The boundary of a cell, counterclockwise: int32 (k, 2), an edge and whether it runs forward.
 
 It begins behind infinity where the cell is unbounded; empty for a hidden site and for one that is alone.
 Raises IndexError where there is no such site.)")
         .def("is_hidden", &Voronoi::is_hidden, py::arg("site"), "Whether the site has no cell.")
-        .def("is_unbounded", &Voronoi::is_unbounded, py::arg("site"), "Whether its cell has no end.")
-        .def("edge_kind", [](const Voronoi& v, Index edge) -> py::object {
+        .def("is_unbounded", &Voronoi::is_unbounded, py::arg("site"),
+             "Whether its cell has no end.")
+        .def(
+            "edge_kind",
+            [](const Voronoi& v, Index edge) -> py::object {
                 const auto geometry = v.geometry(edge);
                 return geometry ? py::object(text(name_of(geometry->kind))) : py::none();
             },
@@ -163,11 +169,13 @@ void bind_cells(py::module_& module) {
         return part<double>(std::span<const Measure>(self.cast<const Clip&>().measures), offset,
                             columns, self);
     };
-    py::class_<Clip, std::shared_ptr<Clip>>(module, "Cells", R"(The cells of the plane in a box, which they tile.
+    py::class_<Clip, std::shared_ptr<Clip>>(module, "Cells",
+                                            R"(The cells of the plane in a box, which they tile.
 
 What Voronoi.clip() gives. Areas and centroids are those of the true shapes, arcs of hyperbolas included.)")
         .def_property_readonly(
-            "voronoi", [](const Clip& clip) { return std::const_pointer_cast<Voronoi>(clip.voronoi); },
+            "voronoi",
+            [](const Clip& clip) { return std::const_pointer_cast<Voronoi>(clip.voronoi); },
             "The Voronoi diagram whose cells they are.")
         .def_property_readonly(
             "box",
@@ -198,8 +206,9 @@ Polygon p is points[first[p]:first[p + 1]], of the cell of sites[p]. See polygon
              R"(The parts of an edge of the diagram in the box, each a chain of points (k, 2).
 
 Raises IndexError where there is no such edge.)")
-        .def("__len__", [](const Clip& clip) { return clip.measures.size(); },
-             "How many sites there are.");
+        .def(
+            "__len__", [](const Clip& clip) { return clip.measures.size(); },
+            "How many sites there are.");
 }
 
 }  // namespace

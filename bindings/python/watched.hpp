@@ -1,6 +1,6 @@
 #pragma once
-/// Long work: the interpreter is free while it runs, and is looked after now and then, so that Ctrl-C
-/// ends it and who asked is told how far it has come.
+/// Long work: the interpreter is free while it runs, and is looked after now and then, so that
+/// Ctrl-C ends it and who asked is told how far it has come.
 
 #include <atomic>
 #include <chrono>
@@ -87,8 +87,8 @@ auto watched(Work&& work) {
     return watched(py::none(), std::forward<Work>(work));
 }
 
-/// Something that changes: one call at a time. As the interpreter is free while a call runs, another
-/// thread, or a callback, may come in between.
+/// Something that changes: one call at a time. As the interpreter is free while a call runs,
+/// another thread, or a callback, may come in between.
 template <class Value>
 class Exclusive {
  public:
