@@ -1,5 +1,6 @@
 # What is refused when it is compiled, and in which words. Run with COMPILER, INCLUDES (a list of
 # flags) and SCRATCH; HEADERS lists the headers of interop/ whose library is there.
+cmake_minimum_required(VERSION 3.25)
 file(MAKE_DIRECTORY "${SCRATCH}")
 
 # STATEMENTS do not compile, and the compiler says SENTENCE; where that is empty they do.
