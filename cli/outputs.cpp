@@ -102,9 +102,8 @@ void add_outputs(CLI::App& command, OutputsCall& call, std::span<const Format> f
         ->allow_extra_args(false);
     command
         .add_option("--format", call.format,
-                    fmt::format("What goes to standard output, or to files whatever\n"
-                                "their ending: {}",
-                                fmt::join(names, ", ")))
+                    "What goes to standard output, or to files whatever\ntheir ending: its name "
+                    "without the point")
         ->transform(one_of(names))
         ->type_name("NAME");
 }
