@@ -15,8 +15,8 @@
 ///     signum_tessellation_free(t);
 ///
 /// Laws:
-///  1. A function that can fail returns a signum_status and takes a signum_error, which may be null,
-///     last. After a failure its results are as they were, but handles, which are null. What is
+///  1. A function that can fail returns a signum_status and takes, last, a signum_error, which may
+///     be null. After a failure its results are as they were, but handles, which are null. What is
 ///     refused (a null pointer or handle, a number that is not finite, a handle that there is not)
 ///     is SIGNUM_INVALID_ARGUMENT. No exception leaves the library.
 ///  2. Who creates a handle frees it, with the function named for it; to free null does nothing.
@@ -24,7 +24,7 @@
 ///     changed. Arrays that are given are read during the call alone.
 ///  3. There is no state but that of handles: any number of threads may call anything, and share a
 ///     handle as long as nobody changes it. Functions that take it as const only read.
-///  4. Results are those of the C++ library, whose words these are: <signum/signum.hpp> and its pages.
+///  4. Results are those of the C++ library, whose words these are: <signum/signum.hpp>.
 ///  5. Coordinates are in any one unit, times in any other. Doubles are taken as exact numbers. The
 ///     plane is right-handed: counterclockwise is from x to y.
 ///  6. Structs that may grow begin with their size, which their initializers set (SIGNUM_OPTIONS
@@ -68,7 +68,8 @@ enum {
     SIGNUM_INTERNAL = 6           ///< a mistake of the library
 };
 
-/// What went wrong; after a success SIGNUM_OK, -1 and "". Filled by the function that it is given to.
+/// What went wrong; after a success SIGNUM_OK, -1 and "". Filled by the function that it is given
+/// to.
 typedef struct signum_error {
     signum_status status;
     int32_t reserved;
@@ -101,9 +102,9 @@ enum {
 
 // ---- predicates --------------------------------------------------------------------------------
 //
-// They answer -1, 0 or +1, or yes (1) and no (0), exactly for all finite doubles; and SIGNUM_NO_SIGN
-// for a null pointer, a number that is not finite, a metric that there is not. O(1). The last stages
-// claim a few kilobytes; where there are none the program ends.
+// They answer -1, 0 or +1, or yes (1) and no (0), exactly for all finite doubles; and
+// SIGNUM_NO_SIGN for a null pointer, a number that is not finite, a metric that there is not. O(1).
+// The last stages claim a few kilobytes; where there are none the program ends.
 //
 // A site is {x, y, r}, in space {x, y, z, r}. Names that end in _points take {x, y} and {x, y, z},
 // those that end in _weights {x, y, w} and {x, y, z, w}, both in the power metric.
@@ -112,12 +113,13 @@ enum {
 
 /// +1 where a, b, c turn counterclockwise, 0 where they are collinear, -1 otherwise.
 int signum_ccw(const double a[2], const double b[2], const double c[2]);
-/// Whether a circle (diamond, square) touches i, j, k counterclockwise, ties decided by the tie rule;
-/// in the power metric whether ccw of their centres is +1.
+/// Whether a circle (diamond, square) touches i, j, k counterclockwise, ties decided by the tie
+/// rule; in the power metric whether ccw of their centres is +1.
 int signum_exists(signum_metric metric, const double i[3], const double j[3], const double k[3]);
-/// +1 where q conflicts with the vertex of i, j, k (is nearer than they are), 0 where it touches, -1
-/// otherwise. Preconditions: signum_exists(i, j, k), and q is hidden by none of them. Where they do not
-/// hold any sign may be told; a library built with assertions ends the program, here and below.
+/// +1 where q conflicts with the vertex of i, j, k (is nearer than they are), 0 where it touches,
+/// -1 otherwise. Preconditions: signum_exists(i, j, k), and q is hidden by none of them. Where they
+/// do not hold any sign may be told; a library built with assertions ends the program, here and
+/// below.
 int signum_in_circle(signum_metric metric, const double i[3], const double j[3], const double k[3],
                      const double q[3]);
 int signum_in_circle_points(const double i[2], const double j[2], const double k[2],
@@ -140,8 +142,8 @@ int signum_in_circle_infinite_perturbed(signum_metric metric, const double a[3],
 /// Whether i alone hides q: covers it, the same place and size included.
 int signum_hidden(signum_metric metric, const double q[3], const double i[3]);
 int signum_hidden_weights(const double q[3], const double i[3]);
-/// +1 where the point p is nearer to a than to b, -1 where it is not; where both are as near 0 in the
-/// power metric, elsewhere as the tie rule says.
+/// +1 where the point p is nearer to a than to b, -1 where it is not; where both are as near 0 in
+/// the power metric, elsewhere as the tie rule says.
 int signum_nearer(signum_metric metric, const double p[2], const double a[3], const double b[3]);
 int signum_nearer_weights(const double p[2], const double a[3], const double b[3]);
 
@@ -150,14 +152,16 @@ int signum_ccw_space(const double a[3], const double b[3], const double c[3], co
 
 /// Answered by signum_spheres.
 #define SIGNUM_INFINITELY_MANY 1000
-/// How many spheres signum_in_sphere may be asked about: of the power and the Euclidean metric 1 where
-/// one touches i, j, k, l positively oriented and 0 otherwise; of the supremum metric (cubes) at most 2
-/// and of the Manhattan metric (octahedra) at most 6, or SIGNUM_INFINITELY_MANY, and no orientation.
+/// How many spheres signum_in_sphere may be asked about: of the power and the Euclidean metric 1
+/// where one touches i, j, k, l positively oriented and 0 otherwise; of the supremum metric (cubes)
+/// at most 2 and of the Manhattan metric (octahedra) at most 6, or SIGNUM_INFINITELY_MANY, and no
+/// orientation.
 int signum_spheres(signum_metric metric, const double i[4], const double j[4], const double k[4],
                    const double l[4]);
-/// Of sphere number n of signum_spheres(i, j, k, l), from 0 on: +1 where q conflicts with it (is nearer
-/// to its centre than they are), 0 where it touches it, -1 otherwise. SIGNUM_NO_SIGN where there is no
-/// such sphere. (Cubes and octahedra come in the order of predicates/space/rectangular.hpp.)
+/// Of sphere number n of signum_spheres(i, j, k, l), from 0 on: +1 where q conflicts with it (is
+/// nearer to its centre than they are), 0 where it touches it, -1 otherwise. SIGNUM_NO_SIGN where
+/// there is no such sphere. (Cubes and octahedra come in the order of
+/// predicates/space/rectangular.hpp.)
 int signum_in_sphere(signum_metric metric, const double i[4], const double j[4], const double k[4],
                      const double l[4], const double q[4], int n);
 /// In the power metric, without a look at whether it exists: the precondition is that
@@ -197,8 +201,9 @@ enum {
     SIGNUM_SWEEP = 2         ///< Manhattan and supremum metric
 };
 
-/// Called now and then, by the calling thread, with the share of the work that is done, from 0 to 1.
-/// Anything but 0 stops the work, which then fails with SIGNUM_STOPPED. Small work may never call it.
+/// Called now and then, by the calling thread, with the share of the work that is done, from 0
+/// to 1. Anything but 0 stops the work, which then fails with SIGNUM_STOPPED. Small work may never
+/// call it.
 typedef int (*signum_progress)(double done, void* user);
 
 typedef struct signum_options {
@@ -211,7 +216,8 @@ typedef struct signum_options {
     signum_progress progress;  ///< may be null
     void* user;                ///< for progress
 } signum_options;
-#define SIGNUM_OPTIONS {sizeof(signum_options), SIGNUM_EXACT, SIGNUM_INCREMENTAL, SIGNUM_RADIUS, 0, 1, NULL, NULL}
+#define SIGNUM_OPTIONS \
+    { sizeof(signum_options), SIGNUM_EXACT, SIGNUM_INCREMENTAL, SIGNUM_RADIUS, 0, 1, NULL, NULL }
 
 typedef struct signum_tessellation signum_tessellation;
 
@@ -240,23 +246,25 @@ typedef struct signum_arrays {
     int64_t hidden_count;
     const int32_t* hidden;  ///< 2 each: the site, and by whom; sorted by site
 } signum_arrays;
-#define SIGNUM_ARRAYS {sizeof(signum_arrays), SIGNUM_POWER, SIGNUM_RADIUS, 0, 0, NULL, NULL, 0, NULL}
+#define SIGNUM_ARRAYS \
+    { sizeof(signum_arrays), SIGNUM_POWER, SIGNUM_RADIUS, 0, 0, NULL, NULL, 0, NULL }
 
 /// Shows the arrays of a tessellation, which stay until it is freed. O(1).
 signum_status signum_tessellation_arrays(const signum_tessellation* tessellation,
                                          signum_arrays* arrays, signum_error* error);
 /// The vertices of the diagram, x, y and the distance rho to its three sites a face: the nearest
-/// doubles to the exact numbers, NaN where there are none. `count` is that of the doubles that there
-/// is room for, three a face. O(n).
-signum_status signum_tessellation_vertices(const signum_tessellation* tessellation, double* vertices,
-                                           int64_t count, signum_error* error);
+/// doubles to the exact numbers, NaN where there are none. `count` is that of the doubles that
+/// there is room for, three a face. O(n).
+signum_status signum_tessellation_vertices(const signum_tessellation* tessellation,
+                                           double* vertices, int64_t count, signum_error* error);
 /// In the power metric a face whose closure contains the point, elsewhere the first face at the
 /// nearest site; -1 where there is no face. O(n^(1/3)) expected on uniform sites.
 signum_status signum_tessellation_locate(const signum_tessellation* tessellation,
                                          const double point[2], int32_t* face, signum_error* error);
 /// The site whose cell contains the point; -1 without sites. O(n^(1/3)) expected on uniform sites.
 signum_status signum_tessellation_nearest(const signum_tessellation* tessellation,
-                                          const double point[2], int32_t* site, signum_error* error);
+                                          const double point[2], int32_t* site,
+                                          signum_error* error);
 
 typedef struct signum_validation {
     int32_t valid;      ///< whether it is a tessellation of the sites
@@ -284,11 +292,12 @@ typedef struct signum_diagram_arrays {
     int64_t vertex_count;
     const double* vertices;  ///< x, y, rho each
     int64_t edge_count;
-    /// 6 each: the sites left and right of it, the vertices it leads from and to (-1 is infinity), and
-    /// the faces of the tessellation on whose circles it ends.
+    /// 6 each: the sites left and right of it, the vertices it leads from and to (-1 is infinity),
+    /// and the faces of the tessellation on whose circles it ends.
     const int32_t* edges;
 } signum_diagram_arrays;
-#define SIGNUM_DIAGRAM_ARRAYS {sizeof(signum_diagram_arrays), 0, NULL, 0, NULL}
+#define SIGNUM_DIAGRAM_ARRAYS \
+    { sizeof(signum_diagram_arrays), 0, NULL, 0, NULL }
 
 /// With `merge`, neighbouring faces whose circles are the same share a vertex, and the edge between
 /// them leads from it to itself. O(n).
@@ -297,20 +306,21 @@ signum_status signum_voronoi_create(const signum_tessellation* tessellation, int
 void signum_voronoi_free(signum_voronoi* voronoi);
 /// Shows arrays that stay until the diagram is freed. O(1).
 signum_status signum_voronoi_arrays(const signum_voronoi* voronoi, signum_diagram_arrays* arrays,
-                                       signum_error* error);
-/// The area of every site's cell in a box {x0, y0, x1, y1}, rounded; they tile it. Null is the smallest
-/// box around all centres, wider by a tenth of its longer side. `count` is that of the sites. O(n).
-signum_status signum_voronoi_areas(const signum_voronoi* voronoi, const double box[4], double* areas,
-                                   int64_t count, signum_error* error);
+                                    signum_error* error);
+/// The area of every site's cell in a box {x0, y0, x1, y1}, rounded; they tile it. Null is the
+/// smallest box around all centres, wider by a tenth of its longer side. `count` is that of the
+/// sites. O(n).
+signum_status signum_voronoi_areas(const signum_voronoi* voronoi, const double box[4],
+                                   double* areas, int64_t count, signum_error* error);
 
 // ---- tessellations of space --------------------------------------------------------------------
 
 typedef struct signum_space_tessellation signum_space_tessellation;
 
-/// The power tessellation of sites in space: `stride` 3 is of points, 4 or more of sites whose fourth
-/// number is a radius or weight. Of the options method is not looked at, and arithmetic may be exact
-/// or naive. O(n log n) expected on sites spread at random, O(n^2) in the worst case. At most 2^28
-/// sites.
+/// The power tessellation of sites in space: `stride` 3 is of points, 4 or more of sites whose
+/// fourth number is a radius or weight. Of the options method is not looked at, and arithmetic may
+/// be exact or naive. O(n log n) expected on sites spread at random, O(n^2) in the worst case. At
+/// most 2^28 sites.
 signum_status signum_triangulate_space(const double* sites, int64_t count, int64_t stride,
                                        const signum_options* options,
                                        signum_space_tessellation** tessellation,
@@ -332,7 +342,8 @@ typedef struct signum_space_arrays {
     int64_t hidden_count;
     const int32_t* hidden;  ///< 2 each, as in the plane
 } signum_space_arrays;
-#define SIGNUM_SPACE_ARRAYS {sizeof(signum_space_arrays), -1, 0, 0, 0, NULL, NULL, 0, NULL}
+#define SIGNUM_SPACE_ARRAYS \
+    { sizeof(signum_space_arrays), -1, 0, 0, 0, NULL, NULL, 0, NULL }
 
 /// As in the plane.
 signum_status signum_space_tessellation_arrays(const signum_space_tessellation* tessellation,
@@ -348,8 +359,8 @@ signum_status signum_validate_space(const signum_space_arrays* arrays, const dou
 
 // ---- a tessellation that changes ---------------------------------------------------------------
 
-/// Sites come, go, grow and move. A handle, the least that is free, names a site until that is erased.
-/// Where SIGNUM_NO_MEMORY leaves a change, the sites are those before it.
+/// Sites come, go, grow and move. A handle, the least that is free, names a site until that is
+/// erased. Where SIGNUM_NO_MEMORY leaves a change, the sites are those before it.
 typedef struct signum_dynamic signum_dynamic;
 
 signum_status signum_dynamic_create(signum_metric metric, signum_weight_is weight_is,
@@ -426,7 +437,8 @@ signum_status signum_kinetic_advance(signum_kinetic* kinetic, double time, signu
 signum_status signum_kinetic_faces(signum_kinetic* kinetic, const int32_t** faces, int64_t* count,
                                    signum_error* error);
 /// The tessellation of the sites where they are now, rounded, numbered from 0 in the order of their
-/// handles: a handle of its own. SIGNUM_BEYOND_RANGE where a place is beyond the doubles. O(n log n).
+/// handles: a handle of its own. SIGNUM_BEYOND_RANGE where a place is beyond the doubles. O(n log
+/// n).
 signum_status signum_kinetic_tessellation(const signum_kinetic* kinetic,
                                           signum_tessellation** tessellation, signum_error* error);
 /// From now on on_edge is called for each edge a < b between two sites that comes or goes while a
@@ -470,13 +482,16 @@ typedef struct signum_effects {
     double growth_until;
 } signum_effects;
 /// Of free flight and elastic strikes.
-#define SIGNUM_EFFECTS(dimension) \
-    {sizeof(signum_effects), (dimension), SIGNUM_NO_BOX, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 1, 1, 0, 0, 0}
+#define SIGNUM_EFFECTS(dimension)                                                                  \
+    {                                                                                              \
+        sizeof(signum_effects), (dimension), SIGNUM_NO_BOX, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 1, 1, \
+            0, 0, 0                                                                                \
+    }
 
-/// When two balls meet: the nearest double to the exact time, not before the later of their own times;
-/// infinity where never. Heeded are gravity, growth and a periodic box; in this one meetings later
-/// than `until` are none, and the search takes time in proportion to the box lengths flown until then.
-/// Masses are not looked at.
+/// When two balls meet: the nearest double to the exact time, not before the later of their own
+/// times; infinity where never. Heeded are gravity, growth and a periodic box; in this one meetings
+/// later than `until` are none, and the search takes time in proportion to the box lengths flown
+/// until then. Masses are not looked at.
 signum_status signum_meeting_time(const signum_ball* a, const signum_ball* b,
                                   const signum_effects* effects, double until, double* time,
                                   signum_error* error);
@@ -493,39 +508,40 @@ typedef struct signum_strike {
 
 typedef int32_t signum_ending;
 enum {
-    SIGNUM_UNTIL = 0,             ///< the time came
-    SIGNUM_STRIKES = 1,           ///< so many are done
-    SIGNUM_NOTHING = 2,           ///< nothing meets any more
-    SIGNUM_STOPPED_BY_CALLER = 3, ///< a callback said so
-    SIGNUM_COLLAPSE = 4           ///< a ball strikes in place without end
+    SIGNUM_UNTIL = 0,              ///< the time came
+    SIGNUM_STRIKES = 1,            ///< so many are done
+    SIGNUM_NOTHING = 2,            ///< nothing meets any more
+    SIGNUM_STOPPED_BY_CALLER = 3,  ///< a callback said so
+    SIGNUM_COLLAPSE = 4            ///< a ball strikes in place without end
 };
 
 typedef struct signum_limits {
     size_t size;
     double until;      ///< events at that time are included
     uint64_t strikes;  ///< from now on
-    /// Called with each strike right before it is done; anything but 0 stops, and the next run begins
-    /// with that strike. May be null.
+    /// Called with each strike right before it is done; anything but 0 stops, and the next run
+    /// begins with that strike. May be null.
     int (*record)(const signum_strike* strike, void* user);
     int (*stop)(void* user);  ///< asked now and then whether to stop; may be null
     void* user;               ///< for both
 } signum_limits;
 /// Without end. Balls in a periodic box that never meet fly for ever, then.
-#define SIGNUM_LIMITS {sizeof(signum_limits), HUGE_VAL, UINT64_MAX, NULL, NULL, NULL}
+#define SIGNUM_LIMITS \
+    { sizeof(signum_limits), HUGE_VAL, UINT64_MAX, NULL, NULL, NULL }
 
 /// The balls of one simulation. After SIGNUM_NO_MEMORY it may only be freed.
 typedef struct signum_simulation signum_simulation;
 
 /// Balls at t = 0, their own times not looked at. Refuses, naming the ball, numbers that are not
-/// finite or beyond 2^150, negative radii, masses that are not positive, balls outside their walls or
-/// that overlap. O(n) expected for balls of like sizes.
+/// finite or beyond 2^150, negative radii, masses that are not positive, balls outside their walls
+/// or that overlap. O(n) expected for balls of like sizes.
 signum_status signum_simulation_create(const signum_ball* balls, int64_t count,
                                        const signum_effects* effects,
                                        signum_simulation** simulation, signum_error* error);
 void signum_simulation_free(signum_simulation* simulation);
-/// Goes on as far as the limits say. `ending` and `last` (of a collapse who struck last) may be null.
-/// SIGNUM_BEYOND_RANGE where a ball flies so fast, or so late, that the clock cannot tell its strike
-/// from a miss. O(1) expected a strike in a gas.
+/// Goes on as far as the limits say. `ending` and `last` (of a collapse who struck last) may be
+/// null. SIGNUM_BEYOND_RANGE where a ball flies so fast, or so late, that the clock cannot tell its
+/// strike from a miss. O(1) expected a strike in a gas.
 signum_status signum_simulation_run(signum_simulation* simulation, const signum_limits* limits,
                                     signum_ending* ending, signum_strike* last,
                                     signum_error* error);
@@ -546,12 +562,13 @@ uint64_t signum_simulation_strikes(const signum_simulation* simulation);
 signum_status signum_simulation_next_strike(const signum_simulation* simulation, double time,
                                             double until, int32_t* found, signum_strike* strike,
                                             signum_error* error);
-/// The nearest neighbour of a ball at the present time, and the gap between their surfaces, the nearest
-/// double; -1 and infinity of a ball alone. Which of two gaps is less is decided exactly. O(n).
+/// The nearest neighbour of a ball at the present time, and the gap between their surfaces, the
+/// nearest double; -1 and infinity of a ball alone. Which of two gaps is less is decided exactly.
+/// O(n).
 signum_status signum_simulation_nearest(const signum_simulation* simulation, int32_t ball,
                                         int32_t* neighbour, double* gap, signum_error* error);
-/// The closest pair at the present time; -1 twice and infinity where there are fewer than two balls.
-/// O(n log n) expected.
+/// The closest pair at the present time; -1 twice and infinity where there are fewer than two
+/// balls. O(n log n) expected.
 signum_status signum_simulation_closest_pair(const signum_simulation* simulation, int32_t* a,
                                              int32_t* b, double* gap, signum_error* error);
 

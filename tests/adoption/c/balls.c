@@ -20,7 +20,8 @@ static int record(const signum_strike* strike, void* user) {
     listener->last = strike->time;
     /* A simulation at work answers nothing. */
     EXPECT(signum_simulation_time(listener->simulation, &time, NULL) == SIGNUM_INVALID_ARGUMENT);
-    EXPECT(signum_simulation_run(listener->simulation, NULL, NULL, NULL, NULL) == SIGNUM_INVALID_ARGUMENT);
+    EXPECT(signum_simulation_run(listener->simulation, NULL, NULL, NULL, NULL) ==
+           SIGNUM_INVALID_ARGUMENT);
     return ++listener->heard == listener->stop_at;
 }
 static int at_once(void* user) {
@@ -68,7 +69,8 @@ static void strikes(int32_t dimension) {
     limits.record = record;
     limits.user = &listener;
     SUCCEEDS(signum_simulation_run(s, &limits, &ending, NULL, &error));
-    EXPECT(ending == SIGNUM_STOPPED_BY_CALLER && listener.heard == 1 && signum_simulation_strikes(s) == 0);
+    EXPECT(ending == SIGNUM_STOPPED_BY_CALLER && listener.heard == 1 &&
+           signum_simulation_strikes(s) == 0);
     /* From there on: the two, then each its wall. */
     limits.until = 5;
     SUCCEEDS(signum_simulation_run(s, &limits, &ending, &strike, &error));

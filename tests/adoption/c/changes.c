@@ -94,7 +94,8 @@ static void on_edge(int32_t a, int32_t b, int comes, void* user) {
 
 static void that_move(void) {
     /* The fourth one flies through the edge between the second and the third. */
-    signum_moving_site sites[4] = {{0, 0, 0, 0, 0, 0}, {4, 0, 0, 0, 0, 0}, {0, 4, 0, 0, 0, 0}, {9, 9, -1, -1, 0, 0}};
+    signum_moving_site sites[4] = {
+        {0, 0, 0, 0, 0, 0}, {4, 0, 0, 0, 0, 0}, {0, 4, 0, 0, 0, 0}, {9, 9, -1, -1, 0, 0}};
     const signum_moving_site more = {-5, -5, 0, 0, 1, 0};
     const double fall[] = {0, -1}, endless[] = {0, INFINITY};
     signum_kinetic* k = NULL;

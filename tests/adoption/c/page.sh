@@ -2,7 +2,7 @@
 # The C of docs/c.md is programs: every ```c block compiles without a warning as C99, links, runs, and
 # prints what its comments say: what stands behind the word "prints", commas apart, are the lines.
 #
-#   page.sh C_COMPILER BUILD_DIRECTORY C++_COMPILER LIBRARY...
+#   page.sh C_COMPILER BUILD_DIRECTORY LINKER_AND_FLAGS LIBRARY...
 set -euo pipefail
 compiler=$1 build=$2
 shift 2
@@ -19,7 +19,7 @@ complaint() {
   { grep -oE '//.*prints .*' "$1" || true; } | sed -E 's/.*prints //; s/, /\n/g' >"$scratch/promised"
   diff "$scratch/promised" "$scratch/printed" || true
 }
-linker=("$1")
+read -ra linker <<<"$1"
 shift
 libraries=("$@" -pthread -lm "-Wl,-rpath,$(dirname "$1")")
 

@@ -107,7 +107,8 @@ static void of_space(void) {
         EXPECT(signum_in_sphere(metric, i, j, k, l, NULL, 0) == SIGNUM_NO_SIGN);
     }
     {
-        /* Corners of a tetrahedron in general position; the answers are held against C++ elsewhere. */
+        /* Corners of a tetrahedron in general position; the answers are held against C++ elsewhere.
+         */
         const double p[] = {0, 0, 0, 0}, q[] = {7, 1, 2, 0}, r[] = {1, 6, 1, 0}, s[] = {2, 3, 8, 0};
         const int cubes = signum_spheres(SIGNUM_SUPREMUM, p, q, r, s);
         const int octahedra = signum_spheres(SIGNUM_MANHATTAN, p, q, r, s);
@@ -141,7 +142,8 @@ static void of_space(void) {
 }
 
 static void of_sums(void) {
-    const double terms[] = {1, 0x1p60, -0x1p60, -1}, one_more[] = {0x1p-1074, 1, 0x1p60, -0x1p60, -1};
+    const double terms[] = {1, 0x1p60, -0x1p60, -1},
+                 one_more[] = {0x1p-1074, 1, 0x1p60, -0x1p60, -1};
     const double infinite[] = {1, INFINITY};
     EXPECT(signum_sign_of_sum(terms, 4) == 0);
     EXPECT(signum_sign_of_sum(terms, 3) == 1);
@@ -152,12 +154,15 @@ static void of_sums(void) {
 }
 
 int main(void) {
+    char numbers[40];
     of_the_plane();
     of_space();
     of_sums();
     EXPECT(strcmp(signum_version(), SIGNUM_VERSION) == 0);
     EXPECT(strcmp(signum_version(), PROJECT_VERSION) == 0);
-    EXPECT(SIGNUM_VERSION_MAJOR == 0 && SIGNUM_VERSION_MINOR == 1 && SIGNUM_VERSION_PATCH == 0);
+    snprintf(numbers, sizeof numbers, "%d.%d.%d", SIGNUM_VERSION_MAJOR, SIGNUM_VERSION_MINOR,
+             SIGNUM_VERSION_PATCH);
+    EXPECT(strcmp(numbers, SIGNUM_VERSION) == 0);
     EXPECT(signum_abi() == SIGNUM_ABI);
     return mistakes != 0;
 }

@@ -97,7 +97,8 @@ static void what_is_refused(void) {
     int32_t found;
 
     sites[5] = NAN;
-    FAILS(signum_triangulate(sites, 3, 3, SIGNUM_POWER, NULL, &t, &error), SIGNUM_INVALID_ARGUMENT, 1);
+    FAILS(signum_triangulate(sites, 3, 3, SIGNUM_POWER, NULL, &t, &error), SIGNUM_INVALID_ARGUMENT,
+          1);
     EXPECT(t == NULL);
     EXPECT(strstr(error.message, "site 1") != NULL);
     /* Without its third number it is a point, and legal. */
@@ -106,7 +107,8 @@ static void what_is_refused(void) {
     FAILS(signum_validate(&a, sites, 3, 3, NULL, &v, &error), SIGNUM_INVALID_ARGUMENT, 1);
     REFUSED(signum_validate(&a, sites, 2, 2, NULL, NULL, &error));
     signum_tessellation_free(t);
-    EXPECT(signum_triangulate(sites, 3, 3, SIGNUM_POWER, NULL, &t, NULL) == SIGNUM_INVALID_ARGUMENT);
+    EXPECT(signum_triangulate(sites, 3, 3, SIGNUM_POWER, NULL, &t, NULL) ==
+           SIGNUM_INVALID_ARGUMENT);
     sites[5] = 1;
 
     REFUSED(signum_triangulate(NULL, 3, 3, SIGNUM_POWER, NULL, &t, &error));
@@ -155,9 +157,11 @@ static void options(void) {
     o.method = SIGNUM_INCREMENTAL;
     o.progress = stops;
     calls = 0;
-    FAILS(signum_triangulate(scatter, many, 2, SIGNUM_POWER, &o, &again, &error), SIGNUM_STOPPED, -1);
+    FAILS(signum_triangulate(scatter, many, 2, SIGNUM_POWER, &o, &again, &error), SIGNUM_STOPPED,
+          -1);
     EXPECT(again == NULL && calls == 1);
-    FAILS(signum_triangulate(scatter, many, 3, SIGNUM_EUCLIDEAN, &o, &again, &error), SIGNUM_STOPPED, -1);
+    FAILS(signum_triangulate(scatter, many, 3, SIGNUM_EUCLIDEAN, &o, &again, &error),
+          SIGNUM_STOPPED, -1);
     calls = 0;
     FAILS(signum_validate(&a, scatter, many, 2, &o, &v, &error), SIGNUM_STOPPED, -1);
     EXPECT(calls == 1);
@@ -199,7 +203,8 @@ static void options(void) {
         wrong.arithmetic = 6;
         REFUSED(signum_triangulate(sites, 3, 3, SIGNUM_POWER, &wrong, &t, &error));
         wrong.arithmetic = SIGNUM_SINGLE;
-        FAILS(signum_triangulate(sites, 4, 3, SIGNUM_POWER, &wrong, &t, &error), SIGNUM_INVALID_ARGUMENT, 3);
+        FAILS(signum_triangulate(sites, 4, 3, SIGNUM_POWER, &wrong, &t, &error),
+              SIGNUM_INVALID_ARGUMENT, 3);
         wrong.arithmetic = SIGNUM_EXACT;
         wrong.method = 3;
         REFUSED(signum_triangulate(sites, 3, 3, SIGNUM_POWER, &wrong, &t, &error));
