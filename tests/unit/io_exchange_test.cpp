@@ -317,9 +317,10 @@ TEST(WellKnownText, IsALineASite) {
     const Sites sites = {{0, 0, 2}, {0.5, 0, 0}, {4, 0, 2}};
     const Voronoi diagram(triangulate(sites, Euclidean{}));
     const ClippedVoronoi clipped(diagram, {-1, -1, 5, 1});
-    EXPECT_EQ(text_of([&](std::ostream& out) { write_voronoi_wkt(out, clipped, 0.1); }),
-              "POLYGON ((2 1, -1 1, -1 -1, 2 -1, 2 1))\nPOLYGON EMPTY\nPOLYGON ((2 -1, 5 -1, 5 1, 2 1, "
-              "2 -1))\n");
+    EXPECT_EQ(
+        text_of([&](std::ostream& out) { write_voronoi_wkt(out, clipped, 0.1); }),
+        "POLYGON ((2 1, -1 1, -1 -1, 2 -1, 2 1))\nPOLYGON EMPTY\nPOLYGON ((2 -1, 5 -1, 5 1, 2 1, "
+        "2 -1))\n");
     const VtkGrid grid = vtk_grid(clipped, 0.1);
     EXPECT_EQ(grid.kinds, (std::vector{VtkCell::polygon, VtkCell::polygon}));
     EXPECT_EQ(grid.ends, (std::vector<std::int64_t>{4, 8}));
