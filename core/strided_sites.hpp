@@ -30,14 +30,12 @@ class StridedSites {
                       "a range of Site, power::Site or Point; other layouts give three pointers");
         const Element* first = std::ranges::data(range);
         stride_ = static_cast<std::ptrdiff_t>(sizeof(Element));
+        third_is_weight_ = std::is_same_v<Element, power::Site>;
         if (first == nullptr) return;
         x_ = &first->x;
         y_ = &first->y;
         if constexpr (std::is_same_v<Element, Site>) third_ = &first->r;
-        if constexpr (std::is_same_v<Element, power::Site>) {
-            third_ = &first->w;
-            third_is_weight_ = true;
-        }
+        if constexpr (std::is_same_v<Element, power::Site>) third_ = &first->w;
     }
 
     /// Sites of which the call says what their third number is.

@@ -1,9 +1,7 @@
 #pragma once
 /// What the predicates compute with: the one parameter of all kernels.
 
-#include <array>
 #include <cstdint>
-#include <string_view>
 #include <type_traits>
 
 #include "../core/site.hpp"
@@ -20,18 +18,6 @@ enum class Arithmetic : std::uint8_t {
     sum,            ///< ESSA alone: the exact sign of a sum
     multiprecision  ///< rationals alone
 };
-
-/// In the order of their enumerators.
-inline constexpr std::array all_arithmetics = {Arithmetic::exact,  Arithmetic::naive,
-                                               Arithmetic::single, Arithmetic::interval,
-                                               Arithmetic::sum,    Arithmetic::multiprecision};
-
-/// The name by which files and the tool know it.
-[[nodiscard]] constexpr std::string_view name_of(Arithmetic arithmetic) noexcept {
-    constexpr std::string_view names[] = {"exact",    "naive", "single",
-                                          "interval", "sum",   "multiprecision"};
-    return names[static_cast<int>(arithmetic)];
-}
 
 /// Whether no sign is ever wrong.
 [[nodiscard]] constexpr bool is_exact(Arithmetic arithmetic) noexcept {

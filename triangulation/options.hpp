@@ -13,6 +13,18 @@
 
 namespace signum {
 
+/// In the order of their enumerators.
+inline constexpr std::array all_arithmetics = {Arithmetic::exact,  Arithmetic::naive,
+                                               Arithmetic::single, Arithmetic::interval,
+                                               Arithmetic::sum,    Arithmetic::multiprecision};
+
+/// The name by which files and the tool know it.
+[[nodiscard]] constexpr std::string_view name_of(Arithmetic arithmetic) noexcept {
+    constexpr std::string_view names[] = {"exact",    "naive", "single",
+                                          "interval", "sum",   "multiprecision"};
+    return names[static_cast<int>(arithmetic)];
+}
+
 /// How a tessellation is built; the result is the same.
 enum class Method : std::uint8_t {
     incremental,  ///< site by site

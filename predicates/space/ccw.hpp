@@ -5,7 +5,6 @@
 /// a, b, c from which these turn counterclockwise, 0 where the four are coplanar, -1 otherwise. It
 /// is exact and never perturbed. The laws of all predicates: predicates/ccw.hpp.
 
-#include <algorithm>
 #include <concepts>
 
 #include "../../core/contract.hpp"
@@ -59,7 +58,7 @@ template <class Number>
 [[nodiscard]] inline Offset3<Number> reach(const Offset3<Number>& b, const Offset3<Number>& c,
                                            const Offset3<Number>& d) noexcept {
     using filters::magnitude;
-    using std::max;
+    using filters::max;
     const auto largest = [](const Number& p, const Number& q, const Number& r) {
         return max(max(magnitude(p), magnitude(q)), magnitude(r));
     };
@@ -68,8 +67,10 @@ template <class Number>
 /// Whether the largest offsets along all axes are from 2^-150 to 2^150, so that in a product of up
 /// to five of them, or of them and a height, no part of it over- or underflows.
 [[nodiscard]] inline bool in_filter_window(const Offset3<double>& largest) noexcept {
-    return std::min(std::min(largest.x, largest.y), largest.z) >= 0x1p-150 &&
-           std::max(std::max(largest.x, largest.y), largest.z) <= 0x1p150;
+    using filters::max;
+    using filters::min;
+    return min(min(largest.x, largest.y), largest.z) >= 0x1p-150 &&
+           max(max(largest.x, largest.y), largest.z) <= 0x1p150;
 }
 
 /// The error of the rounded determinant, as a multiple of the product of the largest coordinates:

@@ -444,6 +444,7 @@ TEST(TriangulateInput, KindsOfSites) {
     EXPECT_EQ(t.weight_is(), WeightIs::radius);
     const Tessellation w = triangulate(weights, Power{});
     EXPECT_EQ(w.weight_is(), WeightIs::weight);
+    EXPECT_EQ(triangulate(std::vector<power::Site>{}, Power{}).weight_is(), WeightIs::weight);
     EXPECT_EQ(w.arrays().faces, t.arrays().faces);
     EXPECT_EQ(w.arrays().hidden, t.arrays().hidden);
     const Tessellation r = triangulate(radii, Power{});
