@@ -13,6 +13,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -69,17 +70,19 @@ class Cells {
         vertex_.reserve(cells);
         neighbour_.reserve(cells);
     }
-    /// One whose vertices and neighbours are to be set.
-    [[nodiscard]] Index add() {
-        if (free_.empty()) {
-            if (vertex_.size() > most_cells) throw std::length_error("more than 2^31 - 1 cells");
-            vertex_.emplace_back();
-            neighbour_.emplace_back();
-            return static_cast<Index>(vertex_.size() - 1);
+    /// Cells whose vertices and neighbours are to be set.
+    void add(std::span<Index> made) {
+        std::size_t reused = 0;
+        for (; reused < made.size() && !free_.empty(); ++reused) {
+            made[reused] = free_.back();
+            free_.pop_back();
         }
-        const Index c = free_.back();
-        free_.pop_back();
-        return c;
+        const std::size_t first = size();
+        const std::size_t end = first + (made.size() - reused);
+        if (end > most_cells) throw std::length_error("more than 2^31 - 1 cells");
+        vertex_.resize(end);
+        neighbour_.resize(end);
+        for (std::size_t c = first; c < end; ++c) made[reused++] = static_cast<Index>(c);
     }
     void remove(Index c) {
         vertex(c)[0] = free;
