@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "../core/index.hpp"
-#include "../core/large_array.hpp"
+#include "../core/pages.hpp"
 #include "../core/sign.hpp"
 
 namespace signum::spatial {
@@ -80,7 +80,9 @@ class Cells {
         const std::size_t first = size();
         const std::size_t end = first + (made.size() - reused);
         if (end > most_cells) throw std::length_error("more than 2^31 - 1 cells");
+        vertex_pages_.grow(vertex_, end);
         vertex_.resize(end);
+        neighbour_pages_.grow(neighbour_, end);
         neighbour_.resize(end);
         for (std::size_t c = first; c < end; ++c) made[reused++] = static_cast<Index>(c);
     }
@@ -93,14 +95,16 @@ class Cells {
         __builtin_prefetch(&vertex(c));
         __builtin_prefetch(&neighbour(c));
     }
-    /// Gives their memory back; neighbours stay.
-    void forget_vertices() noexcept { LargeArray<Four>().swap(vertex_); }
+    /// The memory of the vertices, which are no longer needed; neighbours stay.
+    [[nodiscard]] std::vector<Four> forget_vertices() noexcept { return std::move(vertex_); }
 
  private:
     static constexpr std::size_t most_cells = std::numeric_limits<Index>::max() - 1;
 
-    LargeArray<Four> vertex_;
-    LargeArray<Four> neighbour_;
+    std::vector<Four> vertex_;
+    std::vector<Four> neighbour_;
+    PagesAhead vertex_pages_;
+    PagesAhead neighbour_pages_;
     std::vector<Index> free_;
 };
 

@@ -79,7 +79,12 @@ class Insertion {
         join(q);
     }
 
-    [[nodiscard]] Cells release() && noexcept { return std::move(cells_); }
+    /// The cells, and memory for as many fours, in which their spheres were.
+    struct Built {
+        Cells cells;
+        std::vector<Four> room;
+    };
+    [[nodiscard]] Built release() && noexcept { return {std::move(cells_), std::move(spheres_)}; }
 
  private:
     /// A cell that is in conflict, as its sphere tells; unset where no sphere does. From cell to
@@ -337,6 +342,7 @@ class Insertion {
         for (std::size_t i = 0; i < replaced; ++i) made[i] = region_[i].cell;
         for (std::size_t i = replaced; i < taken_; ++i) cells_.remove(region_[i].cell);
         cells_.add(std::span(made + replaced, facets_ - replaced));
+        sphere_pages_.grow(spheres_, cells_.size());
         spheres_.resize(cells_.size());
         for (std::size_t i = 0; i < facets_; ++i) {
             const auto& [a, b, c] = boundary_[i].vertex;
@@ -425,7 +431,8 @@ class Insertion {
     Kernel& kernel_;
     Frame frame_;
     Cells cells_;
-    LargeArray<Orthosphere> spheres_;  // of the cells
+    std::vector<Orthosphere> spheres_;  // of the cells
+    PagesAhead sphere_pages_;
     std::array<double, 4> site_{};  // that is inserted, in the frame
     Index last_ = 0;
     std::uint32_t random_ = 1;

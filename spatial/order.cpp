@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "../core/pages.hpp"
 #include "../triangulation/structure/insertion_rounds.hpp"
 
 namespace signum::spatial {
@@ -86,6 +87,7 @@ LargeArray<Index> insertion_order(std::size_t sites, const std::function<Point3(
     std::vector<std::size_t> begins(sizes.size());
     for (std::size_t r = 1; r < sizes.size(); ++r) begins[r] = begins[r - 1] + sizes[r - 1];
     LargeArray<std::uint64_t> items(sites);
+    expect_writes(items);
     std::vector<std::size_t> next = begins;
     for (std::size_t i = 0; i < sites; ++i) items[next[round_of(i)]++] = i;
     for (std::size_t r = 0; r < sizes.size(); ++r)

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "../core/pages.hpp"
 #include "../predicates/ccw.hpp"
 #include "../predicates/space/nearer.hpp"
 #include "insert.hpp"
@@ -57,14 +58,17 @@ class Construction {
         if (sites_.empty()) return result;
         choose_first();
         result.dimension = 3 - static_cast<int>(apexes_);
-        assemble(structure(options, result), result);
+        Built built = structure(options, result);
+        assemble(built.cells, std::move(built.room), result);
         if constexpr (!Kernel::is_exact) expect_all(result);
         return result;
     }
 
  private:
+    using Built = typename spatial::Insertion<Kernel>::Built;
+
     /// All cells, and who is hidden.
-    [[nodiscard]] Cells structure(const Options& options, SpaceTessellation& result) {
+    [[nodiscard]] Built structure(const Options& options, SpaceTessellation& result) {
         Kernel kernel(all_.sites, all_.numbers);
         spatial::Insertion<Kernel> insertion(
             kernel, spatial::frame_of(std::span<const S>(all_.sites)), all_.sites.size());
@@ -119,6 +123,8 @@ class Construction {
         const std::size_t number = sites_.size() + apexes_;
         all_.sites.reserve(number);
         all_.numbers.reserve(number);
+        expect_writes(all_.sites);
+        expect_writes(all_.numbers);
         for (std::size_t k = 0; k < 4; ++k) {
             all_.sites.push_back(first[k]);
             all_.numbers.push_back(k < places.size()
@@ -137,6 +143,7 @@ class Construction {
             all_.sites.push_back(site(order_[place]));
             all_.numbers.push_back(order_[place]);
         }
+        order_ = {};
     }
     /// The first site moved along an axis by about as much as the sites extend, toward 0.
     [[nodiscard]] S apex(const std::vector<S>& first) const {
@@ -186,16 +193,17 @@ class Construction {
     [[nodiscard]] bool is_apex(Index v) const noexcept {
         return all_.numbers[static_cast<std::size_t>(v)] >= static_cast<Index>(sites_.size());
     }
-    /// Laws 1 and 2 of the result. Memory is given back as soon as what lies there has been used:
-    /// sites, then the structure's vertices. The structure is read from its first cell to its last:
-    /// there neighbours lie close to one another, which in the result they do not.
-    void assemble(Cells structure, SpaceTessellation& result) {
+    /// Laws 1 and 2 of the result, in memory that the structure had: the spheres', then the
+    /// vertices'. It is read from its first cell to its last: there neighbours lie close to one
+    /// another, which in the result they do not.
+    void assemble(Cells& structure, std::vector<SpaceCell> room, SpaceTessellation& result) {
         const auto last = static_cast<Index>(structure.size());
         for (Index c = 0; c < last; ++c)
             if (!structure.is_free(c)) name(structure.vertex(c), structure.neighbour(c));
         all_ = {};
-        const LargeArray<Index> place = sort_cells(structure, result.cells);
-        structure.forget_vertices();
+        result.cells = std::move(room);
+        const auto place = sort_cells(structure, result.cells);
+        result.neighbours = structure.forget_vertices();
         result.neighbours.resize(result.cells.size());
         for (Index c = 0; c < last; ++c) {
             const Index own = place[static_cast<std::size_t>(c)];
@@ -205,6 +213,8 @@ class Construction {
                 if (n >= 0) n = place[static_cast<std::size_t>(n)];
             result.neighbours[static_cast<std::size_t>(own)] = neighbours;
         }
+        for (std::vector<SpaceCell>* const each : {&result.cells, &result.neighbours})
+            if (each->size() < each->capacity() / 2) each->shrink_to_fit();
     }
     /// Every site is visible, or hidden by one that is. Where regions of conflict were no balls, or
     /// flat sites had volumes by rounding, that need not be so.
@@ -277,7 +287,10 @@ class Construction {
                       });
             begin = end;
         }
-        LargeArray<Index> place(structure.size(), no_vertex);
+        LargeArray<Index> place;
+        place.reserve(structure.size());
+        expect_writes(place);
+        place.assign(structure.size(), no_vertex);
         Index next = 0;
         for (std::size_t b = 0; b < ends.size(); ++b) {
             const Index first = std::max(static_cast<Index>(b) - vertices, infinite);
