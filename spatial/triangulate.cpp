@@ -1,7 +1,10 @@
 #include "triangulate.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <stdexcept>
@@ -29,6 +32,27 @@ constexpr std::size_t most_sites = std::size_t{1} << 28;
            ccw(Point{a.y, a.z}, Point{b.y, b.z}, Point{c.y, c.z}) == 0 &&
            ccw(Point{a.z, a.x}, Point{b.z, b.x}, Point{c.z, c.x}) == 0;
 }
+
+/// Even permutations keep the orientation: the one that puts the least of four first, and the least
+/// of the others second, by which of them are less than which. Without a branch, for nobody could
+/// foretell it.
+constexpr auto even_orders = [] {
+    std::array<std::array<std::uint8_t, 4>, 64> orders{};
+    std::array<std::uint8_t, 4> number = {0, 1, 2, 3};  // of each place
+    do {
+        std::size_t key = 0;
+        std::size_t bit = 0;
+        for (std::size_t a = 0; a < 4; ++a)
+            for (std::size_t b = a + 1; b < 4; ++b)
+                key |= static_cast<std::size_t>(number[a] < number[b]) << bit++;
+        std::array<std::uint8_t, 4> place{};
+        for (std::uint8_t k = 0; k < 4; ++k) place[number[k]] = k;
+        const bool is_odd = std::popcount(key) % 2 != 0;
+        if (is_odd) std::swap(place[2], place[3]);
+        orders[key] = place;
+    } while (std::ranges::next_permutation(number).found);
+    return orders;
+}();
 
 /// A site and its number in the input, in the order of insertion. Apexes follow the input's.
 template <class S>
@@ -311,16 +335,14 @@ class Construction {
                 }
             return;
         }
-        // Even permutations keep the orientation: two pairs exchanged, then three in a cycle.
-        const auto lesser = [&](std::size_t a, std::size_t b) { return cell[b] < cell[a] ? b : a; };
-        const std::size_t first = lesser(lesser(0, 1), lesser(2, 3));
-        const std::size_t others[3] = {first ^ 1U, first ^ 2U, first ^ 3U};
-        const std::size_t second = lesser(lesser(others[0], others[1]), others[2]);
-        const std::size_t turn = second == others[0] ? 0 : second == others[1] ? 1 : 2;
-        const std::size_t third = others[(turn + 1) % 3];
-        const std::size_t fourth = others[(turn + 2) % 3];
-        cell = {cell[first], cell[second], cell[third], cell[fourth]};
-        neighbour = {neighbour[first], neighbour[second], neighbour[third], neighbour[fourth]};
+        const auto is_less = [&](std::size_t a, std::size_t b) {
+            return static_cast<std::size_t>(cell[a] < cell[b]);
+        };
+        const auto& [a, b, c, d] =
+            even_orders[is_less(0, 1) | is_less(0, 2) << 1 | is_less(0, 3) << 2 |
+                        is_less(1, 2) << 3 | is_less(1, 3) << 4 | is_less(2, 3) << 5];
+        cell = {cell[a], cell[b], cell[c], cell[d]};
+        neighbour = {neighbour[a], neighbour[b], neighbour[c], neighbour[d]};
     }
 
     std::span<const S> sites_;
