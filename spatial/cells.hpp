@@ -13,12 +13,13 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "../core/index.hpp"
-#include "../core/large_array.hpp"
+#include "../core/pages.hpp"
 #include "../core/sign.hpp"
 
 namespace signum::spatial {
@@ -69,17 +70,21 @@ class Cells {
         vertex_.reserve(cells);
         neighbour_.reserve(cells);
     }
-    /// One whose vertices and neighbours are to be set.
-    [[nodiscard]] Index add() {
-        if (free_.empty()) {
-            if (vertex_.size() > most_cells) throw std::length_error("more than 2^31 - 1 cells");
-            vertex_.emplace_back();
-            neighbour_.emplace_back();
-            return static_cast<Index>(vertex_.size() - 1);
+    /// Cells whose vertices and neighbours are to be set.
+    void add(std::span<Index> made) {
+        std::size_t reused = 0;
+        for (; reused < made.size() && !free_.empty(); ++reused) {
+            made[reused] = free_.back();
+            free_.pop_back();
         }
-        const Index c = free_.back();
-        free_.pop_back();
-        return c;
+        const std::size_t first = size();
+        const std::size_t end = first + (made.size() - reused);
+        if (end > most_cells) throw std::length_error("more than 2^31 - 1 cells");
+        vertex_pages_.grow(vertex_, end);
+        vertex_.resize(end);
+        neighbour_pages_.grow(neighbour_, end);
+        neighbour_.resize(end);
+        for (std::size_t c = first; c < end; ++c) made[reused++] = static_cast<Index>(c);
     }
     void remove(Index c) {
         vertex(c)[0] = free;
@@ -90,14 +95,16 @@ class Cells {
         __builtin_prefetch(&vertex(c));
         __builtin_prefetch(&neighbour(c));
     }
-    /// Gives their memory back; neighbours stay.
-    void forget_vertices() noexcept { LargeArray<Four>().swap(vertex_); }
+    /// The memory of the vertices, which are no longer needed; neighbours stay.
+    [[nodiscard]] std::vector<Four> forget_vertices() noexcept { return std::move(vertex_); }
 
  private:
     static constexpr std::size_t most_cells = std::numeric_limits<Index>::max() - 1;
 
-    LargeArray<Four> vertex_;
-    LargeArray<Four> neighbour_;
+    std::vector<Four> vertex_;
+    std::vector<Four> neighbour_;
+    PagesAhead vertex_pages_;
+    PagesAhead neighbour_pages_;
     std::vector<Index> free_;
 };
 

@@ -17,6 +17,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -38,7 +40,9 @@ class Insertion {
         spheres_.reserve(7 * sites + 64);
         // A cell and those across its facets, which have the vertex at infinity.
         constexpr std::array<Index, 4> first = {0, 1, 2, 3};
-        const Index inner = cells_.add();
+        constexpr Index inner = 0;
+        std::array<Index, 5> made;
+        cells_.add(made);
         cells_.vertex(inner) = first;
         cells_.neighbour(inner) = {1, 2, 3, 4};
         for (std::size_t k = 0; k < 4; ++k) {
@@ -49,9 +53,8 @@ class Insertion {
             Four neighbours;
             for (std::size_t m = 0; m < 4; ++m)
                 neighbours[m] = outer[m] == infinite ? inner : outer[m] + 1;
-            const Index made = cells_.add();
-            cells_.vertex(made) = outer;
-            cells_.neighbour(made) = neighbours;
+            cells_.vertex(made[k + 1]) = outer;
+            cells_.neighbour(made[k + 1]) = neighbours;
         }
         spheres_.assign(cells_.size(), unknown_sphere);
     }
@@ -60,21 +63,50 @@ class Insertion {
     /// of one nearby: who hides it, or the nearest vertex where it would have been.
     template <class Hidden>
     void insert(Index q, const Hidden& hidden) {
-        const Index home = locate(q);
         look_from(q);
-        for (const Index v : cells_.vertex(home)) static_cast<void>(see(v));
-        kernel_.set_bound();
-        if (!conflicts(home, kernel_.in_sphere(seen_of(home)), kernel_.bound()))
-            return hidden(q, nearest_of(home));
         site_ = in_frame(kernel_.at(q), frame_);
-        find_region(home);
+        const SphereTest test(site_, frame_);
+        Index home = descend(test);
+        if (home == unset) {
+            home = locate(q);
+            for (const Index v : cells_.vertex(home)) static_cast<void>(see(v));
+            kernel_.set_bound();
+            if (!conflicts(home, kernel_.in_sphere(seen_of(home)), kernel_.bound()))
+                return hidden(q, nearest_of(home));
+        }
+        find_region(home, test);
         find_hidden([&](Index v) { hidden(v, q); });
         join(q);
     }
 
-    [[nodiscard]] Cells release() && noexcept { return std::move(cells_); }
+    /// The cells, and memory for as many fours, in which their spheres were.
+    struct Built {
+        Cells cells;
+        std::vector<Four> room;
+    };
+    [[nodiscard]] Built release() && noexcept { return {std::move(cells_), std::move(spheres_)}; }
 
  private:
+    /// A cell that is in conflict, as its sphere tells; unset where no sphere does. From cell to
+    /// cell, always to the neighbour of which the sphere is the nearest: across a facet toward the
+    /// site, for the points that are as far from two spheres as from one another lie in its plane.
+    [[nodiscard]] Index descend(const SphereTest& test) noexcept {
+        const Orthosphere* const spheres = spheres_.data();
+        std::array<std::int32_t, 4> distances;
+        const auto nearest = [&] {
+            return std::min(std::min(distances[0], distances[1]),
+                            std::min(distances[2], distances[3]));
+        };
+        for (std::int32_t before = std::numeric_limits<std::int32_t>::max();;) {
+            const auto& [a, b, c, d] = cells_.neighbour(last_);
+            test.distances(spheres[a], spheres[b], spheres[c], spheres[d], distances);
+            const std::int32_t now = nearest();
+            if (now >= before) return unset;
+            last_ = cells_.neighbour(last_)[now & 3];
+            if (now < 0) return last_;
+            before = now;
+        }
+    }
     /// The cell in which a site's centre lies, or one with the vertex at infinity that is in
     /// conflict with it. A walk: across any facet that has the site on its other side. To ask them
     /// in a random order keeps it from going around in rounded arithmetic; an exact one ends
@@ -106,15 +138,10 @@ class Insertion {
 
     /// A cell in conflict: what is left of it.
     struct Taken {
-        Index cell;
         Four neighbour;
-        std::array<Seen, 4> vertex;
-    };
-    /// A facet of the boundary, turning positively seen from the site, and the cell beyond it.
-    struct Facet {
-        Index outer;
-        std::uint32_t place;  // of the facet there
-        std::array<Seen, 3> vertex;
+        std::array<Seen, 4> vertex;  // once it has been looked beyond
+        Index cell;
+        std::uint32_t apex;  // the place of the vertex that the one before it does not have
     };
 
     [[nodiscard]] Sign side(Four v, std::size_t place, Index q) const noexcept {
@@ -127,24 +154,25 @@ class Insertion {
     void look_from(Index q) {
         // Numbers of vertices of earlier insertions are below the base.
         constexpr std::size_t enough = std::size_t{1} << 31;
-        base_ += count_;
+        base_ += kernel_.count();
         if (base_ > enough) [[unlikely]] {
             std::ranges::fill(seen_, 0);
             base_ = 1;
         }
         seen_[0] = static_cast<Seen>(base_) + seen_infinity;
-        count_ = 1;
         kernel_.look_from(q);
     }
-    [[nodiscard]] Seen see(Index v) {
+    /// Without a branch, for nobody could foretell it.
+    [[nodiscard]] Seen see(Index v) noexcept {
         Seen& known = seen_[static_cast<std::size_t>(v + 1)];
-        const std::size_t base = base_;
+        const std::size_t count = kernel_.count();
         // Below the base it wraps around.
-        if (const std::size_t number = known - base; number < count_)
-            return static_cast<Seen>(number);
-        known = static_cast<Seen>(base + count_);
-        kernel_.see(v);
-        return static_cast<Seen>(count_++);
+        const std::size_t number = known - base_;
+        const bool is_new = number >= count;
+        const std::size_t result = is_new ? count : number;
+        known = static_cast<Seen>(base_ + result);
+        kernel_.see(v, is_new);
+        return static_cast<Seen>(result);
     }
     /// The vertices of a cell, all of which have been seen.
     [[nodiscard]] std::array<Seen, 4> seen_of(Index c) const noexcept {
@@ -178,7 +206,7 @@ class Insertion {
         const Sign sign = kernel_.side(v[facet[0]], v[facet[1]], v[facet[2]]);
         if (sign != 0) return sign > 0;
         const Index behind = cells_.neighbour(c)[place];
-        if (cells_.is_free(behind)) return true;
+        if (is_taken(behind)) return true;
         if (!Kernel::is_exact && cells_.place_of_infinity(behind) < 4) return false;
         for (const Index each : cells_.vertex(behind)) static_cast<void>(see(each));
         kernel_.set_bound();
@@ -187,66 +215,83 @@ class Insertion {
 
     // ---- the region of conflict ----------------------------------------------------------------
 
-    /// What is taken is no cell any longer: so it is known to be in conflict.
-    void take(Index c) {
-        const Four& neighbour = cells_.neighbour(c);
-        region_[taken_++] = {c, neighbour, seen_of(c)};
-        for (const Index n : neighbour) cells_.prefetch(n);
-        for (const Index n : neighbour) __builtin_prefetch(&sphere(n));
-        cells_.vertex(c)[0] = Cells::free;
+    [[nodiscard]] bool is_taken(Index c) const noexcept {
+        return sphere_of(c)[3] == orthospheres::taken;
     }
-    void find_region(Index home) {
-        taken_ = facets_ = vertices_ = 0;
-        take(home);
-        for (const Seen v : region_[0].vertex) count_in_region(v);
-        const SphereTest test(site_, frame_);
+    void find_region(Index home, const SphereTest& test) {
+        taken_ = 1;
+        facets_ = vertices_ = 0;
+        region_[0] = {cells_.neighbour(home), {}, home, 0};
+        sphere_of(home) = taken_sphere;
+        for (const Index v : cells_.vertex(home)) count_in_region(see(v));
         for (std::size_t next = 0; next < taken_; ++next) {
-            // Room for all that may lie beyond the facets of one.
-            if (taken_ + 4 > region_.size()) region_.resize(2 * region_.size());
-            if (facets_ + 4 > boundary_.size()) boundary_.resize(2 * boundary_.size());
+            make_room();
             look_beyond(region_[next], test);
         }
     }
-    void count_in_region(Seen v) {
-        if (in_region_.size() <= v) [[unlikely]]
-            in_region_.resize(2 * count_, -1);
-        if (std::exchange(in_region_[v], kernel_.eye()) != kernel_.eye()) ++vertices_;
+    /// For all that may lie beyond the facets of a cell.
+    void make_room() {
+        if (taken_ + 4 > region_.size()) [[unlikely]]
+            region_.resize(2 * region_.size());
+        if (facets_ + 4 > boundary_.size()) [[unlikely]] {
+            boundary_.resize(2 * boundary_.size());
+            outer_.resize(boundary_.size());
+        }
+        constexpr std::size_t vertices = 32;
+        kernel_.make_room(vertices);
+        if (kernel_.count() + vertices > in_region_.size()) [[unlikely]]
+            in_region_.resize(2 * (kernel_.count() + vertices), -1);
+    }
+    void count_in_region(Seen v) noexcept {
+        vertices_ +=
+            static_cast<std::size_t>(std::exchange(in_region_[v], kernel_.eye()) != kernel_.eye());
     }
     /// The cells beyond the facets of one: judged by their spheres, and where these tell nothing by
-    /// their vertices.
-    void look_beyond(const Taken& from, const SphereTest& test) {
+    /// their vertices. Without a branch, for nobody could foretell it: what follows the last facet
+    /// and the last cell is written, and then counted or not.
+    void look_beyond(Taken& from, const SphereTest& test) {
+        const Index cell = from.cell;
+        count_in_region(see(cells_.vertex(cell)[from.apex]));
+        from.vertex = seen_of(cell);
+        Orthosphere* const spheres = spheres_.data();
+        const Four beyond = from.neighbour;
+        const auto& [a, b, c, d] = beyond;
         std::array<Told, 4> told;
-        const Orthosphere* const spheres = spheres_.data();
-        const auto& [a, b, c, d] = from.neighbour;
-        test(spheres[a], spheres[b], spheres[c], spheres[d], told);
-        if (told[0] == Told::nothing || told[1] == Told::nothing || told[2] == Told::nothing ||
-            told[3] == Told::nothing) [[unlikely]]
+        if (!test(spheres[a], spheres[b], spheres[c], spheres[d], told)) [[unlikely]]
             judge(from, told);
+        const std::array<Seen, 4> vertex = from.vertex;
+        std::size_t facets = facets_;
+        std::size_t taken = taken_;
+        Orthosphere nobody;
 #pragma GCC unroll 4
         for (std::size_t k = 0; k < 4; ++k) {
-            const Index n = from.neighbour[k];
-            if (told[k] == Told::none) {
-                const auto& facet = facet_of[k];
-                boundary_[facets_++] = {
-                    n,
-                    static_cast<std::uint32_t>(place_of(from.cell, cells_.neighbour(n))),
-                    {from.vertex[facet[0]], from.vertex[facet[1]], from.vertex[facet[2]]}};
-            } else if (!cells_.is_free(n)) {
-                const Seen apex = see(cells_.vertex(n)[place_of(from.cell, cells_.neighbour(n))]);
-                take(n);
-                count_in_region(apex);
-            }
+            const Index n = beyond[k];
+            const Four neighbour = cells_.neighbour(n);
+            const auto place = static_cast<std::uint32_t>(place_of(cell, neighbour));
+            const auto& facet = facet_of[k];
+            boundary_[facets] = {{vertex[facet[0]], vertex[facet[1]], vertex[facet[2]]}, place};
+            outer_[facets] = n;
+            facets += static_cast<std::size_t>(told[k] == Told::none);
+            Taken& next = region_[taken];
+            next.neighbour = neighbour;
+            next.cell = n;
+            next.apex = place;
+            bool is_taken_now = told[k] == Told::conflict;
+            // A broken structure may have the same cell beyond two facets.
+            if constexpr (!Kernel::is_exact) is_taken_now = is_taken_now && !is_taken(n);
+            taken += static_cast<std::size_t>(is_taken_now);
+            Orthosphere* const marked = is_taken_now ? &spheres[n] : &nobody;
+            (*marked)[3] = orthospheres::taken;
         }
+        facets_ = facets;
+        taken_ = taken;
     }
     /// By determinants, four at once.
     [[gnu::noinline]] void judge(const Taken& from, std::array<Told, 4>& told) {
         std::array<Seen, 4> apex = from.vertex;
         for (std::size_t k = 0; k < 4; ++k) {
             const Index n = from.neighbour[k];
-            if (told[k] != Told::nothing) continue;
-            if (cells_.is_free(n))
-                told[k] = Told::conflict;
-            else
+            if (told[k] == Told::nothing)
                 apex[k] = see(cells_.vertex(n)[place_of(from.cell, cells_.neighbour(n))]);
         }
         kernel_.set_bound();
@@ -271,7 +316,7 @@ class Insertion {
     void find_hidden(const Hidden& hidden) {
         if (2 * vertices_ == facets_ + 4) [[likely]]
             return;
-        stays_.assign(count_, Stays::no);
+        stays_.assign(kernel_.count(), Stays::no);
         for (std::size_t i = 0; i < facets_; ++i)
             for (const Seen v : boundary_[i].vertex) stays_[v] = Stays::yes;
         for (std::size_t i = 0; i < taken_; ++i)
@@ -292,40 +337,33 @@ class Insertion {
     void join(Index q) {
         if (!Kernel::is_exact && facets_ == 0) throw BrokenStructure("a site conflicts with all");
         if (made_.size() < facets_) made_.resize(boundary_.size());
+        Index* const made = made_.data();
+        const std::size_t replaced = std::min(facets_, taken_);
+        for (std::size_t i = 0; i < replaced; ++i) made[i] = region_[i].cell;
+        for (std::size_t i = replaced; i < taken_; ++i) cells_.remove(region_[i].cell);
+        cells_.add(std::span(made + replaced, facets_ - replaced));
+        sphere_pages_.grow(spheres_, cells_.size());
+        spheres_.resize(cells_.size());
         for (std::size_t i = 0; i < facets_; ++i) {
-            const Facet& facet = boundary_[i];
-            const auto& [a, b, c] = facet.vertex;
-            const Index made = i < taken_ ? region_[i].cell : cells_.add();
-            made_[i] = made;
-            cells_.vertex(made) = {q, kernel_.name(a), kernel_.name(b), kernel_.name(c)};
-            cells_.neighbour(made)[0] = facet.outer;
-            cells_.neighbour(facet.outer)[facet.place] = made;
+            const auto& [a, b, c] = boundary_[i].vertex;
+            const Index outer = outer_[i];
+            cells_.vertex(made[i]) = {q, kernel_.name(a), kernel_.name(b), kernel_.name(c)};
+            cells_.neighbour(made[i])[0] = outer;
+            cells_.neighbour(outer)[boundary_[i].place] = made[i];
         }
-        for (std::size_t i = facets_; i < taken_; ++i) {
-            cells_.remove(region_[i].cell);
-            sphere(region_[i].cell) = unknown_sphere;
-        }
-        make_spheres();
-        last_ = made_[0];
-        if (count_ <= stride)
+        kernel_.set_bound();
+        SphereMaker(kernel_.rows(), site_, frame_, kernel_.reach(), kernel_.height())
+            .make(std::span(boundary_.data(), facets_), made, spheres_.data());
+        last_ = made[0];
+        if (kernel_.count() <= stride)
             link_by_table();
         else
             link_by_sorting();
     }
-    void make_spheres() {
-        spheres_.resize(cells_.size());
-        kernel_.set_bound();
-        const SphereMaker maker(kernel_.rows(), site_, frame_, kernel_.reach(), kernel_.height());
-        std::array<Orthosphere, 4> made;
-        for (std::size_t i = 0; i < facets_; i += 4) {
-            const auto facet = [&](std::size_t k) {
-                return &boundary_[std::min(i + k, facets_ - 1)].vertex;
-            };
-            maker.make({facet(0), facet(1), facet(2), facet(3)}, made);
-            for (std::size_t k = 0; k < 4 && i + k < facets_; ++k) sphere(made_[i + k]) = made[k];
-        }
+    [[nodiscard]] Orthosphere& sphere_of(Index c) noexcept {
+        return spheres_[static_cast<std::size_t>(c)];
     }
-    [[nodiscard]] Orthosphere& sphere(Index c) noexcept {
+    [[nodiscard]] const Orthosphere& sphere_of(Index c) const noexcept {
         return spheres_[static_cast<std::size_t>(c)];
     }
     void link_by_table() {
@@ -393,18 +431,19 @@ class Insertion {
     Kernel& kernel_;
     Frame frame_;
     Cells cells_;
-    LargeArray<Orthosphere> spheres_;  // of the cells
-    std::array<double, 4> site_{};     // that is inserted, in the frame
+    std::vector<Orthosphere> spheres_;  // of the cells
+    PagesAhead sphere_pages_;
+    std::array<double, 4> site_{};  // that is inserted, in the frame
     Index last_ = 0;
     std::uint32_t random_ = 1;
     LargeArray<Seen> seen_;  // by vertex, infinity first
     std::size_t base_ = 1;
-    std::size_t count_ = 0;
     static constexpr std::size_t stride = 64;
     // Of one insertion; the arrays are as long as they ever had to be.
     LargeArray<Taken> region_ = LargeArray<Taken>(stride);
     std::size_t taken_ = 0;
     LargeArray<Facet> boundary_ = LargeArray<Facet>(stride);
+    LargeArray<Index> outer_ = LargeArray<Index>(stride);  // the cells beyond the facets
     std::size_t facets_ = 0;
     LargeArray<Index> in_region_ = LargeArray<Index>(
         stride, -1);            // the last site that had this vertex, as it saw it, in its region

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "../core/pages.hpp"
 #include "../triangulation/structure/insertion_rounds.hpp"
 
 namespace signum::spatial {
@@ -14,27 +15,25 @@ using triangulation::AxisRange;
 
 constexpr int bits = 10;  // of each coordinate in a key
 
-/// A cell of a cube of 2^bits cells a side, by its place on the curve. Source: Skilling,
-/// Programming the Hilbert curve, AIP Conference Proceedings 707, 2004.
+/// A cell of a cube of 2^bits cells a side, by its place on the curve; without a branch, for nobody
+/// could foretell it. Source: Skilling, Programming the Hilbert curve, AIP Conference Proceedings
+/// 707, 2004.
 std::uint32_t hilbert(std::array<std::uint32_t, 3> x) noexcept {
-    constexpr std::uint32_t top = 1U << (bits - 1);
-    for (std::uint32_t bit = top; bit > 1; bit >>= 1) {
-        const std::uint32_t low = bit - 1;
+    // All bits where a bit is set, none elsewhere.
+    const auto all_if = [](std::uint32_t number, int bit) { return 0U - (number >> bit & 1U); };
+    for (int bit = bits - 1; bit > 0; --bit) {
+        const std::uint32_t low = (1U << bit) - 1;
         for (std::uint32_t& axis : x) {
-            if ((axis & bit) != 0) {
-                x[0] ^= low;
-            } else {
-                const std::uint32_t exchanged = (x[0] ^ axis) & low;
-                x[0] ^= exchanged;
-                axis ^= exchanged;
-            }
+            const std::uint32_t is_set = all_if(axis, bit);
+            const std::uint32_t exchanged = (x[0] ^ axis) & low & ~is_set;
+            x[0] ^= exchanged | (low & is_set);
+            axis ^= exchanged;
         }
     }
     x[1] ^= x[0];
     x[2] ^= x[1];
     std::uint32_t turned = 0;
-    for (std::uint32_t bit = top; bit > 1; bit >>= 1)
-        if ((x[2] & bit) != 0) turned ^= bit - 1;
+    for (int bit = bits - 1; bit > 0; --bit) turned ^= ((1U << bit) - 1) & all_if(x[2], bit);
     for (std::uint32_t& axis : x) axis ^= turned;
     std::uint32_t curve = 0;
     for (int bit = bits - 1; bit >= 0; --bit)
@@ -86,6 +85,7 @@ LargeArray<Index> insertion_order(std::size_t sites, const std::function<Point3(
     std::vector<std::size_t> begins(sizes.size());
     for (std::size_t r = 1; r < sizes.size(); ++r) begins[r] = begins[r - 1] + sizes[r - 1];
     LargeArray<std::uint64_t> items(sites);
+    expect_writes(items);
     std::vector<std::size_t> next = begins;
     for (std::size_t i = 0; i < sites; ++i) items[next[round_of(i)]++] = i;
     for (std::size_t r = 0; r < sizes.size(); ++r)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "../core/processor.hpp"
 #include "../filters/four.hpp"
@@ -10,7 +11,7 @@
 namespace signum::spatial {
 namespace {
 
-using filters::Four;
+using Doubles = filters::Four;
 
 /// A row of which the height is known.
 template <class Number>
@@ -64,32 +65,46 @@ constexpr Solution<filters::RoundingCount> counted = [] {
 static_assert(counted.determinant.roundings <= 8);
 static_assert(counted.x.roundings <= 14 && counted.y.roundings <= 14 && counted.z.roundings <= 14);
 
-[[gnu::always_inline]] inline void gather(Row<Four>& row, const ViewRow* rows,
-                                          const std::array<const std::array<Seen, 3>*, 4>& facets,
-                                          std::size_t vertex) noexcept {
-    const ViewRow& a = rows[(*facets[0])[vertex]];
-    const ViewRow& b = rows[(*facets[1])[vertex]];
-    const ViewRow& c = rows[(*facets[2])[vertex]];
-    const ViewRow& d = rows[(*facets[3])[vertex]];
-    row.x = Four{a.offset.x, b.offset.x, c.offset.x, d.offset.x};
-    row.y = Four{a.offset.y, b.offset.y, c.offset.y, d.offset.y};
-    row.z = Four{a.offset.z, b.offset.z, c.offset.z, d.offset.z};
-    row.lift = Four{a.lift, b.lift, c.lift, d.lift};
+using Facets = std::array<const Facet*, 4>;
+
+/// The rows of one vertex of each facet, column by column.
+[[gnu::always_inline]] inline void gather(Row<Doubles>& row, const ViewRow* rows,
+                                          const Facets& facets, std::size_t vertex) noexcept {
+    const auto load = [&](Doubles & numbers, std::size_t facet) __attribute__((always_inline)) {
+        static_assert(sizeof(ViewRow) == sizeof(Doubles));
+        std::memcpy(&numbers, &rows[facets[facet]->vertex[vertex]], sizeof numbers);
+    };
+    Doubles a;
+    Doubles b;
+    Doubles c;
+    Doubles d;
+    load(a, 0);
+    load(b, 1);
+    load(c, 2);
+    load(d, 3);
+    const Doubles ab_even = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const Doubles ab_odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const Doubles cd_even = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const Doubles cd_odd = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    row.x = __builtin_shufflevector(ab_even, cd_even, 0, 1, 4, 5);
+    row.y = __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 4, 5);
+    row.z = __builtin_shufflevector(ab_even, cd_even, 2, 3, 6, 7);
+    row.lift = __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7);
 }
 
-[[gnu::always_inline]] inline void largest(Four& result, const Four& x, const Four& y,
-                                           const Four& z) noexcept {
-    Four a;
-    Four b;
+[[gnu::always_inline]] inline void largest(Doubles& result, const Doubles& x, const Doubles& y,
+                                           const Doubles& z) noexcept {
+    Doubles a;
+    Doubles b;
     filters::magnitude(result, x);
     filters::magnitude(a, y);
     filters::magnitude(b, z);
     result = result > a ? result : a;
     result = result > b ? result : b;
 }
-[[gnu::always_inline]] inline void through_floats(Four& result, const Four& numbers) noexcept {
-    using Floats = float __attribute__((vector_size(16)));
-    result = __builtin_convertvector(__builtin_convertvector(numbers, Floats), Four);
+using orthospheres::Floats;
+[[gnu::always_inline]] inline void to_floats(Floats& result, const Doubles& numbers) noexcept {
+    result = __builtin_convertvector(numbers, Floats);
 }
 
 }  // namespace
@@ -129,50 +144,83 @@ SphereMaker::SphereMaker(const ViewRow* rows, const std::array<double, 4>& site,
       numerator_error_(numerator_error * height * largest * largest),
       determinant_error_(determinant_error * largest * largest * largest) {}
 
-void SphereMaker::make(const std::array<const std::array<Seen, 3>*, 4>& facets,
-                       std::array<Orthosphere, 4>& spheres) const noexcept {
-    as_wide_as_possible([&]() __attribute__((always_inline)) {
-        Row<Four> b;
-        Row<Four> c;
-        Row<Four> d;
-        gather(b, rows_, facets, 0);
-        gather(c, rows_, facets, 1);
-        gather(d, rows_, facets, 2);
-        Solution<Four> solution;
+/// A site in the frame, and the errors of the numbers that it sees.
+struct SphereMaker::Wide {
+    const SphereMaker& of;
+
+    [[gnu::always_inline]] void operator()(const Facets& facets,
+                                           const std::array<Orthosphere*, 4>& spheres) const {
+        const auto& [rows, site, scale, numerator_error, determinant_error] = of;
+        Row<Doubles> b;
+        Row<Doubles> c;
+        Row<Doubles> d;
+        gather(b, rows, facets, 0);
+        gather(c, rows, facets, 1);
+        gather(d, rows, facets, 2);
+        Solution<Doubles> solution;
         solve(solution, b, c, d);
-        const Four twice = solution.determinant + solution.determinant;
-        const Four x = solution.x / twice;
-        const Four y = solution.y / twice;
-        const Four z = solution.z / twice;
+        const Doubles twice = solution.determinant + solution.determinant;
+        const Doubles x = solution.x / twice;
+        const Doubles y = solution.y / twice;
+        const Doubles z = solution.z / twice;
         // The centre is farther from the site than this, but not twice as far.
-        Four near;
+        Doubles near;
         largest(near, x, y, z);
-        const Four reach = near * scale_;
-        const Four cx = site_[0] + x * scale_;
-        const Four cy = site_[1] + y * scale_;
-        const Four cz = site_[2] + z * scale_;
-        Four far;
+        const Doubles reach = near * scale;
+        const Doubles cx = site[0] + x * scale;
+        const Doubles cy = site[1] + y * scale;
+        const Doubles cz = site[2] + z * scale;
+        Doubles far;
         largest(far, cx, cy, cz);
-        Four volume;
+        Doubles volume;
         filters::magnitude(volume, solution.determinant);
         // The solution's error is below 2^-13 of the distance, and that of rounding it too.
         const filters::Flags is_good =
-            ((numerator_error_ + 2.1 * near * determinant_error_) * 0x1p14 <= near * volume) &
+            ((numerator_error + 2.1 * near * determinant_error) * 0x1p14 <= near * volume) &
             (far <= 0x1p9 * reach) & (reach >= 0x1.01p-11) & (reach <= 0x1p40);
-        Four from_x;
-        Four from_y;
-        Four from_z;
-        through_floats(from_x, cx);
-        through_floats(from_y, cy);
-        through_floats(from_z, cz);
-        const Four dx = from_x - site_[0];
-        const Four dy = from_y - site_[1];
-        const Four dz = from_z - site_[2];
-        const Four power = (dx * dx + dy * dy + dz * dz) - site_[3];
-        for (std::size_t k = 0; k < 4; ++k)
-            spheres[k] = {static_cast<float>(from_x[k]), static_cast<float>(from_y[k]),
-                          static_cast<float>(from_z[k]),
-                          is_good[k] != 0 ? static_cast<float>(power[k]) : unknown_sphere.power};
+        Floats float_x;
+        Floats float_y;
+        Floats float_z;
+        to_floats(float_x, cx);
+        to_floats(float_y, cy);
+        to_floats(float_z, cz);
+        const Doubles dx = __builtin_convertvector(float_x, Doubles) - site[0];
+        const Doubles dy = __builtin_convertvector(float_y, Doubles) - site[1];
+        const Doubles dz = __builtin_convertvector(float_z, Doubles) - site[2];
+        Floats power;
+        to_floats(power, (dx * dx + dy * dy + dz * dz) - site[3]);
+        const auto is_known = __builtin_convertvector(is_good, orthospheres::Flags);
+        power =
+            (Floats)((is_known & (orthospheres::Flags)power) | (~is_known & orthospheres::unknown));
+        const Floats xy_low = __builtin_shufflevector(float_x, float_y, 0, 4, 1, 5);
+        const Floats xy_high = __builtin_shufflevector(float_x, float_y, 2, 6, 3, 7);
+        const Floats zp_low = __builtin_shufflevector(float_z, power, 0, 4, 1, 5);
+        const Floats zp_high = __builtin_shufflevector(float_z, power, 2, 6, 3, 7);
+        const auto store = [&](std::size_t k, const Floats& sphere) __attribute__((always_inline)) {
+            std::memcpy(spheres[k]->data(), &sphere, sizeof sphere);
+        };
+        store(0, __builtin_shufflevector(xy_low, zp_low, 0, 1, 4, 5));
+        store(1, __builtin_shufflevector(xy_low, zp_low, 2, 3, 6, 7));
+        store(2, __builtin_shufflevector(xy_high, zp_high, 0, 1, 4, 5));
+        store(3, __builtin_shufflevector(xy_high, zp_high, 2, 3, 6, 7));
+    }
+};
+
+void SphereMaker::make(std::span<const Facet> facets, const Index* cells,
+                       Orthosphere* spheres) const noexcept {
+    as_wide_as_possible([&]() __attribute__((always_inline)) {
+        const Wide make_four{*this};
+        for (std::size_t i = 0; i < facets.size(); i += 4) {
+            // The last one several times where there are no more.
+            const auto at = [&](std::size_t k) __attribute__((always_inline)) {
+                return std::min(i + k, facets.size() - 1);
+            };
+            const auto sphere = [&](std::size_t k) __attribute__((always_inline)) {
+                return &spheres[cells[at(k)]];
+            };
+            make_four({&facets[at(0)], &facets[at(1)], &facets[at(2)], &facets[at(3)]},
+                      {sphere(0), sphere(1), sphere(2), sphere(3)});
+        }
     });
 }
 

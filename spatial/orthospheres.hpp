@@ -25,19 +25,27 @@
 #include <limits>
 #include <span>
 
+#include "cells.hpp"
 #include "view.hpp"
 
 namespace signum::spatial {
 
-struct alignas(16) Orthosphere {
-    float x;
-    float y;
-    float z;
-    float power;
-};
-/// One that tells nothing.
-inline constexpr Orthosphere unknown_sphere = {0.0F, 0.0F, 0.0F,
-                                               std::numeric_limits<float>::quiet_NaN()};
+/// The bits of four floats, centre and power: kept as what a cell has four of, so that the memory
+/// can become the result's.
+using Orthosphere = Four;
+
+namespace orthospheres {
+using Floats = float __attribute__((vector_size(16)));
+using Flags = std::int32_t __attribute__((vector_size(16)));
+
+inline constexpr std::int32_t unknown = 0x7FC0'0000;
+inline constexpr std::int32_t taken = 0x7FC0'0001;
+}  // namespace orthospheres
+
+/// One that tells nothing, and that of a cell that is known to be in conflict. Their powers are two
+/// NaNs, neither of which is what an operation makes.
+inline constexpr Orthosphere unknown_sphere = {0, 0, 0, orthospheres::unknown};
+inline constexpr Orthosphere taken_sphere = {0, 0, 0, orthospheres::taken};
 
 /// The frame of the sites. Where they extend too little or too far every sphere is unknown.
 struct Frame {
@@ -59,7 +67,7 @@ template <power::PowerSite3 S>
 }
 
 /// Whether a site conflicts with cells, as far as their spheres tell.
-enum class Told : std::int32_t { nothing = 0, conflict = 1, none = 2 };
+enum class Told : std::int32_t { nothing = 0, conflict = 1, none = 2, taken = 4 };
 class SphereTest {
  public:
     SphereTest(const std::array<double, 4>& site, const Frame& frame) noexcept
@@ -68,27 +76,73 @@ class SphereTest {
           z_(static_cast<float>(site[2])),
           weight_(static_cast<float>(site[3])),
           largest_weight_(frame.largest_weight) {}
-    /// Of four at once.
-    [[gnu::always_inline]] void operator()(const Orthosphere& a, const Orthosphere& b,
+    /// Of four at once. Whether it is told of all.
+    [[gnu::always_inline]] bool operator()(const Orthosphere& a, const Orthosphere& b,
                                            const Orthosphere& c, const Orthosphere& d,
                                            std::array<Told, 4>& told) const noexcept {
-        const Floats x = x_ - Floats{a.x, b.x, c.x, d.x};
-        const Floats y = y_ - Floats{a.y, b.y, c.y, d.y};
-        const Floats z = z_ - Floats{a.z, b.z, c.z, d.z};
-        const Floats power = {a.power, b.power, c.power, d.power};
-        const Floats square = x * x + y * y + z * z;
-        const Floats difference = (square - weight_) - power;
-        const Floats magnitude = (Floats)((Flags)power & 0x7FFF'FFFF);
-        const Floats bound = 0x1p-9F * (square + magnitude + largest_weight_);
-        const Flags none = difference > bound;
-        const Flags conflict = difference < -bound;
-        const Flags result = (none & 2) | (conflict & 1);
-        std::memcpy(told.data(), &result, sizeof told);
+        Judged judged;
+        judge(judged, a, b, c, d);
+        std::memcpy(told.data(), &judged.told, sizeof told);
+        return is_zero(judged.told == 0);
+    }
+    /// How far four cells are from being in conflict: |g| as bits that compare as it does, and a
+    /// negative number where a conflict is told. The last two bits are the place of the cell; of
+    /// spheres that are unknown the number is the greatest.
+    [[gnu::always_inline]] void distances(const Orthosphere& a, const Orthosphere& b,
+                                          const Orthosphere& c, const Orthosphere& d,
+                                          std::array<std::int32_t, 4>& numbers) const noexcept {
+        Judged judged;
+        judge(judged, a, b, c, d);
+        constexpr Flags places = {0, 1, 2, 3};
+        const Flags is_conflict = (judged.told & 1) != 0;
+        const Flags result = (~is_conflict & (Flags)judged.difference & 0x7FFF'FFFC) |
+                             (is_conflict & std::numeric_limits<std::int32_t>::min()) | places;
+        std::memcpy(numbers.data(), &result, sizeof numbers);
     }
 
  private:
-    using Floats = float __attribute__((vector_size(16)));
-    using Flags = std::int32_t __attribute__((vector_size(16)));
+    using Floats = orthospheres::Floats;
+    using Flags = orthospheres::Flags;
+
+    struct Judged {
+        Floats difference;
+        Flags told;
+    };
+    [[gnu::always_inline]] static bool is_zero(const Flags& flags) noexcept {
+        std::array<std::uint64_t, 2> halves;
+        std::memcpy(halves.data(), &flags, sizeof halves);
+        return (halves[0] | halves[1]) == 0;
+    }
+    [[gnu::always_inline]] static Floats load(const Orthosphere& sphere) noexcept {
+        Floats floats;
+        std::memcpy(&floats, sphere.data(), sizeof floats);
+        return floats;
+    }
+    [[gnu::always_inline]] void judge(Judged& judged, const Orthosphere& of_a,
+                                      const Orthosphere& of_b, const Orthosphere& of_c,
+                                      const Orthosphere& of_d) const noexcept {
+        const Floats a = load(of_a);
+        const Floats b = load(of_b);
+        const Floats c = load(of_c);
+        const Floats d = load(of_d);
+        const Floats ab_first = __builtin_shufflevector(a, b, 0, 4, 1, 5);
+        const Floats cd_first = __builtin_shufflevector(c, d, 0, 4, 1, 5);
+        const Floats ab_last = __builtin_shufflevector(a, b, 2, 6, 3, 7);
+        const Floats cd_last = __builtin_shufflevector(c, d, 2, 6, 3, 7);
+        const Floats x = x_ - __builtin_shufflevector(ab_first, cd_first, 0, 1, 4, 5);
+        const Floats y = y_ - __builtin_shufflevector(ab_first, cd_first, 2, 3, 6, 7);
+        const Floats z = z_ - __builtin_shufflevector(ab_last, cd_last, 0, 1, 4, 5);
+        const Floats power = __builtin_shufflevector(ab_last, cd_last, 2, 3, 6, 7);
+        const Floats square = x * x + y * y + z * z;
+        judged.difference = (square - weight_) - power;
+        const Floats magnitude = (Floats)((Flags)power & 0x7FFF'FFFF);
+        const Floats bound = 0x1p-9F * (square + magnitude + largest_weight_);
+        const Flags none = judged.difference > bound;
+        const Flags conflict = judged.difference < -bound;
+        const Flags taken = (Flags)power == orthospheres::taken;
+        judged.told = (none & 2) | (conflict & 1) | (taken & 4);
+    }
+
     float x_;
     float y_;
     float z_;
@@ -102,12 +156,15 @@ class SphereMaker {
     /// `site`: that which sees, in the frame; largest, height: the largest offset seen and height.
     SphereMaker(const ViewRow* rows, const std::array<double, 4>& site, const Frame& frame,
                 double largest, double height) noexcept;
-    /// Those of the site and four facets, three vertices each. Where the lemma's conditions cannot
-    /// be shown, as with the vertex at infinity, they are unknown.
-    void make(const std::array<const std::array<Seen, 3>*, 4>& facets,
-              std::array<Orthosphere, 4>& spheres) const noexcept;
+    /// Those of the site and facets, three vertices each: that of the i-th goes to
+    /// spheres[cells[i]]. Where the lemma's conditions cannot be shown, as with the vertex at
+    /// infinity, it is unknown.
+    void make(std::span<const Facet> facets, const Index* cells,
+              Orthosphere* spheres) const noexcept;
 
  private:
+    struct Wide;
+
     const ViewRow* rows_;
     std::array<double, 4> site_;
     double scale_;

@@ -1,13 +1,17 @@
 #include "triangulate.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "../core/pages.hpp"
 #include "../predicates/ccw.hpp"
 #include "../predicates/space/nearer.hpp"
 #include "insert.hpp"
@@ -28,6 +32,27 @@ constexpr std::size_t most_sites = std::size_t{1} << 28;
            ccw(Point{a.y, a.z}, Point{b.y, b.z}, Point{c.y, c.z}) == 0 &&
            ccw(Point{a.z, a.x}, Point{b.z, b.x}, Point{c.z, c.x}) == 0;
 }
+
+/// Even permutations keep the orientation: the one that puts the least of four first, and the least
+/// of the others second, by which of them are less than which. Without a branch, for nobody could
+/// foretell it.
+constexpr auto even_orders = [] {
+    std::array<std::array<std::uint8_t, 4>, 64> orders{};
+    std::array<std::uint8_t, 4> number = {0, 1, 2, 3};  // of each place
+    do {
+        std::size_t key = 0;
+        std::size_t bit = 0;
+        for (std::size_t a = 0; a < 4; ++a)
+            for (std::size_t b = a + 1; b < 4; ++b)
+                key |= static_cast<std::size_t>(number[a] < number[b]) << bit++;
+        std::array<std::uint8_t, 4> place{};
+        for (std::uint8_t k = 0; k < 4; ++k) place[number[k]] = k;
+        const bool is_odd = std::popcount(key) % 2 != 0;
+        if (is_odd) std::swap(place[2], place[3]);
+        orders[key] = place;
+    } while (std::ranges::next_permutation(number).found);
+    return orders;
+}();
 
 /// A site and its number in the input, in the order of insertion. Apexes follow the input's.
 template <class S>
@@ -57,14 +82,17 @@ class Construction {
         if (sites_.empty()) return result;
         choose_first();
         result.dimension = 3 - static_cast<int>(apexes_);
-        assemble(structure(options, result), result);
+        Built built = structure(options, result);
+        assemble(built.cells, std::move(built.room), result);
         if constexpr (!Kernel::is_exact) expect_all(result);
         return result;
     }
 
  private:
+    using Built = typename spatial::Insertion<Kernel>::Built;
+
     /// All cells, and who is hidden.
-    [[nodiscard]] Cells structure(const Options& options, SpaceTessellation& result) {
+    [[nodiscard]] Built structure(const Options& options, SpaceTessellation& result) {
         Kernel kernel(all_.sites, all_.numbers);
         spatial::Insertion<Kernel> insertion(
             kernel, spatial::frame_of(std::span<const S>(all_.sites)), all_.sites.size());
@@ -119,6 +147,8 @@ class Construction {
         const std::size_t number = sites_.size() + apexes_;
         all_.sites.reserve(number);
         all_.numbers.reserve(number);
+        expect_writes(all_.sites);
+        expect_writes(all_.numbers);
         for (std::size_t k = 0; k < 4; ++k) {
             all_.sites.push_back(first[k]);
             all_.numbers.push_back(k < places.size()
@@ -137,6 +167,7 @@ class Construction {
             all_.sites.push_back(site(order_[place]));
             all_.numbers.push_back(order_[place]);
         }
+        order_ = {};
     }
     /// The first site moved along an axis by about as much as the sites extend, toward 0.
     [[nodiscard]] S apex(const std::vector<S>& first) const {
@@ -186,16 +217,17 @@ class Construction {
     [[nodiscard]] bool is_apex(Index v) const noexcept {
         return all_.numbers[static_cast<std::size_t>(v)] >= static_cast<Index>(sites_.size());
     }
-    /// Laws 1 and 2 of the result. Memory is given back as soon as what lies there has been used:
-    /// sites, then the structure's vertices. The structure is read from its first cell to its last:
-    /// there neighbours lie close to one another, which in the result they do not.
-    void assemble(Cells structure, SpaceTessellation& result) {
+    /// Laws 1 and 2 of the result, in memory that the structure had: the spheres', then the
+    /// vertices'. It is read from its first cell to its last: there neighbours lie close to one
+    /// another, which in the result they do not.
+    void assemble(Cells& structure, std::vector<SpaceCell> room, SpaceTessellation& result) {
         const auto last = static_cast<Index>(structure.size());
         for (Index c = 0; c < last; ++c)
             if (!structure.is_free(c)) name(structure.vertex(c), structure.neighbour(c));
         all_ = {};
-        const LargeArray<Index> place = sort_cells(structure, result.cells);
-        structure.forget_vertices();
+        result.cells = std::move(room);
+        const auto place = sort_cells(structure, result.cells);
+        result.neighbours = structure.forget_vertices();
         result.neighbours.resize(result.cells.size());
         for (Index c = 0; c < last; ++c) {
             const Index own = place[static_cast<std::size_t>(c)];
@@ -205,6 +237,8 @@ class Construction {
                 if (n >= 0) n = place[static_cast<std::size_t>(n)];
             result.neighbours[static_cast<std::size_t>(own)] = neighbours;
         }
+        for (std::vector<SpaceCell>* const each : {&result.cells, &result.neighbours})
+            if (each->size() < each->capacity() / 2) each->shrink_to_fit();
     }
     /// Every site is visible, or hidden by one that is. Where regions of conflict were no balls, or
     /// flat sites had volumes by rounding, that need not be so.
@@ -277,7 +311,10 @@ class Construction {
                       });
             begin = end;
         }
-        LargeArray<Index> place(structure.size(), no_vertex);
+        LargeArray<Index> place;
+        place.reserve(structure.size());
+        expect_writes(place);
+        place.assign(structure.size(), no_vertex);
         Index next = 0;
         for (std::size_t b = 0; b < ends.size(); ++b) {
             const Index first = std::max(static_cast<Index>(b) - vertices, infinite);
@@ -298,16 +335,14 @@ class Construction {
                 }
             return;
         }
-        // Even permutations keep the orientation: two pairs exchanged, then three in a cycle.
-        const auto lesser = [&](std::size_t a, std::size_t b) { return cell[b] < cell[a] ? b : a; };
-        const std::size_t first = lesser(lesser(0, 1), lesser(2, 3));
-        const std::size_t others[3] = {first ^ 1U, first ^ 2U, first ^ 3U};
-        const std::size_t second = lesser(lesser(others[0], others[1]), others[2]);
-        const std::size_t turn = second == others[0] ? 0 : second == others[1] ? 1 : 2;
-        const std::size_t third = others[(turn + 1) % 3];
-        const std::size_t fourth = others[(turn + 2) % 3];
-        cell = {cell[first], cell[second], cell[third], cell[fourth]};
-        neighbour = {neighbour[first], neighbour[second], neighbour[third], neighbour[fourth]};
+        const auto is_less = [&](std::size_t a, std::size_t b) {
+            return static_cast<std::size_t>(cell[a] < cell[b]);
+        };
+        const auto& [a, b, c, d] =
+            even_orders[is_less(0, 1) | is_less(0, 2) << 1 | is_less(0, 3) << 2 |
+                        is_less(1, 2) << 3 | is_less(1, 3) << 4 | is_less(2, 3) << 5];
+        cell = {cell[a], cell[b], cell[c], cell[d]};
+        neighbour = {neighbour[a], neighbour[b], neighbour[c], neighbour[d]};
     }
 
     std::span<const S> sites_;

@@ -23,6 +23,12 @@ namespace signum::spatial {
 using Seen = std::uint32_t;
 inline constexpr Seen seen_infinity = 0;
 
+/// A facet that turns positively seen from the site, and its place in the cell beyond it.
+struct Facet {
+    std::array<Seen, 3> vertex;
+    std::uint32_t place = 0;
+};
+
 /// A row of in_sphere's determinant. The vertex at infinity is where nothing but the lift is not 0:
 /// what is left of the determinant is the orientation of the three others with the site.
 struct alignas(32) ViewRow {
@@ -65,30 +71,29 @@ class View {
     /// From here on vertices are seen from q, and none yet but infinity.
     void look_from(Index q) noexcept {
         eye_ = q;
-        count_ = 1;
+        count_ = looked_at_ = 1;
         largest_ = {0.0, 0.0, 0.0};
         weight_ = 0.0;
         in_environment_ = filters::environment_is_default();
     }
-    /// The next vertex to be seen.
-    void see(Index v) {
-        using filters::magnitude;
-        if (count_ == rows_.size()) [[unlikely]] {
-            rows_.resize(2 * count_);
-            names_.resize(2 * count_);
-        }
-        const power::LiftedRow<double> row = power::lifted_row(at(v), at(eye_));
-        rows_[count_] = {row.offset, row.height()};
-        names_[count_++] = v;
-        largest_ = {std::max(largest_.x, magnitude(row.offset.x)),
-                    std::max(largest_.y, magnitude(row.offset.y)),
-                    std::max(largest_.z, magnitude(row.offset.z))};
-        weight_ = std::max(weight_, magnitude(row.weight));
+    /// Room for this many more vertices to be seen.
+    void make_room(std::size_t vertices) {
+        if (count_ + vertices <= names_.size()) [[likely]]
+            return;
+        names_.resize(2 * (count_ + vertices));
+        rows_.resize(names_.size());
     }
+    /// The next vertex to be seen, if it is new: without a branch. Precondition: there is room.
+    void see(Index v, bool is_new = true) noexcept {
+        names_[count_] = v;
+        count_ += static_cast<std::size_t>(is_new);
+    }
+    [[nodiscard]] std::size_t count() const noexcept { return count_; }
     /// To be called before cells are judged by what has been seen. The bound is that of the filter
     /// of in_sphere, with the largest offsets of all in the place of the largest of a cell; beyond
     /// the filter's window it is infinite.
     void set_bound() noexcept {
+        for (; looked_at_ < count_; ++looked_at_) look_at(looked_at_);
         const auto& [x, y, z] = largest_;
         const double height = x * x + y * y + z * z + weight_;
         rows_[seen_infinity].lift = height;
@@ -103,6 +108,7 @@ class View {
     [[nodiscard]] Index eye() const noexcept { return eye_; }
     [[nodiscard]] Index name(Seen v) const noexcept { return names_[v]; }
     [[nodiscard]] const ViewRow* rows() const noexcept { return rows_.data(); }
+    /// Of one that was seen before the bound was set.
     [[nodiscard]] const ViewRow& row(Seen v) const noexcept { return rows_[v]; }
     [[nodiscard]] std::array<const ViewRow*, 4> rows(
         const std::array<Seen, 4>& cell) const noexcept {
@@ -125,10 +131,21 @@ class View {
     [[nodiscard]] double volume() const noexcept { return volume_; }
 
  private:
+    void look_at(std::size_t number) noexcept {
+        using filters::magnitude;
+        const power::LiftedRow<double> row = power::lifted_row(at(names_[number]), at(eye_));
+        rows_[number] = {row.offset, row.height()};
+        largest_ = {std::max(largest_.x, magnitude(row.offset.x)),
+                    std::max(largest_.y, magnitude(row.offset.y)),
+                    std::max(largest_.z, magnitude(row.offset.z))};
+        weight_ = std::max(weight_, magnitude(row.weight));
+    }
+
     const S* sites_;
     Index eye_ = 0;
     bool in_environment_ = true;
     std::size_t count_ = 1;
+    std::size_t looked_at_ = 1;  // of those that are seen
     LargeArray<ViewRow> rows_ = LargeArray<ViewRow>(64, ViewRow{});
     LargeArray<Index> names_ = LargeArray<Index>(64, -1);
     predicates::Offset3<double> largest_{};

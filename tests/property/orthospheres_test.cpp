@@ -1,6 +1,7 @@
 /// What the rounded spheres of cells tell is what in_sphere says, for well and badly shaped cells,
 /// near sites and far ones, with weights and without; and for ordinary ones they do tell.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -35,29 +36,43 @@ void judge(const std::vector<S>& sites, Count& count) {
         view.look_from(q);
         for (Index v = q + 1; v <= q + 3; ++v) view.see(v);
         view.set_bound();
-        std::array<Seen, 3> facet = {1, 2, 3};
+        Facet facet{.vertex = {1, 2, 3}};
         const auto at = [&](Index v) { return sites[static_cast<std::size_t>(v)]; };
         const Sign turn = ccw(at(q), at(q + 1), at(q + 2), at(q + 3));
         if (turn == 0) continue;
-        if (turn < 0) std::swap(facet[1], facet[2]);
-        const std::array<Seen, 3> beyond = {seen_infinity, facet[1], facet[2]};
+        if (turn < 0) std::swap(facet.vertex[1], facet.vertex[2]);
+        const Facet beyond{.vertex = {seen_infinity, facet.vertex[1], facet.vertex[2]}};
         const SphereMaker maker(view.rows(), in_frame(at(q), frame), frame, view.reach(),
                                 view.height());
-        std::array<Orthosphere, 4> spheres;
-        maker.make({&facet, &beyond, &facet, &facet}, spheres);
+        // One more than are made at once.
+        std::array<Orthosphere, 5> spheres;
+        constexpr std::array<Index, 5> cells = {4, 2, 0, 3, 1};
+        maker.make(std::array{facet, beyond, facet, facet, facet}, cells.data(), spheres.data());
         for (Index p = 0; p < last; ++p) {
             if (p >= q && p <= q + 3) continue;
             std::array<Told, 4> told;
             const SphereTest test(in_frame(at(p), frame), frame);
-            test(spheres[0], spheres[1], spheres[2], unknown_sphere, told);
+            ASSERT_FALSE(test(spheres[0], spheres[2], taken_sphere, unknown_sphere, told));
             ASSERT_EQ(told[1], Told::nothing);
-            ASSERT_EQ(told[2], told[0]);
+            ASSERT_EQ(told[2], Told::taken);
             ASSERT_EQ(told[3], Told::nothing);
+            std::array<Told, 4> again;
+            ASSERT_EQ(test(spheres[1], spheres[3], taken_sphere, spheres[4], again),
+                      told[0] != Told::nothing);
+            ASSERT_EQ(again, (std::array{told[0], told[0], Told::taken, told[0]}));
+            std::array<std::int32_t, 4> distances;
+            test.distances(spheres[0], spheres[1], spheres[2], unknown_sphere, distances);
+            for (std::int32_t k = 0; k < 4; ++k)
+                ASSERT_EQ(distances[static_cast<std::size_t>(k)] & 3, k);
+            ASSERT_EQ(distances[0] < 0, told[0] == Told::conflict);
+            ASSERT_EQ(distances[1] >> 2, distances[0] >> 2);
+            ASSERT_GE(distances[2], 0);
+            ASSERT_GE(distances[3], std::max(distances[0] & ~3, distances[2] & ~3));
             ++count.all;
             if (told[0] == Told::nothing) continue;
             ++count.told;
-            const Sign sign = power::in_sphere(at(q), at(q + facet[0]), at(q + facet[1]),
-                                               at(q + facet[2]), at(p));
+            const auto& [b, c, d] = facet.vertex;
+            const Sign sign = power::in_sphere(at(q), at(q + b), at(q + c), at(q + d), at(p));
             ASSERT_EQ(told[0], sign > 0 ? Told::conflict : Told::none) << q << ' ' << p;
         }
     }
