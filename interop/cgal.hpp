@@ -112,7 +112,7 @@ class SmallOffsets {
         are_exact_ = true;
         for (std::size_t m = 0; m < number; ++m)
             for (std::size_t k = 0; k < dimension; ++k)
-                offsets_[m][k] = integer(sites[m]->*axes[k] * scale);
+                offsets_[m][k] = integer(sites[m]->*axes[k], scale);
         for (std::size_t k = 0; k < dimension; ++k) {
             const std::int64_t from = offsets_[origin][k];
             for (std::size_t m = 0; m < number; ++m) offsets_[m][k] -= from;
@@ -136,13 +136,15 @@ class SmallOffsets {
             return std::array{&S::x, &S::y};
     }();
 
-    [[nodiscard]] std::int64_t integer(double value) noexcept {
+    /// The scale is a power of two: what is lost is a coordinate that it makes 0.
+    [[nodiscard]] std::int64_t integer(double coordinate, double scale) noexcept {
+        const double value = coordinate * scale;
         if (!(filters::magnitude(value) <= 0x1p62)) {
             are_exact_ = false;
             return 0;
         }
         const auto result = static_cast<std::int64_t>(value);
-        are_exact_ &= static_cast<double>(result) == value;
+        are_exact_ &= static_cast<double>(result) == value && (result != 0 || coordinate == 0.0);
         return result;
     }
 

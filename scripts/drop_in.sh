@@ -2,17 +2,23 @@
 # TetGen of Debian's sources, built with its own predicates and with libsignum_classic in their place: both on the
 # same inputs, whether their output is the same, and how long they take. Needs a network, and Debian's keys.
 #
-#     scripts/drop_in.sh [BUILD]        # BUILD: a build with libsignum_classic; build/release if none is named
+#     scripts/drop_in.sh        # the libraries are built in build/drop-in/signum, static
+#
+# Exit code 1 where the two do not agree, or either of them builds nothing.
 set -eu
 cd "$(dirname "$0")/.."
-build=$(cd "${1:-build/release}" && pwd)
+root=$PWD
+"$root/scripts/build.sh" "$root/build/drop-in/signum" signum_classic -DCMAKE_BUILD_TYPE=Release -DBUILD_SHARED_LIBS=OFF \
+    -DSIGNUM_BUILD_TOOL=OFF -DSIGNUM_BUILD_TESTS=OFF
+build=$root/build/drop-in/signum
 mkdir -p build/drop-in/lists/partial
 cd build/drop-in
 
-# A list of sources of its own: nothing is written where the system keeps its own.
+# A list of sources of its own, from where the system has its packages: nothing is written where it keeps its own.
 if [ ! -d tetgen ]; then
     . /etc/os-release
-    echo "deb-src [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] http://deb.debian.org/debian $VERSION_CODENAME main" > sources.list
+    apt-get indextargets --format '$(CREATED_BY) $(CODENAME) $(COMPONENT) $(REPO_URI)' |
+        sed -n "s#^Packages $VERSION_CODENAME main \(.*\)#deb-src \1 $VERSION_CODENAME main#p" | sort -u > sources.list
     apt="-o Dir::Etc::sourcelist=$PWD/sources.list -o Dir::Etc::sourceparts=- -o Dir::State::lists=$PWD/lists -o Dir::Cache=$PWD"
     # shellcheck disable=SC2086
     apt-get $apt -q update > apt.log
@@ -54,6 +60,7 @@ PYTHON
 cp tetgen/example.poly .
 
 # Name of the input, switches, file.
+failed=0
 compare() {
     for program in own ours; do
         rm -rf "$program.d"
@@ -64,11 +71,15 @@ compare() {
         echo "$status" > "$program.status"
     done
     same=same
+    for program in own ours; do
+        [ "$(cat "$program.status")" = ok ] && [ -n "$(find "$program.d" -name '*.ele')" ] || same="nothing built"
+    done
     for file in own.d/*.ele own.d/*.node own.d/*.face; do
         grep -v '^#' "$file" > own.text 2> /dev/null || true
         grep -v '^#' "ours.d/${file#own.d/}" > ours.text 2> /dev/null || true
         cmp -s own.text ours.text || same=different
     done
+    [ "$same" = same ] || failed=1
     elements=$(cat own.d/*.ele 2> /dev/null | head -1 | cut -d' ' -f1)
     echo "| $1 | \`-$2\` | ${elements:--} | $(cat own.status), $(tail -1 own.d/time) s | $(cat ours.status), $(tail -1 ours.d/time) s | $same |"
 }
@@ -81,3 +92,4 @@ compare "25³ grid" "" grid.node
 compare "25³ grid of tenths" "" grid-of-tenths.node
 compare "3000 points on a sphere, rounded" "" sphere.node
 compare "20 000 weighted points" w weighted.node
+exit $failed

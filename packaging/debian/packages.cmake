@@ -25,7 +25,11 @@ generalized Delaunay tessellations and Voronoi diagrams of discs, diamonds and
 squares, in the plane and in space, that stand on them.
 .
 The shared library.")
-file(WRITE "${PROJECT_BINARY_DIR}/shlibs" "libsignum ${version} libsignum${version} (>= ${PROJECT_VERSION})\n")
+set(shlibs "")
+foreach(library IN ITEMS libsignum libsignum_classic)
+  string(APPEND shlibs "${library} ${version} libsignum${version} (>= ${PROJECT_VERSION})\n")
+endforeach()
+file(WRITE "${PROJECT_BINARY_DIR}/shlibs" "${shlibs}")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libsignum${version} (= ${PROJECT_VERSION})")
@@ -38,7 +42,7 @@ and Voronoi diagrams in four metrics.")
 
 set(CPACK_DEBIAN_TOOL_PACKAGE_SECTION math)
 set(CPACK_DEBIAN_TOOL_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_TOOL_PACKAGE_RECOMMENDS gnuplot-nox)
+set(CPACK_DEBIAN_TOOL_PACKAGE_RECOMMENDS "gnuplot-nox, librsvg2-bin")
 set(CPACK_DEBIAN_TOOL_DESCRIPTION "Computes generalized Delaunay tessellations and Voronoi diagrams of discs,
 diamonds and squares in the plane and of balls in space, judges them from
 scratch, and simulates balls that move and strike in the exact order.")

@@ -12,6 +12,7 @@
 #include "../../core/site.hpp"
 #include "../../filters/bounds.hpp"
 #include "../../filters/environment.hpp"
+#include "../../filters/interval.hpp"
 #include "../../filters/rounding_count.hpp"
 #include "../../filters/tally.hpp"
 #include "../../filters/verdict.hpp"

@@ -226,7 +226,8 @@ using Exact = Kernel::Exact_kernel;
 using ToExact = Kernel::C2E;
 
 /// Coordinates of one kind each: small integers; neighbours of one double; any finite bits; the
-/// largest and the smallest. With ties among all of them.
+/// largest and the smallest; large ones beside such as vanish next to them. With ties among all of
+/// them.
 double number(Random& random, int kind) {
     switch (kind) {
         case 0:
@@ -242,11 +243,15 @@ double number(Random& random, int kind) {
         case 3:
             return std::array{1.7e308, -1.7e308, 5e-324,
                               0.0}[static_cast<std::size_t>(whole(random, 3))];
+        case 4:
+            return std::array{
+                0.0, 5e-324, 1e-300, 0x1p32, 0x1p33, 0x1p34, -0x1p33}[static_cast<std::size_t>(
+                random() % 7)];
         default:
             return 0.1 * whole(random, 3);
     }
 }
-constexpr int number_kinds = 5;
+constexpr int number_kinds = 6;
 
 struct Drawn {
     Random random;
