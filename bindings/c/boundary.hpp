@@ -153,7 +153,7 @@ template <class Enum>
     return static_cast<Enum>(number);
 }
 [[nodiscard]] inline Metric metric_of(signum_metric metric) {
-    return enumerator(metric, Metric::supremum, "metric");
+    return enumerator(metric, all_metrics.back(), "metric");
 }
 [[nodiscard]] inline WeightIs weight_of(signum_weight_is weight_is) {
     return enumerator(weight_is, WeightIs::weight, "meaning of a third number");

@@ -84,6 +84,8 @@ constexpr OfThePlane of_the_plane[] = {
      supremum::nearer},
 };
 
+static_assert(std::size(of_the_plane) == all_metrics.size());
+
 /// Those of space. Spheres that touch i, j, k, l; the sign of q in number n of them, which is
 /// there; whether i hides q.
 struct OfSpace {

@@ -63,8 +63,14 @@ struct PowerSigns {
         return power::nearer(p, a, b);
     }
 };
-#define SIGNUM_ADDITIVE_SIGNS(Name, space)                                                        \
-    struct Name {                                                                                 \
+/// Those of a metric; one that has none does not compile.
+template <class MetricType>
+struct SignsOf;
+template <>
+struct SignsOf<Power> : PowerSigns {};
+#define SIGNUM_ADDITIVE_SIGNS(Metric, space)                                                      \
+    template <>                                                                                   \
+    struct SignsOf<Metric> {                                                                      \
         static bool exists(const Site& i, const Site& j, const Site& k) {                         \
             return space::exists(i, j, k);                                                        \
         }                                                                                         \
@@ -82,9 +88,9 @@ struct PowerSigns {
             return space::nearer(p, a, b);                                                        \
         }                                                                                         \
     };
-SIGNUM_ADDITIVE_SIGNS(EuclideanSigns, euclidean)
-SIGNUM_ADDITIVE_SIGNS(ManhattanSigns, manhattan)
-SIGNUM_ADDITIVE_SIGNS(SupremumSigns, supremum)
+SIGNUM_ADDITIVE_SIGNS(Euclidean, euclidean)
+SIGNUM_ADDITIVE_SIGNS(Manhattan, manhattan)
+SIGNUM_ADDITIVE_SIGNS(Supremum, supremum)
 #undef SIGNUM_ADDITIVE_SIGNS
 
 /// ask(signs, site_of) with the predicates of the metric, and what makes a site of a row.
@@ -92,16 +98,11 @@ template <class Ask>
 py::object in_metric(const std::string& name, const std::string& weight_is, Ask ask) {
     const Metric metric = metric_of(name);
     if (weight_of(weight_is) == WeightIs::weight) {
-        if (metric != Metric::power) throw std::invalid_argument(no_weights(metric));
+        if (!traits_of(metric).has_weights) throw std::invalid_argument(no_weights(metric));
         return ask(PowerSigns{}, weighted);
     }
-    return with_metric(metric, [&](auto type) -> py::object {
-        using Type = decltype(type);
-        if constexpr (std::is_same_v<Type, Power>) return ask(PowerSigns{}, site);
-        if constexpr (std::is_same_v<Type, Euclidean>) return ask(EuclideanSigns{}, site);
-        if constexpr (std::is_same_v<Type, Manhattan>) return ask(ManhattanSigns{}, site);
-        if constexpr (std::is_same_v<Type, Supremum>) return ask(SupremumSigns{}, site);
-    });
+    return with_metric(
+        metric, [&](auto type) -> py::object { return ask(SignsOf<decltype(type)>{}, site); });
 }
 
 py::object ccw_of(const py::object& a, const py::object& b, const py::object& c,
@@ -162,6 +163,11 @@ py::object nearer(const py::object& p, const py::object& a, const py::object& b,
     });
 }
 
+template <class S>
+int in_power_sphere(const S& i, const S& j, const S& k, const S& l, const S& q) {
+    require(ccw(i, j, k, l) > 0, no_sphere);
+    return power::in_sphere(i, j, k, l, q);
+}
 template <class Shape>
 int in_sphere_of_facets(const std::array<Row, 5>& r, int number) {
     const auto found = rectangular::spheres<Shape>(ball(r[0]), ball(r[1]), ball(r[2]), ball(r[3]));
@@ -171,45 +177,52 @@ int in_sphere_of_facets(const std::array<Row, 5>& r, int number) {
                                          static_cast<std::uint8_t>(number));
 }
 
+/// Sphere number `number` of four rows, and a fifth one, in a metric; one that has none does not
+/// compile.
+template <class MetricType>
+struct InSphereOf;
+template <>
+struct InSphereOf<Power> {
+    static int sign(const std::array<Row, 5>& r, int /*number*/) {
+        return in_power_sphere(ball(r[0]), ball(r[1]), ball(r[2]), ball(r[3]), ball(r[4]));
+    }
+};
+template <>
+struct InSphereOf<Euclidean> {
+    static int sign(const std::array<Row, 5>& r, int /*number*/) {
+        require(euclidean::exists(ball(r[0]), ball(r[1]), ball(r[2]), ball(r[3])), no_sphere);
+        return euclidean::in_sphere(ball(r[0]), ball(r[1]), ball(r[2]), ball(r[3]), ball(r[4]));
+    }
+};
+template <>
+struct InSphereOf<Manhattan> {
+    static int sign(const std::array<Row, 5>& r, int number) {
+        return in_sphere_of_facets<rectangular::Octahedron>(r, number);
+    }
+};
+template <>
+struct InSphereOf<Supremum> {
+    static int sign(const std::array<Row, 5>& r, int number) {
+        return in_sphere_of_facets<rectangular::Cube>(r, number);
+    }
+};
+
 py::object in_sphere(const py::object& i, const py::object& j, const py::object& k,
                      const py::object& l, const py::object& q, const std::string& name,
                      const std::string& weight_is, int number) {
     const Broadcast<5> all({i, j, k, l, q},
                            {{{"i", 3, 4}, {"j", 3, 4}, {"k", 3, 4}, {"l", 3, 4}, {"q", 3, 4}}});
     const Metric metric = metric_of(name);
-    const bool weights = weight_of(weight_is) == WeightIs::weight;
-    if (weights && metric != Metric::power) throw std::invalid_argument(no_weights(metric));
-    const auto in_power = [](const auto& a, const auto& b, const auto& c, const auto& d,
-                             const auto& e) {
-        require(ccw(a, b, c, d) > 0, no_sphere);
-        return power::in_sphere(a, b, c, d, e);
-    };
-    switch (metric) {
-        case Metric::power:
-            if (weights)
-                return all([&](const auto& r) {
-                    return in_power(weighted_ball(r[0]), weighted_ball(r[1]), weighted_ball(r[2]),
-                                    weighted_ball(r[3]), weighted_ball(r[4]));
-                });
-            return all([&](const auto& r) {
-                return in_power(ball(r[0]), ball(r[1]), ball(r[2]), ball(r[3]), ball(r[4]));
-            });
-        case Metric::euclidean:
-            return all([](const auto& r) {
-                require(euclidean::exists(ball(r[0]), ball(r[1]), ball(r[2]), ball(r[3])),
-                        no_sphere);
-                return euclidean::in_sphere(ball(r[0]), ball(r[1]), ball(r[2]), ball(r[3]),
-                                            ball(r[4]));
-            });
-        case Metric::manhattan:
-            return all([number](const auto& r) {
-                return in_sphere_of_facets<rectangular::Octahedron>(r, number);
-            });
-        case Metric::supremum:
-            break;
+    if (weight_of(weight_is) == WeightIs::weight) {
+        if (!traits_of(metric).has_weights) throw std::invalid_argument(no_weights(metric));
+        return all([](const auto& r) {
+            return in_power_sphere(weighted_ball(r[0]), weighted_ball(r[1]), weighted_ball(r[2]),
+                                   weighted_ball(r[3]), weighted_ball(r[4]));
+        });
     }
-    return all(
-        [number](const auto& r) { return in_sphere_of_facets<rectangular::Cube>(r, number); });
+    return with_metric(metric, [&](auto type) {
+        return all([number](const auto& r) { return InSphereOf<decltype(type)>::sign(r, number); });
+    });
 }
 
 py::object sign_of_sum_along(const py::object& terms, int axis) {

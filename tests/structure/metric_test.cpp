@@ -30,7 +30,8 @@ std::string text_of(const fs::path& file) {
 std::map<std::string, std::string> code() {
     static const std::regex words_for_readers("//[^\n]*|\"[^\"\n]*\"");
     std::map<std::string, std::string> result;
-    for (const char* room : {"triangulation", "voronoi", "io", "draw", "generate", "study", "cli"})
+    for (const char* room :
+         {"triangulation", "voronoi", "io", "draw", "generate", "study", "cli", "bindings"})
         for (const auto& entry : fs::recursive_directory_iterator(root / room))
             if (entry.path().extension() == ".hpp" || entry.path().extension() == ".cpp")
                 result[entry.path().lexically_relative(root).string()] =
@@ -112,7 +113,7 @@ TEST(Metric, RecipeNamesEveryPlace) {
     ASSERT_NE(begin, std::string::npos);
     const std::string recipe = page.substr(begin, page.find("\n## ", begin) - begin);
     static const std::regex path(
-        "`((?:triangulation|voronoi|io|draw|generate|study|cli)/[a-z_/]+\\.[ch]pp)`");
+        "`((?:triangulation|voronoi|io|draw|generate|study|cli|bindings)/[a-z_/]+\\.[ch]pp)`");
     std::set<std::string> named;
     for (std::sregex_iterator match(recipe.begin(), recipe.end(), path), end; match != end; ++match)
         named.insert((*match)[1]);
