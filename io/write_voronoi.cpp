@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numeric>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -126,16 +128,20 @@ std::string rings_of(const std::vector<std::vector<Point>>& polygons) {
 }
 
 /// Names of attributes beside those that a table or a feature has already, each once.
-std::vector<std::string> names_beside(std::vector<std::string> taken,
+std::vector<std::string> names_beside(const std::vector<std::string>& taken,
                                       std::span<const Attribute> attributes) {
-    const std::size_t own = taken.size();
+    std::set<std::string> all(taken.begin(), taken.end());
+    std::map<std::string, int> numbers;  // where a header has a name many times
+    std::vector<std::string> names;
     for (const Attribute& attribute : attributes) {
         std::string name = attribute.name;
-        while (std::ranges::count(taken, name) > 0) name.insert(0, "input_");
-        taken.push_back(std::move(name));
+        while (!all.insert(name).second) {
+            const int number = ++numbers[attribute.name];
+            name = "input_" + attribute.name + (number > 1 ? "_" + std::to_string(number) : "");
+        }
+        names.push_back(std::move(name));
     }
-    taken.erase(taken.begin(), taken.begin() + static_cast<std::ptrdiff_t>(own));
-    return taken;
+    return names;
 }
 
 std::string json_string(const std::string& text) {

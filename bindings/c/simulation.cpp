@@ -64,6 +64,7 @@ template <int D>
     if (!finite<D>(ball.x) || !finite<D>(ball.v) || !finite<1>(&ball.radius) ||
         !finite<1>(&ball.time))
         throw Refused("a ball is not finite");
+    if (ball.radius < 0.0) throw Refused("a radius is negative");
     motion::GrowingBall<D> grown;
     grown.x = vector_of<D>(ball.x);
     grown.v = vector_of<D>(ball.v);

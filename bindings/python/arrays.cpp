@@ -1,11 +1,14 @@
 #include "arrays.hpp"
 
 #include <cstdint>
+#include <limits>
 
 namespace signum::python {
 
 py::array doubles(const py::object& object) {
-    if (py::isinstance<py::array_t<double>>(object)) {
+    // Not of a type of their own, such as arrays with a mask.
+    const bool is_plain = py::type::of(object).is(py::module_::import("numpy").attr("ndarray"));
+    if (is_plain && py::isinstance<py::array_t<double>>(object)) {
         auto array = py::reinterpret_borrow<py::array>(object);
         constexpr auto aligned = py::detail::npy_api::NPY_ARRAY_ALIGNED_;
         if ((py::detail::array_proxy(array.ptr())->flags & aligned) != 0) return array;
@@ -51,6 +54,9 @@ py::array_t<std::int64_t, py::array::c_style> whole_numbers(const py::object& ob
     if (array && array.size() == 0) return py::array_t<std::int64_t, py::array::c_style>(0);
     if (!array || (array.dtype().kind() != 'i' && array.dtype().kind() != 'u'))
         throw py::value_error(what + ": whole numbers are needed");
+    constexpr std::uint64_t most = std::numeric_limits<Index>::max();
+    if (array.dtype().kind() == 'u' && array.attr("max")().cast<std::uint64_t>() > most)
+        throw py::value_error(what + ": there is a number beyond 32 bits");
     return py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>(array);
 }
 

@@ -1,5 +1,6 @@
 /// Tessellations that change and tessellations that move.
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -48,8 +49,14 @@ py::object inserted(Dynamic& dynamic, const py::object& sites) {
 
 void erased(Dynamic& dynamic, const py::object& handles) {
     const std::vector<Index> all_handles = index_list(handles, "handles");
+    std::vector<Index> sorted = all_handles;
+    std::ranges::sort(sorted);
+    if (std::ranges::adjacent_find(sorted) != sorted.end())
+        throw py::value_error("handles: one of them stands there twice");
     watched([&](Watch& watch) {
         return dynamic.use([&](DynamicTessellation& all) {
+            for (const Index handle : all_handles)
+                (void)all.site(handle);  // throws where it is none
             for (std::size_t i = 0; i < all_handles.size(); ++i) {
                 watch.at(i, all_handles.size());
                 all.erase(all_handles[i]);

@@ -226,7 +226,13 @@ py::tuple run(Simulation& simulation, double until, const py::object& strikes, b
               const py::object& progress) {
     motion::Limits limits;
     limits.until = until;
-    if (!strikes.is_none()) limits.strikes = strikes.cast<std::uint64_t>();
+    if (!strikes.is_none()) {
+        try {
+            limits.strikes = strikes.cast<std::uint64_t>();
+        } catch (const py::cast_error&) {
+            throw py::value_error("strikes: a whole number from 0 to 2**64 - 1 is needed");
+        }
+    }
     std::vector<motion::Strike> all;
     motion::Simulation<2>::Record record;
     if (log) record = [&all](const motion::Strike& strike) { all.push_back(strike); };

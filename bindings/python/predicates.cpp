@@ -1,5 +1,7 @@
 /// The predicates, for arrays of any shape.
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -259,6 +261,21 @@ motion::GrowingBall<D> flying(const Row& row) {
     return result;
 }
 
+/// Each box length takes time, during which no signal is looked at.
+constexpr const char* too_far =
+    "until then the two fly past each other's images a million times: take an earlier time";
+template <int D>
+bool are_near(const motion::GrowingBall<D>& a, const motion::GrowingBall<D>& b,
+              const motion::Effects<D>& effects, double until) {
+    if (std::isinf(until)) return true;  // which the library itself refuses, or need not search
+    const double time = until - std::max(a.time, b.time);
+    for (int k = 0; k < D; ++k) {
+        const double length = effects.box->high[k] - effects.box->low[k];
+        if (!(std::fabs(a.v[k] - b.v[k]) * time <= 0x1p20 * length)) return false;
+    }
+    return true;
+}
+
 template <int D>
 py::object meetings(const py::object& a, const py::object& b, double until,
                     const py::object& periodic_box) {
@@ -272,13 +289,18 @@ py::object meetings(const py::object& a, const py::object& b, double until,
         for (int k = 0; k < D; ++k) {
             effects.box->low[k] = box.at(0, k);
             effects.box->high[k] = box.at(1, k);
-            if (!(box.at(0, k) < box.at(1, k)))
-                throw py::value_error("periodic_box: the first corner must be below the second");
+            if (!(box.at(0, k) < box.at(1, k)) || !std::isfinite(box.at(1, k) - box.at(0, k)))
+                throw py::value_error(
+                    "periodic_box: the first corner must be below the second, both finite");
         }
     }
+    if (std::isnan(until)) throw py::value_error("until: a time is needed, not NaN");
     const Broadcast<2> all({a, b}, {{{"a", columns, columns}, {"b", columns, columns}}});
     return all([&](const auto& r) {
-        return motion::meeting_time(flying<D>(r[0]), flying<D>(r[1]), effects, until);
+        const motion::GrowingBall<D> first = flying<D>(r[0]);
+        const motion::GrowingBall<D> second = flying<D>(r[1]);
+        if (effects.periodic) require(are_near(first, second, effects, until), too_far);
+        return motion::meeting_time(first, second, effects, until);
     });
 }
 

@@ -9,7 +9,12 @@ def doubles(numbers):
     Lists, arrays of other types, integers, fractions. Raises ValueError, naming the row, for a number
     that no double is: a coordinate is taken as an exact number and is not rounded on the way in.
     """
+    if isinstance(numbers, np.ma.MaskedArray):
+        raise ValueError("a masked array: fill what is masked, or leave it out")
     given = np.asarray(numbers)
+    # A list of integers and floats, or a table of such columns, has been rounded on its way to an array.
+    if not isinstance(numbers, np.ndarray) and given.dtype.kind == "f" and np.any(np.abs(given) >= 2**53):
+        given = np.asarray(numbers, dtype=object)
     if given.dtype.kind == "f" and given.dtype.itemsize <= 8 or given.size == 0:
         return np.require(given, np.float64, ["ALIGNED"])
     if given.dtype.kind in "iu":
@@ -36,4 +41,4 @@ def doubles(numbers):
 
 def is_same(number, double):
     """Whether they are equal as exact numbers: a float would be compared to an integer as such."""
-    return number == float(double)
+    return (number.item() if isinstance(number, np.generic) else number) == float(double)

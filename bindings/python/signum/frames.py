@@ -7,40 +7,55 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from ._exact import doubles
 from ._signum import Cells, SpaceCells, SpaceTessellation, Tessellation
 
 __all__ = ["cells_frame", "cells_geodataframe", "cells_geometries", "sites_frame", "sites_of"]
 
-_RADII = ("r", "radius", "weight", "w")
+_THIRD = {"radius": ("r", "radius"), "weight": ("w", "weight")}
 
 
-def sites_of(table: Any) -> npt.NDArray[np.float64]:
+def sites_of(table: Any, *, weight_is: str = "radius") -> npt.NDArray[np.float64]:
     """The sites of a DataFrame with columns x, y and perhaps z and r, or of points of Shapely.
 
-    A DataFrame: columns x, y, z if it is there, and r, radius, weight or w if one is there, whatever
-    else it has. A GeoSeries, a GeoDataFrame or a list of points: x and y, and the column r and so on of a
+    A DataFrame: columns x, y, z if it is there, and r or radius if one is there, whatever else it has;
+    with weight_is="weight", which triangulate() is to be told as well, w or weight instead. A GeoSeries, a
+    GeoDataFrame or a list of points: x and y, in whatever units they are, and the column r and so on of a
     GeoDataFrame. The array has a row each, in the order of the table. Raises ValueError for a column
-    that is missing, for two radii, and for what is no point, naming the row.
+    that is missing or there twice, for weights where radii are asked for and the reverse, and for what is no
+    point or no double, naming the row.
     """
+    if weight_is not in _THIRD:
+        raise ValueError(f"weight_is: radius or weight, not {weight_is!r}")
     if hasattr(table, "geometry"):
-        return _sites_of_points(table.geometry, table if hasattr(table, "columns") else None)
+        return _sites_of_points(table.geometry, table if hasattr(table, "columns") else None, weight_is)
     if not hasattr(table, "columns"):
-        return _sites_of_points(table, None)
+        return _sites_of_points(table, None, weight_is)
     missing = [name for name in ("x", "y") if name not in table.columns]
     if missing:
         raise ValueError(f"the table has no column {' and no column '.join(missing)}")
-    names = ["x", "y"] + (["z"] if "z" in table.columns else []) + _radius_of(table)
-    return np.ascontiguousarray(table[names].to_numpy(np.float64))
+    names = ["x", "y"] + (["z"] if "z" in table.columns else []) + _third_of(table, weight_is)
+    return np.column_stack([_column(table, name) for name in names])
 
 
-def _radius_of(table: Any) -> list[str]:
-    names = [name for name in _RADII if name in table.columns]
+def _column(table: Any, name: str) -> npt.NDArray[np.float64]:
+    if list(table.columns).count(name) > 1:
+        raise ValueError(f"the table has two columns {name}")
+    return doubles(table[name].to_numpy())
+
+
+def _third_of(table: Any, weight_is: str) -> list[str]:
+    names = [name for name in _THIRD[weight_is] if name in table.columns]
+    other = "weight" if weight_is == "radius" else "radius"
+    others = [name for name in _THIRD[other] if name in table.columns]
+    if not names and others:
+        raise ValueError(f"the table has a column {others[0]}: say weight_is={other!r}, here and to triangulate()")
     if len(names) > 1:
-        raise ValueError(f"the table has more than one radius: {', '.join(names)}")
+        raise ValueError(f"the table has more than one {weight_is}: {', '.join(names)}")
     return names
 
 
-def _sites_of_points(points: Any, table: Any) -> npt.NDArray[np.float64]:
+def _sites_of_points(points: Any, table: Any, weight_is: str) -> npt.NDArray[np.float64]:
     columns: list[Any] = [[], []]
     for row, point in enumerate(points):
         if getattr(point, "geom_type", "") != "Point" or point.is_empty:
@@ -48,7 +63,7 @@ def _sites_of_points(points: Any, table: Any) -> npt.NDArray[np.float64]:
         columns[0].append(point.x)
         columns[1].append(point.y)
     if table is not None:
-        columns += [table[name].to_numpy(np.float64) for name in _radius_of(table)]
+        columns += [_column(table, name) for name in _third_of(table, weight_is)]
     return np.column_stack(columns).astype(np.float64)
 
 

@@ -76,6 +76,26 @@ def test_numbers_that_no_double_is_are_refused(number):
 
 
 @pytest.mark.parametrize(
+    "sites",
+    [
+        [[2**53 + 1, 0.5], [0, 1]],
+        [[2**63 + 1, -1], [0, 1]],
+        np.array([[np.int64(2**53 + 1), fractions.Fraction(1, 2)], [0, 1]], object),
+    ],
+)
+def test_integers_are_not_rounded_on_the_way(sites):
+    with pytest.raises(ValueError, match="row 0 has"):
+        signum.triangulate(sites)
+    with pytest.raises(ValueError, match="row 0 has"):
+        signum.ccw([2**53 + 1, 0.0], [2**53, 0], [0, 1.5])
+
+
+def test_masks_are_refused():
+    with pytest.raises(ValueError, match="masked"):
+        signum.triangulate(np.ma.array(SITES, mask=SITES > 1))
+
+
+@pytest.mark.parametrize(
     "wrong",
     [[[0, 0], [np.nan, 1]], [[0, 0], [1, np.inf]], np.array([[0.0, 0, 0], [0, 0, -np.inf]])],
 )

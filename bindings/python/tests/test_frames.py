@@ -32,8 +32,21 @@ def test_a_table_and_back():
 def test_tables_that_lack_something():
     with pytest.raises(ValueError, match="no column y"):
         frames.sites_of(TABLE.drop(columns="y"))
-    with pytest.raises(ValueError, match="more than one radius: r, weight"):
-        frames.sites_of(TABLE.assign(weight=1.0))
+    with pytest.raises(ValueError, match="more than one radius: r, radius"):
+        frames.sites_of(TABLE.assign(radius=1.0))
+    with pytest.raises(ValueError, match="two columns x"):
+        frames.sites_of(pandas.DataFrame([[0, 1, 2], [3, 4, 5]], columns=["x", "y", "x"]))
+    with pytest.raises(ValueError, match="row 0 has 9007199254740993"):
+        frames.sites_of(pandas.DataFrame({"x": [2**53 + 1, 1], "y": [0, 1]}))
+
+
+def test_weights_are_not_taken_for_radii():
+    weights = TABLE.rename(columns={"r": "weight"})
+    with pytest.raises(ValueError, match="weight_is='weight'"):
+        frames.sites_of(weights)
+    assert np.array_equal(frames.sites_of(weights, weight_is="weight"), SITES)
+    with pytest.raises(ValueError, match="weight_is='radius'"):
+        frames.sites_of(TABLE, weight_is="weight")
 
 
 def test_points_of_shapely_and_geopandas():
