@@ -285,6 +285,12 @@ class Insertion {
         }
         facets_ = facets;
         taken_ = taken;
+        // The last two, of which most are new.
+        for (const std::size_t last : {taken - 1, std::max(taken, std::size_t{2}) - 2})
+            for (const Index n : region_[last].neighbour) {
+                __builtin_prefetch(&spheres[n]);
+                cells_.prefetch(n);
+            }
     }
     /// By determinants, four at once.
     [[gnu::noinline]] void judge(const Taken& from, std::array<Told, 4>& told) {
