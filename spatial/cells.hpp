@@ -91,10 +91,7 @@ class Cells {
         free_.push_back(c);
     }
     /// A hint that a cell will be looked at soon.
-    void prefetch(Index c) const noexcept {
-        __builtin_prefetch(&vertex(c));
-        __builtin_prefetch(&neighbour(c));
-    }
+    void prefetch(Index c) const noexcept { __builtin_prefetch(&neighbour(c)); }
     /// The memory of the vertices, which are no longer needed; neighbours stay.
     [[nodiscard]] std::vector<Four> forget_vertices() noexcept { return std::move(vertex_); }
 

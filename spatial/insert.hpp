@@ -1,9 +1,9 @@
 #pragma once
-/// Insertion of sites, one after the other: find the cell in which the centre lies, all cells in
-/// conflict around it, and join the boundary of these to the site.
+/// Insertion of sites, one after the other: find a cell in conflict, all others around it, and join
+/// the boundary of these to the site.
 ///
-/// A site whose own cell is in no conflict is hidden. Of those in conflict whatever vertex is on no
-/// facet of the boundary becomes hidden.
+/// A site is hidden where the cell in which its centre lies is in no conflict. Of those in conflict
+/// whatever vertex is on no facet of the boundary becomes hidden.
 ///
 /// A cell with the vertex at infinity is in conflict with a site that lies beyond its facet's
 /// plane. In the plane of the facet it is where the finite cell behind the facet is, under the tie
@@ -285,6 +285,12 @@ class Insertion {
         }
         facets_ = facets;
         taken_ = taken;
+        // The last two, of which most are new.
+        for (const std::size_t last : {taken - 1, std::max(taken, std::size_t{2}) - 2})
+            for (const Index n : region_[last].neighbour) {
+                __builtin_prefetch(&spheres[n]);
+                cells_.prefetch(n);
+            }
     }
     /// By determinants, four at once.
     [[gnu::noinline]] void judge(const Taken& from, std::array<Told, 4>& told) {
