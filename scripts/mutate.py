@@ -316,7 +316,10 @@ def main():
     with concurrent.futures.ThreadPoolExecutor(given.jobs) as pool:
         for mutant in wanted:
             begin = time.monotonic()
-            outcome, by = judge(mutant, programs, pool)
+            try:
+                outcome, by = judge(mutant, programs, pool)
+            except subprocess.CalledProcessError as error:
+                outcome, by = "broken", str(error)[:200]
             seconds = round(time.monotonic() - begin)
             print(f"{mutant['name']:44} {outcome:9} {by} ({seconds} s)", flush=True)
             if outcome != "broken":
