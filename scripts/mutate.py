@@ -2,22 +2,27 @@
 """Breaks the library in one place at a time and shows that a test notices.
 
   scripts/mutate.py                 every mutant of tests/mutation/*.toml that is not yet judged
-  scripts/mutate.py NAME...         those whose names begin with one of these, or a table's
+  scripts/mutate.py NAME...         those whose names begin with one of these, or of a table or for a
+                                    program of that name
   scripts/mutate.py --report        what is known, as tables for docs/mutation.md
   scripts/mutate.py --check         that each mutant's text is there once, and nothing more
-  scripts/mutate.py --again         forgets what is known first
+  scripts/mutate.py --again NAME... judges those once more that are known
 
 A mutant is a text of a file, which occurs there once, and what to put in its place. The programs that
-should notice are built from a copy of the sources, in build/mutation, only the objects that read the
-file anew, and run one after the other until one fails. MUTATION_DIRECTORY names another place, so that two
-runs may go on side by side. `refused` is a mutant that does not compile
-because of a static_assert; `broken` one that does not compile for any other reason, which is an error
-of the table. What is known stays in build/mutation/results.json, so that a run may be cut off.
+should notice are linked with the library as it is and, before it, those objects made anew, of a copy of
+the sources in build/mutation, that read the file: the test's own and those of the folders that the table
+names. They run one after the other until one fails; of a header the test's own object is made first, and
+the others only where that does not notice. MUTATION_DIRECTORY names another place, so that two
+runs may go on side by side. `refused` is a mutant that does not compile because of a static_assert;
+`broken` one that does not compile for any other reason, which is an error of the table. What is known
+stands in tests/mutation/judged.json, mutant by mutant as it is found, so that a run may be cut off; where
+the file or the mutant changes it is to be judged anew.
 
 Ends with 1 where a mutant survives that is not said to be equivalent, or is killed and is said to be.
 """
 import argparse
 import concurrent.futures
+import fcntl
 import hashlib
 import json
 import os
@@ -32,12 +37,15 @@ import tomllib
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 WORK = pathlib.Path(os.environ.get("MUTATION_DIRECTORY", ROOT / "build" / "mutation")).resolve()
 COPY = WORK / "source"
-RESULTS = WORK / "results.json"
+RESULTS = ROOT / "tests" / "mutation" / "judged.json"
 FLAGS = ["-std=c++20", "-ffp-contract=off"]
 LIBRARIES = ["-lgtest_main", "-lgtest", "-lgmpxx", "-lmpfr", "-lgmp", "-lpthread"]
-COMPILER = (["ccache"] if shutil.which("ccache") else []) + [os.environ.get("CXX", "g++")]
+COMPILER = os.environ.get("CXX", "g++")
 LIMIT = 600
+FLAGS_OF_TESTS = ["-O0", f'-DSIGNUM_SOURCES="{COPY}"']
 PREPARED = set()
+ARCHIVE = []
+LIBRARY_READS = {}
 
 
 def read_tables():
@@ -77,8 +85,33 @@ def copy_sources():
         shutil.copy2(source, target)
 
 
+def precompile_headers():
+    """What takes the most of the time of a test's compilation, once."""
+    header = WORK / "tests.hpp"
+    if not header.with_name(header.name + ".gch").exists():
+        header.write_text("#include <boost/multiprecision/gmp.hpp>\n#include <gtest/gtest.h>\n")
+        subprocess.run([COMPILER, *FLAGS, *FLAGS_OF_TESTS, "-x", "c++-header", header], check=True)
+
+
+def build_library():
+    """The library as it is: its archive, and the files that each of its sources reads."""
+    # As deep as the build folders of others, whose objects ccache then knows.
+    folder = ROOT / "build" / "mutation-library"
+    launcher = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
+    subprocess.run(["cmake", "-S", ROOT, "-B", folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
+                    "-DSIGNUM_BUILD_TESTS=OFF", *launcher], check=True, stdout=subprocess.DEVNULL)
+    subprocess.run(["ninja", "-C", folder, "-j2", "signum"], check=True, stdout=subprocess.DEVNULL)
+    deps = subprocess.run(["ninja", "-C", folder, "-t", "deps"], check=True, capture_output=True, text=True)
+    for block in deps.stdout.split("\n\n"):
+        files = [os.path.relpath(os.path.normpath(folder / line.strip()), ROOT)
+                 for line in block.split("\n")[1:] if line.strip()]
+        if files:
+            LIBRARY_READS[files[0]] = set(files)
+    ARCHIVE.append(str(folder / "libsignum.a"))
+
+
 def sources_of(program):
-    """The test and what it needs of the library."""
+    """The test, its helpers, and what of the library may have to be made anew."""
     names = [program["source"]]
     for folder in program.get("library", []):
         path = COPY / folder
@@ -94,22 +127,25 @@ def object_of(name, folder):
 def compile_object(name, target):
     """The compiler's complaint, empty where there is none."""
     target.parent.mkdir(parents=True, exist_ok=True)
-    command = COMPILER + FLAGS + ["-O0" if name.startswith("tests/") else "-O1", f'-DSIGNUM_SOURCES="{COPY}"', "-MMD", "-MF", str(target) + ".d",
-                                  "-c", name, "-o", str(target)]
+    own = FLAGS_OF_TESTS + ["-include", WORK / "tests.hpp"] if name.startswith("tests/") else ["-O1"]
+    command = [COMPILER] + FLAGS + own + ["-MMD", "-MF", str(target) + ".d", "-c", name, "-o", str(target)]
     done = subprocess.run(command, cwd=COPY, capture_output=True, text=True)
     return done.stderr if done.returncode else ""
 
 
 def reads(name):
     """The files that an object was made of."""
+    if not name.startswith("tests/"):
+        return LIBRARY_READS[name]
     text = (object_of(name, "objects").with_name(object_of(name, "objects").name + ".d")).read_text()
     words = text.replace("\\\n", " ").split(":", 1)[1].split()
     return {os.path.normpath(word) for word in words}
 
 
 def build_base(programs, pool):
-    """Objects of the sources as they are; those of an earlier run where nothing has changed."""
-    wanted = sorted({name for program in programs for name in sources_of(program)})
+    """Objects of the tests as they are; those of an earlier run where nothing has changed."""
+    wanted = sorted({name for program in programs for name in sources_of(program)
+                     if name.startswith("tests/")})
 
     def build(name):
         target = object_of(name, "objects")
@@ -144,9 +180,9 @@ def run_program(program, binary):
 
 def link(program, changed, binary):
     objects = [str(object_of(name, "mutant" if name in changed else "objects"))
-               for name in sources_of(program)]
-    libraries = [] if "script" in program else LIBRARIES
-    subprocess.run([COMPILER[-1], *objects, "-o", str(binary), *libraries], check=True)
+               for name in sources_of(program) if name in changed or name.startswith("tests/")]
+    libraries = [] if "script" in program else ARCHIVE + LIBRARIES
+    subprocess.run([COMPILER, *objects, "-o", str(binary), *libraries], check=True)
 
 
 def prepare(name, program, pool):
@@ -182,19 +218,42 @@ def judge(mutant, programs, pool):
             prepare(name, program, pool)
             path.write_text(changed_text)
             changed = {each for each in sources_of(program) if mutant["file"] in reads(each)}
-            fresh = sorted(changed - done)
-            complaints = pool.map(lambda each: compile_object(each, object_of(each, "mutant")), fresh)
-            for complaint in filter(None, complaints):
-                assertion = re.search(r"static assertion failed", complaint)
-                return ("refused", "static_assert") if assertion else ("broken", complaint[:2000])
-            done |= changed
-            binary = WORK / "mutated_program"
-            link(program, changed, binary)
-            if changed and not run_program(program, binary):
-                return "killed", name
+            for part in sorted({frozenset(changed & {program["source"]}), frozenset(changed)}, key=len):
+                if not part:
+                    continue
+                fresh = sorted(part - done)
+                complaints = pool.map(lambda each: compile_object(each, object_of(each, "mutant")), fresh)
+                for complaint in filter(None, complaints):
+                    assertion = re.search(r"static assertion failed", complaint)
+                    return ("refused", "static_assert") if assertion else ("broken", complaint[:2000])
+                done |= part
+                binary = WORK / "mutated_program"
+                link(program, part, binary)
+                if not run_program(program, binary):
+                    return "killed", name
         return "survived", ""
     finally:
         restore()
+
+
+def read_known():
+    return json.loads(RESULTS.read_text()) if RESULTS.exists() else {}
+
+
+def note(mutant, verdict):
+    """Two runs may go on side by side."""
+    with open(ROOT / "build" / "judging", "w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        known = read_known()
+        known[mutant["name"]] = [key_of(mutant), *verdict]
+        lines = ",\n".join(f"{json.dumps(name)}: {json.dumps(known[name])}" for name in sorted(known))
+        RESULTS.write_text("{\n" + lines + "\n}\n")
+
+
+def verdict_of(mutant, known):
+    """Nothing where it is not judged as it is now."""
+    key, *verdict = known.get(mutant["name"], [None])
+    return verdict if key == key_of(mutant) else None
 
 
 def check(programs, mutants):
@@ -212,7 +271,7 @@ def report(mutants, known):
     print("| --- | --- | --- | --- | --- | --- | --- | --- |")
     rows = {}
     for mutant in mutants:
-        outcome, by = known.get(key_of(mutant), ("not judged", ""))[:2]
+        outcome, by = verdict_of(mutant, known) or ("not judged", "")
         row = rows.setdefault(mutant["file"], [0] * 7)
         row[0] += 1
         if outcome == "refused":
@@ -241,29 +300,34 @@ def main():
     programs, mutants = read_tables()
     if given.check:
         return check(programs, mutants)
-    known = json.loads(RESULTS.read_text()) if RESULTS.exists() and not given.again else {}
+    known = {} if given.again else read_known()
     if given.report:
         report(mutants, known)
         return 0
     chosen = [mutant for mutant in mutants
               if not given.names or any(mutant["name"].startswith(name) or mutant["table"] == name
-                                            for name in given.names)]
-    wanted = [mutant for mutant in chosen if key_of(mutant) not in known]
-    # Those first that take the least time.
-    wanted.sort(key=lambda mutant: (mutant["programs"][0] != "proofs", mutant["file"].endswith(".hpp")))
+                                        or mutant["programs"][0] == name for name in given.names)]
+    wanted = [mutant for mutant in chosen if not verdict_of(mutant, known)]
+    # Those first that take the least time, and those together that are judged by the same programs.
+    wanted.sort(key=lambda mutant: (mutant["programs"][0] == "proofs", mutant["programs"], mutant["file"]))
     copy_sources()
+    precompile_headers()
+    build_library()
     with concurrent.futures.ThreadPoolExecutor(given.jobs) as pool:
         for mutant in wanted:
             begin = time.monotonic()
-            outcome, by = judge(mutant, programs, pool)
+            try:
+                outcome, by = judge(mutant, programs, pool)
+            except subprocess.CalledProcessError as error:
+                outcome, by = "broken", str(error)[:200]
             seconds = round(time.monotonic() - begin)
             print(f"{mutant['name']:44} {outcome:9} {by} ({seconds} s)", flush=True)
             if outcome != "broken":
-                known[key_of(mutant)] = [outcome, by]
-                RESULTS.write_text(json.dumps(known, indent=0))
+                note(mutant, (outcome, by))
+                known = read_known()
     wrong = 0
     for mutant in chosen:
-        outcome = known.get(key_of(mutant), ["broken"])[0]
+        outcome = (verdict_of(mutant, known) or ["broken"])[0]
         if (outcome in ("survived", "broken")) != ("equivalent" in mutant):
             print(f"{mutant['name']}: {outcome}" + (", though equivalent" if "equivalent" in mutant else ""))
             wrong += 1

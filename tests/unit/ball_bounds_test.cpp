@@ -129,10 +129,17 @@ TEST(BallBounds, OfInSphere) {
                   {0.5, 0.5, 0.5, 0.0625}, {1, 1, 1});
 }
 
-/// The root of Γ is as large beside A as it may be.
+/// Points, so that L is 0, two of them near together: the root of Γ is as large beside A as it may
+/// be.
 TEST(BallBounds, OfInSphereOfANearPair) {
-    expect_judged({{{0, 0, 0, 0}, {0x1p-10, 0, 0, 0}, {0, 1, 0, 0}, {0, 1, 1, 0}}},
-                  {0x1p-11, 0x1p-12, 0x1p-12, 0x1p-13}, {0, -0x1p-8, 0});
+    expect_judged({{{0, 0, 0, 0}, {0x1p-10, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}},
+                  {0x1p-11, -0x1p-20, 0, 0}, {0, 0x1p-20, 0});
+}
+
+/// The query's size is far above the others'.
+TEST(BallBounds, OfInSphereOfALargeQuery) {
+    expect_judged({{{0, 0, 0, 0}, {1, 0, 0, 0.25}, {0, 1, 0, 0}, {0, 0, 1, 0.125}}},
+                  {16, 0.5, 0.25, 16}, {2, 0, 0});
 }
 
 }  // namespace
