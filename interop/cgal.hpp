@@ -741,11 +741,12 @@ template <class T>
 }
 
 /// The other way: makes a triangulation of CGAL's out of signum's arrays, without asking a
-/// predicate, and returns the vertex of every site: of a hidden point that of the equal one, of a
-/// hidden site what CGAL's insert() returns, which keeps it among its own hidden ones. Flat sites
-/// are inserted as CGAL does. Throws std::invalid_argument where the sites are not as many as the
-/// arrays say. Precondition: the arrays are a tessellation of the sites, with their neighbours; of
-/// whom one does not know that, validate() is to be asked. O(n).
+/// predicate but for flat sites and hidden ones, and returns the vertex of every site: of a hidden
+/// point that of the equal one, of a hidden site what CGAL's insert() returns, which keeps it among
+/// its own hidden ones. Flat sites are inserted as CGAL does. Throws std::invalid_argument where
+/// the sites are not as many as the arrays say. Precondition: the arrays are a tessellation of the
+/// sites, with their neighbours; of whom one does not know that, validate() is to be asked. O(n),
+/// and CGAL's insertions of those.
 template <class T>
 std::vector<typename T::Vertex_handle> assign(T& triangulation, const details::ResultOf<T>& result,
                                               std::span<const details::SiteOf<T>> sites) {

@@ -3,7 +3,7 @@
 ///
 /// Laws:
 ///  1. The program is rsvg-convert, or else inkscape.
-///  2. Nothing is written under any name: the bytes come back.
+///  2. The bytes come back; what is written on the way lies in a scratch folder that goes.
 
 #include <cstdint>
 #include <string>

@@ -15,7 +15,7 @@ oldest_gcc=12
 oldest_clang=14
 build=(g++ cmake ninja-build libgmp-dev libmpfr-dev libboost-dev libcli11-dev libfmt-dev nlohmann-json3-dev libtomlplusplus-dev)
 python=(python3-dev pybind11-dev python3-numpy python3-scipy python3-pytest python3-matplotlib python3-pandas
-  python3-shapely python3-geopandas python3-nbclient python3-nbformat python3-ipykernel python3-setuptools python3-wheel
+  python3-shapely python3-geopandas python3-nbclient python3-nbformat python3-ipykernel
   python3-pip mypy)
 test=("${build[@]}" libgtest-dev librapidcheck-dev gnuplot-nox valgrind gappa doxygen libeigen3-dev libcgal-dev pkg-config librsvg2-bin dpkg-dev
   lintian "${python[@]}")

@@ -1,6 +1,5 @@
 #!/usr/bin/env bash
-# signum.h stands alone in C99 and in C++, and the programs here call every function that it declares,
-# as does the library, which has no other.
+# signum.h stands alone in C99 and in C++, and the programs here call every function that it declares.
 #
 #   header.sh C_COMPILER C++_COMPILER
 set -euo pipefail

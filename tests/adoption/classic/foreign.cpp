@@ -1,6 +1,6 @@
 /// A program as those that the classic names were written for: it declares them itself, with C++
 /// linkage, initialises as TetGen does, and divides by what they return. It looks for the Delaunay
-/// triangles of points by brute force, half of them on a grid, and for their circumcentres, and
+/// triangles of points by brute force, and for their circumcentres, and
 /// fails where a centre is not as far from all three corners, or where Euler's formula does not
 /// hold.
 
@@ -24,7 +24,7 @@ struct Place {
 int main() {
     exactinit(0, 0, 0, 1.0, 1.0, 1.0);
     std::vector<Place> places;
-    // No four on a circle: a parabola; and slivers: all within 1e-7 of a line.
+    // Slivers: all within 1e-5 of a line.
     for (int i = 0; i < 24; ++i) places.push_back({{i / 8.0, 1e-7 * (i * i % 29) + i / 24.0}});
     const int n = static_cast<int>(places.size());
     int triangles = 0;
