@@ -8,7 +8,7 @@ _signum() {
     fi
     case $command in
         triangulate) options='--help --columns --metric --weight-is --seed --quiet --dimension --read-as --method --arithmetic --output --format --clip --vertices --stats --check' ;;
-        voronoi) options='--help --columns --metric --weight-is --seed --quiet --dimension --read-as --clip --tolerance --merge --output --format' ;;
+        voronoi) options='--help --columns --metric --weight-is --seed --quiet --dimension --read-as --clip --tolerance --carry --merge --output --format' ;;
         compare) options='--help --columns --metric --weight-is --seed --quiet --dimension --read-as --arithmetic --against --seconds --json --output --format' ;;
         sign) options='--help --dimension --sphere --metric --weight-is --json' ;;
         generate) options='--help --dimension -n --radius --perturb --seed --output --format' ;;
@@ -21,23 +21,23 @@ _signum() {
         triangulate:--metric) words='power euclidean manhattan supremum' ;;
         triangulate:--weight-is) words='radius weight' ;;
         triangulate:--dimension) words='2 3' ;;
-        triangulate:--read-as) words='text xyz pdb pqr ply' ;;
+        triangulate:--read-as) words='text xyz pdb pqr ply node' ;;
         triangulate:--arithmetic) words='exact interval sum multiprecision naive single' ;;
         voronoi:--metric) words='power euclidean manhattan supremum' ;;
         voronoi:--weight-is) words='radius weight' ;;
         voronoi:--dimension) words='2 3' ;;
-        voronoi:--read-as) words='text xyz pdb pqr ply' ;;
+        voronoi:--read-as) words='text xyz pdb pqr ply node' ;;
         compare:--metric) words='power euclidean manhattan supremum' ;;
         compare:--weight-is) words='radius weight' ;;
         compare:--dimension) words='2 3' ;;
-        compare:--read-as) words='text xyz pdb pqr ply' ;;
+        compare:--read-as) words='text xyz pdb pqr ply node' ;;
         sign:) words='ccw in_circle in_sphere' ;;
         sign:--dimension) words='2 3' ;;
         sign:--metric) words='power euclidean manhattan supremum' ;;
         sign:--weight-is) words='radius weight' ;;
         generate:) words='random circle square grid lattice rings offset tangent hard sphere cube' ;;
         generate:--dimension) words='2 3' ;;
-        validate:--read-as) words='text xyz pdb pqr ply' ;;
+        validate:--read-as) words='text xyz pdb pqr ply node' ;;
         study:--dimension) words='2 3' ;;
     esac
     if [ -n "$words" ]; then
