@@ -689,7 +689,7 @@ template <class T>
     result.sites = static_cast<std::int64_t>(sites.size());
     const int dimension = triangulation.dimension();
     if constexpr (details::is_planar<T>) {
-        if (details::is_weighted<T> && !sites.empty()) result.weight_is = WeightIs::weight;
+        if (details::is_weighted<T>) result.weight_is = WeightIs::weight;
         if (dimension == 2) {
             std::vector<typename T::Face_handle> handles;
             for (const auto f : triangulation.all_face_handles()) handles.push_back(f);

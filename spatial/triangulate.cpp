@@ -238,7 +238,8 @@ class Construction {
             result.neighbours[static_cast<std::size_t>(own)] = neighbours;
         }
         for (std::vector<SpaceCell>* const each : {&result.cells, &result.neighbours})
-            if (each->size() < each->capacity() / 2) each->shrink_to_fit();
+            if (each->size() < each->capacity() / 2)
+                *each = std::vector<SpaceCell>(each->begin(), each->end());
     }
     /// Every site is visible, or hidden by one that is. Where regions of conflict were no balls, or
     /// flat sites had volumes by rounding, that need not be so.

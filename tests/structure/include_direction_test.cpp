@@ -198,7 +198,7 @@ TEST(IncludeDirection, EveryRoomOfTriangulationIsDrawn) {
 
 TEST(IncludeDirection, EveryFolderWithAHeaderIsKnown) {
     const Layers others = {"tests",    "fuzz",    "proofs", "benchmarks",
-                           "examples", "scripts", "docs",   "bindings"};
+                           "examples", "scripts", "docs",   "packaging"};
     for (const auto& entry : fs::directory_iterator(root)) {
         const std::string name = entry.path().filename().string();
         if (!entry.is_directory() || name.starts_with('.') || name.starts_with("build")) continue;

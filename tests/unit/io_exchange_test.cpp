@@ -297,7 +297,7 @@ TEST(Attributes, AreCarriedToFeaturesAndTables) {
     EXPECT_EQ(first.at("code"), "007");
     EXPECT_EQ(first.at("rank"), 1);
     EXPECT_EQ(first.at("input_area"), 5);
-    EXPECT_EQ(first.at("input_input_area"), 9007199254740993);
+    EXPECT_EQ(first.at("input_area_2"), 9007199254740993);
     EXPECT_EQ(first.at("byte"), "\xef\xbf\xbd");
     EXPECT_EQ(first.at("area"), 9);
     EXPECT_TRUE(features[1].at("properties").at("rank").is_null());
