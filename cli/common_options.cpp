@@ -106,8 +106,7 @@ SitesFile read_in_plane(const std::string& path, const ReadOptions& options) {
     try {
         return read_sites(path, options);
     } catch (const InputError& error) {
-        const SitesInput input = input_by_ending(ending_of(path));
-        if (input == SitesInput::text || input == SitesInput::node) throw;
+        if (!is_of_space(input_by_ending(ending_of(path)))) throw;
         throw CallError(fmt::format(
             "{}: by its ending it holds sites in space, and sites of the plane are "
             "wanted here; signum triangulate, voronoi and compare take it with --metric "
@@ -141,13 +140,12 @@ SitesFile read_sites_by_columns(const std::string& path, const std::string& colu
             dimension == 3 ? "--columns x,y,z or --columns 2,3,4,6"
                            : "--columns lon,lat or --columns 2,3,5"));
     }
-    const bool is_of_space = input != SitesInput::text && input != SitesInput::node;
-    if (!chosen.empty() && is_of_space) {
+    if (!chosen.empty() && is_of_space(input)) {
         throw CallError(fmt::format(
             "--columns {}: {} has columns of its own; leave --columns out, or add --read-as text",
             columns, path));
     }
-    if (dimension == 2 && is_of_space) {
+    if (dimension == 2 && is_of_space(input)) {
         throw CallError(fmt::format(
             "--dimension 2: the sites of {} lie in space; leave it out, or add --read-as text",
             path));

@@ -37,15 +37,14 @@ Validation judged_in_space(const ValidateCall& call, const ReadTessellation& rea
 
 Validation judged_in_plane(const ValidateCall& call, const TessellationArrays& arrays) {
     const SitesInput input = input_of(call.sites, call.read_as);
-    const bool lies_in_plane = input == SitesInput::text || input == SitesInput::node;
-    if (!call.read_as.empty() && !lies_in_plane) {
+    if (!call.read_as.empty() && is_of_space(input)) {
         throw CallError(
             fmt::format("--read-as {}: it holds sites in space, and the tessellation of {} is one "
                         "of the plane",
                         call.read_as, call.tessellation));
     }
     const SitesFile file = read_sites_by_columns(call.sites, call.columns, 2,
-                                                 lies_in_plane ? input : SitesInput::text);
+                                                 is_of_space(input) ? SitesInput::text : input);
     return validate_with_progress(arrays, strided_view(file.sites, arrays.weight_is), call.quiet);
 }
 

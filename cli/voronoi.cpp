@@ -80,6 +80,10 @@ void run(VoronoiCall& call) {
                         "have more points than anybody wants; give at least {:.3g}",
                         tolerance, longer * 2e-9));
     }
+    std::optional<ClippedVoronoi> cells;  // cut once, for all that want them
+    const auto clipped = [&]() -> const ClippedVoronoi& {
+        return cells ? *cells : cells.emplace(diagram, box);
+    };
     outputs.write([&](std::ostream& out, std::string_view format) {
         if (format == "json") {
             const Box cut = clip.value_or(no_box);
@@ -87,17 +91,15 @@ void run(VoronoiCall& call) {
         } else if (format == "svg") {
             write_voronoi_svg(out, diagram, clip);
         } else if (format == "geojson") {
-            write_voronoi_geojson(out, ClippedVoronoi(diagram, box), box, tolerance,
-                                  sites.file.attributes);
+            write_voronoi_geojson(out, clipped(), box, tolerance, sites.file.attributes);
         } else if (format == "wkt") {
-            write_voronoi_wkt(out, ClippedVoronoi(diagram, box), tolerance);
+            write_voronoi_wkt(out, clipped(), tolerance);
         } else if (format == "vtk") {
-            write_vtk(out, vtk_grid(ClippedVoronoi(diagram, box), tolerance));
+            write_vtk(out, vtk_grid(clipped(), tolerance));
         } else if (format == "vtp") {
-            write_vtp(out, vtk_grid(ClippedVoronoi(diagram, box), tolerance));
+            write_vtp(out, vtk_grid(clipped(), tolerance));
         } else {
-            write_voronoi_csv(out, ClippedVoronoi(diagram, box), tolerance,
-                              carried_to_tables(call, sites));
+            write_voronoi_csv(out, clipped(), tolerance, carried_to_tables(call, sites));
         }
     });
     if (!call.quiet) {

@@ -38,6 +38,10 @@ enum class SitesInput : std::uint8_t {
     ply,   ///< vertices of a mesh
     node   ///< points of Triangle (in the plane) or TetGen (in space)
 };
+/// Whether all that is read so lies in space.
+[[nodiscard]] constexpr bool is_of_space(SitesInput input) noexcept {
+    return input != SitesInput::text && input != SitesInput::node;
+}
 /// By the ending of the name, in small letters: .xyz, .pdb, .ent, .pqr, .ply, .node,
 /// else text.
 [[nodiscard]] SitesInput input_by_ending(std::string_view ending) noexcept;
