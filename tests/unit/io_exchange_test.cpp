@@ -1,7 +1,6 @@
 /// Files of other programs: nodes of Triangle and TetGen in and out, grids of VTK, PLY, well-known
 /// text, and attributes of sites that are carried from file to file.
 
-#include <algorithm>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -10,7 +9,6 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "../../io/errors.hpp"
 #include "../../io/read_sites.hpp"
 #include "../../io/write_nodes.hpp"
 #include "../../io/write_ply.hpp"
@@ -21,6 +19,7 @@
 #include "../../triangulation/triangulate.hpp"
 #include "../../voronoi/space_cells.hpp"
 
+#include "io_refusal.hpp"
 #include "io_scratch.hpp"
 
 namespace signum {
@@ -47,16 +46,8 @@ std::string text_of(const Write& write) {
 
 /// The error message that reading nodes gives, without the path and the advice behind it.
 std::string error(std::string_view contents, const ReadOptions& options) {
-    const test::Scratch scratch;
-    const std::string path = scratch.file("f", contents);
-    try {
-        static_cast<void>(read_sites(path, options));
-    } catch (const InputError& error) {
-        const std::string message = error.what();
-        EXPECT_TRUE(message.starts_with(path + ":")) << message;
-        return message.substr(std::min(path.size() + 1, message.size()));
-    }
-    return "no error";
+    return test::refusal(contents,
+                         [&](const std::string& path) { return read_sites(path, options); });
 }
 std::string wrong(std::string_view contents, const Columns& columns = {}) {
     return error(contents, {.columns = columns, .input = SitesInput::node});

@@ -9,6 +9,7 @@
 #include "../../io/errors.hpp"
 #include "../../io/read_sites.hpp"
 
+#include "io_refusal.hpp"
 #include "io_scratch.hpp"
 
 namespace signum {
@@ -24,16 +25,8 @@ SitesFile read(std::string_view contents, const Columns& columns = {}) {
 
 /// The error message that the contents give, without the path.
 std::string error(std::string_view contents, const Columns& columns = {}) {
-    const test::Scratch scratch;
-    const std::string path = scratch.file("f", contents);
-    try {
-        static_cast<void>(read_sites(path, columns));
-    } catch (const InputError& error) {
-        const std::string message = error.what();
-        EXPECT_TRUE(message.starts_with(path + ":")) << message;
-        return message.substr(std::min(path.size() + 1, message.size()));
-    }
-    return "no error";
+    return test::refusal(contents,
+                         [&](const std::string& path) { return read_sites(path, columns); });
 }
 
 const std::string word =

@@ -27,6 +27,7 @@
 #include "../../io/write_vtk.hpp"
 #include "../../spatial/triangulate.hpp"
 
+#include "io_refusal.hpp"
 #include "io_scratch.hpp"
 
 namespace signum {
@@ -47,16 +48,8 @@ ReadOptions as(SitesInput input) {
 
 /// The error message that the contents give, without the path.
 std::string error(std::string_view contents, const ReadOptions& options = {}) {
-    const test::Scratch scratch;
-    const std::string path = scratch.file("f", contents);
-    try {
-        static_cast<void>(read_sites(path, options));
-    } catch (const InputError& error) {
-        const std::string message = error.what();
-        EXPECT_TRUE(message.starts_with(path + ":")) << message;
-        return message.substr(std::min(path.size() + 1, message.size()));
-    }
-    return "no error";
+    return test::refusal(contents,
+                         [&](const std::string& path) { return read_sites(path, options); });
 }
 
 /// Whether the note, which begins with the path, ends so.

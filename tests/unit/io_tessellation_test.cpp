@@ -16,6 +16,7 @@
 #include "../../io/write_obj.hpp"
 #include "../../io/write_sites.hpp"
 
+#include "io_refusal.hpp"
 #include "io_scratch.hpp"
 
 namespace signum {
@@ -50,16 +51,7 @@ TessellationArrays read(std::string_view text) {
 }
 
 std::string error(std::string_view text) {
-    const test::Scratch scratch;
-    const std::string path = scratch.file("t.json", text);
-    try {
-        static_cast<void>(read_tessellation(path));
-    } catch (const InputError& error) {
-        const std::string message = error.what();
-        EXPECT_TRUE(message.starts_with(path + ":")) << message;
-        return message.substr(std::min(path.size() + 1, message.size()));
-    }
-    return "no error";
+    return test::refusal(text, [](const std::string& path) { return read_tessellation(path); });
 }
 
 const std::string expected = "; a tessellation is what signum triangulate writes as JSON";

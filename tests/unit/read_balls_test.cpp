@@ -15,6 +15,7 @@
 #include "../../io/errors.hpp"
 #include "../../io/read_balls.hpp"
 
+#include "io_refusal.hpp"
 #include "io_scratch.hpp"
 
 namespace signum {
@@ -40,16 +41,7 @@ using Balls = std::vector<std::array<double, 8>>;
 
 /// The error message that the contents give, without the path.
 std::string error(std::string_view contents) {
-    const test::Scratch scratch;
-    const std::string path = scratch.file("f", contents);
-    try {
-        static_cast<void>(read_balls(path));
-    } catch (const InputError& error) {
-        const std::string message = error.what();
-        EXPECT_TRUE(message.starts_with(path + ":")) << message;
-        return message.substr(std::min(path.size() + 1, message.size()));
-    }
-    return "no error";
+    return test::refusal(contents, [](const std::string& path) { return read_balls(path); });
 }
 
 /// The note, without the path.
