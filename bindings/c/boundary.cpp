@@ -22,10 +22,10 @@ Asked asked(const signum_options* given) {
 }
 
 void expect_sites(const double* sites, std::int64_t count, std::int64_t stride,
-                  std::int64_t least_stride, double largest) {
+                  std::int64_t least_stride, double largest, std::int64_t most) {
     expect_array(sites, count, "sites");
-    if (count > max_sites)
-        throw Refused(std::to_string(count) + " sites are more than " + std::to_string(max_sites));
+    if (count > most)
+        throw Refused(std::to_string(count) + " sites are more than " + std::to_string(most));
     if (stride < least_stride || stride > std::numeric_limits<std::int32_t>::max())
         throw Refused("a stride of " + std::to_string(stride) + " doubles, where a site has " +
                       std::to_string(least_stride));

@@ -166,9 +166,10 @@ struct Asked {
 };
 [[nodiscard]] Asked asked(const signum_options* options);
 
-/// `count` sites of `stride` doubles, the first `numbers` of which are looked at. Throws Refused
-/// for arrays that cannot be, and for a site with a number that is not finite or beyond `largest`.
+/// `count` sites of `stride` doubles, the first `least_stride` + 1 of which are looked at. Throws
+/// Refused for arrays that cannot be, for more sites than `most`, and for one with a number that is
+/// not finite or beyond `largest`.
 void expect_sites(const double* sites, std::int64_t count, std::int64_t stride,
-                  std::int64_t least_stride, double largest);
+                  std::int64_t least_stride, double largest, std::int64_t most = max_sites);
 
 }  // namespace signum::c

@@ -35,8 +35,8 @@ template <class S>
 /// In the type that says what their numbers mean. Throws Refused for such that cannot be.
 [[nodiscard]] SpaceSites space_sites(const double* sites, std::int64_t count, std::int64_t stride,
                                      WeightIs weight_is) {
-    if (count > std::int64_t{1} << 28) throw Refused("more than 2^28 sites");
-    expect_sites(sites, count, stride, 3, std::numeric_limits<double>::max());
+    constexpr std::int64_t most = std::int64_t{1} << 28;  // of signum::triangulate
+    expect_sites(sites, count, stride, 3, std::numeric_limits<double>::max(), most);
     if (stride == 3) return copied<Point3>(sites, count, stride);
     return weight_is == WeightIs::weight ? copied<power::Site3>(sites, count, stride)
                                          : copied<Site3>(sites, count, stride);

@@ -100,7 +100,7 @@ template <class Number, class Element>
     const Owned<Element> kept = owned(std::move(elements));
     return table<Number>(std::span<const Element>(*kept.elements), kept.base);
 }
-/// Numbers alone: one dimension.
+/// Numbers alone, or records: one dimension.
 template <class Number>
 [[nodiscard]] py::array column(std::span<const Number> numbers, py::handle base) {
     return view(numbers.data(), {static_cast<py::ssize_t>(numbers.size())},

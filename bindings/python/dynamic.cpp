@@ -262,9 +262,7 @@ py::object advanced(Kinetic& kinetic, double time, bool log) {
         return true;
     });
     if (!log) return py::none();
-    const Owned<Change> kept = owned(std::move(changes));
-    return view(kept.elements->data(), {static_cast<py::ssize_t>(kept.elements->size())},
-                {sizeof(Change)}, kept.base);
+    return column(std::move(changes));
 }
 
 py::dict dictionary(const KineticStatistics& statistics) {

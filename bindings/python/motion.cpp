@@ -215,12 +215,6 @@ const char* name_of(motion::Ending ending) noexcept {
     return "collapse";
 }
 
-py::array log_of(std::vector<motion::Strike> strikes) {
-    const Owned<motion::Strike> kept = owned(std::move(strikes));
-    return view(kept.elements->data(), {static_cast<py::ssize_t>(kept.elements->size())},
-                {sizeof(motion::Strike)}, kept.base);
-}
-
 /// How it ended, and its log; where a signal ended it that is raised, and the log is lost.
 py::tuple run(Simulation& simulation, double until, const py::object& strikes, bool log,
               const py::object& progress) {
@@ -243,7 +237,7 @@ py::tuple run(Simulation& simulation, double until, const py::object& strikes, b
                               either);
         });
     });
-    return py::make_tuple(name_of(outcome.ending), log_of(std::move(all)));
+    return py::make_tuple(name_of(outcome.ending), column(std::move(all)));
 }
 
 State state_of(Simulation& simulation) {
