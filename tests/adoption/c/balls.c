@@ -194,6 +194,9 @@ static void meetings(void) {
     effects.growth_until = 8;
     SUCCEEDS(signum_meeting_time(&a, &b, &effects, HUGE_VAL, &time, &error));
     EXPECT(time == 4);
+    a.radius = -1;
+    REFUSED(signum_meeting_time(&a, &b, &effects, HUGE_VAL, &time, &error));
+    a.radius = 1;
     effects.growth_rate = -1;
     REFUSED(signum_meeting_time(&a, &b, &effects, HUGE_VAL, &time, &error));
     effects.growth_rate = 0;

@@ -319,6 +319,8 @@ static void in_space(void) {
     o.arithmetic = SIGNUM_SUM;
     REFUSED(signum_triangulate_space(scatter, 10, 3, &o, &t, &error));
     scatter[7] = -INFINITY;
+    /* Of too many none is looked at: not site 2, nor what lies behind the array. */
+    REFUSED(signum_triangulate_space(scatter, ((int64_t)1 << 28) + 1, 3, NULL, &t, &error));
     FAILS(signum_triangulate_space(scatter, 10, 3, NULL, &t, &error), SIGNUM_INVALID_ARGUMENT, 2);
     REFUSED(signum_triangulate_space(scatter, 10, 2, NULL, &t, &error));
     REFUSED(signum_triangulate_space(NULL, 10, 3, NULL, &t, &error));
