@@ -181,3 +181,9 @@ def test_memory_says_that_nothing_is_copied():
     built, looked_at = map(float, done.stdout.split())
     assert built < 165, "bytes a site that the construction took"
     assert looked_at < 4, "bytes a site that its arrays took"
+
+
+def test_indices_do_not_wrap():
+    faces = np.array([[0, 1, 2**64 - 1]], np.uint64)
+    with pytest.raises(ValueError, match="beyond 32 bits"):
+        signum.validate([[0, 0], [1, 0]], faces)

@@ -46,6 +46,11 @@ def test_what_a_dynamic_tessellation_refuses():
     for wrong in (lambda: d.erase(5), lambda: d.move(5, (0, 0)), lambda: d.site(-1)):
         with pytest.raises(IndexError, match="5|-1"):
             wrong()
+    with pytest.raises(IndexError, match="99"):
+        d.erase([0, 99])
+    with pytest.raises(ValueError, match="twice"):
+        d.erase([1, 0, 1])
+    assert len(d) == 3, "nothing was erased"
     with pytest.raises(ValueError, match="2 centres for 3"):
         d.move_all([[0, 0], [1, 1]])
     with pytest.raises(ValueError, match="weight"):
@@ -155,5 +160,8 @@ def test_what_a_simulation_refuses():
         signum.Simulation([[0, 0, 1, 0, 0]], gravity=(1, 2, 3))
     with pytest.raises(ValueError, match="restitution"):
         signum.Simulation([[0, 0, 1, 0, 0]], restitution=2.0)
+    for strikes in (-1, 2**64, 0.5):
+        with pytest.raises(ValueError, match="strikes"):
+            signum.Simulation([[0, 0, 1, 0, 0]]).run(strikes=strikes)
     with pytest.raises(ValueError, match="Segment"):
         signum.Simulation([[0, 0, 0, 1, 0, 0, 0]], obstacles=[effects.Segment((0, 1), (1, 1))])

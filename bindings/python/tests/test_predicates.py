@@ -145,5 +145,11 @@ def test_meeting_time():
     assert around == 8.0  # across the border: a gap of 6 - 2 closes by 1/2
     with pytest.raises(ValueError, match="negative"):
         signum.meeting_time(a, [0, 0, -1, 0, 0])
+    with pytest.raises(ValueError, match="NaN"):
+        signum.meeting_time(a, [4, 0, 1, 1.5, 0], until=np.nan)
+    with pytest.raises(ValueError, match="both finite"):
+        signum.meeting_time(a, [4, 0, 1, 1.5, 0], until=9, periodic_box=[[0, 0], [np.inf, 10]])
+    with pytest.raises(ValueError, match="an earlier time"):
+        signum.meeting_time([0, 0, 0.1, 1, 0], [0, 0.5, 0.1, 3, 0], until=1e15, periodic_box=[[0, 0], [1, 1]])
     with pytest.raises(ValueError):
         signum.meeting_time(a, [4, 0, 1, 1.5, 0], periodic_box=[[0, 0], [10, 10]])
