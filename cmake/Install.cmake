@@ -38,7 +38,7 @@ set(headers_behind
   predicates/rectangular/forms.hpp predicates/rectangular/squares.hpp
   triangulation/structure/corners.hpp triangulation/structure/cycle.hpp)
 # What needs a library of the user's own, which is no dependency of the package.
-set(interop_headers interop/eigen.hpp interop/boost_geometry.hpp interop/cgal.hpp)
+file(GLOB interop_headers RELATIVE "${PROJECT_SOURCE_DIR}" CONFIGURE_DEPENDS interop/*.hpp interop/cgal/*.hpp)
 foreach(header IN LISTS public_headers headers_behind interop_headers)
   cmake_path(GET header PARENT_PATH folder)
   install(FILES "${header}" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/signum/${folder}" COMPONENT development)

@@ -1,0 +1,261 @@
+#pragma once
+/// What CGAL's triangulations ask and signum's predicates do not answer as they stand: signs
+/// whichever way the points turn, circles that lie in a plane of space; and ties on grids in
+/// integers of 64 bits.
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+#include "../../core/site.hpp"
+#include "../../predicates/ccw.hpp"
+#include "../../predicates/power.hpp"
+#include "../../predicates/space.hpp"
+
+namespace signum::cgal::details {
+
+// ---- ties on grids ------------------------------------------------------------------------------
+
+/// Places relative to one of them, in multiples of one power of two: integers of so few bits that
+/// determinants fit into 64. On grids, where ties abound, that is as fast as a filter.
+template <class S, std::size_t number>
+class SmallOffsets {
+ public:
+    /// From sites[origin]; the largest offset has `bits` bits.
+    SmallOffsets(const S* const (&sites)[number], std::size_t origin, int bits) noexcept {
+        double largest = 0.0;
+        for (std::size_t m = 0; m < number; ++m)
+            for (std::size_t k = 0; k < dimension; ++k) {
+                const double offset = sites[m]->*axes[k] - sites[origin]->*axes[k];
+                largest = std::max(largest, filters::magnitude(offset));
+            }
+        if (!filters::environment_is_default()) return;
+        if (!(largest >= 0x1p-500 && largest <= 0x1p500)) return;
+        constexpr std::uint64_t exponent = 0x7FF0'0000'0000'0000;
+        const double scale =
+            std::bit_cast<double>((std::uint64_t(2 * 1023 + bits - 1) << 52) -
+                                  (std::bit_cast<std::uint64_t>(largest) & exponent));
+        are_exact_ = true;
+        for (std::size_t m = 0; m < number; ++m)
+            for (std::size_t k = 0; k < dimension; ++k)
+                offsets_[m][k] = integer(sites[m]->*axes[k], scale);
+        for (std::size_t k = 0; k < dimension; ++k) {
+            const std::int64_t from = offsets_[origin][k];
+            for (std::size_t m = 0; m < number; ++m) offsets_[m][k] -= from;
+        }
+    }
+
+    [[nodiscard]] bool are_exact() const noexcept { return are_exact_; }
+    [[nodiscard]] std::int64_t operator()(std::size_t site, std::size_t axis) const noexcept {
+        return offsets_[site][axis];
+    }
+    [[nodiscard]] predicates::Offset3<std::int64_t> operator[](std::size_t site) const noexcept {
+        return {offsets_[site][0], offsets_[site][1], offsets_[site][2]};
+    }
+
+ private:
+    static constexpr std::size_t dimension = HasCentre3<S> ? 3 : 2;
+    static constexpr auto axes = [] {
+        if constexpr (dimension == 3)
+            return std::array{&S::x, &S::y, &S::z};
+        else
+            return std::array{&S::x, &S::y};
+    }();
+
+    /// The scale is a power of two: what is lost is a coordinate that it makes 0.
+    [[nodiscard]] std::int64_t integer(double coordinate, double scale) noexcept {
+        const double value = coordinate * scale;
+        if (!(filters::magnitude(value) <= 0x1p62)) {
+            are_exact_ = false;
+            return 0;
+        }
+        const auto result = static_cast<std::int64_t>(value);
+        are_exact_ &= static_cast<double>(result) == value && (result != 0 || coordinate == 0.0);
+        return result;
+    }
+
+    bool are_exact_ = false;
+    std::array<std::array<std::int64_t, dimension>, number> offsets_{};
+};
+
+template <class S, class... Others>
+[[nodiscard]] inline bool weigh_the_same(const S& first, const Others&... others) noexcept {
+    if constexpr (requires { first.w; })
+        return ((others.w == first.w) && ...);
+    else
+        return true;
+}
+
+// ---- signs, however the points turn -------------------------------------------------------------
+
+template <class S>
+[[nodiscard, gnu::cold, gnu::noinline]] Sign turn_uncertain(const S& p, const S& q,
+                                                            const S& r) noexcept {
+    // Two products of 60 bits.
+    const SmallOffsets from({&p, &q, &r}, 2, 30);
+    if (from.are_exact()) {
+        const auto determinant = predicates::ccw_determinant<std::int64_t>(from(0, 0), from(0, 1),
+                                                                           from(1, 0), from(1, 1));
+        return (determinant > 0) - (determinant < 0);
+    }
+    return predicates::ccw_cold({p.x, p.y}, {q.x, q.y}, {r.x, r.y}).sign;
+}
+template <class S>
+[[nodiscard, gnu::cold, gnu::noinline]] Sign turn_uncertain(const S& p, const S& q, const S& r,
+                                                            const S& s) noexcept {
+    // Six products of 57 bits.
+    const SmallOffsets from({&p, &q, &r, &s}, 0, 19);
+    if (from.are_exact()) {
+        const std::int64_t determinant = predicates::ccw_determinant(from[1], from[2], from[3]);
+        return (determinant > 0) - (determinant < 0);
+    }
+    return predicates::ccw_cold(centre3(p), centre3(q), centre3(r), centre3(s)).sign;
+}
+/// The orientation of three points of the plane or four of space.
+template <class... S>
+[[nodiscard]] inline Sign turn(const S&... points) noexcept {
+    const filters::Verdict verdict = predicates::ccw_filter(points...);
+    if (verdict.is_certain()) [[likely]]
+        return verdict.sign();
+    return turn_uncertain(points...);
+}
+
+/// The sign of the determinant where the filter leaves it open. It changes with every exchange of
+/// two sites; so the last one is exchanged until the others turn, and turned positively. Where none
+/// do, all sites are in one line or plane, and it is 0.
+template <class S>
+[[nodiscard, gnu::cold, gnu::noinline]] Sign side_of_circle_uncertain(const S& p, const S& q,
+                                                                      const S& r,
+                                                                      const S& t) noexcept {
+    if (weigh_the_same(p, q, r, t)) {
+        // Heights of 29 bits, minors of 29, three products of 58.
+        const SmallOffsets from({&p, &q, &r, &t}, 3, 14);
+        if (from.are_exact()) {
+            const auto row = [&](std::size_t k) {
+                return power::Row<std::int64_t>{from(k, 0), from(k, 1), 0};
+            };
+            const std::int64_t determinant = power::in_circle_determinant(row(0), row(1), row(2));
+            return (determinant > 0) - (determinant < 0);
+        }
+    }
+    std::array m = {p, q, r, t};
+    for (std::size_t last = 4; last-- > 0;) {
+        std::swap(m[last], m[3]);
+        const Sign exchanged = last == 3 ? 1 : -1;
+        const Sign around = turn(m[0], m[1], m[2]);
+        if (around > 0) return exchanged * power::in_circle_cold(m[0], m[1], m[2], m[3]).sign;
+        if (around < 0) return -exchanged * power::in_circle_cold(m[1], m[0], m[2], m[3]).sign;
+        std::swap(m[last], m[3]);
+    }
+    return 0;
+}
+template <class S>
+[[nodiscard, gnu::cold, gnu::noinline]] Sign side_of_sphere_uncertain(const S& p, const S& q,
+                                                                      const S& r, const S& s,
+                                                                      const S& t) noexcept {
+    if (weigh_the_same(p, q, r, s, t)) {
+        // Heights of 24 bits, minors of three rows of 36, four products of 60.
+        const SmallOffsets from({&p, &q, &r, &s, &t}, 4, 11);
+        if (from.are_exact()) {
+            const auto row = [&](std::size_t k) {
+                return power::LiftedRow<std::int64_t>{from[k], 0};
+            };
+            const std::int64_t determinant =
+                power::in_sphere_determinant(row(0), row(1), row(2), row(3));
+            return (determinant > 0) - (determinant < 0);
+        }
+    }
+    std::array m = {p, q, r, s, t};
+    for (std::size_t last = 5; last-- > 0;) {
+        std::swap(m[last], m[4]);
+        const Sign exchanged = last == 4 ? 1 : -1;
+        const Sign around = turn(m[0], m[1], m[2], m[3]);
+        if (around > 0) return exchanged * power::in_sphere_cold(m[0], m[1], m[2], m[3], m[4]).sign;
+        if (around < 0)
+            return -exchanged * power::in_sphere_cold(m[1], m[0], m[2], m[3], m[4]).sign;
+        std::swap(m[last], m[4]);
+    }
+    return 0;
+}
+/// +1 where t conflicts with p, q, r, which turn counterclockwise; -1 where these turn clockwise.
+template <class S>
+[[nodiscard]] inline Sign side_of_circle(const S& p, const S& q, const S& r, const S& t) noexcept {
+    const filters::Verdict verdict = power::in_circle_filter(p, q, r, t);
+    if (verdict.is_certain()) [[likely]]
+        return verdict.sign();
+    return side_of_circle_uncertain(p, q, r, t);
+}
+template <class S>
+[[nodiscard]] inline Sign side_of_sphere(const S& p, const S& q, const S& r, const S& s,
+                                         const S& t) noexcept {
+    const filters::Verdict verdict = power::in_sphere_filter(p, q, r, s, t);
+    if (verdict.is_certain()) [[likely]]
+        return verdict.sign();
+    return side_of_sphere_uncertain(p, q, r, s, t);
+}
+
+// ---- circles in a plane of space ----------------------------------------------------------------
+
+/// The same site elsewhere along an axis, about as far as `extent`, toward 0. Not a matter of
+/// rounding: any other place will do, near ones make for certain filters.
+template <power::PowerSite3 S>
+[[nodiscard]] inline S moved(S site, double S::*axis, double extent) noexcept {
+    const double x = site.*axis;
+    const double least = std::max(0x1p-50 * (x < 0.0 ? -x : x), 0x1p-1000);
+    const double step = std::max(std::min(extent, 0x1p1000), least);
+    site.*axis = x > 0.0 ? x - step : x + step;
+    return site;
+}
+/// The greatest difference of coordinates.
+template <power::PowerSite3 S>
+[[nodiscard]] inline double extent_of(const S& p, const S& q) noexcept {
+    const auto apart = [](double a, double b) { return a < b ? b - a : a - b; };
+    return std::max(apart(p.x, q.x), std::max(apart(p.y, q.y), apart(p.z, q.z)));
+}
+
+/// +1 where t conflicts with the circle of p, q, r, all in one plane, whichever way these turn.
+/// The sphere through the circle and any apex off the plane meets it in the circle; and an apex
+/// beside p along an axis is off the plane where p, q, r turn along that axis.
+/// Precondition: p, q, r are not collinear.
+template <power::PowerSite3 S>
+[[nodiscard]] inline Sign conflict_in_plane(const S& p, const S& q, const S& r,
+                                            const S& t) noexcept {
+    double S::*axis = &S::z;
+    if (turn(Point{p.x, p.y}, Point{q.x, q.y}, Point{r.x, r.y}) == 0)
+        axis = turn(Point{p.y, p.z}, Point{q.y, q.z}, Point{r.y, r.z}) != 0 ? &S::x : &S::y;
+    const S apex = moved(p, axis, std::max(extent_of(p, q), extent_of(p, r)));
+    return side_of_sphere(p, q, r, apex, t) * turn(p, q, r, apex);
+}
+/// The same for the segment of p and q, by two apexes. Precondition: p and q are not at one place.
+template <power::PowerSite3 S>
+[[nodiscard]] inline Sign conflict_on_line(const S& p, const S& q, const S& t) noexcept {
+    const bool along_x = p.x != q.x;
+    const bool along_y = !along_x && p.y != q.y;
+    const double extent = extent_of(p, q);
+    const S one = moved(p, along_x ? &S::y : &S::x, extent);
+    const S other = moved(p, along_x || along_y ? &S::z : &S::y, extent);
+    return side_of_sphere(p, q, one, other, t) * turn(p, q, one, other);
+}
+/// The same at one place: who weighs more.
+template <class S>
+[[nodiscard]] inline Sign conflict_at_place(const S& p, const S& t) noexcept {
+    return filters::compare_numbers(t.w, p.w);
+}
+
+/// The orientation of three points of space in the first coordinate plane where they have one, for
+/// which CGAL takes xy, yz, xz, and which of these.
+template <class Visit>
+[[nodiscard]] inline Sign first_turn(const Point3& p, const Point3& q, const Point3& r,
+                                     Visit visit) noexcept {
+    const auto xy = [](const Point3& m) -> Point { return {m.x, m.y}; };
+    const auto yz = [](const Point3& m) -> Point { return {m.y, m.z}; };
+    const auto xz = [](const Point3& m) -> Point { return {m.x, m.z}; };
+    if (const Sign sign = turn(xy(p), xy(q), xy(r)); sign != 0) return visit(sign, xy);
+    if (const Sign sign = turn(yz(p), yz(q), yz(r)); sign != 0) return visit(sign, yz);
+    return visit(turn(xz(p), xz(q), xz(r)), xz);
+}
+
+}  // namespace signum::cgal::details
