@@ -1,22 +1,25 @@
 #pragma once
-/// How many trials a test has time for: all of them in a release build; fewer under the sanitizers
-/// and without optimization, where what judges the library, rationals most of all, takes ten times
-/// as long. `./test` runs both, so that no trial is lost.
+/// How many trials a test has time for: all of them in a release build; fewer without optimization
+/// and under the sanitizers, the library's own included, where they take ten times as long.
+/// `./test` runs both, so that no trial is lost.
+
+/// There where a library is, or the program, under the address sanitizer: known when it is linked.
+extern "C" [[gnu::weak]] void __asan_init();
 
 namespace signum {
 
 #if defined(__SANITIZE_ADDRESS__) || !defined(__OPTIMIZE__)
-inline constexpr bool is_fast = false;
+inline const bool is_fast = false;
 #else
-inline constexpr bool is_fast = true;
+inline const bool is_fast = &__asan_init == nullptr;
 #endif
 
 /// For trials that are counted in multiples. SIGNUM_THOROUGH: a slow test of its own of the same
 /// source.
 #if defined(SIGNUM_THOROUGH)
-inline constexpr int thoroughness = 80;
+inline const int thoroughness = 80;
 #else
-inline constexpr int thoroughness = is_fast ? 8 : 1;
+inline const int thoroughness = is_fast ? 8 : 1;
 #endif
 
 }  // namespace signum

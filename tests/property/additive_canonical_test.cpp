@@ -22,7 +22,7 @@ using namespace signum;
 using Sites = std::vector<Site>;
 
 /// Of the trials one in so many: the oracles take long there.
-constexpr int share = is_fast ? 1 : 20;
+const int share = is_fast ? 1 : 20;
 
 template <class Metric>
 oracle::Tessellation oracle_of(const Sites& sites) {

@@ -24,7 +24,7 @@ namespace {
 
 using Triple = std::array<Site, 3>;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr int share = is_fast ? 1 : 10;  // of the trials one in so many
+const int share = is_fast ? 1 : 10;  // of the trials one in so many
 
 // Squares -----------------------------------------------------------------------------------------
 

@@ -29,7 +29,7 @@ struct Near {
     Index site;
 };
 
-constexpr int share = is_fast ? 1 : 10;  // of the trials one in so many
+const int share = is_fast ? 1 : 10;  // of the trials one in so many
 
 class Cells : public testing::TestWithParam<Metric> {
  protected:

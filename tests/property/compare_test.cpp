@@ -24,7 +24,7 @@ using namespace signum;
 using Sites = std::vector<Site>;
 
 /// Of the trials one in so many: the oracles take long there.
-constexpr int share = is_fast ? 1 : 10;
+const int share = is_fast ? 1 : 10;
 
 /// Discs that shrink in this order, each by an ever higher power of the one before; or the first
 /// two by high powers, the others by steps.

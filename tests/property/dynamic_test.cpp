@@ -206,7 +206,7 @@ TEST_P(Dynamic, StructureIsChangedAndNotBuiltAnew) {
 /// and yet nothing is built anew. What is counted is insertions, of hidden sites looked at again
 /// too.
 TEST_P(Dynamic, NorWhereThereIsNoStructure) {
-    constexpr int count = 1250 * thoroughness;
+    const int count = 1250 * thoroughness;
     using Make = std::function<Site(int)>;
     struct Family {
         std::string name;
@@ -222,7 +222,7 @@ TEST_P(Dynamic, NorWhereThereIsNoStructure) {
              return Site{1, 2, 1.0 + i};
          }},
         {"concentric, shrinking",
-         [](int i) {
+         [&](int i) {
              return Site{1, 2, 1.0 * count - i};
          }},
         {"collinear",

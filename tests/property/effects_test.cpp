@@ -19,7 +19,7 @@ namespace signum::motion {
 namespace {
 
 const Limits limits{.until = 6.0, .strikes = 200, .stop = {}};
-constexpr std::uint64_t rounds = is_fast ? 2 : 1;
+const std::uint64_t rounds = is_fast ? 2 : 1;
 
 template <int D>
 struct Recorded {

@@ -43,7 +43,7 @@ using Multiprecision = Perturbed<Arithmetic::multiprecision>;
 using Judging = Perturbed<signum::predicates::judging>;
 
 /// Of the trials one in so many: rationals take long there.
-constexpr int share = signum::is_fast ? 1 : 10;
+const int share = signum::is_fast ? 1 : 10;
 
 std::string text(const Site* first, std::size_t count) {
     std::string result;

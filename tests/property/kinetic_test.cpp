@@ -72,7 +72,7 @@ TEST(Kinetic, EqualsTheOracleAfterEveryEvent) {
     EXPECT_LT(tied, 25 * thoroughness);
 }
 
-constexpr int trials = (is_fast ? 6 : 2) * Systems::kinds;
+const int trials = (is_fast ? 6 : 2) * Systems::kinds;
 
 std::set<Edge> edges_of(const std::vector<Face>& faces) {
     std::set<Edge> result;

@@ -16,7 +16,7 @@
 namespace signum::motion {
 namespace {
 
-constexpr std::uint64_t scenes = is_fast ? 40 : 6;
+const std::uint64_t scenes = is_fast ? 40 : 6;
 
 template <int D>
 bool overlap(const Body<D>& a, const Body<D>& b, const Effects<D>& effects) {

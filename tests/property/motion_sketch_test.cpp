@@ -13,7 +13,7 @@
 namespace signum::motion {
 namespace {
 
-constexpr int looks = is_fast ? 200 : 40;
+const std::uint64_t looks = is_fast ? 200 : 40;
 
 /// A gas in the plane with two balls far larger than the others, and two between.
 Scene<2> sizes(std::uint64_t seed) {

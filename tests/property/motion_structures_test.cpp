@@ -16,7 +16,7 @@
 namespace signum::motion {
 namespace {
 
-constexpr std::uint64_t thoroughness = is_fast ? 10 : 1;
+const std::uint64_t thoroughness = is_fast ? 10 : 1;
 
 struct Recorded {
     std::vector<Strike> log;
@@ -372,7 +372,7 @@ TEST(MotionStructures, ImpulseGoesThroughACradle) {
 TEST(MotionStructures, NothingGoesThrough) {
     for (const Structure structure : all_structures) {
         SCOPED_TRACE(name_of(structure));
-        constexpr int looks = 10 * static_cast<int>(thoroughness);
+        const int looks = 10 * static_cast<int>(thoroughness);
         expect_nothing_through(gas<2>(64, true, 21), 3 * looks, 0.0371, structure);
         expect_nothing_through(gas<3>(64, false, 22), 3 * looks, 0.0371, structure);
         expect_nothing_through(falling<2>(64, 23), 2 * looks, 0.0371, structure);

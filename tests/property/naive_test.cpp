@@ -19,6 +19,7 @@
 #include "../../triangulation/validate.hpp"
 #include "../../triangulation/vertices.hpp"
 
+#include "../thoroughness.hpp"
 #include "degenerate_sites.hpp"
 
 namespace {
@@ -27,11 +28,7 @@ using namespace signum;
 using brute_force::Degenerate;
 using Sites = std::vector<Site>;
 
-#if defined(__SANITIZE_ADDRESS__) || !defined(__OPTIMIZE__)
-constexpr int effort = 1;
-#else
-constexpr int effort = 2;
-#endif
+const int effort = signum::is_fast ? 2 : 1;
 
 std::size_t at(Index i) {
     return static_cast<std::size_t>(i);

@@ -14,7 +14,7 @@
 namespace signum::motion {
 namespace {
 
-constexpr std::uint64_t scenes = is_fast ? 12 : 3;
+const std::uint64_t scenes = is_fast ? 12 : 3;
 
 template <int D>
 void expect_logs_of_oracle(const std::vector<Effect>& wanted) {

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <random>
 
+#include "../thoroughness.hpp"
+
 namespace signum {
 
 /// The exponent of the last set bit.
@@ -75,12 +77,10 @@ inline double moved(Random& random, double value) {
 }
 
 /// How many trials, as a share of those of an optimised build.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-inline constexpr double effort = 0.1;
-#elif !defined(__OPTIMIZE__)
-inline constexpr double effort = 0.25;
+#if defined(__SANITIZE_THREAD__)
+inline const double effort = 0.1;
 #else
-inline constexpr double effort = 1.0;
+inline const double effort = is_fast ? 1.0 : 0.03;
 #endif
 
 }  // namespace signum

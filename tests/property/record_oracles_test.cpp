@@ -18,7 +18,7 @@
 namespace signum::fuzz {
 namespace {
 
-constexpr int trials = is_fast ? 300 : 30;
+const int trials = is_fast ? 300 : 30;
 
 template <std::size_t d>
 oracle::SpaceBall<static_cast<int>(d)> rational(const Ball<d>& ball) {

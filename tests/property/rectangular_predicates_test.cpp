@@ -33,7 +33,7 @@ using signum::rectangular::Perturbed;
 using signum::rectangular::Supremum;
 
 /// Of the trials one in so many: rationals take long there.
-constexpr int share = signum::is_fast ? 1 : 10;
+const int share = signum::is_fast ? 1 : 10;
 
 template <class Directions>
 signum::oracle::Tessellation oracle_of(const Sites& sites) {

@@ -27,9 +27,9 @@
 namespace signum {
 namespace {
 
-constexpr std::size_t sites_of_a_set = is_fast ? 4000 : 1000;
-constexpr int rounds = is_fast ? 3 : 1;
-constexpr int share = is_fast ? 1 : 50;  // of what is counted in a release build
+const std::size_t sites_of_a_set = is_fast ? 4000 : 1000;
+const int rounds = is_fast ? 3 : 1;
+const int share = is_fast ? 1 : 50;  // of what is counted in a release build
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -5,17 +5,14 @@
 
 #include <gtest/gtest.h>
 
+#include "../thoroughness.hpp"
 #include "root_forms.hpp"
 
 namespace {
 
 using namespace signum::root_forms;
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr int trials = 40;
-#else
-constexpr int trials = 320;
-#endif
+const int trials = signum::is_fast ? 320 : 40;
 
 /// The oracle takes longer and longer.
 template <int Degree>

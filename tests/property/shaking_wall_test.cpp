@@ -22,7 +22,7 @@ namespace {
 using oracle_test::Random;
 using Real = boost::multiprecision::cpp_bin_float_50;
 
-constexpr int share = is_fast ? 1 : 3;  // of the trials one in so many
+const int share = is_fast ? 1 : 3;  // of the trials one in so many
 
 struct Case {
     GrowingBall<2> ball;

@@ -500,7 +500,7 @@ Sites balls(int count, double greatest, std::uint64_t seed) {
     return sites;
 }
 
-constexpr int many = is_fast ? 3000 : 500;
+const int many = is_fast ? 3000 : 500;
 
 TEST(SpaceCells, ManyTileTheBox) {
     for (const double greatest : {0.0, 0.05, 0.3})

@@ -21,7 +21,7 @@
 namespace signum::motion {
 namespace {
 
-constexpr std::uint64_t trials = is_fast ? 2000 : 200;
+const std::uint64_t trials = is_fast ? 2000 : 200;
 
 template <int D>
 using Rationals = std::array<mpq_class, D>;

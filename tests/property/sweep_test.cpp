@@ -23,7 +23,7 @@ namespace {
 using namespace signum;
 using Sites = std::vector<Site>;
 
-constexpr int share = is_fast ? 1 : 10;  // of the trials one in so many
+const int share = is_fast ? 1 : 10;  // of the trials one in so many
 
 Options sweeping() {
     Options options;

@@ -19,6 +19,7 @@
 #include "../../triangulation/check/power_check.hpp"
 #include "../../triangulation/triangulate.hpp"
 #include "../../triangulation/validate.hpp"
+#include "../thoroughness.hpp"
 #include "degenerate_sites.hpp"
 
 namespace signum {
@@ -28,11 +29,7 @@ using brute_force::Degenerate;
 using reference::Random;
 using Sites = std::vector<Site>;
 
-#if defined(__SANITIZE_ADDRESS__) || !defined(__OPTIMIZE__)
-constexpr int rounds = 100;
-#else
-constexpr int rounds = 500;
-#endif
+const int rounds = is_fast ? 500 : 100;
 
 std::size_t at(Index i) {
     return static_cast<std::size_t>(i);

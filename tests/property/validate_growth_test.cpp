@@ -19,7 +19,7 @@ namespace signum {
 namespace {
 
 // Exact numbers take their time under the sanitizers.
-constexpr int most_sites = is_fast ? 10000 : 1000;
+const int most_sites = is_fast ? 10000 : 1000;
 
 struct Family {
     const char* name;

@@ -15,15 +15,12 @@
 
 #include "../../triangulation/triangulate.hpp"
 #include "../../triangulation/validate.hpp"
+#include "../thoroughness.hpp"
 
 namespace signum {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__) || !defined(__OPTIMIZE__)
-constexpr int effort = 1;
-#else
-constexpr int effort = 4;
-#endif
+const int effort = is_fast ? 4 : 1;
 
 std::size_t at(Index i) {
     return static_cast<std::size_t>(i);

@@ -19,16 +19,13 @@
 #include "../../voronoi/clip.hpp"
 #include "../../voronoi/polygon.hpp"
 
+#include "../thoroughness.hpp"
 #include "degenerate_sites.hpp"
 
 namespace signum {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__) || !defined(__OPTIMIZE__)
-constexpr int thoroughness = 1;
-#else
-constexpr int thoroughness = 10;
-#endif
+const int thoroughness = is_fast ? 10 : 1;
 
 double norm(Metric metric, double x, double y) {
     switch (metric) {

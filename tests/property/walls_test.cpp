@@ -22,7 +22,7 @@
 namespace signum::motion {
 namespace {
 
-constexpr int trials = is_fast ? 150 : 20;
+const int trials = is_fast ? 150 : 20;
 
 enum class Kind { shaking, half_space, outside, inside, segment };
 
@@ -289,7 +289,7 @@ std::optional<double> meeting_of_segment(const GrowingBall<2>& ball, const Segme
 TEST(Walls, MeetingsWithSegmentsAreThoseOfRationals) {
     int met = 0;
     int missed = 0;
-    for (std::uint64_t seed = 0; seed < 4 * trials; ++seed) {
+    for (std::uint64_t seed = 0; seed < std::uint64_t(4 * trials); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Choices choose(seed);
         choose.be_round(choose.below(2) == 0);

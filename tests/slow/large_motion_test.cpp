@@ -16,7 +16,7 @@
 namespace signum::motion {
 namespace {
 
-constexpr std::uint64_t many_strikes = is_fast ? 1'000'000 : 10'000;
+const std::uint64_t many_strikes = is_fast ? 1'000'000 : 10'000;
 
 /// A hash of a log (FNV-1a), and of how many strikes.
 class Digest {
@@ -92,7 +92,7 @@ TEST(LargeMotion, TenMillionElasticStrikesKeepTheEnergy) {
 }
 
 TEST(LargeMotion, NothingGoesThroughAtAHundredThousandTimes) {
-    constexpr int looks = is_fast ? 100'000 : 1000;
+    const int looks = is_fast ? 100'000 : 1000;
     expect_nothing_through(gas<2>(100, true, 21), looks, 0.05);
     expect_nothing_through(gas<3>(125, false, 22), looks, 0.05);
     Scene<2> bouncing = falling<2>(100, 23);
@@ -101,7 +101,7 @@ TEST(LargeMotion, NothingGoesThroughAtAHundredThousandTimes) {
 }
 
 TEST(LargeMotion, TenThousandStrikesAreTheOracles) {
-    constexpr std::size_t strikes = is_fast ? 10'000 : 100;
+    const std::size_t strikes = is_fast ? 10'000 : 100;
     for (const std::size_t number : {3U, 8U, 30U}) {
         SCOPED_TRACE(number);
         expect_log_of_oracle(gas<2>(number, false, 41), 1e9, strikes);

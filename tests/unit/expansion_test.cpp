@@ -31,7 +31,7 @@ using signum::reference::scaled;
 /// In the window a number of degree d is an integer at the scale d·unit.
 constexpr int unit = 252;
 
-constexpr int share = signum::is_fast ? 1 : 10;  // of the trials one in so many
+const int share = signum::is_fast ? 1 : 10;  // of the trials one in so many
 
 int lowest_bit(double value) {
     int exponent = 0;

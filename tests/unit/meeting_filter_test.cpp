@@ -15,6 +15,7 @@
 #include "../../motion/exact_meeting.hpp"
 #include "../../motion/meeting.hpp"
 #include "../oracle/oracle_test_support.hpp"
+#include "../thoroughness.hpp"
 
 namespace signum::motion {
 namespace {
@@ -335,7 +336,7 @@ TYPED_TEST(MeetingFilterOf, GenericBallsTellsNearlyAlways) {
     Questions<D> questions(1801);
     for (const Space space : all_spaces) {
         ToldOfBoth told;
-        for (int i = 0; i < 60; ++i) {
+        for (int i = 0; i < (is_fast ? 60 : 15); ++i) {
             SCOPED_TRACE("case " + std::to_string(i));
             Question<D> question =
                 questions.next(Kind::generic, space, TypeParam::flight, Crowd::capacity);
@@ -363,7 +364,7 @@ TYPED_TEST(MeetingFilterOf, HostileBallsIsRightWhereItTells) {
     for (const Kind kind : hostile_kinds) {
         ToldOfBoth told;
         for (const Space space : all_spaces) {
-            for (int i = 0; i < 40; ++i) {
+            for (int i = 0; i < (is_fast ? 40 : 10); ++i) {
                 SCOPED_TRACE("kind " + std::to_string(static_cast<int>(kind)) + ", space " +
                              std::to_string(static_cast<int>(space)) + ", case " +
                              std::to_string(i));

@@ -21,7 +21,7 @@ namespace {
 
 using Sites = std::vector<Site>;
 
-constexpr int share = is_fast ? 1 : 5;  // of the questions one in so many
+const int share = is_fast ? 1 : 5;  // of the questions one in so many
 
 std::size_t at(Index i) {
     return static_cast<std::size_t>(i);

@@ -21,7 +21,7 @@ using signum::Sign;
 using signum::Site;
 using signum::Stage;
 
-constexpr int rounds = signum::is_fast ? 40000 : 4000;
+const int rounds = signum::is_fast ? 40000 : 4000;
 
 mpq_class square(const mpq_class& x) {
     return x * x;
@@ -91,8 +91,8 @@ class RelaxedMath : public testing::Test {
     void note(Stage stage) { ++(stage == Stage::filter ? filtered_ : unfiltered_); }
     /// Both sides of the filter's bound were visited.
     void expect_both_stages() const {
-        EXPECT_GT(filtered_, std::size_t{rounds} / 50);
-        EXPECT_GT(unfiltered_, std::size_t{rounds} / 50);
+        EXPECT_GT(filtered_, std::size_t(rounds) / 50);
+        EXPECT_GT(unfiltered_, std::size_t(rounds) / 50);
     }
 
  private:

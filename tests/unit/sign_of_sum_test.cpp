@@ -46,7 +46,7 @@ using Terms = std::vector<double>;
 
 constexpr double largest = std::numeric_limits<double>::max();
 constexpr double least = std::numeric_limits<double>::denorm_min();
-constexpr int share = signum::is_fast ? 1 : 10;  // of the trials one in so many
+const int share = signum::is_fast ? 1 : 10;  // of the trials one in so many
 
 /// Sums in GMP integers, with memory that is used again and again.
 class Reference {

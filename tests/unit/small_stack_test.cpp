@@ -18,11 +18,7 @@ namespace signum {
 namespace {
 
 /// Frames are several times as large where memory is watched or nothing is optimized.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || !defined(__OPTIMIZE__)
-constexpr std::size_t stack_bytes = std::size_t{1} << 21;
-#else
-constexpr std::size_t stack_bytes = std::size_t{1} << 18;
-#endif
+const std::size_t stack_bytes = std::size_t{1} << (is_fast ? 18 : 21);
 
 /// Does the job on such a stack; what it throws is a failure.
 void run_on_small_stack(const std::function<void()>& job) {

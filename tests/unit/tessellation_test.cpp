@@ -30,7 +30,7 @@
 namespace signum {
 namespace {
 
-constexpr int share = is_fast ? 1 : 5;  // of the trials one in so many
+const int share = is_fast ? 1 : 5;  // of the trials one in so many
 
 std::size_t at(Index i) {
     return static_cast<std::size_t>(i);
