@@ -20,6 +20,7 @@ from ._signum import (
     Tessellation,
     Validation,
     Voronoi,
+    __version__,
     ccw,
     exists,
     hidden,

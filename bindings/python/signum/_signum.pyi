@@ -10,6 +10,8 @@ Floats = npt.NDArray[np.float64]
 Signs = npt.NDArray[np.int8] | int
 Truths = npt.NDArray[np.bool_] | bool
 
+__version__: str
+
 class BrokenStructure(RuntimeError): ...
 
 class Validation:

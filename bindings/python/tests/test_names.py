@@ -52,6 +52,11 @@ def public():
                         yield f"{name}.{member}", value
 
 
+def test_the_version_is_that_of_the_project():
+    root = pathlib.Path(__file__).resolve().parents[3]
+    assert f'version = "{signum.__version__}"' in (root / "pyproject.toml").read_text()
+
+
 def test_every_public_name_has_a_docstring():
     named = dict(public())
     assert len(named) > 120
