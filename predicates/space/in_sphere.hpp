@@ -89,7 +89,6 @@ template <PowerSite3 S>
     const LiftedRow<double> b = lifted_row(filters::pinned(j), origin);
     const LiftedRow<double> c = lifted_row(filters::pinned(k), origin);
     const LiftedRow<double> d = lifted_row(filters::pinned(l), origin);
-    const double determinant = in_sphere_determinant(a, b, c, d);
     const auto largest_of = [](double p, double r) { return p > r ? p : r; };
     const predicates::Offset3<double> three = predicates::reach(a.offset, b.offset, c.offset);
     const predicates::Offset3<double> largest = {largest_of(three.x, magnitude(d.offset.x)),
@@ -98,6 +97,8 @@ template <PowerSite3 S>
     const double weight = largest_of(largest_of(magnitude(a.weight), magnitude(b.weight)),
                                      largest_of(magnitude(c.weight), magnitude(d.weight)));
     const double bound = bound_of_in_sphere(largest, weight);
+    // After the bound, for which no weight is then kept beside the determinant's rows.
+    const double determinant = in_sphere_determinant(a, b, c, d);
     if (!filters::environment_is_default() || !predicates::in_filter_window(largest)) [[unlikely]]
         return filters::Verdict::uncertain();
     if (!(magnitude(determinant) > bound)) [[unlikely]]
