@@ -6,6 +6,10 @@ if(NOT SIGNUM_SANITIZED_TESTS)
   return()
 endif()
 
+if(SIGNUM_OPTIONS_UNDER_SANITIZERS)
+  message(FATAL_ERROR "SIGNUM_SANITIZED_TESTS is for a build without sanitizers of its own")
+endif()
+
 set(SIGNUM_SANITIZERS -fsanitize=address,undefined -fno-sanitize=null,object-size,alignment
     -fno-sanitize-recover=all)
 # Shared, so that its own templates are called where a test has the same without a sanitizer. Not optimized, which

@@ -12,11 +12,8 @@ if [ $# -eq 0 ]; then
   sed -n '2,7s/^# \{0,1\}//p' "$0" >&2
   exit 2
 fi
-{
-  cmake --preset release -DSIGNUM_TEST_LABELS=unit
-  cmake --build --preset release --target record
-} >&2
-record=build/release/fuzz/record/record
+scripts/build.sh "$PWD/build/record" record --preset=release -DSIGNUM_TEST_LABELS=unit
+record=build/record/fuzz/record/record
 if [ "$1" = summary ]; then
   exec "$record" "$@"
 fi

@@ -8,10 +8,11 @@ extern "C" [[gnu::weak]] void __asan_init();
 
 namespace signum {
 
-#if defined(__SANITIZE_ADDRESS__) || !defined(__OPTIMIZE__)
-inline const bool is_fast = false;
+inline const bool is_sanitized = &__asan_init != nullptr;
+#if defined(__OPTIMIZE__)
+inline const bool is_fast = !is_sanitized;
 #else
-inline const bool is_fast = &__asan_init == nullptr;
+inline const bool is_fast = false;
 #endif
 
 /// For trials that are counted in multiples. SIGNUM_THOROUGH: a slow test of its own of the same

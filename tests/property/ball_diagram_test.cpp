@@ -448,13 +448,15 @@ TEST(BallDiagram, OfMoreBallsHasAllVertices) {
 
 TEST(BallDiagram, OfManyBallsObeysItsLaws) {
     Random g(8);
-    for (const int n : is_fast ? std::array{200, 500, 2000} : std::array{20, 50, 100}) {
+    for (const int n : is_fast        ? std::array{200, 500, 2000}
+                       : is_sanitized ? std::array{20, 50, 100}
+                                      : std::array{50, 100, 300}) {
         for (const double most : {1.0, 3.0, 20.0}) {
             const Balls balls = random_balls(g, n, 2.5 * most * std::cbrt(n) / 3, most);
             expect_laws(balls, ball_diagram(balls));
         }
     }
-    const Balls balls = few_giants(g, is_fast ? 600 : 100);
+    const Balls balls = few_giants(g, is_fast ? 600 : is_sanitized ? 100 : 200);
     expect_laws(balls, ball_diagram(balls));
 }
 
@@ -463,7 +465,7 @@ TEST(BallDiagram, OfManyBallsObeysItsLaws) {
 TEST(BallDiagram, HasAllComponents) {
     Random g(9);
     Balls balls{{-1e4, 0, 0, 9990}, {1e4, 0, 0, 9990}};
-    const int n = is_fast ? 30 : 12;
+    const int n = is_sanitized ? 12 : 30;
     for (int i = 0; i < n; ++i)
         balls.push_back({2 * g.real() - 1, 40 * g.real() - 20, 40 * g.real() - 20, 0.5});
     for (int i = 0; i < n; ++i)
@@ -785,7 +787,7 @@ TEST(BallDiagram, OfBallsOnManyScalesIsTheOracles) {
 
 TEST(BallDiagram, OfMoreBallsOnManyScalesHasAllVertices) {
     Random g(17);
-    const int n = is_fast ? 20 : 10;
+    const int n = is_fast ? 20 : is_sanitized ? 10 : 14;
     for (const int bits : {2, 4, 10, 40}) expect_all_vertices(ever_smaller(g, n, bits));
     for (const int bits : {20, 45, 60}) expect_all_vertices(two_clouds(g, n + 4, bits));
     expect_all_vertices(two_clouds(g, 16, 800));
@@ -869,7 +871,7 @@ TEST(BallDiagram, OfManyHiddenBallsNamesTheFirstThatHides) {
 TEST(BallDiagram, OfALargeBallAmidSmallOnesHasAllVertices) {
     Random g(20);
     Balls balls{{0, 0, 0, 1}};
-    while (balls.size() < (is_fast ? 60 : 25)) {
+    while (balls.size() < (is_sanitized ? 25 : 60)) {
         const double x = 2 * g.real() - 1, y = 2 * g.real() - 1, z = 2 * g.real() - 1;
         const double length = std::hypot(x, y, z);
         if (length < 0.1 || length > 1.0) continue;

@@ -80,7 +80,7 @@ inline double moved(Random& random, double value) {
 #if defined(__SANITIZE_THREAD__)
 inline const double effort = 0.1;
 #else
-inline const double effort = is_fast ? 1.0 : 0.03;
+inline const double effort = is_fast ? 1.0 : is_sanitized ? 0.03 : 0.25;
 #endif
 
 }  // namespace signum

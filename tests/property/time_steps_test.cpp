@@ -369,7 +369,7 @@ TEST(TimeSteps, AStrikeBetweenTwoStepsIsOneHoweverARunIsCut) {
     Choices choose(11);
     choose.be_round(true);
     std::size_t at_steps = 0;
-    const std::size_t scenes = is_fast ? 150 : 15;
+    const std::size_t scenes = is_fast ? 150 : is_sanitized ? 15 : 50;
     for (std::size_t scene = 0; scene < scenes; ++scene) {
         Effects<2> effects;
         effects.time_step = step;

@@ -290,7 +290,7 @@ class LargePowerSpace : public testing::Test {
 using Kinds = testing::Types<Point3, power::Site3, Site3>;
 TYPED_TEST_SUITE(LargePowerSpace, Kinds);
 
-constexpr long million = static_cast<long>(1'000'000 * effort * effort);
+const long million = static_cast<long>(1'000'000 * effort * effort);
 
 TYPED_TEST(LargePowerSpace, Ties) {
     const Draw draw = [](Random& g) { return rescaled<TypeParam>(g, ties<TypeParam>(g)); };

@@ -64,7 +64,7 @@ void change(std::vector<AnyBall>& balls, const Change& change) {
         for (double* number : {&b.x[0], &b.x[1], &b.x[2], &b.r}) *number = change(*number);
 }
 
-constexpr long million = static_cast<long>(1'000'000 * effort * effort);
+const long million = static_cast<long>(1'000'000 * effort * effort);
 
 template <class Space>
 void test_ties() {

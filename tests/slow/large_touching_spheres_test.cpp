@@ -71,7 +71,7 @@ class LargeTouchingSpheres : public testing::Test {
     }
 };
 
-constexpr long hundred_thousand = static_cast<long>(100'000 * effort * effort);
+const long hundred_thousand = static_cast<long>(100'000 * effort * effort);
 
 // ---- random ------------------------------------------------------------------------------------
 

@@ -18,7 +18,11 @@ namespace signum {
 namespace {
 
 /// Frames are several times as large where memory is watched or nothing is optimized.
+#if defined(__SANITIZE_THREAD__)
+const std::size_t stack_bytes = std::size_t{1} << 21;
+#else
 const std::size_t stack_bytes = std::size_t{1} << (is_fast ? 18 : 21);
+#endif
 
 /// Does the job on such a stack; what it throws is a failure.
 void run_on_small_stack(const std::function<void()>& job) {
