@@ -9,11 +9,7 @@
 set -euo pipefail
 root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
 "$root/scripts/install_dependencies.sh" test
-# A sanitizer needs its shadow where the kernel may have put something else: no random addresses.
-steady=()
-if setarch "$(uname -m)" -R true 2>/dev/null; then
-  steady=(setarch "$(uname -m)" -R)
-fi
-"${steady[@]}" "$root/scripts/build.sh" "$root/build/sanitize" all --preset=sanitize '-DSIGNUM_TEST_LABELS=unit;property'
-"${steady[@]}" ctest --test-dir "$root/build/sanitize" --no-tests=error --output-on-failure --parallel "${JOBS:-$(nproc)}" "$@" ||
+steady=$root/scripts/steady.sh
+"$steady" "$root/scripts/build.sh" "$root/build/sanitize" all --preset=sanitize '-DSIGNUM_TEST_LABELS=unit;property'
+"$steady" ctest --test-dir "$root/build/sanitize" --no-tests=error --output-on-failure --parallel "${JOBS:-$(nproc)}" "$@" ||
   exit 1

@@ -10,19 +10,15 @@ root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
 build=$root/build/tsan
 [ $# -gt 0 ] || set -- threads_test
 
-# The sanitizer needs its shadow where the kernel may have put something else: no random addresses.
-steady=()
-if setarch "$(uname -m)" -R true 2>/dev/null; then
-  steady=(setarch "$(uname -m)" -R)
-fi
+steady=$root/scripts/steady.sh
 for test in "$@"; do
-  "${steady[@]}" "$root/scripts/build.sh" "$build" "$test" --preset=tsan -DSIGNUM_BUILD_TOOL=OFF \
+  "$steady" "$root/scripts/build.sh" "$build" "$test" --preset=tsan -DSIGNUM_BUILD_TOOL=OFF \
     -DSIGNUM_TEST_LABELS=unit
 done
 log=$build/threads.log
 for test in "$@"; do
   echo "== $test"
-  if ! TSAN_OPTIONS="second_deadlock_stack=1 exitcode=66" "${steady[@]}" "$build/tests/$test" >"$log" 2>&1 ||
+  if ! TSAN_OPTIONS="second_deadlock_stack=1 exitcode=66" "$steady" "$build/tests/$test" >"$log" 2>&1 ||
     grep -q 'ThreadSanitizer' "$log"; then
     cat "$log" >&2
     exit 1

@@ -14,7 +14,6 @@
 #include "../../predicates/ccw.hpp"
 #include "../../predicates/power.hpp"
 #include "../../predicates/space.hpp"
-#include "points.hpp"
 
 namespace signum::cgal::details {
 
@@ -115,15 +114,13 @@ template <class S>
     }
     return predicates::ccw_cold(centre3(p), centre3(q), centre3(r), centre3(s)).sign;
 }
-/// The orientation of three points of the plane or four of space. As below points are CGAL's or
-/// ours: they become ours for the filter, and once more where it does not tell. What is passed on by
-/// reference would lie in memory from the start, which costs as much as half of the filter.
-template <class... P>
-[[nodiscard]] inline Sign turn(const P&... points) noexcept {
-    const filters::Verdict verdict = predicates::ccw_filter(ours(points)...);
+/// The orientation of three points of the plane or four of space.
+template <class... S>
+[[nodiscard]] inline Sign turn(const S&... points) noexcept {
+    const filters::Verdict verdict = predicates::ccw_filter(points...);
     if (verdict.is_certain()) [[likely]]
         return verdict.sign();
-    return turn_uncertain(ours(points)...);
+    return turn_uncertain(points...);
 }
 
 /// The sign of the determinant where the filter leaves it open. It changes with every exchange of
@@ -184,21 +181,20 @@ template <class S>
     return 0;
 }
 /// +1 where t conflicts with p, q, r, which turn counterclockwise; -1 where these turn clockwise.
-template <class P>
-[[nodiscard]] inline Sign side_of_circle(const P& p, const P& q, const P& r, const P& t) noexcept {
-    const filters::Verdict verdict = power::in_circle_filter(ours(p), ours(q), ours(r), ours(t));
+template <class S>
+[[nodiscard]] inline Sign side_of_circle(const S& p, const S& q, const S& r, const S& t) noexcept {
+    const filters::Verdict verdict = power::in_circle_filter(p, q, r, t);
     if (verdict.is_certain()) [[likely]]
         return verdict.sign();
-    return side_of_circle_uncertain(ours(p), ours(q), ours(r), ours(t));
+    return side_of_circle_uncertain(p, q, r, t);
 }
-template <class P>
-[[nodiscard, gnu::flatten]] inline Sign side_of_sphere(const P& p, const P& q, const P& r,
-                                                       const P& s, const P& t) noexcept {
-    const filters::Verdict verdict =
-        power::in_sphere_filter(ours(p), ours(q), ours(r), ours(s), ours(t));
+template <class S>
+[[nodiscard]] inline Sign side_of_sphere(const S& p, const S& q, const S& r, const S& s,
+                                         const S& t) noexcept {
+    const filters::Verdict verdict = power::in_sphere_filter(p, q, r, s, t);
     if (verdict.is_certain()) [[likely]]
         return verdict.sign();
-    return side_of_sphere_uncertain(ours(p), ours(q), ours(r), ours(s), ours(t));
+    return side_of_sphere_uncertain(p, q, r, s, t);
 }
 
 // ---- circles in a plane of space ----------------------------------------------------------------
