@@ -1,9 +1,7 @@
 #pragma once
 /// What the floating-point filters assume of the machine, and the small functions they share.
 
-#include <bit>
 #include <cstdint>
-#include <limits>
 
 #include "environment.hpp"
 
@@ -32,13 +30,13 @@ struct Compared {
 
 /// The sign of a double that is not 0.
 [[nodiscard]] inline int sign_of_nonzero(double value) noexcept {
-    return static_cast<int>(std::bit_cast<std::int64_t>(value) >> 63) | 1;
+    return static_cast<int>(__builtin_bit_cast(std::int64_t, value) >> 63) | 1;
 }
 
 /// a == b for finite doubles, also where the hardware reads denormals as zero.
 [[nodiscard]] inline bool same_number(double a, double b) noexcept {
-    const auto a_bits = std::bit_cast<std::uint64_t>(a);
-    const auto b_bits = std::bit_cast<std::uint64_t>(b);
+    const auto a_bits = __builtin_bit_cast(std::uint64_t, a);
+    const auto b_bits = __builtin_bit_cast(std::uint64_t, b);
     return a_bits == b_bits || ((a_bits | b_bits) << 1) == 0;
 }
 
@@ -46,8 +44,8 @@ struct Compared {
 /// as integers of the same order, both zeros the same.
 [[nodiscard]] inline int compare_numbers(double a, double b) noexcept {
     const auto place = [](double value) {
-        const auto bits = std::bit_cast<std::int64_t>(value);
-        return bits < 0 ? std::numeric_limits<std::int64_t>::min() - bits : bits;
+        const auto bits = __builtin_bit_cast(std::int64_t, value);
+        return bits < 0 ? INT64_MIN - bits : bits;
     };
     return static_cast<int>(place(a) > place(b)) - static_cast<int>(place(a) < place(b));
 }

@@ -22,10 +22,6 @@
 #include "../core/contract.hpp"
 #include "../core/site.hpp"
 
-#if defined(__SSE2__)
-#include <emmintrin.h>
-#endif
-
 SIGNUM_IEEE_BEGIN
 
 namespace signum::filters {
@@ -42,10 +38,12 @@ alignas(16) extern float environment_witness[4];
 [[nodiscard]] inline bool environment_is_default() noexcept {
     const auto& w = environment_witness;
 #if defined(__SSE2__)
-    const __m128 sums = _mm_add_ps(_mm_load_ps(w), _mm_setr_ps(1.0F, -1.0F, 0x1p-140F, 0.0F));
-    const __m128 expected = _mm_setr_ps(1.0F + 0x1p-23F, -1.0F - 0x1p-23F, 0x1p-139F, 0.0F);
-    return _mm_movemask_epi8(_mm_cmpeq_epi32(_mm_castps_si128(sums), _mm_castps_si128(expected))) ==
-           0xFFFF;
+    // By the compilers' own words: <emmintrin.h> takes a fifth of the time that a header may take.
+    using Floats = float __attribute__((vector_size(16), may_alias));
+    using Flags = int __attribute__((vector_size(16)));
+    const Floats sums = *reinterpret_cast<const Floats*>(&w) + Floats{1.0F, -1.0F, 0x1p-140F, 0.0F};
+    const Floats expected = {1.0F + 0x1p-23F, -1.0F - 0x1p-23F, 0x1p-139F, 0.0F};
+    return __builtin_ia32_movmskps((Floats)((Flags)sums == (Flags)expected)) == 0xF;
 #else
     return w[0] + 1.0F > 1.0F && w[1] - 1.0F < -1.0F && w[2] + 0x1p-140F != 0.0F;
 #endif

@@ -10,8 +10,6 @@
 /// the interval is that of all numbers. No rounding mode is changed, and no compiler need know of
 /// one; contraction to fused multiply-add leaves out roundings and does no harm.
 
-#include <limits>
-
 #include "bounds.hpp"
 
 SIGNUM_IEEE_BEGIN
@@ -39,7 +37,7 @@ struct Interval {
     explicit constexpr Interval(double number) noexcept : low(number), high(number) {}
 
     [[nodiscard]] static constexpr Interval everything() noexcept {
-        constexpr double infinity = std::numeric_limits<double>::infinity();
+        constexpr double infinity = __builtin_huge_val();
         return {-infinity, infinity};
     }
 
@@ -55,11 +53,11 @@ struct Interval {
         const double s = a.high * b.high;
         // The comparisons below would pass by a NaN.
         if (!((magnitude(p) + magnitude(q)) + (magnitude(r) + magnitude(s)) <=
-              std::numeric_limits<double>::max())) [[unlikely]]
+              0x1.fffffffffffffp1023)) [[unlikely]]
             return everything();
         const double least = min(min(p, q), min(r, s));
         const double greatest = max(max(p, q), max(r, s));
-        return around(least, greatest, std::numeric_limits<double>::min());
+        return around(least, greatest, 0x1p-1022);
     }
     friend Interval operator*(int a, const Interval& b) noexcept { return Interval(a) * b; }
 

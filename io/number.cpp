@@ -50,6 +50,8 @@ Number parse_number(std::string_view text) noexcept {
     if (hexadecimal) digits.remove_prefix(2);
     if (digits.empty() || digits.front() == '-') return word;
     if (hexadecimal && !is_hexadecimal_digit(digits.front()) && digits.front() != '.') return word;
+    // libstdc++ 12 reads the exponent of a hexadecimal number as an integer with a sign of its own.
+    if (digits.find("+-") != std::string_view::npos) return word;
 
     double value = 0.0;
     const char* end = digits.data() + digits.size();

@@ -42,12 +42,12 @@ void write_ele_of(std::ostream& out, std::span<const Simplex> simplices) {
 template <class Simplex>
 void write_neigh_of(std::ostream& out, std::span<const Simplex> simplices,
                     std::span<const Simplex> neighbours) {
-    const auto [numbers, count] = numbered(simplices);
+    const auto finite = numbered(simplices);
     TextWriter text(out);
-    text.put(FMT_COMPILE("{} {}\n"), count, Simplex().size());
+    text.put(FMT_COMPILE("{} {}\n"), finite.count, Simplex().size());
     put_lines(text, simplices, [&](std::size_t i) {
         Simplex across = neighbours[i];
-        for (Index& each : across) each = numbers[static_cast<std::size_t>(each)];
+        for (Index& each : across) each = finite.numbers[static_cast<std::size_t>(each)];
         return across;
     });
     text.flush();

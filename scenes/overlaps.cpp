@@ -28,7 +28,8 @@ double largest_of(const std::vector<double>& radii) {
 template <int D, typename Visit>
 void visit_pairs(const Places<D>& places, const motion::Effects<D>& effects, double share,
                  const Visit& visit) {
-    const auto& [centres, radii] = places;
+    const auto& centres = places.centres;
+    const auto& radii = places.radii;
     if (centres.empty()) return;
     const auto side = [&](int k) { return effects.box->high[k] - effects.box->low[k]; };
     std::vector<typename motion::BoxTree<D>::Node> boxes;

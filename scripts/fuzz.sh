@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # Fuzzes the targets of fuzz/targets, as long as is asked for, and goes on from where it was.
 #
-#   scripts/fuzz.sh TARGET|all SECONDS [--afl]
+#   scripts/fuzz.sh TARGET[,TARGET...]|all SECONDS [--afl]
 #
-# SECONDS are for each target. libFuzzer with the address and undefined-behaviour sanitizers; with --afl
-# AFL++, with the same. What it finds and its growing corpus lie in build/fuzz (FUZZ names another folder):
+# SECONDS are for each target, of a processor (with --afl of the clock), so that other work beside it takes nothing
+# from them. libFuzzer with the address and undefined-behaviour sanitizers; with --afl AFL++, with the same. What it finds and its growing corpus lie in build/fuzz (FUZZ names another folder):
 #
 #   build/fuzz/TARGET/corpus/   what covers new code; the next run begins with it, and with fuzz/corpus/TARGET
 #   build/fuzz/TARGET/found/    inputs for which the promise does not hold
@@ -16,6 +16,11 @@
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
+# Into `spent`, seconds of the processor for the programs that have ended.
+clock() {
+  times >"$here/times" # a shell of its own would have none
+  spent=$(awk 'NR == 2 { gsub(/[ms]/, " "); print int($1 * 60 + $2 + $3 * 60 + $4) }' "$here/times")
+}
 say() { printf 'signum: %s\n' "$*" >&2; }
 usage() {
   sed -n '2,/^set/p' "${BASH_SOURCE[0]}" | sed '$d; s/^# \{0,1\}//' >&2
@@ -31,8 +36,10 @@ engine=libfuzzer
 if [ "$target" = all ]; then
   mapfile -t targets < <(cd "$root/fuzz/corpus" && ls)
 else
-  [ -d "$root/fuzz/corpus/$target" ] || { say "there is no target $target"; exit 2; }
-  targets=("$target")
+  IFS=, read -r -a targets <<<"$target"
+  for each in "${targets[@]}"; do
+    [ -d "$root/fuzz/corpus/$each" ] || { say "there is no target $each"; exit 2; }
+  done
 fi
 
 flags='-DFUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION -O1 -g1 -fno-omit-frame-pointer -fno-sanitize-recover=all -fsanitize=address,undefined,float-cast-overflow'
@@ -50,12 +57,13 @@ esac
 command -v "$compiler" >/dev/null || { say "this needs $needs"; exit 3; }
 
 build=$root/build/fuzz-$engine
-for each in "${targets[@]}"; do
+for each in "${targets[@]}"; do # all before the first one runs
   CXX=$(command -v "$compiler") "$root/scripts/build.sh" "$build" "fuzz_$each" -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_CXX_FLAGS_RELEASE= "-DCMAKE_CXX_FLAGS=$flags" -DSIGNUM_BUILD_TESTS=OFF "-DSIGNUM_FUZZ_ENGINE=$engine"
 done
 
 folder=${FUZZ:-$root/build/fuzz}
+mkdir -p "$folder"
 found=0
 for each in "${targets[@]}"; do
   here=$folder/$each
@@ -64,11 +72,24 @@ for each in "${targets[@]}"; do
   dictionary=$root/fuzz/dictionaries/$each.dict
   say "$each: $seconds s with $engine"
   if [ "$engine" = libfuzzer ]; then
-    options=(-max_total_time="$seconds" -max_len=65536 -timeout=60 -report_slow_units=60 -rss_limit_mb=2048 -print_final_stats=1
+    options=(-max_len=65536 -timeout=60 -report_slow_units=60 -rss_limit_mb=2048 -print_final_stats=1
              -artifact_prefix="$here/found/")
     [ -f "$dictionary" ] && options+=(-dict="$dictionary")
-    nice -n 19 "$program" "${options[@]}" "$here/corpus" "$root/fuzz/corpus/$each" </dev/null >"$here/log" 2>&1 || true
-    executions=$(sed -n 's/^stat::number_of_executed_units: *//p' "$here/log")
+    executions=0
+    used=0
+    clock
+    begin=$spent
+    # Its own limit is of the clock. What it leaves is asked for again, but for the last seconds.
+    while [ $((seconds - used)) -gt 2 ] && [ -z "$(ls -A "$here/found")" ]; do
+      nice -n 19 "$program" -max_total_time=$((seconds - used)) "${options[@]}" "$here/corpus" "$root/fuzz/corpus/$each" \
+        </dev/null >"$here/log" 2>&1 || true
+      executed=$(sed -n 's/^stat::number_of_executed_units: *//p' "$here/log")
+      [ -n "$executed" ] || break # it did not come to its end
+      executions=$((executions + executed))
+      clock
+      used=$((spent - begin))
+    done
+    seconds_used=$used
     covered=$(sed -n 's/.* cov: \([0-9]*\) .*/\1/p' "$here/log" | tail -n 1)
   else
     options=(-V "$seconds" -m none -t 5000)
@@ -76,6 +97,7 @@ for each in "${targets[@]}"; do
     AFL_AUTORESUME=1 AFL_SKIP_CPUFREQ=1 AFL_I_DONT_CARE_ABOUT_MISSING_CRASHES=1 AFL_NO_UI=1 AFL_NO_AFFINITY=1 \
       nice -n 19 afl-fuzz "${options[@]}" -i "$root/fuzz/corpus/$each" -o "$here/afl" -- "$program" \
       </dev/null >"$here/log" 2>&1 || { tail -n 20 "$here/log" >&2; exit 3; }
+    seconds_used=$seconds
     state=$here/afl/default/fuzzer_stats
     executions=$(sed -n 's/^execs_done *: *//p' "$state")
     covered=$(sed -n 's/^edges_found *: *//p' "$state")
@@ -85,7 +107,7 @@ for each in "${targets[@]}"; do
     done
   fi
   count=$(find "$here/found" -type f | wc -l)
-  printf '%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\n' "$(date -u +%FT%TZ)" "$engine" "$each" "$seconds" "${executions:-0}" \
+  printf '%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\n' "$(date -u +%FT%TZ)" "$engine" "$each" "$seconds_used" "${executions:-0}" \
     "${covered:-0}" "$(find "$here/corpus" -type f | wc -l)" "$count" | tee -a "$folder/runs.tsv"
   if [ "$count" -gt 0 ]; then
     say "$each: $count inputs in $here/found; $here/log says what they broke"

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <ctime>
 
+#include "interface.hpp"
 #include "parsers.hpp"
 #include "structures.hpp"
 
@@ -31,6 +32,8 @@ constexpr std::array targets = {
     Target{"dynamic", dynamic_target, 10.0},
     Target{"kinetic", kinetic_target, 10.0},
     Target{"space", space_target, 10.0},
+    Target{"c_predicates", predicates_of_c_target, 10.0},
+    Target{"c_structures", structures_of_c_target, 10.0},
 };
 
 double processor_seconds() {

@@ -28,10 +28,6 @@
 #include "../../filters/verdict.hpp"
 #include "../additive.hpp"
 
-#if defined(__SSE2__)
-#include <emmintrin.h>
-#endif
-
 SIGNUM_IEEE_BEGIN
 
 namespace signum::euclidean::filter {
@@ -81,18 +77,20 @@ template <class... Size>
     return least >= 0x1p-110 && greatest <= 0x1p110;
 }
 
-/// NaN for a negative number, without a word to errno.
+/// NaN for a negative number; without a word to errno where the compiler has a word for the
+/// instruction.
 [[nodiscard]] inline double square_root(double value) noexcept {
-#if defined(__SSE2__)
-    const __m128d number = _mm_set_sd(value);
-    return _mm_cvtsd_f64(_mm_sqrt_sd(number, number));
+#if __has_builtin(__builtin_ia32_sqrtsd)
+    using Two = double __attribute__((vector_size(16)));
+    return __builtin_ia32_sqrtsd(Two{value, 0.0})[0];
 #else
     return __builtin_sqrt(value);
 #endif
 }
 [[nodiscard]] inline float square_root(float value) noexcept {
-#if defined(__SSE2__)
-    return _mm_cvtss_f32(_mm_sqrt_ss(_mm_set_ss(value)));
+#if __has_builtin(__builtin_ia32_sqrtss)
+    using Four = float __attribute__((vector_size(16)));
+    return __builtin_ia32_sqrtss(Four{value, 0.0F, 0.0F, 0.0F})[0];
 #else
     return __builtin_sqrtf(value);
 #endif

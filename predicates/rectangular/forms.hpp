@@ -19,7 +19,6 @@
 
 #include <array>
 #include <cstddef>
-#include <limits>
 
 #include "../../core/index.hpp"
 #include "../../core/sign.hpp"
@@ -201,7 +200,7 @@ class Forms {
 
  private:
     [[nodiscard]] static double bound(double magnitude) noexcept {
-        constexpr double everything = std::numeric_limits<double>::infinity();
+        constexpr double everything = __builtin_huge_val();
         if constexpr (!is_exact(arithmetic) || arithmetic == Arithmetic::interval) return 0.0;
         if constexpr (arithmetic == Arithmetic::sum || arithmetic == Arithmetic::multiprecision)
             return everything;

@@ -176,15 +176,10 @@ template <std::size_t d, class... S>
 
     bool apart = true;
     bool certain = true;
-    const auto look = [&](const auto& rows, const auto& their_sizes) {
-        for (std::size_t m = 0; m < rows.size(); ++m) {
-            const Verdict of_power = sign_of_power<d>(rows[m], their_sizes[m]);
-            certain &= of_power.is_certain();
-            apart &= rows[m][d + 1] > 0.0;
-        }
-    };
-    look(t.rows, sizes);
-    look(between, sizes_between);
+    for (std::size_t m = 0; m < d; ++m) {
+        certain &= sign_of_power<d>(t.rows[m], sizes[m]).is_certain();
+        apart &= t.rows[m][d + 1] > 0.0;
+    }
     if (!certain) [[unlikely]]
         return Verdict::uncertain();
     if (!apart) return Verdict::certain(-1);

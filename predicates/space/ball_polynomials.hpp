@@ -20,7 +20,10 @@
 ///     and 2d+4), B and E_R have all the signs needed;
 ///  4. where all p_ab > 0, none of the balls inside another, rho + r_m has the same sign for all m.
 ///     Γ = 4 Δ² for the determinant Δ of the rows (c_m - c, rho + r_m): 0 where the points of
-///     contact lie in one plane (on a line), less than 0 where no sphere touches all;
+///     contact lie in one plane (on a line), less than 0 where no sphere touches all. It is enough
+///     that p_ib > 0 for one ball i and all others: where Γ > 0 there is a sphere, so that rho +
+///     r_m has one sign, by p_ib, and then no p_ab is below 0; where one is 0, Γ is a product with
+///     it in the plane, and in space, p_ij = 0, -1/4 (p_ik p_jl - p_il p_jk)²: not above 0;
 ///  5. a ball i that hides q, |c_i - c_q| <= r_i - r_q, keeps it from a conflict: |c - c_q| >=
 ///     |c - c_i| - |c_i - c_q| >= rho + r_q. So if s < 0, that is |c - c_q| < |rho + r_q|, and i
 ///     hides q, then rho + r_q < 0, and |c_m - c_q| <= |c - c_m| + |c - c_q| < r_m - r_q for all m:
@@ -251,11 +254,9 @@ template <std::size_t d, class Number>
 template <std::size_t d, class Product, class Number>
 [[nodiscard]] Sign exists(const std::array<Ball<d, Number>, d + 1>& balls) {
     const Tuple<d, Number, Product> t(balls);
-    const auto between = rows_between<d, Number>(balls);
     for (const auto& row : t.rows)
         if (sign(row[d + 1]) <= 0) return -1;
-    for (const auto& row : between)
-        if (sign(row[d + 1]) <= 0) return -1;
+    const auto between = rows_between<d, Number>(balls);
     if (sign(four_gamma<d, Product>(t.rows, between)) <= 0) return -1;
     const Sign of_q = sign(t.q());
     if (of_q <= 0 && sign(t.e_r()) <= 0) return -1;

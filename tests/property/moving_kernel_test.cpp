@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <gmpxx.h>
 #include <gtest/gtest.h>
 
 #include "../../kinetic/moving_kernel.hpp"
@@ -118,6 +119,95 @@ TEST(MovingKernel, TiesForEverAreDecidedByWeightAndNumber) {
     // The last in the order is reduced most and gets no diagonal.
     for (const brute::Triangle& triangle : expected)
         EXPECT_EQ(std::ranges::count(triangle, 0) + std::ranges::count(triangle, 2), 2);
+}
+
+/// Sites that fly along as one, on a small grid, so that many are tied for ever; and the
+/// determinants of them as the tie rule lifts them: by a number that is far larger for the later
+/// one, and far smaller than all differences.
+class Tied {
+ public:
+    Tied(int number, Random& random) {
+        for (int n = 0; n < number; ++n) {
+            const double x = random.below(4);
+            const double y = random.below(4);
+            const double r = random.below(3);
+            moving_.push_back({x, y, 3.0, -1.0, random.below(2) == 0 ? r : -r, 0.5});
+        }
+        const auto place = [&](int n) {
+            const auto before = [&](int m) {
+                const double of_m = std::fabs(moving_[m].r);
+                const double of_n = std::fabs(moving_[n].r);
+                return of_m > of_n || (of_m == of_n && m < n);
+            };
+            int rank = 0;
+            for (int m = 0; m < number; ++m) rank += before(m) ? 1 : 0;
+            return rank;
+        };
+        for (int n = 0; n < number; ++n) {
+            const MovingSite& m = moving_[n];
+            mpq_class lift = 1;
+            mpq_div_2exp(lift.get_mpq_t(), lift.get_mpq_t(), 64 * (number - place(n)));
+            height_.push_back(mpq_class(m.x * m.x + m.y * m.y - m.r * m.r) + lift);
+        }
+    }
+
+    const std::vector<MovingSite>& moving() const { return moving_; }
+    int turn(int i, int j, int k) const { return sgn(area(i, j, k)); }
+    /// Whether q, lifted, is below the plane through i, j and k, which turn left.
+    bool conflicts(int i, int j, int k, int q) const {
+        return area(i, j, k) * height_[q] <
+               area(q, j, k) * height_[i] + area(i, q, k) * height_[j] + area(i, j, q) * height_[k];
+    }
+    /// Whether q, lifted, is below the line through a and b, all on one line.
+    bool conflicts_on_line(int a, int b, int q) const {
+        const bool along_x = moving_[a].x != moving_[b].x;
+        const auto at = [&](int n) { return mpq_class(along_x ? moving_[n].x : moving_[n].y); };
+        const mpq_class length = at(b) - at(a);
+        const mpq_class below =
+            (at(b) - at(q)) * height_[a] + (at(q) - at(a)) * height_[b] - length * height_[q];
+        return sgn(below) * sgn(length) > 0;
+    }
+    bool is_nearer(int q, int a, int b) const {
+        const auto distance = [&](int n) {
+            return mpq_class(height_[n] - 2 * mpq_class(moving_[q].x * moving_[n].x +
+                                                        moving_[q].y * moving_[n].y));
+        };
+        return distance(a) < distance(b);
+    }
+
+ private:
+    mpq_class area(int i, int j, int k) const {
+        const MovingSite& a = moving_[i];
+        const MovingSite& b = moving_[j];
+        const MovingSite& c = moving_[k];
+        return mpq_class((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
+    }
+
+    std::vector<MovingSite> moving_;
+    std::vector<mpq_class> height_;
+};
+
+TEST(MovingKernel, TiesForEverAreThoseOfLiftedSites) {
+    Random random(1902);
+    int on_line = 0;
+    for (int trial = 0; trial < 3000; ++trial) {
+        const Tied tied(4, random);
+        const Sites all{tied.moving(), {}};
+        const Moment moment(0.25 * random.below(9));
+        roots::Tally tally;
+        MovingKernel kernel(all, moment, tally);
+        ASSERT_EQ(kernel.is_nearer(0, 1, 2), tied.is_nearer(0, 1, 2)) << trial;
+        const int turn = tied.turn(0, 1, 2);
+        ASSERT_EQ(kernel.ccw(0, 1, 2), turn) << trial;
+        if (turn != 0) {
+            const int j = turn > 0 ? 1 : 2;
+            ASSERT_EQ(kernel.conflicts(0, j, 3 - j, 3), tied.conflicts(0, j, 3 - j, 3)) << trial;
+        } else if (kernel.compare_along(0, 1) != 0) {
+            ++on_line;
+            ASSERT_EQ(kernel.conflicts_on_line(0, 1, 2), tied.conflicts_on_line(0, 1, 2)) << trial;
+        }
+    }
+    EXPECT_GT(on_line, 300);
 }
 
 }  // namespace

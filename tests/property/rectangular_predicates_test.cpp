@@ -6,8 +6,8 @@
 
 #include <cmath>
 #include <random>
-
 #include <tuple>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -180,6 +180,61 @@ TYPED_TEST(RectangularPredicates, WithoutTheTieRuleATouchIsZero) {
     EXPECT_EQ(answer(7), 0);
     EXPECT_EQ(answer(std::nextafter(7, 8)), -1);
     EXPECT_EQ(answer(std::nextafter(7, 6)), 1);
+}
+
+TYPED_TEST(RectangularPredicates, AConflictIsTiedWhereWithoutTheTieRuleItTouches) {
+    std::mt19937_64 random(9);
+    std::uniform_int_distribution<int> place(0, 6);
+    std::uniform_int_distribution<int> radius(0, 2);
+    int touch = 0;
+    int meet = 0;
+    for (int trial = 0; trial < 20000; ++trial) {
+        Site s[4];
+        for (Site& site : s)
+            site = {static_cast<double>(place(random)), static_cast<double>(place(random)),
+                    static_cast<double>(radius(random))};
+        const auto r = signum::brute_force::ranks_of(s);
+        using Asked = Perturbed<TypeParam>;
+        if (Asked::exists(s[0], s[1], s[2], {r[0], r[1], r[2]}).sign < 0) continue;
+        const Decision conflict = Asked::in_circle(s[0], s[1], s[2], s[3], r);
+        if (conflict.sign < 0) continue;
+        const Decision plain =
+            signum::rectangular::in_circle_decision<TypeParam>(s[0], s[1], s[2], s[3], r);
+        ASSERT_GE(plain.sign, 0);
+        ASSERT_EQ(conflict.tied, plain.sign == 0) << "trial " << trial;
+        ++(plain.sign == 0 ? touch : meet);
+    }
+    EXPECT_GT(touch, 100);
+    EXPECT_GT(meet, 100);
+}
+
+TYPED_TEST(RectangularPredicates, OfTwoThatAreAsNearTheEarlierOneIsNearer) {
+    const auto nearer = [](const Site& a, const Site& b, const std::array<Index, 2>& ranks) {
+        return Perturbed<TypeParam>::nearer({1, 1}, a, b, ranks);
+    };
+    for (const Site& b : {Site{-2, 1, 0}, Site{1, -3, 1}, Site{4, 1, 0}}) {
+        EXPECT_EQ(nearer({4, 1, 0}, b, {0, 1}).sign, 1);
+        EXPECT_EQ(nearer({4, 1, 0}, b, {1, 0}).sign, -1);
+        EXPECT_TRUE(nearer({4, 1, 0}, b, {0, 1}).tied);
+    }
+    EXPECT_EQ(nearer({4, 1, 0}, {-2, 1, 0.5}, {0, 1}).sign, -1);
+    EXPECT_FALSE(nearer({4, 1, 0}, {-2, 1, 0.5}, {0, 1}).tied);
+}
+
+TEST(RectangularTies, AreDecidedByTheLastSiteWhoseFactorsDoNotCancel) {
+    using signum::rectangular::Addend;
+    using signum::rectangular::sign_of_infinitesimals;
+    const auto sign = [](const std::vector<std::array<int, 2>>& ranks_and_factors) {
+        std::vector<Addend> addends;
+        for (const auto& [rank, factor] : ranks_and_factors)
+            addends.push_back({nullptr, rank, 0, factor});
+        return sign_of_infinitesimals(addends.data(), addends.size());
+    };
+    EXPECT_EQ(sign({{0, 1}, {3, -1}, {2, 1}}), -1);
+    EXPECT_EQ(sign({{3, 1}, {1, -1}, {3, -1}}), -1);
+    EXPECT_EQ(sign({{3, -2}, {1, 1}, {3, 1}}), -1);
+    EXPECT_EQ(sign({{3, 2}, {1, -1}, {3, -1}}), 1);
+    EXPECT_EQ(sign({{3, 1}, {1, -1}, {3, -1}, {1, 1}}), 0);
 }
 
 }  // namespace

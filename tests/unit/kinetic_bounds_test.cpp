@@ -126,6 +126,10 @@ TEST(KineticBounds, OfPlacesFlownTo) {
     // Of what is added, five; of what it is added to, one.
     EXPECT_GE(fallen.place_error, 5 * half_epsilon * 0x1p21);
     EXPECT_GE(fallen.speed_error, 2 * half_epsilon * 0x1p16);
+    // What is added takes it to the origin, so that only the five of it count.
+    const bounded::Here arrived({-0x1.8p20, 0, 0x1p19, 0, 0, 0}, {{0x1p18, 0}, 2.0});
+    EXPECT_EQ(arrived.x.c[0], 0.0);
+    EXPECT_GE(arrived.place_error, 5 * half_epsilon * 0x1.8p20);
     const bounded::Here falling({1, 0.5, 1, 1, 0, 0}, {{0, 0x1p40}, 2.0});
     EXPECT_GE(falling.place_error, 5 * half_epsilon * 0x1p41);
     EXPECT_GE(falling.speed_error, 2 * half_epsilon * 0x1p41);

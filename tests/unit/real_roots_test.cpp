@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "../../roots/filter.hpp"
+#include "../../roots/rounded.hpp"
 #include "exact_reference.hpp"
 
 namespace {
@@ -405,6 +406,101 @@ TEST(RealRoots, WhereDenormalsAreFlushedAreExact) {
         EXPECT_EQ(nearest, 0.0) << "mode " << mode;
         EXPECT_EQ(order, 1) << "mode " << mode;
     }
+}
+
+/// t - 1 - n 2^-53
+struct Halfway {
+    double n;
+
+    template <class Number>
+    [[nodiscard]] PolynomialIn<Number, 1> in() const {
+        return line<Number>(-1.0, 1.0) - constant<Number>(n * 0x1p-53);
+    }
+};
+TEST(RealRoots, OfTwoDoublesThatAreAsNearTheEvenOneIsTheNearest) {
+    for (const double n : {1.0, 3.0, 5.0, 7.0}) {
+        const Halfway form{n};
+        const Polynomial p(form);
+        EXPECT_EQ(p.nearest_double(*p.first_change(0.0)), 1.0 + n * 0x1p-53) << n;
+    }
+}
+
+/// t² - 2(1 + 2^-30) t + 1 + 2^-29 + more: of 2^-60 more it touches 0.
+struct AboutToTouch {
+    double more;
+
+    template <class Number>
+    [[nodiscard]] PolynomialIn<Number, 2> in() const {
+        constexpr double a = 1.0 + 0x1p-30;
+        const auto t = line<Number>(0.0, 1.0);
+        return t * t - constant<Number>(2.0 * a) * t + constant<Number>(1.0 + 0x1p-29) +
+               constant<Number>(more);
+    }
+};
+/// Digits that a double has no room for decide whether there are roots.
+TEST(RealRoots, ThatDependOnDigitsThatAreCutOff) {
+    const auto count = [](double more) {
+        const AboutToTouch form{more};
+        return Polynomial(form).real_roots().count;
+    };
+    EXPECT_EQ(count(0.0), 2);
+    EXPECT_EQ(count(0x1p-61), 2);
+    EXPECT_EQ(count(0x1p-60), 1);
+    EXPECT_EQ(count(0x1p-59), 0);
+    EXPECT_EQ(count(0x1p-54), 0);
+}
+
+/// What is cut off of 2^60 - 1 lies within the error, and 2^60 is told as it is but for the scale.
+TEST(RealRoots, OfRoundedCoefficientsErrorsCoverWhatIsCutOff) {
+    const signum::exact::Integer power = signum::exact::Integer(1) << 60;
+    const Approximations told = rounded({power - 1, power, -power - 1}, 0);
+    const double one = told.c[1].value;
+    EXPECT_EQ(told.degree, 2);
+    EXPECT_LT(told.c[0].value, one);
+    EXPECT_GE(told.c[0].error, 0.99 * (one - told.c[0].value));
+    EXPECT_EQ(told.c[2].value, -one);
+    EXPECT_GE(told.c[2].error, 0x1p-60 * one);
+}
+
+/// 1 + c t + t² has no root for c = 1, and two for c = -3.
+TEST(RealRoots, OfACoefficientThatMayBeAnythingAreNotTold) {
+    Approximations p{};
+    p.degree = 2;
+    p.c[0] = p.c[2] = Approximation(1.0);
+    p.c[1] = {0.5, 0.25};
+    EXPECT_TRUE(filter::first_root(p, 0.0, 0).certain);
+    p.c[1] = {0.1, 4.0};
+    EXPECT_FALSE(filter::first_root(p, 0.0, 0).certain);
+}
+
+/// (t - 1)^n, the coefficients of which are moved by a few of their last digits: about 1 the sums
+/// that tell the roots cancel to what they round.
+template <int Degree>
+void expect_exact_near_a_multiple_root(Coefficients<Degree> form, Tally& tally) {
+    std::uint64_t state = 1;
+    const auto random = [&] {
+        state = state * 6364136223846793005U + 1442695040888963407U;
+        return static_cast<int>(state >> 59) - 16;
+    };
+    const Coefficients<Degree> multiple = form;
+    for (int trial = 0; trial < 600; ++trial) {
+        for (std::size_t i = 0; i <= Degree; ++i)
+            form.c[i] = multiple.c[i] *
+                        (1.0 + std::ldexp(random(), (trial % 2 == 0 ? -20 : -49) - trial % 6));
+        const RealRoots told = Polynomial(form).real_roots(&tally);
+        ASSERT_EQ(std::fesetround(FE_UPWARD), 0);
+        const RealRoots exact = Polynomial(form).real_roots();
+        ASSERT_EQ(std::fesetround(FE_TONEAREST), 0);
+        ASSERT_EQ(told.count, exact.count) << trial;
+    }
+}
+TEST(RealRoots, NearAMultipleOneAreThoseOfTheExactStage) {
+    Tally tally;
+    expect_exact_near_a_multiple_root(coefficients(1.0, -4.0, 6.0, -4.0, 1.0), tally);
+    expect_exact_near_a_multiple_root(
+        coefficients(1.0, -8.0, 28.0, -56.0, 70.0, -56.0, 28.0, -8.0, 1.0), tally);
+    EXPECT_GT(tally.filtered, 10U);
+    EXPECT_GT(tally.exact, 10U);
 }
 
 }  // namespace

@@ -88,6 +88,22 @@ TEST(SpaceBounds, OfInSphere) {
         }
 }
 
+/// The last site alone is the farthest along an axis: (s,1,2), of height 4.
+TEST(SpaceBounds, OfInSphereWhereTheLastSiteIsFarthest) {
+    for (const int axes : {0, 1, 2})
+        for (const double s : {1.0, 16.0}) {
+            const double square = s * s;
+            const double size = 24 * 2 * (2 * square + 6) / square;
+            expect_first_certain("in_sphere_filter", 17 * size, 19 * size, [&](std::int64_t steps) {
+                auto sites = NearlyTied(axes, s, steps).sites;
+                const auto [x, y, z] = turned({s, 1, 2}, axes);
+                sites[3] = {x, y, z, square + 1.0};
+                const auto& [i, j, k, l, q] = sites;
+                return power::in_sphere_filter(i, j, k, l, q).is_certain();
+            });
+        }
+}
+
 TEST(SpaceBounds, OfNearer) {
     const auto expect = [](double to_a, double to_b, double weight) {
         const double size = to_a * to_a + to_b * to_b + weight;
