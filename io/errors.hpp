@@ -15,6 +15,10 @@ struct Position {
     std::int64_t column = 1;
 };
 
+/// A message as a terminal may show it: control characters, which names of files and what a parser
+/// quotes may have, as \xNN.
+[[nodiscard]] std::string without_controls(std::string_view message);
+
 /// The input is wrong. what() is "FILE:LINE:COLUMN: what is wrong, and what would be right", or
 /// "FILE: ..." where the file has no lines that could be wrong, since it is not there.
 class InputError : public std::runtime_error {
@@ -26,13 +30,14 @@ class InputError : public std::runtime_error {
 /// A result cannot have this name: there is no such directory, or the name is a directory's own.
 class NameError : public std::runtime_error {
  public:
-    using std::runtime_error::runtime_error;
+    explicit NameError(std::string_view message) : std::runtime_error(without_controls(message)) {}
 };
 
 /// The machine failed: a full disk, a directory that cannot be written.
 class MachineError : public std::runtime_error {
  public:
-    using std::runtime_error::runtime_error;
+    explicit MachineError(std::string_view message)
+        : std::runtime_error(without_controls(message)) {}
 };
 
 /// Text from a file as an error message shows it: between quotes, unprintable bytes as \xNN, and

@@ -24,13 +24,6 @@ std::string whole_text(const std::string& path) {
 /// What the parser says, and what would be right.
 std::string explained(const toml::parse_error& error) {
     const std::string_view what = error.description();
-    // What it saw, it may quote as it is.
-    std::string shown;
-    for (const char c : what)
-        if (static_cast<unsigned char>(c) >= ' ' && c != '\x7f')
-            shown += c;
-        else
-            shown += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
     std::string_view advice = "write TOML: key = value, one a line, texts between quotes";
     if (what.find("redefine") != std::string_view::npos)
         advice = "give a key once in its table";
@@ -42,7 +35,7 @@ std::string explained(const toml::parse_error& error) {
         advice = "an array is written [1, 2, 3]";
     else if (what.find("string") != std::string_view::npos)
         advice = "a text stands between quotes on one line";
-    return fmt::format("{}; {}", shown, advice);
+    return fmt::format("{}; {}", what, advice);
 }
 
 /// The entry of an array that a key like "2" means.

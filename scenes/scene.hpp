@@ -25,7 +25,8 @@ struct Override {
 /// An option that sets a key is wrong; what() begins with the option and says what would be right.
 class OverrideError : public std::runtime_error {
  public:
-    using std::runtime_error::runtime_error;
+    explicit OverrideError(std::string_view message)
+        : std::runtime_error(without_controls(message)) {}
 };
 
 /// Where something of a scene is said: in its file, or in an option.

@@ -35,7 +35,7 @@ compiled predicates.o tetgen/predicates.cxx -O0
 g++ -o own main.o tetgen.o predicates.o
 g++ -o ours main.o tetgen.o "$build/bindings/classic/libsignum_classic.a" "$build/libsignum.a" -lmpfr -lgmp -lpthread
 
-/usr/bin/python3 - <<'PYTHON'
+python3 - <<'PYTHON'
 import math, random
 random.seed(1)
 def write(name, points, weights=None):

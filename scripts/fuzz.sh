@@ -72,7 +72,7 @@ for each in "${targets[@]}"; do
   dictionary=$root/fuzz/dictionaries/$each.dict
   say "$each: $seconds s with $engine"
   if [ "$engine" = libfuzzer ]; then
-    options=(-max_len=65536 -timeout=60 -report_slow_units=60 -rss_limit_mb=2048 -print_final_stats=1
+    options=(-max_len=65536 -timeout=900 -report_slow_units=900 -rss_limit_mb=2048 -print_final_stats=1
              -artifact_prefix="$here/found/")
     [ -f "$dictionary" ] && options+=(-dict="$dictionary")
     executions=0

@@ -39,9 +39,12 @@ class SmallOffsets {
             std::bit_cast<double>((std::uint64_t(2 * 1023 + bits - 1) << 52) -
                                   (std::bit_cast<std::uint64_t>(largest) & exponent));
         are_exact_ = true;
-        for (std::size_t m = 0; m < number; ++m)
+        for (std::size_t m = 0; m < number; ++m) {
             for (std::size_t k = 0; k < dimension; ++k)
                 offsets_[m][k] = integer(sites[m]->*axes[k], scale);
+            // Off a grid the first site tells.
+            if (!are_exact_) return;
+        }
         for (std::size_t k = 0; k < dimension; ++k) {
             const std::int64_t from = offsets_[origin][k];
             for (std::size_t m = 0; m < number; ++m) offsets_[m][k] -= from;
