@@ -1,7 +1,7 @@
 #pragma once
 /// What CGAL's triangulations ask and signum's predicates do not answer as they stand: signs
 /// whichever way the points turn, circles that lie in a plane of space; and ties on grids in
-/// integers of 64 bits.
+/// doubles that do not round.
 
 #include <algorithm>
 #include <array>
@@ -19,43 +19,47 @@ namespace signum::cgal::details {
 
 // ---- ties on grids ------------------------------------------------------------------------------
 
-/// Places relative to one of them, in multiples of one power of two: integers of so few bits that
-/// determinants fit into 64. On grids, where ties abound, that is as fast as a filter.
+/// Places relative to one of them that are integers of so few bits, all times one power of two g,
+/// that determinants of them are doubles, and every number on the way. On grids, where ties abound,
+/// that is as fast as a filter.
 template <class S, std::size_t number>
 class SmallOffsets {
  public:
-    /// From sites[origin]; the largest offset has `bits` bits.
+    /// From sites[origin]; offsets are below 2^bits g.
     SmallOffsets(const S* const (&sites)[number], std::size_t origin, int bits) noexcept {
         double largest = 0.0;
         for (std::size_t m = 0; m < number; ++m)
             for (std::size_t k = 0; k < dimension; ++k) {
-                const double offset = sites[m]->*axes[k] - sites[origin]->*axes[k];
-                largest = std::max(largest, filters::magnitude(offset));
+                offsets_[m][k] = sites[m]->*axes[k] - sites[origin]->*axes[k];
+                largest = std::max(largest, filters::magnitude(offsets_[m][k]));
             }
-        if (!filters::environment_is_default()) return;
-        if (!(largest >= 0x1p-500 && largest <= 0x1p500)) return;
+        // Five factors are far from the ends of the doubles.
+        if (!filters::environment_is_default() || !(largest >= 0x1p-80 && largest <= 0x1p80))
+            return;
         constexpr std::uint64_t exponent = 0x7FF0'0000'0000'0000;
-        const double scale =
-            std::bit_cast<double>((std::uint64_t(2 * 1023 + bits - 1) << 52) -
-                                  (std::bit_cast<std::uint64_t>(largest) & exponent));
+        const double power =
+            std::bit_cast<double>(std::bit_cast<std::uint64_t>(largest) & exponent);
+        // 3/2 2^52 g: what is added to it, and below 2^51 g, becomes a multiple of g. Larger
+        // doubles either are such multiples, or become others. And the difference of two multiples
+        // of g that is rounded to less than 2^53 g is exact.
+        const double big =
+            power * std::bit_cast<double>(std::uint64_t(1023 + 53 - bits) << 52) * 1.5;
         are_exact_ = true;
         for (std::size_t m = 0; m < number; ++m) {
-            for (std::size_t k = 0; k < dimension; ++k)
-                offsets_[m][k] = integer(sites[m]->*axes[k], scale);
+            for (std::size_t k = 0; k < dimension; ++k) {
+                const double coordinate = filters::opaque(sites[m]->*axes[k]);
+                are_exact_ &= (coordinate + big) - big == coordinate;
+            }
             // Off a grid the first site tells.
             if (!are_exact_) return;
-        }
-        for (std::size_t k = 0; k < dimension; ++k) {
-            const std::int64_t from = offsets_[origin][k];
-            for (std::size_t m = 0; m < number; ++m) offsets_[m][k] -= from;
         }
     }
 
     [[nodiscard]] bool are_exact() const noexcept { return are_exact_; }
-    [[nodiscard]] std::int64_t operator()(std::size_t site, std::size_t axis) const noexcept {
+    [[nodiscard]] double operator()(std::size_t site, std::size_t axis) const noexcept {
         return offsets_[site][axis];
     }
-    [[nodiscard]] predicates::Offset3<std::int64_t> operator[](std::size_t site) const noexcept {
+    [[nodiscard]] predicates::Offset3<double> operator[](std::size_t site) const noexcept {
         return {offsets_[site][0], offsets_[site][1], offsets_[site][2]};
     }
 
@@ -68,20 +72,8 @@ class SmallOffsets {
             return std::array{&S::x, &S::y};
     }();
 
-    /// The scale is a power of two: what is lost is a coordinate that it makes 0.
-    [[nodiscard]] std::int64_t integer(double coordinate, double scale) noexcept {
-        const double value = coordinate * scale;
-        if (!(filters::magnitude(value) <= 0x1p62)) {
-            are_exact_ = false;
-            return 0;
-        }
-        const auto result = static_cast<std::int64_t>(value);
-        are_exact_ &= static_cast<double>(result) == value && (result != 0 || coordinate == 0.0);
-        return result;
-    }
-
     bool are_exact_ = false;
-    std::array<std::array<std::int64_t, dimension>, number> offsets_{};
+    std::array<std::array<double, dimension>, number> offsets_;
 };
 
 template <class S, class... Others>
@@ -97,23 +89,23 @@ template <class S, class... Others>
 template <class S>
 [[nodiscard, gnu::cold, gnu::noinline]] Sign turn_uncertain(const S& p, const S& q,
                                                             const S& r) noexcept {
-    // Two products of 60 bits.
-    const SmallOffsets from({&p, &q, &r}, 2, 30);
+    // Two products of 52 bits.
+    const SmallOffsets from({&p, &q, &r}, 2, 26);
     if (from.are_exact()) {
-        const auto determinant = predicates::ccw_determinant<std::int64_t>(from(0, 0), from(0, 1),
-                                                                           from(1, 0), from(1, 1));
-        return (determinant > 0) - (determinant < 0);
+        const double determinant =
+            predicates::ccw_determinant(from(0, 0), from(0, 1), from(1, 0), from(1, 1));
+        return (determinant > 0.0) - (determinant < 0.0);
     }
     return predicates::ccw_cold({p.x, p.y}, {q.x, q.y}, {r.x, r.y}).sign;
 }
 template <class S>
 [[nodiscard, gnu::cold, gnu::noinline]] Sign turn_uncertain(const S& p, const S& q, const S& r,
                                                             const S& s) noexcept {
-    // Six products of 57 bits.
-    const SmallOffsets from({&p, &q, &r, &s}, 0, 19);
+    // Six products of 48 bits.
+    const SmallOffsets from({&p, &q, &r, &s}, 0, 16);
     if (from.are_exact()) {
-        const std::int64_t determinant = predicates::ccw_determinant(from[1], from[2], from[3]);
-        return (determinant > 0) - (determinant < 0);
+        const double determinant = predicates::ccw_determinant(from[1], from[2], from[3]);
+        return (determinant > 0.0) - (determinant < 0.0);
     }
     return predicates::ccw_cold(centre3(p), centre3(q), centre3(r), centre3(s)).sign;
 }
@@ -134,14 +126,14 @@ template <class S>
                                                                       const S& r,
                                                                       const S& t) noexcept {
     if (weigh_the_same(p, q, r, t)) {
-        // Heights of 29 bits, minors of 29, three products of 58.
-        const SmallOffsets from({&p, &q, &r, &t}, 3, 14);
+        // Twelve products of 48 bits: two squares, two products of a minor, three rows.
+        const SmallOffsets from({&p, &q, &r, &t}, 3, 12);
         if (from.are_exact()) {
             const auto row = [&](std::size_t k) {
-                return power::Row<std::int64_t>{from(k, 0), from(k, 1), 0};
+                return power::Row<double>{from(k, 0), from(k, 1), 0.0};
             };
-            const std::int64_t determinant = power::in_circle_determinant(row(0), row(1), row(2));
-            return (determinant > 0) - (determinant < 0);
+            const double determinant = power::in_circle_determinant(row(0), row(1), row(2));
+            return (determinant > 0.0) - (determinant < 0.0);
         }
     }
     std::array m = {p, q, r, t};
@@ -160,15 +152,12 @@ template <class S>
                                                                       const S& r, const S& s,
                                                                       const S& t) noexcept {
     if (weigh_the_same(p, q, r, s, t)) {
-        // Heights of 24 bits, minors of three rows of 36, four products of 60.
-        const SmallOffsets from({&p, &q, &r, &s, &t}, 4, 11);
+        // 72 products of 45 bits: three squares, six products of a minor, four rows.
+        const SmallOffsets from({&p, &q, &r, &s, &t}, 4, 9);
         if (from.are_exact()) {
-            const auto row = [&](std::size_t k) {
-                return power::LiftedRow<std::int64_t>{from[k], 0};
-            };
-            const std::int64_t determinant =
-                power::in_sphere_determinant(row(0), row(1), row(2), row(3));
-            return (determinant > 0) - (determinant < 0);
+            const auto row = [&](std::size_t k) { return power::LiftedRow<double>{from[k], 0.0}; };
+            const double determinant = power::in_sphere_determinant(row(0), row(1), row(2), row(3));
+            return (determinant > 0.0) - (determinant < 0.0);
         }
     }
     std::array m = {p, q, r, s, t};

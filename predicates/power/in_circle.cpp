@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <bit>
-#include <boost/multiprecision/cpp_int.hpp>
 #include <cstdint>
+#include <type_traits>
 
 #include "../../exact/floating_environment.hpp"
 #include "../../filters/wide.hpp"
@@ -17,6 +17,50 @@ namespace {
 using filters::DoubleDouble;
 using filters::magnitude;
 using filters::Verdict;
+
+using Integer128 = __int128;
+
+/// A sum of products of two integers below 2^124 in magnitude: two words of 128 bits.
+class Integer256 {
+ public:
+    Integer256(Integer128 a, Integer128 b) noexcept {
+        const auto magnitude_of = [](Integer128 x) {
+            return x < 0 ? -static_cast<Word>(x) : static_cast<Word>(x);
+        };
+        const auto half = [](Word x) { return Word{static_cast<std::uint64_t>(x)}; };
+        const Word p = magnitude_of(a);
+        const Word q = magnitude_of(b);
+        const Word middle = half(p) * (q >> 64) + (p >> 64) * half(q);
+        low_ = half(p) * half(q);
+        high_ = static_cast<Integer128>((p >> 64) * (q >> 64) + (middle >> 64));
+        *this += {middle << 64, 0};
+        if ((a < 0) != (b < 0)) {
+            low_ = -low_;
+            high_ = -high_ - (low_ != 0 ? 1 : 0);
+        }
+    }
+    friend Integer256 operator+(Integer256 a, const Integer256& b) noexcept {
+        a += {b.low_, b.high_};
+        return a;
+    }
+    [[nodiscard]] Sign sign() const noexcept {
+        return high_ < 0 ? -1 : static_cast<Sign>(high_ > 0 || low_ > 0);
+    }
+
+ private:
+    using Word = unsigned __int128;
+    struct Words {
+        Word low;
+        Integer128 high;
+    };
+    void operator+=(const Words& b) noexcept {
+        low_ += b.low;
+        high_ += b.high + (low_ < b.low ? 1 : 0);
+    }
+
+    Word low_;
+    Integer128 high_;
+};
 
 /// The determinant in integers, where the differences to q are exact and, as multiples of one power
 /// of two g, below 2^60: on integers and on grids, where exact ties abound, and for most sites that
@@ -75,8 +119,6 @@ class IntegerRows {
     }
 
  private:
-    using Integer256 = boost::multiprecision::int256_t;
-    using Integer128 = __int128;
     struct IntegerRow {
         std::int64_t x;
         std::int64_t y;
@@ -90,7 +132,10 @@ class IntegerRows {
         const Integer128 height =
             (Integer128{a.x} * a.x + Integer128{a.y} * a.y - a.weight) >> 2 * shift;
         const Integer128 minor = (Integer128{b.x} * c.y - Integer128{c.x} * b.y) >> 2 * shift;
-        return Product(height) * Product(minor);
+        if constexpr (std::is_same_v<Product, Integer128>)
+            return height * minor;
+        else
+            return {height, minor};
     }
 
     [[nodiscard]] std::int64_t integer(double value) noexcept {

@@ -13,8 +13,8 @@ import subprocess
 import sys
 import tempfile
 
-BUDGET = {"predicates/ccw.hpp": 0.75, "exact/sign_of_sum.hpp": 1.0, "predicates/power.hpp": 1.25}
-BUDGET_OF_OTHERS = 2.0
+BUDGET = {"predicates/ccw.hpp": 0.5, "exact/sign_of_sum.hpp": 1.0, "predicates/power.hpp": 0.9}
+BUDGET_OF_OTHERS = 1.1
 MOST_ROUNDS = 12
 prefix, sources = pathlib.Path(os.environ["PREFIX"]), pathlib.Path(os.environ["SOURCES"])
 

@@ -1,0 +1,133 @@
+/// The signs behind CGAL's traits, without CGAL: whichever way the points turn, on grids, beside
+/// them, and where offsets have just as many bits as doubles have room for.
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include <gmpxx.h>
+#include <gtest/gtest.h>
+
+#include "../../interop/cgal/signs.hpp"
+#include "../oracle/oracle_test_support.hpp"
+
+namespace signum::cgal::details {
+namespace {
+
+using oracle_test::Random;
+
+/// The determinant of rows of rationals.
+template <std::size_t n>
+mpq_class determinant(std::array<std::array<mpq_class, n>, n> rows) {
+    mpq_class result = 1;
+    for (std::size_t k = 0; k < n; ++k) {
+        std::size_t pivot = k;
+        while (pivot < n && rows[pivot][k] == 0) ++pivot;
+        if (pivot == n) return 0;
+        if (pivot != k) {
+            std::swap(rows[pivot], rows[k]);
+            result = -result;
+        }
+        result *= rows[k][k];
+        for (std::size_t i = k + 1; i < n; ++i) {
+            const mpq_class factor = rows[i][k] / rows[k][k];
+            for (std::size_t j = k; j < n; ++j) rows[i][j] -= factor * rows[k][j];
+        }
+    }
+    return result;
+}
+template <class S, std::size_t d, std::size_t n>
+std::array<mpq_class, d> from(const std::array<S, n>& sites, std::size_t m) {
+    const S& s = sites[m];
+    const S& q = sites[n - 1];
+    if constexpr (d == 2)
+        return {mpq_class(s.x) - q.x, mpq_class(s.y) - q.y};
+    else
+        return {mpq_class(s.x) - q.x, mpq_class(s.y) - q.y, mpq_class(s.z) - q.z};
+}
+/// That of n sites and the last one, with heights or without.
+template <class S, std::size_t d, bool lifted, std::size_t n>
+int exact_sign(const std::array<S, n>& sites) {
+    std::array<std::array<mpq_class, n - 1>, n - 1> rows;
+    for (std::size_t m = 0; m + 1 < n; ++m) {
+        const auto offset = from<S, d, n>(sites, m);
+        mpq_class height = 0;
+        for (std::size_t k = 0; k < d; ++k) {
+            rows[m][k] = offset[k];
+            height += offset[k] * offset[k];
+        }
+        if constexpr (lifted) rows[m][d] = height;
+    }
+    return sgn(determinant<n - 1>(rows));
+}
+
+/// Integers of so many bits times a power of two, about a place, of which one in four is moved by
+/// an ulp; often the same ones again, so that sites are collinear, cocircular or equal.
+class Coordinates {
+ public:
+    explicit Coordinates(Random& random) : random_(random) {
+        bits_ = 1 + random.below(28);
+        scale_ = std::ldexp(1.0, random.below(200) - 100);
+        origin_ = random.below(2) == 0 ? 0.0 : std::ldexp(1.0, random.below(40));
+        is_moved_ = random.below(2) == 0;
+    }
+    double operator()() {
+        const double most = std::ldexp(1.0, bits_);
+        double x = std::floor(most * random_.unit());
+        if (random_.below(3) == 0) x = random_.below(2) == 0 ? 0.0 : most - 1.0;
+        if (random_.below(3) == 0) x = last_;
+        last_ = x;
+        x = scale_ * (origin_ + x);
+        return is_moved_ && random_.below(8) == 0 ? std::nextafter(x, 1e300) : x;
+    }
+
+ private:
+    Random& random_;
+    int bits_;
+    double scale_;
+    double origin_;
+    double last_ = 0.0;
+    bool is_moved_;
+};
+
+TEST(CgalSigns, OfThePlaneAreExact) {
+    Random random(71);
+    int ties = 0;
+    for (int trial = 0; trial < 40000; ++trial) {
+        Coordinates next(random);
+        std::array<Point, 4> s;
+        for (Point& p : s) p = {next(), next()};
+        // The fourth corner of a rectangle.
+        if (trial % 3 == 0)
+            s = {{{s[0].x, s[0].y}, {s[1].x, s[0].y}, {s[0].x, s[1].y}, {s[1].x, s[1].y}}};
+        const std::array three = {s[0], s[1], s[2]};
+        ASSERT_EQ(turn(s[0], s[1], s[2]), (exact_sign<Point, 2, false>(three))) << trial;
+        const int side = exact_sign<Point, 2, true>(s);
+        ASSERT_EQ(side_of_circle(s[0], s[1], s[2], s[3]), side) << trial;
+        ties += side == 0 ? 1 : 0;
+    }
+    EXPECT_GT(ties, 10000);
+}
+
+TEST(CgalSigns, OfSpaceAreExact) {
+    Random random(72);
+    int ties = 0;
+    for (int trial = 0; trial < 20000; ++trial) {
+        Coordinates next(random);
+        std::array<Point3, 5> s;
+        for (Point3& p : s) p = {next(), next(), next()};
+        // Corners of a box.
+        if (trial % 3 == 0)
+            for (std::size_t m = 2; m < 5; ++m) s[m] = {s[m & 1].x, s[m / 2 & 1].y, s[m / 4].z};
+        const std::array four = {s[0], s[1], s[2], s[3]};
+        // det(b - a, c - a, d - a), of rows from d: the opposite.
+        ASSERT_EQ(turn(s[0], s[1], s[2], s[3]), (-exact_sign<Point3, 3, false>(four))) << trial;
+        const int side = -exact_sign<Point3, 3, true>(s);
+        ASSERT_EQ(side_of_sphere(s[0], s[1], s[2], s[3], s[4]), side) << trial;
+        ties += side == 0 ? 1 : 0;
+    }
+    EXPECT_GT(ties, 5000);
+}
+
+}  // namespace
+}  // namespace signum::cgal::details
