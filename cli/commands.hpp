@@ -9,6 +9,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "../io/errors.hpp"
 #include "../io/read_sites.hpp"
 #include "../triangulation/tessellation.hpp"
 
@@ -25,7 +26,8 @@ enum ExitCode : int {
 /// The call is wrong. The message says what would be right; main() puts "signum: " before it.
 class CallError : public std::runtime_error {
  public:
-    using std::runtime_error::runtime_error;
+    explicit CallError(std::string_view message)
+        : std::runtime_error(without_controls(message)) {}
 };
 
 /// A check that was asked for failed; main() puts "signum: " before the message.

@@ -14,11 +14,16 @@ std::string escaped(char c) {
 
 std::string without_controls(std::string_view message) {
     std::string result;
-    for (const char c : message)
-        if (static_cast<unsigned char>(c) >= ' ' && c != '\x7f')
-            result += c;
+    for (std::size_t i = 0; i < message.size(); ++i) {
+        const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(message[k]); };
+        // In UTF-8 those from 0x80 to 0x9F are two bytes.
+        const bool is_long = byte(i) == 0xC2 && i + 1 < message.size() && byte(i + 1) < 0xA0;
+        if (byte(i) < ' ' || byte(i) == 0x7F || is_long)
+            result += escaped(message[i]);
         else
-            result += escaped(c);
+            result += message[i];
+        if (is_long) result += escaped(message[++i]);
+    }
     return result;
 }
 

@@ -77,10 +77,11 @@ for each in "${targets[@]}"; do
     [ -f "$dictionary" ] && options+=(-dict="$dictionary")
     executions=0
     used=0
+    known=$(find "$here/found" -type f | wc -l)
     clock
     begin=$spent
     # Its own limit is of the clock. What it leaves is asked for again, but for the last seconds.
-    while [ $((seconds - used)) -gt 2 ] && [ -z "$(ls -A "$here/found")" ]; do
+    while [ $((seconds - used)) -gt 2 ] && [ "$(find "$here/found" -type f | wc -l)" -eq "$known" ]; do
       nice -n 19 "$program" -max_total_time=$((seconds - used)) "${options[@]}" "$here/corpus" "$root/fuzz/corpus/$each" \
         </dev/null >"$here/log" 2>&1 || true
       executed=$(sed -n 's/^stat::number_of_executed_units: *//p' "$here/log")

@@ -6,7 +6,8 @@
 
 namespace signum::fuzz {
 
-/// Predicates answer as those of C++ do, or SIGNUM_NO_SIGN.
+/// Predicates answer with a sign, or SIGNUM_NO_SIGN where it has none; turns and sums are those of
+/// C++.
 void predicates_of_c_target(Bytes bytes);
 /// Every call succeeds or says what is wrong, and leaves its results as they were. What is built is
 /// valid; balls and sites that come, go and fly are as many as were let in.

@@ -39,16 +39,18 @@ class SmallOffsets {
         constexpr std::uint64_t exponent = 0x7FF0'0000'0000'0000;
         const double power =
             std::bit_cast<double>(std::bit_cast<std::uint64_t>(largest) & exponent);
-        // 3/2 2^52 g: what is added to it, and below 2^51 g, becomes a multiple of g. Larger
-        // doubles either are such multiples, or become others. And the difference of two multiples
-        // of g that is rounded to less than 2^53 g is exact.
+        // 3/2 2^52 g: added to a magnitude below 2^51 g it makes a multiple of g, for there doubles
+        // are g apart; above they are farther apart, and magnitudes from 2^53 g on are such
+        // multiples themselves. (Of what is below 0 the sum could come to where doubles are g / 2
+        // apart.) And the difference of two multiples of g that is rounded to less than 2^53 g is
+        // exact.
         const double big =
             power * std::bit_cast<double>(std::uint64_t(1023 + 53 - bits) << 52) * 1.5;
         are_exact_ = true;
         for (std::size_t m = 0; m < number; ++m) {
             for (std::size_t k = 0; k < dimension; ++k) {
-                const double coordinate = filters::opaque(sites[m]->*axes[k]);
-                are_exact_ &= (coordinate + big) - big == coordinate;
+                const double distance = filters::opaque(filters::magnitude(sites[m]->*axes[k]));
+                are_exact_ &= (distance + big) - big == distance;
             }
             // Off a grid the first site tells.
             if (!are_exact_) return;

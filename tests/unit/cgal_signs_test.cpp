@@ -61,21 +61,28 @@ int exact_sign(const std::array<S, n>& sites) {
     return sgn(determinant<n - 1>(rows));
 }
 
-/// Integers of so many bits times a power of two, about a place, of which one in four is moved by
-/// an ulp; often the same ones again, so that sites are collinear, cocircular or equal.
+/// Integers of so many bits times a power of two, about a place on either side of 0, of which some
+/// are moved by an ulp; often the same ones again, or beside them, so that sites are collinear,
+/// cocircular or equal, or nearly so.
 class Coordinates {
  public:
     explicit Coordinates(Random& random) : random_(random) {
-        bits_ = 1 + random.below(28);
-        scale_ = std::ldexp(1.0, random.below(200) - 100);
-        origin_ = random.below(2) == 0 ? 0.0 : std::ldexp(1.0, random.below(40));
-        is_moved_ = random.below(2) == 0;
+        bits_ = 1 + random.below(30);
+        scale_ = std::ldexp(random.below(2) == 0 ? 1.0 : -1.0, random.below(160) - 80);
+        // Where doubles are as far apart as the grid, or half or twice that.
+        const double far = std::ldexp(1.0 + random.unit(), 50 + random.below(4));
+        origin_ = random.below(3) == 0   ? 0.0
+                  : random.below(2) == 0 ? std::floor(far)
+                                         : std::ldexp(1.0, random.below(40));
+        if (random.below(2) == 0) origin_ = -origin_;
+        is_moved_ = random.below(4) == 0;
     }
     double operator()() {
         const double most = std::ldexp(1.0, bits_);
         double x = std::floor(most * random_.unit());
-        if (random_.below(3) == 0) x = random_.below(2) == 0 ? 0.0 : most - 1.0;
-        if (random_.below(3) == 0) x = last_;
+        if (random_.below(3) == 0) x = most - 1.0 - random_.below(3);
+        if (random_.below(3) == 0) x = last_ + random_.below(3) - 1;
+        if (random_.below(6) == 0) x = 0.0;
         last_ = x;
         x = scale_ * (origin_ + x);
         return is_moved_ && random_.below(8) == 0 ? std::nextafter(x, 1e300) : x;
@@ -89,6 +96,21 @@ class Coordinates {
     double last_ = 0.0;
     bool is_moved_;
 };
+
+/// (n, n-1) and (n-1, n-2) turn by -1, which is beside products of 54 bits; and where doubles are
+/// half of that apart.
+TEST(CgalSigns, OfTurnsByTheLeastThereIs) {
+    for (const double n : {0x1p26 - 1, 0x1p27 - 1, 0x1p28 - 1})
+        for (const double o : {0.0, 0x1p51, 0x1p52 + 0x1p30 + 1, 0x1p53 - 0x1p30})
+            for (const double side : {1.0, -1.0}) {
+                const auto at = [&](double x, double y) {
+                    return Point{side * (o + x), side * (o + y)};
+                };
+                const std::array s = {at(n, n - 1), at(n - 1, n - 2), at(0, 0)};
+                EXPECT_EQ(turn(s[0], s[1], s[2]), (exact_sign<Point, 2, false>(s)))
+                    << n << ' ' << o << ' ' << side;
+            }
+}
 
 TEST(CgalSigns, OfThePlaneAreExact) {
     Random random(71);
