@@ -53,10 +53,14 @@ const Target& target_named(std::string_view name) {
 }
 
 void run_in_time(const Target& target, Bytes bytes) {
-    const double start = processor_seconds();
-    target.run(bytes);
     const double allowed = target.seconds + 20e-6 * static_cast<double>(bytes.size());
-    must(processor_seconds() - start <= allowed, "it takes far longer than is linear");
+    // A second time, for the first may pay for what the system has taken away.
+    for (const bool is_last : {false, true}) {
+        const double start = processor_seconds();
+        target.run(bytes);
+        if (processor_seconds() - start <= allowed) return;
+        must(!is_last, "it takes far longer than is linear");
+    }
 }
 
 void must(bool condition, std::string_view sentence) {

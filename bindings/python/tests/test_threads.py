@@ -64,6 +64,12 @@ def test_progress_is_told_and_may_stop():
 
 def test_other_threads_run_meanwhile():
     """A counter in Python goes on while triangulate() is at work in this thread."""
+    # With the lock held it could go on for one interval of a few milliseconds at either end. On a busy machine it may
+    # not have had its turn: once is enough.
+    assert any(counted_meanwhile() > 20_000 for _ in range(20))
+
+
+def counted_meanwhile():
     count, done = 0, threading.Event()
 
     def counting():
@@ -78,8 +84,7 @@ def test_other_threads_run_meanwhile():
     during = count - before
     done.set()
     other.join()
-    # With the lock held it could go on for one interval of a few milliseconds at either end.
-    assert during > 20_000
+    return during
 
 
 def test_several_threads_get_the_same():
