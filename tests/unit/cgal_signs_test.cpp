@@ -112,6 +112,20 @@ TEST(CgalSigns, OfTurnsByTheLeastThereIs) {
             }
 }
 
+/// The fourth corner of a parallelogram lies in the plane of the others: three products of ever
+/// more bits cancel.
+TEST(CgalSigns, OfParallelogramsInSpaceAreZero) {
+    Random random(73);
+    for (int trial = 0; trial < 4000; ++trial) {
+        const double most = std::ldexp(1.0, 12 + trial % 10);
+        const auto number = [&] { return std::floor(most * (random.unit() - 0.5)); };
+        const Point3 a{number(), number(), number()};
+        const Point3 b{number(), number(), number()};
+        const Point3 c{a.x + b.x, a.y + b.y, a.z + b.z};
+        ASSERT_EQ(turn(Point3{0, 0, 0}, a, b, c), 0) << trial;
+    }
+}
+
 TEST(CgalSigns, OfThePlaneAreExact) {
     Random random(71);
     int ties = 0;
