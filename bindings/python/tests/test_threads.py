@@ -58,6 +58,8 @@ def test_progress_is_told_and_may_stop():
     def stop(_):
         raise RuntimeError("enough")
 
+    # So many more that it is told even where the first ones were told late.
+    sites = np.random.default_rng(18).uniform(0, 1, (4 * number, 2))
     with pytest.raises(RuntimeError, match="enough"):
         signum.triangulate(sites, "euclidean", progress=stop)
 
