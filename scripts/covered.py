@@ -4,9 +4,9 @@
   scripts/covered.py BUILD [FOLDER...]     by default core exact filters predicates
 
 Of a template every instance has lines and branches of its own, and a function that is inlined has as many as callers: a
-line is covered where one of them ran it, and a branch where one of them took it. A branch counts where the line decides something (if, for, while, case, ?:, && or ||): others
-are those of exceptions on their way through temporaries. Prints what is not covered. Ends with 1 where lines or branches
-of a folder are below 95 %.
+line is covered where one of them ran it, and a branch where one of them took it. A branch counts where the line decides
+something (if, for, while, case, ?:, && or ||): others are those of exceptions on their way through temporaries. Prints
+what is not covered. Ends with 1 where lines or branches of a folder are below 95 %.
 """
 import collections
 import concurrent.futures
@@ -26,8 +26,7 @@ DECIDES_NOT = re.compile(r"\bif constexpr\b|^\s*(//|static_assert|SIGNUM_(EXPECT
 
 def of_object(data):
     """The files that gcov tells of, with their lines."""
-    told = subprocess.run(["gcov-12" if os.path.exists("/usr/bin/gcov-12") else "gcov", "--json-format", "--stdout",
-                           "--branch-probabilities", data],
+    told = subprocess.run(["gcov", "--json-format", "--stdout", "--branch-probabilities", data],
                           cwd=data.parent, check=True, capture_output=True, text=True).stdout
     return [(each["file"], each["lines"], report.get("current_working_directory", ""))
             for report in map(json.loads, filter(None, told.split("\n"))) for each in report["files"]]

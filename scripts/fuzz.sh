@@ -3,8 +3,9 @@
 #
 #   scripts/fuzz.sh TARGET[,TARGET...]|all SECONDS [--afl]
 #
-# SECONDS are for each target, of a processor (with --afl of the clock), so that other work beside it takes nothing
-# from them. libFuzzer with the address and undefined-behaviour sanitizers; with --afl AFL++, with the same. What it finds and its growing corpus lie in build/fuzz (FUZZ names another folder):
+# SECONDS are for each target, of a processor (with --afl of the clock), so that other work beside it takes
+# nothing from them. libFuzzer with the address and undefined-behaviour sanitizers; with --afl AFL++, with the
+# same. What it finds and its growing corpus lie in build/fuzz (FUZZ names another folder):
 #
 #   build/fuzz/TARGET/corpus/   what covers new code; the next run begins with it, and with fuzz/corpus/TARGET
 #   build/fuzz/TARGET/found/    inputs for which the promise does not hold
@@ -63,7 +64,6 @@ for each in "${targets[@]}"; do # all before the first one runs
 done
 
 folder=${FUZZ:-$root/build/fuzz}
-mkdir -p "$folder"
 found=0
 for each in "${targets[@]}"; do
   here=$folder/$each
@@ -90,7 +90,6 @@ for each in "${targets[@]}"; do
       clock
       used=$((spent - begin))
     done
-    seconds_used=$used
     covered=$(sed -n 's/.* cov: \([0-9]*\) .*/\1/p' "$here/log" | tail -n 1)
   else
     options=(-V "$seconds" -m none -t 5000)
@@ -98,7 +97,7 @@ for each in "${targets[@]}"; do
     AFL_AUTORESUME=1 AFL_SKIP_CPUFREQ=1 AFL_I_DONT_CARE_ABOUT_MISSING_CRASHES=1 AFL_NO_UI=1 AFL_NO_AFFINITY=1 \
       nice -n 19 afl-fuzz "${options[@]}" -i "$root/fuzz/corpus/$each" -o "$here/afl" -- "$program" \
       </dev/null >"$here/log" 2>&1 || { tail -n 20 "$here/log" >&2; exit 3; }
-    seconds_used=$seconds
+    used=$seconds
     state=$here/afl/default/fuzzer_stats
     executions=$(sed -n 's/^execs_done *: *//p' "$state")
     covered=$(sed -n 's/^edges_found *: *//p' "$state")
@@ -108,7 +107,7 @@ for each in "${targets[@]}"; do
     done
   fi
   count=$(find "$here/found" -type f | wc -l)
-  printf '%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\n' "$(date -u +%FT%TZ)" "$engine" "$each" "$seconds_used" "${executions:-0}" \
+  printf '%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\n' "$(date -u +%FT%TZ)" "$engine" "$each" "$used" "${executions:-0}" \
     "${covered:-0}" "$(find "$here/corpus" -type f | wc -l)" "$count" | tee -a "$folder/runs.tsv"
   if [ "$count" -gt 0 ]; then
     say "$each: $count inputs in $here/found; $here/log says what they broke"

@@ -71,9 +71,7 @@ class Calls {
         must(status != SIGNUM_INTERNAL, "a mistake of the library");
         must(status != SIGNUM_BROKEN_STRUCTURE, "a structure that exact arithmetic led astray");
         must(status >= SIGNUM_OK && status <= SIGNUM_BEYOND_RANGE, "a status that there is not");
-        must(
-            error_.site >= -1 && error_.site < std::max<std::int64_t>(count, std::int64_t{1} << 31),
-            "a site that there is not");
+        must(error_.site >= -1 && error_.site < count, "a site that there is not");
         return status == SIGNUM_OK;
     }
 

@@ -3,12 +3,13 @@
 
 #include <array>
 #include <cmath>
-#include <cstdint>
+#include <utility>
+#include <vector>
 
-#include <gmpxx.h>
 #include <gtest/gtest.h>
 
 #include "../../interop/cgal/signs.hpp"
+#include "../oracle/linear_system.hpp"
 #include "../oracle/oracle_test_support.hpp"
 
 namespace signum::cgal::details {
@@ -16,49 +17,22 @@ namespace {
 
 using oracle_test::Random;
 
-/// The determinant of rows of rationals.
-template <std::size_t n>
-mpq_class determinant(std::array<std::array<mpq_class, n>, n> rows) {
-    mpq_class result = 1;
-    for (std::size_t k = 0; k < n; ++k) {
-        std::size_t pivot = k;
-        while (pivot < n && rows[pivot][k] == 0) ++pivot;
-        if (pivot == n) return 0;
-        if (pivot != k) {
-            std::swap(rows[pivot], rows[k]);
-            result = -result;
-        }
-        result *= rows[k][k];
-        for (std::size_t i = k + 1; i < n; ++i) {
-            const mpq_class factor = rows[i][k] / rows[k][k];
-            for (std::size_t j = k; j < n; ++j) rows[i][j] -= factor * rows[k][j];
-        }
-    }
-    return result;
-}
-template <class S, std::size_t d, std::size_t n>
-std::array<mpq_class, d> from(const std::array<S, n>& sites, std::size_t m) {
-    const S& s = sites[m];
-    const S& q = sites[n - 1];
-    if constexpr (d == 2)
-        return {mpq_class(s.x) - q.x, mpq_class(s.y) - q.y};
-    else
-        return {mpq_class(s.x) - q.x, mpq_class(s.y) - q.y, mpq_class(s.z) - q.z};
-}
-/// That of n sites and the last one, with heights or without.
-template <class S, std::size_t d, bool lifted, std::size_t n>
+/// Of the determinant of all sites but the last one, as seen from that, with heights or without.
+template <bool lifted, class S, std::size_t n>
 int exact_sign(const std::array<S, n>& sites) {
-    std::array<std::array<mpq_class, n - 1>, n - 1> rows;
+    using oracle::Rational;
+    const S& q = sites[n - 1];
+    std::vector<oracle::RationalVector> rows;
     for (std::size_t m = 0; m + 1 < n; ++m) {
-        const auto offset = from<S, d, n>(sites, m);
-        mpq_class height = 0;
-        for (std::size_t k = 0; k < d; ++k) {
-            rows[m][k] = offset[k];
-            height += offset[k] * offset[k];
-        }
-        if constexpr (lifted) rows[m][d] = height;
+        const S& s = sites[m];
+        oracle::RationalVector row = {Rational(s.x) - q.x, Rational(s.y) - q.y};
+        if constexpr (requires { s.z; }) row.push_back(Rational(s.z) - q.z);
+        Rational height = 0;
+        for (const Rational& offset : row) height += offset * offset;
+        if (lifted) row.push_back(height);
+        rows.push_back(std::move(row));
     }
-    return sgn(determinant<n - 1>(rows));
+    return oracle::determinant(std::move(rows)).sign();
 }
 
 /// Integers of so many bits times a power of two, about a place on either side of 0, of which some
@@ -107,7 +81,7 @@ TEST(CgalSigns, OfTurnsByTheLeastThereIs) {
                     return Point{side * (o + x), side * (o + y)};
                 };
                 const std::array s = {at(n, n - 1), at(n - 1, n - 2), at(0, 0)};
-                EXPECT_EQ(turn(s[0], s[1], s[2]), (exact_sign<Point, 2, false>(s)))
+                EXPECT_EQ(turn(s[0], s[1], s[2]), (exact_sign<false>(s)))
                     << n << ' ' << o << ' ' << side;
             }
 }
@@ -137,8 +111,8 @@ TEST(CgalSigns, OfThePlaneAreExact) {
         if (trial % 3 == 0)
             s = {{{s[0].x, s[0].y}, {s[1].x, s[0].y}, {s[0].x, s[1].y}, {s[1].x, s[1].y}}};
         const std::array three = {s[0], s[1], s[2]};
-        ASSERT_EQ(turn(s[0], s[1], s[2]), (exact_sign<Point, 2, false>(three))) << trial;
-        const int side = exact_sign<Point, 2, true>(s);
+        ASSERT_EQ(turn(s[0], s[1], s[2]), (exact_sign<false>(three))) << trial;
+        const int side = exact_sign<true>(s);
         ASSERT_EQ(side_of_circle(s[0], s[1], s[2], s[3]), side) << trial;
         ties += side == 0 ? 1 : 0;
     }
@@ -157,8 +131,8 @@ TEST(CgalSigns, OfSpaceAreExact) {
             for (std::size_t m = 2; m < 5; ++m) s[m] = {s[m & 1].x, s[m / 2 & 1].y, s[m / 4].z};
         const std::array four = {s[0], s[1], s[2], s[3]};
         // det(b - a, c - a, d - a), of rows from d: the opposite.
-        ASSERT_EQ(turn(s[0], s[1], s[2], s[3]), (-exact_sign<Point3, 3, false>(four))) << trial;
-        const int side = -exact_sign<Point3, 3, true>(s);
+        ASSERT_EQ(turn(s[0], s[1], s[2], s[3]), (-exact_sign<false>(four))) << trial;
+        const int side = -exact_sign<true>(s);
         ASSERT_EQ(side_of_sphere(s[0], s[1], s[2], s[3], s[4]), side) << trial;
         ties += side == 0 ? 1 : 0;
     }
