@@ -24,10 +24,9 @@ enum ExitCode : int {
 };
 
 /// The call is wrong. The message says what would be right; main() puts "signum: " before it.
-class CallError : public std::runtime_error {
+class CallError : public ShownError {
  public:
-    explicit CallError(std::string_view message)
-        : std::runtime_error(without_controls(message)) {}
+    using ShownError::ShownError;
 };
 
 /// A check that was asked for failed; main() puts "signum: " before the message.

@@ -10,8 +10,6 @@ std::string escaped(char c) {
     return fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
 }
 
-}  // namespace
-
 std::string without_controls(std::string_view message) {
     std::string result;
     for (std::size_t i = 0; i < message.size(); ++i) {
@@ -27,12 +25,15 @@ std::string without_controls(std::string_view message) {
     return result;
 }
 
+}  // namespace
+
+ShownError::ShownError(std::string_view message) : std::runtime_error(without_controls(message)) {}
+
 InputError::InputError(std::string_view file, Position position, std::string_view message)
-    : std::runtime_error(without_controls(
-          fmt::format("{}:{}:{}: {}", file, position.line, position.column, message))) {}
+    : ShownError(fmt::format("{}:{}:{}: {}", file, position.line, position.column, message)) {}
 
 InputError::InputError(std::string_view file, std::string_view message)
-    : std::runtime_error(without_controls(fmt::format("{}: {}", file, message))) {}
+    : ShownError(fmt::format("{}: {}", file, message)) {}
 
 std::string in_quotes(std::string_view text) {
     constexpr std::size_t longest = 40;

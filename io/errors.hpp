@@ -15,29 +15,31 @@ struct Position {
     std::int64_t column = 1;
 };
 
-/// A message as a terminal may show it: control characters, which names of files and what a parser
-/// quotes may have, as \xNN.
-[[nodiscard]] std::string without_controls(std::string_view message);
+/// What people are told. what() is the message as a terminal may show it: control characters, which
+/// names of files and what a parser quotes may have, as \xNN.
+class ShownError : public std::runtime_error {
+ public:
+    explicit ShownError(std::string_view message);
+};
 
 /// The input is wrong. what() is "FILE:LINE:COLUMN: what is wrong, and what would be right", or
 /// "FILE: ..." where the file has no lines that could be wrong, since it is not there.
-class InputError : public std::runtime_error {
+class InputError : public ShownError {
  public:
     InputError(std::string_view file, Position position, std::string_view message);
     InputError(std::string_view file, std::string_view message);
 };
 
 /// A result cannot have this name: there is no such directory, or the name is a directory's own.
-class NameError : public std::runtime_error {
+class NameError : public ShownError {
  public:
-    explicit NameError(std::string_view message) : std::runtime_error(without_controls(message)) {}
+    using ShownError::ShownError;
 };
 
 /// The machine failed: a full disk, a directory that cannot be written.
-class MachineError : public std::runtime_error {
+class MachineError : public ShownError {
  public:
-    explicit MachineError(std::string_view message)
-        : std::runtime_error(without_controls(message)) {}
+    using ShownError::ShownError;
 };
 
 /// Text from a file as an error message shows it: between quotes, unprintable bytes as \xNN, and

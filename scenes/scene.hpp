@@ -23,10 +23,9 @@ struct Override {
 };
 
 /// An option that sets a key is wrong; what() begins with the option and says what would be right.
-class OverrideError : public std::runtime_error {
+class OverrideError : public ShownError {
  public:
-    explicit OverrideError(std::string_view message)
-        : std::runtime_error(without_controls(message)) {}
+    using ShownError::ShownError;
 };
 
 /// Where something of a scene is said: in its file, or in an option.
