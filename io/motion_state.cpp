@@ -17,6 +17,26 @@ namespace {
 
 using nlohmann::json;
 
+[[noreturn]] void throw_out_of_place() {
+    throw json::other_error::create(501, "", nullptr);
+}
+
+/// A number that is one and, where it is an integer, fits: the library's get() takes true for 1,
+/// and leaves what does not fit to chance.
+template <class Number>
+Number number_of(const json& value) {
+    if constexpr (std::is_same_v<Number, double>) {
+        if (value.is_number()) return value.get<double>();
+    } else {
+        const bool fits =
+            value.is_number_unsigned()
+                ? std::in_range<Number>(value.get<std::uint64_t>())
+                : value.is_number_integer() && std::in_range<Number>(value.get<std::int64_t>());
+        if (fits) return value.get<Number>();
+    }
+    throw_out_of_place();
+}
+
 json parsed(const std::string& path) {
     InputFile file(path, "a state of a simulation");
     std::string text;
@@ -148,8 +168,8 @@ void put_effects(TextWriter& text, const motion::Effects<D>& effects) {
 template <int D>
 motion::Vector<D> vector_of(const json& numbers) {
     motion::Vector<D> v{};
-    if (numbers.size() != D) throw json::other_error::create(501, "length", nullptr);
-    for (int k = 0; k < D; ++k) v[k] = numbers.at(static_cast<std::size_t>(k)).get<double>();
+    if (numbers.size() != D) throw_out_of_place();
+    for (int k = 0; k < D; ++k) v[k] = number_of<double>(numbers.at(static_cast<std::size_t>(k)));
     return v;
 }
 
@@ -158,19 +178,21 @@ motion::Obstacle<D> obstacle_of(const json& wall) {
     const std::string kind = wall.at("kind").get<std::string>();
     if (kind == "half-space")
         return motion::HalfSpace<D>{vector_of<D>(wall.at("normal")),
-                                    wall.at("offset").get<double>(),
-                                    wall.at("speed").get<double>()};
+                                    number_of<double>(wall.at("offset")),
+                                    number_of<double>(wall.at("speed"))};
     if (kind == "sphere") {
         using Side = typename motion::Sphere<D>::Side;
+        const std::string side = wall.at("side").get<std::string>();
+        if (side != "inside" && side != "outside") throw_out_of_place();
         return motion::Sphere<D>{vector_of<D>(wall.at("centre")), vector_of<D>(wall.at("velocity")),
-                                 wall.at("radius").get<double>(),
-                                 wall.at("side") == "inside" ? Side::inside : Side::outside};
+                                 number_of<double>(wall.at("radius")),
+                                 side == "inside" ? Side::inside : Side::outside};
     }
     if constexpr (D == 2) {
         if (kind == "segment")
             return motion::Segment{vector_of<2>(wall.at("from")), vector_of<2>(wall.at("to"))};
     }
-    throw json::other_error::create(501, "kind", nullptr);
+    throw_out_of_place();
 }
 
 /// Those that version 1 did not have.
@@ -180,13 +202,13 @@ void read_effects_of_state(const json& file, motion::Effects<D>& effects) {
         if (file.contains(name)) use(file.at(name));
     };
     const auto number = [](const json& table, const char* name) {
-        return table.at(name).get<double>();
+        return number_of<double>(table.at(name));
     };
     with("speed_law", [&](const json& law) {
         effects.speed_law = motion::SpeedLaw{number(law, "speed"), number(law, "power")};
     });
     with("contact_duration",
-         [&](const json& value) { effects.contact_duration = value.get<double>(); });
+         [&](const json& value) { effects.contact_duration = number_of<double>(value); });
     with("friction", [&](const json& friction) {
         effects.friction = motion::Friction{
             number(friction, "coefficient"), number(friction, "wall_coefficient"),
@@ -211,9 +233,9 @@ void read_effects_of_state(const json& file, motion::Effects<D>& effects) {
     with("contacts", [&](const json& contacts) {
         effects.contacts =
             motion::LastingContacts{number(contacts, "speed"), number(contacts, "tolerance"),
-                                    contacts.at("sweeps").get<int>()};
+                                    number_of<int>(contacts.at("sweeps"))};
     });
-    with("time_step", [&](const json& value) { effects.time_step = value.get<double>(); });
+    with("time_step", [&](const json& value) { effects.time_step = number_of<double>(value); });
     with("obstacles", [&](const json& walls) {
         for (const json& wall : walls) effects.obstacles.push_back(obstacle_of<D>(wall));
     });
@@ -226,19 +248,20 @@ void read_rest_of_state(const json& file, motion::State<D>& state) {
     for (const json& spin : file.value("spins", none)) {
         motion::Spin<D> result;
         if (spin.size() != static_cast<std::size_t>(result.end() - result.begin()))
-            throw json::other_error::create(501, "length", nullptr);
+            throw_out_of_place();
         std::size_t k = 0;
-        for (double& each : result) each = spin.at(k++).get<double>();
+        for (double& each : result) each = number_of<double>(spin.at(k++));
         state.spins.push_back(result);
     }
     for (const json& time : file.value("last_strikes", none))
         state.last_strikes.push_back(time.is_null() ? -std::numeric_limits<double>::infinity()
-                                                    : time.get<double>());
+                                                    : number_of<double>(time));
     for (const json& contact : file.value("standing", none))
-        state.contacts.push_back({contact.at(0).get<std::int32_t>(),
-                                  contact.at(1).get<std::int32_t>(), contact.at(2).get<double>(),
-                                  vector_of<D>(contact.at(3))});
-    state.half_steps = file.value("half_steps", std::uint64_t{0});
+        state.contacts.push_back({number_of<std::int32_t>(contact.at(0)),
+                                  number_of<std::int32_t>(contact.at(1)),
+                                  number_of<double>(contact.at(2)), vector_of<D>(contact.at(3))});
+    if (file.contains("half_steps"))
+        state.half_steps = number_of<std::uint64_t>(file.at("half_steps"));
 }
 
 }  // namespace
@@ -301,7 +324,7 @@ void write_motion_state(std::ostream& out, const MotionState<D>& state) {
 
 int dimension_of_motion_state(const std::string& path) {
     try {
-        const int dimension = parsed(path).at("dimension").get<int>();
+        const int dimension = number_of<int>(parsed(path).at("dimension"));
         if (dimension == 2 || dimension == 3) return dimension;
     } catch (const json::exception&) {
     }
@@ -314,9 +337,9 @@ MotionState<D> read_motion_state(const std::string& path) {
     MotionState<D> result;
     try {
         auto& [state, effects] = result;
-        state.time = file.at("time").get<double>();
-        effects.restitution = file.at("restitution").get<double>();
-        effects.wall_restitution = file.at("wall_restitution").get<double>();
+        state.time = number_of<double>(file.at("time"));
+        effects.restitution = number_of<double>(file.at("restitution"));
+        effects.wall_restitution = number_of<double>(file.at("wall_restitution"));
         effects.periodic = file.at("periodic").get<bool>();
         effects.gravity = vector_of<D>(file.at("gravity"));
         if (file.contains("low"))
@@ -325,15 +348,16 @@ MotionState<D> read_motion_state(const std::string& path) {
         read_effects_of_state(file, effects);
         for (const json& ball : file.at("balls")) {
             state.balls.push_back({vector_of<D>(ball.at(0)), vector_of<D>(ball.at(1)),
-                                   ball.at(2).get<double>(), ball.at(3).get<double>()});
-            state.masses.push_back(ball.at(4).get<double>());
-            state.in_place.push_back(ball.at(5).get<std::uint32_t>());
+                                   number_of<double>(ball.at(2)), number_of<double>(ball.at(3))});
+            state.masses.push_back(number_of<double>(ball.at(4)));
+            state.in_place.push_back(number_of<std::uint32_t>(ball.at(5)));
         }
         const auto balls = static_cast<std::int32_t>(state.balls.size());
         const auto walls = static_cast<std::int32_t>(2 * D + effects.obstacles.size());
         for (const json& passed : file.at("passed")) {
-            const motion::Passed each{passed.at(0).get<std::int32_t>(),
-                                      passed.at(1).get<std::int32_t>(), passed.at(2).get<double>()};
+            const motion::Passed each{number_of<std::int32_t>(passed.at(0)),
+                                      number_of<std::int32_t>(passed.at(1)),
+                                      number_of<double>(passed.at(2))};
             if (each.a < 0 || each.a >= balls || each.b < -walls || each.b >= balls)
                 throw InputError(path, "a state of a simulation that names a ball it has not");
             state.passed.push_back(each);

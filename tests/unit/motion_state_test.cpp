@@ -180,6 +180,37 @@ TEST(MotionState, OfALaterVersionOrAnUnknownWallIsRefused) {
     refused("\"version\": 2", "\"version\": 3");
     refused("\"segment\"", "\"polygon\"");
     refused("\"inertia\"", "\"inert\"");
+    refused("\"inside\"", "\"aside\"");
+}
+
+/// An index that does not fit would come to be that of another ball.
+TEST(MotionState, OfNumbersThatAreNoneOrDoNotFitIsRefused) {
+    const Scratch scratch;
+    const std::string text = written(with_all_effects<2>());
+    const auto refused = [&](const std::string& word, const std::string& by) {
+        ASSERT_NE(text.find(word), std::string::npos) << word;
+        std::string other = text;
+        other.replace(other.find(word), word.size(), by);
+        const std::string path = scratch.file("state.json", other);
+        EXPECT_THROW(static_cast<void>(read_motion_state<2>(path)), InputError) << by;
+    };
+    refused("\"time\": 2.5", "\"time\": true");
+    for (const std::string many : {"1.5", "true", "-2147483649", "2147483648", "4294967313",
+                                   "18446744073709551615", "1e300"}) {
+        refused("\"sweeps\": 17", "\"sweeps\": " + many);
+        refused("[0, -2, ", "[" + many + ", -2, ");
+    }
+    for (const std::string many : {"-1", "1.5", "4294967298", "18446744073709551615"})
+        refused("1.25, 3, 2]", "1.25, 3, " + many + "]");
+    for (const std::string many : {"-1", "1.5", "18446744073709551616"})
+        refused("\"half_steps\": 41", "\"half_steps\": " + many);
+    for (const std::string many : {"2.5", "4294967298", "18446744073709551618", "-2", "true"}) {
+        std::string other = text;
+        const std::string word = "\"dimension\": 2";
+        other.replace(other.find(word), word.size(), "\"dimension\": " + many);
+        const std::string path = scratch.file("state.json", other);
+        EXPECT_THROW(static_cast<void>(dimension_of_motion_state(path)), InputError) << many;
+    }
 }
 
 }  // namespace
