@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -77,6 +78,8 @@ class PlySites {
         const auto count =
             lines_.size() == 3 ? parse_whole_number(lines_[2]) : std::optional<std::uint64_t>();
         if (!count) lines_.fail_at(1, "an element is a line element NAME NUMBER");
+        if (lines_[1] == "vertex" && std::exchange(has_vertices_, true))
+            lines_.fail_at(1, "a second element vertex; leave one of them out");
         elements_.push_back({std::string(lines_[1]), *count});
     }
 
@@ -88,15 +91,19 @@ class PlySites {
         if (lines_[1] == "list")
             lines_.fail_at(1, "a list in a vertex is not read; leave the property out");
         const std::size_t place = properties_++;
-        if (name == "x") places_[0] = place;
-        if (name == "y") places_[1] = place;
-        if (name == "z") places_[2] = place;
-        if (name != "radius" && name != "weight") return;
-        if (places_[radius] != none)
+        const std::size_t which = name == "x"                            ? 0
+                                  : name == "y"                          ? 1
+                                  : name == "z"                          ? 2
+                                  : name == "radius" || name == "weight" ? radius
+                                                                         : none;
+        if (which == none) return;
+        if (places_[which] != none)
             lines_.fail_at(lines_.size() - 1,
-                           "a second property of radii or weights; leave one of them out");
-        places_[radius] = place;
-        result_.third = name == "weight" ? WeightIs::weight : WeightIs::radius;
+                           which == radius
+                               ? "a second property of radii or weights; leave one of them out"
+                               : fmt::format("a second property {}; leave one of them out", name));
+        places_[which] = place;
+        if (which == radius) result_.third = name == "weight" ? WeightIs::weight : WeightIs::radius;
     }
 
     void check_header() {
@@ -126,6 +133,7 @@ class PlySites {
 
     LineWords lines_;
     bool has_format_ = false;
+    bool has_vertices_ = false;
     std::vector<Element> elements_;
     std::size_t properties_ = 0;                                    ///< of a vertex
     std::array<std::size_t, 4> places_ = {none, none, none, none};  ///< of x, y, z and r among them

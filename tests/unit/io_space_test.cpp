@@ -375,6 +375,12 @@ TEST(PlySites, ReadVertices) {
                     "end_header\n1 2 3\n"),
               "6:1: the header has no line format ascii 1.0" + advice);
     EXPECT_EQ(wrong(head + "element vertex\n"), "4:9: an element is a line element NAME NUMBER");
+    EXPECT_EQ(wrong(head + "element vertex 1\nproperty float x\nproperty float x\n"),
+              "6:16: a second property x; leave one of them out");
+    EXPECT_EQ(wrong(head + "element vertex 1\nproperty float radius\nproperty float weight\n"),
+              "6:16: a second property of radii or weights; leave one of them out");
+    EXPECT_EQ(wrong(head + "element vertex 1\nelement vertex 2\n"),
+              "5:9: a second element vertex; leave one of them out");
     EXPECT_EQ(wrong(head + "vertices 3\n"),
               "4:1: 'vertices' cannot stand in the header of a PLY file; it ends with end_header");
     EXPECT_EQ(wrong(head + "element vertex 1\nproperty float x\nend_header\n1\n"),
