@@ -2,7 +2,6 @@
 /// The subcommands, and how they end.
 
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,9 +29,9 @@ class CallError : public ShownError {
 };
 
 /// A check that was asked for failed; main() puts "signum: " before the message.
-class CheckFailure : public std::runtime_error {
+class CheckFailure : public ShownError {
  public:
-    using std::runtime_error::runtime_error;
+    using ShownError::ShownError;
 };
 
 /// Each adds its subcommand to the tool. The subcommand runs at the end of parsing, writes its

@@ -21,8 +21,8 @@ inline constexpr std::array<Format, 13> triangulate_formats = {
      {"obj", "a mesh of the finite faces"},
      {"ply", "the same with radii, in space sites alone"},
      {"vtk", "the finite faces, in space tetrahedra, for\nParaView; the legacy form of VTK"},
-     {"vtp", "the same faces as XML of VTK", Lies::in_plane, "vtu"},
-     {"vtu", "the same tetrahedra as XML of VTK", Lies::in_space, "vtp"},
+     {"vtp", "the same faces as XML of VTK", Dimension::two, "vtu"},
+     {"vtu", "the same tetrahedra as XML of VTK", Dimension::three, "vtp"},
      {"node", "the sites for Triangle, in space TetGen"},
      {"ele", "the finite faces, in space cells, for these"},
      {"neigh", "which of them are neighbours"}}};
@@ -33,14 +33,14 @@ inline constexpr std::array<Format, 10> voronoi_formats = {
      {"svg", "a picture with true arcs, in space of\nsolid cells"},
      {"png", writes_png},
      {"pdf", writes_pdf},
-     {"geojson", "the cells as polygons, with all that FILE\nhas in named columns", Lies::in_plane,
+     {"geojson", "the cells as polygons, with all that FILE\nhas in named columns", Dimension::two,
       "vtk"},
      {"csv",
       "the cells as a table, polygons as WKT, in\nspace volumes, areas, faces, neighbours;\nof "
       "balls the vertices"},
-     {"wkt", "a cell a line as well-known text", Lies::in_plane, "vtk"},
+     {"wkt", "a cell a line as well-known text", Dimension::two, "vtk"},
      {"vtk", "the cells as polygons, in space polyhedra,\nfor ParaView; the legacy form of VTK"},
-     {"vtp", "the same polygons as XML of VTK", Lies::in_plane, "vtu"},
-     {"vtu", "the same polyhedra as XML of VTK", Lies::in_space, "vtp"}}};
+     {"vtp", "the same polygons as XML of VTK", Dimension::two, "vtu"},
+     {"vtu", "the same polyhedra as XML of VTK", Dimension::three, "vtp"}}};
 
 }  // namespace signum::cli

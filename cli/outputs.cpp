@@ -137,15 +137,17 @@ std::vector<Target> targets_of(const OutputsCall& call, const std::string& input
     return targets;
 }
 
-void require_formats_of(Lies sites, std::span<const Target> targets,
+void require_formats_of(Dimension dimension, std::span<const Target> targets,
                         std::span<const Format> formats, const std::string& input) {
-    const auto named = [](Lies lies) { return lies == Lies::in_space ? "space" : "the plane"; };
+    const auto named = [](Dimension sites) {
+        return sites == Dimension::three ? "space" : "the plane";
+    };
     for (const Target& target : targets) {
         const Format& format = *std::ranges::find(formats, target.format, &Format::name);
-        if (format.sites == Lies::anywhere || format.sites == sites) continue;
-        throw CallError(
-            fmt::format("{} is written of sites in {}, and those of {} lie in {}; write {}",
-                        format.name, named(format.sites), input, named(sites), format.instead));
+        if (format.dimension == Dimension::any || format.dimension == dimension) continue;
+        throw CallError(fmt::format(
+            "{} is written of sites in {}, and those of {} lie in {}; write {}", format.name,
+            named(format.dimension), input, named(dimension), format.instead));
     }
 }
 

@@ -21,16 +21,16 @@ namespace signum::cli {
 /// The path of standard output.
 inline constexpr std::string_view standard_output = "-";
 
-/// Where sites lie.
-enum class Lies : std::uint8_t { anywhere, in_plane, in_space };
+/// In how many dimensions sites lie.
+enum class Dimension : std::uint8_t { any, two, three };
 
 /// A format that a subcommand writes. Its name is that of --format and, after a point, the ending
 /// of its files.
 struct Format {
     std::string_view name;
-    std::string_view writes;        ///< for the help; lines end with \n
-    Lies sites = Lies::anywhere;    ///< of which it is written
-    std::string_view instead = {};  ///< of other sites
+    std::string_view writes;               ///< for the help; lines end with \n
+    Dimension dimension = Dimension::any;  ///< of the sites of which it is written
+    std::string_view instead = {};         ///< of other sites
 };
 
 /// The part of a call that says where its results go.
@@ -65,8 +65,9 @@ std::string ending_of(const std::string& path);
 std::vector<Target> targets_of(const OutputsCall& call, const std::string& input,
                                std::span<const Format> formats);
 
-/// Throws CallError where a format is not written of sites that lie there, as those of the input.
-void require_formats_of(Lies sites, std::span<const Target> targets,
+/// Throws CallError where a format is not written of sites of this dimension, as those of the
+/// input.
+void require_formats_of(Dimension dimension, std::span<const Target> targets,
                         std::span<const Format> formats, const std::string& input);
 
 /// Whether a picture is written: svg, or what is made of it.

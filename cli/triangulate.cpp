@@ -142,7 +142,7 @@ void run(const TriangulateCall& call) {
     const std::optional<Box> clip = box_of(call.clip, targets);
     const InputSites sites = read_input(call);
     if (sites.file.dimension == 3) return triangulate_in_space(call, sites, targets);
-    require_formats_of(Lies::in_plane, targets, triangulate_formats, call.input);
+    require_formats_of(Dimension::two, targets, triangulate_formats, call.input);
     const Outputs outputs(targets);
     const Tessellation tessellation = construct(call, sites, method);
     if (clip) require_fit(*clip, Voronoi(tessellation));

@@ -78,7 +78,7 @@ void summarize(const Timed& timed, WeightIs third, const std::optional<Validatio
 void triangulate_in_space(const TriangulateCall& call, const InputSites& sites,
                           std::span<const Target> targets) {
     refuse_options_of_the_plane(call);
-    require_formats_of(Lies::in_space, targets, triangulate_formats, call.input);
+    require_formats_of(Dimension::three, targets, triangulate_formats, call.input);
     const Outputs outputs(targets);
     const Timed result = timed(call, sites);
     const SpaceTessellation& tessellation = result.tessellation;

@@ -59,7 +59,7 @@ void run(VoronoiCall& call) {
                    ? voronoi_in_space(call, sites, targets)
                    : voronoi_of_balls(call, sites, targets);
     }
-    require_formats_of(Lies::in_plane, targets, voronoi_formats, call.input);
+    require_formats_of(Dimension::two, targets, voronoi_formats, call.input);
     require_numbers(call.clip, 4, call.input);
     const std::optional<Box> clip = box_of(call.clip, targets);
     const Outputs outputs(targets);

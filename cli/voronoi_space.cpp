@@ -25,7 +25,7 @@ void refuse_what_is_planar(const VoronoiCall& call, std::span<const Target> targ
     if (call.tolerance) refuse_option(call, "--tolerance", what, "have no arcs");
     if (call.merge) refuse_option(call, "--merge", what, "have vertices one by one alone");
     if (call.carry) refuse_option(call, "--carry", what, "have tables of measures alone");
-    require_formats_of(Lies::in_space, targets, voronoi_formats, call.input);
+    require_formats_of(Dimension::three, targets, voronoi_formats, call.input);
 }
 
 struct Cells {
