@@ -18,6 +18,10 @@ inline constexpr double epsilon = 0x1p-52;
 [[nodiscard]] constexpr float magnitude(float value) noexcept {
     return __builtin_fabsf(value);
 }
+[[nodiscard, gnu::always_inline]] inline Two magnitude(Two values) noexcept {
+    using Bits = std::int64_t __attribute__((vector_size(16)));
+    return (Two)((Bits)values & INT64_MAX);
+}
 
 /// What a filter compares: a rounded number, and the bound on its error. The formulas of filters
 /// make these of any type of number, so that what is proved of them (tests/structure/proofs) is

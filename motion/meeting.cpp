@@ -22,11 +22,11 @@ template <int D>
                                         const Ball<D>* const (&balls)[lanes]) noexcept {
     static_assert(offsetof(Ball<D>, time) == (2 * D + 1) * sizeof(double));
     // Two numbers at a time, which takes far fewer instructions than one.
-    using Two = double __attribute__((vector_size(2 * sizeof(double))));
     for (int k = 0; k < 2 * D + 2; k += 2) {
-        Two two[lanes];
+        filters::Two two[lanes];
         for (std::size_t lane = 0; lane < lanes; ++lane)
-            std::memcpy(&two[lane], reinterpret_cast<const double*>(balls[lane]) + k, sizeof(Two));
+            std::memcpy(&two[lane], reinterpret_cast<const double*>(balls[lane]) + k,
+                        sizeof(filters::Two));
         const Four even = __builtin_shufflevector(two[0], two[2], 0, 1, 2, 3);
         const Four odd = __builtin_shufflevector(two[1], two[3], 0, 1, 2, 3);
         columns[k] = __builtin_shufflevector(even, odd, 0, 4, 2, 6);

@@ -14,6 +14,7 @@
 #include "../../predicates/ccw.hpp"
 #include "../../predicates/power.hpp"
 #include "../../predicates/space.hpp"
+#include "points.hpp"
 
 namespace signum::cgal::details {
 
@@ -26,11 +27,11 @@ template <class S, std::size_t number>
 class SmallOffsets {
  public:
     /// From sites[origin]; offsets are below 2^bits g.
-    SmallOffsets(const S* const (&sites)[number], std::size_t origin, int bits) noexcept {
+    SmallOffsets(const std::array<S, number>& sites, std::size_t origin, int bits) noexcept {
         double largest = 0.0;
         for (std::size_t m = 0; m < number; ++m)
             for (std::size_t k = 0; k < dimension; ++k) {
-                offsets_[m][k] = sites[m]->*axes[k] - sites[origin]->*axes[k];
+                offsets_[m][k] = sites[m].*axes[k] - sites[origin].*axes[k];
                 largest = std::max(largest, filters::magnitude(offsets_[m][k]));
             }
         // Five factors are far from the ends of the doubles.
@@ -49,7 +50,7 @@ class SmallOffsets {
         are_exact_ = true;
         for (std::size_t m = 0; m < number; ++m) {
             for (std::size_t k = 0; k < dimension; ++k) {
-                const double distance = filters::opaque(filters::magnitude(sites[m]->*axes[k]));
+                const double distance = filters::opaque(filters::magnitude(sites[m].*axes[k]));
                 are_exact_ &= (distance + big) - big == distance;
             }
             // Off a grid the first site tells.
@@ -78,43 +79,45 @@ class SmallOffsets {
     std::array<std::array<double, dimension>, number> offsets_;
 };
 
-template <class S, class... Others>
-[[nodiscard]] inline bool weigh_the_same(const S& first, const Others&... others) noexcept {
-    if constexpr (requires { first.w; })
-        return ((others.w == first.w) && ...);
+template <class S, std::size_t number>
+[[nodiscard]] inline bool weigh_the_same(const std::array<S, number>& sites) noexcept {
+    if constexpr (requires { sites[0].w; })
+        return std::ranges::all_of(sites, [&](const S& each) { return each.w == sites[0].w; });
     else
         return true;
 }
 
 // ---- signs, however the points turn -------------------------------------------------------------
+// Of CGAL's points or ours. The filters take them as they lie, and are inlined for that; what is
+// behind the filters makes its own copies.
 
-template <class S>
-[[nodiscard, gnu::cold, gnu::noinline]] Sign turn_uncertain(const S& p, const S& q,
-                                                            const S& r) noexcept {
-    // Two products of 52 bits.
-    const SmallOffsets from({&p, &q, &r}, 2, 26);
-    if (from.are_exact()) {
-        const double determinant =
-            predicates::ccw_determinant(from(0, 0), from(0, 1), from(1, 0), from(1, 1));
-        return (determinant > 0.0) - (determinant < 0.0);
-    }
-    return predicates::ccw_cold({p.x, p.y}, {q.x, q.y}, {r.x, r.y}).sign;
+[[nodiscard]] inline Sign sign_of(double determinant) noexcept {
+    return (determinant > 0.0) - (determinant < 0.0);
 }
-template <class S>
-[[nodiscard, gnu::cold, gnu::noinline]] Sign turn_uncertain(const S& p, const S& q, const S& r,
-                                                            const S& s) noexcept {
+
+template <class P>
+[[nodiscard, gnu::cold, gnu::noinline]] Sign turn_uncertain(const P& p, const P& q,
+                                                            const P& r) noexcept {
+    const std::array m = {ours(p), ours(q), ours(r)};
+    // Two products of 52 bits.
+    const SmallOffsets from(m, 2, 26);
+    if (from.are_exact())
+        return sign_of(predicates::ccw_determinant(from(0, 0), from(0, 1), from(1, 0), from(1, 1)));
+    return predicates::ccw_cold({m[0].x, m[0].y}, {m[1].x, m[1].y}, {m[2].x, m[2].y}).sign;
+}
+template <class P>
+[[nodiscard, gnu::cold, gnu::noinline]] Sign turn_uncertain(const P& p, const P& q, const P& r,
+                                                            const P& s) noexcept {
+    const std::array m = {ours(p), ours(q), ours(r), ours(s)};
     // Six products of 48 bits.
-    const SmallOffsets from({&p, &q, &r, &s}, 0, 16);
-    if (from.are_exact()) {
-        const double determinant = predicates::ccw_determinant(from[1], from[2], from[3]);
-        return (determinant > 0.0) - (determinant < 0.0);
-    }
-    return predicates::ccw_cold(centre3(p), centre3(q), centre3(r), centre3(s)).sign;
+    const SmallOffsets from(m, 0, 16);
+    if (from.are_exact()) return sign_of(predicates::ccw_determinant(from[1], from[2], from[3]));
+    return predicates::ccw_cold(centre3(m[0]), centre3(m[1]), centre3(m[2]), centre3(m[3])).sign;
 }
 /// The orientation of three points of the plane or four of space.
-template <class... S>
-[[nodiscard]] inline Sign turn(const S&... points) noexcept {
-    const filters::Verdict verdict = predicates::ccw_filter(points...);
+template <class... P>
+[[nodiscard, gnu::flatten]] inline Sign turn(const P&... points) noexcept {
+    const filters::Verdict verdict = predicates::ccw_filter(ours(points)...);
     if (verdict.is_certain()) [[likely]]
         return verdict.sign();
     return turn_uncertain(points...);
@@ -123,22 +126,21 @@ template <class... S>
 /// The sign of the determinant where the filter leaves it open. It changes with every exchange of
 /// two sites; so the last one is exchanged until the others turn, and turned positively. Where none
 /// do, all sites are in one line or plane, and it is 0.
-template <class S>
-[[nodiscard, gnu::cold, gnu::noinline]] Sign side_of_circle_uncertain(const S& p, const S& q,
-                                                                      const S& r,
-                                                                      const S& t) noexcept {
-    if (weigh_the_same(p, q, r, t)) {
+template <class P>
+[[nodiscard, gnu::cold, gnu::noinline]] Sign side_of_circle_uncertain(const P& p, const P& q,
+                                                                      const P& r,
+                                                                      const P& t) noexcept {
+    std::array m = {ours(p), ours(q), ours(r), ours(t)};
+    if (weigh_the_same(m)) {
         // Twelve products of 48 bits: two squares, two products of a minor, three rows.
-        const SmallOffsets from({&p, &q, &r, &t}, 3, 12);
+        const SmallOffsets from(m, 3, 12);
         if (from.are_exact()) {
             const auto row = [&](std::size_t k) {
                 return power::Row<double>{from(k, 0), from(k, 1), 0.0};
             };
-            const double determinant = power::in_circle_determinant(row(0), row(1), row(2));
-            return (determinant > 0.0) - (determinant < 0.0);
+            return sign_of(power::in_circle_determinant(row(0), row(1), row(2)));
         }
     }
-    std::array m = {p, q, r, t};
     for (std::size_t last = 4; last-- > 0;) {
         std::swap(m[last], m[3]);
         const Sign exchanged = last == 3 ? 1 : -1;
@@ -149,20 +151,19 @@ template <class S>
     }
     return 0;
 }
-template <class S>
-[[nodiscard, gnu::cold, gnu::noinline]] Sign side_of_sphere_uncertain(const S& p, const S& q,
-                                                                      const S& r, const S& s,
-                                                                      const S& t) noexcept {
-    if (weigh_the_same(p, q, r, s, t)) {
+template <class P>
+[[nodiscard, gnu::cold, gnu::noinline]] Sign side_of_sphere_uncertain(const P& p, const P& q,
+                                                                      const P& r, const P& s,
+                                                                      const P& t) noexcept {
+    std::array m = {ours(p), ours(q), ours(r), ours(s), ours(t)};
+    if (weigh_the_same(m)) {
         // 72 products of 45 bits: three squares, six products of a minor, four rows.
-        const SmallOffsets from({&p, &q, &r, &s, &t}, 4, 9);
+        const SmallOffsets from(m, 4, 9);
         if (from.are_exact()) {
             const auto row = [&](std::size_t k) { return power::LiftedRow<double>{from[k], 0.0}; };
-            const double determinant = power::in_sphere_determinant(row(0), row(1), row(2), row(3));
-            return (determinant > 0.0) - (determinant < 0.0);
+            return sign_of(power::in_sphere_determinant(row(0), row(1), row(2), row(3)));
         }
     }
-    std::array m = {p, q, r, s, t};
     for (std::size_t last = 5; last-- > 0;) {
         std::swap(m[last], m[4]);
         const Sign exchanged = last == 4 ? 1 : -1;
@@ -175,17 +176,19 @@ template <class S>
     return 0;
 }
 /// +1 where t conflicts with p, q, r, which turn counterclockwise; -1 where these turn clockwise.
-template <class S>
-[[nodiscard]] inline Sign side_of_circle(const S& p, const S& q, const S& r, const S& t) noexcept {
-    const filters::Verdict verdict = power::in_circle_filter(p, q, r, t);
+template <class P>
+[[nodiscard, gnu::flatten]] inline Sign side_of_circle(const P& p, const P& q, const P& r,
+                                                       const P& t) noexcept {
+    const filters::Verdict verdict = power::in_circle_filter(ours(p), ours(q), ours(r), ours(t));
     if (verdict.is_certain()) [[likely]]
         return verdict.sign();
     return side_of_circle_uncertain(p, q, r, t);
 }
-template <class S>
-[[nodiscard]] inline Sign side_of_sphere(const S& p, const S& q, const S& r, const S& s,
-                                         const S& t) noexcept {
-    const filters::Verdict verdict = power::in_sphere_filter(p, q, r, s, t);
+template <class P>
+[[nodiscard, gnu::flatten]] inline Sign side_of_sphere(const P& p, const P& q, const P& r,
+                                                       const P& s, const P& t) noexcept {
+    const filters::Verdict verdict =
+        power::in_sphere_filter(ours(p), ours(q), ours(r), ours(s), ours(t));
     if (verdict.is_certain()) [[likely]]
         return verdict.sign();
     return side_of_sphere_uncertain(p, q, r, s, t);

@@ -22,7 +22,7 @@ struct Orientation_2 : K::Orientation_2 {
     using K::Orientation_2::operator();
     using Point_2 = typename K::Point_2;
     CGAL::Orientation operator()(const Point_2& p, const Point_2& q, const Point_2& r) const {
-        return sign_cast<CGAL::Orientation>(turn(ours(p), ours(q), ours(r)));
+        return sign_cast<CGAL::Orientation>(turn(p, q, r));
     }
 };
 
@@ -31,7 +31,7 @@ struct Side_of_oriented_circle_2 : K::Side_of_oriented_circle_2 {
     using Point_2 = typename K::Point_2;
     CGAL::Oriented_side operator()(const Point_2& p, const Point_2& q, const Point_2& r,
                                    const Point_2& t) const {
-        return sign_cast<CGAL::Oriented_side>(side_of_circle(ours(p), ours(q), ours(r), ours(t)));
+        return sign_cast<CGAL::Oriented_side>(side_of_circle(p, q, r, t));
     }
 };
 
@@ -50,7 +50,7 @@ struct Power_side_of_oriented_power_circle_2 : K::Power_side_of_oriented_power_c
     using Site_2 = typename K::Weighted_point_2;
     CGAL::Oriented_side operator()(const Site_2& p, const Site_2& q, const Site_2& r,
                                    const Site_2& t) const {
-        return sign_cast<CGAL::Oriented_side>(side_of_circle(ours(p), ours(q), ours(r), ours(t)));
+        return sign_cast<CGAL::Oriented_side>(side_of_circle(p, q, r, t));
     }
     CGAL::Oriented_side operator()(const Site_2& p, const Site_2& q, const Site_2& t) const {
         return sign_cast<CGAL::Oriented_side>(
@@ -77,7 +77,7 @@ struct Orientation_3 : K::Orientation_3 {
     using Point_3 = typename K::Point_3;
     CGAL::Orientation operator()(const Point_3& p, const Point_3& q, const Point_3& r,
                                  const Point_3& s) const {
-        return sign_cast<CGAL::Orientation>(turn(ours(p), ours(q), ours(r), ours(s)));
+        return sign_cast<CGAL::Orientation>(turn(p, q, r, s));
     }
 };
 
@@ -103,8 +103,7 @@ struct Side_of_oriented_sphere_3 : K::Side_of_oriented_sphere_3 {
     using Point_3 = typename K::Point_3;
     CGAL::Oriented_side operator()(const Point_3& p, const Point_3& q, const Point_3& r,
                                    const Point_3& s, const Point_3& t) const {
-        return sign_cast<CGAL::Oriented_side>(
-            side_of_sphere(ours(p), ours(q), ours(r), ours(s), ours(t)));
+        return sign_cast<CGAL::Oriented_side>(side_of_sphere(p, q, r, s, t));
     }
 };
 
@@ -132,8 +131,7 @@ struct Power_side_of_oriented_power_sphere_3 : K::Power_side_of_oriented_power_s
     using Site_3 = typename K::Weighted_point_3;
     CGAL::Oriented_side operator()(const Site_3& p, const Site_3& q, const Site_3& r,
                                    const Site_3& s, const Site_3& t) const {
-        return sign_cast<CGAL::Oriented_side>(
-            side_of_sphere(ours(p), ours(q), ours(r), ours(s), ours(t)));
+        return sign_cast<CGAL::Oriented_side>(side_of_sphere(p, q, r, s, t));
     }
     CGAL::Oriented_side operator()(const Site_3& p, const Site_3& q, const Site_3& r,
                                    const Site_3& t) const {

@@ -81,8 +81,7 @@ template <class... Size>
 /// instruction.
 [[nodiscard]] inline double square_root(double value) noexcept {
 #if __has_builtin(__builtin_ia32_sqrtsd)
-    using Two = double __attribute__((vector_size(16)));
-    return __builtin_ia32_sqrtsd(Two{value, 0.0})[0];
+    return __builtin_ia32_sqrtsd(filters::Two{value, 0.0})[0];
 #else
     return __builtin_sqrt(value);
 #endif

@@ -75,6 +75,32 @@ template <class Number>
     return 24 * in_sphere_error * ((largest.x * largest.y) * (largest.z * height));
 }
 
+/// A row for the filter, which subtracts, takes magnitudes and compares them two at a time.
+struct PairedRow {
+    filters::Two xy;
+    filters::Two zw;  ///< with the weight, of a site its radius
+
+    [[nodiscard, gnu::always_inline]] operator LiftedRow<double>() const noexcept {
+        return {{xy[0], xy[1], zw[0]}, zw[1]};
+    }
+};
+template <PowerSite3 S>
+[[nodiscard, gnu::always_inline]] inline PairedRow pinned_row(const S& m) noexcept {
+    double last = 0.0;
+    if constexpr (requires { m.w; }) last = m.w;
+    if constexpr (requires { m.r; }) last = m.r;
+    return {filters::pinned(filters::Two{m.x, m.y}), filters::pinned(filters::Two{m.z, last})};
+}
+/// The same numbers as lifted_row().
+template <PowerSite3 S>
+[[nodiscard, gnu::always_inline]] inline PairedRow paired_row(const S& m,
+                                                              const PairedRow& origin) noexcept {
+    const PairedRow site = pinned_row(m);
+    PairedRow row = {site.xy - origin.xy, site.zw - origin.zw};
+    if constexpr (requires { m.r; }) row.zw[1] *= site.zw[1] + origin.zw[1];
+    return row;
+}
+
 /// Decides almost every call. The magnitude is at most 24 times the product of the largest
 /// coordinates, an axis each, and the largest height, |m-q|² + |w_m - w_q|. Underflow: in the
 /// window a height is above 2^-301 and the bound above 2^-800, and what is lost is below 2^-1000
@@ -84,21 +110,22 @@ template <PowerSite3 S>
 [[nodiscard]] inline filters::Verdict in_sphere_filter(const S& i, const S& j, const S& k,
                                                        const S& l, const S& q) noexcept {
     using filters::magnitude;
-    const S origin = filters::pinned(q);
-    const LiftedRow<double> a = lifted_row(filters::pinned(i), origin);
-    const LiftedRow<double> b = lifted_row(filters::pinned(j), origin);
-    const LiftedRow<double> c = lifted_row(filters::pinned(k), origin);
-    const LiftedRow<double> d = lifted_row(filters::pinned(l), origin);
-    const auto largest_of = [](double p, double r) { return p > r ? p : r; };
-    const predicates::Offset3<double> three = predicates::reach(a.offset, b.offset, c.offset);
-    const predicates::Offset3<double> largest = {largest_of(three.x, magnitude(d.offset.x)),
-                                                 largest_of(three.y, magnitude(d.offset.y)),
-                                                 largest_of(three.z, magnitude(d.offset.z))};
-    const double weight = largest_of(largest_of(magnitude(a.weight), magnitude(b.weight)),
-                                     largest_of(magnitude(c.weight), magnitude(d.weight)));
-    const double bound = bound_of_in_sphere(largest, weight);
+    const PairedRow origin = pinned_row(q);
+    const PairedRow a = paired_row(i, origin);
+    const PairedRow b = paired_row(j, origin);
+    const PairedRow c = paired_row(k, origin);
+    const PairedRow d = paired_row(l, origin);
+    const auto larger = [](filters::Two p, filters::Two r) { return p > r ? p : r; };
+    const auto largest_of = [&](filters::Two PairedRow::*part) {
+        return larger(larger(magnitude(a.*part), magnitude(b.*part)),
+                      larger(magnitude(c.*part), magnitude(d.*part)));
+    };
+    const filters::Two xy = largest_of(&PairedRow::xy);
+    const filters::Two zw = largest_of(&PairedRow::zw);
+    const predicates::Offset3<double> largest = {xy[0], xy[1], zw[0]};
+    const double bound = bound_of_in_sphere(largest, zw[1]);
     // After the bound, for which no weight is then kept beside the determinant's rows.
-    const double determinant = in_sphere_determinant(a, b, c, d);
+    const double determinant = in_sphere_determinant<LiftedRow<double>>(a, b, c, d);
     if (!filters::environment_is_default() || !predicates::in_filter_window(largest)) [[unlikely]]
         return filters::Verdict::uncertain();
     if (!(magnitude(determinant) > bound)) [[unlikely]]
