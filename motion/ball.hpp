@@ -8,6 +8,8 @@
 #include "effects.hpp"
 #include "vector.hpp"
 
+SIGNUM_IEEE_BEGIN
+
 namespace signum::motion {
 
 /// A disc (D = 2) or ball (D = 3). At `time` its centre is x and its velocity v; until its next
@@ -115,3 +117,5 @@ template <int D>
 using Wall = std::int32_t;
 
 }  // namespace signum::motion
+
+SIGNUM_IEEE_END

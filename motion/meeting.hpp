@@ -26,6 +26,8 @@
 #include "../filters/bounds.hpp"
 #include "ball.hpp"
 
+SIGNUM_IEEE_BEGIN
+
 namespace signum::motion {
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -195,3 +197,5 @@ class MeetingFilter {
 };
 
 }  // namespace signum::motion
+
+SIGNUM_IEEE_END

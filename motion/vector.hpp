@@ -3,6 +3,10 @@
 
 #include <numbers>
 
+#include "../core/contract.hpp"
+
+SIGNUM_IEEE_BEGIN
+
 namespace signum::motion {
 
 /// One thing an axis.
@@ -79,3 +83,5 @@ struct Box {
 };
 
 }  // namespace signum::motion
+
+SIGNUM_IEEE_END

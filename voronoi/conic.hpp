@@ -14,7 +14,10 @@
 #include <utility>
 #include <vector>
 
+#include "../core/contract.hpp"
 #include "../core/site.hpp"
+
+SIGNUM_IEEE_BEGIN
 
 namespace signum {
 
@@ -89,3 +92,5 @@ void sample(const Conic& conic, double tolerance, std::vector<Point>& points);
 [[nodiscard]] std::vector<Conic> parabolas(const Conic& conic, double tolerance);
 
 }  // namespace signum
+
+SIGNUM_IEEE_END

@@ -171,7 +171,8 @@ inline void read_line(const std::vector<Index>& line, std::vector<Face>& faces,
 /// signum's arrays, in canonical order (triangulation/arrays.hpp, spatial/triangulate.hpp). `sites`
 /// are the points that it was made of, Point, power::Site, Point3 or power::Site3, in any order:
 /// they give the numbers; of equal ones the first is visible. Throws std::invalid_argument for a
-/// vertex that is none of them. O(n log n), and for each hidden site the way to the nearest.
+/// vertex that is none of them, and for sites where the triangulation has no vertex. O(n log n),
+/// and for each hidden site the way to the nearest.
 template <class T>
 [[nodiscard]] details::ResultOf<T> arrays(const T& triangulation,
                                           std::span<const details::SiteOf<T>> sites) {
@@ -187,6 +188,8 @@ template <class T>
         visible.push_back(number_of(v));
         is_visible[static_cast<std::size_t>(visible.back())] = true;
     }
+    if (visible.empty() && !sites.empty())
+        throw std::invalid_argument("sites, and a triangulation of none");
     details::ResultOf<T> result;
     result.sites = static_cast<std::int64_t>(sites.size());
     const int dimension = triangulation.dimension();

@@ -10,11 +10,14 @@
 #include <cstdint>
 #include <utility>
 
+#include "../../core/contract.hpp"
 #include "../../core/site.hpp"
 #include "../../predicates/ccw.hpp"
 #include "../../predicates/power.hpp"
 #include "../../predicates/space.hpp"
 #include "points.hpp"
+
+SIGNUM_IEEE_BEGIN
 
 namespace signum::cgal::details {
 
@@ -53,7 +56,7 @@ class SmallOffsets {
                 const double distance = filters::opaque(filters::magnitude(sites[m].*axes[k]));
                 are_exact_ &= (distance + big) - big == distance;
             }
-            // Off a grid the first site tells.
+            // Sites that lie on no grid are told by the first of them.
             if (!are_exact_) return;
         }
     }
@@ -256,3 +259,5 @@ template <class Visit>
 }
 
 }  // namespace signum::cgal::details
+
+SIGNUM_IEEE_END

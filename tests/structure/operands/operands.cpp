@@ -5,12 +5,16 @@
 
 #include <array>
 #include <cfenv>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 
+#include "../../../interop/cgal/signs.hpp"
+#include "../../../motion/ball.hpp"
 #include "../../../predicates/euclidean.hpp"
 #include "../../../predicates/manhattan.hpp"
 #include "../../../predicates/power.hpp"
+#include "../../../predicates/space.hpp"
 #include "../../../predicates/supremum.hpp"
 #include "truth.hpp"
 
@@ -21,7 +25,9 @@
 namespace {
 
 using signum::Point;
+using signum::Point3;
 using signum::Site;
+using signum::Site3;
 
 int asked = 0;
 int wrong = 0;
@@ -74,17 +80,25 @@ struct Between {
     double value() const { return a + share * (b - a); }
 };
 
+/// A site of any kind of its numbers.
+template <class S>
+S made(double x, double y, double z, double last) {
+    if constexpr (std::same_as<S, Point>) {
+        return {x, y};
+    } else if constexpr (std::same_as<S, Point3>) {
+        return {x, y, z};
+    } else if constexpr (requires { S::z; }) {
+        return {x, y, z, last};
+    } else {
+        return {x, y, last};
+    }
+}
+
 /// A site whose numbers the caller computes.
 template <class S, class Number>
 struct Computed {
-    Number x, y, third;
-    S site() const {
-        if constexpr (std::same_as<S, Point>) {
-            return {x.value(), y.value()};
-        } else {
-            return {x.value(), y.value(), third.value()};
-        }
-    }
+    Number x, y, z, last;
+    S site() const { return made<S>(x.value(), y.value(), z.value(), last.value()); }
 };
 
 /// The same with the sites given, a little off or not at all.
@@ -93,13 +107,12 @@ double off(double value) {
 }
 template <class S>
 S twin(const S& s) {
-    if constexpr (std::same_as<S, Point>) {
-        return {off(s.x), off(s.y)};
-    } else if constexpr (std::same_as<S, Site>) {
-        return {off(s.x), off(s.y), off(s.r)};
-    } else {
-        return {off(s.x), off(s.y), off(s.w)};
-    }
+    double z = 0.0;
+    double last = 0.0;
+    if constexpr (requires { s.z; }) z = off(s.z);
+    if constexpr (requires { s.r; }) last = off(s.r);
+    if constexpr (requires { s.w; }) last = off(s.w);
+    return made<S>(off(s.x), off(s.y), z, last);
 }
 /// The site that the caller means, computed elsewhere: were its numbers computed beside the
 /// question, compilers would not take them apart for it.
@@ -183,6 +196,82 @@ void power_of_computed() {
             answer([](const S& a, const S& b, const S& q) { return in_circle_infinite(a, b, q); },
                    computed, j, near),
             truth::in_circle_infinite(c, j, near));
+}
+
+template <class S, class Number>
+void space_of_computed() {
+    namespace power = signum::power;
+    const Computed<S, Number> computed;
+    const S c = meant(computed);
+    const S near = twin(c);
+    const S j = anywhere<S>();
+    const S k = anywhere<S>();
+    const S l = anywhere<S>();
+    const auto turn = [](const S& m, const S& n, const S& p, const S& q) {
+        return signum::ccw(m, n, p, q);
+    };
+    expect("ccw of space", answer(turn, computed, near, j, k), truth::ccw(c, near, j, k));
+    expect_if_certain(
+        "ccw_filter of space",
+        answer([](const S& m, const S& n, const S& p,
+                  const S& q) { return said(signum::predicates::ccw_filter(m, n, p, q)); },
+               computed, near, j, k),
+        truth::ccw(c, near, j, k));
+    if (truth::ccw(c, j, k, l) <= 0) return;
+    const int right = truth::in_sphere(c, j, k, l, near);
+    expect("in_sphere",
+           answer([](const S& m, const S& n, const S& o, const S& p,
+                     const S& q) { return power::in_sphere(m, n, o, p, q); },
+                  computed, j, k, l, near),
+           right);
+    expect_if_certain(
+        "in_sphere_filter",
+        answer([](const S& m, const S& n, const S& o, const S& p,
+                  const S& q) { return said(power::in_sphere_filter(m, n, o, p, q)); },
+               computed, j, k, l, near),
+        right);
+    if (truth::ccw(near, j, k, l) > 0)
+        expect_if_certain(
+            "in_sphere_filter of a computed query",
+            answer([](const S& q, const S& m, const S& n, const S& o,
+                      const S& p) { return said(power::in_sphere_filter(m, n, o, p, q)); },
+                   computed, near, j, k, l),
+            truth::in_sphere(near, j, k, l, c));
+}
+
+/// Beside a line by steps of half an ulp, and in space beside a plane: off the grid on which
+/// determinants in doubles would be exact.
+void cgal_signs_beside_lines() {
+    for (int m = 0; m < 64; ++m)
+        for (int n = 0; n < 64; ++n) {
+            const double x = stored(0.5 + m * 0x1p-53);
+            const double y = stored(0.5 + n * 0x1p-53);
+            const Point p = {x, y};
+            const Point a = {12.0, 12.0};
+            const Point b = {24.0, 24.0};
+            expect("turn", signum::cgal::details::turn(p, a, b), truth::ccw(p, a, b));
+            const Point3 p3 = {x, y, 0.5};
+            const Point3 a3 = {12.0, 12.0, 12.0};
+            const Point3 b3 = {24.0, 24.0, 24.0};
+            const Point3 c3 = {24.0, 24.0, 12.0};
+            expect("turn in space", signum::cgal::details::turn(p3, a3, b3, c3),
+                   truth::ccw(p3, a3, b3, c3));
+            const Point corners[] = {{0.0, 1.0}, {1.0, 0.0}, {0.0, 0.0}};
+            const Point q = {stored(1.0 + m * 0x1p-52), stored(1.0 - n * 0x1p-53)};
+            // These turn clockwise.
+            expect("side_of_circle",
+                   signum::cgal::details::side_of_circle(corners[0], corners[1], corners[2], q),
+                   -truth::in_circle(corners[1], corners[0], corners[2], q));
+        }
+}
+
+/// What log and structures of moving balls take from headers.
+void integers_beside() {
+    for (int round = 0; round < 1000; ++round) {
+        const double x = stored((generator.number() - 1.5) * 2000.0);
+        expect("nearest_integer", static_cast<int>(signum::motion::nearest_integer(x)),
+               static_cast<int>(std::nearbyint(x)));
+    }
 }
 
 /// A third point on the line of two others, but for the rounding.
@@ -323,6 +412,9 @@ void of_computed() {
         power_of_computed<Point, Number>();
         power_of_computed<signum::power::Site, Number>();
         power_of_computed<Site, Number>();
+        space_of_computed<Point3, Number>();
+        space_of_computed<signum::power::Site3, Number>();
+        space_of_computed<Site3, Number>();
         euclidean_filters_of_computed<Number>();
         additive_of_computed<signum::euclidean::Perturbed<>, Number>();
         additive_of_computed<signum::supremum::Perturbed<>, Number>();
@@ -396,17 +488,13 @@ struct Ordinary {
 };
 template <class S, class Numbers>
 S some_site() {
-    if constexpr (std::same_as<S, Point>) {
-        return {Numbers::number(), Numbers::number()};
-    } else {
-        return {Numbers::number(), Numbers::number(), Numbers::number()};
-    }
+    return made<S>(Numbers::number(), Numbers::number(), Numbers::number(), Numbers::number());
 }
 
 /// Nothing, or what the filters begin with.
 constexpr auto nothing = [](const auto&...) { return 0.0; };
 constexpr auto difference = [](const auto& i, const auto& j, const auto&...) { return j.x - i.x; };
-constexpr auto product = [](const auto& a, const auto& b, const auto& c) {
+constexpr auto product = [](const auto& a, const auto& b, const auto& c, const auto&...) {
     return (a.x - c.x) * (b.y - c.y);
 };
 
@@ -439,6 +527,27 @@ void power_around() {
         "power nearer around a change", truth::nearer(p, i, j), difference,
         [](const Point& a, const S& b, const S& c) { return signum::power::nearer(a, b, c); }, p, i,
         j);
+}
+
+template <class Environment, class Numbers, class S>
+void space_around() {
+    const S i = some_site<S, Numbers>();
+    const S j = some_site<S, Numbers>();
+    const S k = some_site<S, Numbers>();
+    const S l = some_site<S, Numbers>();
+    const S q = some_site<S, Numbers>();
+    const int side = truth::ccw(i, j, k, l);
+    ask_around<Environment>(
+        "ccw of space around a change", side, product,
+        [](const S& a, const S& b, const S& c, const S& d) { return signum::ccw(a, b, c, d); }, i,
+        j, k, l);
+    if (side > 0)
+        ask_around<Environment>(
+            "in_sphere around a change", truth::in_sphere(i, j, k, l, q), difference,
+            [](const S& a, const S& b, const S& c, const S& d, const S& e) {
+                return signum::power::in_sphere(a, b, c, d, e);
+            },
+            i, j, k, l, q);
 }
 
 template <class Environment, class Numbers, class Metric>
@@ -539,6 +648,9 @@ void around() {
         power_around<Environment, Numbers, Point>();
         power_around<Environment, Numbers, signum::power::Site>();
         power_around<Environment, Numbers, Site>();
+        space_around<Environment, Numbers, Point3>();
+        space_around<Environment, Numbers, signum::power::Site3>();
+        space_around<Environment, Numbers, Site3>();
         additive_around<Environment, Numbers, signum::euclidean::Perturbed<>>();
         additive_around<Environment, Numbers, signum::supremum::Perturbed<>>();
         additive_around<Environment, Numbers, signum::manhattan::Perturbed<>>();
@@ -552,6 +664,8 @@ int main() {
     of_computed<Product>();
     of_computed<Sum>();
     of_computed<Between>();
+    cgal_signs_beside_lines();
+    integers_beside();
     ccw_around<TowardZero>();
     around<TowardZero, Extreme>();
     around<Upward, Extreme>();

@@ -11,27 +11,34 @@
 namespace truth {
 namespace {
 
-mpq_class weight(const Point&) {
-    return 0;
-}
-mpq_class weight(const signum::power::Site& s) {
-    return s.w;
-}
-mpq_class weight(const Site& s) {
-    return mpq_class(s.r) * s.r;
+template <class S>
+mpq_class weight(const S& s) {
+    if constexpr (requires { s.w; })
+        return s.w;
+    else if constexpr (requires { s.r; })
+        return mpq_class(s.r) * s.r;
+    else
+        return 0;
 }
 
-/// Relative to q.
+/// Relative to q; in the plane z is 0.
 struct Row {
     mpq_class x;
     mpq_class y;
+    mpq_class z;
     mpq_class height;
 };
 template <class S>
 Row row_of(const S& m, const S& q) {
     const mpq_class x = mpq_class(m.x) - q.x;
     const mpq_class y = mpq_class(m.y) - q.y;
-    return {x, y, x * x + y * y - weight(m) + weight(q)};
+    mpq_class z = 0;
+    if constexpr (requires { m.z; }) z = mpq_class(m.z) - q.z;
+    return {x, y, z, x * x + y * y + z * z - weight(m) + weight(q)};
+}
+mpq_class determinant(const Row& a, const Row& b, const Row& c) {
+    return a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) +
+           a.z * (b.x * c.y - b.y * c.x);
 }
 
 /// The same predicates in rationals, of which there is one more for each metric.
@@ -57,6 +64,22 @@ Sign ccw(const S& a, const S& b, const S& c) {
     const Row of_a = row_of(a, c);
     const Row of_b = row_of(b, c);
     return sgn(mpq_class(of_a.x * of_b.y - of_a.y * of_b.x));
+}
+
+template <class S>
+Sign ccw(const S& a, const S& b, const S& c, const S& d) {
+    return sgn(determinant(row_of(b, a), row_of(c, a), row_of(d, a)));
+}
+
+/// Minus the determinant of four rows, by their heights.
+template <class S>
+Sign in_sphere(const S& i, const S& j, const S& k, const S& l, const S& q) {
+    const Row a = row_of(i, q);
+    const Row b = row_of(j, q);
+    const Row c = row_of(k, q);
+    const Row d = row_of(l, q);
+    return sgn(mpq_class(a.height * determinant(b, c, d) - b.height * determinant(a, c, d) +
+                         c.height * determinant(a, b, d) - d.height * determinant(a, b, c)));
 }
 
 template <class S>
@@ -135,6 +158,15 @@ template Sign in_circle_infinite(const signum::power::Site&, const signum::power
 template Sign nearer(const Point&, const Point&, const Point&);
 template Sign nearer(const Point&, const Site&, const Site&);
 template Sign nearer(const Point&, const signum::power::Site&, const signum::power::Site&);
+template Sign ccw(const Point3&, const Point3&, const Point3&, const Point3&);
+template Sign ccw(const Site3&, const Site3&, const Site3&, const Site3&);
+template Sign ccw(const signum::power::Site3&, const signum::power::Site3&,
+                  const signum::power::Site3&, const signum::power::Site3&);
+template Sign in_sphere(const Point3&, const Point3&, const Point3&, const Point3&, const Point3&);
+template Sign in_sphere(const Site3&, const Site3&, const Site3&, const Site3&, const Site3&);
+template Sign in_sphere(const signum::power::Site3&, const signum::power::Site3&,
+                        const signum::power::Site3&, const signum::power::Site3&,
+                        const signum::power::Site3&);
 template struct Additive<signum::euclidean::Perturbed<>>;
 template struct Additive<signum::supremum::Perturbed<>>;
 template struct Additive<signum::manhattan::Perturbed<>>;

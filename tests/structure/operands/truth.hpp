@@ -8,8 +8,10 @@
 namespace truth {
 
 using signum::Point;
+using signum::Point3;
 using signum::Sign;
 using signum::Site;
+using signum::Site3;
 
 /// For Point, power::Site and Site.
 template <class S>
@@ -20,6 +22,12 @@ template <class S>
 Sign in_circle_infinite(const S& a, const S& b, const S& q);
 template <class S>
 Sign nearer(const Point& p, const S& a, const S& b);
+
+/// For Point3, power::Site3 and Site3.
+template <class S>
+Sign ccw(const S& a, const S& b, const S& c, const S& d);
+template <class S>
+Sign in_sphere(const S& i, const S& j, const S& k, const S& l, const S& q);
 
 /// The predicates of a metric with additive weights, all of them perturbed; the sites come in the
 /// order of their ranks. Metric: what the library calls Perturbed<Arithmetic::exact>.
