@@ -100,8 +100,7 @@ void generate_to_output(const GenerateCall& call, Make make, SitesFormat format)
 }
 
 void run(const GenerateCall& call) {
-    constexpr std::int64_t most_in_space = std::int64_t{1} << 28;  // spatial/triangulate.hpp
-    const std::int64_t most = call.dimension == 3 ? most_in_space : max_sites;
+    const std::int64_t most = call.dimension == 3 ? max_sites_in_space : max_sites;
     if (call.count < 1 || call.count > most) {
         throw CallError(
             fmt::format("-n {}: give a number of sites from 1 to {}", call.count, most));

@@ -22,6 +22,9 @@ inline constexpr double epsilon = 0x1p-52;
     using Bits = std::int64_t __attribute__((vector_size(16)));
     return (Two)((Bits)values & INT64_MAX);
 }
+[[nodiscard, gnu::always_inline]] inline Two max(Two a, Two b) noexcept {
+    return a > b ? a : b;
+}
 
 /// What a filter compares: a rounded number, and the bound on its error. The formulas of filters
 /// make these of any type of number, so that what is proved of them (tests/structure/proofs) is

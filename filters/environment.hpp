@@ -71,8 +71,8 @@ alignas(16) extern float environment_witness[4];
     return operand;
 }
 
-/// Two doubles at once: each operation is that of either, and one instruction where processors have
-/// it.
+/// Two doubles at once: an operation on them is that operation on each, and one instruction where
+/// processors have it.
 using Two = double __attribute__((vector_size(16)));
 [[nodiscard, gnu::always_inline]] inline Two pinned(Two operand) noexcept {
     asm("" : SIGNUM_REGISTER(operand) : "m"(environment_witness));

@@ -15,8 +15,6 @@
 namespace signum {
 namespace {
 
-constexpr std::size_t most_balls = std::size_t{1} << 28;
-
 /// Out of line, so that no arithmetic leaves the guard around the call.
 [[nodiscard, gnu::noinline]] BallDiagram construct_diagram(std::span<const Site3> balls,
                                                            const Options& options) {
@@ -39,9 +37,9 @@ constexpr std::size_t most_balls = std::size_t{1} << 28;
 }  // namespace
 
 BallDiagram ball_diagram(std::span<const Site3> balls, const Options& options) {
-    if (balls.size() > most_balls)
+    if (std::ssize(balls) > max_sites_in_space)
         throw std::invalid_argument("too many balls: " + std::to_string(balls.size()) +
-                                    "; at most " + std::to_string(most_balls));
+                                    "; at most " + std::to_string(max_sites_in_space));
     for (std::size_t i = 0; i < balls.size(); ++i)
         if (!are_finite(balls[i]))
             throw std::invalid_argument("ball " + std::to_string(i) + " is not finite");

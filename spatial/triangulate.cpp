@@ -25,8 +25,6 @@ namespace {
 using spatial::Cells;
 using spatial::infinite;
 
-constexpr std::size_t most_sites = std::size_t{1} << 28;
-
 [[nodiscard]] bool are_collinear(const Point3& a, const Point3& b, const Point3& c) noexcept {
     return ccw(Point{a.x, a.y}, Point{b.x, b.y}, Point{c.x, c.y}) == 0 &&
            ccw(Point{a.y, a.z}, Point{b.y, b.z}, Point{c.y, c.z}) == 0 &&
@@ -354,9 +352,9 @@ class Construction {
 
 template <class S>
 SpaceTessellation construct(std::span<const S> sites, const Options& options) {
-    if (sites.size() > most_sites)
+    if (std::ssize(sites) > max_sites_in_space)
         throw std::invalid_argument("too many sites: " + std::to_string(sites.size()) +
-                                    "; at most " + std::to_string(most_sites));
+                                    "; at most " + std::to_string(max_sites_in_space));
     for (std::size_t i = 0; i < sites.size(); ++i)
         if (!are_finite(sites[i]))
             throw std::invalid_argument("site " + std::to_string(i) + " is not finite");

@@ -118,8 +118,9 @@ template <std::size_t n>
            std::all_of(numbers, numbers + n, [](double x) { return x - x == 0.0; });
 }
 
-/// Refuses the size of a struct whose caller has not set it, or knows more than the library. Fields
-/// end at multiples of 8 bytes or fill them in pairs, so that no size of another version parts one.
+/// Refuses the size of a struct whose caller has not set it, or knows more than the library. What a
+/// version adds to a struct begins and ends at a multiple of 8 bytes, so that an older, shorter
+/// size ends between two fields.
 template <class Struct>
 void expect_size(const Struct& given, const char* name) {
     if (given.size < 8 || given.size > sizeof(Struct) || given.size % 8 != 0)

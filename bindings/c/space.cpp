@@ -35,8 +35,7 @@ template <class S>
 /// In the type that says what their numbers mean. Throws Refused for such that cannot be.
 [[nodiscard]] SpaceSites space_sites(const double* sites, std::int64_t count, std::int64_t stride,
                                      WeightIs weight_is) {
-    constexpr std::int64_t most = std::int64_t{1} << 28;  // of signum::triangulate
-    expect_sites(sites, count, stride, 3, std::numeric_limits<double>::max(), most);
+    expect_sites(sites, count, stride, 3, std::numeric_limits<double>::max(), max_sites_in_space);
     if (stride == 3) return copied<Point3>(sites, count, stride);
     return weight_is == WeightIs::weight ? copied<power::Site3>(sites, count, stride)
                                          : copied<Site3>(sites, count, stride);

@@ -105,26 +105,24 @@ template <PowerSite3 S>
 /// coordinates, an axis each, and the largest height, |m-q|² + |w_m - w_q|. Underflow: in the
 /// window a height is above 2^-301 and the bound above 2^-800, and what is lost is below 2^-1000
 /// times the largest factors. Overflow: weights may be as large as doubles are, and then the bound
-/// is infinite or a NaN, and the comparison fails.
+/// is infinite, or it or the determinant is a NaN, and the comparison fails.
 template <PowerSite3 S>
 [[nodiscard]] inline filters::Verdict in_sphere_filter(const S& i, const S& j, const S& k,
                                                        const S& l, const S& q) noexcept {
     using filters::magnitude;
+    using filters::max;
     const PairedRow origin = pinned_row(q);
     const PairedRow a = paired_row(i, origin);
     const PairedRow b = paired_row(j, origin);
     const PairedRow c = paired_row(k, origin);
     const PairedRow d = paired_row(l, origin);
-    const auto larger = [](filters::Two p, filters::Two r) { return p > r ? p : r; };
-    const auto largest_of = [&](filters::Two PairedRow::*part) {
-        return larger(larger(magnitude(a.*part), magnitude(b.*part)),
-                      larger(magnitude(c.*part), magnitude(d.*part)));
-    };
-    const filters::Two xy = largest_of(&PairedRow::xy);
-    const filters::Two zw = largest_of(&PairedRow::zw);
+    const filters::Two xy =
+        max(max(magnitude(a.xy), magnitude(b.xy)), max(magnitude(c.xy), magnitude(d.xy)));
+    const filters::Two zw =
+        max(max(magnitude(a.zw), magnitude(b.zw)), max(magnitude(c.zw), magnitude(d.zw)));
     const predicates::Offset3<double> largest = {xy[0], xy[1], zw[0]};
     const double bound = bound_of_in_sphere(largest, zw[1]);
-    // After the bound, for which no weight is then kept beside the determinant's rows.
+    // After the bound, which is the last to need the magnitudes: the fewer registers are in use.
     const double determinant = in_sphere_determinant<LiftedRow<double>>(a, b, c, d);
     if (!filters::environment_is_default() || !predicates::in_filter_window(largest)) [[unlikely]]
         return filters::Verdict::uncertain();

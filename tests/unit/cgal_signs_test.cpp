@@ -29,6 +29,7 @@ int exact_sign(const std::array<S, n>& sites) {
         if constexpr (requires { s.z; }) row.push_back(Rational(s.z) - q.z);
         Rational height = 0;
         for (const Rational& offset : row) height += offset * offset;
+        if constexpr (requires { s.w; }) height -= Rational(s.w) - q.w;
         if (lifted) row.push_back(height);
         rows.push_back(std::move(row));
     }
@@ -137,6 +138,37 @@ TEST(CgalSigns, OfSpaceAreExact) {
         ties += side == 0 ? 1 : 0;
     }
     EXPECT_GT(ties, 5000);
+}
+
+/// Nearly always the same weight, so that a grid's ties are left by one that differs.
+TEST(CgalSigns, OfWeightsAreExact) {
+    Random random(74);
+    int ties = 0;
+    int differing = 0;
+    for (int trial = 0; trial < 20000; ++trial) {
+        Coordinates next(random);
+        std::array<power::Site, 4> plane;
+        std::array<power::Site3, 5> space;
+        const double weight = next();
+        const auto other = [&] { return random.below(8) == 0 ? next() : weight; };
+        for (power::Site& s : plane) s = {next(), next(), other()};
+        for (power::Site3& s : space) s = {next(), next(), next(), other()};
+        if (trial % 3 != 0) {
+            for (std::size_t m = 2; m < 4; ++m)
+                plane[m] = {plane[m & 1].x, plane[1 - (m & 1)].y, plane[m].w};
+            for (std::size_t m = 2; m < 5; ++m)
+                space[m] = {space[m & 1].x, space[m / 2 & 1].y, space[m / 4].z, space[m].w};
+        }
+        const int circle = exact_sign<true>(plane);
+        ASSERT_EQ(side_of_circle(plane[0], plane[1], plane[2], plane[3]), circle) << trial;
+        const int sphere = -exact_sign<true>(space);
+        ASSERT_EQ(side_of_sphere(space[0], space[1], space[2], space[3], space[4]), sphere)
+            << trial;
+        ties += circle == 0 ? 1 : 0;
+        differing += !weigh_the_same(plane) && circle != 0 ? 1 : 0;
+    }
+    EXPECT_GT(ties, 1000);
+    EXPECT_GT(differing, 1000);
 }
 
 }  // namespace

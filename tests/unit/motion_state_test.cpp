@@ -183,6 +183,19 @@ TEST(MotionState, OfALaterVersionOrAnUnknownWallIsRefused) {
     refused("\"inside\"", "\"aside\"");
 }
 
+TEST(MotionState, ThatIsNoJsonIsRefusedAtItsPlace) {
+    const Scratch scratch;
+    const std::string path = scratch.file("state.json", "{\"version\": 2,\n  \"time\": tru}\n");
+    try {
+        static_cast<void>(read_motion_state<2>(path));
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.what(), path +
+                                    ":2:14: here it ceases to be JSON: no state of a "
+                                    "simulation; give a file that --save wrote");
+    }
+}
+
 /// An index that does not fit would come to be that of another ball.
 TEST(MotionState, OfNumbersThatAreNoneOrDoNotFitIsRefused) {
     const Scratch scratch;
@@ -195,8 +208,8 @@ TEST(MotionState, OfNumbersThatAreNoneOrDoNotFitIsRefused) {
         EXPECT_THROW(static_cast<void>(read_motion_state<2>(path)), InputError) << by;
     };
     refused("\"time\": 2.5", "\"time\": true");
-    for (const std::string many : {"1.5", "true", "-2147483649", "2147483648", "4294967313",
-                                   "18446744073709551615", "1e300"}) {
+    for (const std::string many : {"1.5", "true", "-2147483649", "2147483648", "4294967296",
+                                   "4294967313", "18446744073709551615", "1e300"}) {
         refused("\"sweeps\": 17", "\"sweeps\": " + many);
         refused("[0, -2, ", "[" + many + ", -2, ");
     }

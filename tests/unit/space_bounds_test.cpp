@@ -2,8 +2,10 @@
 /// turned the sign, and of hardly more.
 
 #include <array>
+#include <cfenv>
 #include <cmath>
 #include <cstdint>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -86,6 +88,42 @@ TEST(SpaceBounds, OfInSphere) {
                     return power::in_sphere_cold(i, j, k, l, q).stage == Stage::filter;
                 });
         }
+}
+
+/// What is proved of lifted_row() holds of what the filter computes.
+template <class S>
+void expect_rows_are_the_same(const S& m, const S& q) {
+    for (const int mode : {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+        std::fesetround(mode);
+        const power::LiftedRow<double> one =
+            power::lifted_row(filters::pinned(m), filters::pinned(q));
+        const power::LiftedRow<double> two = power::paired_row(m, power::pinned_row(q));
+        std::fesetround(FE_TONEAREST);
+        EXPECT_EQ(one.offset.x, two.offset.x);
+        EXPECT_EQ(one.offset.y, two.offset.y);
+        EXPECT_EQ(one.offset.z, two.offset.z);
+        if (one.weight == one.weight)
+            EXPECT_EQ(one.weight, two.weight);
+        else
+            EXPECT_NE(two.weight, two.weight);
+    }
+}
+
+TEST(SpaceBounds, OfInSphereAreOfTheRowsThatItComputes) {
+    std::mt19937_64 random(75);
+    const auto number = [&] {
+        static constexpr std::array scales = {0x1p-1074, 0x1p-600, 1.0, 0x1p600, 0x1.8p1023};
+        return scales[random() % scales.size()] *
+               (static_cast<double>(random() % 2001) / 1000.0 - 1.0);
+    };
+    for (int trial = 0; trial < 20000; ++trial) {
+        const std::array<double, 8> n = {number(), number(), number(), number(),
+                                         number(), number(), number(), number()};
+        expect_rows_are_the_same(Point3{n[0], n[1], n[2]}, Point3{n[4], n[5], n[6]});
+        expect_rows_are_the_same(Site3{n[0], n[1], n[2], n[3]}, Site3{n[4], n[5], n[6], n[7]});
+        expect_rows_are_the_same(power::Site3{n[0], n[1], n[2], n[3]},
+                                 power::Site3{n[4], n[5], n[6], n[7]});
+    }
 }
 
 /// The last site alone is the farthest along an axis: (s,1,2), of height 4.
