@@ -23,7 +23,7 @@ class ShownError : public std::runtime_error {
 };
 
 /// The input is wrong. what() is "FILE:LINE:COLUMN: what is wrong, and what would be right", or
-/// "FILE: ..." where the file has no lines that could be wrong, since it is not there.
+/// "FILE: ..." where no line of it is wrong: it is not there, or it is a state that cannot be.
 class InputError : public ShownError {
  public:
     InputError(std::string_view file, Position position, std::string_view message);

@@ -1,5 +1,6 @@
 #include "motion_state.hpp"
 
+#include <algorithm>
 #include <initializer_list>
 #include <limits>
 #include <ostream>
@@ -17,12 +18,11 @@ namespace {
 
 using nlohmann::json;
 
-[[noreturn]] void throw_out_of_place() {
-    throw json::other_error::create(501, "", nullptr);
-}
+/// A state that is JSON, but not ours.
+struct OutOfPlace {};
 
-/// A number that is one and, where it is an integer, fits: the library's get() takes true for 1,
-/// and leaves what does not fit to chance.
+/// No true, which the library's get() takes for 1; and no integer that does not fit, which it
+/// leaves to chance.
 template <class Number>
 Number number_of(const json& value) {
     if constexpr (std::is_same_v<Number, double>) {
@@ -34,7 +34,7 @@ Number number_of(const json& value) {
                 : value.is_number_integer() && std::in_range<Number>(value.get<std::int64_t>());
         if (fits) return value.get<Number>();
     }
-    throw_out_of_place();
+    throw OutOfPlace();
 }
 
 json parsed(const std::string& path) {
@@ -42,14 +42,20 @@ json parsed(const std::string& path) {
     std::string text;
     for (std::string_view block = file.next_block(); !block.empty(); block = file.next_block())
         text += block;
+    constexpr std::string_view wanted = "no state of a simulation; give a file that --save wrote";
     try {
         json state = json::parse(text);
         const bool is_known = state.at("version") == 1 || state.at("version") == 2;
-        if (state.at("format") != "signum.simulation" || !is_known)
-            throw InputError(path, "no state of a simulation; give a file that --save wrote");
+        if (state.at("format") != "signum.simulation" || !is_known) throw InputError(path, wanted);
         return state;
+    } catch (const json::parse_error& error) {
+        const std::string_view before = std::string_view(text).substr(0, error.byte - 1);
+        const auto lines = std::ranges::count(before, '\n');
+        const std::size_t begin = before.rfind('\n') + 1;  // 0 where there is none
+        throw InputError(path, {lines + 1, std::ssize(before.substr(begin)) + 1},
+                         fmt::format("here it ceases to be JSON: {}", wanted));
     } catch (const json::exception&) {
-        throw InputError(path, "no state of a simulation; give a file that --save wrote");
+        throw InputError(path, wanted);
     }
 }
 
@@ -168,7 +174,7 @@ void put_effects(TextWriter& text, const motion::Effects<D>& effects) {
 template <int D>
 motion::Vector<D> vector_of(const json& numbers) {
     motion::Vector<D> v{};
-    if (numbers.size() != D) throw_out_of_place();
+    if (numbers.size() != D) throw OutOfPlace();
     for (int k = 0; k < D; ++k) v[k] = number_of<double>(numbers.at(static_cast<std::size_t>(k)));
     return v;
 }
@@ -183,7 +189,7 @@ motion::Obstacle<D> obstacle_of(const json& wall) {
     if (kind == "sphere") {
         using Side = typename motion::Sphere<D>::Side;
         const std::string side = wall.at("side").get<std::string>();
-        if (side != "inside" && side != "outside") throw_out_of_place();
+        if (side != "inside" && side != "outside") throw OutOfPlace();
         return motion::Sphere<D>{vector_of<D>(wall.at("centre")), vector_of<D>(wall.at("velocity")),
                                  number_of<double>(wall.at("radius")),
                                  side == "inside" ? Side::inside : Side::outside};
@@ -192,7 +198,7 @@ motion::Obstacle<D> obstacle_of(const json& wall) {
         if (kind == "segment")
             return motion::Segment{vector_of<2>(wall.at("from")), vector_of<2>(wall.at("to"))};
     }
-    throw_out_of_place();
+    throw OutOfPlace();
 }
 
 /// Those that version 1 did not have.
@@ -248,7 +254,7 @@ void read_rest_of_state(const json& file, motion::State<D>& state) {
     for (const json& spin : file.value("spins", none)) {
         motion::Spin<D> result;
         if (spin.size() != static_cast<std::size_t>(result.end() - result.begin()))
-            throw_out_of_place();
+            throw OutOfPlace();
         std::size_t k = 0;
         for (double& each : result) each = number_of<double>(spin.at(k++));
         state.spins.push_back(result);
@@ -327,6 +333,7 @@ int dimension_of_motion_state(const std::string& path) {
         const int dimension = number_of<int>(parsed(path).at("dimension"));
         if (dimension == 2 || dimension == 3) return dimension;
     } catch (const json::exception&) {
+    } catch (const OutOfPlace&) {
     }
     throw InputError(path, "a state of a simulation of neither the plane nor space");
 }
@@ -334,6 +341,9 @@ int dimension_of_motion_state(const std::string& path) {
 template <int D>
 MotionState<D> read_motion_state(const std::string& path) {
     const json file = parsed(path);
+    constexpr std::string_view unlike =
+        "a state of a simulation with something missing or out of place; give a file as --save "
+        "wrote it";
     MotionState<D> result;
     try {
         auto& [state, effects] = result;
@@ -364,9 +374,9 @@ MotionState<D> read_motion_state(const std::string& path) {
         }
         read_rest_of_state(file, state);
     } catch (const json::exception&) {
-        throw InputError(path,
-                         "a state of a simulation with something missing or out of place; give a "
-                         "file as --save wrote it");
+        throw InputError(path, unlike);
+    } catch (const OutOfPlace&) {
+        throw InputError(path, unlike);
     }
     return result;
 }
