@@ -91,7 +91,7 @@ class View {
     [[nodiscard]] std::size_t count() const noexcept { return count_; }
     /// To be called before cells are judged by what has been seen. The bound is that of the filter
     /// of in_sphere, with the largest offsets of all in the place of the largest of a cell; beyond
-    /// the filter's window it is infinite.
+    /// the filter's window, and where a determinant could overflow, it is infinite.
     void set_bound() noexcept {
         for (; looked_at_ < count_; ++looked_at_) look_at(looked_at_);
         const auto& [x, y, z] = largest_;
@@ -100,7 +100,8 @@ class View {
         volume_ = (x * y) * z;
         magnitude_ = volume_ * height;
         bound_ = 24 * power::in_sphere_error * magnitude_;
-        if (!in_environment_ || !predicates::in_filter_window(largest_)) [[unlikely]]
+        if (!in_environment_ || !predicates::in_filter_window(largest_) ||
+            !(magnitude_ <= 0x1p1018)) [[unlikely]]
             volume_ = magnitude_ = bound_ = std::numeric_limits<double>::infinity();
     }
 

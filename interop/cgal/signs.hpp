@@ -84,10 +84,9 @@ class SmallOffsets {
 
 template <class S, std::size_t number>
 [[nodiscard]] inline bool weigh_the_same(const std::array<S, number>& sites) noexcept {
-    if constexpr (requires { sites[0].w; })
-        return std::ranges::all_of(sites, [&](const S& each) { return each.w == sites[0].w; });
-    else
-        return true;
+    return std::ranges::all_of(sites, [&](const S& each) {
+        return power::weight_key(each) == power::weight_key(sites[0]);
+    });
 }
 
 // ---- signs, however the points turn -------------------------------------------------------------

@@ -75,6 +75,8 @@ template <class Number>
     return 24 * in_sphere_error * ((largest.x * largest.y) * (largest.z * height));
 }
 
+inline constexpr double largest_double = 0x1.fffffffffffffp1023;
+
 /// A row for the filter, which subtracts, takes magnitudes and compares them two at a time.
 struct PairedRow {
     filters::Two xy;
@@ -104,8 +106,9 @@ template <PowerSite3 S>
 /// Decides almost every call. The magnitude is at most 24 times the product of the largest
 /// coordinates, an axis each, and the largest height, |m-q|² + |w_m - w_q|. Underflow: in the
 /// window a height is above 2^-301 and the bound above 2^-800, and what is lost is below 2^-1000
-/// times the largest factors. Overflow: weights may be as large as doubles are, and then the bound
-/// is infinite, or it or the determinant is a NaN, and the comparison fails.
+/// times the largest factors. Overflow: weights may be as large as doubles are. Where a sum of the
+/// determinant goes beyond the doubles, which the bound, 2^43 times smaller, need not, it stays
+/// infinite or becomes a NaN, and either is uncertain; so it is where the bound is one of them.
 template <PowerSite3 S>
 [[nodiscard]] inline filters::Verdict in_sphere_filter(const S& i, const S& j, const S& k,
                                                        const S& l, const S& q) noexcept {
@@ -126,7 +129,7 @@ template <PowerSite3 S>
     const double determinant = in_sphere_determinant<LiftedRow<double>>(a, b, c, d);
     if (!filters::environment_is_default() || !predicates::in_filter_window(largest)) [[unlikely]]
         return filters::Verdict::uncertain();
-    if (!(magnitude(determinant) > bound)) [[unlikely]]
+    if (!(magnitude(determinant) > bound && magnitude(determinant) <= largest_double)) [[unlikely]]
         return filters::Verdict::uncertain();
     return filters::Verdict::certain(filters::sign_of_nonzero(determinant));
 }

@@ -411,6 +411,26 @@ TEST(Spatial, PointsAndWeightsAreSitesToo) {
     EXPECT_LE(finite, 27 * 6);
 }
 
+/// All lengths halved, and weights quartered, change nothing; where weights are about as large as
+/// doubles are, determinants overflow before that, and their bounds do not.
+TEST(Spatial, WeightsUpToTheLargestDoubleAreOrdinary) {
+    Random random(83);
+    for (int round = 0; round < 400; ++round) {
+        std::vector<power::Site3> huge(static_cast<std::size_t>(6 + random.below(50)));
+        const auto place = [&] { return 0.25 * (random.below(17) - 8); };
+        for (power::Site3& s : huge)
+            s = {place(), place(), place(),
+                 std::ldexp(2.0 * random.unit() - 1.0, 1024 - random.below(3))};
+        std::vector<power::Site3> usual = huge;
+        for (power::Site3& s : usual)
+            s = {std::ldexp(s.x, -20), std::ldexp(s.y, -20), std::ldexp(s.z, -20),
+                 std::ldexp(s.w, -40)};
+        ASSERT_EQ(triangulate(std::span<const power::Site3>(huge)),
+                  triangulate(std::span<const power::Site3>(usual)))
+            << round;
+    }
+}
+
 TEST(Spatial, WhatCannotBeIsRefused) {
     const auto refused = [](const Sites& sites, const Options& options = {}) -> std::string {
         try {

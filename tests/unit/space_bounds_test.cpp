@@ -126,6 +126,27 @@ TEST(SpaceBounds, OfInSphereAreOfTheRowsThatItComputes) {
     }
 }
 
+/// The bound is 2^43 times smaller than what the determinant's sums may come to.
+TEST(SpaceBounds, OfInSphereWhereItsSumsOverflow) {
+    const double unit = 0x1p1022;
+    const auto ask = [](const auto& i, const auto& j, const auto& k, const auto& l, const auto& q) {
+        EXPECT_FALSE(power::in_sphere_filter(i, j, k, l, q).is_certain());
+        EXPECT_EQ(power::in_sphere(i, j, k, l, q), -1);
+    };
+    ask(power::Site3{1, 1, 1, -1.5 * unit}, power::Site3{-1, -1, 1, 0.45 * unit},
+        power::Site3{-1, 1, -1, 0.9 * unit}, power::Site3{1, -1, -1, 0.45 * unit},
+        power::Site3{0, 0, 0, 0});
+    const double far = 0x1p149;
+    const double weight = 0x1p575;
+    ask(power::Site3{far, far, far, -1.5 * weight}, power::Site3{-far, -far, far, 0.45 * weight},
+        power::Site3{-far, far, -far, 0.9 * weight}, power::Site3{far, -far, -far, 0.45 * weight},
+        power::Site3{0, 0, 0, 0});
+    ask(Site3{0x1p-64, -0x1p+81, 0x1.0000000000001p+27, 0x1.1db6a63a9cf2bp+489},
+        Site3{0x1p-64, 0x1p+81, 0, 0x1.4666602971e7bp+488},
+        Site3{0x1.0000000000003p-64, -0x1p+81, -0x1p+27, 0x1.96f4b94f28b4cp+489},
+        Site3{-0x1p-64, -0x1p+81, -0x1p+27, -0x1.1b8288f125b29p+488}, Site3{0, 0, 0, 0});
+}
+
 /// The last site alone is the farthest along an axis: (s,1,2), of height 4.
 TEST(SpaceBounds, OfInSphereWhereTheLastSiteIsFarthest) {
     for (const int axes : {0, 1, 2})
