@@ -15,29 +15,76 @@ Point turned_left(Point p) noexcept {
     return {-p.y, p.x};
 }
 
-/// The points with |x - a|² - w(a) = |x - b|² - w(b), for the excess w(a) - w(b).
-std::optional<Curve> straight_bisector(const Site& a, const Site& b, double excess, Point focus) {
-    const Point to_b = {b.x - a.x, b.y - a.y};
-    const double distance = std::hypot(to_b.x, to_b.y);
-    const Point right = {to_b.x / distance, to_b.y / distance};
+/// What bisector() is asked for.
+struct Pair {
+    const NumberedSite& first;
+    const NumberedSite& second;
+    Site a;  ///< the first, divided by 2^exponent
+    Site b;  ///< the second, likewise
+    WeightIs weight_is;
+    int exponent;
+    Point focus;
+};
+
+/// The way from a to b: 2^exponent times a distance, in a direction.
+struct Way {
+    explicit Way(const Pair& pair) {
+        Point to_b = {pair.b.x - pair.a.x, pair.b.y - pair.a.y};
+        is_close = std::hypot(to_b.x, to_b.y) < 0x1p-960;
+        if (is_close) {
+            // Among or below the denormals, which have few bits: as it is given, and by its own
+            // power of two.
+            const Site& first = pair.first.site;
+            const Site& second = pair.second.site;
+            to_b = {second.x - first.x, second.y - first.y};
+            const double longest = std::max(std::abs(to_b.x), std::abs(to_b.y));
+            if (longest > 0) exponent = std::ilogb(longest);
+            to_b = {std::ldexp(to_b.x, -exponent), std::ldexp(to_b.y, -exponent)};
+        }
+        distance = std::hypot(to_b.x, to_b.y);
+        right = {to_b.x / distance, to_b.y / distance};
+    }
+    bool is_close;     ///< too close for what they have been divided by
+    int exponent = 0;  ///< of two, and not divided where they are close
+    double distance;
+    Point right;  ///< not finite where they are at one place
+};
+
+/// The points with |x - a|² - w(a) = |x - b|² - w(b), where the excess w(a) - w(b) is `shift` times
+/// twice the distance.
+std::optional<Curve> straight_bisector(const Pair& pair, const Way& way, double shift) {
+    const Site& a = pair.a;
+    const Site& b = pair.b;
+    const Point& right = way.right;
+    const Point& focus = pair.focus;
     // The difference of both sides at the focus, which grows by twice the distance per unit.
     const Point from_a = {focus.x - a.x, focus.y - a.y};
     const Point from_b = {focus.x - b.x, focus.y - b.y};
     const double along = dot(right, from_a) + dot(right, from_b);
-    const Point origin = plus(focus, right, excess / distance / 2 - along / 2);
+    const Point origin = plus(focus, right, shift - along / 2);
     if (!std::isfinite(origin.x + origin.y + right.x + right.y)) return std::nullopt;
     return StraightCurve{origin, right, turned_left(right)};
 }
 
-std::optional<Curve> hyperbola(const Site& a, const Site& b) {
+std::optional<Curve> hyperbola(const Pair& pair, const Way& way) {
+    const Site& a = pair.a;
+    const Site& b = pair.b;
     const Point to_b = {b.x - a.x, b.y - a.y};
-    const double distance = std::hypot(to_b.x, to_b.y);
-    const Point forward = {to_b.x / distance, to_b.y / distance};
-    const double slant = std::clamp((a.r - b.r) / distance, -1.0, 1.0);
-    if (!std::isfinite(forward.x + forward.y + slant)) return std::nullopt;
-    return HyperbolaCurve{plus({a.x, a.y}, to_b, 0.5), forward, turned_left(forward),
-                          slant * (distance / 2),
-                          std::sqrt((1 - slant) * (1 + slant)) * (distance / 2)};
+    const Point middle = plus({a.x, a.y}, to_b, 0.5);
+    const double excess = way.is_close
+                              ? std::ldexp(pair.first.site.r - pair.second.site.r, -way.exponent)
+                              : a.r - b.r;
+    const double slant = std::clamp(excess / way.distance, -1.0, 1.0);
+    const double rise = std::sqrt((1 - slant) * (1 + slant));
+    if (!std::isfinite(way.right.x + way.right.y + slant)) return std::nullopt;
+    if (way.is_close) {
+        // From where it can be seen it is its asymptotes.
+        const double slope = slant / rise;
+        if (!std::isfinite(slope)) return std::nullopt;
+        return StraightCurve{middle, way.right, turned_left(way.right), {0, 0}, 0, {slope, slope}};
+    }
+    return HyperbolaCurve{middle, way.right, turned_left(way.right), slant * (way.distance / 2),
+                          rise * (way.distance / 2)};
 }
 
 /// For each side of a square (diamond) whether b touches it first, and not a, as squares shrink
@@ -91,29 +138,26 @@ StraightCurve rectangular_bisector(const Site& a, const Site& b,
             {b_touches[at(right + 1)] ? 1.0 : -1.0, b_touches[at(right + 3)] ? 1.0 : -1.0}};
 }
 
-/// What bisector() is asked for.
-struct Pair {
-    const NumberedSite& first;
-    const NumberedSite& second;
-    Site a;  ///< the first, divided by 2^exponent
-    Site b;  ///< the second, likewise
-    WeightIs weight_is;
-    int exponent;
-    Point focus;
-};
-
 std::optional<Curve> bisector_in(Power /*metric*/, const Pair& pair) {
-    const Site& a = pair.a;
-    const Site& b = pair.b;
-    const double excess = pair.weight_is == WeightIs::weight ? std::ldexp(a.r - b.r, -pair.exponent)
-                                                             : (a.r - b.r) * (a.r + b.r);
-    return straight_bisector(a, b, excess, pair.focus);
+    const Way way(pair);
+    const bool is_weight = pair.weight_is == WeightIs::weight;
+    const double excess = pair.first.site.r - pair.second.site.r;
+    const double sum = pair.a.r + pair.b.r;
+    if (way.is_close)
+        return straight_bisector(
+            pair, way,
+            is_weight ? std::ldexp(excess / way.distance / 2, -way.exponent - pair.exponent)
+                      : std::ldexp(excess, -way.exponent) / way.distance * (sum / 2));
+    const double divided = pair.a.r - pair.b.r;
+    return straight_bisector(
+        pair, way,
+        (is_weight ? std::ldexp(divided, -pair.exponent) : divided * sum) / way.distance / 2);
 }
 
 std::optional<Curve> bisector_in(Euclidean /*metric*/, const Pair& pair) {
-    if (pair.first.site.r == pair.second.site.r)
-        return straight_bisector(pair.a, pair.b, 0, pair.focus);
-    return hyperbola(pair.a, pair.b);
+    const Way way(pair);
+    if (pair.first.site.r == pair.second.site.r) return straight_bisector(pair, way, 0);
+    return hyperbola(pair, way);
 }
 
 template <triangulation::Rectangular M>

@@ -753,6 +753,51 @@ TEST_P(VoronoiCells, EdgesOfDenormalSitesAreThoseOfUsualOnes) {
     }
 }
 
+/// How much of the box around the origin each cell takes.
+std::vector<double> shares_of(const std::vector<Site>& sites, Metric metric, double reach) {
+    const Voronoi diagram = voronoi(triangulate(sites, metric));
+    const double side = std::ldexp(reach, -diagram.exponent());
+    const Box box = {-side, -side, side, side};
+    const ClippedVoronoi clipped(diagram, box, Lengths::divided);
+    std::vector<double> shares;
+    for (Index i = 0; i < static_cast<Index>(sites.size()); ++i)
+        shares.push_back(diagram.is_hidden(i) ? 0.0 : measure(clipped.cell(i)).area / area(box));
+    return shares;
+}
+
+/// From where the other sites are, a close pair looks the same however close it is: also where its
+/// distance is a denormal, or none among numbers as large as theirs.
+TEST(Voronoi, OfAPairThatIsCloserThanDoublesCanTell) {
+    std::mt19937_64 random(79);
+    const auto below = [&](int bound) { return static_cast<double>(random() % bound); };
+    for (int round = 0; round < 200; ++round) {
+        for (const Metric metric : all_metrics) {
+            // The radii of the pair differ by less than their distance, or not at all.
+            const std::array<double, 4> of_pair = {below(60), below(60) + 1, -below(60) - 1,
+                                                   below(60)};
+            const double radius = round % 2 == 0 ? 0.0 : below(40);
+            const auto sites = [&](double least, double far) -> std::vector<Site> {
+                return {{far, far, 0},
+                        {-far, 0.75 * far, 0},
+                        {0.625 * far, -far, 0},
+                        {-far, -far, 0},
+                        {least * of_pair[0], least * of_pair[1], 0},
+                        {least * of_pair[2], least * of_pair[3],
+                         metric == Metric::power ? 0.0 : least * radius}};
+            };
+            const std::vector<double> expected = shares_of(sites(0x1p-60, 1.0), metric, 1.0);
+            for (const double far :
+                 {0x1p-700, 0x1p-100, 1.0, 0x1p199, 0x1p233, 0x1p600, 0x1p1022}) {
+                const std::vector<double> found = shares_of(sites(0x1p-1074, far), metric, far);
+                for (std::size_t i = 0; i < 6; ++i)
+                    ASSERT_NEAR(found[i], expected[i], 1e-9)
+                        << name_of(metric) << " of " << far << ", cell " << i << " of round "
+                        << round;
+            }
+        }
+    }
+}
+
 TEST(Voronoi, RefusesBoxesOfAnotherSizeThanItsSites) {
     const auto of = [](double size) {
         return voronoi(
