@@ -36,7 +36,10 @@ class PlySites {
                 }
                 if (is_vertex) read_vertex();
             }
-            if (is_vertex) break;
+            if (!is_vertex) continue;
+            if (&element == &elements_.back() && lines_.next_with_words())
+                lines_.fail_at(0, fmt::format("a line beyond the {} vertices", element.count));
+            break;
         }
         if (result_.in_space.empty()) lines_.fail_at_end("no vertex in this file");
         return std::move(result_);
@@ -88,6 +91,9 @@ class PlySites {
             lines_.fail_at(0, "a property is a line property TYPE NAME below its element");
         if (elements_.back().name != "vertex") return;
         const std::string_view name = lines_[lines_.size() - 1];
+        if (lines_[1] != "list" && std::ranges::find(types, lines_[1]) == types.end())
+            lines_.fail_at(1, fmt::format("{} is no type of PLY's; for a number give double",
+                                          in_quotes(lines_[1])));
         if (lines_[1] == "list")
             lines_.fail_at(1, "a list in a vertex is not read; leave the property out");
         const std::size_t place = properties_++;
@@ -128,6 +134,9 @@ class PlySites {
         result_.in_space.push_back(site);
     }
 
+    static constexpr std::array<std::string_view, 16> types = {
+        "char", "uchar", "short", "ushort", "int",   "uint",   "float",   "double",
+        "int8", "uint8", "int16", "uint16", "int32", "uint32", "float32", "float64"};
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
     static constexpr std::size_t radius = 3;
 

@@ -37,6 +37,12 @@ Number number_of(const json& value) {
     throw OutOfPlace();
 }
 
+/// For loops, which would take null for an empty list, and a table for one of its values.
+const json& list_of(const json& value) {
+    if (!value.is_array()) throw OutOfPlace();
+    return value;
+}
+
 json parsed(const std::string& path) {
     InputFile file(path, "a state of a simulation");
     std::string text;
@@ -243,15 +249,19 @@ void read_effects_of_state(const json& file, motion::Effects<D>& effects) {
     });
     with("time_step", [&](const json& value) { effects.time_step = number_of<double>(value); });
     with("obstacles", [&](const json& walls) {
-        for (const json& wall : walls) effects.obstacles.push_back(obstacle_of<D>(wall));
+        for (const json& wall : list_of(walls)) effects.obstacles.push_back(obstacle_of<D>(wall));
     });
 }
 
 /// What effects keep of balls; check() says whether it is what they need.
 template <int D>
 void read_rest_of_state(const json& file, motion::State<D>& state) {
-    const json none = json::array();
-    for (const json& spin : file.value("spins", none)) {
+    // By reference: json's own value() copies what is there, which takes a stack as deep as that.
+    static const json none = json::array();
+    const auto list = [&](const char* name) -> const json& {
+        return file.contains(name) ? list_of(file.at(name)) : none;
+    };
+    for (const json& spin : list("spins")) {
         motion::Spin<D> result;
         if (spin.size() != static_cast<std::size_t>(result.end() - result.begin()))
             throw OutOfPlace();
@@ -259,10 +269,10 @@ void read_rest_of_state(const json& file, motion::State<D>& state) {
         for (double& each : result) each = number_of<double>(spin.at(k++));
         state.spins.push_back(result);
     }
-    for (const json& time : file.value("last_strikes", none))
+    for (const json& time : list("last_strikes"))
         state.last_strikes.push_back(time.is_null() ? -std::numeric_limits<double>::infinity()
                                                     : number_of<double>(time));
-    for (const json& contact : file.value("standing", none))
+    for (const json& contact : list("standing"))
         state.contacts.push_back({number_of<std::int32_t>(contact.at(0)),
                                   number_of<std::int32_t>(contact.at(1)),
                                   number_of<double>(contact.at(2)), vector_of<D>(contact.at(3))});
@@ -352,11 +362,11 @@ MotionState<D> read_motion_state(const std::string& path) {
         effects.wall_restitution = number_of<double>(file.at("wall_restitution"));
         effects.periodic = file.at("periodic").get<bool>();
         effects.gravity = vector_of<D>(file.at("gravity"));
-        if (file.contains("low"))
+        if (file.contains("low") || file.contains("high"))
             effects.box =
                 motion::Box<D>{vector_of<D>(file.at("low")), vector_of<D>(file.at("high"))};
         read_effects_of_state(file, effects);
-        for (const json& ball : file.at("balls")) {
+        for (const json& ball : list_of(file.at("balls"))) {
             state.balls.push_back({vector_of<D>(ball.at(0)), vector_of<D>(ball.at(1)),
                                    number_of<double>(ball.at(2)), number_of<double>(ball.at(3))});
             state.masses.push_back(number_of<double>(ball.at(4)));
@@ -364,7 +374,7 @@ MotionState<D> read_motion_state(const std::string& path) {
         }
         const auto balls = static_cast<std::int32_t>(state.balls.size());
         const auto walls = static_cast<std::int32_t>(2 * D + effects.obstacles.size());
-        for (const json& passed : file.at("passed")) {
+        for (const json& passed : list_of(file.at("passed"))) {
             const motion::Passed each{number_of<std::int32_t>(passed.at(0)),
                                       number_of<std::int32_t>(passed.at(1)),
                                       number_of<double>(passed.at(2))};

@@ -393,6 +393,9 @@ TEST(PlySites, ReadVertices) {
     EXPECT_EQ(wrong(vertices + "1 2 3\n1 2\n"),
               "10:4: 2 numbers, but the header names 3 properties of a vertex");
     EXPECT_EQ(wrong(vertices + "1 2 3\n1 2 3x\n"), "10:5: '3x'" + word);
+    EXPECT_EQ(wrong(vertices + "1 2 3\n4 5 6\n\n7 8 9\n"), "12:1: a line beyond the 2 vertices");
+    EXPECT_EQ(wrong(head + "element vertex 1\nproperty doubel x\n"),
+              "5:10: 'doubel' is no type of PLY's; for a number give double");
 }
 
 TEST(SitesInput, IsToldByTheEnding) {

@@ -181,6 +181,13 @@ TEST(MotionState, OfALaterVersionOrAnUnknownWallIsRefused) {
     refused("\"segment\"", "\"polygon\"");
     refused("\"inertia\"", "\"inert\"");
     refused("\"inside\"", "\"aside\"");
+    refused("\"low\"", "\"below\"");
+    refused("\"high\"", "\"above\"");
+    for (const std::string list : {"balls", "passed", "spins", "last_strikes", "standing"}) {
+        const std::string deep = std::string(200000, '[') + std::string(200000, ']');
+        for (const std::string& other : {std::string("null"), std::string("{\"x\": 1}"), deep})
+            refused("\"" + list + "\": ", "\"" + list + "\": " + other + ", \"rest\": ");
+    }
 }
 
 TEST(MotionState, ThatIsNoJsonIsRefusedAtItsPlace) {

@@ -121,9 +121,14 @@ class ArraysCheck {
                               ", which is hidden itself"};
         if (visible_ == 0 && n > 0) throw Invalid{"every site is hidden"};
         const Index expected = visible_ < 2 ? 0 : 2 * visible_ - 2;
-        if (faces() != expected)
+        if (faces() != expected) {
+            const bool has_infinite = std::ranges::any_of(arrays_.faces, [](const Face& face) {
+                return std::ranges::find(face, infinite) != face.end();
+            });
             throw Invalid{std::to_string(visible_) + " visible sites have " +
-                          std::to_string(expected) + " faces, not " + std::to_string(faces())};
+                          std::to_string(expected) + " faces, not " + std::to_string(faces()) +
+                          (has_infinite ? "" : "; of the vertex at infinity, -1, there is none")};
+        }
     }
 
     /// Glues the faces as their neighbours say; two sites may share several edges.
