@@ -75,17 +75,20 @@ template <class Number>
     return 24 * in_sphere_error * ((largest.x * largest.y) * (largest.z * height));
 }
 
+/// A determinant beyond it has overflowed.
 inline constexpr double largest_double = 0x1.fffffffffffffp1023;
 
 /// A row for the filter, which subtracts, takes magnitudes and compares them two at a time.
 struct PairedRow {
-    filters::Two xy;
+    filters::Two xy;  ///< of the centre
     filters::Two zw;  ///< with the weight, of a site its radius
 
+    /// The same row.
     [[nodiscard, gnu::always_inline]] operator LiftedRow<double>() const noexcept {
         return {{xy[0], xy[1], zw[0]}, zw[1]};
     }
 };
+/// A site's own numbers, pinned.
 template <PowerSite3 S>
 [[nodiscard, gnu::always_inline]] inline PairedRow pinned_row(const S& m) noexcept {
     double last = 0.0;
