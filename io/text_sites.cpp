@@ -120,6 +120,14 @@ class TextSites {
                 if (column == found[2]) ++column;
                 found[which] = column++;
             }
+            for (; column < columns_.size(); ++column)
+                if (is_x_of_geographers(columns_.name(column)) ||
+                    is_y_of_geographers(columns_.name(column)))
+                    columns_.fail_at(
+                        column, fmt::format("{} stands behind the first two columns, which would "
+                                            "be x and y; choose them with --columns, as in "
+                                            "--columns 2,3",
+                                            in_quotes(columns_.text(column))));
         }
         if (found[0] == no_column || found[1] == no_column) {
             columns_.fail_at(0,
@@ -144,6 +152,9 @@ class TextSites {
         if (columns_.size() > 3 || !result_.note.empty()) columns_.keep_separator();
     }
 
+    static bool is_x_of_geographers(std::string_view name) {
+        return name == "lon" || name == "lng" || name == "longitude" || name == "easting";
+    }
     static bool is_y_of_geographers(std::string_view name) {
         return name == "lat" || name == "latitude" || name == "northing";
     }

@@ -117,6 +117,17 @@ TEST(TextSites, SaysThatALatitudeIsX) {
     EXPECT_EQ(read("lat lon\n1 2\n", {"lon", "lat"}).sites, (Sites{{2, 1, 0}}));
 }
 
+/// They are no third column beside a number and one of them.
+TEST(TextSites, RefusesALongitudeBehindTheFirstTwo) {
+    const std::string choose =
+        " stands behind the first two columns, which would be x and y; choose them with --columns, "
+        "as in --columns 2,3";
+    EXPECT_EQ(error("id,lon,lat\n1,0,0\n"), "1:8: 'lat'" + choose);
+    EXPECT_EQ(error("id\tLatitude\tLongitude\n1\t0\t0\n"), "1:13: 'Longitude'" + choose);
+    EXPECT_EQ(read("id,lon,lat\n1,2,3\n", {"lon", "lat"}).sites, (Sites{{2, 3, 0}}));
+    EXPECT_EQ(read("lon,lat,height\n1,2,3\n").sites, (Sites{{1, 2, 0}}));
+}
+
 TEST(TextSites, SaysThatAHeightIsLeftOut) {
     const SitesFile file = read("x y z r\n1 2 9 3\n");
     EXPECT_EQ(file.sites, (Sites{{1, 2, 3}}));
