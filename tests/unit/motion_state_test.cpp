@@ -1,5 +1,6 @@
 /// A state comes back from its file as it was, with every effect.
 
+#include <cmath>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -150,6 +151,22 @@ void goes_and_comes() {
 TEST(MotionState, WithAllEffectsComesBack) {
     goes_and_comes<2>();
     goes_and_comes<3>();
+}
+
+TEST(MotionState, ZerosKeepTheirSign) {
+    const Scratch scratch;
+    MotionState<2> state = with_all_effects<2>();
+    state.effects.gravity[1] = -0.0;
+    state.state.balls[0].v[0] = -0.0;
+    state.state.spins[0][0] = -0.0;
+    state.state.last_strikes[0] = -0.0;
+    state.state.contacts[0].push = -0.0;
+    const MotionState<2> back = read_motion_state<2>(scratch.file("state.json", written(state)));
+    EXPECT_TRUE(std::signbit(back.effects.gravity[1]));
+    EXPECT_TRUE(std::signbit(back.state.balls[0].v[0]));
+    EXPECT_TRUE(std::signbit(back.state.spins[0][0]));
+    EXPECT_TRUE(std::signbit(back.state.last_strikes[0]));
+    EXPECT_TRUE(std::signbit(back.state.contacts[0].push));
 }
 
 TEST(MotionState, OfVersion1IsRead) {
