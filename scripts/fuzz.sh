@@ -3,7 +3,7 @@
 #
 #   scripts/fuzz.sh TARGET[,TARGET...]|all SECONDS [--afl]
 #
-# SECONDS are for each target, of a processor (with --afl of the clock), so that other work beside it takes
+# SECONDS, 3 or more, are for each target, of a processor (with --afl of the clock), so that other work beside it takes
 # nothing from them. libFuzzer with the address and undefined-behaviour sanitizers; with --afl AFL++, with the
 # same. What it finds and its growing corpus lie in build/fuzz (FUZZ names another folder):
 #
@@ -33,7 +33,7 @@ target=$1
 seconds=$2
 engine=libfuzzer
 [ "${3:-}" = --afl ] && engine=afl
-[[ $seconds =~ ^[0-9]+$ ]] || usage
+[[ $seconds =~ ^[0-9]+$ ]] && [ "$seconds" -gt 2 ] || usage # the last two seconds are not asked for
 if [ "$target" = all ]; then
   mapfile -t targets < <(cd "$root/fuzz/corpus" && ls)
 else
