@@ -307,6 +307,11 @@ std::vector<Vector<D>> place_by_growth(const Region<D>& region, std::span<const 
         filled += motion::ball_volume<D>(radius) / region.volume;
         mean += radius / static_cast<double>(radii.size());
     }
+    if (filled > 0.999)
+        throw NoPlaceError(fmt::format(
+            "balls of {:.3g} times the region's size; give fewer or smaller balls, or a "
+            "larger region",
+            filled));
     // So loose that chance finds a place for all.
     constexpr double loose = D == 2 ? 0.2 : 0.1;
     double share = 0.9;

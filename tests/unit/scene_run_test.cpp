@@ -121,16 +121,19 @@ TEST_F(SceneRuns, StartDenselyByGrowth) {
                          end),
         {});
     EXPECT_NEAR(packing_of(std::get<Scene<3>>(space)), 0.5, 1e-9);
-    const std::string jammed = scratch.file(
-        "jammed.toml",
-        box + "[balls]\nnumber = 20\npacking = 0.93\narrangement = \"growth\"\n" + end);
-    try {
-        static_cast<void>(read_scene(jammed, {}));
-        FAIL();
-    } catch (const InputError& error) {
-        EXPECT_NE(std::string(error.what()).find(":4:1: [balls]: the balls jam"), std::string::npos)
-            << error.what();
-    }
+    const auto refused = [&](const std::string& balls, const std::string& why) {
+        const std::string scene = scratch.file(
+            "dense.toml", box + "[balls]\n" + balls + "arrangement = \"growth\"\n" + end);
+        try {
+            static_cast<void>(read_scene(scene, {}));
+            FAIL();
+        } catch (const InputError& error) {
+            EXPECT_NE(std::string(error.what()).find(":4:1: [balls]: " + why), std::string::npos)
+                << error.what();
+        }
+    };
+    refused("number = 20\npacking = 0.93\n", "the balls jam");
+    refused("number = 60\nradius = 40\n", "balls of ");
 }
 
 /// A wall that begins among the balls and ends where no double tells how far they are from it.
