@@ -40,8 +40,10 @@ namespace {
 
 using nlohmann::json;
 
-/// A state that is JSON, but not ours.
-struct OutOfPlace {};
+/// A state that is JSON, but not ours: caught as what the library throws for one that lacks a name.
+struct OutOfPlace : json::exception {
+    OutOfPlace() : json::exception(501, "out of place") {}
+};
 
 /// No true, which the library's get() takes for 1; and no integer that does not fit, which it
 /// leaves to chance.
@@ -371,7 +373,6 @@ int dimension_of_motion_state(const std::string& path) {
         const int dimension = number_of<int>(parsed(path).at("dimension"));
         if (dimension == 2 || dimension == 3) return dimension;
     } catch (const json::exception&) {
-    } catch (const OutOfPlace&) {
     }
     throw InputError(path, "a state of a simulation of neither the plane nor space");
 }
@@ -379,9 +380,6 @@ int dimension_of_motion_state(const std::string& path) {
 template <int D>
 MotionState<D> read_motion_state(const std::string& path) {
     const json file = parsed(path);
-    constexpr std::string_view unlike =
-        "a state of a simulation with something missing or out of place; give a file as --save "
-        "wrote it";
     MotionState<D> result;
     try {
         auto& [state, effects] = result;
@@ -412,9 +410,9 @@ MotionState<D> read_motion_state(const std::string& path) {
         }
         read_rest_of_state(file, state);
     } catch (const json::exception&) {
-        throw InputError(path, unlike);
-    } catch (const OutOfPlace&) {
-        throw InputError(path, unlike);
+        throw InputError(path,
+                         "a state of a simulation with something missing or out of place; give a "
+                         "file as --save wrote it");
     }
     return result;
 }

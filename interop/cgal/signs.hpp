@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "../../core/contract.hpp"
+#include "../../core/sign.hpp"
 #include "../../core/site.hpp"
 #include "../../predicates/ccw.hpp"
 #include "../../predicates/power.hpp"
@@ -92,10 +93,6 @@ template <class S, std::size_t number>
 // ---- signs, however the points turn -------------------------------------------------------------
 // Of CGAL's points or ours. The filters take them as they lie, and are inlined for that; what is
 // behind the filters makes its own copies.
-
-[[nodiscard]] inline Sign sign_of(double determinant) noexcept {
-    return (determinant > 0.0) - (determinant < 0.0);
-}
 
 template <class P>
 [[nodiscard, gnu::cold, gnu::noinline]] Sign turn_uncertain(const P& p, const P& q,

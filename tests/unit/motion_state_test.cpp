@@ -185,15 +185,23 @@ TEST(MotionState, OfVersion1IsRead) {
     EXPECT_TRUE(state.effects.obstacles.empty());
 }
 
-TEST(MotionState, OfALaterVersionOrAnUnknownWallIsRefused) {
-    const Scratch scratch;
-    std::string text = written(with_all_effects<2>());
-    const auto refused = [&](const std::string& word, const std::string& by) {
-        std::string other = text;
-        other.replace(other.find(word), word.size(), by);
-        const std::string path = scratch.file("state.json", other);
+/// The state with all effects, with other text in one place.
+class DamagedStates : public testing::Test {
+ protected:
+    std::string with(const std::string& word, const std::string& by) {
+        std::string other = written(with_all_effects<2>());
+        EXPECT_NE(other.find(word), std::string::npos) << word;
+        return scratch.file("state.json", other.replace(other.find(word), word.size(), by));
+    }
+    void refused(const std::string& word, const std::string& by) {
+        const std::string path = with(word, by);
         EXPECT_THROW(static_cast<void>(read_motion_state<2>(path)), InputError) << by;
-    };
+    }
+
+    const Scratch scratch;
+};
+
+TEST_F(DamagedStates, OfALaterVersionOrAnUnknownWallAreRefused) {
     refused("\"version\": 2", "\"version\": 3");
     refused("\"segment\"", "\"polygon\"");
     refused("\"inertia\"", "\"inert\"");
@@ -221,16 +229,7 @@ TEST(MotionState, ThatIsNoJsonIsRefusedAtItsPlace) {
 }
 
 /// An index that does not fit would come to be that of another ball.
-TEST(MotionState, OfNumbersThatAreNoneOrDoNotFitIsRefused) {
-    const Scratch scratch;
-    const std::string text = written(with_all_effects<2>());
-    const auto refused = [&](const std::string& word, const std::string& by) {
-        ASSERT_NE(text.find(word), std::string::npos) << word;
-        std::string other = text;
-        other.replace(other.find(word), word.size(), by);
-        const std::string path = scratch.file("state.json", other);
-        EXPECT_THROW(static_cast<void>(read_motion_state<2>(path)), InputError) << by;
-    };
+TEST_F(DamagedStates, OfNumbersThatAreNoneOrDoNotFitAreRefused) {
     refused("\"time\": 2.5", "\"time\": true");
     for (const std::string many : {"1.5", "true", "-2147483649", "2147483648", "4294967296",
                                    "4294967313", "18446744073709551615", "1e300"}) {
@@ -242,10 +241,7 @@ TEST(MotionState, OfNumbersThatAreNoneOrDoNotFitIsRefused) {
     for (const std::string many : {"-1", "1.5", "18446744073709551616"})
         refused("\"half_steps\": 41", "\"half_steps\": " + many);
     for (const std::string many : {"2.5", "4294967298", "18446744073709551618", "-2", "true"}) {
-        std::string other = text;
-        const std::string word = "\"dimension\": 2";
-        other.replace(other.find(word), word.size(), "\"dimension\": " + many);
-        const std::string path = scratch.file("state.json", other);
+        const std::string path = with("\"dimension\": 2", "\"dimension\": " + many);
         EXPECT_THROW(static_cast<void>(dimension_of_motion_state(path)), InputError) << many;
     }
 }
