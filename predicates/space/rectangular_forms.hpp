@@ -57,13 +57,13 @@ template <class Number>
 namespace count {
 using filters::RoundingCount;
 template <class Shape>
-constexpr int form = rounded_forms<Shape, RoundingCount>(Site3{})[0].roundings;
+constexpr int facet_form = rounded_forms<Shape, RoundingCount>(Site3{})[0].roundings;
 /// The products, by 0, 1 and 2, are exact, but counted.
 template <class Shape>
 constexpr int excess =
-    rectangular::excess<RoundingCount>(bases<Shape>[0], 0, RoundingCount::of(form<Shape>), {
-        RoundingCount::of(form<Shape>), RoundingCount::of(form<Shape>),
-            RoundingCount::of(form<Shape>), RoundingCount::of(form<Shape>)
+    rectangular::excess<RoundingCount>(bases<Shape>[0], 0, RoundingCount::of(facet_form<Shape>), {
+        RoundingCount::of(facet_form<Shape>), RoundingCount::of(facet_form<Shape>),
+            RoundingCount::of(facet_form<Shape>), RoundingCount::of(facet_form<Shape>)
     }).roundings;
 static_assert(excess<Cube> == 6 && excess<Octahedron> == 8);
 }  // namespace count
