@@ -15,14 +15,18 @@ namespace signum::spatial {
 
 class Lattice {
  public:
-    /// A weight is to be a multiple of the square.
+    /// A weight is to be a multiple of the square. Radii of which sums overflow lie on none: the
+    /// difference of two equal weights, a product of difference and sum, is no number then.
     template <power::PowerSite3 S>
     explicit Lattice(std::span<const S> sites) noexcept {
         int lowest = 1024;
         for (const S& site : sites) {
             for (const double number : {site.x, site.y, site.z})
                 lowest = std::min(lowest, last_bit(number));
-            if constexpr (requires { site.r; }) lowest = std::min(lowest, last_bit(site.r));
+            if constexpr (requires { site.r; }) {
+                if (!(std::fabs(site.r) < 0x1p1023)) return;
+                lowest = std::min(lowest, last_bit(site.r));
+            }
             if constexpr (requires { site.w; })
                 lowest = std::min(lowest, (last_bit(site.w) - (last_bit(site.w) & 1)) / 2);
             if (lowest < -least_exponent) return;

@@ -431,6 +431,27 @@ TEST(Spatial, WeightsUpToTheLargestDoubleAreOrdinary) {
     }
 }
 
+TEST(Spatial, RadiiUpToTheLargestDoubleAreOrdinary) {
+    Random random(89);
+    constexpr double largest = std::numeric_limits<double>::max();
+    for (int round = 0; round < 400; ++round) {
+        Sites huge(static_cast<std::size_t>(6 + random.below(30)));
+        Sites usual(huge.size());
+        // All weigh the same, or some nothing beside others.
+        const bool are_equal = random.below(2) == 0;
+        for (std::size_t i = 0; i < huge.size(); ++i) {
+            const auto place = [&] { return 0.25 * (random.below(17) - 8); };
+            const double part = are_equal || random.below(2) == 0 ? 1.0 : 0.5;
+            usual[i] = {place(), place(), place(), part * 0x1p40};
+            huge[i] = usual[i];
+            huge[i].r = random.below(2) == 0 ? part * largest : -part * largest;
+        }
+        ASSERT_EQ(triangulate(std::span<const Site3>(huge)),
+                  triangulate(std::span<const Site3>(usual)))
+            << round;
+    }
+}
+
 TEST(Spatial, WhatCannotBeIsRefused) {
     const auto refused = [](const Sites& sites, const Options& options = {}) -> std::string {
         try {
