@@ -25,9 +25,24 @@ std::string without_controls(std::string_view message) {
     return result;
 }
 
+/// Short enough to be read, and cut between characters of UTF-8.
+std::string without_middle(std::string message) {
+    constexpr std::size_t most = 1600;
+    if (message.size() <= most) return message;
+    const auto continues = [&](std::size_t i) {
+        return (static_cast<unsigned char>(message[i]) & 0xC0U) == 0x80U;
+    };
+    std::size_t first = most / 2;
+    std::size_t second = message.size() - most / 2;
+    while (first > 0 && continues(first)) --first;
+    while (second < message.size() && continues(second)) ++second;
+    return message.replace(first, second - first, "...");
+}
+
 }  // namespace
 
-ShownError::ShownError(std::string_view message) : std::runtime_error(without_controls(message)) {}
+ShownError::ShownError(std::string_view message)
+    : std::runtime_error(without_middle(without_controls(message))) {}
 
 InputError::InputError(std::string_view file, Position position, std::string_view message)
     : ShownError(fmt::format("{}:{}:{}: {}", file, position.line, position.column, message)) {}

@@ -16,7 +16,8 @@ struct Position {
 };
 
 /// What people are told. what() is the message as a terminal may show it: control characters, which
-/// names of files and what a parser quotes may have, as \xNN.
+/// names of files and what a parser quotes may have, as \xNN, and of more than 1600 bytes, which a
+/// name may have alone, the middle as "...".
 class ShownError : public std::runtime_error {
  public:
     explicit ShownError(std::string_view message);

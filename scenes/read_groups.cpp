@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <optional>
+#include <system_error>
 #include <variant>
 
 #include <fmt/format.h>
@@ -88,8 +89,9 @@ class Masses {
 /// What balls.file may name.
 enum class FileKind { lines, state, frames };
 FileKind kind_of_file(const std::string& path) {
+    std::error_code ignored;
     // A pipe can be read but once.
-    if (!std::filesystem::is_regular_file(path)) return FileKind::lines;
+    if (!std::filesystem::is_regular_file(path, ignored)) return FileKind::lines;
     const InputFile file(path, "a file of balls");
     if (file.first_character() == '{') return FileKind::state;
     return looks_like_frames(file.first_bytes()) ? FileKind::frames : FileKind::lines;
@@ -142,7 +144,10 @@ class Groups {
 
     void read_file(const Section& group) {
         const std::string path = path_of(group);
-        if (!std::filesystem::exists(path))
+        std::error_code error;
+        const bool exists = std::filesystem::exists(path, error);
+        if (error) group.fail_at("file", fmt::format("cannot read {}: {}", path, error.message()));
+        if (!exists)
             group.fail_at("file", fmt::format("there is no {}; names are relative to the scene's "
                                               "own directory",
                                               path));
@@ -543,7 +548,8 @@ int dimension_of_groups(const Section& file) {
         switch (source_of(group)) {
             case Source::file: {
                 const std::string path = path_of(group);
-                if (std::filesystem::exists(path)) dimension = dimension_of_file(path);
+                std::error_code ignored;
+                if (std::filesystem::exists(path, ignored)) dimension = dimension_of_file(path);
                 break;
             }
             case Source::list:
