@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../exact/multiprecision.hpp"
 #include "../predicates/additive.hpp"
 #include "../predicates/rectangular/forms.hpp"
 #include "../triangulation/kernels/predicates_of.hpp"
@@ -66,6 +67,18 @@ std::optional<Curve> straight_bisector(const Pair& pair, const Way& way, double 
     return StraightCurve{origin, right, turned_left(right)};
 }
 
+/// √(1 - s²), s the difference of the radii over the distance: of two discs that all but touch from
+/// inside nothing is left of it in doubles. 0 where they do.
+double exact_rise(const Site& a, const Site& b) {
+    const auto square_of_difference = [](double p, double q) {
+        const exact::Rational difference = exact::to_rational(p) - exact::to_rational(q);
+        return exact::Rational(difference * difference);
+    };
+    const exact::Rational square = square_of_difference(a.x, b.x) + square_of_difference(a.y, b.y);
+    const exact::Rational rest = square - square_of_difference(a.r, b.r);
+    return rest <= 0 ? 0.0 : std::sqrt(exact::round_to_double(exact::Rational(rest / square)));
+}
+
 std::optional<Curve> hyperbola(const Pair& pair, const Way& way) {
     const Site& a = pair.a;
     const Site& b = pair.b;
@@ -75,7 +88,9 @@ std::optional<Curve> hyperbola(const Pair& pair, const Way& way) {
                               ? std::ldexp(pair.first.site.r - pair.second.site.r, -way.exponent)
                               : a.r - b.r;
     const double slant = std::clamp(excess / way.distance, -1.0, 1.0);
-    const double rise = std::sqrt((1 - slant) * (1 + slant));
+    const double rise = std::abs(slant) < 1 - 0x1p-20
+                            ? std::sqrt((1 - slant) * (1 + slant))
+                            : exact_rise(pair.first.site, pair.second.site);
     if (!std::isfinite(way.right.x + way.right.y + slant)) return std::nullopt;
     if (way.is_close) {
         // From where it can be seen it is its asymptotes.
@@ -143,11 +158,13 @@ std::optional<Curve> bisector_in(Power /*metric*/, const Pair& pair) {
     const bool is_weight = pair.weight_is == WeightIs::weight;
     const double excess = pair.first.site.r - pair.second.site.r;
     const double sum = pair.a.r + pair.b.r;
-    if (way.is_close)
-        return straight_bisector(
-            pair, way,
-            is_weight ? std::ldexp(excess / way.distance / 2, -way.exponent - pair.exponent)
-                      : std::ldexp(excess, -way.exponent) / way.distance * (sum / 2));
+    if (way.is_close) {
+        // Of radii the product of excess and sum, whose exponents may be far apart.
+        int exponent = -pair.exponent;
+        const double product = is_weight ? excess : std::frexp(excess, &exponent) * sum;
+        return straight_bisector(pair, way,
+                                 std::ldexp(product / way.distance / 2, exponent - way.exponent));
+    }
     const double divided = pair.a.r - pair.b.r;
     return straight_bisector(
         pair, way,

@@ -10,6 +10,7 @@
 
 #include "../triangulation/kernels/predicates_of.hpp"
 #include "../triangulation/structure/corners.hpp"
+#include "far_end.hpp"
 #include "vector.hpp"
 
 namespace signum {
@@ -180,55 +181,6 @@ bool Voronoi::is_unbounded(Index site) const {
 
 namespace {
 
-/// Where an edge ends beyond the doubles: which end of the curve is meant, the third site tells.
-struct FarEnd {
-    const Curve& curve;
-    Site a;       ///< on the left of the edge
-    Site apex;    ///< the third site
-    double rise;  ///< by how much the weight of the apex is greater than that of a
-    double expected;
-};
-
-/// Beyond it, or up to it, the apex is nearer: where the two lines of equal power cross.
-double far_end(Power /*metric*/, const FarEnd& end) {
-    const auto& [curve, a, apex, rise, expected] = end;
-    const auto& line = std::get<StraightCurve>(curve);
-    const Point to_apex = minus({apex.x, apex.y}, {a.x, a.y});
-    const Point from_both = {(line.origin.x - a.x) + (line.origin.x - apex.x),
-                             (line.origin.y - a.y) + (line.origin.y - apex.y)};
-    // The apex' power minus a's at the origin, and how fast it falls.
-    const double difference = -dot(to_apex, from_both) - rise;
-    return (difference > 0) == (dot(line.upward, to_apex) > 0) ? unbounded : -unbounded;
-}
-
-/// The apex touches the common tangent line of the two discs, too.
-double far_end(Euclidean /*metric*/, const FarEnd& end) {
-    const auto& [curve, a, apex, rise, expected] = end;
-    Point forward = {1, 0};
-    Point upward = {0, 1};
-    double slant = 0;
-    double steepness = 1;
-    if (const auto* hyperbola = std::get_if<HyperbolaCurve>(&curve)) {
-        const double half = std::hypot(hyperbola->a, hyperbola->b);
-        forward = hyperbola->forward;
-        upward = hyperbola->upward;
-        slant = hyperbola->a / half;
-        steepness = hyperbola->b / half;
-    } else {
-        upward = std::get<StraightCurve>(curve).upward;
-    }
-    const Point to_apex = minus({apex.x, apex.y}, {a.x, a.y});
-    const double excess = slant * dot(to_apex, forward) - (a.r - apex.r);
-    const double height = steepness * dot(to_apex, upward);
-    return std::abs(excess + height) < std::abs(excess - height) ? unbounded : -unbounded;
-}
-
-/// Squares have no vertex at infinity but those of infinite faces.
-template <triangulation::Rectangular M>
-double far_end(M /*metric*/, const FarEnd& end) {
-    return end.expected;
-}
-
 EdgeKind kind_of(const EdgeGeometry& g, const VoronoiEdge& edge) {
     if (edge.from == edge.to && edge.from != at_infinity) return EdgeKind::point;
     if (!(g.from < g.to)) return EdgeKind::point;
@@ -252,10 +204,6 @@ std::optional<EdgeGeometry> Voronoi::geometry(Index index, std::optional<Point> 
     };
     const auto divided = [this](Point p) -> Point {
         return {std::ldexp(p.x, -exponent_), std::ldexp(p.y, -exponent_)};
-    };
-    const auto divided_site = [&](const Site& s) -> Site {
-        const Point p = divided({s.x, s.y});
-        return {p.x, p.y, std::ldexp(s.r, -exponent_)};
     };
     const auto vertex = [&](Index v) -> Point {
         if (v == at_infinity) return {unbounded, unbounded};
@@ -284,28 +232,23 @@ std::optional<EdgeGeometry> Voronoi::geometry(Index index, std::optional<Point> 
     if (!curve) return std::nullopt;
     // A face without infinity whose vertex is not finite: on a common tangent line of its three
     // discs, or beyond the doubles. Which end of the curve is meant, the third site tells.
-    const auto parameter = [&](Point p, Index face, double expected) {
+    const auto parameter = [&](Point p, Index face, EndOfEdge at) {
         if (is_finite(p))
             return std::visit([&](const auto& of) { return of.parameter(p); }, *curve);
+        const double expected = at == EndOfEdge::to ? unbounded : -unbounded;
         Index apex = infinite;
         for (const Index v : tessellation_.faces()[static_cast<std::size_t>(face)]) {
             if (v == infinite) return expected;
             if (v != edge.left && v != edge.right) apex = v;
         }
-        const Site from = divided_site(a);
-        const Site third = divided_site(site(apex));
-        const auto weight = [this](const Site& s) {
-            return tessellation_.weight_is() == WeightIs::weight ? std::ldexp(s.r, -exponent_)
-                                                                 : s.r * s.r;
-        };
-        const FarEnd end = {*curve, from, third, weight(third) - weight(from), expected};
-        return with_metric(tessellation_.metric(),
-                           [&](auto metric) { return far_end(metric, end); });
+        const Sign side =
+            far_end(tessellation_.metric(), tessellation_.weight_is(), a, b, site(apex), at);
+        return side == 0 ? expected : side * unbounded;
     };
     EdgeGeometry result = {EdgeKind::point,
                            *curve,
-                           parameter(start, edge.from_face, -unbounded),
-                           parameter(end, edge.to_face, unbounded),
+                           parameter(start, edge.from_face, EndOfEdge::from),
+                           parameter(end, edge.to_face, EndOfEdge::to),
                            start,
                            end};
     result.kind = kind_of(result, edge);

@@ -798,6 +798,46 @@ TEST(Voronoi, OfAPairThatIsCloserThanDoublesCanTell) {
     }
 }
 
+TEST(Voronoi, OfVerticesBeyondTheDoubles) {
+    const auto expect_shares = [](const std::vector<Site>& sites, Metric metric,
+                                  const std::vector<double>& areas) {
+        const Voronoi diagram = voronoi(triangulate(sites, metric));
+        const ClippedVoronoi clipped(diagram, {0, 0, 8, 8});
+        for (std::size_t i = 0; i < sites.size(); ++i)
+            EXPECT_NEAR(measure(clipped.cell(static_cast<Index>(i))).area, areas[i], 1e-9)
+                << name_of(metric) << ", site " << i;
+    };
+    // All but in line: where the outer two meet is far above, or below, or both.
+    constexpr double least = 0x1p-1074;
+    expect_shares({{1, 0, 0}, {3, least, 0}, {7, 0, 0}}, Power{}, {16, 24, 24});
+    expect_shares({{1, least, 0}, {3, 0, 0}, {7, 0, 0}}, Euclidean{}, {16, 24, 24});
+    expect_shares({{0, 1, 0}, {least, 7, 0}, {0, 3, 0}}, Power{}, {16, 24, 24});
+    expect_shares({{1, 0, 0}, {3, 0, 0}, {7, 0, least}}, Euclidean{}, {16, 24, 24});
+    expect_shares({{1, 0, 0}, {3, 0, least}, {7, 0, 0}}, Euclidean{}, {16, 24, 24});
+    expect_shares({{1, 0, least}, {7, 0, 0}, {3, 0, 0}}, Euclidean{}, {16, 24, 24});
+}
+
+TEST(Voronoi, OfDiscsThatAllButTouchFromInside) {
+    // Within the larger one at its right end, from which the smaller one's cell leads to the right.
+    for (const double gap : {0x1p-20, 0x1p-40, 0x1p-53, 0x1p-80, 0x1p-200, 0x1p-500}) {
+        const std::vector<Site> sites = {{0, 0, 2}, {2, gap, 0}};
+        const Voronoi diagram = voronoi(triangulate(sites, Euclidean{}));
+        const auto geometry = diagram.geometry(0);
+        ASSERT_TRUE(geometry.has_value());
+        const auto& hyperbola = std::get<HyperbolaCurve>(geometry->curve);
+        // b² = (4 + gap² - 4) / 4
+        EXPECT_NEAR(hyperbola.b / (gap / 2), 1.0, 1e-9) << gap;
+    }
+}
+
+TEST(Voronoi, RadiiWhoseSumVanishesWeighTheSame) {
+    constexpr double least = 0x1p-1074;
+    const std::vector<Site> sites = {{-least, 0, 3}, {least, least, -3}, {5, 0, 0}, {0, 5, 0}};
+    const Voronoi diagram = voronoi(triangulate(sites, Power{}));
+    for (Index edge = 0; edge < static_cast<Index>(diagram.edges().size()); ++edge)
+        EXPECT_TRUE(diagram.geometry(edge).has_value()) << edge;
+}
+
 TEST(Voronoi, RefusesBoxesOfAnotherSizeThanItsSites) {
     const auto of = [](double size) {
         return voronoi(
