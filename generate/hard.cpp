@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -111,6 +112,12 @@ template <std::size_t d>
     const std::int64_t moved = std::signbit(number) ? -(place - steps) : place + steps;
     const double size = std::bit_cast<double>(std::abs(moved));
     return std::isfinite(size) ? (moved < 0 ? -size : size) : number;
+}
+
+/// number · 2^exponent, the largest double where that is none.
+[[nodiscard]] double scaled(double number, int exponent) {
+    constexpr double largest = std::numeric_limits<double>::max();
+    return std::clamp(std::ldexp(number, exponent), -largest, largest);
 }
 
 }  // namespace
@@ -376,6 +383,57 @@ void Moves<d>::any_pattern(Kind kind, Balls balls) {
     // A line in space has the longest vectors, below 2^14; a weight is a square.
     if (once_in(2)) enlarge(kind, balls, kind == Kind::weights ? 12 : 20);
     if (once_in(2)) shift(kind, balls, 44);
+}
+
+/// Where numbers, their squares, products of three to five, and their sums overflow, underflow or
+/// leave a filter's window; and ordinary ones.
+template <std::size_t d>
+int Moves<d>::extreme_exponent() {
+    constexpr std::array about = {-1074, -1022, -970, -600, -537, -511, -400, -340,
+                                  -270,  -200,  -60,  0,    0,    60,   200,  250,
+                                  300,   340,   400,  490,  511,  600,  997,  1022};
+    return any_of(about) + static_cast<int>(integer(-3, 3));
+}
+
+template <std::size_t d>
+void Moves<d>::extremes(Kind kind, Balls balls) {
+    const std::int64_t which = integer(0, 3);
+    if (which < 3) any_pattern(kind, balls);
+    if (which == 0) {
+        for (std::size_t k = 0; k <= d; ++k) {
+            const int exponent = once_in(2) ? 0 : extreme_exponent();
+            for (Ball<d>& ball : balls) {
+                double& number = k < d ? ball.centre[k] : ball.size;
+                number = scaled(number, exponent);
+            }
+        }
+    } else if (which == 1) {
+        const int common = once_in(2) ? 0 : extreme_exponent();
+        for (Ball<d>& ball : balls) {
+            const int exponent = once_in(2) ? common : extreme_exponent();
+            for (double& x : ball.centre) x = scaled(x, exponent);
+            const int degree = kind == Kind::weights && once_in(2) ? 2 : 1;
+            ball.size = scaled(ball.size, degree * exponent);
+        }
+    } else if (which == 2) {
+        const int exponent = extreme_exponent();
+        for (Ball<d>& ball : balls)
+            if (!once_in(3)) ball.size = scaled(ball.size, exponent);
+    } else {
+        constexpr std::array significands = {0.0, 1.0,  1.0, 0x1.0000000000001p0,
+                                             1.5, 1.75, 3.0, 0x1.fffffffffffffp0};
+        const std::array exponents = {extreme_exponent(), extreme_exponent(), extreme_exponent()};
+        const auto any = [&] {
+            const double number = scaled(any_of(significands), any_of(exponents));
+            return once_in(2) ? -number : number;
+        };
+        for (Ball<d>& ball : balls) {
+            for (double& x : ball.centre) x = any();
+            ball.size = kind == Kind::points ? 0.0 : any();
+        }
+    }
+    if (once_in(4)) copy(balls);
+    if (once_in(2)) move_by_ulps(kind, balls, static_cast<int>(integer(1, 3)), 2);
 }
 
 template class Moves<2>;

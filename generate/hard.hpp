@@ -99,7 +99,14 @@ class Moves {
     /// 2^53.
     void any_pattern(Kind kind, Balls balls);
 
+    /// Balls whose numbers have a few magnitudes far apart, at the ends of the doubles' range and
+    /// about those where products begin to overflow or to underflow: a pattern of which axes and
+    /// sizes, or some balls, or some sizes alone, have one of their own; or numbers of few
+    /// significands, so that many are equal.
+    void extremes(Kind kind, Balls balls);
+
  private:
+    [[nodiscard]] int extreme_exponent();
     template <class Many>
     [[nodiscard]] auto& any_of(Many& many);
 

@@ -108,6 +108,7 @@ const std::vector<Metric>& all_metrics() {
     constexpr Shares cheap = {32, 32, 64};
     constexpr Shares dear = {256, 32, 128, 20};
     constexpr Shares dearer = {1024, 32, 256, 8};
+    constexpr Shares extreme = {1, 1, 1, 0, true};
     static const std::vector<Kind> power = {Kind::points, Kind::weights, Kind::radii};
     static const std::vector<Stage> of_power = {Stage::filter, Stage::refine, Stage::exact,
                                                 Stage::multiprecision};
@@ -131,6 +132,26 @@ const std::vector<Metric>& all_metrics() {
          nullptr,
          ask_meeting,
          make_meeting},
+        {"power-extremes", 2, power, of_power, extreme, ask_power, nullptr},
+        {"euclidean-extremes", 2, {Kind::euclidean}, of_euclidean, extreme, ask_euclidean, nullptr},
+        {"supremum-extremes", 2, {Kind::supremum}, of_sums, extreme, ask_supremum, nullptr},
+        {"manhattan-extremes", 2, {Kind::manhattan}, of_sums, extreme, ask_manhattan, nullptr},
+        {"space-euclidean-extremes",
+         3,
+         {Kind::euclidean},
+         of_euclidean,
+         extreme,
+         nullptr,
+         ask_euclidean},
+        {"space-supremum-extremes", 3, {Kind::supremum}, of_sums, extreme, nullptr, ask_supremum},
+        {"space-manhattan-extremes",
+         3,
+         {Kind::manhattan},
+         of_sums,
+         extreme,
+         nullptr,
+         ask_manhattan},
+        {"space-power-extremes", 3, power, of_power, extreme, nullptr, ask_power},
     };
     return all;
 }

@@ -19,6 +19,7 @@ struct Shares {
     /// Two that touch but for such a number, of which only the cheap predicates are asked; 0 where
     /// there is no need of it.
     std::int64_t brief = 0;
+    bool extreme = false;  ///< all are hard::Moves::extremes, and nothing else
 };
 
 /// Of what is left seven eighths are patterns, of which three quarters are moved by 0 to 4 ulps in
@@ -32,6 +33,7 @@ class Mix {
     void make(Kind kind, Configuration<d>& into) {
         into.kind = kind;
         auto& balls = into.balls;
+        if (shares_.extreme) return moves_.extremes(kind, balls);
         into.is_brief = shares_.brief != 0 && moves_.once_in(shares_.brief);
         if (into.is_brief) {
             moves_.lattice(kind, balls);

@@ -14,9 +14,10 @@
 namespace signum::fuzz {
 namespace {
 
-/// Meeting times take twenty times as long as signs.
+/// Meeting times take twenty times as long as signs, and so do numbers of thousands of digits.
 std::uint64_t calls_of(const Metric& metric) {
-    return (is_fast ? 400'000U : 20'000U) / (metric.make_space != nullptr ? 10 : 1);
+    const bool is_slow = metric.make_space != nullptr || metric.shares.extreme;
+    return (is_fast ? 400'000U : 20'000U) / (is_slow ? 10 : 1);
 }
 
 class RecordOf : public testing::TestWithParam<std::string> {};
@@ -38,7 +39,8 @@ TEST_P(RecordOf, HasNoWrongSignAndHearsEveryStage) {
     }
     for (const Stage stage : metric->stages)
         EXPECT_GT(stages[static_cast<int>(stage)], calls / 1000) << name_of(stage);
-    EXPECT_GT(ties, calls / 20);
+    // Of magnitudes far apart fewer are tied.
+    EXPECT_GT(ties, calls / (metric->shares.extreme ? 40 : 20));
 }
 
 std::string name_of_case(const testing::TestParamInfo<std::string>& info) {
