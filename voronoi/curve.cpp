@@ -68,7 +68,7 @@ std::optional<Curve> straight_bisector(const Pair& pair, const Way& way, double 
 }
 
 /// √(1 - s²), s the difference of the radii over the distance: of two discs that all but touch from
-/// inside nothing is left of it in doubles. 0 where they do.
+/// inside nothing is left of it in doubles. 0 where they do, and below the doubles.
 double exact_rise(const Site& a, const Site& b) {
     const auto square_of_difference = [](double p, double q) {
         const exact::Rational difference = exact::to_rational(p) - exact::to_rational(q);
@@ -76,7 +76,13 @@ double exact_rise(const Site& a, const Site& b) {
     };
     const exact::Rational square = square_of_difference(a.x, b.x) + square_of_difference(a.y, b.y);
     const exact::Rational rest = square - square_of_difference(a.r, b.r);
-    return rest <= 0 ? 0.0 : std::sqrt(exact::round_to_double(exact::Rational(rest / square)));
+    if (rest <= 0) return 0.0;
+    const exact::Rational quotient = rest / square;
+    if (const double rounded = exact::round_to_double(quotient); rounded > 0x1p-900)
+        return std::sqrt(rounded);
+    // The root is a double where the quotient is none.
+    const exact::Rational enlarged = quotient * (exact::Integer(1) << 1600);
+    return std::ldexp(std::sqrt(exact::round_to_double(enlarged)), -800);
 }
 
 std::optional<Curve> hyperbola(const Pair& pair, const Way& way) {
@@ -244,8 +250,9 @@ double StraightCurve::parameter(Point p) const noexcept {
 }
 
 double StraightCurve::beyond(double reach) const noexcept {
-    // A direction is at most √2 long.
-    return 2 * reach;
+    // A direction is at most √2 long. Beyond the knots a unit of t leads as far aside as they
+    // slope.
+    return 2 * reach / std::max(1.0, std::min(std::abs(slopes[0]), std::abs(slopes[1])));
 }
 
 Point HyperbolaCurve::at(double t) const noexcept {

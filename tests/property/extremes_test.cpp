@@ -16,7 +16,6 @@
 #include "../../spatial/ball_diagram.hpp"
 #include "../../spatial/triangulate.hpp"
 #include "../../spatial/validate.hpp"
-#include "../../spatial/vertices.hpp"
 #include "../../triangulation/dynamic.hpp"
 #include "../../triangulation/triangulate.hpp"
 #include "../../triangulation/validate.hpp"
@@ -66,12 +65,12 @@ std::string text_of(const std::vector<hard::Ball<d>>& balls) {
     return text;
 }
 
-/// The cells tile the box, as far as doubles can tell of it.
-void expect_tiling(const Tessellation& tessellation, const std::string& text) {
+/// The cells tile the box, as far as doubles can tell of it. Whether it could be asked.
+bool expect_tiling(const Tessellation& tessellation, const std::string& text) {
     const Voronoi diagram(tessellation);
     const Box box = default_box(tessellation.sites(), diagram.exponent());
     const double area = (box.x1 - box.x0) * (box.y1 - box.y0);
-    if (!(area > 0x1p-900 && std::isfinite(area)) || !fits(box, diagram)) return;
+    if (!(area > 0x1p-900 && std::isfinite(area)) || !fits(box, diagram)) return false;
     const ClippedVoronoi clipped(diagram, box);
     double sum = 0.0;
     for (Index site = 0; site < static_cast<Index>(tessellation.sites().size()); ++site)
@@ -82,12 +81,14 @@ void expect_tiling(const Tessellation& tessellation, const std::string& text) {
     const double rounding = 0x1p-50 * farthest / std::min(box.x1 - box.x0, box.y1 - box.y0);
     const auto sites = static_cast<double>(tessellation.sites().size());
     EXPECT_NEAR(sum / area, 1.0, 1e-6 + sites * rounding) << text;
+    return true;
 }
 
 class Extremes : public testing::TestWithParam<Kind> {};
 
 TEST_P(Extremes, OfThePlaneAreOrdinary) {
     const Metric metric = metric_of(GetParam());
+    int tiled = 0;
     for (int round = 0; round < 25 * thoroughness; ++round) {
         const auto balls = balls_of<2>(GetParam(), round);
         const std::string text = text_of(balls);
@@ -108,7 +109,7 @@ TEST_P(Extremes, OfThePlaneAreOrdinary) {
             ASSERT_EQ(triangulate(given, metric, {.method = method}).arrays(), result.arrays())
                 << text;
         }
-        expect_tiling(result, text);
+        tiled += expect_tiling(result, text) ? 1 : 0;
         if (are_weights) continue;
         DynamicTessellation dynamic(metric);
         std::vector<Index> handles;
@@ -124,6 +125,7 @@ TEST_P(Extremes, OfThePlaneAreOrdinary) {
         }
         ASSERT_EQ(dynamic.tessellation().arrays(), triangulate(rest, metric).arrays()) << text;
     }
+    EXPECT_GT(tiled, 5 * thoroughness);
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, Extremes, testing::ValuesIn(hard::all_kinds),
@@ -136,7 +138,6 @@ void judge_in_space(const std::vector<S>& sites, const std::string& text) {
     const Validation verdict = validate(result, all);
     ASSERT_TRUE(verdict.valid && verdict.canonical) << verdict.message << "\n" << text;
     ASSERT_EQ(triangulate(all, Power{}, {.seed = 7}), result) << text;
-    EXPECT_EQ(vertices(result, all).size(), result.cells.size()) << text;
 }
 
 TEST(ExtremesOfSpace, AreOrdinary) {
@@ -161,15 +162,38 @@ TEST(ExtremesOfSpace, AreOrdinary) {
     }
 }
 
+/// The lists of balls, as they would be had the balls come in the opposite order.
+std::vector<std::vector<Index>> turned_around(const BallLists& lists, std::int64_t balls) {
+    std::vector<std::vector<Index>> result;
+    for (std::size_t k = 0; k < lists.size(); ++k) {
+        std::vector<Index>& list = result.emplace_back();
+        for (const Index ball : lists[k]) list.push_back(static_cast<Index>(balls - 1 - ball));
+        std::ranges::sort(list);
+    }
+    std::ranges::sort(result);
+    return result;
+}
+std::vector<std::vector<Index>> as_they_are(const BallLists& lists) {
+    std::vector<std::vector<Index>> result;
+    for (std::size_t k = 0; k < lists.size(); ++k)
+        result.emplace_back(lists[k].begin(), lists[k].end());
+    std::ranges::sort(result);
+    return result;
+}
+
 TEST(ExtremesOfSpace, DiagramsOfBallsDependOnNoOrder) {
     for (int round = 0; round < 4 * thoroughness; ++round) {
         const auto balls = balls_of<3>(Kind::euclidean, round, 9);
         std::vector<Site3> sites;
-        for (const auto& [c, size] : balls) sites.push_back({c[0], c[1], c[2], size});
+        for (const auto& [c, size] : balls)
+            if (const Site3 site = {c[0], c[1], c[2], size};
+                std::ranges::find(sites, site) == sites.end())
+                sites.push_back(site);  // of equal ones the first is the visible one
         const BallDiagram one = ball_diagram(sites);
         const BallDiagram other = ball_diagram(std::vector<Site3>(sites.rbegin(), sites.rend()));
-        EXPECT_EQ(one.vertices.size(), other.vertices.size()) << text_of(balls);
-        EXPECT_EQ(one.edges.size(), other.edges.size()) << text_of(balls);
+        EXPECT_EQ(turned_around(one.vertices, one.balls), as_they_are(other.vertices))
+            << text_of(balls);
+        EXPECT_EQ(turned_around(one.edges, one.balls), as_they_are(other.edges)) << text_of(balls);
         EXPECT_EQ(one.hidden.size(), other.hidden.size()) << text_of(balls);
     }
 }

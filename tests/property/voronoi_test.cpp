@@ -819,7 +819,7 @@ TEST(Voronoi, OfVerticesBeyondTheDoubles) {
 
 TEST(Voronoi, OfDiscsThatAllButTouchFromInside) {
     // Within the larger one at its right end, from which the smaller one's cell leads to the right.
-    for (const double gap : {0x1p-20, 0x1p-40, 0x1p-53, 0x1p-80, 0x1p-200, 0x1p-500}) {
+    for (const double gap : {0x1p-20, 0x1p-40, 0x1p-53, 0x1p-80, 0x1p-200, 0x1p-537, 0x1p-1000}) {
         const std::vector<Site> sites = {{0, 0, 2}, {2, gap, 0}};
         const Voronoi diagram = voronoi(triangulate(sites, Euclidean{}));
         const auto geometry = diagram.geometry(0);
@@ -828,6 +828,30 @@ TEST(Voronoi, OfDiscsThatAllButTouchFromInside) {
         // b² = (4 + gap² - 4) / 4
         EXPECT_NEAR(hyperbola.b / (gap / 2), 1.0, 1e-9) << gap;
     }
+}
+
+TEST(Voronoi, OfCloseDiscsThatAllButTouchFromInside) {
+    const auto areas = [](const std::vector<Site>& sites, const Box& box) {
+        const Voronoi diagram = voronoi(triangulate(sites, Euclidean{}));
+        const ClippedVoronoi clipped(diagram, box);
+        std::vector<double> result;
+        for (Index i = 0; i < static_cast<Index>(sites.size()); ++i)
+            result.push_back(measure(clipped.cell(i)).area);
+        return result;
+    };
+    constexpr double least = 0x1p-1074;
+    // The first one's cell is all but a ray.
+    const std::vector<double> of_three =
+        areas({{-least, -0x1p-967, 0}, {0, 0, 0x1p-967}, {-5, 25, 25}}, {-30, -47, 32, 83});
+    EXPECT_NEAR(of_three[0], 0.0, 1e-9);
+    EXPECT_NEAR(of_three[1] + of_three[2], 62.0 * 130.0, 1e-9);
+    const std::vector<double> of_four = areas(
+        {{-least, -0x1p-997, 0}, {0, 0, 0x1p-997}, {-4, 19, 3}, {-1, 5, 2}}, {-14, -25, 10, 44});
+    EXPECT_NEAR(of_four[0], 0.0, 1e-9);
+    EXPECT_NEAR(of_four[1] + of_four[2] + of_four[3], 24.0 * 69.0, 1e-9);
+    const std::vector<double> beside =
+        areas({{-0x1p-1045, 5, 5}, {0, 4, 4}, {least, 4, 4}}, {-8, -8, 8, 8});
+    EXPECT_NEAR(beside[0] + beside[1] + beside[2], 256.0, 1e-9);
 }
 
 TEST(Voronoi, RadiiWhoseSumVanishesWeighTheSame) {
