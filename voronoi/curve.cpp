@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../exact/multiprecision.hpp"
+#include "../exact/surd.hpp"
 #include "../predicates/additive.hpp"
+#include "../predicates/euclidean/polynomials.hpp"
 #include "../predicates/rectangular/forms.hpp"
 #include "../triangulation/kernels/predicates_of.hpp"
 #include "vector.hpp"
@@ -70,19 +71,13 @@ std::optional<Curve> straight_bisector(const Pair& pair, const Way& way, double 
 /// √(1 - s²), s the difference of the radii over the distance: of two discs that all but touch from
 /// inside nothing is left of it in doubles. 0 where they do, and below the doubles.
 double exact_rise(const Site& a, const Site& b) {
-    const auto square_of_difference = [](double p, double q) {
-        const exact::Rational difference = exact::to_rational(p) - exact::to_rational(q);
-        return exact::Rational(difference * difference);
+    using Exact = euclidean::Uniform<exact::Rational>;
+    const auto disc = [](const Site& s) -> euclidean::Disc<Exact> {
+        return {exact::to_rational(s.x), exact::to_rational(s.y), exact::to_rational(s.r)};
     };
-    const exact::Rational square = square_of_difference(a.x, b.x) + square_of_difference(a.y, b.y);
-    const exact::Rational rest = square - square_of_difference(a.r, b.r);
-    if (rest <= 0) return 0.0;
-    const exact::Rational quotient = rest / square;
-    if (const double rounded = exact::round_to_double(quotient); rounded > 0x1p-900)
-        return std::sqrt(rounded);
-    // The root is a double where the quotient is none.
-    const exact::Rational enlarged = quotient * (exact::Integer(1) << 1600);
-    return std::ldexp(std::sqrt(exact::round_to_double(enlarged)), -800);
+    const auto row = euclidean::polynomials::row(disc(b), disc(a));
+    if (row.p <= 0) return 0.0;
+    return exact::round_surd(0, 1, exact::Rational(row.p / (row.x * row.x + row.y * row.y)));
 }
 
 std::optional<Curve> hyperbola(const Pair& pair, const Way& way) {

@@ -25,23 +25,24 @@ struct Question {
 ///     2d (F - a) = (d + w_a - w_b) (b - a),  d = |b - a|²,
 /// and behind it at the other end.
 Sign side_in(Power /*metric*/, const Question& of) {
-    const auto& [kind, a, b, apex, end] = of;
-    const auto weight = [&of](const Site& s) {
+    const bool is_weight = of.weight_is == WeightIs::weight;
+    const Site& a = of.a;
+    const auto weight = [is_weight](const Site& s) {
         const Rational r = to_rational(s.r);
-        return of.weight_is == WeightIs::weight ? r : Rational(r * r);
+        return is_weight ? r : Rational(r * r);
     };
     const auto difference = [](double p, double q) {
         return Rational(to_rational(p) - to_rational(q));
     };
-    const Rational bx = difference(b.x, a.x);
-    const Rational by = difference(b.y, a.y);
-    const Rational cx = difference(apex.x, a.x);
-    const Rational cy = difference(apex.y, a.y);
+    const Rational bx = difference(of.b.x, a.x);
+    const Rational by = difference(of.b.y, a.y);
+    const Rational cx = difference(of.apex.x, a.x);
+    const Rational cy = difference(of.apex.y, a.y);
     const Rational square = bx * bx + by * by;
-    const Rational of_apex = cx * cx + cy * cy + weight(a) - weight(apex);
-    const Rational of_b = square + weight(a) - weight(b);
+    const Rational of_apex = cx * cx + cy * cy + weight(a) - weight(of.apex);
+    const Rational of_b = square + weight(a) - weight(of.b);
     const Sign farther = Rational(square * of_apex - of_b * (bx * cx + by * cy)).sign();
-    return end == EndOfEdge::to ? farther : -farther;
+    return of.end == EndOfEdge::to ? farther : -farther;
 }
 
 /// By law 5 of polynomials.hpp, for i, j, k = a, b, apex: the vertices of the two faces lie at

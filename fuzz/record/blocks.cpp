@@ -11,6 +11,7 @@
 #include <ostream>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 namespace signum::fuzz {
 namespace {
@@ -102,20 +103,17 @@ template <std::size_t d>
     return complain(metric, given, ledger, complaints);
 }
 
-}  // namespace
-
-const std::vector<Metric>& all_metrics() {
+std::vector<Metric> made_metrics() {
     constexpr Shares cheap = {32, 32, 64};
     constexpr Shares dear = {256, 32, 128, 20};
     constexpr Shares dearer = {1024, 32, 256, 8};
     constexpr Shares extreme = {1, 1, 1, 0, true};
-    static const std::vector<Kind> power = {Kind::points, Kind::weights, Kind::radii};
-    static const std::vector<Stage> of_power = {Stage::filter, Stage::refine, Stage::exact,
-                                                Stage::multiprecision};
-    static const std::vector<Stage> of_euclidean = {Stage::filter, Stage::exact,
-                                                    Stage::multiprecision};
-    static const std::vector<Stage> of_sums = {Stage::filter, Stage::exact, Stage::essa};
-    static const std::vector<Metric> all = {
+    const std::vector<Kind> power = {Kind::points, Kind::weights, Kind::radii};
+    const std::vector<Stage> of_power = {Stage::filter, Stage::refine, Stage::exact,
+                                         Stage::multiprecision};
+    const std::vector<Stage> of_euclidean = {Stage::filter, Stage::exact, Stage::multiprecision};
+    const std::vector<Stage> of_sums = {Stage::filter, Stage::exact, Stage::essa};
+    std::vector<Metric> all = {
         {"power", 2, power, of_power, cheap, ask_power, nullptr},
         {"euclidean", 2, {Kind::euclidean}, of_euclidean, dear, ask_euclidean, nullptr},
         {"supremum", 2, {Kind::supremum}, of_sums, cheap, ask_supremum, nullptr},
@@ -132,27 +130,22 @@ const std::vector<Metric>& all_metrics() {
          nullptr,
          ask_meeting,
          make_meeting},
-        {"power-extremes", 2, power, of_power, extreme, ask_power, nullptr},
-        {"euclidean-extremes", 2, {Kind::euclidean}, of_euclidean, extreme, ask_euclidean, nullptr},
-        {"supremum-extremes", 2, {Kind::supremum}, of_sums, extreme, ask_supremum, nullptr},
-        {"manhattan-extremes", 2, {Kind::manhattan}, of_sums, extreme, ask_manhattan, nullptr},
-        {"space-euclidean-extremes",
-         3,
-         {Kind::euclidean},
-         of_euclidean,
-         extreme,
-         nullptr,
-         ask_euclidean},
-        {"space-supremum-extremes", 3, {Kind::supremum}, of_sums, extreme, nullptr, ask_supremum},
-        {"space-manhattan-extremes",
-         3,
-         {Kind::manhattan},
-         of_sums,
-         extreme,
-         nullptr,
-         ask_manhattan},
-        {"space-power-extremes", 3, power, of_power, extreme, nullptr, ask_power},
     };
+    // Each of them but meetings again, of extremes.
+    for (std::size_t m = 0, metrics = all.size(); m < metrics; ++m) {
+        if (all[m].make_space != nullptr) continue;
+        Metric again = all[m];
+        again.name += "-extremes";
+        again.shares = extreme;
+        all.push_back(std::move(again));
+    }
+    return all;
+}
+
+}  // namespace
+
+const std::vector<Metric>& all_metrics() {
+    static const std::vector<Metric> all = made_metrics();
     return all;
 }
 

@@ -19,7 +19,7 @@ namespace signum::fuzz {
 
 /// A metric of the plane or of space: one of the two functions is there.
 struct Metric {
-    std::string_view name;
+    std::string name;
     std::size_t dimension;
     std::vector<Kind> kinds;
     std::vector<Stage> stages;  ///< those that it has
