@@ -35,6 +35,14 @@ constexpr std::array mantina = std::to_array<ElementRadius>({{"Be", 1.53},
 constexpr std::array alvarez = std::to_array<ElementRadius>(
     {{"V", 2.42}, {"Cr", 2.45}, {"Mn", 2.45}, {"Fe", 2.44}, {"Co", 2.40}});
 
+/// Those without a radius: who names one must not be given that of its first letter.
+constexpr auto without_radius = std::to_array<std::string_view>(
+    {"Sc", "Ti", "Y",  "Zr", "Nb", "Mo", "Tc", "Ru", "Rh", "La", "Ce", "Pr", "Nd", "Pm", "Sm", "Eu",
+     "Gd", "Tb", "Dy", "Ho", "Er", "Tm", "Yb", "Lu", "Hf", "Ta", "W",  "Re", "Os", "Ir", "Po", "At",
+     "Rn", "Fr", "Ra", "Ac", "Th", "Pa", "Np", "Pu", "Am", "Cm", "Bk", "Cf", "Es", "Fm", "Md", "No",
+     "Lr", "Rf", "Db", "Sg", "Bh", "Hs", "Mt", "Ds", "Rg", "Cn", "Nh", "Fl", "Mc", "Lv", "Ts",
+     "Og"});
+
 char capital(char c) noexcept {
     return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
 }
@@ -54,6 +62,12 @@ std::optional<double> van_der_waals_radius(std::string_view element) noexcept {
     if (const auto radius = find(bondi)) return radius;
     if (const auto radius = find(mantina)) return radius;
     return find(alvarez);
+}
+
+bool is_element(std::string_view symbol) noexcept {
+    return van_der_waals_radius(symbol) ||
+           std::ranges::any_of(without_radius,
+                               [&](std::string_view each) { return is_same_symbol(each, symbol); });
 }
 
 }  // namespace signum

@@ -14,4 +14,7 @@ namespace signum {
 /// element of the table.
 [[nodiscard]] std::optional<double> van_der_waals_radius(std::string_view element) noexcept;
 
+/// Whether this is an element's symbol, in letters of any case, with a radius or without.
+[[nodiscard]] bool is_element(std::string_view symbol) noexcept;
+
 }  // namespace signum

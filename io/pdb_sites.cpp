@@ -1,9 +1,11 @@
 /// Atoms of proteins. In PDB files everything has its columns; in PQR files words are separated by
 /// blanks.
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -16,8 +18,29 @@ namespace signum {
 namespace {
 
 /// What both formats call an atom.
-bool is_atom(const LineWords& lines) {
-    return lines.line().starts_with("ATOM") || lines.line().starts_with("HETATM");
+bool is_atom(std::string_view record) {
+    return record.starts_with("ATOM") || record.starts_with("HETATM");
+}
+
+bool is_letter(char c) noexcept {
+    return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+}
+bool is_decimal_digit(char c) noexcept {
+    return c >= '0' && c <= '9';
+}
+
+/// What ends a model: its record, the next model's, or, where frames were written one after the
+/// other, the end of a file.
+bool ends_model(const LineWords& lines) {
+    return lines.size() > 0 && (lines[0] == "ENDMDL" || lines[0] == "MODEL" || lines[0] == "END");
+}
+
+std::string atoms_of_other_models(std::int64_t atoms) {
+    return fmt::format("{} atom{} of models after the first one", atoms, atoms == 1 ? "" : "s");
+}
+
+bool has_letters_alone(std::string_view text) {
+    return !text.empty() && std::ranges::all_of(text, is_letter);
 }
 
 class PdbSites {
@@ -32,9 +55,9 @@ class PdbSites {
 
     SitesFile read() {
         while (lines_.next()) {
-            if (lines_.line().starts_with("ENDMDL"))
+            if (ends_model(lines_))
                 is_over_ = !result_.in_space.empty();
-            else if (is_atom(lines_))
+            else if (is_atom(lines_.line()))
                 read_atom();
         }
         if (result_.in_space.empty()) lines_.fail_at_end("no atom in this file");
@@ -67,22 +90,28 @@ class PdbSites {
         return letters_.try_emplace(residue, letter.front()).first->second != letter.front();
     }
 
+    /// Of the element in columns 77 and 78, where old files have digits; where none is, of the
+    /// atom's name, whose element ends in column 14.
     [[nodiscard]] double radius() const {
-        if (const auto known = van_der_waals_radius(lines_.columns(77, 78))) return *known;
+        const std::string_view element = lines_.columns(77, 78);
+        if (has_letters_alone(element)) return radius_of(element, 77, element);
         const std::string_view name = lines_.line().substr(12, 4);
-        const bool begins_late = name[0] == ' ' || (name[0] >= '0' && name[0] <= '9');
+        const bool begins_late = name[0] == ' ' || is_decimal_digit(name[0]);
         // Names of hydrogens that take four columns begin in the first one.
         const bool is_hydrogen = name[0] == 'H' && name.find(' ') == std::string_view::npos;
-        if (!begins_late && !is_hydrogen)
-            if (const auto known = van_der_waals_radius(name.substr(0, 2))) return *known;
-        if (const auto known = van_der_waals_radius(name.substr(begins_late ? 1 : 0, 1)))
-            return *known;
-        const std::string_view element = lines_.columns(77, 78);
+        const bool has_two = !begins_late && !is_hydrogen && is_element(name.substr(0, 2));
+        return radius_of(has_two ? name.substr(0, 2) : name.substr(begins_late ? 1 : 0, 1), 13,
+                         lines_.columns(13, 16));
+    }
+
+    [[nodiscard]] double radius_of(std::string_view element, std::size_t column,
+                                   std::string_view shown) const {
+        if (const auto known = van_der_waals_radius(element)) return *known;
         lines_.fail_at_column(
-            element.empty() ? 13 : 77,
+            column,
             fmt::format("no van der Waals radius is known of {}; name an element in columns 77 and "
                         "78, or give radii in a PQR file",
-                        in_quotes(element.empty() ? lines_.columns(13, 16) : element)));
+                        in_quotes(shown)));
     }
 
     void note_what_is_left_out() {
@@ -91,9 +120,7 @@ class PdbSites {
             result_.note += fmt::format("{} alternate place{} of atoms", alternates_,
                                         alternates_ == 1 ? "" : "s");
         if (others_ > 0)
-            result_.note +=
-                fmt::format("{}{} atom{} of models after the first one",
-                            alternates_ > 0 ? " and " : "", others_, others_ == 1 ? "" : "s");
+            result_.note += (alternates_ > 0 ? " and " : "") + atoms_of_other_models(others_);
         result_.note += alternates_ + others_ == 1 ? " is left out" : " are left out";
     }
 
@@ -107,6 +134,13 @@ class PdbSites {
     SitesFile result_;
 };
 
+/// With a sign, a chain before it or an insertion code behind it, or in base 36; but no fraction.
+bool is_number_of_residue(std::string_view word) {
+    return std::ranges::any_of(word, is_decimal_digit) && std::ranges::all_of(word, [](char c) {
+               return is_letter(c) || is_decimal_digit(c) || c == '-' || c == '+';
+           });
+}
+
 class PqrSites {
  public:
     explicit PqrSites(InputFile& file)
@@ -118,28 +152,47 @@ class PqrSites {
     }
 
     SitesFile read() {
-        while (lines_.next())
-            if (is_atom(lines_)) read_atom();
+        std::int64_t others = 0;
+        bool is_over = false;  // the first model
+        while (lines_.next_with_words()) {
+            if (ends_model(lines_))
+                is_over = !result_.in_space.empty();
+            else if (is_atom(lines_[0]) && is_over)
+                ++others;
+            else if (is_atom(lines_[0]))
+                read_atom();
+        }
         if (result_.in_space.empty()) lines_.fail_at_end("no atom in this file");
+        if (others > 0)
+            result_.note = fmt::format("{}: {} {} left out", lines_.path(),
+                                       atoms_of_other_models(others), others == 1 ? "is" : "are");
         return std::move(result_);
     }
 
  private:
     void read_atom() {
         constexpr std::size_t least = 10;  // record, number, name, residue, its number, 5 numbers
+        constexpr std::size_t most = 11;   // and a chain
         const std::size_t size = lines_.size();
         if (size < least) {
             lines_.fail_at(size, fmt::format("{} words; an atom is record, number, name, residue, "
                                              "[chain,] number, x, y, z, charge, radius",
                                              size));
         }
+        if (size > most) {
+            lines_.fail_at(most,
+                           fmt::format("{} words; an atom has no more than {}: record, number, "
+                                       "name, residue, chain, number, x, y, z, charge, radius",
+                                       size, most));
+        }
         // A line that was cut off after the charge may still have ten words.
-        if (lines_[size - 6].find_first_of("0123456789") == std::string_view::npos) {
+        if (!is_number_of_residue(lines_[size - 6])) {
             lines_.fail_at(size - 6,
                            fmt::format("{} is no residue's number, which stands before the "
                                        "last five words: x, y, z, charge, radius",
                                        in_quotes(lines_[size - 6])));
         }
+        static_cast<void>(lines_.number(size - 2));  // the charge
         const Site3 site = {lines_.number(size - 5), lines_.number(size - 4),
                             lines_.number(size - 3), lines_.number(size - 1)};
         if (site.r < 0.0) lines_.fail_at(size - 1, "a negative radius; write 0 or more");

@@ -23,17 +23,37 @@ bool is_mark(char c) noexcept {
 
 bool TextColumns::next_line() {
     while (file_.next_line(line_, advice_)) {
-        if (at_first_) first_separator_ = separator_of_line();
+        if (is_blank_line()) continue;
+        if (at_first_) {
+            first_separator_ = separator_of_line();
+            is_indented_ = line_.front() == '\t';
+        }
         split_at(at_first_ ? first_separator_ : separator_);
-        if (columns_.empty()) continue;
         at_first_ = false;
         return true;
     }
     return false;
 }
 
+/// Whether nothing stands before the end of the line or a comment.
+bool TextColumns::is_blank_line() const {
+    return std::ranges::all_of(line_.substr(0, line_.find('#')), is_blank);
+}
+
+/// Whether a column between tabs is empty. Where the first line has them one at a time, two in
+/// another line align nothing: between them something is missing, and what follows is not it.
+bool TextColumns::has_empty_column_of_tabs() const {
+    if (first_separator_ != '\t') return false;
+    std::string_view text = line_.substr(0, line_.find('#'));
+    text = text.substr(0, text.find_last_not_of(" \t") + 1);
+    return text.find("\t\t") != std::string_view::npos ||
+           (text.starts_with('\t') && !is_indented_);
+}
+
 void TextColumns::split_at(char separator) {
-    if (separator == any_separator) {
+    if (separator == any_separator && has_empty_column_of_tabs()) {
+        split_at_one('\t');
+    } else if (separator == any_separator) {
         split_at_any();
     } else {
         split_at_one(separator);

@@ -4,7 +4,8 @@
 /// Laws:
 ///  1. Empty lines, and what stands between # and the end of its line, do not count.
 ///  2. Each line has columns that end at blanks and tabs, or at one comma or semicolon with or
-///     without blanks around it, but not at both.
+///     without blanks around it, but not at both. Several tabs are as one only where the first line
+///     has several: elsewhere a column between them is empty.
 ///  3. Where columns may hold any text, one separator alone separates, that of the first line, and
 ///     not within double quotes.
 ///  4. Whatever is wrong is an InputError at its place.
@@ -80,6 +81,8 @@ class TextColumns {
  private:
     static constexpr char any_separator = '\0';
 
+    [[nodiscard]] bool is_blank_line() const;
+    [[nodiscard]] bool has_empty_column_of_tabs() const;
     void split_at(char separator);
     void split_at_any();
     void split_at_one(char separator);
@@ -92,6 +95,7 @@ class TextColumns {
     std::string advice_;
     std::string_view line_;
     std::vector<std::string_view> columns_;  ///< of line_, without blanks around them
+    bool is_indented_ = false;               ///< the first line begins with a tab
     bool at_first_ = true;                   ///< no line has had columns so far
     char first_separator_ = any_separator;   ///< of the first line
     char separator_ = any_separator;         ///< the only one of the others, or any_separator

@@ -36,7 +36,11 @@ class XyzSites {
         }
         std::vector<std::string> notes;
         if (frames > 1) notes.push_back(fmt::format("of {} frames the last one is read", frames));
-        if (!has_radius_) notes.emplace_back("no atom has a radius, and all radii are 0");
+        if (without_radius_ == result_.in_space.size())
+            notes.emplace_back("no atom has a radius, and all radii are 0");
+        else if (without_radius_ > 0)
+            notes.push_back(fmt::format("{} of {} atoms have no radius, and theirs are 0",
+                                        without_radius_, result_.in_space.size()));
         if (!notes.empty())
             result_.note = fmt::format("{}: {}", lines_.path(), fmt::join(notes, "; "));
         return std::move(result_);
@@ -62,7 +66,7 @@ class XyzSites {
         const AtomLayout layout = layout_of_comment();
         result_.in_space.clear();
         result_.first_negative.reset();
-        has_radius_ = false;
+        without_radius_ = 0;
         for (std::uint64_t i = 0; i < *atoms; ++i) {
             if (!lines_.next()) {
                 lines_.fail_at_end(fmt::format("the file ends after {} of {} atoms", i, *atoms));
@@ -88,10 +92,11 @@ class XyzSites {
         const std::size_t x = layout.x;
         Site3 site = {lines_.number(x), lines_.number(x + 1), lines_.number(x + 2), 0.0};
         if (layout.radius < lines_.size()) {
-            has_radius_ = true;
             site.r = lines_.number(layout.radius);
             if (site.r < 0.0 && !result_.first_negative)
                 result_.first_negative = lines_.position_of(layout.radius);
+        } else {
+            ++without_radius_;
         }
         result_.in_space.push_back(site);
     }
@@ -137,7 +142,7 @@ class XyzSites {
 
     LineWords lines_;
     bool is_extended_ = false;
-    bool has_radius_ = false;  ///< an atom of this frame
+    std::size_t without_radius_ = 0;  ///< atoms of this frame
     SitesFile result_;
 };
 

@@ -227,6 +227,18 @@ TEST(TextSites, RefusesWrongColumns) {
         "with a point");
 }
 
+TEST(TextSites, RefusesAnEmptyColumnBetweenTabs) {
+    const std::string empty = "an empty column; write a number or remove the separator";
+    EXPECT_EQ(error("x\ty\tr\n1\t\t3\n"), "2:3: " + empty);
+    EXPECT_EQ(error("x\ty\tr\n\t2\t3\n"), "2:1: " + empty);
+    EXPECT_EQ(error("1\t2\t3\n4\t\t6\n"), "2:3: " + empty);
+    // Where the first line is aligned by tabs, so may be the others.
+    EXPECT_EQ(read("1\t\t2\t3\n4\t5\t\t6\n").sites.size(), 2);
+    EXPECT_EQ(read("\t1\t2\n\t3\t4\n").sites.size(), 2);
+    EXPECT_EQ(read("1\t2\n3\t4\t\t# remark\n").sites.size(), 2);
+    EXPECT_EQ(read("\t\n\t# remark\nx\ty\n1\t2\n").sites.size(), 1);
+}
+
 TEST(TextSites, RefusesCommasBesideBlanks) {
     const std::string one =
         " and blanks in one line; separate by one of them, and write fractions with a point";

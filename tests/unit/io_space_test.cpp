@@ -213,7 +213,7 @@ TEST(XyzSites, ReadAtoms) {
         read("3\nwater\nO 0 0 0 1.52\nH 0.96 0 0 1.2\nH -0.24 0.93 0\n\n", as(SitesInput::xyz));
     EXPECT_EQ(file.dimension, 3);
     EXPECT_EQ(file.in_space, (Sites{{0, 0, 0, 1.52}, {0.96, 0, 0, 1.2}, {-0.24, 0.93, 0, 0}}));
-    EXPECT_EQ(file.note, "");
+    expect_note(file, "f: 1 of 3 atoms have no radius, and theirs are 0");
     const SitesFile frames = read(
         "1\nProperties=species:S:1:pos:R:3:velo:R:3:radius:R:1:id:I:1 Time=0\nA 1 2 3 9 9 9 4 0\n"
         "1\nLattice=\"1 0 0\" Properties=id:I:1:radius:R:1:pos:R:3 Time=1\n7 4 5 6 7\n",
@@ -328,6 +328,66 @@ TEST(PdbSites, RefuseWhatIsWrong) {
         wrong("ATOM      1  X   UNK A   1      11.104   6.134  -6.504  1.00  0.00           X\n"),
         "1:77: no van der Waals radius is known of 'X'; name an element in columns 77 and 78, or "
         "give radii in a PQR file");
+}
+
+TEST(PdbSites, TakeNoElementForAnother) {
+    const auto of = [](std::string_view name, std::string_view element) {
+        return fmt::format(
+            "HETATM    1 {:4} OS  A   1       1.000   2.000   3.000  1.00  0.00{:>12}\n", name,
+            element);
+    };
+    const auto refused = [](std::size_t column, std::string_view shown) {
+        return fmt::format("1:{}: no van der Waals radius is known of '{}'; name an element in "
+                           "columns 77 and 78, or give radii in a PQR file",
+                           column, shown);
+    };
+    // Osmium is no oxygen, iridium no iodine.
+    EXPECT_EQ(error(of("OS", "OS"), as(SitesInput::pdb)), refused(77, "OS"));
+    EXPECT_EQ(error(of(" O", "IR"), as(SitesInput::pdb)), refused(77, "IR"));
+    EXPECT_EQ(error(of("OS", ""), as(SitesInput::pdb)), refused(13, "OS"));
+    EXPECT_EQ(error(of("IR", ""), as(SitesInput::pdb)), refused(13, "IR"));
+    // Two letters that are no element begin with one.
+    EXPECT_EQ(read(of("OXT", ""), as(SitesInput::pdb)).in_space, (Sites{{1, 2, 3, 1.52}}));
+}
+
+TEST(PdbSites, AreThoseOfTheFirstModel) {
+    const std::string atom =
+        "ATOM      1  N   ALA A   1      11.104   6.134  46.760  1.00  0.00           N\n";
+    for (const std::string_view between : {"ENDMDL\n", "END\n", "END   \n", "MODEL        2\n"}) {
+        const SitesFile file =
+            read("MODEL        1\n" + atom + std::string(between) + atom, as(SitesInput::pdb));
+        EXPECT_EQ(file.in_space.size(), 1) << between;
+        expect_note(file, "f: 1 atom of models after the first one is left out");
+    }
+}
+
+TEST(PqrSites, AreThoseOfTheFirstModel) {
+    const std::string atom = " ATOM 1 N ALA 1 1 2 3 -0.3 1.85\n";
+    for (const std::string_view between : {"ENDMDL\n", "END\n", "MODEL 2\n"}) {
+        const SitesFile file = read("MODEL 1\n" + atom + std::string(between) + atom + atom,
+                                    as(SitesInput::pqr));
+        EXPECT_EQ(file.in_space, (Sites{{1, 2, 3, 1.85}})) << between;
+        expect_note(file, "f: 2 atoms of models after the first one are left out");
+    }
+}
+
+TEST(PqrSites, RefuseWordsThatAreNotTheirs) {
+    const auto wrong = [](std::string_view contents) {
+        return error(contents, as(SitesInput::pqr));
+    };
+    EXPECT_EQ(wrong("ATOM 1 N ALA A 1 1.5 2.5 3.5 0.15 1.85 7\n"),
+              "1:40: 12 words; an atom has no more than 11: record, number, name, residue, chain, "
+              "number, x, y, z, charge, radius");
+    EXPECT_EQ(wrong("ATOM 1 N ALA A 1.5 2.5 3.5 4.5 0.15 1.85\n"),
+              "1:16: '1.5' is no residue's number, which stands before the last five words: x, y, "
+              "z, charge, radius");
+    EXPECT_EQ(wrong("ATOM 1 N ALA 1 1 2 3 foo 1.85\n"), "1:22: 'foo'" + word);
+    // With an insertion code, a sign, a chain.
+    for (const std::string_view number : {"52A", "-3", "B1000", "A000"})
+        EXPECT_EQ(read(fmt::format("ATOM 1 N ALA {} 1 2 3 0 1.85\n", number), as(SitesInput::pqr))
+                      .in_space,
+                  (Sites{{1, 2, 3, 1.85}}))
+            << number;
 }
 
 TEST(PqrSites, ReadRadii) {
