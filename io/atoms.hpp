@@ -9,9 +9,9 @@
 namespace signum {
 
 /// The number of atoms, a comment, and a line each: element x y z [radius]; a radius that is
-/// missing is 0, and the note says so. Where the comment has Properties (extended
-/// XYZ, such as the frames of signum simulate), these say where pos and radius stand. Of several
-/// frames the last one is read, and the note says so. Throws InputError.
+/// missing is 0, and the note says so. Where the comment has Properties (extended XYZ, such as the
+/// frames of signum simulate), these say where pos and radius stand. Of several frames the last one
+/// is read, and the note says so. Throws InputError.
 [[nodiscard]] SitesFile read_xyz_sites(InputFile& file);
 
 /// The records ATOM and HETATM of the Protein Data Bank, each with the van der Waals radius of its

@@ -29,15 +29,37 @@ bool is_decimal_digit(char c) noexcept {
     return c >= '0' && c <= '9';
 }
 
-/// What ends a model: its record, the next model's, or, where frames were written one after the
-/// other, the end of a file.
-bool ends_model(const LineWords& lines) {
-    return lines.size() > 0 && (lines[0] == "ENDMDL" || lines[0] == "MODEL" || lines[0] == "END");
-}
+/// Of several models the first one is read.
+class FirstModel {
+ public:
+    /// Whether the line, which begins with `record`, is an atom of it. `has_begun`: one was.
+    bool takes(const LineWords& lines, std::string_view record, bool has_begun) {
+        if (ends_model(lines)) {
+            is_over_ = has_begun;
+            return false;
+        }
+        if (!is_atom(record)) return false;
+        if (is_over_) ++others_;
+        return !is_over_;
+    }
 
-std::string atoms_of_other_models(std::int64_t atoms) {
-    return fmt::format("{} atom{} of models after the first one", atoms, atoms == 1 ? "" : "s");
-}
+    [[nodiscard]] std::int64_t others() const noexcept { return others_; }
+    [[nodiscard]] std::string note() const {
+        return fmt::format("{} atom{} of models after the first one", others_,
+                           others_ == 1 ? "" : "s");
+    }
+
+ private:
+    /// A record of its own, the next model's, or, where frames were written one after the other,
+    /// the end of a file.
+    static bool ends_model(const LineWords& lines) {
+        return lines.size() > 0 &&
+               (lines[0] == "ENDMDL" || lines[0] == "MODEL" || lines[0] == "END");
+    }
+
+    bool is_over_ = false;
+    std::int64_t others_ = 0;  ///< atoms of later ones
+};
 
 bool has_letters_alone(std::string_view text) {
     return !text.empty() && std::ranges::all_of(text, is_letter);
@@ -54,23 +76,15 @@ class PdbSites {
     }
 
     SitesFile read() {
-        while (lines_.next()) {
-            if (ends_model(lines_))
-                is_over_ = !result_.in_space.empty();
-            else if (is_atom(lines_.line()))
-                read_atom();
-        }
+        while (lines_.next())
+            if (model_.takes(lines_, lines_.line(), !result_.in_space.empty())) read_atom();
         if (result_.in_space.empty()) lines_.fail_at_end("no atom in this file");
-        if (others_ + alternates_ > 0) note_what_is_left_out();
+        if (model_.others() + alternates_ > 0) note_what_is_left_out();
         return std::move(result_);
     }
 
  private:
     void read_atom() {
-        if (is_over_) {
-            ++others_;
-            return;
-        }
         if (is_alternate()) {
             ++alternates_;
             return;
@@ -119,14 +133,12 @@ class PdbSites {
         if (alternates_ > 0)
             result_.note += fmt::format("{} alternate place{} of atoms", alternates_,
                                         alternates_ == 1 ? "" : "s");
-        if (others_ > 0)
-            result_.note += (alternates_ > 0 ? " and " : "") + atoms_of_other_models(others_);
-        result_.note += alternates_ + others_ == 1 ? " is left out" : " are left out";
+        if (model_.others() > 0) result_.note += (alternates_ > 0 ? " and " : "") + model_.note();
+        result_.note += alternates_ + model_.others() == 1 ? " is left out" : " are left out";
     }
 
     LineWords lines_;
-    bool is_over_ = false;         ///< the first model
-    std::int64_t others_ = 0;      ///< atoms of later ones
+    FirstModel model_;
     std::int64_t alternates_ = 0;  ///< places left out
     /// By chain, number and insertion code of a residue with alternate places: the letter of its
     /// first atom that has one.
@@ -152,20 +164,13 @@ class PqrSites {
     }
 
     SitesFile read() {
-        std::int64_t others = 0;
-        bool is_over = false;  // the first model
-        while (lines_.next_with_words()) {
-            if (ends_model(lines_))
-                is_over = !result_.in_space.empty();
-            else if (is_atom(lines_[0]) && is_over)
-                ++others;
-            else if (is_atom(lines_[0]))
-                read_atom();
-        }
+        FirstModel model;
+        while (lines_.next_with_words())
+            if (model.takes(lines_, lines_[0], !result_.in_space.empty())) read_atom();
         if (result_.in_space.empty()) lines_.fail_at_end("no atom in this file");
-        if (others > 0)
-            result_.note = fmt::format("{}: {} {} left out", lines_.path(),
-                                       atoms_of_other_models(others), others == 1 ? "is" : "are");
+        if (model.others() > 0)
+            result_.note = fmt::format("{}: {} {} left out", lines_.path(), model.note(),
+                                       model.others() == 1 ? "is" : "are");
         return std::move(result_);
     }
 
