@@ -14,6 +14,10 @@
 
 namespace signum {
 
+constexpr bool is_digit(char c) noexcept {
+    return c >= '0' && c <= '9';
+}
+
 /// Why a text is no number.
 enum class NumberFault : std::uint8_t { none, word, not_finite, out_of_range };
 

@@ -25,9 +25,6 @@ bool is_atom(std::string_view record) {
 bool is_letter(char c) noexcept {
     return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
 }
-bool is_decimal_digit(char c) noexcept {
-    return c >= '0' && c <= '9';
-}
 
 /// Of several models the first one is read.
 class FirstModel {
@@ -110,7 +107,7 @@ class PdbSites {
         const std::string_view element = lines_.columns(77, 78);
         if (has_letters_alone(element)) return radius_of(element, 77, element);
         const std::string_view name = lines_.line().substr(12, 4);
-        const bool begins_late = name[0] == ' ' || is_decimal_digit(name[0]);
+        const bool begins_late = name[0] == ' ' || is_digit(name[0]);
         // Names of hydrogens that take four columns begin in the first one.
         const bool is_hydrogen = name[0] == 'H' && name.find(' ') == std::string_view::npos;
         const bool has_two = !begins_late && !is_hydrogen && is_element(name.substr(0, 2));
@@ -148,8 +145,8 @@ class PdbSites {
 
 /// With a sign, a chain before it or an insertion code behind it, or in base 36; but no fraction.
 bool is_number_of_residue(std::string_view word) {
-    return std::ranges::any_of(word, is_decimal_digit) && std::ranges::all_of(word, [](char c) {
-               return is_letter(c) || is_decimal_digit(c) || c == '-' || c == '+';
+    return std::ranges::any_of(word, is_digit) && std::ranges::all_of(word, [](char c) {
+               return is_letter(c) || is_digit(c) || c == '-' || c == '+';
            });
 }
 

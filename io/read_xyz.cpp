@@ -8,11 +8,12 @@
 
 #include "input_file.hpp"
 #include "number.hpp"
+#include "xyz_comment.hpp"
 
 namespace signum {
 namespace {
 
-constexpr std::string_view properties = "Properties=species:S:1:pos:R:3:velo:R:3:radius:R:1:id:I:1";
+constexpr std::string_view columns = "species:S:1:pos:R:3:velo:R:3:radius:R:1:id:I:1";
 constexpr std::string_view advice = "give frames as signum writes them";
 
 class Frames {
@@ -25,8 +26,10 @@ class Frames {
             const auto balls = parse_whole_number(line_);
             if (!balls) fail(1, fmt::format("no number of balls; {}", advice));
             next_line_of_frame();
-            if (line_.find(properties) == std::string_view::npos)
-                fail(1, fmt::format("no {}; {}", properties, advice));
+            const std::optional<XyzProperties> properties = properties_of(line_);
+            if (!properties || properties->value != columns)
+                fail(properties ? properties->column : 1,
+                     fmt::format("no Properties={}; {}", columns, advice));
             frame.balls.clear();
             for (std::uint64_t i = 0; i < *balls; ++i) {
                 next_line_of_frame();
@@ -87,7 +90,7 @@ bool looks_like_frames(std::string_view text) {
     std::string_view number = text.substr(0, end);
     if (number.ends_with('\r')) number.remove_suffix(1);
     const std::string_view second = text.substr(end + 1, text.find('\n', end + 1) - end - 1);
-    return parse_whole_number(number) && second.find("Properties=") != std::string_view::npos;
+    return parse_whole_number(number) && properties_of(second);
 }
 
 BallsFile read_last_frame(const std::string& path) {

@@ -50,6 +50,7 @@ class TextSites {
         if (!has_header) read_site();
         while (columns_.next_line()) read_site();
         if (result_.sites.empty()) columns_.fail_at_end_of_file("a header and no site");
+        missing_radii_.note_in(result_);
         result_.attributes = std::move(attributes_).attributes();
         return std::move(result_);
     }
@@ -228,6 +229,8 @@ class TextSites {
             if (site.r < 0.0 && !result_.first_negative) {
                 result_.first_negative = columns_.position_of(columns_[layout_.columns[2]].data());
             }
+        } else if (layout_.columns[2] != no_column && (layout_.named || !chosen_.empty())) {
+            missing_radii_.add(columns_);
         }
         result_.sites.push_back(site);
         attributes_.read(columns_);
@@ -268,6 +271,7 @@ class TextSites {
     bool has_attributes_;    ///< which are to be read
     Layout layout_;
     AttributeColumns attributes_;
+    MissingRadii missing_radii_;
     SitesFile result_;
 };
 
@@ -293,6 +297,15 @@ void refuse_other_formats(const TextColumns& lines) {
 }
 
 }  // namespace
+
+void MissingRadii::note_in(SitesFile& file) const {
+    if (count_ == 0) return;
+    file.note +=
+        fmt::format("{}{}: the line ends before its {}, which is 0 then ({} of {} lines)",
+                    file.note.empty() ? "" : "; ", place_,
+                    file.third == WeightIs::weight ? "weight" : "radius", count_,
+                    file.sites.size() + file.in_space.size());
+}
 
 std::optional<WeightIs> meaning_of_column(std::string_view name) {
     if (name == "radius") return WeightIs::radius;

@@ -37,6 +37,7 @@ class TextSitesInSpace {
         if (!has_header) read_site();
         while (lines_.next_line()) read_site();
         if (result_.in_space.empty()) lines_.fail_at_end_of_file("a header and no site");
+        missing_radii_.note_in(result_);
         result_.attributes = std::move(attributes_).attributes();
         return std::move(result_);
     }
@@ -120,6 +121,8 @@ class TextSitesInSpace {
             site.r = lines_.number(places_[radius]);
             if (site.r < 0.0 && !result_.first_negative)
                 result_.first_negative = lines_.position_of(lines_[places_[radius]].data());
+        } else if (places_[radius] != no_column && (named_ || !chosen_.empty())) {
+            missing_radii_.add(lines_);
         }
         result_.in_space.push_back(site);
         attributes_.read(lines_);
@@ -159,6 +162,7 @@ class TextSitesInSpace {
     bool named_ = false;                                ///< by a header
     bool has_attributes_;                               ///< which are to be read
     AttributeColumns attributes_;
+    MissingRadii missing_radii_;
     SitesFile result_;
 };
 

@@ -14,6 +14,7 @@
 #include "line_words.hpp"
 #include "nearest_word.hpp"
 #include "number.hpp"
+#include "xyz_comment.hpp"
 
 namespace signum {
 namespace {
@@ -103,20 +104,17 @@ class XyzSites {
 
     /// Properties=NAME:TYPE:COLUMNS:NAME:... say what stands where; names in any case.
     AtomLayout layout_of_comment() {
-        constexpr std::string_view key = "Properties=";
-        const std::string_view comment = lines_.line();
-        const std::size_t found = comment.find(key);
-        is_extended_ = found != std::string_view::npos;
+        const std::optional<XyzProperties> properties = properties_of(lines_.line());
+        is_extended_ = properties.has_value();
         if (!is_extended_) return {};
-        std::string_view rest = comment.substr(found + key.size());
-        rest = rest.substr(0, rest.find_first_of(" \t\"'"));
+        std::string_view rest = properties->value;
         const auto next_part = [&] {
             const std::string_view part = rest.substr(0, rest.find(':'));
             rest.remove_prefix(std::min(rest.size(), part.size() + 1));
             return part;
         };
         const auto fail = [&](std::string_view message) {
-            lines_.fail_at_column(found + 1, message);
+            lines_.fail_at_column(properties->column, message);
         };
         std::size_t column = 0;
         std::optional<std::size_t> position;

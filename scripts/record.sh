@@ -18,5 +18,4 @@ if [ "$1" = summary ]; then
   exec "$record" "$@"
 fi
 commit=$(git describe --always --dirty 2>/dev/null || echo unknown)
-[ -e "$1" ] || echo "# $commit" >"$1"
-exec "$record" run "$@"
+exec "$record" run "$@" --library "$commit"

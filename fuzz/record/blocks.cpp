@@ -165,14 +165,14 @@ std::vector<Line> lines_of(std::istream& text) {
         std::string end;
         words >> line.metric >> line.predicate >> line.block >> line.seed >> line.count.calls;
         for (std::uint64_t& stage : line.count.stages) words >> stage;
-        words >> line.count.ties >> line.count.wrong >> line.seconds >> end;
+        words >> line.count.ties >> line.count.wrong >> line.seconds >> line.library >> end;
         if (words && end == ".") lines.push_back(std::move(line));
     }
     return lines;
 }
 
 Block run_block(const Metric& metric, std::uint64_t block, std::uint64_t calls,
-                std::ostream& complaints, const std::string& corpus) {
+                std::ostream& complaints, const std::string& corpus, const std::string& library) {
     Block result;
     const std::uint64_t seed = seed_of(metric, block);
     const std::clock_t start = std::clock();
@@ -188,7 +188,8 @@ Block run_block(const Metric& metric, std::uint64_t block, std::uint64_t calls,
         text << metric.name << " " << name_of(static_cast<Predicate>(p), metric.dimension) << " "
              << block << " " << seed << " " << count.calls;
         for (const std::uint64_t stage : count.stages) text << " " << stage;
-        text << " " << count.ties << " " << count.wrong << " " << seconds << " .\n";
+        text << " " << count.ties << " " << count.wrong << " " << seconds << " " << library
+             << " .\n";
         seconds = 0.0;
         result.wrong += count.wrong;
     }
@@ -232,10 +233,12 @@ void print_summary(std::span<const Line> lines, std::ostream& out) {
             blocks[line.block] = true;
         }
     };
+    std::map<std::string, Sum> libraries;
     std::map<std::string, Sum> metrics;
     std::map<std::pair<std::string, std::string>, Sum> predicates;
     Sum all;
     for (const Line& line : lines) {
+        libraries[line.library].add(line);
         metrics[line.metric].add(line);
         predicates[{line.metric, line.predicate}].add(line);
         all.add(line);
@@ -257,6 +260,11 @@ void print_summary(std::span<const Line> lines, std::ostream& out) {
         std::snprintf(seconds, sizeof seconds, " %zu | %.0f |", blocks, sum.seconds);
         out << seconds << "\n";
     };
+    out << "| library as of | calls | wrong | seconds |\n| --- | ---: | ---: | ---: |\n";
+    for (const auto& [library, sum] : libraries)
+        out << "| " << library << " | " << sum.count.calls << " | " << sum.count.wrong << " | "
+            << static_cast<std::uint64_t>(sum.seconds) << " |\n";
+    out << "\n";
     head("metric", true);
     std::size_t blocks = 0;
     for (const Metric& metric : all_metrics()) {

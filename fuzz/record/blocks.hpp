@@ -42,6 +42,7 @@ struct Line {
     std::uint64_t seed = 0;
     Count count;
     double seconds = 0.0;  ///< of the processor, for the whole block: in its first line, else 0
+    std::string library;   ///< the commit that was asked
 };
 /// Incomplete lines are left out.
 [[nodiscard]] std::vector<Line> lines_of(std::istream& text);
@@ -52,8 +53,10 @@ struct Block {
     Ledger ledger;
 };
 /// Wrong calls go to `complaints`, and their configurations are appended to the file `corpus`.
+/// `library` is the commit that is asked, a word; each line ends with it.
 [[nodiscard]] Block run_block(const Metric& metric, std::uint64_t block, std::uint64_t calls,
-                              std::ostream& complaints, const std::string& corpus);
+                              std::ostream& complaints, const std::string& corpus,
+                              const std::string& library);
 
 /// How many of the calls of a corpus file are wrong. Throws std::runtime_error where it is none.
 [[nodiscard]] std::uint64_t replay_calls(std::istream& corpus, std::ostream& complaints);

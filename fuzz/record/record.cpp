@@ -24,10 +24,12 @@ using namespace signum;
 using namespace signum::fuzz;
 
 constexpr const char* usage =
-    "record run FILE [--metric NAME]... [--from BLOCK] [--step BLOCKS] [--blocks N] [--calls N]\n"
+    "record run FILE --library COMMIT [--metric NAME]... [--from BLOCK] [--step BLOCKS]\n"
+    "           [--blocks N] [--calls N]\n"
     "           asks blocks of calls that FILE has not yet, a million each (--calls), and appends\n"
     "           lines to it; without --blocks for ever. Several processes may share a FILE: each\n"
-    "           takes its own blocks, --from 0 --step 2 and --from 1 --step 2.\n"
+    "           takes its own blocks, --from 0 --step 2 and --from 1 --step 2. COMMIT, a word,\n"
+    "           says in each line which library was asked.\n"
     "record summary FILE...\n"
     "           prints the table of all calls in the files\n"
     "record replay FILE...\n"
@@ -67,6 +69,7 @@ int run(std::span<const std::string> arguments) {
     std::uint64_t step = 1;
     std::uint64_t most = ~std::uint64_t{0};
     std::uint64_t calls = 1'000'000;
+    std::string library;
     for (std::size_t n = 1; n < arguments.size(); n += 2) {
         if (n + 1 == arguments.size()) refuse("no value after " + arguments[n]);
         const std::string& value = arguments[n + 1];
@@ -80,12 +83,17 @@ int run(std::span<const std::string> arguments) {
             step = number_of<std::uint64_t>(value);
         } else if (arguments[n] == "--blocks") {
             most = number_of<std::uint64_t>(value);
+        } else if (arguments[n] == "--library") {
+            if (value.empty() || value.find_first_of(" \t\n") != std::string::npos)
+                refuse("no word: '" + value + "'");
+            library = value;
         } else if (arguments[n] == "--calls") {
             calls = number_of<std::uint64_t>(value);
         } else {
             refuse("no option " + arguments[n]);
         }
     }
+    if (library.empty()) refuse("run needs --library, the commit that is asked");
     if (chosen.empty())
         for (const Metric& metric : all_metrics()) chosen.push_back(&metric);
     auto blocks = blocks_in(file);
@@ -94,7 +102,8 @@ int run(std::span<const std::string> arguments) {
         const std::uint64_t block = from + n * step;
         for (const Metric* metric : chosen) {
             if (blocks[std::string(metric->name)].contains(block)) continue;
-            const Block result = run_block(*metric, block, calls, std::cerr, file + ".wrong");
+            const Block result =
+                run_block(*metric, block, calls, std::cerr, file + ".wrong", library);
             if (result.wrong != 0) status = 1;
             // One write: lines of several processes do not mix.
             std::FILE* const out = std::fopen(file.c_str(), "a");

@@ -28,7 +28,8 @@ TEST_P(RecordOf, HasNoWrongSignAndHearsEveryStage) {
     const std::uint64_t calls = calls_of(*metric);
     std::ostringstream complaints;
     // A block that no record has: those count from 0.
-    const Block block = run_block(*metric, 1'000'000, calls, complaints, "record_test.wrong");
+    const Block block =
+        run_block(*metric, 1'000'000, calls, complaints, "record_test.wrong", "here");
     EXPECT_EQ(block.wrong, 0) << complaints.str();
     EXPECT_GE(block.ledger.calls(), calls);
     std::uint64_t stages[stage_count] = {};
@@ -75,17 +76,19 @@ TEST(Ledger, FindsAWrongSign) {
 
 TEST(Record, LinesAreReadBackAndCutOnesLeftOut) {
     std::ostringstream complaints;
-    const Block block = run_block(all_metrics()[0], 3, 1000, complaints, "record_test.wrong");
+    const Metric& metric = all_metrics()[0];
+    const Block block = run_block(metric, 3, 1000, complaints, "record_test.wrong", "here");
     std::istringstream text("# a comment\n" + block.lines + "power ccw 4 1 100 90");
     std::uint64_t counted = 0;
     for (const Line& line : lines_of(text)) {
-        EXPECT_EQ(line.metric, all_metrics()[0].name);
+        EXPECT_EQ(line.metric, metric.name);
         EXPECT_EQ(line.block, 3);
+        EXPECT_EQ(line.library, "here");
         counted += line.count.calls;
     }
     EXPECT_EQ(counted, block.ledger.calls());
     // The same block again is the same calls.
-    EXPECT_EQ(run_block(all_metrics()[0], 3, 1000, complaints, "").ledger.counts()[0].stages,
+    EXPECT_EQ(run_block(metric, 3, 1000, complaints, "", "there").ledger.counts()[0].stages,
               block.ledger.counts()[0].stages);
 }
 

@@ -80,8 +80,28 @@ TEST(TextSites, PicksNamedColumns) {
     EXPECT_EQ(read(",\"x\",\"y\",\"r\",\"n\"\n0,1,2,3,\"a,#b\"\n").sites, (Sites{{1, 2, 3}}));
     EXPECT_EQ(read("x\ty\tn\tr\n1\t2\t\t3\n").sites, (Sites{{1, 2, 3}}));
     EXPECT_EQ(read("n x y r\n7 1 2 3\n").sites, (Sites{{1, 2, 3}}));
-    EXPECT_EQ(read("x,y,r\n1,2\n").sites, (Sites{{1, 2, 0}}));
+    EXPECT_EQ(read("x,y,r\n1,2,3\n").note, "");
     EXPECT_EQ(read("x y r\n1,2,3\n").sites, (Sites{{1, 2, 3}}));
+}
+
+TEST(TextSites, NotesLinesThatEndBeforeTheRadiusOfTheirHeader) {
+    const auto note = [](const char* text, const Columns& columns = {}) {
+        const std::string whole = read(text, columns).note;
+        return whole.substr(std::min(whole.find("f:"), whole.size()));
+    };
+    EXPECT_EQ(read("x,y,r\n1,2\n").sites, (Sites{{1, 2, 0}}));
+    EXPECT_EQ(note("x,y,r\n1,2\n"),
+              "f:2: the line ends before its radius, which is 0 then (1 of 1 lines)");
+    EXPECT_EQ(note("x y weight\n1 2 3\n\n4 5\n6 7\n"),
+              "f:4: the line ends before its weight, which is 0 then (2 of 3 lines)");
+    // The mark of a comment that is none here shifts all columns by one.
+    EXPECT_EQ(note("% x y r\n1 2 3\n"),
+              "f:2: the line ends before its radius, which is 0 then (1 of 1 lines)");
+    EXPECT_EQ(note("1 2 3\n1 2\n", {"1", "2", "3"}),
+              "f:2: the line ends before its radius, which is 0 then (1 of 2 lines)");
+    EXPECT_EQ(note("1 2\n1 2 3\n"), "") << "a site is x y [r] where no header says otherwise";
+    EXPECT_EQ(note("1 2\n1 2 3\n", {"1", "2"}), "");
+    EXPECT_EQ(note("x y\n1 2\n"), "");
 }
 
 TEST(TextSites, TakesNoColumnForARadiusBecauseItIsThird) {

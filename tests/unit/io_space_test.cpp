@@ -65,6 +65,7 @@ TEST(TextSitesInSpace, AreToldByHeaderColumnsOrDimension) {
     EXPECT_EQ(file.dimension, 3);
     EXPECT_EQ(file.in_space, (Sites{{1, 2, 3, 4}, {5, 6, 7, 0}}));
     EXPECT_TRUE(file.sites.empty());
+    expect_note(file, "f:3: the line ends before its radius, which is 0 then (1 of 2 lines)");
     EXPECT_EQ(read("1 2 3 4\n", in_space).in_space, (Sites{{1, 2, 3, 4}}));
     EXPECT_EQ(read("1,2,3\n", in_space).in_space, (Sites{{1, 2, 3, 0}}));
     EXPECT_EQ(read("1 2 3\n").dimension, 2);
@@ -222,6 +223,19 @@ TEST(XyzSites, ReadAtoms) {
     expect_note(frames, "f: of 2 frames the last one is read");
     EXPECT_EQ(read("1\nProperties=Pos:R:3:Radius:R:1\n1 2 3 4\n", as(SitesInput::xyz)).in_space,
               (Sites{{1, 2, 3, 4}}));
+    // The key is a word of its own; its value is as others write it, too.
+    for (const char* extended :
+         {"Properties = radius:R:1:pos:R:3", "Properties=\"radius:R:1:pos:R:3\" pbc='T T F'",
+          "name=\"no Properties=pos:R:3 here\" properties='radius:R:1:pos:R:3'",
+          "Lattice=\"1 0 0\"Properties=radius:R:1:pos:R:3", "it's Properties\t=radius:R:1:pos:R:3"})
+        EXPECT_EQ(read(fmt::format("1\n{}\n4 1 2 3\n", extended), as(SitesInput::xyz)).in_space,
+                  (Sites{{1, 2, 3, 4}}))
+            << extended;
+    for (const char* plain : {"MyProperties=radius:R:1:pos:R:3", "Properties", "= Properties",
+                              "\"Properties=radius:R:1:pos:R:3\"", "\"Properties\"=pos:R:3"})
+        EXPECT_EQ(read(fmt::format("1\n{}\n4 1 2 3\n", plain), as(SitesInput::xyz)).in_space,
+                  (Sites{{1, 2, 3, 0}}))
+            << plain;
     expect_note(read("1\n\nO 1 2 3\n", as(SitesInput::xyz)),
                 "f: no atom has a radius, and all radii are 0");
     expect_note(read("1\n\nO 1 2 3 4\n1\n\nO 1 2 3\n", as(SitesInput::xyz)),
@@ -248,6 +262,9 @@ TEST(XyzSites, RefuseWhatIsWrong) {
     EXPECT_EQ(wrong(""), "1:1: no atom in this file" + advice);
     EXPECT_EQ(wrong("1\nProperties=species:S:1\nO\n"),
               "2:1: Properties without pos:R:3, the places of the atoms");
+    for (const char* empty : {"Properties=", "Properties = ", "Properties=''"})
+        EXPECT_EQ(wrong(fmt::format("1\n{}\nO 1 2 3\n", empty)),
+                  "2:1: Properties without pos:R:3, the places of the atoms");
     EXPECT_EQ(wrong("1\nProperties=species:S:1:pos:R:3\nO 1 2 3 4\n"),
               "3:9: 5 words, but Properties name 4; write as many");
 }
