@@ -10,17 +10,21 @@ std::string escaped(char c) {
     return fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
 }
 
+/// How many bytes the control character has that begins at a byte: two for those from 0x80 to 0x9F
+/// in UTF-8; 0 where there is none.
+std::size_t bytes_of_control(std::string_view text, std::size_t begin) {
+    const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
+    if (byte(begin) < ' ' || byte(begin) == 0x7F) return 1;
+    return byte(begin) == 0xC2 && begin + 1 < text.size() && byte(begin + 1) < 0xA0 ? 2 : 0;
+}
+
 std::string without_controls(std::string_view message) {
     std::string result;
     for (std::size_t i = 0; i < message.size(); ++i) {
-        const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(message[k]); };
-        // In UTF-8 those from 0x80 to 0x9F are two bytes.
-        const bool is_long = byte(i) == 0xC2 && i + 1 < message.size() && byte(i + 1) < 0xA0;
-        if (byte(i) < ' ' || byte(i) == 0x7F || is_long)
-            result += escaped(message[i]);
-        else
-            result += message[i];
-        if (is_long) result += escaped(message[++i]);
+        const std::size_t bytes = bytes_of_control(message, i);
+        if (bytes == 0) result += message[i];
+        for (std::size_t k = 0; k < bytes; ++k) result += escaped(message[i + k]);
+        if (bytes == 2) ++i;
     }
     return result;
 }
@@ -49,6 +53,12 @@ InputError::InputError(std::string_view file, Position position, std::string_vie
 
 InputError::InputError(std::string_view file, std::string_view message)
     : ShownError(fmt::format("{}: {}", file, message)) {}
+
+bool has_control_character(std::string_view text) {
+    for (std::size_t i = 0; i < text.size(); ++i)
+        if (bytes_of_control(text, i) > 0) return true;
+    return false;
+}
 
 std::string in_quotes(std::string_view text) {
     constexpr std::size_t longest = 40;

@@ -83,6 +83,8 @@ class PlySites {
         if (!count) lines_.fail_at(1, "an element is a line element NAME NUMBER");
         if (lines_[1] == "vertex" && std::exchange(has_vertices_, true))
             lines_.fail_at(1, "a second element vertex; leave one of them out");
+        if (elements_.size() == most_elements)
+            lines_.fail_at(0, fmt::format("more than {} elements; leave some out", most_elements));
         elements_.push_back({std::string(lines_[1]), *count});
     }
 
@@ -139,6 +141,7 @@ class PlySites {
         "int8", "uint8", "int16", "uint16", "int32", "uint32", "float32", "float64"};
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
     static constexpr std::size_t radius = 3;
+    static constexpr std::size_t most_elements = 1000;  ///< a file may name more than it has
 
     LineWords lines_;
     bool has_format_ = false;

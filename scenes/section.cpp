@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "../io/errors.hpp"
 #include "../io/nearest_word.hpp"
 #include "../io/number.hpp"
 #include "keys.hpp"
@@ -189,8 +190,9 @@ std::string Section::optional_text(std::string_view key) const {
         fail_at(key,
                 fmt::format("{} where a text is meant; write it between quotes", shown(*node)));
     if (text->empty()) fail_at(key, "an empty text; write something, or leave the key out");
-    if (text->find('\0') != std::string::npos || text->find('\n') != std::string::npos)
-        fail_at(key, "a text of several lines, or with a NUL; write it in one line");
+    if (has_control_character(*text))
+        fail_at(key,
+                "a text of several lines, or with a control character; write it in one line");
     return *text;
 }
 

@@ -13,7 +13,7 @@
 #   build/fuzz/runs.tsv         a line for each run: when, engine, target, seconds, executions, places covered,
 #                               inputs, found
 #
-# Exit code 1 when there is anything in found/.
+# Exit code 1 when there is anything in found/, 3 when a fuzzer does not run.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
@@ -78,6 +78,7 @@ for each in "${targets[@]}"; do
     executions=0
     used=0
     known=$(find "$here/found" -type f | wc -l)
+    ended=true
     clock
     begin=$spent
     # Its own limit is of the clock. What it leaves is asked for again, but for the last seconds.
@@ -85,7 +86,10 @@ for each in "${targets[@]}"; do
       nice -n 19 "$program" -max_total_time=$((seconds - used)) "${options[@]}" "$here/corpus" "$root/fuzz/corpus/$each" \
         </dev/null >"$here/log" 2>&1 || true
       executed=$(sed -n 's/^stat::number_of_executed_units: *//p' "$here/log")
-      [ -n "$executed" ] || break # it did not come to its end
+      if [ -z "$executed" ]; then # it did not come to its end
+        ended=false
+        break
+      fi
       executions=$((executions + executed))
       clock
       used=$((spent - begin))
@@ -109,6 +113,11 @@ for each in "${targets[@]}"; do
   count=$(find "$here/found" -type f | wc -l)
   printf '%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\n' "$(date -u +%FT%TZ)" "$engine" "$each" "$used" "${executions:-0}" \
     "${covered:-0}" "$(find "$here/corpus" -type f | wc -l)" "$count" | tee -a "$folder/runs.tsv"
+  if [ "$engine" = libfuzzer ] && ! $ended && [ "$count" -eq "$known" ]; then
+    tail -n 20 "$here/log" >&2
+    say "$each: the fuzzer came to no end, and found nothing"
+    exit 3
+  fi
   if [ "$count" -gt 0 ]; then
     say "$each: $count inputs in $here/found; $here/log says what they broke"
     found=1

@@ -11,7 +11,7 @@
 A mutant is a text of a file, which occurs there once, and what to put in its place. The programs that
 should notice are linked with the library as it is and, before it, those objects made anew, of a copy of
 the sources in build/mutation, that read the file: the test's own and those of the folders that the table
-names. They run one after the other until one fails; of a header the test's own object is made first, and
+names. They run one after the other until one fails, or has not ended in ten minutes; of a header the test's own object is made first, and
 the others only where that does not notice. MUTATION_DIRECTORY names another place, so that two
 runs may go on side by side. `refused` is a mutant that does not compile because of a static_assert;
 `broken` one that does not compile for any other reason, which is an error of the table. What is known
@@ -328,7 +328,7 @@ def main():
     wrong = 0
     for mutant in chosen:
         outcome = (verdict_of(mutant, known) or ["broken"])[0]
-        if (outcome in ("survived", "broken")) != ("equivalent" in mutant):
+        if outcome == "broken" or (outcome == "survived") != ("equivalent" in mutant):
             print(f"{mutant['name']}: {outcome}" + (", though equivalent" if "equivalent" in mutant else ""))
             wrong += 1
     print(f"{len(chosen)} mutants, {wrong} unexplained")

@@ -21,13 +21,20 @@ while read -r word; do
       file=$tests/$word.cpp
       [ -f "$file" ] || fail "$word, and there is no such file"
       ;;
-    structure.* | adoption.*)
+    structure.* | adoption.* | fuzz.* | make_*)
       named=$((named + 1))
       grep -q ": $word\$" <<<"$known" || fail "$word, which CTest does not know"
       ;;
+    scripts/* | tests/*)
+      [ -e "$tests/../$word" ] || fail "$word, and it is not there"
+      ;;
+    signum.h | */) ;;
     [A-Z]*.[A-Z]*)
       named=$((named + 1))
       grep -qE "^(TYPED_)?TEST(_[A-Z]+)?\(${word%.*}, ${word#*.}\)" "$file" || fail "$word, which is not in ${file#"$tests"/}"
+      ;;
+    *[./]*)
+      fail "$word, and nobody knows what that is"
       ;;
   esac
 done < <(grep '^| ' "$page" | grep -o '`[^`]*`' | tr -d '`')
