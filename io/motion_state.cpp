@@ -17,27 +17,6 @@
 namespace signum {
 namespace {
 
-/// A number that comes back as it was: "-0" would be an integer to a reader, and lose its sign.
-struct StateNumber {
-    double value;
-};
-
-}  // namespace
-}  // namespace signum
-
-template <>
-struct fmt::formatter<signum::StateNumber> : fmt::formatter<double> {
-    template <class Context>
-    auto format(const signum::StateNumber& number, Context& context) const {
-        if (number.value == 0.0 && std::signbit(number.value))
-            return fmt::format_to(context.out(), "-0.0");
-        return fmt::formatter<double>::format(number.value, context);
-    }
-};
-
-namespace signum {
-namespace {
-
 using nlohmann::json;
 
 /// A state that is JSON, but not ours: caught as what the library throws for one that lacks a name.
@@ -92,7 +71,7 @@ json parsed(const std::string& path) {
 template <int D>
 void put_vector(TextWriter& text, const motion::Vector<D>& v) {
     text.put("[");
-    for (int k = 0; k < D; ++k) text.put(FMT_COMPILE("{}{}"), k > 0 ? ", " : "", StateNumber{v[k]});
+    for (int k = 0; k < D; ++k) text.put(FMT_COMPILE("{}{}"), k > 0 ? ", " : "", JsonNumber{v[k]});
     text.put("]");
 }
 
@@ -100,7 +79,7 @@ void put_vector(TextWriter& text, const motion::Vector<D>& v) {
 void put_numbers(TextWriter& text, std::initializer_list<std::pair<std::string_view, double>> all) {
     bool first = true;
     for (const auto& [name, value] : all) {
-        text.put(FMT_COMPILE("{}\"{}\": {}"), first ? "" : ", ", name, StateNumber{value});
+        text.put(FMT_COMPILE("{}\"{}\": {}"), first ? "" : ", ", name, JsonNumber{value});
         first = false;
     }
 }
@@ -123,7 +102,7 @@ template <int D>
 void put_obstacle(TextWriter& text, const motion::Sphere<D>& wall) {
     const bool is_inside = wall.side == motion::Sphere<D>::Side::inside;
     text.put(FMT_COMPILE("{{\"kind\": \"sphere\", \"side\": \"{}\", \"radius\": {}, "),
-             is_inside ? "inside" : "outside", StateNumber{wall.radius});
+             is_inside ? "inside" : "outside", JsonNumber{wall.radius});
     put_named<D>(text, "centre", wall.centre);
     text.put(", ");
     put_named<D>(text, "velocity", wall.velocity);
@@ -146,7 +125,7 @@ void put_effects(TextWriter& text, const motion::Effects<D>& effects) {
         text.put("}");
     }
     if (effects.contact_duration != 0.0)
-        text.put(FMT_COMPILE(", \"contact_duration\": {}"), StateNumber{effects.contact_duration});
+        text.put(FMT_COMPILE(", \"contact_duration\": {}"), JsonNumber{effects.contact_duration});
     if (effects.friction) {
         text.put(", \"friction\": {");
         put_numbers(text, {{"coefficient", effects.friction->coefficient},
@@ -314,8 +293,8 @@ void write_motion_state(std::ostream& out, const MotionState<D>& state) {
     text.put(FMT_COMPILE("{{\"format\": \"signum.simulation\", \"version\": 2, \"dimension\": {}, "
                          "\"time\": {},\n\"restitution\": {}, \"wall_restitution\": {}, "
                          "\"periodic\": {}, \"gravity\": "),
-             D, StateNumber{balls_state.time}, StateNumber{effects.restitution},
-             StateNumber{effects.wall_restitution}, effects.periodic);
+             D, JsonNumber{balls_state.time}, JsonNumber{effects.restitution},
+             JsonNumber{effects.wall_restitution}, effects.periodic);
     put_vector<D>(text, effects.gravity);
     if (effects.box) {
         text.put(", \"low\": ");
@@ -330,18 +309,18 @@ void write_motion_state(std::ostream& out, const MotionState<D>& state) {
         put_vector<D>(text, ball.x);
         text.put(", ");
         put_vector<D>(text, ball.v);
-        text.put(FMT_COMPILE(", {}, {}, {}, {}]"), StateNumber{ball.radius}, StateNumber{ball.time},
-                 StateNumber{balls_state.masses[i]}, balls_state.in_place[i]);
+        text.put(FMT_COMPILE(", {}, {}, {}, {}]"), JsonNumber{ball.radius}, JsonNumber{ball.time},
+                 JsonNumber{balls_state.masses[i]}, balls_state.in_place[i]);
         ++i;
     });
     text.put_array("passed", balls_state.passed, [&](const motion::Passed& passed) {
-        text.put(FMT_COMPILE("[{}, {}, {}]"), passed.a, passed.b, StateNumber{passed.time});
+        text.put(FMT_COMPILE("[{}, {}, {}]"), passed.a, passed.b, JsonNumber{passed.time});
     });
     if (!balls_state.spins.empty()) {
         text.put_array("spins", balls_state.spins, [&](const motion::Spin<D>& spin) {
             text.put("[");
             for (const double& each : spin)
-                text.put(FMT_COMPILE("{}{}"), &each == spin.begin() ? "" : ", ", StateNumber{each});
+                text.put(FMT_COMPILE("{}{}"), &each == spin.begin() ? "" : ", ", JsonNumber{each});
             text.put("]");
         });
     }
@@ -349,7 +328,7 @@ void write_motion_state(std::ostream& out, const MotionState<D>& state) {
     if (!balls_state.last_strikes.empty())
         text.put_array("last_strikes", balls_state.last_strikes, [&](double time) {
             if (std::isfinite(time))
-                text.put(FMT_COMPILE("{}"), StateNumber{time});
+                text.put(FMT_COMPILE("{}"), JsonNumber{time});
             else
                 text.put("null");
         });
@@ -357,7 +336,7 @@ void write_motion_state(std::ostream& out, const MotionState<D>& state) {
         text.put_array("standing", balls_state.contacts,
                        [&](const motion::StandingContact<D>& contact) {
                            text.put(FMT_COMPILE("[{}, {}, {}, "), contact.a, contact.b,
-                                    StateNumber{contact.push});
+                                    JsonNumber{contact.push});
                            put_vector<D>(text, contact.rub);
                            text.put("]");
                        });

@@ -14,9 +14,29 @@
 
 namespace signum {
 
+/// A finite number in JSON, which comes back as it was: "-0" would be an integer to a reader, and
+/// lose its sign.
+struct JsonNumber {
+    double value;
+};
+
+}  // namespace signum
+
+template <>
+struct fmt::formatter<signum::JsonNumber> : fmt::formatter<double> {
+    template <class Context>
+    auto format(const signum::JsonNumber& number, Context& context) const {
+        if (number.value == 0.0 && std::signbit(number.value))
+            return fmt::format_to(context.out(), "-0.0");
+        return fmt::formatter<double>::format(number.value, context);
+    }
+};
+
+namespace signum {
+
 /// A number in JSON; null for what is none there.
 [[nodiscard]] inline std::string number_or_null(double value) {
-    return std::isfinite(value) ? fmt::format(FMT_COMPILE("{}"), value) : "null";
+    return std::isfinite(value) ? fmt::format(FMT_COMPILE("{}"), JsonNumber{value}) : "null";
 }
 
 /// A number in a table; nothing for what is none there.

@@ -7,33 +7,35 @@
 namespace signum {
 namespace {
 
-std::array<double, 3> numbers_of(const Site& site) noexcept {
-    return {site.x, site.y, site.r};
+/// As double, or as JsonNumber.
+template <class Number>
+std::array<Number, 3> numbers_of(const Site& site) noexcept {
+    return {Number{site.x}, Number{site.y}, Number{site.r}};
 }
-std::array<double, 4> numbers_of(const Site3& site) noexcept {
-    return {site.x, site.y, site.z, site.r};
+template <class Number>
+std::array<Number, 4> numbers_of(const Site3& site) noexcept {
+    return {Number{site.x}, Number{site.y}, Number{site.z}, Number{site.r}};
 }
 
 template <class S>
 void write(std::ostream& out, std::span<const S> sites, SitesFormat format,
            std::string_view header) {
     TextWriter text(out);
-    const auto put = [&](std::string_view before, const S& site, std::string_view between,
-                         std::string_view after) {
-        text.put(FMT_COMPILE("{}{}{}"), before, fmt::join(numbers_of(site), between), after);
+    const auto put = [&](const S& site, std::string_view between) {
+        text.put(FMT_COMPILE("{}\n"), fmt::join(numbers_of<double>(site), between));
     };
     switch (format) {
         case SitesFormat::text:
-            for (const S& site : sites) put("", site, " ", "\n");
+            for (const S& site : sites) put(site, " ");
             break;
         case SitesFormat::csv:
             text.put(header);
-            for (const S& site : sites) put("", site, ",", "\n");
+            for (const S& site : sites) put(site, ",");
             break;
         case SitesFormat::json: {
             std::string_view before = "[[";
             for (const S& site : sites) {
-                put(before, site, ", ", "]");
+                text.put(FMT_COMPILE("{}{}]"), before, fmt::join(numbers_of<JsonNumber>(site), ", "));
                 before = ",\n[";
             }
             text.put("]\n");

@@ -32,7 +32,8 @@ std::vector<Index> visible_sites(const SpaceTessellation& tessellation) {
 
 std::string triple_of(const Point3& p) {
     if (!are_finite(p)) return "null";
-    return fmt::format(FMT_COMPILE("[{}, {}, {}]"), p.x, p.y, p.z);
+    return fmt::format(FMT_COMPILE("[{}, {}, {}]"), JsonNumber{p.x}, JsonNumber{p.y},
+                       JsonNumber{p.z});
 }
 
 struct DualEdge {

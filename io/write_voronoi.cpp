@@ -185,7 +185,8 @@ void write_voronoi_json(std::ostream& out, const ClippedVoronoi& diagram, const 
              name_of(tessellation.metric()), name_of(tessellation.weight_is()),
              tessellation.arrays().sites, box == no_box ? "null" : bounds_of(box));
     text.put_array("vertices", voronoi.vertices(), [&](const DiagramVertex& v) {
-        text.put(FMT_COMPILE("[{}, {}, {}]"), v.x, v.y, number_or_null(v.rho));
+        text.put(FMT_COMPILE("[{}, {}, {}]"), JsonNumber{v.x}, JsonNumber{v.y},
+                 number_or_null(v.rho));
     });
     put_edges(text, voronoi);
     text.put_array("cells", visible_sites(voronoi), [&](Index site) {

@@ -21,8 +21,8 @@ bool are_same(const BallsFile& a, const BallsFile& b) {
     for (std::size_t i = 0; i < a.balls.size(); ++i) {
         const BallLine& one = a.balls[i];
         const BallLine& other = b.balls[i];
-        if (one.x != other.x || one.v != other.v || one.radius != other.radius ||
-            one.mass != other.mass)
+        if (!are_same_numbers(one.x, other.x) || !are_same_numbers(one.v, other.v) ||
+            !are_same_numbers(one.radius, other.radius) || !are_same_numbers(one.mass, other.mass))
             return false;
     }
     return true;

@@ -1,7 +1,11 @@
 #pragma once
 /// Reading, which may fail in one way alone.
 
+#include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -19,6 +23,14 @@ inline void judge_message(std::string_view message, std::string_view path) {
         must(static_cast<unsigned char>(c) >= ' ' && c != '\x7f',
              "a message with a control character");
     must(message.size() < 2000, "a message of more than 2000 bytes");
+}
+
+/// Whether these are the same doubles; 0 and -0 are not.
+inline bool are_same_numbers(double a, double b) {
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+inline bool are_same_numbers(std::span<const double> a, std::span<const double> b) {
+    return std::ranges::equal(a, b, [](double x, double y) { return are_same_numbers(x, y); });
 }
 
 /// What `read` gives of the file, or nothing where it throws InputError; whatever else it throws

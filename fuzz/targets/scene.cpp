@@ -68,7 +68,11 @@ bool takes_long(const Document& scene) {
 /// What was placed is a state from which a run can begin.
 template <int D>
 void judge_scene(const Scene<D>& scene) {
-    must(!explain(scene, "").empty(), "a scene that says nothing of itself");
+    const std::string explanation = explain(scene, "");
+    must(!explanation.empty(), "a scene that says nothing of itself");
+    for (const char letter : explanation)
+        must(letter == '\n' || !has_control_character({&letter, 1}),
+             "an explanation with a control character");
     std::ostringstream text;
     write_motion_state<D>(text, {scene.start, scene.effects});
     const MemoryFile copy(text.str());

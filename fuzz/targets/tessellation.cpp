@@ -1,4 +1,5 @@
 #include <sstream>
+#include <stdexcept>
 #include <vector>
 
 #include "../../io/read_sites.hpp"
@@ -31,15 +32,31 @@ std::vector<S> grid_sites(std::int64_t count) {
     return sites;
 }
 
-/// Whatever the arrays hold, they are judged.
-void judge_arrays(const TessellationArrays& arrays) {
-    if (arrays.sites > most_judged ||
-        (arrays.weight_is == WeightIs::weight && arrays.metric != Metric::power))
-        return;
-    const std::vector<Site> sites = grid_sites<Site>(arrays.sites);
-    const Validation verdict = validate(arrays, strided_view(sites, arrays.weight_is));
+void judge_verdict(const Validation& verdict) {
     must(verdict.canonical <= verdict.valid, "canonical and not valid");
     must(verdict.canonical == verdict.message.empty(), "a verdict without a reason");
+}
+
+/// What names no site or face cannot be a Tessellation, nor be written.
+void judge_writing(const TessellationArrays& arrays, const std::vector<Site>& sites) {
+    std::ostringstream text;
+    try {
+        write_json(text, Tessellation(arrays, sites, {}));
+    } catch (const std::invalid_argument&) {
+        return;
+    }
+    const MemoryFile copy(text.str());
+    must(read_tessellation(copy.path()) == arrays,
+         "a tessellation of the plane that does not read back to the same");
+}
+
+/// Whatever the arrays hold, they are judged.
+void judge_arrays(const TessellationArrays& arrays) {
+    if (arrays.sites > most_judged) return;
+    const std::vector<Site> sites = grid_sites<Site>(arrays.sites);
+    judge_writing(arrays, sites);
+    if (arrays.weight_is == WeightIs::weight && arrays.metric != Metric::power) return;
+    judge_verdict(validate(arrays, strided_view(sites, arrays.weight_is)));
 }
 
 void judge_in_space(const ReadTessellation& read) {
@@ -51,8 +68,7 @@ void judge_in_space(const ReadTessellation& read) {
          "a tessellation of space that does not read back to the same");
     if (read.in_space->sites > most_judged) return;
     const std::vector<Site3> sites = grid_sites<Site3>(read.in_space->sites);
-    const Validation verdict = validate(*read.in_space, sites);
-    must(verdict.canonical <= verdict.valid, "canonical and not valid");
+    judge_verdict(validate(*read.in_space, sites));
 }
 
 }  // namespace

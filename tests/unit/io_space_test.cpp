@@ -471,6 +471,10 @@ TEST(PlySites, ReadVertices) {
               "10:4: 2 numbers, but the header names 3 properties of a vertex");
     EXPECT_EQ(wrong(vertices + "1 2 3\n1 2 3x\n"), "10:5: '3x'" + word);
     EXPECT_EQ(wrong(vertices + "1 2 3\n4 5 6\n\n7 8 9\n"), "12:1: a line beyond the 2 vertices");
+    std::string elements;
+    for (int i = 0; i < 1000; ++i) elements += "element e 1\n";
+    EXPECT_EQ(wrong(head + elements + "element f 1\n"),
+              "1004:1: more than 1000 elements; leave some out");
     EXPECT_EQ(wrong(head + "element vertex 1\nproperty doubel x\n"),
               "5:10: 'doubel' is no type of PLY's; for a number give double");
 }
