@@ -182,6 +182,9 @@ This page is written by
     scripts/machines.sh
 
 which builds the program for whatever compilers and emulators are here. It goes on where it was cut off, and begins anew after a change of the sources.
+PAGE
+  echo "The last of these cells was asked on $(date -u '+%-d %B %Y'), of commit $(git describe --always --dirty)."
+  cat <<'PAGE'
 
 The columns are floating-point environments that the caller set before asking: to nearest, upward, downward, toward zero,
 and denormals flushed; – where the processor has no such thing.

@@ -10,7 +10,9 @@
 #include <map>
 #include <ostream>
 #include <sstream>
+#include <set>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
 namespace signum::fuzz {
@@ -237,7 +239,10 @@ void print_summary(std::span<const Line> lines, std::ostream& out) {
     std::map<std::string, Sum> metrics;
     std::map<std::pair<std::string, std::string>, Sum> predicates;
     Sum all;
+    // A block that two processes have asked counts once.
+    std::set<std::tuple<std::string, std::string, std::uint64_t>> known;
     for (const Line& line : lines) {
+        if (!known.emplace(line.metric, line.predicate, line.block).second) continue;
         libraries[line.library].add(line);
         metrics[line.metric].add(line);
         predicates[{line.metric, line.predicate}].add(line);

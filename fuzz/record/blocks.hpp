@@ -61,6 +61,7 @@ struct Block {
 /// How many of the calls of a corpus file are wrong. Throws std::runtime_error where it is none.
 [[nodiscard]] std::uint64_t replay_calls(std::istream& corpus, std::ostream& complaints);
 
+/// The tables. Lines of one block count once, however often they are there.
 void print_summary(std::span<const Line> lines, std::ostream& out);
 
 }  // namespace signum::fuzz

@@ -87,6 +87,14 @@ TEST(Record, LinesAreReadBackAndCutOnesLeftOut) {
         counted += line.count.calls;
     }
     EXPECT_EQ(counted, block.ledger.calls());
+    // Twice in a record it counts once.
+    const auto summary_of = [](const std::string& lines) {
+        std::istringstream in(lines);
+        std::ostringstream out;
+        print_summary(lines_of(in), out);
+        return out.str();
+    };
+    EXPECT_EQ(summary_of(block.lines + block.lines), summary_of(block.lines));
     // The same block again is the same calls.
     EXPECT_EQ(run_block(metric, 3, 1000, complaints, "", "there").ledger.counts()[0].stages,
               block.ledger.counts()[0].stages);
