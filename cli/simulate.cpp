@@ -186,8 +186,7 @@ void simulate_scene(const SimulateCall& call) {
                     out.flush();
                     return;
                 }
-                if (!call.quiet)
-                    for (const std::string& note : scene.notes) say("{}\n", note);
+                for (const std::string& note : scene.notes) say("{}\n", note);
                 run_simulation<D>(whole, {scene.start, scene.effects});
             },
             any);
@@ -219,7 +218,7 @@ void simulate(SimulateCall call) {
     }
     if (call.input.empty()) throw CallError("a file of balls is missing; give FILE, or --resume");
     const BallsFile file = read_balls(call.input);
-    if (!file.note.empty() && !call.quiet) say("{}\n", file.note);
+    if (!file.note.empty()) say("{}\n", file.note);
     if (file.dimension == 2) {
         run_simulation(call, started<2>(call, file));
     } else {

@@ -17,6 +17,7 @@
 
 #include "../core/error_free.hpp"
 #include "read_balls.hpp"
+#include "read_xyz.hpp"
 #include "text_columns.hpp"
 
 namespace signum {
@@ -254,9 +255,15 @@ BallsFile read_balls(const std::string& path) {
                                     "give one whose name ends in .toml"
                                   : "this looks like a scene; its name must end in .toml");
     }
+    if (looks_like_frames(file.first_bytes())) {
+        file.fail({},
+                  "these look like frames in XYZ, which a scene reads; give a scene of which [balls] "
+                  "has file, this one");
+    }
     const char first = file.first_character();
     if (first == '[' || first == '{') {
-        file.fail({}, fmt::format("this looks like JSON, and balls are read from text alone; {}",
+        file.fail({}, fmt::format("this looks like JSON, and balls are read from text alone, states "
+                                  "by --resume; {}",
                                   advice_on_balls));
     }
     return TextBalls(file).read();

@@ -70,6 +70,12 @@ class TessellationReader final : public JsonEvents {
             SpaceTessellation found = finished_in_space();
             return {std::move(arrays_), std::move(found)};
         }
+        if (seen_.contains(Key::dimension) && dimension_ != 2) {
+            fail(cursor().structure(),
+                 fmt::format("\"dimension\" is {}, and \"faces\" are of the plane; leave one of "
+                             "them out, or give \"cells\"",
+                             dimension_));
+        }
         // Neighbours that came before the faces.
         if (neighbours_.width > 0) {
             require_width(Key::neighbours, neighbours_, 3);

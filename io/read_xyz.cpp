@@ -26,7 +26,7 @@ class Frames {
             const auto balls = parse_whole_number(line_);
             if (!balls) fail(1, fmt::format("no number of balls; {}", advice));
             next_line_of_frame();
-            const std::optional<XyzProperties> properties = properties_of(line_);
+            const std::optional<XyzValue> properties = value_in_comment(line_, "properties");
             if (!properties || properties->value != columns)
                 fail(properties ? properties->column : 1,
                      fmt::format("no Properties={}; {}", columns, advice));
@@ -90,7 +90,7 @@ bool looks_like_frames(std::string_view text) {
     std::string_view number = text.substr(0, end);
     if (number.ends_with('\r')) number.remove_suffix(1);
     const std::string_view second = text.substr(end + 1, text.find('\n', end + 1) - end - 1);
-    return parse_whole_number(number) && properties_of(second);
+    return parse_whole_number(number) && value_in_comment(second, "properties");
 }
 
 BallsFile read_last_frame(const std::string& path) {

@@ -25,7 +25,7 @@ std::string_view next_word(std::string_view text, std::size_t& begin, std::strin
 
 }  // namespace
 
-std::optional<XyzProperties> properties_of(std::string_view comment) {
+std::optional<XyzValue> value_in_comment(std::string_view comment, std::string_view key) {
     constexpr std::string_view blanks = " \t";
     std::size_t at = 0;
     const auto skip_blanks = [&] {
@@ -33,7 +33,7 @@ std::optional<XyzProperties> properties_of(std::string_view comment) {
     };
     for (skip_blanks(); at < comment.size(); skip_blanks()) {
         const std::size_t begin = at;
-        const std::string_view key = next_word(comment, at, " \t=");
+        const std::string_view word = next_word(comment, at, " \t=");
         skip_blanks();
         if (at == comment.size() || comment[at] != '=') continue;
         ++at;
@@ -41,8 +41,8 @@ std::optional<XyzProperties> properties_of(std::string_view comment) {
         const std::string_view value =
             at < comment.size() ? next_word(comment, at, blanks) : std::string_view();
         if (comment[begin] != '"' && comment[begin] != '\'' &&
-            in_small_letters(key) == "properties")
-            return XyzProperties{value, begin + 1};
+            in_small_letters(word) == key)
+            return XyzValue{value, begin + 1};
     }
     return std::nullopt;
 }

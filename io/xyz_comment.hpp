@@ -12,13 +12,14 @@
 
 namespace signum {
 
-/// The value of Properties, which say what the columns of the frame are.
-struct XyzProperties {
+struct XyzValue {
     std::string_view value;  ///< without quotes around it
     std::size_t column = 0;  ///< of the key, from 1
 };
 
-/// Nothing where the comment has no Properties: the frame is plain. O(bytes).
-[[nodiscard]] std::optional<XyzProperties> properties_of(std::string_view comment);
+/// The first value of a key, which is in small letters; nothing where the comment does not have it.
+/// Without `properties`, which say what the columns are, the frame is plain. O(bytes).
+[[nodiscard]] std::optional<XyzValue> value_in_comment(std::string_view comment,
+                                                       std::string_view key);
 
 }  // namespace signum

@@ -42,6 +42,8 @@ class XyzSites {
         else if (without_radius_ > 0)
             notes.push_back(fmt::format("{} of {} atoms have no radius, and theirs are 0",
                                         without_radius_, result_.in_space.size()));
+        if (is_periodic_)
+            notes.emplace_back("the periodic box is left out, and the atoms are in all of space");
         if (!notes.empty())
             result_.note = fmt::format("{}: {}", lines_.path(), fmt::join(notes, "; "));
         return std::move(result_);
@@ -65,6 +67,7 @@ class XyzSites {
         }
         if (!lines_.next()) lines_.fail_at_end("the file ends within a frame");
         const AtomLayout layout = layout_of_comment();
+        is_periodic_ = says_periodic(lines_.line());
         result_.in_space.clear();
         result_.first_negative.reset();
         without_radius_ = 0;
@@ -102,9 +105,17 @@ class XyzSites {
         result_.in_space.push_back(site);
     }
 
+    /// Whether a comment has a Lattice, along whose vectors the atoms come again unless pbc, a T or F
+    /// for each, says otherwise. Only extended XYZ says so.
+    [[nodiscard]] bool says_periodic(std::string_view comment) const {
+        if (!is_extended_ || !value_in_comment(comment, "lattice")) return false;
+        const std::optional<XyzValue> pbc = value_in_comment(comment, "pbc");
+        return !pbc || pbc->value.find_first_of("Tt1") != std::string_view::npos;
+    }
+
     /// Properties=NAME:TYPE:COLUMNS:NAME:... say what stands where; names in any case.
     AtomLayout layout_of_comment() {
-        const std::optional<XyzProperties> properties = properties_of(lines_.line());
+        const std::optional<XyzValue> properties = value_in_comment(lines_.line(), "properties");
         is_extended_ = properties.has_value();
         if (!is_extended_) return {};
         std::string_view rest = properties->value;
@@ -140,6 +151,7 @@ class XyzSites {
 
     LineWords lines_;
     bool is_extended_ = false;
+    bool is_periodic_ = false;
     std::size_t without_radius_ = 0;  ///< atoms of this frame
     SitesFile result_;
 };

@@ -53,10 +53,20 @@ std::vector<Section> groups_of(const Section& file) {
     return groups;
 }
 
-std::string path_of(const Section& group) {
+/// The file of a group. Fails where it is not there.
+std::string existing_path_of(const Section& group) {
     const std::filesystem::path name(group.optional_text("file"));
     const std::filesystem::path here(group.document().path());
-    return name.is_absolute() ? name.string() : (here.parent_path() / name).string();
+    const std::string path =
+        name.is_absolute() ? name.string() : (here.parent_path() / name).string();
+    std::error_code error;
+    const bool exists = std::filesystem::exists(path, error);
+    if (error) group.fail_at("file", fmt::format("cannot read {}: {}", path, error.message()));
+    if (!exists)
+        group.fail_at(
+            "file",
+            fmt::format("there is no {}; names are relative to the scene's own directory", path));
+    return path;
 }
 
 const toml::array& rows_of(const Section& group) {
@@ -143,14 +153,7 @@ class Groups {
     }
 
     void read_file(const Section& group) {
-        const std::string path = path_of(group);
-        std::error_code error;
-        const bool exists = std::filesystem::exists(path, error);
-        if (error) group.fail_at("file", fmt::format("cannot read {}: {}", path, error.message()));
-        if (!exists)
-            group.fail_at("file", fmt::format("there is no {}; names are relative to the scene's "
-                                              "own directory",
-                                              path));
+        const std::string path = existing_path_of(group);
         const FileKind kind = kind_of_file(path);
         if (kind != FileKind::frames && group.has("density"))
             group.fail_at("density",
@@ -546,12 +549,9 @@ int dimension_of_groups(const Section& file) {
     for (const Section& group : groups_of(file)) {
         int dimension = 0;
         switch (source_of(group)) {
-            case Source::file: {
-                const std::string path = path_of(group);
-                std::error_code ignored;
-                if (std::filesystem::exists(path, ignored)) dimension = dimension_of_file(path);
+            case Source::file:
+                dimension = dimension_of_file(existing_path_of(group));
                 break;
-            }
             case Source::list:
                 dimension = dimension_of_list(group);
                 break;

@@ -8,6 +8,7 @@ static_assert(sizeof(signum_error) == 256 && sizeof(signum_validation) == 256);
 
 Asked asked(const signum_options* given) {
     const signum_options options = read(given, signum_options SIGNUM_OPTIONS, "options");
+    if (options.reserved != 0) throw Refused("options.reserved is not 0");
     Asked asked;
     asked.weight_is = weight_of(options.weight_is);
     asked.options.arithmetic =

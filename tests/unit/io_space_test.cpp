@@ -220,7 +220,17 @@ TEST(XyzSites, ReadAtoms) {
         "1\nLattice=\"1 0 0\" Properties=id:I:1:radius:R:1:pos:R:3 Time=1\n7 4 5 6 7\n",
         as(SitesInput::xyz));
     EXPECT_EQ(frames.in_space, (Sites{{5, 6, 7, 4}}));
-    expect_note(frames, "f: of 2 frames the last one is read");
+    expect_note(frames,
+                "f: of 2 frames the last one is read; the periodic box is left out, and the atoms "
+                "are in all of space");
+    const auto note_of = [](std::string_view comment) {
+        return read(fmt::format("1\n{} Properties=pos:R:3:radius:R:1\n1 2 3 4\n", comment),
+                    as(SitesInput::xyz))
+            .note;
+    };
+    EXPECT_EQ(note_of("Lattice=\"9 0 0 0 9 0 0 0 9\" pbc=\"F F F\""), "");
+    EXPECT_NE(note_of("Lattice=\"9 0 0 0 9 0 0 0 9\" pbc=\"F F T\""), "");
+    EXPECT_EQ(note_of("pbc=\"T T T\""), "") << "of what box";
     EXPECT_EQ(read("1\nProperties=Pos:R:3:Radius:R:1\n1 2 3 4\n", as(SitesInput::xyz)).in_space,
               (Sites{{1, 2, 3, 4}}));
     // The key is a word of its own; its value is as others write it, too.

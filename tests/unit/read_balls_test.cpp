@@ -310,9 +310,17 @@ TEST(ReadBalls, RefusesFilesWithoutBalls) {
 }
 
 TEST(ReadBalls, RefusesJson) {
-    const std::string json = "1:1: this looks like JSON, and balls are read from text alone";
+    const std::string json =
+        "1:1: this looks like JSON, and balls are read from text alone, states by --resume";
     EXPECT_EQ(error("[[1, 2, 3, 4, 5]]"), json + advice);
     EXPECT_EQ(error("\n  {\"x\": 1}\n"), json + advice);
+}
+
+TEST(ReadBalls, KnowsFrames) {
+    EXPECT_EQ(error("1\nProperties=species:S:1:pos:R:3:velo:R:3:radius:R:1:id:I:1\nA 1 2 3 4 5 6 7 "
+                    "0\n"),
+              "1:1: these look like frames in XYZ, which a scene reads; give a scene of which "
+              "[balls] has file, this one");
 }
 
 /// Whose first line is a table or a key.

@@ -213,6 +213,9 @@ static void options(void) {
         SUCCEEDS(signum_triangulate(sites, 3, 3, SIGNUM_MANHATTAN, &wrong, &t, &error));
         signum_tessellation_free(t);
         wrong.method = SIGNUM_INCREMENTAL;
+        wrong.reserved = 7;
+        REFUSED(signum_triangulate(sites, 3, 3, SIGNUM_POWER, &wrong, &t, &error));
+        wrong.reserved = 0;
         wrong.weight_is = 2;
         REFUSED(signum_triangulate(sites, 3, 3, SIGNUM_POWER, &wrong, &t, &error));
         wrong.weight_is = SIGNUM_WEIGHT;
