@@ -43,8 +43,8 @@ class MachineError : public ShownError {
     using ShownError::ShownError;
 };
 
-/// Whether a terminal may take some of the text for orders: bytes below a blank, DEL, and those from
-/// 0x80 to 0x9F in UTF-8.
+/// Whether a terminal may take some of the text for orders: bytes below a blank, DEL, and those
+/// from 0x80 to 0x9F in UTF-8.
 [[nodiscard]] bool has_control_character(std::string_view text);
 
 /// Text from a file as an error message shows it: between quotes, unprintable bytes as \xNN, and

@@ -256,15 +256,17 @@ BallsFile read_balls(const std::string& path) {
                                   : "this looks like a scene; its name must end in .toml");
     }
     if (looks_like_frames(file.first_bytes())) {
-        file.fail({},
-                  "these look like frames in XYZ, which a scene reads; give a scene of which [balls] "
-                  "has file, this one");
+        file.fail(
+            {},
+            "these look like frames in XYZ, which a scene reads; give a scene of which [balls] "
+            "has file, this one");
     }
     const char first = file.first_character();
     if (first == '[' || first == '{') {
-        file.fail({}, fmt::format("this looks like JSON, and balls are read from text alone, states "
-                                  "by --resume; {}",
-                                  advice_on_balls));
+        file.fail({},
+                  fmt::format("this looks like JSON, and balls are read from text alone, states "
+                              "by --resume; {}",
+                              advice_on_balls));
     }
     return TextBalls(file).read();
 }

@@ -300,11 +300,10 @@ void refuse_other_formats(const TextColumns& lines) {
 
 void MissingRadii::note_in(SitesFile& file) const {
     if (count_ == 0) return;
-    file.note +=
-        fmt::format("{}{}: the line ends before its {}, which is 0 then ({} of {} lines)",
-                    file.note.empty() ? "" : "; ", place_,
-                    file.third == WeightIs::weight ? "weight" : "radius", count_,
-                    file.sites.size() + file.in_space.size());
+    file.note += fmt::format("{}{}: the line ends before its {}, which is 0 then ({} of {} lines)",
+                             file.note.empty() ? "" : "; ", place_,
+                             file.third == WeightIs::weight ? "weight" : "radius", count_,
+                             file.sites.size() + file.in_space.size());
 }
 
 std::optional<WeightIs> meaning_of_column(std::string_view name) {

@@ -35,7 +35,8 @@ void write(std::ostream& out, std::span<const S> sites, SitesFormat format,
         case SitesFormat::json: {
             std::string_view before = "[[";
             for (const S& site : sites) {
-                text.put(FMT_COMPILE("{}{}]"), before, fmt::join(numbers_of<JsonNumber>(site), ", "));
+                text.put(FMT_COMPILE("{}{}]"), before,
+                         fmt::join(numbers_of<JsonNumber>(site), ", "));
                 before = ",\n[";
             }
             text.put("]\n");

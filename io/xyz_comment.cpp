@@ -40,8 +40,7 @@ std::optional<XyzValue> value_in_comment(std::string_view comment, std::string_v
         skip_blanks();
         const std::string_view value =
             at < comment.size() ? next_word(comment, at, blanks) : std::string_view();
-        if (comment[begin] != '"' && comment[begin] != '\'' &&
-            in_small_letters(word) == key)
+        if (comment[begin] != '"' && comment[begin] != '\'' && in_small_letters(word) == key)
             return XyzValue{value, begin + 1};
     }
     return std::nullopt;

@@ -105,8 +105,8 @@ class XyzSites {
         result_.in_space.push_back(site);
     }
 
-    /// Whether a comment has a Lattice, along whose vectors the atoms come again unless pbc, a T or F
-    /// for each, says otherwise. Only extended XYZ says so.
+    /// Whether a comment has a Lattice, along whose vectors the atoms come again unless pbc, a T or
+    /// F for each, says otherwise. Only extended XYZ says so.
     [[nodiscard]] bool says_periodic(std::string_view comment) const {
         if (!is_extended_ || !value_in_comment(comment, "lattice")) return false;
         const std::optional<XyzValue> pbc = value_in_comment(comment, "pbc");

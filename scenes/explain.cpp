@@ -48,8 +48,8 @@ class Explanation {
         line("end", end());
         // Itself is the first one.
         if (scene_.files.size() > 1)
-            line("reads", fmt::format("{}", fmt::join(scene_.files.begin() + 1,
-                                                      scene_.files.end(), ", ")));
+            line("reads",
+                 fmt::format("{}", fmt::join(scene_.files.begin() + 1, scene_.files.end(), ", ")));
         line("records", records);
         const std::vector<Row> rows = rows_of_effects();
         text_ += "\nOn\n";

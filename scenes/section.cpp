@@ -191,8 +191,7 @@ std::string Section::optional_text(std::string_view key) const {
                 fmt::format("{} where a text is meant; write it between quotes", shown(*node)));
     if (text->empty()) fail_at(key, "an empty text; write something, or leave the key out");
     if (has_control_character(*text))
-        fail_at(key,
-                "a text of several lines, or with a control character; write it in one line");
+        fail_at(key, "a text of several lines, or with a control character; write it in one line");
     return *text;
 }
 

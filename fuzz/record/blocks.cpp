@@ -9,8 +9,8 @@
 #include <istream>
 #include <map>
 #include <ostream>
-#include <sstream>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 #include <tuple>
 #include <utility>

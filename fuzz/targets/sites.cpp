@@ -38,10 +38,9 @@ void judge_sites(const SitesFile& file, SitesFormat format) {
     write_sites(text, std::span<const S>(sites), format);
     const MemoryFile copy(text.str());
     const SitesFile again = read_sites(copy.path(), ReadOptions{.dimension = dimension});
-    must(std::ranges::equal(sites_of<S>(again), sites,
-                            [](const S& a, const S& b) {
-                                return are_same_numbers(numbers_of(a), numbers_of(b));
-                            }),
+    must(std::ranges::equal(
+             sites_of<S>(again), sites,
+             [](const S& a, const S& b) { return are_same_numbers(numbers_of(a), numbers_of(b)); }),
          "sites that do not read back to the same");
 }
 

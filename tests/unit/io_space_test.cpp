@@ -364,9 +364,10 @@ TEST(PdbSites, TakeNoElementForAnother) {
             element);
     };
     const auto refused = [](std::size_t column, std::string_view shown) {
-        return fmt::format("1:{}: no van der Waals radius is known of '{}'; name an element in "
-                           "columns 77 and 78, or give radii in a PQR file",
-                           column, shown);
+        return fmt::format(
+            "1:{}: no van der Waals radius is known of '{}'; name an element in "
+            "columns 77 and 78, or give radii in a PQR file",
+            column, shown);
     };
     // Osmium is no oxygen, iridium no iodine.
     EXPECT_EQ(error(of("OS", "OS"), as(SitesInput::pdb)), refused(77, "OS"));
@@ -391,8 +392,8 @@ TEST(PdbSites, AreThoseOfTheFirstModel) {
 TEST(PqrSites, AreThoseOfTheFirstModel) {
     const std::string atom = " ATOM 1 N ALA 1 1 2 3 -0.3 1.85\n";
     for (const std::string_view between : {"ENDMDL\n", "END\n", "MODEL 2\n"}) {
-        const SitesFile file = read("MODEL 1\n" + atom + std::string(between) + atom + atom,
-                                    as(SitesInput::pqr));
+        const SitesFile file =
+            read("MODEL 1\n" + atom + std::string(between) + atom + atom, as(SitesInput::pqr));
         EXPECT_EQ(file.in_space, (Sites{{1, 2, 3, 1.85}})) << between;
         expect_note(file, "f: 2 atoms of models after the first one are left out");
     }

@@ -187,13 +187,15 @@ TEST(ReadTessellation, RefusesWhatIsNoTessellation) {
                     "\"sites\": 0}"),
               "2:11: \"faces\" is missing" + expected);
     const std::string of_plane =
-        "{\"format\": \"signum.tessellation\", \"version\": 1, \"metric\": \"power\", \"sites\": 3, "
+        "{\"format\": \"signum.tessellation\", \"version\": 1, \"metric\": \"power\", \"sites\": "
+        "3, "
         "\"faces\": [[0,1,2]], \"dimension\": ";
     EXPECT_EQ(error(of_plane + "2}"), "no error");
-    EXPECT_EQ(error(of_plane + "3}"),
-              "1:114: \"dimension\" is 3, and \"faces\" are of the plane; leave one of them out, or "
-              "give \"cells\"" +
-                  expected);
+    EXPECT_EQ(
+        error(of_plane + "3}"),
+        "1:114: \"dimension\" is 3, and \"faces\" are of the plane; leave one of them out, or "
+        "give \"cells\"" +
+            expected);
     EXPECT_EQ(error("0 0 1\n"), "1:1: 0 cannot stand here" + expected);
     EXPECT_EQ(error("x y r\n"), "1:1: 'x' cannot stand here" + expected);
     EXPECT_EQ(error(""), "1:1: the file ends too early" + expected);
