@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "../exact/kept_environment.hpp"
 #include "../triangulation/dynamic/local_checks.hpp"
 #include "../triangulation/dynamic/near_face.hpp"
 #include "../triangulation/insertion/collinear.hpp"
@@ -576,7 +577,9 @@ void MovingTriangulation::tell_all() {
         for (; k < changed_edges_.size() && changed_edges_[k][0] == a && changed_edges_[k][1] == b;
              ++k)
             sum += changed_edges_[k][2];
-        if (sum != 0) watch_(a, b, sum > 0);
+        if (sum == 0) continue;
+        const exact::KeptEnvironment kept;
+        watch_(a, b, sum > 0);
     }
     changed_edges_.clear();
 }

@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include "../exact/floating_environment.hpp"
+#include "../exact/kept_environment.hpp"
 #include "engine.hpp"
 
 namespace signum::motion {
@@ -172,6 +174,7 @@ template <int D>
 Simulation<D>::Simulation(const State<D>& state, const Effects<D>& effects,
                           const Options& options) {
     check(state, effects);
+    const exact::IeeeEnvironment environment;
     const Structure structure = choose(options.structure, state, effects).structure;
     const std::vector<Row<D>> all = rows<D>();
     const auto row = std::ranges::find(all, structure, &Row<D>::structure);
@@ -187,10 +190,16 @@ Simulation<D>& Simulation<D>::operator=(Simulation&&) noexcept = default;
 template <int D>
 Outcome Simulation<D>::run(const Limits& limits, const Record& record) {
     if (std::isnan(limits.until)) throw std::invalid_argument("until: a time that is no number");
-    return engine_->run(limits, record);
+    const exact::IeeeEnvironment environment;
+    if (!record) return engine_->run(limits, record);
+    return engine_->run(limits, [&record](const Strike& strike) {
+        const exact::KeptEnvironment kept;
+        record(strike);
+    });
 }
 template <int D>
 State<D> Simulation<D>::state() const {
+    const exact::IeeeEnvironment environment;
     return engine_->state();
 }
 template <int D>
@@ -199,6 +208,7 @@ const Counts& Simulation<D>::counts() const {
 }
 template <int D>
 Sketch<D> Simulation<D>::sketch() const {
+    const exact::IeeeEnvironment environment;
     return engine_->sketch();
 }
 

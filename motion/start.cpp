@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "../exact/floating_environment.hpp"
 #include "apart.hpp"
 #include "box_tree.hpp"
 #include "simulation.hpp"
@@ -378,6 +379,7 @@ void refuse_overlap(const State<D>& state, const Effects<D>& effects) {
 
 template <int D>
 State<D> start(std::span<const Body<D>> bodies, const Effects<D>& effects) {
+    const exact::IeeeEnvironment environment;
     check(effects);
     State<D> state;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -399,6 +401,7 @@ State<D> start(std::span<const Body<D>> bodies, const Effects<D>& effects) {
 
 template <int D>
 void check(const State<D>& state, const Effects<D>& effects) {
+    const exact::IeeeEnvironment environment;
     check(effects);
     const std::size_t balls = state.balls.size();
     if (state.masses.size() != balls || state.in_place.size() != balls)

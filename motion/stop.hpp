@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <functional>
 
+#include "../exact/kept_environment.hpp"
+
 namespace signum::motion {
 
 class Stop {
@@ -13,8 +15,9 @@ class Stop {
 
     /// Asks at once. Who has been told once asks no more.
     bool ask() {
-        if (!is_told_ && asked_) is_told_ = asked_();
-        return is_told_;
+        if (is_told_ || !asked_) return is_told_;
+        const exact::KeptEnvironment kept;
+        return is_told_ = asked_();
     }
     /// A step of the work, some µs at most: asks once in a thousand.
     bool turn() { return ++turns_ % 1024 == 0 ? ask() : is_told_; }

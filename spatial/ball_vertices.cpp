@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "../exact/kept_environment.hpp"
 #include "../filters/bounds.hpp"
 #include "../predicates/ccw.hpp"
 #include "../predicates/space/ball_filter.hpp"
@@ -80,9 +81,11 @@ class VertexSearch {
         for (std::size_t place = 0; place < tree.size(); ++place) {
             if (place % between_questions == 0) {
                 if (options_.stop.stop_requested()) throw Stopped();
-                if (options_.progress)
+                if (options_.progress) {
+                    const exact::KeptEnvironment kept;
                     options_.progress(static_cast<double>(place) /
                                       static_cast<double>(tree.size()));
+                }
             }
             find_of(static_cast<CellSearch::Place>(place), tree, search);
         }

@@ -12,6 +12,8 @@
 #include <utility>
 
 #include "../core/pages.hpp"
+#include "../exact/floating_environment.hpp"
+#include "../exact/kept_environment.hpp"
 #include "../predicates/ccw.hpp"
 #include "../predicates/space/nearer.hpp"
 #include "insert.hpp"
@@ -101,12 +103,17 @@ class Construction {
         for (Index q = 4; q < last; ++q) {
             if (q % between_questions == 0) {
                 if (options.stop.stop_requested()) throw Stopped();
-                if (options.progress) options.progress(static_cast<double>(q) / last);
+                tell(options, static_cast<double>(q) / last);
             }
             insertion.insert(q, [&](Index v, Index near) { hidden.emplace_back(v, near); });
         }
         find_nearest(hidden, result.hidden);
         return std::move(insertion).release();
+    }
+    static void tell(const Options& options, double done) {
+        if (!options.progress) return;
+        const exact::KeptEnvironment kept;
+        options.progress(done);
     }
     [[nodiscard]] const S& site(Index i) const noexcept {
         return sites_[static_cast<std::size_t>(i)];
@@ -358,6 +365,8 @@ SpaceTessellation construct(std::span<const S> sites, const Options& options) {
     for (std::size_t i = 0; i < sites.size(); ++i)
         if (!are_finite(sites[i]))
             throw std::invalid_argument("site " + std::to_string(i) + " is not finite");
+    // Apexes, and who is nearest, want denormals kept; the predicates would be right without.
+    const exact::IeeeEnvironment environment;
     switch (options.arithmetic) {
         case Arithmetic::exact:
             return Construction<S, spatial::ExactKernel<S>>(sites, options).run(options);

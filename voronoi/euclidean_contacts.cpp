@@ -142,7 +142,7 @@ class EuclideanContacts {
 }  // namespace
 
 Contacts contacts_in(Euclidean /*metric*/, const Canonical& canonical) {
-    return EuclideanContacts(canonical);
+    return in_any_environment(EuclideanContacts(canonical));
 }
 
 }  // namespace signum

@@ -65,8 +65,8 @@ class PowerContacts {
 
 Contacts contacts_in(Power /*metric*/, const Canonical& canonical) {
     if (canonical.tessellation().weight_is() == WeightIs::weight)
-        return PowerContacts<power::Site>(canonical);
-    return PowerContacts<Site>(canonical);
+        return in_any_environment(PowerContacts<power::Site>(canonical));
+    return in_any_environment(PowerContacts<Site>(canonical));
 }
 
 }  // namespace signum

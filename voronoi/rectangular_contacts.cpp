@@ -18,6 +18,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "../exact/floating_environment.hpp"
 #include "../exact/multiprecision.hpp"
 #include "../predicates/manhattan.hpp"
 #include "../predicates/supremum.hpp"
@@ -164,11 +165,13 @@ class RectangularContacts {
 
 template <class Directions>
 Contacts contacts_along(const Canonical& canonical) {
+    const exact::IeeeEnvironment environment;
     Bits bits;
     for (const Site& site : canonical.tessellation().sites())
         for (const double number : {site.x, site.y, site.r}) bits.include(number);
-    if (bits.are_few()) return RectangularContacts<Directions, Integer>(canonical, bits);
-    return RectangularContacts<Directions, Rational>(canonical, bits);
+    if (bits.are_few()) 
+        return in_any_environment(RectangularContacts<Directions, Integer>(canonical, bits));
+    return in_any_environment(RectangularContacts<Directions, Rational>(canonical, bits));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <functional>
 #include <stop_token>
 
+#include "../../exact/kept_environment.hpp"
 #include "../options.hpp"
 
 namespace signum::triangulation {
@@ -21,7 +22,9 @@ class Watch {
     void at(std::size_t done) const {
         if (done % period != 0) return;
         if (stop_.stop_requested()) throw Stopped();
-        if (progress_) progress_(static_cast<double>(done) / static_cast<double>(all_));
+        if (!progress_) return;
+        const exact::KeptEnvironment kept;
+        progress_(static_cast<double>(done) / static_cast<double>(all_));
     }
 
  private:
