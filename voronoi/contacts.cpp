@@ -1,9 +1,5 @@
 #include "contacts.hpp"
 
-#include <utility>
-
-#include "../exact/floating_environment.hpp"
-
 namespace signum {
 
 Canonical::Canonical(const Tessellation& tessellation)
@@ -21,13 +17,6 @@ Canonical::Canonical(const Tessellation& tessellation)
         }
     for (const Hidden& hidden : tessellation.hidden())
         hidden_by_[static_cast<std::size_t>(hidden.site)] = hidden.by;
-}
-
-Contacts in_any_environment(Contacts contacts) {
-    return [contacts = std::move(contacts)](Index i, Index j) {
-        const exact::IeeeEnvironment environment;
-        return contacts(i, j);
-    };
 }
 
 Contacts contacts_of(const Canonical& canonical) {

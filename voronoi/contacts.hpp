@@ -70,9 +70,6 @@ class Canonical {
 /// metrics of a short walk.
 using Contacts = std::function<bool(Index, Index)>;
 
-/// The same, asked in IEEE 754's environment whatever that of the caller: for whoever makes them.
-[[nodiscard]] Contacts in_any_environment(Contacts contacts);
-
 /// In the metric of the tessellation.
 [[nodiscard]] Contacts contacts_of(const Canonical& canonical);
 

@@ -8,6 +8,7 @@
 #include "../exact/multiprecision.hpp"
 #include "../predicates/euclidean.hpp"
 #include "contacts.hpp"
+#include "in_any_environment.hpp"
 
 namespace signum {
 namespace {

@@ -6,6 +6,7 @@
 
 #include "../predicates/power.hpp"
 #include "contacts.hpp"
+#include "in_any_environment.hpp"
 
 namespace signum {
 namespace {

@@ -23,6 +23,7 @@
 #include "../predicates/manhattan.hpp"
 #include "../predicates/supremum.hpp"
 #include "contacts.hpp"
+#include "in_any_environment.hpp"
 
 namespace signum {
 namespace {
