@@ -78,7 +78,6 @@ for each in "${targets[@]}"; do
     executions=0
     used=0
     known=$(find "$here/found" -type f | wc -l)
-    ended=true
     clock
     begin=$spent
     # Its own limit is of the clock. What it leaves is asked for again, but for the last seconds.
@@ -86,10 +85,7 @@ for each in "${targets[@]}"; do
       nice -n 19 "$program" -max_total_time=$((seconds - used)) "${options[@]}" "$here/corpus" "$root/fuzz/corpus/$each" \
         </dev/null >"$here/log" 2>&1 || true
       executed=$(sed -n 's/^stat::number_of_executed_units: *//p' "$here/log")
-      if [ -z "$executed" ]; then # it did not come to its end
-        ended=false
-        break
-      fi
+      [ -n "$executed" ] || break # it did not come to its end
       executions=$((executions + executed))
       clock
       used=$((spent - begin))
@@ -113,7 +109,7 @@ for each in "${targets[@]}"; do
   count=$(find "$here/found" -type f | wc -l)
   printf '%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\n' "$(date -u +%FT%TZ)" "$engine" "$each" "$used" "${executions:-0}" \
     "${covered:-0}" "$(find "$here/corpus" -type f | wc -l)" "$count" | tee -a "$folder/runs.tsv"
-  if [ "$engine" = libfuzzer ] && ! $ended && [ "$count" -eq "$known" ]; then
+  if [ "$engine" = libfuzzer ] && [ -z "$executed" ] && [ "$count" -eq "$known" ]; then
     tail -n 20 "$here/log" >&2
     say "$each: the fuzzer came to no end, and found nothing"
     exit 3

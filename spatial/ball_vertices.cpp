@@ -10,12 +10,12 @@
 #include <stdexcept>
 #include <utility>
 
-#include "../exact/kept_environment.hpp"
 #include "../filters/bounds.hpp"
 #include "../predicates/ccw.hpp"
 #include "../predicates/space/ball_filter.hpp"
 #include "../predicates/space/ccw.hpp"
 #include "../predicates/space/euclidean.hpp"
+#include "../triangulation/structure/watch.hpp"
 #include "ball_cell.hpp"
 #include "ball_tree.hpp"
 #include "equal_radii.hpp"
@@ -77,16 +77,9 @@ class VertexSearch {
         for (std::size_t place = 0; place < tree.size(); ++place)
             kinds.push_back(equal_->kind(tree.name(place)));
         CellSearch search(tree, std::move(kinds), line_of(tree));
-        constexpr std::size_t between_questions = 256;
+        const triangulation::Watch watch(options_.stop, options_.progress, tree.size(), 256);
         for (std::size_t place = 0; place < tree.size(); ++place) {
-            if (place % between_questions == 0) {
-                if (options_.stop.stop_requested()) throw Stopped();
-                if (options_.progress) {
-                    const exact::KeptEnvironment kept;
-                    options_.progress(static_cast<double>(place) /
-                                      static_cast<double>(tree.size()));
-                }
-            }
+            watch.at(place);
             find_of(static_cast<CellSearch::Place>(place), tree, search);
         }
         sort_vertices();
@@ -248,7 +241,8 @@ class VertexSearch {
     }
     void add_vertex(BallVertex vertex) {
         if (!rounded_) rounded_ = rounded_sphere(vertex.four, vertex.turn);
-        if (!rounded_) throw std::logic_error("balls touch no sphere of the orientation that was found");
+        if (!rounded_)
+            throw std::logic_error("balls touch no sphere of the orientation that was found");
         vertex.sphere = *rounded_;
         result_.vertices.push_back(std::move(vertex));
     }

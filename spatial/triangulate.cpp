@@ -13,9 +13,9 @@
 
 #include "../core/pages.hpp"
 #include "../exact/floating_environment.hpp"
-#include "../exact/kept_environment.hpp"
 #include "../predicates/ccw.hpp"
 #include "../predicates/space/nearer.hpp"
+#include "../triangulation/structure/watch.hpp"
 #include "insert.hpp"
 #include "kernel.hpp"
 #include "nearest_site.hpp"
@@ -98,22 +98,14 @@ class Construction {
             kernel, spatial::frame_of(std::span<const S>(all_.sites)), all_.sites.size());
         // The hidden, and a site nearby each.
         std::vector<std::pair<Index, Index>> hidden;
-        constexpr Index between_questions = 4096;
+        const triangulation::Watch watch(options.stop, options.progress, all_.sites.size());
         const auto last = static_cast<Index>(all_.sites.size());
         for (Index q = 4; q < last; ++q) {
-            if (q % between_questions == 0) {
-                if (options.stop.stop_requested()) throw Stopped();
-                tell(options, static_cast<double>(q) / last);
-            }
+            watch.at(static_cast<std::size_t>(q));
             insertion.insert(q, [&](Index v, Index near) { hidden.emplace_back(v, near); });
         }
         find_nearest(hidden, result.hidden);
         return std::move(insertion).release();
-    }
-    static void tell(const Options& options, double done) {
-        if (!options.progress) return;
-        const exact::KeptEnvironment kept;
-        options.progress(done);
     }
     [[nodiscard]] const S& site(Index i) const noexcept {
         return sites_[static_cast<std::size_t>(i)];

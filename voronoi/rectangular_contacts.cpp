@@ -170,7 +170,7 @@ Contacts contacts_along(const Canonical& canonical) {
     Bits bits;
     for (const Site& site : canonical.tessellation().sites())
         for (const double number : {site.x, site.y, site.r}) bits.include(number);
-    if (bits.are_few()) 
+    if (bits.are_few())
         return in_any_environment(RectangularContacts<Directions, Integer>(canonical, bits));
     return in_any_environment(RectangularContacts<Directions, Rational>(canonical, bits));
 }

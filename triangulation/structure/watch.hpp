@@ -10,17 +10,17 @@
 
 namespace signum::triangulation {
 
-/// Calls the user back every few thousand units of work.
+/// Calls the user back every so many units of work.
 class Watch {
  public:
     /// Neither is copied.
-    Watch(const std::stop_token& stop, const std::function<void(double)>& progress,
-          std::size_t all) noexcept
-        : stop_(stop), progress_(progress), all_(all) {}
+    Watch(const std::stop_token& stop, const std::function<void(double)>& progress, std::size_t all,
+          std::size_t period = 4096) noexcept
+        : stop_(stop), progress_(progress), all_(all), period_(period) {}
 
     /// So many units are done. Throws Stopped.
     void at(std::size_t done) const {
-        if (done % period != 0) return;
+        if (done % period_ != 0) return;
         if (stop_.stop_requested()) throw Stopped();
         if (!progress_) return;
         const exact::KeptEnvironment kept;
@@ -28,10 +28,10 @@ class Watch {
     }
 
  private:
-    static constexpr std::size_t period = 4096;
     const std::stop_token& stop_;
     const std::function<void(double)>& progress_;
     std::size_t all_;
+    std::size_t period_;
 };
 
 }  // namespace signum::triangulation
