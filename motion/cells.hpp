@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <stdexcept>
 #include <vector>
 
 #include "world.hpp"
@@ -165,13 +166,14 @@ class CellGrid {
         }
         return box;
     }
-    /// Moves a cell's number along an axis; false where there is no such cell.
+    /// Moves a cell's number along an axis; false, and nothing is moved, where there is no such cell.
     [[nodiscard]] bool shift(Cell<D>& cell, int axis, std::int32_t by) const noexcept {
-        std::int32_t& number = cell[axis];
-        number += by;
-        if (!bounded_ || (number >= 0 && number < count_[axis])) return true;
-        if (!periodic_) return false;
-        number += number < 0 ? count_[axis] : -count_[axis];
+        std::int32_t number = cell[axis] + by;
+        if (bounded_ && !(number >= 0 && number < count_[axis])) {
+            if (!periodic_) return false;
+            number += number < 0 ? count_[axis] : -count_[axis];
+        }
+        cell[axis] = number;
         return true;
     }
     /// The cell's number among all of a box.
@@ -369,6 +371,8 @@ class CellTable {
 
     void insert(Slot i, const Cell<D>& cell) {
         const std::uint32_t place = place_of(cell);
+        // All other cells are told from those of balls by shifts, which do not leave the box.
+        if (place >= heads_.size()) throw std::logic_error("a ball's cell is none of the box");
         links_[i] = {place, heads_[place], none};
         if (heads_[place] != none) links_[heads_[place]].previous = i;
         heads_[place] = i;

@@ -11,8 +11,11 @@
 /// entered a cell since; then it proposes all that lie in the cells that have become its
 /// neighbours.
 ///
-/// A crossing is told in rounded numbers; cells are wider than diameters by a part in 2^20 and a
-/// margin, and what roundings move two places apart is less (Loop::see_clock).
+/// A centre leaves its cell when it is a margin beyond the side. So it never goes to and fro at one
+/// time, as it could at an apex on a side: the way back begins two margins away, and within one
+/// tick of the clock it flies less than half a margin (Loop::see_clock). Cells are wider than
+/// diameters by a part in 2^20 and three margins: two to leave by, one for what roundings move two
+/// places apart, which is less.
 
 #include <algorithm>
 #include <array>
@@ -78,32 +81,28 @@ class Grid {
         });
     }
 
-    /// When the centre enters the next cell; infinity where that is after `until`.
-    [[nodiscard]] double next(Slot i, double now, double until = infinity) const {
-        double s = infinity;
-        for (int k = 0; k < D; ++k)
-            if (!stays_between_sides(i, k, now, until)) s = std::min(s, crossing(i, k, now).after);
-        return now + s;
+    /// When the centre enters the next cell; infinity where that is after `until`. Which cell that is
+    /// is kept until then: at an apex on a side the crossing vanishes when it is computed again.
+    [[nodiscard]] double next(Slot i, double now, double until = infinity) {
+        Crossing first;
+        for (int k = 0; k < D; ++k) {
+            if (stays_between_sides(i, k, now, until)) continue;
+            const Crossing other = crossing(i, k, now);
+            if (other.after < first.after) first = other;
+        }
+        due_[i] = first;
+        return now + first.after;
     }
 
     template <class Propose, class Touch>
-    void own_event(Slot i, double now, const Propose& propose, const Touch&) {
-        int axis = 0;
-        Crossing first = crossing(i, 0, now);
-        for (int k = 1; k < D; ++k) {
-            const Crossing other = crossing(i, k, now);
-            if (other.after < first.after) {
-                first = other;
-                axis = k;
-            }
-        }
+    void own_event(Slot i, double, const Propose& propose, const Touch&) {
+        const auto [after, axis, side] = due_[i];
         Cell<D>& cell = cell_[i];
-        if (!grid_.shift(cell, axis, first.side)) return;
+        if (after == infinity || !grid_.shift(cell, axis, side)) return;
         table_.remove(i);
         table_.insert(i, cell);
         grid_.for_each_around(
-            cell, [&](const Cell<D>& each) { table_.for_each_in(each, propose); }, axis,
-            first.side);
+            cell, [&](const Cell<D>& each) { table_.for_each_in(each, propose); }, axis, side);
     }
 
     [[nodiscard]] double margin() const noexcept { return margin_; }
@@ -119,7 +118,8 @@ class Grid {
           margin_(spread.margin()),
           grid_(world, spread, width_for(world, spread)),
           table_(grid_, world.balls.size(), hashed),
-          cell_(world.balls.size()) {
+          cell_(world.balls.size()),
+          due_(world.balls.size()) {
         for (Slot i = 0; i < cell_.size(); ++i) {
             cell_[i] = grid_.cell_of(world.centre(i, world.start));
             table_.insert(i, cell_[i]);
@@ -128,7 +128,7 @@ class Grid {
     /// Cells far narrower than balls are apart are crossed for nothing.
     [[nodiscard]] static double width_for(const World<D>& world, const Spread<D>& spread) noexcept {
         const double no_wider = world.effects.periodic ? spread.shortest() / 5.0 : infinity;
-        return std::max({2.0 * spread.largest_radius * (1.0 + 0x1p-20) + spread.margin(),
+        return std::max({2.0 * spread.largest_radius * (1.0 + 0x1p-20) + 3.0 * spread.margin(),
                          0x1p-24 * spread.shortest(),
                          std::min(0.8 * spread.edge_of(1.0), no_wider)});
     }
@@ -136,6 +136,7 @@ class Grid {
     /// The next side of its cell that a centre comes to, after some time.
     struct Crossing {
         double after = infinity;
+        std::int32_t axis = 0;
         std::int32_t side = 0;
     };
 
@@ -154,14 +155,14 @@ class Grid {
         double x = world_.centre(i, now)[k];
         const double v = world_.velocity(i, now)[k];
         const double g = world_.effects.gravity[k];
-        const double start = grid_.start_of(k, cell_[i][k]);
-        const double end = grid_.start_of(k, cell_[i][k] + 1);
+        const double start = grid_.start_of(k, cell_[i][k]) - margin_;
+        const double end = grid_.start_of(k, cell_[i][k] + 1) + margin_;
         if (world_.effects.periodic) {
             const double length = world_.effects.box->high[k] - world_.effects.box->low[k];
             x -= length * nearest_integer((x - 0.5 * (start + end)) / length);
         }
-        Crossing up{time_to(std::max(end - x, 0.0), v, g), 1};
-        Crossing down{time_to(std::max(x - start, 0.0), -v, -g), -1};
+        Crossing up{time_to(std::max(end - x, 0.0), v, g), k, 1};
+        Crossing down{time_to(std::max(x - start, 0.0), -v, -g), k, -1};
         if (!world_.effects.periodic && grid_.is_bounded()) {
             Cell<D> cell = cell_[i];
             if (!grid_.shift(cell, k, 1)) up.after = infinity;
@@ -198,6 +199,7 @@ class Grid {
     CellGrid<D> grid_;
     CellTable<D> table_;
     std::vector<Cell<D>> cell_;
+    std::vector<Crossing> due_;  // that next() told last
 };
 
 }  // namespace signum::motion
