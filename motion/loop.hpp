@@ -19,6 +19,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <optional>
+#include <set>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -224,7 +225,15 @@ class Loop final : public Simulation<D>::Engine {
     static constexpr Slot nobody = ~Slot{0};
     static constexpr Slot first_wall = nobody - (1 << 20);
     static constexpr std::uint32_t most_in_place_dissipative = 1000;
+    static constexpr std::uint32_t most_in_place_growing = 10'000;
     static constexpr std::uint32_t most_in_place_elastic = 100'000;
+    /// Parts of the time since 0, and of a time step, that are none.
+    static constexpr double no_time = 0x1p-30;
+    static constexpr double no_time_of_step = 0x1p-20;
+    /// A part of its radius that is no room for a ball in a packing that grows.
+    static constexpr double no_room = 0x1p-8;
+    /// After so many strikes in place contacts that should stand are solved together.
+    static constexpr std::uint32_t strikes_to_a_jam = 100;
 
     using Asker = typename MeetingFilter<D>::Asker;
 
@@ -734,8 +743,12 @@ class Loop final : public Simulation<D>::Engine {
         counts_.rounded += tally.refined;
         counts_.rounded_exactly += tally.exact;
         refuse_missed_strike(i, j, a, b, exchange.square);
-        if (facts.stays && waits(i, j, t, facts.approach, facts.distance - (a.radius + b.radius)))
-            exchange.struck = false;
+        if (facts.stays) [[unlikely]] {
+            if (waits(i, j, t, facts.approach, facts.distance - (a.radius + b.radius)))
+                exchange.struck = false;
+            else if (exchange.struck && is_jammed({i, j}))
+                return settle_jam(i, j, t);
+        }
         if (!exchange.struck) {
             passed_.pass(i, j, facts.stays ? std::max(t, turn_) : t);
             if (facts.stays) stand(i, j);
@@ -754,19 +767,17 @@ class Loop final : public Simulation<D>::Engine {
         ++counts_.strikes;
         ++particles_[i].strikes;
         ++particles_[j].strikes;
-        if (!facts.stays) [[likely]] {
-            count(i, a_before, exchange.approach, exchange.square, [&] {
-                return stayed_in_place_exactly(a_before, b_before, seen, world_.effects,
-                                               world_.balls[i].time);
-            });
-            count(j, b_before, exchange.approach, exchange.square, [&] {
-                // D and V of the pair, whichever comes first.
-                Image<D> back;
-                for (int k = 0; k < D; ++k) back[k] = -seen[k];
-                return stayed_in_place_exactly(b_before, a_before, back, world_.effects,
-                                               world_.balls[j].time);
-            });
-        }
+        count(i, a_before, exchange.approach, exchange.square, [&] {
+            return stayed_in_place_exactly(a_before, b_before, seen, world_.effects,
+                                           world_.balls[i].time);
+        });
+        count(j, b_before, exchange.approach, exchange.square, [&] {
+            // D and V of the pair, whichever comes first.
+            Image<D> back;
+            for (int k = 0; k < D; ++k) back[k] = -seen[k];
+            return stayed_in_place_exactly(b_before, a_before, back, world_.effects,
+                                           world_.balls[j].time);
+        });
         if (!laws_.is_plain()) [[unlikely]] {
             if (facts.rubs) {
                 // Sums and products of doubles depend on their order: it is that of the balls'
@@ -843,6 +854,7 @@ class Loop final : public Simulation<D>::Engine {
                 turn_inwards(ball, hollow);
                 exchange.struck = true;
             }
+            if (exchange.struck && is_jammed({i})) return settle_jam(i, partner, t);
         }
         if (!exchange.struck) {
             if (bounce.stays) {
@@ -860,10 +872,9 @@ class Loop final : public Simulation<D>::Engine {
         }
         ++counts_.strikes;
         ++particles_[i].strikes;
-        if (!bounce.stays)
-            count(i, came, exchange.approach, exchange.square, [&] {
-                return stayed_in_place_exactly(came, faces, growth, world_.balls[i].time);
-            });
+        count(i, came, exchange.approach, exchange.square, [&] {
+            return stayed_in_place_exactly(came, faces, growth, world_.balls[i].time);
+        });
         if (bounce.rubs) {
             Vector<D> sliding = came.v;
             const Vector<D> velocity = walls_.velocity(wall, t);
@@ -1036,14 +1047,28 @@ class Loop final : public Simulation<D>::Engine {
     template <class Exactly>
     void count(Slot i, const Ball<D>& came, double approach, double square,
                const Exactly& exactly) {
-        const InPlace stayed =
-            stayed_in_place(came, came.time - world_.balls[i].time, approach, square);
-        if (stayed == InPlace::no || (stayed == InPlace::uncertain && !exactly())) [[likely]] {
+        const double since = came.time - world_.balls[i].time;
+        const InPlace stayed = stayed_in_place(came, since, approach, square);
+        if (!is_hurried(came, since, approach, square) &&
+            (stayed == InPlace::no || (stayed == InPlace::uncertain && !exactly()))) [[likely]] {
             particles_[i].in_place = 0;
-        } else if (++particles_[i].in_place >= most_in_place_) {
+        } else if (++particles_[i].in_place >=
+                   (world_.effects.growth ? most_in_place_growing : most_in_place_)) {
             collapses_ = true;
             particles_[i].in_place = 0;
         }
+    }
+    /// Between what closes on it, walls or balls that grow, a ball flies ever faster. It is never in
+    /// place; but at last it flies in no time, and where balls grow hardly anywhere. What hops on a
+    /// floor hardly goes anywhere, too, but takes its time.
+    [[nodiscard]] bool is_hurried(const Ball<D>& came, double since, double approach,
+                                  double square) const noexcept {
+        if (since <= std::max(no_time * came.time, no_time_of_step * steps_.length())) return true;
+        if (!world_.effects.growth) [[likely]]
+            return false;
+        const double speed = approach / std::sqrt(square);
+        return speed * since <= no_room * grown_radius(came) &&
+               no_room * speed >= world_.pull * since;
     }
 
     [[nodiscard]] bool is_passed(Slot i, Proposal& candidate) {
@@ -1109,7 +1134,7 @@ class Loop final : public Simulation<D>::Engine {
             noted_.fly(world_.balls[i].v);
         }
         set_turn();
-        if (laws_.has_contacts()) pass_contacts();
+        if (laws_.has_contacts()) pass_contacts(all_contacts);
         ask_all_until_turn();
     }
     void end_growth() {
@@ -1130,7 +1155,7 @@ class Loop final : public Simulation<D>::Engine {
             counts_.predictions += steps_.begins() ? particles_.size() : 0;
         }
         passed_.clear();
-        if (laws_.has_contacts() && steps_.begins()) react();
+        if (laws_.has_contacts() && steps_.begins()) react(turn_, steps_.length(), all_contacts);
         steps_.advance();
     }
 
@@ -1188,7 +1213,7 @@ class Loop final : public Simulation<D>::Engine {
         place.normal = unit_normal(faces);
         place.gap = walls_.gap(a, wall);
         place.wall_velocity = wall < 2 * D ? side_velocities_[static_cast<std::size_t>(wall)]
-                                           : walls_.velocity(wall, turn_);
+                                           : walls_.velocity(wall, now_);
         place.curvature = walls_.curvature(a, wall);
         if (rubs) place.friction = world_.effects.friction->wall_coefficient;
         return place;
@@ -1196,8 +1221,11 @@ class Loop final : public Simulation<D>::Engine {
     [[nodiscard]] Slot slot_of(std::int32_t number) const noexcept {
         return slots_[static_cast<std::size_t>(number)];
     }
-    void react() {
-        side_velocities_ = walls_.side_velocities(turn_, steps_.length());
+    static constexpr auto all_contacts = [](const auto&) { return true; };
+    /// The contacts that are taken, from now until the step that began then is over.
+    template <class Takes>
+    void react(double began, double step, const Takes& takes) {
+        side_velocities_ = walls_.side_velocities(began, steps_.length());
         const auto body = [&](std::int32_t number) {
             const Slot i = slot_of(number);
             const Ball<D>& ball = world_.balls[i];
@@ -1218,20 +1246,56 @@ class Loop final : public Simulation<D>::Engine {
                 laws_.spin(i) = body_after.spin;
         };
         const ContactReport report = contacts_.begin_step(
-            steps_.length(), *world_.effects.contacts,
-            [&](const auto& pair) { return place_of(pair); }, body, take, counts_.breaks);
+            step, StandingContacts<D>::undone_a_step * (step / steps_.length()),
+            *world_.effects.contacts, takes, [&](const auto& pair) { return place_of(pair); }, body,
+            take, counts_.breaks);
         counts_.residual = std::max(counts_.residual, report.residual);
         counts_.unsolved += static_cast<std::uint64_t>(!report.converged());
     }
     /// Until the next step they are no strikes, but for those that the reactions found in the
     /// step's sweeps leave too fast.
-    void pass_contacts() {
+    template <class Takes>
+    void pass_contacts(const Takes& takes) {
         for (const auto& [pair, momenta] : contacts_.all())
-            if (momenta.waits)
+            if (momenta.waits && takes(pair))
                 passed_.pass(slot_of(pair.first),
                              pair.second >= 0 ? slot_of(pair.second)
                                               : first_wall + static_cast<Slot>(-1 - pair.second),
                              turn_);
+    }
+
+    /// Strikes one after the other, each of which would leave two in contact, need not come to an
+    /// end: with friction above 1 a ball in a corner is sent from one wall to the other and back.
+    [[nodiscard]] bool is_jammed(std::initializer_list<Slot> balls) const {
+        return std::ranges::any_of(balls, [&](Slot i) {
+            const std::uint32_t count = particles_[i].in_place;
+            return count > 0 && count % strikes_to_a_jam == 0;
+        });
+    }
+    /// Instead of a strike all contacts that hang together with it are solved at once, as at the
+    /// beginning of a step. It counts as a strike in place, so that the next one is not the same.
+    [[gnu::cold, gnu::noinline]] bool settle_jam(Slot i, Slot partner, double t) {
+        stand(i, partner);
+        ++particles_[i].in_place;
+        if (partner < first_wall) ++particles_[partner].in_place;
+        const std::vector<std::int32_t> hanging = contacts_.hanging_with(particles_[i].number);
+        const std::set<std::int32_t> numbers(hanging.begin(), hanging.end());
+        const auto takes = [&](const auto& pair) { return numbers.contains(pair.first); };
+        StrikeTally tally;
+        for (const std::int32_t number : hanging) {
+            const Slot j = slot_of(number);
+            world_.balls[j] = arrive(j, t, tally);
+            ++particles_[j].strikes;
+        }
+        react(steps_.last(), turn_ - t, takes);
+        for (const std::int32_t number : hanging) {
+            const Slot j = slot_of(number);
+            put(j, world_.balls[j]);
+            release(j);
+        }
+        pass_contacts(takes);
+        for (const std::int32_t number : hanging) ask_after_change({slot_of(number)});
+        return false;
     }
 
     static constexpr std::uint64_t own_events_a_ball = 16;

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -77,14 +78,33 @@ class StandingContacts {
         return std::max(0x1p-8 * radius + gap, 0x1p-12 * radius);
     }
 
-    /// A step begins. place(pair) tells how they lie, body(number) -> ContactBody<D> what a ball is
-    /// after the forces, put(number, body) takes its velocity and spin after the reactions.
-    /// Contacts without a reaction break; told is how many.
-    template <class PlaceOf, class BodyOf, class Put>
-    ContactReport begin_step(double step, const LastingContacts& effect, const PlaceOf& place,
-                             const BodyOf& body, const Put& put, std::uint64_t& broken) {
+    /// All balls that hang together with one by contacts of balls, that one first.
+    [[nodiscard]] std::vector<std::int32_t> hanging_with(std::int32_t ball) const {
+        std::map<std::int32_t, std::vector<std::int32_t>> partners;
+        for (const auto& [pair, momenta] : momenta_) {
+            if (pair.second < 0) continue;
+            partners[pair.first].push_back(pair.second);
+            partners[pair.second].push_back(pair.first);
+        }
+        std::vector<std::int32_t> found = {ball};
+        std::set<std::int32_t> known = {ball};
+        for (std::size_t next = 0; next < found.size(); ++next)
+            for (const std::int32_t each : partners[found[next]])
+                if (known.insert(each).second) found.push_back(each);
+        return found;
+    }
+
+    /// A part of a time step begins, for the contacts of which takes(pair). place(pair) tells how
+    /// they lie, body(number) -> ContactBody<D> what a ball is after the forces, put(number, body)
+    /// takes its velocity and spin after the reactions. Of an overlap a part is undone. Contacts
+    /// without a reaction break; told is how many.
+    template <class Takes, class PlaceOf, class BodyOf, class Put>
+    ContactReport begin_step(double step, double undone, const LastingContacts& effect,
+                             const Takes& takes, const PlaceOf& place, const BodyOf& body,
+                             const Put& put, std::uint64_t& broken) {
         std::map<std::int32_t, std::size_t> index;
         for (const auto& [pair, momenta] : momenta_) {
+            if (!takes(pair)) continue;
             index.try_emplace(pair.first);
             if (pair.second >= 0) index.try_emplace(pair.second);
         }
@@ -96,6 +116,7 @@ class StandingContacts {
         contacts_.clear();
         gaps_.clear();
         for (const auto& [pair, momenta] : momenta_) {
+            if (!takes(pair)) continue;
             const Place lies = place(pair);
             const std::size_t a = index[pair.first];
             const double along =
@@ -106,7 +127,7 @@ class StandingContacts {
             gaps_.push_back({gap, lies.curvature * along <= longest_chord});
             contacts_.push_back({a, pair.second >= 0 ? index[pair.second] : Contact<D>::wall,
                                  lies.normal,
-                                 gap - (lies.gap < 0.0 ? (1.0 - undone_a_step) * lies.gap : 0.0),
+                                 gap - (lies.gap < 0.0 ? (1.0 - undone) * lies.gap : 0.0),
                                  lies.friction, lies.wall_velocity, momenta.push, momenta.rub});
         }
         const ContactReport report =
@@ -114,7 +135,11 @@ class StandingContacts {
         for (const auto& [number, at] : index) put(number, bodies_[at]);
         auto solved = contacts_.begin();
         auto gap = gaps_.begin();
-        for (auto each = momenta_.begin(); each != momenta_.end(); ++solved, ++gap) {
+        for (auto each = momenta_.begin(); each != momenta_.end();) {
+            if (!takes(each->first)) {
+                ++each;
+                continue;
+            }
             const double nearer = step * approach(*solved);
             const double radius = least_radius(*solved);
             // Those that overlap by a visible part of the radii part first; then the gap after the
@@ -129,6 +154,8 @@ class StandingContacts {
                 each = momenta_.erase(each);
                 ++broken;
             }
+            ++solved;
+            ++gap;
         }
         return report;
     }

@@ -344,7 +344,11 @@ class Simulation {
         size /= Rational(boost::multiprecision::mpz_int(1) << 40);
         const Rational since = exactly(ball(i).t0) - exactly(before);
         int& strikes = in_place_[static_cast<std::size_t>(i)];
-        strikes = approach_squared * since * since <= size * size ? strikes + 1 : 0;
+        const Rational no_time =
+            exactly(ball(i).t0) / Rational(boost::multiprecision::mpz_int(1) << 30);
+        const bool is_in_place =
+            approach_squared * since * since <= size * size || since <= no_time;
+        strikes = is_in_place ? strikes + 1 : 0;
         const bool loses = world_.restitution < 1 || world_.wall_restitution < 1 ||
                            world_.g != std::array<double, 3>{};
         if (strikes >= (loses ? 1000 : 100'000)) run_.collapsed = true;
