@@ -166,7 +166,8 @@ class CellGrid {
         }
         return box;
     }
-    /// Moves a cell's number along an axis; false, and nothing is moved, where there is no such cell.
+    /// Moves a cell's number along an axis; false, and nothing is moved, where there is no such
+    /// cell.
     [[nodiscard]] bool shift(Cell<D>& cell, int axis, std::int32_t by) const noexcept {
         std::int32_t number = cell[axis] + by;
         if (bounded_ && !(number >= 0 && number < count_[axis])) {

@@ -872,9 +872,8 @@ class Loop final : public Simulation<D>::Engine {
         }
         ++counts_.strikes;
         ++particles_[i].strikes;
-        count(i, came, exchange.approach, exchange.square, [&] {
-            return stayed_in_place_exactly(came, faces, growth, world_.balls[i].time);
-        });
+        count(i, came, exchange.approach, exchange.square,
+              [&] { return stayed_in_place_exactly(came, faces, growth, world_.balls[i].time); });
         if (bounce.rubs) {
             Vector<D> sliding = came.v;
             const Vector<D> velocity = walls_.velocity(wall, t);
@@ -1058,9 +1057,9 @@ class Loop final : public Simulation<D>::Engine {
             particles_[i].in_place = 0;
         }
     }
-    /// Between what closes on it, walls or balls that grow, a ball flies ever faster. It is never in
-    /// place; but at last it flies in no time, and where balls grow hardly anywhere. What hops on a
-    /// floor hardly goes anywhere, too, but takes its time.
+    /// Between what closes on it, walls or balls that grow, a ball flies ever faster. It is never
+    /// in place; but at last it flies in no time, and where balls grow hardly anywhere. What hops
+    /// on a floor hardly goes anywhere, too, but takes its time.
     [[nodiscard]] bool is_hurried(const Ball<D>& came, double since, double approach,
                                   double square) const noexcept {
         if (since <= std::max(no_time * came.time, no_time_of_step * steps_.length())) return true;

@@ -130,8 +130,9 @@ template <int D>
 [[nodiscard]] State<D> start(std::span<const Body<D>> bodies, const Effects<D>& effects);
 
 /// Throws std::invalid_argument for effects that make no sense and BallError for balls that cannot
-/// be, as start() does, at any time; but where balls lie is not looked at, for rounding may leave
-/// them an ulp inside each other, nor whether their numbers have become tiny. O(n).
+/// be, as start() does, at any time, with these differences: centres, velocities, spins and times
+/// may be up to 2^200, and tiny; and where balls lie is not looked at, for rounding may leave them
+/// an ulp inside each other. O(n).
 template <int D>
 void check(const State<D>& state, const Effects<D>& effects);
 

@@ -30,6 +30,13 @@ bool is_within(double number) noexcept {
     const double magnitude = std::fabs(number);
     return magnitude == 0.0 || (magnitude >= 1.0 / largest && magnitude <= largest);
 }
+/// Of states: balls that were within the window at the start may have flown beyond it, and strikes
+/// may have made their numbers small. The squares of squares are doubles here, too.
+constexpr double farthest = 0x1p200;
+
+bool is_in_reach(double number) noexcept {
+    return std::fabs(number) <= farthest;
+}
 bool is_restitution(double number) noexcept {
     return number >= 0.0 && number <= 1.0;
 }
@@ -224,12 +231,19 @@ void check_obstacles(const Body<D>& body, const Effects<D>& effects, std::int64_
         if (std::visit([&](const auto& each) { return is_within(body, each); }, obstacle))
             throw BallError(
                 number, "a ball that overlaps wall " + std::to_string(wall) + "; it may touch it");
-        if constexpr (D == 2)
-            if (body.radius == 0.0 && std::holds_alternative<Segment>(obstacle))
-                throw BallError(number,
-                                "a ball of radius 0 where there are segments, of which it knows no "
-                                "side; give a radius above 0");
         ++wall;
+    }
+}
+template <int D>
+void check_sides_of_segments(double radius, const Effects<D>& effects, std::int64_t number) {
+    if constexpr (D == 2) {
+        const auto is_segment = [](const Obstacle<D>& each) {
+            return std::holds_alternative<Segment>(each);
+        };
+        if (radius == 0.0 && std::ranges::any_of(effects.obstacles, is_segment))
+            throw BallError(number,
+                            "a ball of radius 0 where there are segments, of which it knows no "
+                            "side; give a radius above 0");
     }
 }
 
@@ -243,26 +257,36 @@ void check_walls(const Body<D>& body, const Effects<D>& effects, std::int64_t nu
         const Dyadic low = Dyadic(effects.box->low[k]) + shift;
         const Dyadic high = Dyadic(effects.box->high[k]) + shift;
         const Dyadic radius(body.radius);
-        const Dyadic grown =
-            Dyadic(body.radius) + (effects.growth ? Dyadic(effects.growth->rate * body.radius) *
-                                                        Dyadic(effects.growth->until)
-                                                  : Dyadic());
         if (effects.periodic) {
             if ((x - low).sign() < 0 || (high - x).sign() < 0)
                 throw BallError(number, "a centre outside the periodic box; give one inside");
-            // In the end, for partners are seen in their nearest images.
-            if ((high - low - 8 * grown).sign() < 0)
-                throw BallError(number,
-                                "a ball whose diameter is more than a quarter of the periodic "
-                                "box, or grows to be; give a larger box");
             continue;
         }
         if ((x - low - radius).sign() < 0 || (high - x - radius).sign() < 0)
             throw BallError(number, "a ball outside its walls; it may touch them from within");
-        if ((high - low - 2 * grown).sign() < 0)
+    }
+}
+
+/// That a ball of some radius, and as it becomes when it grows from then on, finds room; `slack` is
+/// a part of the box that it may be too wide by.
+template <int D>
+void check_width(double radius, const std::optional<Growth>& growth, const Effects<D>& effects,
+                 double slack, std::int64_t number) {
+    const Dyadic grown =
+        Dyadic(radius) +
+        (growth ? Dyadic(growth->rate * radius) * Dyadic(growth->until) : Dyadic());
+    for (int k = 0; k < D; ++k) {
+        const Dyadic width = (Dyadic(effects.box->high[k]) - Dyadic(effects.box->low[k])) *
+                             (Dyadic(1.0) + Dyadic(slack));
+        // In the end, for partners are seen in their nearest images.
+        if (effects.periodic && (width - 8 * grown).sign() < 0)
             throw BallError(number,
-                            "a ball that grows to be wider than its walls are apart; let it grow "
-                            "for a shorter time, or give a larger box");
+                            "a ball whose diameter is more than a quarter of the periodic box, or "
+                            "grows to be; give a larger box");
+        if ((width - 2 * grown).sign() < 0)
+            throw BallError(number,
+                            "a ball that is wider than its walls are apart, or grows to be; give a "
+                            "larger box, or let it grow for a shorter time");
     }
 }
 
@@ -385,8 +409,12 @@ State<D> start(std::span<const Body<D>> bodies, const Effects<D>& effects) {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const auto number = static_cast<std::int64_t>(i);
         check(bodies[i], number);
-        if (effects.box) check_walls(bodies[i], effects, number);
+        if (effects.box) {
+            check_walls(bodies[i], effects, number);
+            check_width(bodies[i].radius, effects.growth, effects, 0.0, number);
+        }
         check_obstacles(bodies[i], effects, number);
+        check_sides_of_segments(bodies[i].radius, effects, number);
         state.balls.push_back({bodies[i].x, bodies[i].v, bodies[i].radius, 0.0});
         state.masses.push_back(bodies[i].mass);
     }
@@ -420,16 +448,20 @@ void check(const State<D>& state, const Effects<D>& effects) {
         return a >= 0 && a < number_of_balls && is_there;
     };
     for (const Passed& passed : state.passed)
-        if (!has_pair(passed.a, passed.b))
+        if (!has_pair(passed.a, passed.b) || std::isnan(passed.time))
             throw std::invalid_argument("a state with a meeting of balls or walls that it has not");
     for (const StandingContact<D>& contact : state.contacts)
-        if (!effects.contacts || !has_pair(contact.a, contact.b))
+        if (!effects.contacts || !has_pair(contact.a, contact.b) || !std::isfinite(contact.push) ||
+            !std::ranges::all_of(contact.rub, [](double each) { return std::isfinite(each); }))
             throw std::invalid_argument("a state with contacts of balls or walls that it has not");
     for (const Spin<D>& spin : state.spins)
-        if (!std::ranges::all_of(spin, [](double each) { return std::isfinite(each); }))
-            throw std::invalid_argument("a state with a spin that is not finite");
-    if (!(state.time >= 0.0 && std::isfinite(state.time)))
-        throw std::invalid_argument("a state's time: give 0 or more");
+        if (!std::ranges::all_of(spin, is_in_reach))
+            throw std::invalid_argument("a state with a spin that is not finite, or beyond 2^200");
+    if (!(state.time >= 0.0 && is_in_reach(state.time)))
+        throw std::invalid_argument("a state's time: give 0 or more, at most 2^200");
+    for (const double time : state.last_strikes)
+        if (!(time <= state.time))
+            throw std::invalid_argument("a state with a last strike that is after its time");
     // A state is from when the last step began, or ended, to when that comes about next.
     if (const TimeSteps<D> steps(effects, state.half_steps);
         state.half_steps > 0 && !(effects.time_step > 0.0))
@@ -440,9 +472,17 @@ void check(const State<D>& state, const Effects<D>& effects) {
         const Ball<D>& ball = state.balls[i];
         const auto number = static_cast<std::int64_t>(i);
         for (int k = 0; k < D; ++k)
-            if (!std::isfinite(ball.x[k]) || !std::isfinite(ball.v[k]))
-                throw BallError(number, "a coordinate or speed that is not finite");
+            if (!is_in_reach(ball.x[k]) || !is_in_reach(ball.v[k]))
+                throw BallError(number,
+                                "a coordinate or speed that is not finite, or beyond 2^200");
         check_radius_and_mass(ball.radius, state.masses[i], number);
+        check_sides_of_segments(ball.radius, effects, number);
+        if (effects.box) {
+            const bool grows = effects.growth && state.time < effects.growth->until;
+            // At the end of growth radii are rounded.
+            check_width(ball.radius, grows ? effects.growth : std::nullopt, effects, 0x1p-40,
+                        number);
+        }
         if (!(ball.time >= 0.0 && ball.time <= state.time))
             throw BallError(number, "a ball's own time that is not from 0 to that of the state");
     }

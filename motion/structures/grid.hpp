@@ -81,8 +81,8 @@ class Grid {
         });
     }
 
-    /// When the centre enters the next cell; infinity where that is after `until`. Which cell that is
-    /// is kept until then: at an apex on a side the crossing vanishes when it is computed again.
+    /// When the centre enters the next cell; infinity where that is after `until`. Which cell that
+    /// is is kept until then: at an apex on a side the crossing vanishes when it is computed again.
     [[nodiscard]] double next(Slot i, double now, double until = infinity) {
         Crossing first;
         for (int k = 0; k < D; ++k) {

@@ -66,13 +66,13 @@ Scene<D> harsh_scene(std::uint64_t seed) {
     for (int tries = 0; tries < 80 && static_cast<int>(scene.bodies.size()) < most; ++tries) {
         Body<D> body;
         body.radius = std::max(choose.number(0.0, 0.7), 0.125);
-        // Heavy ones among balls that grow end as well, after millions of strikes.
-        const bool is_heavy = !effects.growth && choose.below(6) == 0;
-        body.mass = is_heavy ? 0x1p20 : std::max(choose.number(0.0, 4.0), 0.125);
+        // Where something closes very heavy ones end as well, after millions of strikes.
+        const bool closes = effects.growth || effects.shake || !effects.obstacles.empty();
+        body.mass = choose.below(6) == 0 ? (closes ? 0x1p8 : 0x1p20)
+                                         : std::max(choose.number(0.0, 4.0), 0.125);
         for (int k = 0; k < D; ++k) {
             body.x[k] = choose.number(body.radius, size - body.radius);
-            if (is_in_corners)
-                body.x[k] = choose.below(2) == 0 ? body.radius : size - body.radius;
+            if (is_in_corners) body.x[k] = choose.below(2) == 0 ? body.radius : size - body.radius;
             body.v[k] = choose.below(4) == 0 ? 0.0 : choose.number(-2.0, 2.0);
         }
         if (!scene.bodies.empty() && choose.below(2) == 0) {

@@ -641,5 +641,41 @@ TEST(MotionStructures, DelaunayIsForDiscsThatItCanTellApart) {
     EXPECT_EQ(chosen(1.0, 1.0, 0.0, far), Structure::delaunay);
 }
 
+/// Lists lost a strike where a speed was beyond 2^512, whose square is no double.
+TEST(MotionStructures, StatesAtTheEndOfTheWindowWriteOneLog) {
+    std::vector<Body<2>> bodies;
+    for (int i = 0; i < 10; ++i)
+        bodies.push_back({{static_cast<double>(i % 4), static_cast<double>(i / 4)},
+                          {(i % 3 - 1) / 3.0, (i % 2) / 3.0},
+                          0.2 + 0.01 * i,
+                          1.0 + i % 3});
+    const State<2> first = start<2>(bodies, {});
+    for (const double large : {0x1p150, 0x1p200}) {
+        for (const bool is_speed : {true, false}) {
+            SCOPED_TRACE(std::to_string(large) + (is_speed ? " fast" : " far"));
+            State<2> state = first;
+            (is_speed ? state.balls[3].v : state.balls[3].x)[0] = large;
+            const auto log_of = [&](Structure structure) {
+                std::vector<Strike> log;
+                Simulation<2> simulation(state, {}, {structure});
+                (void)simulation.run({.until = 64.0, .strikes = 40},
+                                     [&](const Strike& each) { log.push_back(each); });
+                return log;
+            };
+            const std::vector<Strike> expected = log_of(Structure::pairs);
+            EXPECT_GE(expected.size(), 3U);
+            for (const Structure structure : all_structures) {
+                SCOPED_TRACE(name_of(structure));
+                try {
+                    EXPECT_EQ(log_of(structure), expected);
+                } catch (const std::range_error&) {
+                    // Of the clock, which `pairs` and worlds without a box do not need.
+                    EXPECT_EQ(structure, Structure::delaunay);
+                }
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace signum::motion

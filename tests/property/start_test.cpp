@@ -259,7 +259,7 @@ TEST(Start, RefusesBallsThatCannotBe) {
               e.growth = Growth{0.5, 1.5};
               b.radius = 0.75;
           }},
-         {"a ball that grows to be wider",
+         {"a ball that is wider than its walls",
           [](E& e, B& b) {
               e.growth = Growth{2.5, 2.0};
               b.radius = 0.75;
@@ -389,6 +389,21 @@ TEST(Start, RefusesStatesThatCannotBe) {
         {"a state's time", [](State<2>& s) { s.time = -1.0; }},
         {"a state's time", [](State<2>& s) { s.time = nan; }},
         {"a coordinate or speed", [](State<2>& s) { s.balls[0].x[0] = nan; }},
+        {"a state's time", [](State<2>& s) { s.time = 0x1p201; }},
+        {"a coordinate or speed", [](State<2>& s) { s.balls[0].x[1] = 1e308; }},
+        {"a coordinate or speed", [](State<2>& s) { s.balls[1].v[0] = -1e307; }},
+        {"a state with a spin", [](State<2>& s) { s.spins[1][0] = 1e300; }},
+        {"a state with a last strike", [](State<2>& s) { s.last_strikes[0] = nan; }},
+        {"a state with a last strike", [](State<2>& s) { s.last_strikes[1] = 1.0; }},
+        {"a state with contacts",
+         [](State<2>& s) {
+             s.contacts.push_back({0, 1, nan});
+         }},
+        {"a state with a meeting",
+         [](State<2>& s) {
+             s.passed.push_back({0, 1, nan});
+         }},
+        {"a ball that is wider than its walls", [](State<2>& s) { s.balls[0].radius = 4.5; }},
         {"a radius", [](State<2>& s) { s.balls[0].radius = -1.0; }},
         {"a mass", [](State<2>& s) { s.masses[1] = 0.0; }},
         {"a ball's own time", [](State<2>& s) { s.balls[0].time = 1.0; }}};
@@ -402,6 +417,29 @@ TEST(Start, RefusesStatesThatCannotBe) {
             EXPECT_EQ(std::string(error.what()).substr(0, begin.size()), begin);
         }
     }
+}
+
+/// Which was built for a world without a box, or with growth, or segments.
+TEST(Start, RefusesStatesForWhichTheWorldIsTooNarrow) {
+    const std::vector<Body<2>> bodies = {{{0, 0}, {1, 0}, 0.5, 1}, {{2, 0}, {-1, 0}, 0.0, 1}};
+    State<2> state = start<2>(bodies, {});
+    Effects<2> effects;
+    effects.box = Box<2>{{-2.0, -2.0}, {2.0, 2.0}};
+    EXPECT_NO_THROW(check(state, effects));
+    effects.periodic = true;
+    EXPECT_NO_THROW(check(state, effects));
+    state.balls[0].radius = 0.5 + 0x1p-53;  // as growth may round it
+    EXPECT_NO_THROW(check(state, effects));
+    state.balls[0].radius = 0.5625;
+    EXPECT_THROW(check(state, effects), BallError);
+    state.balls[0].radius = 0.5;
+    effects.growth = Growth{0.5, 1.0};
+    EXPECT_THROW(check(state, effects), BallError);
+    state.time = 1.0;  // it has grown already
+    EXPECT_NO_THROW(check(state, effects));
+    Effects<2> segments;
+    segments.obstacles.push_back(Segment{{9.0, 0.0}, {9.0, 1.0}});
+    EXPECT_THROW(check(state, segments), BallError);
 }
 
 }  // namespace
