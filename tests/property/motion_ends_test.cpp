@@ -121,6 +121,80 @@ End end_of(const Scene<D>& scene, double until = 3.0) {
     return end;
 }
 
+/// One ball pressed into a corner, or wedged there by a heavy one: with friction of 1 and more each
+/// strike of one wall sends it into the other.
+TEST(MotionEnds, CornersWithMuchFriction) {
+    for (const double friction : {0.9, 1.0, 1.5, 2.0, 3.0}) {
+        for (const double rise : {0.0, 0.3}) {
+            for (const double heavy : {0.0, 1.0, 1e6}) {
+                for (const double speed : {0.5, 1.0, 2.0}) {
+                    Scene<2> scene{"corner", {}, {}};
+                    Effects<2>& effects = scene.effects;
+                    effects.gravity = {0.0, -10.0};
+                    effects.restitution = effects.wall_restitution = 0.5;
+                    effects.friction = Friction{friction, friction, 0.0, 0.5};
+                    effects.contacts = LastingContacts{speed};
+                    effects.time_step = 0.1;
+                    effects.obstacles.push_back(HalfSpace<2>{{0.0, 1.0}, 0.0, rise});
+                    effects.obstacles.push_back(HalfSpace<2>{{-1.0, 0.0}, -4.0, 0.0});
+                    effects.obstacles.push_back(HalfSpace<2>{{1.0, 0.0}, 0.0, 0.0});
+                    const double x = heavy > 0.0 ? 3.75 : 3.0;
+                    scene.bodies.push_back({{x, 0.25}, {heavy > 0.0 ? 0.0 : 1.5, 0.0}, 0.25, 1.0});
+                    if (heavy > 0.0) scene.bodies.push_back({{1.1, 1.0}, {0.9, 0.0}, 1.0, heavy});
+                    const End end = end_of(scene);
+                    SCOPED_TRACE(testing::Message() << "friction " << friction << ", rise " << rise
+                                                    << ", heavy " << heavy << ", speed " << speed);
+                    // A floor that rises cannot take along a ball that a wall holds: from 1 on
+                    // friction of both is stronger than any push. What can rest rests.
+                    const bool is_wedged =
+                        rise > 0.0 && friction >= 1.0 && (heavy > 0.0 || speed > 0.5);
+                    EXPECT_EQ(end.why, is_wedged ? "collapse" : "until");
+                    EXPECT_LE(end.strikes, 5000U);
+                }
+            }
+        }
+    }
+}
+
+/// Balls in a row between two walls that close: they fly ever faster.
+TEST(MotionEnds, RowsBetweenWallsThatClose) {
+    for (const double restitution : {1.0, 0.9, 0.5, 0.0}) {
+        for (int balls = 1; balls <= 4; ++balls) {
+            for (const double step : {0.0, 0.125}) {
+                Scene<2> scene{"row", {}, {}};
+                scene.effects.restitution = scene.effects.wall_restitution = restitution;
+                scene.effects.time_step = step;
+                scene.effects.obstacles.push_back(HalfSpace<2>{{1.0, 0.0}, 0.0, 0.5});
+                scene.effects.obstacles.push_back(HalfSpace<2>{{-1.0, 0.0}, -8.0, 0.5});
+                for (int i = 0; i < balls; ++i)
+                    scene.bodies.push_back(
+                        {{1.0 + 1.5 * i, 0.0}, {i % 2 - 0.5, 0.0}, 0.5, 1.0 + i});
+                const End end = end_of(scene, 16.0);
+                EXPECT_EQ(end.why, "collapse") << restitution << ' ' << balls << ' ' << step;
+            }
+        }
+    }
+}
+
+/// Balls that grow until there is no room, with and without loss.
+TEST(MotionEnds, GrowthIntoAJam) {
+    for (const double restitution : {1.0, 0.5}) {
+        for (const bool is_periodic : {false, true}) {
+            Scene<2> scene{"growth", {}, {}};
+            scene.effects.restitution = scene.effects.wall_restitution = restitution;
+            scene.effects.box = cube<2>(12.0);
+            scene.effects.periodic = is_periodic;
+            scene.effects.growth = Growth{0.5, 2.15};
+            for (int i = 0; i < 36; ++i)
+                scene.bodies.push_back({{1.0 + 2.0 * (i % 6), 1.0 + 2.0 * (i / 6)},
+                                        {(i * 7 % 5 - 2) / 4.0, (i * 3 % 5 - 2) / 4.0},
+                                        0.46875 + 0.03125 * (i % 3),
+                                        1.0});
+            EXPECT_EQ(end_of(scene, 8.0).why, "collapse") << restitution << ' ' << is_periodic;
+        }
+    }
+}
+
 template <int D>
 void expect_ends() {
     for (std::uint64_t seed = 0; seed < scenes; ++seed)
