@@ -50,6 +50,7 @@ Measure measure(const CellShape& shape) {
     double perimeter = 0;
     Conic::Moments moments = {0, 0, 0};
     Point origin = {0, 0};
+    Box around = {no_box.x1, no_box.y1, no_box.x0, no_box.y0};
     // Moments are products of three lengths, which are to stay within a double's range.
     const int exponent = exponent_of(shape);
     if (!shape.loops.empty()) origin = scaled(shape.loops.front().front().from, -exponent);
@@ -61,9 +62,16 @@ Measure measure(const CellShape& shape) {
             moments.x += of.x;
             moments.y += of.y;
             perimeter += conic.length();
+            for (const Point p : {conic.from, conic.control})
+                around = {std::min(around.x0, p.x), std::min(around.y0, p.y),
+                          std::max(around.x1, p.x), std::max(around.y1, p.y)};
         }
-    const Point centroid = {origin.x + moments.x / moments.area,
-                            origin.y + moments.y / moments.area};
+    // No region has less than nothing: a shape narrower than rounding may turn over, and then its
+    // area is as small as rounding, below 0.
+    if (moments.area <= 0) return {0.0, std::ldexp(perimeter, exponent), {nan, nan}};
+    // Of next to no area rounding may lead out of the shape.
+    const Point centroid = {std::clamp(origin.x + moments.x / moments.area, around.x0, around.x1),
+                            std::clamp(origin.y + moments.y / moments.area, around.y0, around.y1)};
     return {std::ldexp(moments.area, 2 * exponent), std::ldexp(perimeter, exponent),
             scaled(centroid, exponent)};
 }
@@ -267,13 +275,11 @@ void ClippedVoronoi::follow_border(Loop& loop, Point end, bool all_around) const
 
 /// Closes chains of conics from border to border along the border. Behind the end of one the cell
 /// lies along the border up to the next start.
-std::vector<ClippedVoronoi::Loop> ClippedVoronoi::closed(std::vector<Loop> open, Index site) const {
+std::vector<ClippedVoronoi::Loop> ClippedVoronoi::closed(std::vector<Loop> open) const {
     std::vector<Loop> loops;
     const double width = box_.x1 - box_.x0;
     const double height = box_.y1 - box_.y0;
-    const double rounding = 0x1p-48 * extent_of(box_);
-    const double tolerance = 0x1p-48 + rounding / std::min(width, height);
-    const double speck = rounding * (width + height);
+    const double tolerance = 0x1p-48 + rounding() / std::min(width, height);
     std::multimap<double, std::size_t> starts;  // of the chains that are left, along the border
     for (std::size_t i = 0; i < open.size(); ++i) starts.emplace(position(open[i].front().from), i);
     while (!starts.empty()) {
@@ -286,7 +292,7 @@ std::vector<ClippedVoronoi::Loop> ClippedVoronoi::closed(std::vector<Loop> open,
             bool all_around = false;
             if (least < tolerance || least > 4 - tolerance) {
                 // It is a sliver of the box, or cuts one out.
-                all_around = area_of(loop) < -speck;
+                all_around = area_of(loop) < -speck();
                 least = all_around ? 4 : 0;
             }
             // A start behind the end by no more than rounding is where that is.
@@ -314,15 +320,53 @@ std::vector<ClippedVoronoi::Loop> ClippedVoronoi::closed(std::vector<Loop> open,
             starts.erase(next);
         }
     }
-    // Of spikes without width nobody can tell on which side of them the cell is.
-    if (site == at_point_ &&
-        std::ranges::all_of(loops, [&](const Loop& loop) { return area_of(loop) <= speck; }))
-        loops.clear();
     return loops;
 }
 
+/// What a cell has of the box. How often loops go around the border has been told from the order of
+/// ends along it, which rounding may exchange: beside the border, and where edges lie on one
+/// another. Then they have a whole box too many or too few, which their area betrays.
+std::vector<ClippedVoronoi::Loop> ClippedVoronoi::tiling(std::vector<Loop> open, Index site) const {
+    std::vector<Loop> loops = closed(open);
+    const double box = (box_.x1 - box_.x0) * (box_.y1 - box_.y0);
+    const double rounding = speck();
+    const auto area = [&] {
+        double sum = 0;
+        for (const Loop& loop : loops) sum += area_of(loop);
+        return sum;
+    };
+    if (area() > box + rounding) {
+        // Without the chains that part no more than rounding from the border the order is right.
+        std::erase_if(open, [this](const Loop& chain) { return runs_along_border(chain); });
+        loops = closed(std::move(open));
+    }
+    // Of spikes without width nobody can tell on which side of them the cell is.
+    const bool is_nothing =
+        std::ranges::all_of(loops, [&](const Loop& loop) { return area_of(loop) <= rounding; });
+    if (site == at_point_ ? is_nothing : area() >= box - rounding) loops.clear();
+    return loops;
+}
+
+/// What rounding may do to a point of the box, and to an area.
+double ClippedVoronoi::rounding() const noexcept {
+    return 0x1p-48 * extent_of(box_);
+}
+double ClippedVoronoi::speck() const noexcept {
+    return rounding() * ((box_.x1 - box_.x0) + (box_.y1 - box_.y0));
+}
+
+/// Whether there is nothing but rounding between a chain and the border from its end back to its
+/// start, in whichever direction that is.
+bool ClippedVoronoi::runs_along_border(const Loop& chain) const {
+    const double box = (box_.x1 - box_.x0) * (box_.y1 - box_.y0);
+    Loop loop = chain;
+    follow_border(loop, chain.front().from, false);
+    const double area = area_of(loop);
+    return area <= speck() || area >= box - speck();
+}
+
 bool ClippedVoronoi::is_speck(const Loop& chain) const noexcept {
-    const double size = 0x1p-48 * extent_of(box_);
+    const double size = rounding();
     const Point first = chain.front().from;
     return std::ranges::all_of(chain, [&](const Conic& conic) {
         return std::hypot(conic.control.x - first.x, conic.control.y - first.y) <= size &&
@@ -336,7 +380,7 @@ bool ClippedVoronoi::joins(const Loop& chain, Point next) const noexcept {
     const Point end = chain.back().to;
     const auto is_on_border = [this](Point p) {
         const Point q = on_border(p);
-        return std::hypot(p.x - q.x, p.y - q.y) <= 0x1p-48 * extent_of(box_);
+        return std::hypot(p.x - q.x, p.y - q.y) <= rounding();
     };
     return end == next || !is_bounded_ || !is_on_border(end) || !is_on_border(next);
 }
@@ -394,7 +438,7 @@ CellShape ClippedVoronoi::cell(Index site) const {
             if (contains(chain.back().to))
                 chain.push_back(line(chain.back().to, on_border(chain.back().to)));
         }
-        shape.loops = closed(std::move(chains), site);
+        shape.loops = tiling(std::move(chains), site);
     }
     // A cell without an edge in the box, or with mere spikes, has all of it or nothing.
     if (shape.loops.empty() && is_bounded_ && site == at_point_) {
