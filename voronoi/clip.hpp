@@ -95,6 +95,7 @@ class ClippedVoronoi {
     [[nodiscard]] double position(Point p) const noexcept;
     [[nodiscard]] double ahead(Point from, Point to) const noexcept;
     void follow_border(Loop& loop, Point end, bool all_around) const;
+    [[nodiscard]] std::vector<Loop> open_chains(Index site, std::vector<Loop>& whole) const;
     [[nodiscard]] std::vector<Loop> closed(std::vector<Loop> open) const;
     [[nodiscard]] std::vector<Loop> tiling(std::vector<Loop> open, Index site) const;
     [[nodiscard]] double rounding() const noexcept;
