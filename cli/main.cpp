@@ -12,6 +12,7 @@
 #include <string>
 #include <string_view>
 
+#include "../exact/floating_environment.hpp"
 #include "../io/errors.hpp"
 #include "../io/number.hpp"
 #include "../io/output_file.hpp"
@@ -172,6 +173,8 @@ int run_and_report(int count, char** words) noexcept {
 }  // namespace signum::cli
 
 int main(int count, char** words) {
+    // A library that is loaded before, and was linked with fast-math, has denormals flushed.
+    const signum::exact::IeeeEnvironment environment;
     signum::cli::occupy_standard_streams();
     signum::cli::install_handlers();
     return signum::cli::run_and_report(count, words);

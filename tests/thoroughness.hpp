@@ -3,6 +3,9 @@
 /// and under the sanitizers, the library's own included, where they take ten times as long.
 /// `./test` runs both, so that no trial is lost.
 
+#include <cstdint>
+#include <cstdlib>
+
 /// There where a library is, or the program, under the address sanitizer: known when it is linked.
 extern "C" [[gnu::weak]] void __asan_init();
 
@@ -22,5 +25,11 @@ inline const int thoroughness = 80;
 #else
 inline const int thoroughness = is_fast ? 8 : 1;
 #endif
+
+/// A number that the environment names, such as that of trials on a machine with hours to spare.
+inline std::uint64_t asked_for(const char* name, std::uint64_t otherwise) {
+    const char* text = std::getenv(name);
+    return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
+}
 
 }  // namespace signum

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "../exact/floating_environment.hpp"
+#include "in_ieee.hpp"
 #include "vector.hpp"
 
 namespace signum {
@@ -36,15 +38,26 @@ int exponent_of(const CellShape& shape) {
     return std::abs(exponent) > 200 ? exponent : 0;
 }
 
+Box box_of_loops(std::span<const std::vector<Conic>> loops) {
+    Box box = {no_box.x1, no_box.y1, no_box.x0, no_box.y0};
+    for (const auto& loop : loops)
+        for (const Conic& conic : loop)
+            for (const Point p : {conic.from, conic.control})
+                box = {std::min(box.x0, p.x), std::min(box.y0, p.y), std::max(box.x1, p.x),
+                       std::max(box.y1, p.y)};
+    return box;
+}
+
 double area_of(const std::vector<Conic>& loop) {
     double area = 0;
-    for (const Conic& conic : loop) area += conic.moments(loop.front().from).area;
+    for (const Conic& conic : loop) area += in_ieee::moments(conic, loop.front().from).area;
     return area;
 }
 
 }  // namespace
 
 Measure measure(const CellShape& shape) {
+    const exact::IeeeEnvironment environment;
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     if (shape.unbounded && !shape.in_box) return {no_box.x1, no_box.x1, {nan, nan}};
     double perimeter = 0;
@@ -56,19 +69,30 @@ Measure measure(const CellShape& shape) {
     for (const auto& loop : shape.loops)
         for (const Conic& part : loop) {
             const Conic conic = scaled(part, -exponent);
-            const Conic::Moments of = conic.moments(origin);
+            const Conic::Moments of = in_ieee::moments(conic, origin);
             moments.area += of.area;
             moments.x += of.x;
             moments.y += of.y;
-            perimeter += conic.length();
+            perimeter += in_ieee::length(conic);
         }
-    const Point centroid = {origin.x + moments.x / moments.area,
-                            origin.y + moments.y / moments.area};
+    // No region has less than nothing: a shape narrower than rounding may turn over, and then its
+    // area is as small as rounding, below 0.
+    if (moments.area <= 0) return {0.0, std::ldexp(perimeter, exponent), {nan, nan}};
+    Point centroid = {origin.x + moments.x / moments.area, origin.y + moments.y / moments.area};
+    if (moments.area < 0x1p-30 * perimeter * perimeter) {
+        // Of next to no area rounding may lead out of the shape.
+        const Box around = box_of_loops(shape.loops);
+        centroid = {std::clamp(centroid.x, std::ldexp(around.x0, -exponent),
+                               std::ldexp(around.x1, -exponent)),
+                    std::clamp(centroid.y, std::ldexp(around.y0, -exponent),
+                               std::ldexp(around.y1, -exponent))};
+    }
     return {std::ldexp(moments.area, 2 * exponent), std::ldexp(perimeter, exponent),
             scaled(centroid, exponent)};
 }
 
 Box default_box(std::span<const Site> sites, int exponent) {
+    const exact::IeeeEnvironment environment;
     if (sites.empty()) throw std::invalid_argument("no site, no box");
     Box box = {sites[0].x, sites[0].y, sites[0].x, sites[0].y};
     for (const Site& s : sites) {
@@ -90,11 +114,16 @@ Box default_box(std::span<const Site> sites, int exponent) {
 bool is_of_usual_size(const Box& divided) noexcept {
     // Of such lengths products of two are within a double's range.
     constexpr double longest = 0x1p500;
-    return extent_of(divided) <= longest && divided.x1 - divided.x0 >= 1 / longest &&
-           divided.y1 - divided.y0 >= 1 / longest;
+    return exact::in_ieee_environment(
+        [](const Box& box) {
+            return extent_of(box) <= longest && box.x1 - box.x0 >= 1 / longest &&
+                   box.y1 - box.y0 >= 1 / longest;
+        },
+        divided);
 }
 
 bool fits(const Box& box, const Voronoi& voronoi) noexcept {
+    const exact::IeeeEnvironment environment;
     const auto divided = [&](double side) { return std::ldexp(side, -voronoi.exponent()); };
     return is_of_usual_size({divided(box.x0), divided(box.y0), divided(box.x1), divided(box.y1)});
 }
@@ -104,6 +133,7 @@ ClippedVoronoi::ClippedVoronoi(const Voronoi& voronoi, const Box& box, Lengths l
       box_(box),
       exponent_(lengths == Lengths::of_the_plane ? voronoi.exponent() : 0),
       is_bounded_(box != no_box) {
+    const exact::IeeeEnvironment environment;
     if (!(box.x0 < box.x1 && box.y0 < box.y1))
         throw std::invalid_argument("a box needs x0 < x1 and y0 < y1");
     if (is_bounded_ && !(is_finite({box.x0, box.y0}) && is_finite({box.x1, box.y1})))
@@ -155,11 +185,13 @@ std::vector<Conic> ClippedVoronoi::pieces_near_box(Index index, bool& from_start
             std::hypot(std::max(std::abs(box_.x0 - origin.x), std::abs(box_.x1 - origin.x)),
                        std::max(std::abs(box_.y0 - origin.y), std::abs(box_.y1 - origin.y)));
         const double limit =
-            1.01 * std::visit([&](const auto& curve) { return curve.beyond(reach); }, edge->curve);
+            1.01 * std::visit([&](const auto& curve) { return in_ieee::beyond(curve, reach); },
+                              edge->curve);
         const auto clamp = [&](double& parameter, Point& point, bool& is_end) {
             if (-limit <= parameter && parameter <= limit) return;
             parameter = std::clamp(parameter, -limit, limit);
-            point = std::visit([&](const auto& curve) { return curve.at(parameter); }, edge->curve);
+            point = std::visit([&](const auto& curve) { return in_ieee::at(curve, parameter); },
+                               edge->curve);
             is_end = false;
         };
         clamp(edge->from, edge->start, from_start);
@@ -169,9 +201,9 @@ std::vector<Conic> ClippedVoronoi::pieces_near_box(Index index, bool& from_start
     if (!(edge->from < edge->to)) {
         // An edge so short that rounding took its direction still joins its ends.
         if (!from_start || !to_end || edge->start == edge->end) return {};
-        return {Conic::straight(edge->start, edge->end)};
+        return {in_ieee::straight(edge->start, edge->end)};
     }
-    return stretch(edge->curve, edge->from, edge->start, edge->to, edge->end);
+    return in_ieee::stretch(edge->curve, edge->from, edge->start, edge->to, edge->end);
 }
 
 void ClippedVoronoi::cut(Index index) {
@@ -182,15 +214,15 @@ void ClippedVoronoi::cut(Index index) {
     bool continues = false;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         const std::vector<Inside> parts =
-            is_bounded_ ? parts_inside(pieces[i], box_) : std::vector<Inside>{{0, 1}};
+            is_bounded_ ? in_ieee::parts_inside(pieces[i], box_) : std::vector<Inside>{{0, 1}};
         if (parts.empty() || parts.front().first > 0) continues = false;
         for (const Inside& inside : parts) {
-            Conic part = pieces[i].part(inside.first, inside.last);
+            Conic part = in_ieee::part(pieces[i], inside.first, inside.last);
             const bool at_start = inside.first == 0 && contains(part.from);
             const bool at_end = inside.last == 1 && contains(part.to);
             if (!at_start && is_bounded_) part.from = on_border(part.from);
             if (!at_end && is_bounded_) part.to = on_border(part.to);
-            if (part.is_straight()) part = Conic::straight(part.from, part.to);
+            if (part.is_straight()) part = in_ieee::straight(part.from, part.to);
             if (!continues || !at_start)
                 runs_.push_back({conics_.size(), 0, i == 0 && at_start && from_start, false});
             conics_.push_back(part);
@@ -202,6 +234,7 @@ void ClippedVoronoi::cut(Index index) {
 }
 
 std::vector<Conic> ClippedVoronoi::edge(Index index) const {
+    const exact::IeeeEnvironment environment;
     std::vector<Conic> parts;
     const std::size_t e = checked("edge", index, voronoi_.edges().size());
     for (std::size_t r = first_run_[e]; r < first_run_[e + 1]; ++r)
@@ -249,7 +282,7 @@ void ClippedVoronoi::follow_border(Loop& loop, Point end, bool all_around) const
     const Point corners[] = {
         {box_.x1, box_.y0}, {box_.x1, box_.y1}, {box_.x0, box_.y1}, {box_.x0, box_.y0}};
     const auto line_to = [&](Point next) {
-        if (loop.back().to != next) loop.push_back(Conic::straight(loop.back().to, next));
+        if (loop.back().to != next) loop.push_back(in_ieee::straight(loop.back().to, next));
     };
     const double from = position(loop.back().to);
     const double to = position(end);
@@ -267,13 +300,11 @@ void ClippedVoronoi::follow_border(Loop& loop, Point end, bool all_around) const
 
 /// Closes chains of conics from border to border along the border. Behind the end of one the cell
 /// lies along the border up to the next start.
-std::vector<ClippedVoronoi::Loop> ClippedVoronoi::closed(std::vector<Loop> open, Index site) const {
+std::vector<ClippedVoronoi::Loop> ClippedVoronoi::closed(std::vector<Loop> open) const {
     std::vector<Loop> loops;
     const double width = box_.x1 - box_.x0;
     const double height = box_.y1 - box_.y0;
-    const double rounding = 0x1p-48 * extent_of(box_);
-    const double tolerance = 0x1p-48 + rounding / std::min(width, height);
-    const double speck = rounding * (width + height);
+    const double tolerance = 0x1p-48 + rounding() / std::min(width, height);
     std::multimap<double, std::size_t> starts;  // of the chains that are left, along the border
     for (std::size_t i = 0; i < open.size(); ++i) starts.emplace(position(open[i].front().from), i);
     while (!starts.empty()) {
@@ -286,7 +317,7 @@ std::vector<ClippedVoronoi::Loop> ClippedVoronoi::closed(std::vector<Loop> open,
             bool all_around = false;
             if (least < tolerance || least > 4 - tolerance) {
                 // It is a sliver of the box, or cuts one out.
-                all_around = area_of(loop) < -speck;
+                all_around = area_of(loop) < -speck();
                 least = all_around ? 4 : 0;
             }
             // A start behind the end by no more than rounding is where that is.
@@ -304,7 +335,7 @@ std::vector<ClippedVoronoi::Loop> ClippedVoronoi::closed(std::vector<Loop> open,
             if (least > 0)
                 follow_border(loop, target, all_around && closes);
             else if (end != target)
-                loop.push_back(Conic::straight(end, target));
+                loop.push_back(in_ieee::straight(end, target));
             if (closes) {
                 loops.push_back(std::move(loop));
                 break;
@@ -314,15 +345,62 @@ std::vector<ClippedVoronoi::Loop> ClippedVoronoi::closed(std::vector<Loop> open,
             starts.erase(next);
         }
     }
-    // Of spikes without width nobody can tell on which side of them the cell is.
-    if (site == at_point_ &&
-        std::ranges::all_of(loops, [&](const Loop& loop) { return area_of(loop) <= speck; }))
-        loops.clear();
     return loops;
 }
 
+/// The loops of a cell that reaches the border. How often they go around it is told from the order
+/// of ends along it, which rounding may exchange: beside a side, and where edges lie on one
+/// another. Then the loops have a whole box too many or too few, which their area betrays.
+std::vector<ClippedVoronoi::Loop> ClippedVoronoi::tiling(std::vector<Loop> open, Index site) const {
+    std::vector<Loop> loops = closed(std::move(open));
+    const double box = (box_.x1 - box_.x0) * (box_.y1 - box_.y0);
+    const double rounding = speck();
+    if (site == at_point_) {
+        // Of spikes without width nobody can tell on which side of them the cell is.
+        if (std::ranges::all_of(loops, [&](const Loop& loop) { return area_of(loop) <= rounding; }))
+            loops.clear();
+    }
+    double most = 0;
+    for (const Loop& loop : loops) {
+        const Box around = box_of_loops({&loop, 1});
+        most += (around.x1 - around.x0) * (around.y1 - around.y0);
+    }
+    if (most < box - rounding) return loops;
+    const auto area = [&] {
+        double sum = 0;
+        for (const Loop& loop : loops) sum += area_of(loop);
+        return sum;
+    };
+    if (area() > box + rounding) {
+        // Without the chains that part no more than rounding from the border the order is right.
+        open = open_chains(site, loops);
+        std::erase_if(open, [this](const Loop& chain) { return runs_along_border(chain); });
+        loops = closed(std::move(open));
+    }
+    if (site != at_point_ && area() >= box - rounding) loops.clear();
+    return loops;
+}
+
+/// What rounding may do to a point of the box, and to an area.
+double ClippedVoronoi::rounding() const noexcept {
+    return 0x1p-48 * extent_of(box_);
+}
+double ClippedVoronoi::speck() const noexcept {
+    return rounding() * ((box_.x1 - box_.x0) + (box_.y1 - box_.y0));
+}
+
+/// Whether there is nothing but rounding between a chain and the border from its end back to its
+/// start, in whichever direction that is.
+bool ClippedVoronoi::runs_along_border(const Loop& chain) const {
+    const double box = (box_.x1 - box_.x0) * (box_.y1 - box_.y0);
+    Loop loop = chain;
+    follow_border(loop, chain.front().from, false);
+    const double area = area_of(loop);
+    return area <= speck() || area >= box - speck();
+}
+
 bool ClippedVoronoi::is_speck(const Loop& chain) const noexcept {
-    const double size = 0x1p-48 * extent_of(box_);
+    const double size = rounding();
     const Point first = chain.front().from;
     return std::ranges::all_of(chain, [&](const Conic& conic) {
         return std::hypot(conic.control.x - first.x, conic.control.y - first.y) <= size &&
@@ -336,17 +414,14 @@ bool ClippedVoronoi::joins(const Loop& chain, Point next) const noexcept {
     const Point end = chain.back().to;
     const auto is_on_border = [this](Point p) {
         const Point q = on_border(p);
-        return std::hypot(p.x - q.x, p.y - q.y) <= 0x1p-48 * extent_of(box_);
+        return std::hypot(p.x - q.x, p.y - q.y) <= rounding();
     };
     return end == next || !is_bounded_ || !is_on_border(end) || !is_on_border(next);
 }
 
-CellShape ClippedVoronoi::cell(Index site) const {
-    CellShape shape;
-    shape.site = site;
-    shape.unbounded = voronoi_.is_unbounded(site);
-    shape.in_box = is_bounded_;
-    if (!is_bounded_ && shape.unbounded) return shape;
+/// What a cell has of edges, from border to border; into `whole` what closes by itself.
+std::vector<ClippedVoronoi::Loop> ClippedVoronoi::open_chains(Index site,
+                                                              std::vector<Loop>& whole) const {
     std::vector<Loop> chains;
     bool first_begins_at_vertex = false;
     bool continues = false;  // the last chain ends at a vertex inside the box
@@ -374,7 +449,7 @@ CellShape ClippedVoronoi::cell(Index site) const {
     }
     if (continues && first_begins_at_vertex && joins(chains.back(), chains.front().front().from)) {
         if (chains.size() == 1) {
-            shape.loops.push_back(std::move(chains.front()));
+            whole.push_back(std::move(chains.front()));
             chains.clear();
         } else {
             chains.back().insert(chains.back().end(), chains.front().begin(), chains.front().end());
@@ -383,24 +458,34 @@ CellShape ClippedVoronoi::cell(Index site) const {
     }
     // Where an edge passes by a corner of the box, rounding may leave a speck of it inside.
     std::erase_if(chains, [this](const Loop& chain) { return is_speck(chain); });
+    // What ends inside by rounding ends at the border.
+    for (Loop& chain : chains) {
+        const auto line = [](Point from, Point to) { return in_ieee::straight(from, to); };
+        if (contains(chain.front().from))
+            chain.insert(chain.begin(), line(on_border(chain.front().from), chain.front().from));
+        if (contains(chain.back().to))
+            chain.push_back(line(chain.back().to, on_border(chain.back().to)));
+    }
+    return chains;
+}
+
+CellShape ClippedVoronoi::cell(Index site) const {
+    const exact::IeeeEnvironment environment;
+    CellShape shape;
+    shape.site = site;
+    shape.unbounded = voronoi_.is_unbounded(site);
+    shape.in_box = is_bounded_;
+    if (!is_bounded_ && shape.unbounded) return shape;
+    std::vector<Loop> chains = open_chains(site, shape.loops);
     if (!chains.empty()) {
         shape.clipped = true;
-        // What ends inside by rounding ends at the border.
-        for (Loop& chain : chains) {
-            const auto line = [](Point from, Point to) { return Conic::straight(from, to); };
-            if (contains(chain.front().from))
-                chain.insert(chain.begin(),
-                             line(on_border(chain.front().from), chain.front().from));
-            if (contains(chain.back().to))
-                chain.push_back(line(chain.back().to, on_border(chain.back().to)));
-        }
-        shape.loops = closed(std::move(chains), site);
+        shape.loops = tiling(std::move(chains), site);
     }
     // A cell without an edge in the box, or with mere spikes, has all of it or nothing.
     if (shape.loops.empty() && is_bounded_ && site == at_point_) {
         shape.clipped = true;
         const Point corner = {box_.x0, box_.y0};
-        Loop& border = shape.loops.emplace_back(Loop{Conic::straight(corner, corner)});
+        Loop& border = shape.loops.emplace_back(Loop{in_ieee::straight(corner, corner)});
         follow_border(border, corner, true);
         border.erase(border.begin());
     }

@@ -33,9 +33,9 @@ struct CellShape {
 };
 
 /// Of a shape: infinite numbers where the cell is unbounded and there is no box, NaN for their
-/// centroid and that of nothing. Areas beyond a double's range are infinite, too.
+/// centroid and that of a shape without area. Areas beyond a double's range are infinite, too.
 struct Measure {
-    double area;       ///< square units
+    double area;       ///< square units, never below 0
     double perimeter;  ///< along arcs, and along the box where it cuts
     Point centroid;    ///< of the area
 };
@@ -95,7 +95,12 @@ class ClippedVoronoi {
     [[nodiscard]] double position(Point p) const noexcept;
     [[nodiscard]] double ahead(Point from, Point to) const noexcept;
     void follow_border(Loop& loop, Point end, bool all_around) const;
-    [[nodiscard]] std::vector<Loop> closed(std::vector<Loop> open, Index site) const;
+    [[nodiscard]] std::vector<Loop> open_chains(Index site, std::vector<Loop>& whole) const;
+    [[nodiscard]] std::vector<Loop> closed(std::vector<Loop> open) const;
+    [[nodiscard]] std::vector<Loop> tiling(std::vector<Loop> open, Index site) const;
+    [[nodiscard]] double rounding() const noexcept;
+    [[nodiscard]] double speck() const noexcept;
+    [[nodiscard]] bool runs_along_border(const Loop& chain) const;
     [[nodiscard]] bool joins(const Loop& chain, Point next) const noexcept;
     [[nodiscard]] bool is_speck(const Loop& chain) const noexcept;
 

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "../exact/floating_environment.hpp"
 #include "contacts.hpp"
 
 namespace signum {
@@ -26,6 +27,7 @@ void require_same_sites(const Tessellation& a, const Tessellation& b) {
 }  // namespace
 
 EdgeComparison compare_edges(const Tessellation& tessellation, const Tessellation& canonical) {
+    const exact::IeeeEnvironment environment;
     require_same_sites(tessellation, canonical);
     const std::vector<Edge> compared = edges_between_sites(tessellation);
     const std::vector<Edge> expected = edges_between_sites(canonical);

@@ -7,6 +7,8 @@
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 
+#include "../exact/floating_environment.hpp"
+#include "in_ieee.hpp"
 #include "vector.hpp"
 
 namespace signum {
@@ -86,12 +88,11 @@ void roots(double b0, double b1, double b2, std::vector<double>& found) {
     add(b0, sum);
 }
 
-}  // namespace
-
-Point Conic::at(double s) const noexcept {
+Point point_at(const Conic& conic, double s) noexcept {
+    const auto& [from, control, to, weight] = conic;
     if (s == 0) return from;
     if (s == 1) return to;
-    if (is_straight()) return between(from, to, s);
+    if (conic.is_straight()) return between(from, to, s);
     const double u = 1 - s;
     const double at_control = 2 * u * s * weight;
     const double whole = u * u + at_control + s * s;
@@ -100,49 +101,33 @@ Point Conic::at(double s) const noexcept {
             control.y + (u * u * (from.y - control.y) + s * s * (to.y - control.y)) / whole};
 }
 
-Conic Conic::part(double first, double last) const noexcept {
-    if (first == 0 && last == 1) return *this;
-    const Point start = at(first);
-    const Point end = at(last);
-    if (is_straight()) return straight(start, end);
-    const auto weight_at = [&](double s, double t) {
-        return (1 - s) * (1 - t) + weight * ((1 - s) * t + s * (1 - t)) + s * t;
-    };
-    const double middle = weight_at(first, last);
-    const Weighted blossom = {
-        (1 - first) * (1 - last) * (from.x - control.x) + first * last * (to.x - control.x),
-        (1 - first) * (1 - last) * (from.y - control.y) + first * last * (to.y - control.y),
-        middle};
-    const Point offset = blossom.point();
-    const double standard = middle / std::sqrt(weight_at(first, first) * weight_at(last, last));
-    if (!(standard > 1)) return straight(start, end);
-    return {start, {control.x + offset.x, control.y + offset.y}, end, standard};
-}
-
-std::pair<Conic, Conic> Conic::halves() const noexcept {
-    if (is_straight()) {
+std::pair<Conic, Conic> halves_of(const Conic& conic) noexcept {
+    const auto& [from, control, to, weight] = conic;
+    if (conic.is_straight()) {
         const Point middle = middle_of(from, to);
-        return {straight(from, middle), straight(middle, to)};
+        return {in_ieee::straight(from, middle), in_ieee::straight(middle, to)};
     }
-    const Point middle = at(0.5);
+    const Point middle = point_at(conic, 0.5);
     const double share = weight / (1 + weight);
     const double half_weight = std::sqrt((1 + weight) / 2);
     return {{from, between(from, control, share), middle, half_weight},
             {middle, between(to, control, share), to, half_weight}};
 }
 
-double Conic::bulge() const noexcept {
-    if (is_straight()) return 0;
+double bulge_of(const Conic& conic) noexcept {
+    const auto& [from, control, to, weight] = conic;
+    if (conic.is_straight()) return 0;
     const Point chord = minus(to, from);
-    const Point off = minus(at(0.5), from);
+    const Point off = minus(point_at(conic, 0.5), from);
     const double length = std::hypot(chord.x, chord.y);
     // Divided first: the product of two lengths may be beyond doubles.
     return length > 0 ? std::abs(cross({chord.x / length, chord.y / length}, off))
                       : std::hypot(off.x, off.y);
 }
 
-double Conic::distance_from_parabola() const noexcept {
-    if (is_straight()) return 0;
+double off_parabola(const Conic& conic) noexcept {
+    const auto& [from, control, to, weight] = conic;
+    if (conic.is_straight()) return 0;
     // In coordinates in which the chord runs from (-1, 0) to (1, 0) and the control point is (0,
     // 1), the curve is v² = w² ((1-v)² - u²), the parabola the same with w = 1. At a fixed u
     //     dv/dw = v²/w / (v + w² (1-v)),
@@ -153,12 +138,36 @@ double Conic::distance_from_parabola() const noexcept {
            (2 * (weight + 1));
 }
 
-Conic::Moments Conic::moments(Point origin) const noexcept {
+}  // namespace
+
+Conic in_ieee::part(const Conic& conic, double first, double last) noexcept {
+    if (first == 0 && last == 1) return conic;
+    const auto& [from, control, to, w] = conic;
+    const double weight = w;  // a binding is captured by no lambda of clang++-14
+    const Point start = point_at(conic, first);
+    const Point end = point_at(conic, last);
+    if (conic.is_straight()) return in_ieee::straight(start, end);
+    const auto weight_at = [&](double s, double t) {
+        return (1 - s) * (1 - t) + weight * ((1 - s) * t + s * (1 - t)) + s * t;
+    };
+    const double middle = weight_at(first, last);
+    const Weighted blossom = {
+        (1 - first) * (1 - last) * (from.x - control.x) + first * last * (to.x - control.x),
+        (1 - first) * (1 - last) * (from.y - control.y) + first * last * (to.y - control.y),
+        middle};
+    const Point offset = blossom.point();
+    const double standard = middle / std::sqrt(weight_at(first, first) * weight_at(last, last));
+    if (!(standard > 1)) return in_ieee::straight(start, end);
+    return {start, {control.x + offset.x, control.y + offset.y}, end, standard};
+}
+
+Conic::Moments in_ieee::moments(const Conic& conic, Point origin) noexcept {
+    const auto& [from, control, to, weight] = conic;
     const Point a = minus(from, origin);
     const Point b = minus(to, origin);
     const double triangle = cross(a, b) / 2;
-    Moments result = {triangle, triangle * (a.x + b.x) / 3, triangle * (a.y + b.y) / 3};
-    if (is_straight()) return result;
+    Conic::Moments result = {triangle, triangle * (a.x + b.x) / 3, triangle * (a.y + b.y) / 3};
+    if (conic.is_straight()) return result;
     const Segment segment = segment_of_hyperbola(weight);
     const Point c = minus(control, origin);
     const double area = segment.area * cross(minus(control, from), minus(to, from)) / 2;
@@ -169,9 +178,11 @@ Conic::Moments Conic::moments(Point origin) const noexcept {
     return result;
 }
 
-double Conic::length() const {
+double in_ieee::length(const Conic& conic) {
+    const auto& [from, control, to, w] = conic;
+    const double weight = w;
     const double chord = std::hypot(to.x - from.x, to.y - from.y);
-    if (is_straight()) return chord;
+    if (conic.is_straight()) return chord;
     const Point j = minus(control, from);
     const Point k = minus(to, control);
     const Point c = minus(to, from);
@@ -187,7 +198,33 @@ double Conic::length() const {
                                                                          1e-10);
 }
 
-std::vector<Inside> parts_inside(const Conic& conic, const Box& box) {
+Conic Conic::straight(Point from, Point to) noexcept {
+    return exact::in_ieee_environment(in_ieee::straight, from, to);
+}
+Point Conic::at(double s) const noexcept {
+    return exact::in_ieee_environment(point_at, *this, s);
+}
+Conic Conic::part(double first, double last) const noexcept {
+    return exact::in_ieee_environment(in_ieee::part, *this, first, last);
+}
+std::pair<Conic, Conic> Conic::halves() const noexcept {
+    return exact::in_ieee_environment(halves_of, *this);
+}
+double Conic::bulge() const noexcept {
+    return exact::in_ieee_environment(bulge_of, *this);
+}
+double Conic::distance_from_parabola() const noexcept {
+    return exact::in_ieee_environment(off_parabola, *this);
+}
+Conic::Moments Conic::moments(Point origin) const noexcept {
+    return exact::in_ieee_environment(in_ieee::moments, *this, origin);
+}
+double Conic::length() const {
+    const exact::IeeeEnvironment environment;
+    return in_ieee::length(*this);
+}
+
+std::vector<Inside> in_ieee::parts_inside(const Conic& conic, const Box& box) {
     const auto [low_x, high_x] = std::minmax({conic.from.x, conic.control.x, conic.to.x});
     const auto [low_y, high_y] = std::minmax({conic.from.y, conic.control.y, conic.to.y});
     // The curve lies in the triangle of its control points.
@@ -211,7 +248,7 @@ std::vector<Inside> parts_inside(const Conic& conic, const Box& box) {
 
     std::vector<Inside> parts;
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-        const Point p = conic.at(cuts[i] + (cuts[i + 1] - cuts[i]) / 2);
+        const Point p = point_at(conic, cuts[i] + (cuts[i + 1] - cuts[i]) / 2);
         if (cuts[i] == cuts[i + 1] ||
             !(box.x0 < p.x && p.x < box.x1 && box.y0 < p.y && p.y < box.y1))
             continue;
@@ -223,6 +260,11 @@ std::vector<Inside> parts_inside(const Conic& conic, const Box& box) {
     return parts;
 }
 
+std::vector<Inside> parts_inside(const Conic& conic, const Box& box) {
+    const exact::IeeeEnvironment environment;
+    return in_ieee::parts_inside(conic, box);
+}
+
 namespace {
 
 template <typename IsFine, typename Take>
@@ -231,7 +273,7 @@ void split(const Conic& conic, int halvings, const IsFine& is_fine, const Take& 
         take(conic);
         return;
     }
-    const auto [first, second] = conic.halves();
+    const auto [first, second] = halves_of(conic);
     split(first, halvings - 1, is_fine, take);
     split(second, halvings - 1, is_fine, take);
 }
@@ -247,18 +289,19 @@ void require_positive(double tolerance) {
 }  // namespace
 
 void sample(const Conic& conic, double tolerance, std::vector<Point>& points) {
+    const exact::IeeeEnvironment environment;
     require_positive(tolerance);
     split(
-        conic, most_halvings, [&](const Conic& part) { return part.bulge() <= tolerance; },
+        conic, most_halvings, [&](const Conic& part) { return bulge_of(part) <= tolerance; },
         [&](const Conic& part) { points.push_back(part.to); });
 }
 
 std::vector<Conic> parabolas(const Conic& conic, double tolerance) {
+    const exact::IeeeEnvironment environment;
     require_positive(tolerance);
     std::vector<Conic> parts;
     split(
-        conic, most_halvings,
-        [&](const Conic& part) { return part.distance_from_parabola() <= tolerance; },
+        conic, most_halvings, [&](const Conic& part) { return off_parabola(part) <= tolerance; },
         [&](const Conic& part) { parts.push_back(part); });
     return parts;
 }

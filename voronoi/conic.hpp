@@ -40,9 +40,7 @@ struct Conic {
     friend bool operator==(const Conic&, const Conic&) = default;
 
     /// The segment between two points.
-    [[nodiscard]] static Conic straight(Point from, Point to) noexcept {
-        return {from, {from.x + (to.x - from.x) / 2, from.y + (to.y - from.y) / 2}, to, 1.0};
-    }
+    [[nodiscard]] static Conic straight(Point from, Point to) noexcept;
     /// Whether it is a segment.
     [[nodiscard]] bool is_straight() const noexcept { return weight == 1.0; }
     /// The same from its end to its beginning.

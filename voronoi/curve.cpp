@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../exact/floating_environment.hpp"
 #include "../exact/surd.hpp"
 #include "../predicates/additive.hpp"
 #include "../predicates/euclidean/polynomials.hpp"
 #include "../predicates/rectangular/forms.hpp"
 #include "../triangulation/kernels/predicates_of.hpp"
+#include "in_ieee.hpp"
 #include "vector.hpp"
 
 namespace signum {
@@ -195,8 +197,8 @@ void append(const HyperbolaCurve& curve, double from, Point start, double to, Po
         // the line through the points at s and t meets the axis a cosh((s-t)/2) / cosh((s+t)/2)
         // from the middle, no farther than a. So polygons through points of a cell's border are
         // star-shaped around its centre, as the cell is.
-        append(curve, from, start, 0, curve.at(0), pieces);
-        append(curve, 0, curve.at(0), to, end, pieces);
+        append(curve, from, start, 0, in_ieee::at(curve, 0), pieces);
+        append(curve, 0, in_ieee::at(curve, 0), to, end, pieces);
         return;
     }
     const double range = to - from;
@@ -204,7 +206,7 @@ void append(const HyperbolaCurve& curve, double from, Point start, double to, Po
     for (int i = 0; i < count; ++i) {
         const double first = from + range * i / count;
         const double last = i + 1 < count ? from + range * (i + 1) / count : to;
-        const Point next = i + 1 < count ? curve.at(last) : end;
+        const Point next = i + 1 < count ? in_ieee::at(curve, last) : end;
         const double weight = std::cosh((last - first) / 2);
         // Where the tangents meet: on the line from the middle of the hyperbola to the middle of
         // the arc.
@@ -213,7 +215,7 @@ void append(const HyperbolaCurve& curve, double from, Point start, double to, Po
             plus(plus(curve.middle, curve.forward, curve.a * std::cosh(middle) / weight),
                  curve.upward, curve.b * std::sinh(middle) / weight);
         pieces.push_back(weight > 1 ? Conic{start, control, next, weight}
-                                    : Conic::straight(start, next));
+                                    : in_ieee::straight(start, next));
         start = next;
     }
 }
@@ -221,68 +223,120 @@ void append(const HyperbolaCurve& curve, double from, Point start, double to, Po
 void append(const StraightCurve& curve, double from, Point start, double to, Point end,
             std::vector<Conic>& pieces) {
     const auto line_to = [&](Point next) {
-        if (start != next) pieces.push_back(Conic::straight(start, next));
+        if (start != next) pieces.push_back(in_ieee::straight(start, next));
         start = next;
     };
     if (curve.slopes[0] != 0 || curve.slopes[1] != 0)
         for (const double knot : curve.knots)
-            if (from < knot && knot < to) line_to(curve.at(knot));
+            if (from < knot && knot < to) line_to(in_ieee::at(curve, knot));
     line_to(end);
 }
 
 }  // namespace
 
-Point StraightCurve::at(double t) const noexcept {
-    double aside = shift;
-    if (t < knots[0]) aside += slopes[0] * (knots[0] - t);
-    if (t > knots[1]) aside += slopes[1] * (t - knots[1]);
-    const double square = dot(upward, upward);
-    return plus(plus(origin, right, aside / square), upward, t / square);
+Point in_ieee::at(const StraightCurve& curve, double t) noexcept {
+    double aside = curve.shift;
+    if (t < curve.knots[0]) aside += curve.slopes[0] * (curve.knots[0] - t);
+    if (t > curve.knots[1]) aside += curve.slopes[1] * (t - curve.knots[1]);
+    const double square = dot(curve.upward, curve.upward);
+    return plus(plus(curve.origin, curve.right, aside / square), curve.upward, t / square);
 }
 
-double StraightCurve::parameter(Point p) const noexcept {
-    return dot(upward, minus(p, origin));
+double in_ieee::parameter(const StraightCurve& curve, Point p) noexcept {
+    return dot(curve.upward, minus(p, curve.origin));
 }
 
-double StraightCurve::beyond(double reach) const noexcept {
+double in_ieee::beyond(const StraightCurve& curve, double reach) noexcept {
     // A direction is at most √2 long. Beyond the knots a unit of t leads as far aside as they
     // slope.
-    return 2 * reach / std::max(1.0, std::min(std::abs(slopes[0]), std::abs(slopes[1])));
+    return 2 * reach /
+           std::max(1.0, std::min(std::abs(curve.slopes[0]), std::abs(curve.slopes[1])));
 }
 
-Point HyperbolaCurve::at(double t) const noexcept {
-    return plus(plus(middle, forward, a * std::cosh(t)), upward, b * std::sinh(t));
+Point in_ieee::at(const HyperbolaCurve& curve, double t) noexcept {
+    return plus(plus(curve.middle, curve.forward, curve.a * std::cosh(t)), curve.upward,
+                curve.b * std::sinh(t));
 }
 
-double HyperbolaCurve::parameter(Point p) const noexcept {
-    const Point from_middle = minus(p, middle);
-    const double cosh = dot(from_middle, forward) / a;
-    const double sinh = dot(from_middle, upward) / b;
+double in_ieee::parameter(const HyperbolaCurve& curve, Point p) noexcept {
+    const Point from_middle = minus(p, curve.middle);
+    const double cosh = dot(from_middle, curve.forward) / curve.a;
+    const double sinh = dot(from_middle, curve.upward) / curve.b;
     // The coordinate that changes faster tells the parameter better.
     // The product of the roots is finite where that of their squares is not.
-    const bool by_cosh = std::isfinite(cosh) && cosh > 1 &&
-                         std::abs(a) * std::sqrt(cosh - 1) * std::sqrt(cosh + 1) > b * cosh;
+    const bool by_cosh =
+        std::isfinite(cosh) && cosh > 1 &&
+        std::abs(curve.a) * std::sqrt(cosh - 1) * std::sqrt(cosh + 1) > curve.b * cosh;
     return by_cosh ? std::copysign(std::acosh(cosh), sinh) : std::asinh(sinh);
 }
 
-double HyperbolaCurve::beyond(double reach) const noexcept {
-    return std::asinh(reach / std::hypot(a, b));
+double in_ieee::beyond(const HyperbolaCurve& curve, double reach) noexcept {
+    return std::asinh(reach / std::hypot(curve.a, curve.b));
 }
 
-std::optional<Curve> bisector(Metric metric, WeightIs weight_is, const NumberedSite& a,
-                              const NumberedSite& b, int exponent, Point focus) {
+namespace {
+
+template <class C>
+Point point_of_curve(const C& curve, double t) noexcept {
+    return exact::in_ieee_environment([](const C& on, double at) { return in_ieee::at(on, at); },
+                                      curve, t);
+}
+template <class C>
+double parameter_of(const C& curve, Point p) noexcept {
+    return exact::in_ieee_environment(
+        [](const C& on, Point of) { return in_ieee::parameter(on, of); }, curve, p);
+}
+template <class C>
+double parameter_beyond(const C& curve, double reach) noexcept {
+    return exact::in_ieee_environment(
+        [](const C& on, double away) { return in_ieee::beyond(on, away); }, curve, reach);
+}
+
+}  // namespace
+
+Point StraightCurve::at(double t) const noexcept {
+    return point_of_curve(*this, t);
+}
+double StraightCurve::parameter(Point p) const noexcept {
+    return parameter_of(*this, p);
+}
+double StraightCurve::beyond(double reach) const noexcept {
+    return parameter_beyond(*this, reach);
+}
+Point HyperbolaCurve::at(double t) const noexcept {
+    return point_of_curve(*this, t);
+}
+double HyperbolaCurve::parameter(Point p) const noexcept {
+    return parameter_of(*this, p);
+}
+double HyperbolaCurve::beyond(double reach) const noexcept {
+    return parameter_beyond(*this, reach);
+}
+
+std::optional<Curve> in_ieee::bisector(Metric metric, WeightIs weight_is, const NumberedSite& a,
+                                       const NumberedSite& b, int exponent, Point focus) {
     const auto divided = [exponent](const Site& s) -> Site {
         return {std::ldexp(s.x, -exponent), std::ldexp(s.y, -exponent), std::ldexp(s.r, -exponent)};
     };
     const Pair pair = {a, b, divided(a.site), divided(b.site), weight_is, exponent, focus};
     return with_metric(metric, [&](auto each) { return bisector_in(each, pair); });
 }
+std::optional<Curve> bisector(Metric metric, WeightIs weight_is, const NumberedSite& a,
+                              const NumberedSite& b, int exponent, Point focus) {
+    const exact::IeeeEnvironment environment;
+    return in_ieee::bisector(metric, weight_is, a, b, exponent, focus);
+}
 
-std::vector<Conic> stretch(const Curve& curve, double from, Point start, double to, Point end) {
+std::vector<Conic> in_ieee::stretch(const Curve& curve, double from, Point start, double to,
+                                    Point end) {
     std::vector<Conic> pieces;
     if (from < to)
         std::visit([&](const auto& of) { append(of, from, start, to, end, pieces); }, curve);
     return pieces;
+}
+std::vector<Conic> stretch(const Curve& curve, double from, Point start, double to, Point end) {
+    const exact::IeeeEnvironment environment;
+    return in_ieee::stretch(curve, from, start, to, end);
 }
 
 }  // namespace signum

@@ -1,5 +1,6 @@
 #include "far_end.hpp"
 
+#include "../exact/floating_environment.hpp"
 #include "../exact/multiprecision.hpp"
 #include "../predicates/euclidean/polynomials.hpp"
 #include "../triangulation/kernels/predicates_of.hpp"
@@ -87,6 +88,7 @@ Sign side_in(M /*metric*/, const Question& /*of*/) {
 
 Sign far_end(Metric metric, WeightIs weight_is, const Site& a, const Site& b, const Site& apex,
              EndOfEdge end) {
+    const exact::IeeeEnvironment environment;
     return with_metric(metric, [&](auto each) {
         return side_in(each, {weight_is, a, b, apex, end});
     });

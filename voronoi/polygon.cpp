@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "../exact/floating_environment.hpp"
+
 namespace signum {
 
 namespace {
@@ -60,6 +62,7 @@ std::vector<Point> without_spikes(const std::vector<Point>& points) {
 }  // namespace
 
 std::vector<std::vector<Point>> polygons(const CellShape& shape, double tolerance) {
+    const exact::IeeeEnvironment environment;
     std::vector<std::vector<Point>> result;
     for (const std::vector<Conic>& loop : shape.loops) {
         std::vector<Point> points;

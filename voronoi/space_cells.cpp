@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "../exact/floating_environment.hpp"
 #include "../spatial/order.hpp"
 #include "space_faces.hpp"
 
@@ -224,6 +225,7 @@ namespace {
 /// Point3, Site3 or power::Site3.
 template <class S>
 Box3 box_around(std::span<const S> sites) {
+    const exact::IeeeEnvironment environment;
     if (sites.empty()) throw std::invalid_argument("no site, no box");
     Box3 box = {{sites[0].x, sites[0].y, sites[0].z}, {sites[0].x, sites[0].y, sites[0].z}};
     for (const S& site : sites) {
@@ -267,14 +269,17 @@ Box3 default_box(std::span<const power::Site3> sites) {
 
 SpaceCells space_cells(const SpaceTessellation& tessellation, std::span<const Point3> sites,
                        const Box3& box) {
+    const exact::IeeeEnvironment environment;
     return Measuring(tessellation, sites, box).run();
 }
 SpaceCells space_cells(const SpaceTessellation& tessellation, std::span<const Site3> sites,
                        const Box3& box) {
+    const exact::IeeeEnvironment environment;
     return Measuring(tessellation, sites, box).run();
 }
 SpaceCells space_cells(const SpaceTessellation& tessellation, std::span<const power::Site3> sites,
                        const Box3& box) {
+    const exact::IeeeEnvironment environment;
     return Measuring(tessellation, sites, box).run();
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "../exact/floating_environment.hpp"
 #include "space_faces.hpp"
 
 namespace signum {
@@ -345,16 +346,19 @@ class Building {
 std::vector<SpacePolyhedron> space_polyhedra(const SpaceTessellation& tessellation,
                                              std::span<const Point3> sites, const Box3& box,
                                              std::span<const Index> which) {
+    const exact::IeeeEnvironment environment;
     return Building(tessellation, sites, box).run(which);
 }
 std::vector<SpacePolyhedron> space_polyhedra(const SpaceTessellation& tessellation,
                                              std::span<const Site3> sites, const Box3& box,
                                              std::span<const Index> which) {
+    const exact::IeeeEnvironment environment;
     return Building(tessellation, sites, box).run(which);
 }
 std::vector<SpacePolyhedron> space_polyhedra(const SpaceTessellation& tessellation,
                                              std::span<const power::Site3> sites, const Box3& box,
                                              std::span<const Index> which) {
+    const exact::IeeeEnvironment environment;
     return Building(tessellation, sites, box).run(which);
 }
 

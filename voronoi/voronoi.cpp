@@ -8,9 +8,11 @@
 #include <stdexcept>
 #include <utility>
 
+#include "../exact/floating_environment.hpp"
 #include "../triangulation/kernels/predicates_of.hpp"
 #include "../triangulation/structure/corners.hpp"
 #include "far_end.hpp"
+#include "in_ieee.hpp"
 #include "vector.hpp"
 
 namespace signum {
@@ -52,6 +54,7 @@ std::string_view name_of(EdgeKind kind) noexcept {
 
 Voronoi::Voronoi(Tessellation tessellation, const VoronoiOptions& options)
     : tessellation_(std::move(tessellation)), hidden_(tessellation_.sites().size(), false) {
+    const exact::IeeeEnvironment environment;
     tessellation_.expect_neighbours();
     for (const Hidden& hidden : tessellation_.hidden())
         hidden_[static_cast<std::size_t>(hidden.site)] = true;
@@ -197,6 +200,7 @@ EdgeKind kind_of(const EdgeGeometry& g, const VoronoiEdge& edge) {
 }  // namespace
 
 std::optional<EdgeGeometry> Voronoi::geometry(Index index, std::optional<Point> focus) const {
+    const exact::IeeeEnvironment environment;
     const VoronoiEdge& edge = edges_[checked("edge", index, edges_.size())];
     if (focus && !is_finite(*focus)) throw std::invalid_argument("the focus is not finite");
     const auto site = [&](Index i) -> const Site& {
@@ -227,14 +231,14 @@ std::optional<EdgeGeometry> Voronoi::geometry(Index index, std::optional<Point> 
             }
     }
 
-    const auto curve = bisector(tessellation_.metric(), tessellation_.weight_is(), {a, edge.left},
-                                {b, edge.right}, exponent_, *focus);
+    const auto curve = in_ieee::bisector(tessellation_.metric(), tessellation_.weight_is(),
+                                         {a, edge.left}, {b, edge.right}, exponent_, *focus);
     if (!curve) return std::nullopt;
     // A face without infinity whose vertex is not finite: on a common tangent line of its three
     // discs, or beyond the doubles. Which end of the curve is meant, the third site tells.
     const auto parameter = [&](Point p, Index face, EndOfEdge at) {
         if (is_finite(p))
-            return std::visit([&](const auto& of) { return of.parameter(p); }, *curve);
+            return std::visit([&](const auto& of) { return in_ieee::parameter(of, p); }, *curve);
         const double expected = at == EndOfEdge::to ? unbounded : -unbounded;
         Index apex = infinite;
         for (const Index v : tessellation_.faces()[static_cast<std::size_t>(face)]) {

@@ -1,6 +1,7 @@
 /// What is built, asked or simulated does not depend on the floating-point environment that the
 /// caller has set, nor on one that what it gave to be called sets on the way.
 
+#include <bit>
 #include <cstdint>
 #include <functional>
 #include <random>
@@ -15,7 +16,11 @@
 #include "../../spatial/validate.hpp"
 #include "../../triangulation/triangulate.hpp"
 #include "../../triangulation/validate.hpp"
+#include "../../voronoi/clip.hpp"
+#include "../../voronoi/compare.hpp"
 #include "../../voronoi/contacts.hpp"
+#include "../../voronoi/polygon.hpp"
+#include "../../voronoi/space_polyhedra.hpp"
 
 #include "environments.hpp"
 
@@ -58,8 +63,8 @@ TEST(AnyEnvironment, TessellationsOfSpace) {
     EXPECT_EQ(triangulate(flat, Power{}).dimension, 2);
     for (std::uint64_t seed = 0; seed < 40; ++seed) {
         SCOPED_TRACE(seed);
-        const std::vector<Site3> sites =
-            denormal_sites(5 + seed % 4, 3 + static_cast<int>(seed % 3), 1 + static_cast<int>(seed % 3), seed);
+        const std::vector<Site3> sites = denormal_sites(
+            5 + seed % 4, 3 + static_cast<int>(seed % 3), 1 + static_cast<int>(seed % 3), seed);
         expect_same_in_all([&] { return triangulate(sites, Power{}); });
         const std::vector<power::Site3> weighted = with_weights(sites, seed);
         expect_same_in_all([&] { return triangulate(weighted, Power{}); });
@@ -82,6 +87,180 @@ TEST(AnyEnvironment, ContactsOfSites) {
                     for (Index j = 0; j < i; ++j) all.push_back(touch(i, j));
                 return all;
             });
+        }
+    }
+}
+
+/// Numbers to be compared bit by bit.
+class Bits {
+ public:
+    void add(double number) { all_.push_back(std::bit_cast<std::uint64_t>(number)); }
+    void add(Point p) {
+        add(p.x);
+        add(p.y);
+    }
+    void add(const Conic& conic) {
+        for (const Point p : {conic.from, conic.control, conic.to}) add(p);
+        add(conic.weight);
+    }
+    void add(const std::vector<Conic>& conics) {
+        for (const Conic& conic : conics) add(conic);
+    }
+    void add(const Box& box) {
+        for (const double side : {box.x0, box.y0, box.x1, box.y1}) add(side);
+    }
+    friend bool operator==(const Bits&, const Bits&) = default;
+
+ private:
+    std::vector<std::uint64_t> all_;
+};
+
+/// All that is told of a diagram and of its cells in a box.
+Bits told_of(const Tessellation& tessellation, const Box& given, double tolerance) {
+    Bits bits;
+    const Voronoi diagram(tessellation, {.merge = true});
+    const auto sites = tessellation.sites();
+    for (const DiagramVertex& vertex : diagram.vertices())
+        for (const double number : {vertex.x, vertex.y, vertex.rho}) bits.add(number);
+    bits.add(diagram.exponent());
+    for (Index e = 0; e < static_cast<Index>(diagram.edges().size()); ++e) {
+        const auto edge = diagram.geometry(e);
+        if (!edge) continue;
+        for (const double number : {edge->from, edge->to}) bits.add(number);
+        bits.add(edge->start);
+        bits.add(edge->end);
+        std::visit(
+            [&](const auto& curve) {
+                bits.add(curve.at(0.7));
+                bits.add(curve.parameter({0.3, 0.1}));
+                bits.add(curve.beyond(0.7));
+            },
+            edge->curve);
+        if (std::isfinite(edge->from) && std::isfinite(edge->to))
+            bits.add(stretch(edge->curve, edge->from, edge->start, edge->to, edge->end));
+    }
+    bits.add(default_box(sites, diagram.exponent()));
+    for (const Box& box : {given, default_box(sites, diagram.exponent())}) {
+        bits.add(fits(box, diagram) ? 1.0 : 0.0);
+        if (!fits(box, diagram)) continue;
+        const ClippedVoronoi clipped(diagram, box);
+        for (Index e = 0; e < static_cast<Index>(diagram.edges().size()); ++e)
+            bits.add(clipped.edge(e));
+        for (Index i = 0; i < static_cast<Index>(sites.size()); ++i) {
+            const CellShape shape = clipped.cell(i);
+            for (const auto& loop : shape.loops) bits.add(loop);
+            const Measure of = measure(shape);
+            bits.add(of.area);
+            bits.add(of.perimeter);
+            bits.add(of.centroid);
+            for (const auto& polygon : polygons(shape, tolerance))
+                for (const Point p : polygon) bits.add(p);
+        }
+    }
+    return bits;
+}
+
+TEST(AnyEnvironment, DiagramsAndCells) {
+    std::mt19937_64 random(11);
+    const auto below = [&](int end) {
+        return static_cast<double>(random() % static_cast<std::uint64_t>(end));
+    };
+    for (int round = 0; round < 24; ++round) {
+        // Denormal, usual, and both at once.
+        const double unit = round % 3 == 0 ? u : 0x1.3p-4;
+        std::vector<Site> sites;
+        for (int i = 0; i < 3 + round % 5; ++i)
+            sites.push_back({below(9) * unit, below(9) * unit, below(4) * unit});
+        if (round % 3 == 1) sites.push_back({u, 0, 0});
+        const Box box = {-2 * unit, 1 * unit, 6 * unit, (5 + round % 2) * unit};
+        for (const Metric metric : all_metrics) {
+            SCOPED_TRACE(std::string(name_of(metric)) + ", round " + std::to_string(round));
+            const Tessellation tessellation = triangulate(sites, metric);
+            expect_same_in_all([&] { return told_of(tessellation, box, unit); });
+        }
+    }
+}
+
+TEST(AnyEnvironment, BoxesOfDenormalSizeHaveCells) {
+    const std::vector<Site> sites = {{0, 0, 0}, {8 * u, 0, 0}, {0, 8 * u, 0}};
+    const Tessellation tessellation = triangulate(sites, Power{});
+    const auto area_in_box = [&] {
+        const Voronoi diagram(tessellation);
+        const ClippedVoronoi clipped(diagram, {-u, -u, 3 * u, 5 * u});
+        return clipped.cell(0).loops.size();
+    };
+    EXPECT_EQ(area_in_box(), 1U);
+    expect_same_in_all(area_in_box);
+}
+
+TEST(AnyEnvironment, ArcsAndTheirParts) {
+    const Conic arc = {{0.1, 0.2}, {0.7, 0.3}, {1.1, 0.9}, 1.7};
+    const Conic denormal = Conic::straight({u, u}, {6 * u, 4 * u});
+    expect_same_in_all([&] {
+        Bits bits;
+        for (const Conic& conic : {arc, denormal}) {
+            bits.add(conic.at(0.3));
+            bits.add(conic.part(0.1, 0.7));
+            bits.add(conic.halves().first);
+            bits.add(conic.halves().second);
+            for (const double number :
+                 {conic.bulge(), conic.distance_from_parabola(), conic.length()})
+                bits.add(number);
+            const Conic::Moments moments = conic.moments({0.3, 0.1});
+            for (const double number : {moments.area, moments.x, moments.y}) bits.add(number);
+            for (const Inside& inside : parts_inside(conic, {2 * u, 2 * u, 0.6, 0.7})) {
+                bits.add(inside.first);
+                bits.add(inside.last);
+            }
+            std::vector<Point> points;
+            sample(conic, 1e-3, points);
+            for (const Point p : points) bits.add(p);
+            bits.add(parabolas(conic, 1e-3));
+            bits.add(Conic::straight(conic.from, conic.to));
+        }
+        return bits;
+    });
+}
+
+TEST(AnyEnvironment, SitesThatAreCompared) {
+    const auto of = [](double least) {
+        return triangulate(std::vector<Site>{{0, 0, 0}, {1, 0, 0}, {least, 1, 0}}, Power{});
+    };
+    const Tessellation one = of(u);
+    const Tessellation other = of(2 * u);
+    expect_same_in_all([&] {
+        try {
+            static_cast<void>(compare_edges(one, other));
+        } catch (const std::invalid_argument&) {
+            return true;
+        }
+        return false;
+    });
+}
+
+TEST(AnyEnvironment, CellsOfSpace) {
+    for (std::uint64_t seed = 0; seed < 12; ++seed) {
+        SCOPED_TRACE(seed);
+        std::vector<Site3> sites = denormal_sites(6 + seed % 4, 5, 5, seed);
+        if (seed % 2 == 1)
+            for (Site3& s : sites) s = {s.x / u * 0.3, s.y / u * 0.3, s.z / u * 0.3, 0.1};
+        // Of denormal lengths the squares are none.
+        std::vector<power::Site3> weighted;
+        for (const Site3& s : sites)
+            weighted.push_back({s.x, s.y, s.z, seed % 2 == 1 ? 0.1 * s.x : 0.0});
+        const SpaceTessellation tessellation = triangulate(sites, Power{});
+        const SpaceTessellation of_weights = triangulate(weighted, Power{});
+        std::vector<Index> all(sites.size());
+        for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<Index>(i);
+        const double side = seed % 2 == 1 ? 0.7 : 3 * u;
+        const Box3 box = {{-side, -side, -side}, {side, side, side}};
+        expect_same_in_all([&] { return default_box(std::span<const Site3>(sites)); });
+        expect_same_in_all([&] { return default_box(std::span<const power::Site3>(weighted)); });
+        for (const Box3& of : {box, default_box(std::span<const Site3>(sites))}) {
+            expect_same_in_all([&] { return space_cells(tessellation, sites, of); });
+            expect_same_in_all([&] { return space_cells(of_weights, weighted, of); });
+            expect_same_in_all([&] { return space_polyhedra(tessellation, sites, of, all); });
+            expect_same_in_all([&] { return space_polyhedra(of_weights, weighted, of, all); });
         }
     }
 }
