@@ -10,6 +10,7 @@
 #include "../exact/dyadic.hpp"
 #include "../exact/floating_environment.hpp"
 #include "../exact/nearest_double.hpp"
+#include "../filters/bounds.hpp"
 #include "../predicates/power.hpp"
 #include "../triangulation/dynamic/local_checks.hpp"
 #include "../triangulation/insertion/hiders.hpp"
@@ -159,17 +160,14 @@ double KineticTessellation::time() const noexcept {
     return state_->time;
 }
 std::optional<double> KineticTessellation::next_event() const {
-    const kinetic::Event* event = state_->triangulation.next_event();
-    if (event == nullptr) return std::nullopt;
     const exact::IeeeEnvironment environment;
-    const double time = state_->triangulation.not_before(*event);
-    if (!std::isfinite(time)) return std::nullopt;
-    return time;
+    const std::optional<double> time = state_->triangulation.next_time();
+    return time && std::isfinite(*time) ? time : std::nullopt;
 }
 void KineticTessellation::advance(double time) {
     check({time}, "the time");
     require_quiet();
-    if (time < state_->time)
+    if (filters::compare_numbers(time, state_->time) < 0)
         throw std::invalid_argument("a tessellation that moves does not go back in time");
     const exact::IeeeEnvironment environment;
     state_->triangulation.advance(time);

@@ -63,8 +63,8 @@ class KineticTessellation {
     /// expected; while all sites are on one line O(n log n), so that many at once are for the
     /// constructor.
     Index insert(const MovingSite& site);
-    /// Takes a site away. Throws std::out_of_range unless contains(handle). O(degree²) at most,
-    /// and a search for each hidden site around it.
+    /// Takes a site away. Throws std::out_of_range unless contains(handle). O(degree log degree)
+    /// expected, O(degree²) at most, and a search for each hidden site around it.
     void erase(Index handle);
     /// From now on the site moves otherwise, or has another weight. Where its neighbours stay,
     /// O(degree); else as erase and insert.
@@ -80,7 +80,8 @@ class KineticTessellation {
     /// Up to when it has gone on.
     [[nodiscard]] double time() const noexcept;
     /// A time at which faces may change: the least double that is not before the next event.
-    /// Nothing where there is none.
+    /// Nothing where there is none. O(1); what it finds out is kept, for the next call and for
+    /// advance().
     [[nodiscard]] std::optional<double> next_event() const;
     /// Goes on to a time, all that happens until then and at it included. Throws
     /// std::invalid_argument unless it is finite and not before time().
@@ -98,9 +99,9 @@ class KineticTessellation {
     [[nodiscard]] Tessellation tessellation() const;
 
     /// Calls on_edge(a, b, comes) with a < b for every edge between two sites that comes or goes
-    /// from now on, while advance() and the other functions are at work; from it these throw
-    /// std::logic_error. All that happens at one time is told at once, and nothing of what comes
-    /// and goes within it.
+    /// from now on, while advance() and the other functions are at work; from it those that change
+    /// something throw std::logic_error. All that happens at one time is told at once, and nothing
+    /// of what comes and goes within it.
     void watch(std::function<void(Index a, Index b, bool comes)> on_edge);
 
     /// What was done up to now.

@@ -190,13 +190,28 @@ bool MovingTriangulation::take_out(Index i) {
 // ---- time ----
 
 void MovingTriangulation::advance(double t) {
-    while (!queue_.empty() && compare(queue_.top().when, t) <= 0) step();
+    while (!queue_.empty() && is_next_by(t)) step();
     moment_.set(t);
 }
 
-double MovingTriangulation::not_before(const Event& event) const {
+std::optional<double> MovingTriangulation::next_time() const {
+    if (queue_.empty()) return std::nullopt;
+    const auto& [event, number, subject] = queue_.top();
+    if (told_event_.load(std::memory_order_acquire) == number)
+        return told_time_.load(std::memory_order_relaxed);
     const CertificateForm form(event.certificate, sites_);
-    return roots::Polynomial(form, near(event.root)).narrowed(event.root, nullptr).high;
+    const roots::Polynomial polynomial(form, near(event.root));
+    const double time = polynomial.narrowed(event.root, nullptr).high;
+    told_time_.store(time, std::memory_order_relaxed);
+    told_event_.store(number, std::memory_order_release);
+    return time;
+}
+
+bool MovingTriangulation::is_next_by(double t) {
+    const auto& [event, number, subject] = queue_.top();
+    if (told_event_.load(std::memory_order_relaxed) == number)
+        return told_time_.load(std::memory_order_relaxed) <= t;
+    return kinetic::compare(sites_, event, t, &tally_) <= 0;
 }
 
 /// All events of the next time.

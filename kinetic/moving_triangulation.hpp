@@ -37,6 +37,7 @@
 /// Sources: thesis, 9.3; Guibas and Russel on kinetic Delaunay triangulations; Edelsbrunner and
 /// Shah on flips of weighted sites.
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -95,20 +96,16 @@ class MovingTriangulation {
     [[nodiscard]] std::size_t numbers() const noexcept { return live_.size(); }
     [[nodiscard]] const MovingSite& site(Index i) const noexcept { return moving_[at(i)]; }
 
-    [[nodiscard]] const Event* next_event() const noexcept {
-        return queue_.empty() ? nullptr : &queue_.top().when;
-    }
     /// Up to right after t. Precondition: not before the moment at hand.
     void advance(double t);
     /// Up to right after the next event. Precondition: there is one.
     void step();
-    /// The sign of an event's time less t.
-    [[nodiscard]] Sign compare(const Event& event, double t) {
-        return kinetic::compare(sites_, event, t, &tally_);
+    [[nodiscard]] const Event* next_event() const noexcept {
+        return queue_.empty() ? nullptr : &queue_.top().when;
     }
-    /// The least double not before the event. What it takes is not counted, for several threads may
-    /// ask at once.
-    [[nodiscard]] double not_before(const Event& event) const;
+    /// The least double not before the next event, infinity where that is beyond the doubles; none
+    /// where there is no event. What it takes is not counted, for several threads may ask at once.
+    [[nodiscard]] std::optional<double> next_time() const;
 
     [[nodiscard]] bool is_line() const noexcept { return is_line_; }
     /// The visible sites in their order. Precondition: is_line().
@@ -152,6 +149,9 @@ class MovingTriangulation {
     [[nodiscard]] static Queue::Subject subject(Index site) noexcept {
         return (static_cast<Queue::Subject>(site) << 2) + 3;
     }
+
+    /// Whether the next event is not after t. Precondition: there is one.
+    [[nodiscard]] bool is_next_by(double t);
 
     [[nodiscard]] Index put(const MovingSite& site);
     void make_room(std::size_t sites);
@@ -223,6 +223,10 @@ class MovingTriangulation {
     std::vector<Index> home_;  ///< of a hidden site the face in which it lies
     triangulation::Lists lodgers_;
     Queue queue_;
+    /// What next_time() told, and of which event, by its number: who asks goes there next. The
+    /// number is written last and read first.
+    mutable std::atomic<double> told_time_ = 0.0;
+    mutable std::atomic<std::uint64_t> told_event_ = 0;
 
     std::vector<HalfEdge> pending_;  ///< edges to be looked at
     std::vector<HalfEdge> blocked_;  ///< edges that fail and cannot be flipped yet

@@ -293,9 +293,29 @@ bool Polynomial::is_zero(Tally* tally) const {
     return asked.counted(tally, exact().p.degree() < 0);
 }
 
+/// About the origin, which a root's polynomial has beside the root: there the powers of t - origin
+/// are small, and what the coefficient of the 0th lost counts alone.
+filters::Verdict Polynomial::refined_sign(double t) const {
+    if (filters::magnitude(t) == infinity || !filters::environment_is_default())
+        return filters::Verdict::uncertain();
+    if (!better_known_) {
+        better_known_ = std::make_unique<RefinedCoefficients>();
+        refined_(form_, filters::pinned(approximate_.origin), *better_known_);
+    }
+    const RefinedCoefficients& c = *better_known_;
+    const Refined s(filters::exact_difference(filters::pinned(t), approximate_.origin), 0.0);
+    auto i = static_cast<std::size_t>(approximate_.degree);
+    Refined value = c[i];
+    while (i-- > 0) value = value * s + c[i];
+    if (!value.has_sign()) return filters::Verdict::uncertain();
+    return filters::Verdict::certain(filters::sign_of_nonzero(value.value.high));
+}
+
 Sign Polynomial::sign_at(double t, Asked& asked) const {
     const auto verdict = sign_of(approximate_, t);
     if (verdict.is_certain()) return verdict.sign();
+    const auto refined = refined_sign(t);
+    if (refined.is_certain()) return refined.sign();
     asked.exact = true;
     return exact().p.sign_at(Dyadic(t));
 }

@@ -19,14 +19,16 @@
 ///     approximations of polynomials of degree 4 do not leave a double's range.
 ///  2. Each question is asked of the approximations first (filter.hpp) and, where these cannot
 ///     tell, of integers (exact/polynomial.hpp): of coefficients that are rounded only at the very
-///     place, and at last of Sturm's chains. A question that the filter answers allocates nothing.
-///     Outside the default floating-point environment all answers are exact ones.
+///     place, and at last of Sturm's chains. Between them the sign at a double is asked of
+///     double-doubles (refined.hpp): the doubles beside a root are too near for the filter. A
+///     question that the filter answers allocates nothing. Outside the default floating-point
+///     environment all answers are exact ones.
 ///  3. Equal roots of different polynomials are found equal by the greatest common divisor; no loop
 ///     waits for two numbers to part that may be the same.
 ///
 /// A root is a small record apart from its polynomial, as events wait in queues by the million; who
 /// asks about it brings the polynomial again (RootOf), the same one or another made of the same
-/// form. Exact coefficients and chains are kept in the polynomial for the next question, so that
+/// form. Better coefficients and chains are kept in the polynomial for the next question, so that
 /// one polynomial is not for two threads at a time.
 
 #include <array>
@@ -38,7 +40,9 @@
 
 #include "../core/sign.hpp"
 #include "../exact/polynomial.hpp"
+#include "../filters/verdict.hpp"
 #include "polynomial_in.hpp"
+#include "refined.hpp"
 
 namespace signum::roots {
 
@@ -99,6 +103,9 @@ struct RootOf {
     Root root;
 };
 
+/// Coefficients of powers of t - origin, in double-doubles.
+using RefinedCoefficients = std::array<Refined, most_degree + 1>;
+
 /// What filter and exact stages know the polynomial by.
 struct Approximations {
     std::array<Approximation, most_degree + 1> c;
@@ -113,17 +120,27 @@ class Polynomial {
     /// The form has to outlive the polynomial.
     template <class Form>
     explicit Polynomial(const Form& form)
-        : Polynomial(&form, [](const void* f) {
-              return exact_of(static_cast<const Form*>(f)->template in<exact::Dyadic>().c);
-          }) {
+        : Polynomial(
+              &form,
+              [](const void* f) {
+                  return exact_of(static_cast<const Form*>(f)->template in<exact::Dyadic>().c);
+              },
+              [](const void* f, double /*origin*/, RefinedCoefficients& c) {
+                  copy(static_cast<const Form*>(f)->template in<Refined>().c, c);
+              }) {
         know(form.template in<Approximation>().c, 0.0);
     }
     /// The same; the origin is finite.
     template <class Form>
     Polynomial(const Form& form, double origin)
-        : Polynomial(&form, [](const void* f) {
-              return exact_of(static_cast<const Form*>(f)->template in<exact::Dyadic>(0.0).c);
-          }) {
+        : Polynomial(
+              &form,
+              [](const void* f) {
+                  return exact_of(static_cast<const Form*>(f)->template in<exact::Dyadic>(0.0).c);
+              },
+              [](const void* f, double about, RefinedCoefficients& c) {
+                  copy(static_cast<const Form*>(f)->template in<Refined>(about).c, c);
+              }) {
         know(form.template in<Approximation>(filters::pinned(origin)).c, origin);
     }
 
@@ -165,10 +182,16 @@ class Polynomial {
     /// Whether a question went on to the exact stage.
     struct Asked;
 
-    Polynomial(const void* form, exact::Polynomial (*make_exact)(const void*))
-        : form_(form), exact_(make_exact) {}
+    using MakeExact = exact::Polynomial (*)(const void* form);
+    using MakeRefined = void (*)(const void* form, double origin, RefinedCoefficients& c);
+    Polynomial(const void* form, MakeExact make_exact, MakeRefined make_refined)
+        : form_(form), exact_(make_exact), refined_(make_refined) {}
     [[nodiscard]] static exact::Polynomial exact_of(std::span<const exact::Dyadic> c) {
         return exact::Polynomial(c);
+    }
+    template <std::size_t n>
+    static void copy(const std::array<Refined, n>& from, RefinedCoefficients& to) noexcept {
+        for (std::size_t i = 0; i < n; ++i) to[i] = from[i];
     }
     template <std::size_t n>
     void know(const std::array<Approximation, n>& c, double origin) noexcept {
@@ -185,6 +208,7 @@ class Polynomial {
     }
 
     [[nodiscard]] Exact& exact() const;
+    [[nodiscard]] filters::Verdict refined_sign(double t) const;
     [[nodiscard]] Sign sign_at(double t, Asked& asked) const;
     /// Which roots are looked for.
     enum class Which : std::uint8_t { changes, all };
@@ -199,7 +223,9 @@ class Polynomial {
 
     Approximations approximate_;
     const void* form_;
-    exact::Polynomial (*exact_)(const void*);
+    MakeExact exact_;
+    MakeRefined refined_;
+    mutable std::unique_ptr<RefinedCoefficients> better_known_;
     mutable std::unique_ptr<Exact, Forget> known_;
 };
 

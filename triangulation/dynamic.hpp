@@ -41,12 +41,16 @@ class DynamicTessellation {
 
     /// Adds a site and gives its handle, the least that is free. Throws std::invalid_argument
     /// unless its numbers are finite. Expected O(√n) for sites in no order, and less near the last
-    /// change; beside it, in the power metric, a test of each hidden site that the new one's
-    /// neighbours keep. Where all is on one line (power metric), or one site hides all the others,
-    /// O(log n).
+    /// change; beside it O(degree), for each neighbour of the new site is an edge to be made, and
+    /// in the power metric a test of each hidden site that these keep. In an order along a curve
+    /// the degree may be O(n): in the supremum and Manhattan metrics the last one of sites along a
+    /// circle, or a square's outline, is often a neighbour of a constant share of them. Who has
+    /// such sites at once shuffles them. Where all is on
+    /// one line (power metric), or one site hides all the others, O(log n).
     Index insert(const Site& site);
-    /// Takes a site away. Throws std::out_of_range unless contains(handle). O(degree²) at most, and
-    /// an insertion for each site that it hid and that nobody else is known to hide.
+    /// Takes a site away. Throws std::out_of_range unless contains(handle). O(degree log degree)
+    /// expected, O(degree²) at most, and an insertion for each site that it hid and that nobody
+    /// else is known to hide.
     void erase(Index handle);
     /// Gives a site another radius (or weight), and keeps its handle. As erase and insert.
     void change(Index handle, double third);

@@ -17,6 +17,7 @@
 
 #include "../../core/contract.hpp"
 #include "../../core/index.hpp"
+#include "../../exact/floating_environment.hpp"
 #include "../../motion/simulation.hpp"
 #include "../../triangulation/options.hpp"
 #include "signum.h"
@@ -52,10 +53,12 @@ inline signum_status tell(signum_error* error, signum_status status, std::string
     return status;
 }
 
-/// Does the work and says how it ended; `about` is the site that it is about, where it is about
-/// one.
+/// Does the work, in the default environment, and says how it ended; `about` is the site that it is
+/// about, where it is about one.
 template <class Work>
 signum_status guarded(signum_error* error, std::int64_t about, Work&& work) noexcept {
+    // What is refused is the same in every environment, too.
+    const exact::IeeeEnvironment environment;
     try {
         work();
         return tell(error, SIGNUM_OK);

@@ -12,6 +12,7 @@
 struct signum_kinetic {
     signum::KineticTessellation sites;
     std::vector<signum::Face> faces{};  ///< those that were shown last
+    bool is_calling = false;            ///< on_edge
 };
 
 namespace signum::c {
@@ -26,6 +27,7 @@ namespace {
 
 using namespace signum;
 using c::expect;
+using c::expect_at_rest;
 using c::guarded;
 
 signum_status signum_kinetic_create(const signum_moving_site* sites, int64_t count, double start,
@@ -47,13 +49,13 @@ signum_status signum_kinetic_create(const signum_moving_site* sites, int64_t cou
 }
 
 void signum_kinetic_free(signum_kinetic* kinetic) {
-    delete kinetic;
+    c::free_at_rest(kinetic);
 }
 
 signum_status signum_kinetic_insert(signum_kinetic* kinetic, const signum_moving_site* site,
                                     int32_t* handle, signum_error* error) {
     return guarded(error, [&] {
-        expect(kinetic, "kinetic");
+        expect_at_rest(kinetic, "kinetic");
         expect(site, "site");
         const Index given = kinetic->sites.insert(c::moving(*site));
         if (handle != nullptr) *handle = given;
@@ -62,7 +64,7 @@ signum_status signum_kinetic_insert(signum_kinetic* kinetic, const signum_moving
 
 signum_status signum_kinetic_erase(signum_kinetic* kinetic, int32_t handle, signum_error* error) {
     return guarded(error, handle, [&] {
-        expect(kinetic, "kinetic");
+        expect_at_rest(kinetic, "kinetic");
         kinetic->sites.erase(handle);
     });
 }
@@ -70,7 +72,7 @@ signum_status signum_kinetic_erase(signum_kinetic* kinetic, int32_t handle, sign
 signum_status signum_kinetic_change(signum_kinetic* kinetic, int32_t handle,
                                     const signum_moving_site* site, signum_error* error) {
     return guarded(error, handle, [&] {
-        expect(kinetic, "kinetic");
+        expect_at_rest(kinetic, "kinetic");
         expect(site, "site");
         kinetic->sites.change(handle, c::moving(*site));
     });
@@ -87,7 +89,7 @@ int64_t signum_kinetic_size(const signum_kinetic* kinetic) {
 signum_status signum_kinetic_site(const signum_kinetic* kinetic, int32_t handle,
                                   signum_moving_site* site, signum_error* error) {
     return guarded(error, handle, [&] {
-        expect(kinetic, "kinetic");
+        expect_at_rest(kinetic, "kinetic");
         expect(site, "site");
         const MovingSite found = kinetic->sites.site(handle);
         *site = {found.x, found.y, found.vx, found.vy, found.r, found.time};
@@ -97,7 +99,7 @@ signum_status signum_kinetic_site(const signum_kinetic* kinetic, int32_t handle,
 signum_status signum_kinetic_time(const signum_kinetic* kinetic, double* time,
                                   signum_error* error) {
     return guarded(error, [&] {
-        expect(kinetic, "kinetic");
+        expect_at_rest(kinetic, "kinetic");
         expect(time, "time");
         *time = kinetic->sites.time();
     });
@@ -106,7 +108,7 @@ signum_status signum_kinetic_time(const signum_kinetic* kinetic, double* time,
 signum_status signum_kinetic_next_event(const signum_kinetic* kinetic, double* time,
                                         signum_error* error) {
     return guarded(error, [&] {
-        expect(kinetic, "kinetic");
+        expect_at_rest(kinetic, "kinetic");
         expect(time, "time");
         *time = kinetic->sites.next_event().value_or(std::numeric_limits<double>::infinity());
     });
@@ -114,7 +116,7 @@ signum_status signum_kinetic_next_event(const signum_kinetic* kinetic, double* t
 
 signum_status signum_kinetic_advance(signum_kinetic* kinetic, double time, signum_error* error) {
     return guarded(error, [&] {
-        expect(kinetic, "kinetic");
+        expect_at_rest(kinetic, "kinetic");
         kinetic->sites.advance(time);
     });
 }
@@ -122,7 +124,7 @@ signum_status signum_kinetic_advance(signum_kinetic* kinetic, double time, signu
 signum_status signum_kinetic_faces(signum_kinetic* kinetic, const int32_t** faces, int64_t* count,
                                    signum_error* error) {
     return guarded(error, [&] {
-        expect(kinetic, "kinetic");
+        expect_at_rest(kinetic, "kinetic");
         expect(faces, "faces");
         expect(count, "count");
         kinetic->faces = kinetic->sites.faces();
@@ -134,7 +136,7 @@ signum_status signum_kinetic_faces(signum_kinetic* kinetic, const int32_t** face
 signum_status signum_kinetic_tessellation(const signum_kinetic* kinetic,
                                           signum_tessellation** tessellation, signum_error* error) {
     return c::create(tessellation, "tessellation", error, [&] {
-        expect(kinetic, "kinetic");
+        expect_at_rest(kinetic, "kinetic");
         return kinetic->sites.tessellation();
     });
 }
@@ -143,12 +145,14 @@ signum_status signum_kinetic_watch(signum_kinetic* kinetic,
                                    void (*on_edge)(int32_t, int32_t, int, void*), void* user,
                                    signum_error* error) {
     return guarded(error, [&] {
-        expect(kinetic, "kinetic");
+        expect_at_rest(kinetic, "kinetic");
         if (on_edge == nullptr) {
             kinetic->sites.watch({});
             return;
         }
-        kinetic->sites.watch(
-            [=](Index a, Index b, bool comes) { on_edge(a, b, static_cast<int>(comes), user); });
+        kinetic->sites.watch([=](Index a, Index b, bool comes) {
+            const c::Calling calling(kinetic->is_calling);
+            on_edge(a, b, static_cast<int>(comes), user);
+        });
     });
 }

@@ -30,7 +30,9 @@
 ///  6. Structs that may grow begin with their size, which their initializers set (SIGNUM_OPTIONS
 ///     and others). Programs compiled with an older, shorter one go on, with what it lacks as the
 ///     initializer has it. A longer one than the library's is refused.
-///  7. Callbacks may neither throw nor jump out, nor free the handle that is at work.
+///  7. Callbacks may neither throw nor jump out. From one every function with the handle that is at
+///     work and a signum_status is refused; those that count (_size, _contains, _strikes) answer,
+///     and to free the handle does nothing.
 
 #include <math.h>
 #include <stddef.h>
@@ -366,10 +368,11 @@ typedef struct signum_dynamic signum_dynamic;
 signum_status signum_dynamic_create(signum_metric metric, signum_weight_is weight_is,
                                     signum_dynamic** dynamic, signum_error* error);
 void signum_dynamic_free(signum_dynamic* dynamic);
-/// O(sqrt n) expected for sites in no order. `handle` may be null.
+/// O(sqrt n) expected for sites in no order, and O(degree): in an order along a curve the new one
+/// may be a neighbour of most. `handle` may be null.
 signum_status signum_dynamic_insert(signum_dynamic* dynamic, const double site[3], int32_t* handle,
                                     signum_error* error);
-/// O(degree^2) at most, and an insertion for each site that it hid.
+/// O(degree log degree) expected, O(degree^2) at most, and an insertion for each site that it hid.
 signum_status signum_dynamic_erase(signum_dynamic* dynamic, int32_t handle, signum_error* error);
 /// Gives a site another radius or weight. As erase and insert.
 signum_status signum_dynamic_change(signum_dynamic* dynamic, int32_t handle, double third,
@@ -442,7 +445,7 @@ signum_status signum_kinetic_faces(signum_kinetic* kinetic, const int32_t** face
 signum_status signum_kinetic_tessellation(const signum_kinetic* kinetic,
                                           signum_tessellation** tessellation, signum_error* error);
 /// From now on on_edge is called for each edge a < b between two sites that comes or goes while a
-/// function is at work; null ends it. It must not call functions with this handle.
+/// function is at work; null ends it. Law 7: from it nothing is to be asked of this handle.
 signum_status signum_kinetic_watch(signum_kinetic* kinetic,
                                    void (*on_edge)(int32_t a, int32_t b, int comes, void* user),
                                    void* user, signum_error* error);

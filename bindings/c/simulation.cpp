@@ -129,7 +129,7 @@ template <int D>
 
 struct signum_simulation {
     signum::c::AnyWorld world;
-    bool is_running = false;
+    bool is_calling = false;  ///< record or stop, or may do so
 };
 
 using namespace signum;
@@ -141,8 +141,7 @@ namespace {
 /// Gives `ask` the world of a simulation that is not at work.
 template <class Simulation, class Ask>
 void with_world(Simulation* simulation, Ask&& ask) {
-    expect(simulation, "simulation");
-    if (simulation->is_running) throw c::Refused("the simulation is at work: this is its callback");
+    c::expect_at_rest(simulation, "simulation");
     std::visit(ask, simulation->world);
 }
 
@@ -180,7 +179,7 @@ signum_status signum_simulation_create(const signum_ball* balls, int64_t count,
 }
 
 void signum_simulation_free(signum_simulation* simulation) {
-    delete simulation;
+    c::free_at_rest(simulation);
 }
 
 signum_status signum_simulation_run(signum_simulation* simulation, const signum_limits* limits,
@@ -189,11 +188,7 @@ signum_status signum_simulation_run(signum_simulation* simulation, const signum_
     return guarded(error, [&] {
         const signum_limits far = c::read(limits, signum_limits SIGNUM_LIMITS, "limits");
         with_world(simulation, [&](auto& world) {
-            simulation->is_running = true;
-            struct AtWork {
-                bool& flag;
-                ~AtWork() { flag = false; }
-            } const at_work{simulation->is_running};
+            const c::Calling calling(simulation->is_calling);
             const motion::Outcome outcome = c::run(world.simulation, far);
             if (ending != nullptr) *ending = static_cast<signum_ending>(outcome.ending);
             if (last != nullptr) *last = c::told(outcome.last);

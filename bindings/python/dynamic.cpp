@@ -106,7 +106,8 @@ while one runs in another thread the next one raises RuntimeError.)")
              R"(Adds sites, and gives their handles: int32, or an int for one site.
 
 Each gets the least that is free. Raises ValueError, naming the row, for a number that is not finite; then
-nothing has changed. On Ctrl-C the sites up to there are in. Expected O(sqrt n) a site.)")
+nothing has changed. On Ctrl-C the sites up to there are in. Expected O(sqrt n) a site in no order; along
+a curve up to O(n), where each new one is a neighbour of most.)")
         .def("erase", &erased, py::arg("handles"),
              "Takes one site or several away; what they hid reappears. Raises IndexError for no "
              "handle.")

@@ -178,6 +178,7 @@ Running<D> started(const Rows& rows, const py::object& effects, const motion::Op
 std::unique_ptr<Simulation> simulation(const py::object& balls, const py::object& effects,
                                        const std::string& structure,
                                        const std::string& arithmetic) {
+    const exact::IeeeEnvironment environment;
     const Rows rows(balls, "balls", 5, 8);
     motion::Options options;
     options.structure = structure_of(structure);
@@ -278,6 +279,7 @@ py::array part_of_balls(const py::object& self, int which) {
 
 template <int D>
 py::array centres_at(const StateAndEffects<D>& with_effects, double time) {
+    const exact::IeeeEnvironment environment;
     std::vector<motion::Vector<D>> centres;
     centres.reserve(with_effects.state.balls.size());
     for (const motion::Ball<D>& ball : with_effects.state.balls)

@@ -280,6 +280,7 @@ template <int D>
 py::object meetings(const py::object& a, const py::object& b, double until,
                     const py::object& periodic_box) {
     constexpr int columns = 2 * D + 1;
+    const exact::IeeeEnvironment environment;
     motion::Effects<D> effects;
     if (!periodic_box.is_none()) {
         const Rows box(periodic_box, "periodic_box", D, D);

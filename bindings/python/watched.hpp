@@ -12,6 +12,8 @@
 
 #include <pybind11/pybind11.h>
 
+#include "../../exact/floating_environment.hpp"
+#include "../../exact/kept_environment.hpp"
 #include "../../triangulation/options.hpp"
 
 namespace signum::python {
@@ -30,6 +32,7 @@ class Watch {
         const auto now = std::chrono::steady_clock::now();
         if (now - last_ < std::chrono::milliseconds(100)) return;
         const py::gil_scoped_acquire held;
+        const exact::KeptEnvironment kept;
         try {
             if (PyErr_CheckSignals() != 0) throw py::error_already_set();
             if (!progress_.is_none()) progress_(share);
@@ -66,13 +69,15 @@ class Watch {
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-/// What work(watch) gives. Throws what a signal or the progress callback threw.
+/// What work(watch) gives, in the default floating-point environment. Throws what a signal or the
+/// progress callback threw.
 template <class Work>
 auto watched(const py::object& progress, Work&& work) {
     Watch watch(progress);
     try {
         auto result = [&] {
             const py::gil_scoped_release released;
+            const exact::IeeeEnvironment environment;
             return std::forward<Work>(work)(watch);
         }();
         watch.rethrow();

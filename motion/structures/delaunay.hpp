@@ -205,7 +205,7 @@ class Delaunay {
     }
 
     /// When the triangulation's next event is over, or up to so little later as its discs fly past
-    /// one another by less than the margin: to narrow its root takes as long as some flips.
+    /// one another by less than the margin: to narrow its root takes as long as a flip.
     [[nodiscard]] double next_flip() const {
         const kinetic::Event* event = triangulation_->next_event();
         if (event == nullptr) return infinity;
@@ -217,8 +217,7 @@ class Delaunay {
             fastest = std::max(fastest, std::hypot(u[0] - v[0], u[1] - v[1]));
         }
         const double width = event->root.high - event->root.low;
-        return 2.0 * fastest * width <= margin_ ? event->root.high
-                                                : triangulation_->not_before(*event);
+        return 2.0 * fastest * width <= margin_ ? event->root.high : *triangulation_->next_time();
     }
     /// As if it had flown like that since then: what falls keeps its velocity to all that falls.
     [[nodiscard]] Vector<D> velocity_at_start(Index site) const {

@@ -4,16 +4,21 @@
 #include <bit>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <random>
+#include <span>
+#include <stdexcept>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "../../bindings/c/signum.h"
 #include "../../kinetic/kinetic_tessellation.hpp"
 #include "../../motion/simulation.hpp"
 #include "../../spatial/ball_diagram.hpp"
 #include "../../spatial/triangulate.hpp"
 #include "../../spatial/validate.hpp"
+#include "../../triangulation/dynamic.hpp"
 #include "../../triangulation/triangulate.hpp"
 #include "../../triangulation/validate.hpp"
 #include "../../voronoi/clip.hpp"
@@ -345,6 +350,210 @@ TEST(AnyEnvironment, MayChangeWhileEdgesAreTold) {
     for (int environment = 1; environment < environments; ++environment)
         EXPECT_EQ(edges_with([&] { enter(environment); }), expected);
     leave();
+}
+
+/// Answers and refusals one after the other, doubles by their bits: nothing is computed here.
+class Answers {
+ public:
+    void tell(double number) { all_.push_back(std::bit_cast<std::uint64_t>(number)); }
+    void tell(std::int64_t number) { all_.push_back(static_cast<std::uint64_t>(number)); }
+    void tell(std::span<const Face> faces) {
+        for (const Face& face : faces)
+            for (const Index v : face) tell(std::int64_t{v});
+    }
+    void tell(const std::optional<double>& number) {
+        tell(static_cast<std::int64_t>(number.has_value()));
+        if (number) tell(*number);
+    }
+    /// Whether it is done or refused.
+    template <class Call>
+    void ask(const Call& call) {
+        std::int64_t refused = 0;
+        try {
+            call();
+        } catch (const std::logic_error&) {
+            refused = 1;
+        }
+        tell(refused);
+    }
+    /// What a function of the C interface says; `result` as it leaves it.
+    void ask_c(signum_status status, double result = 0.0) {
+        tell(std::int64_t{status});
+        tell(result);
+    }
+
+    friend bool operator==(const Answers&, const Answers&) = default;
+
+ private:
+    std::vector<std::uint64_t> all_;
+};
+
+TEST(AnyEnvironment, TimesOfWhatMoves) {
+    // Four corners, and one that leaves the square at the time 3u and comes back through the other
+    // side; those of denormal places turn at 5u.
+    constexpr double far = 8.0;
+    const std::vector<MovingSite> sites = {{0, 0, 0, 0},      {far, 0, 0, 0},
+                                           {far, far, 0, 0},  {0, far, 0, 0},
+                                           {3, 3 * u, 0, -1}, {5, far - 5 * u, 0, 1}};
+    const std::vector<MovingSite> tiny = {
+        {0, 0, 0, 0}, {8 * u, 0, 0, 0}, {0, 8 * u, 0, 0}, {5 * u, 5 * u, -1, -1}};
+    for (const std::vector<MovingSite>& all : {sites, tiny}) {
+        const auto of_times = [&] {
+            Answers answers;
+            KineticTessellation moving(all, 2 * u);
+            answers.tell(moving.next_event());
+            const auto go = [&](double time) {
+                answers.ask([&] { moving.advance(time); });
+                answers.tell(moving.time());
+                answers.tell(moving.next_event());
+                answers.tell(moving.faces());
+            };
+            for (const double time :
+                 {u, 2 * u, -u, 3 * u, 2 * u, -0.0, 4 * u, 3 * u, 5 * u, 5 * u, 4 * u, 1.0, 0.5})
+                go(time);
+            answers.ask([&] { static_cast<void>(moving.insert({u, 2 * u, u, 0, -u, u})); });
+            answers.ask([&] { moving.change(1, {4.0, u, 0, 0, u, 0}); });
+            answers.ask([&] { moving.erase(9); });
+            answers.tell(moving.next_event());
+            answers.tell(moving.faces());
+            return answers;
+        };
+        expect_same_in_all(of_times);
+    }
+    KineticTessellation moving(sites, 2 * u);
+    const auto refuses = [&](double time) {
+        enter(4);
+        bool refused = false;
+        try {
+            moving.advance(time);
+        } catch (const std::invalid_argument&) {
+            refused = true;
+        }
+        leave();
+        return refused;
+    };
+    EXPECT_TRUE(refuses(u));
+    EXPECT_FALSE(refuses(3 * u));
+    EXPECT_TRUE(refuses(0.0));
+    EXPECT_EQ(moving.time(), 3 * u);
+}
+
+TEST(AnyEnvironment, SitesThatChange) {
+    for (std::uint64_t seed = 0; seed < 6; ++seed) {
+        SCOPED_TRACE(seed);
+        std::vector<Site> sites;
+        for (const Site3& s : denormal_sites(9, 5, 5, seed)) sites.push_back({s.x, s.y, s.z});
+        std::vector<Point> centres;
+        for (const Site3& s : denormal_sites(8, 5, 5, seed + 100)) centres.push_back({s.x, s.y});
+        for (const Metric metric : all_metrics)
+            expect_same_in_all([&] {
+                Answers answers;
+                DynamicTessellation live(metric);
+                for (const Site& site : sites) answers.tell(std::int64_t{live.insert(site)});
+                const auto look = [&] {
+                    const Tessellation tessellation = live.tessellation();
+                    answers.tell(tessellation.faces());
+                    for (const auto& [site, by] : tessellation.hidden())
+                        answers.tell(std::int64_t{by});
+                };
+                look();
+                live.change(1, 2 * u);
+                live.move(2, {3 * u, -u});
+                live.erase(3);
+                look();
+                live.move_all(centres);
+                look();
+                answers.ask([&] { live.move(3, {u, u}); });
+                answers.ask([&] { live.change(4, u / 0.0); });
+                return answers;
+            });
+    }
+}
+
+TEST(AnyEnvironment, WhatTheInterfaceOfCRefuses) {
+    const signum_ball still = {{-3, 0, 0}, {0, 0, 0}, 1, 0, 1};
+    signum_ball negative = {{3, 0, 0}, {-1, 0, 0}, -u, 0, 1};
+    signum_ball light = {{3, 0, 0}, {-1, 0, 0}, 1, 0, u};
+    const double site[] = {u, 2 * u, u};
+    const double box[] = {0.0, 0.0, u, u};
+    const signum_moving_site moving[] = {
+        {0, 0, 0, 0, 0, 0}, {8, 0, 0, 0, 0, 0}, {0, 8, 0, 0, 0, 0}, {1, u, 0, -1, 0, 0}};
+    const auto of_c = [&] {
+        Answers answers;
+        double result = 7.0;
+        signum_effects effects = SIGNUM_EFFECTS(2);
+        answers.ask_c(signum_meeting_time(&still, &negative, &effects, HUGE_VAL, &result, nullptr),
+                      result);
+        answers.ask_c(signum_meeting_time(&still, &light, &effects, HUGE_VAL, &result, nullptr),
+                      result);
+        effects.growth_rate = -u;  // refused; and not none
+        answers.ask_c(signum_meeting_time(&still, &light, &effects, HUGE_VAL, &result, nullptr),
+                      result);
+        effects.growth_rate = 0.0;
+        effects.restitution = -u;
+        answers.ask_c(signum_meeting_time(&still, &light, &effects, HUGE_VAL, &result, nullptr),
+                      result);
+        effects.restitution = 1.0;
+        effects.box = SIGNUM_WALLS;
+        effects.low[0] = effects.low[1] = -6;
+        effects.high[0] = effects.high[1] = 6;
+        for (const signum_ball& other : {negative, light}) {
+            const signum_ball balls[] = {still, other};
+            signum_simulation* simulation = nullptr;
+            answers.ask_c(signum_simulation_create(balls, 2, &effects, &simulation, nullptr));
+            if (simulation == nullptr) continue;
+            std::int32_t found = -1;
+            signum_strike strike{};
+            answers.ask_c(
+                signum_simulation_next_strike(simulation, 0.0, u, &found, &strike, nullptr),
+                strike.time);
+            answers.ask_c(
+                signum_simulation_next_strike(simulation, 2 * u, u, &found, &strike, nullptr),
+                strike.time);
+            signum_limits limits = SIGNUM_LIMITS;
+            limits.until = 3 * u;
+            answers.ask_c(signum_simulation_run(simulation, &limits, nullptr, nullptr, nullptr));
+            answers.ask_c(signum_simulation_time(simulation, &result, nullptr), result);
+            limits.until = u;
+            answers.ask_c(signum_simulation_run(simulation, &limits, nullptr, nullptr, nullptr));
+            answers.ask_c(signum_simulation_time(simulation, &result, nullptr), result);
+            signum_simulation_free(simulation);
+        }
+
+        signum_kinetic* kinetic = nullptr;
+        answers.ask_c(signum_kinetic_create(moving, 4, 2 * u, nullptr, &kinetic, nullptr));
+        for (const double time : {u, 2 * u, 3 * u, 2 * u, 0.0}) {
+            answers.ask_c(signum_kinetic_advance(kinetic, time, nullptr));
+            answers.ask_c(signum_kinetic_time(kinetic, &result, nullptr), result);
+            answers.ask_c(signum_kinetic_next_event(kinetic, &result, nullptr), result);
+        }
+        signum_kinetic_free(kinetic);
+
+        signum_tessellation* tessellation = nullptr;
+        signum_voronoi* voronoi = nullptr;
+        const double sites[] = {0, 0, 2 * u, 0, 0, 2 * u, 3 * u, 3 * u};
+        answers.ask_c(
+            signum_triangulate(sites, 4, 2, SIGNUM_EUCLIDEAN, nullptr, &tessellation, nullptr));
+        std::int32_t near = -1;
+        answers.ask_c(signum_tessellation_nearest(tessellation, site, &near, nullptr));
+        answers.tell(std::int64_t{near});
+        answers.ask_c(signum_tessellation_locate(tessellation, site, &near, nullptr));
+        answers.tell(std::int64_t{near});
+        double areas[4] = {7, 7, 7, 7};
+        answers.ask_c(signum_voronoi_create(tessellation, 1, &voronoi, nullptr));
+        answers.ask_c(signum_voronoi_areas(voronoi, box, areas, 4, nullptr), areas[0]);
+        signum_voronoi_free(voronoi);
+        signum_tessellation_free(tessellation);
+        return answers;
+    };
+    expect_same_in_all(of_c);
+    enter(4);
+    double time = 7.0;
+    signum_effects effects = SIGNUM_EFFECTS(2);
+    const signum_status status =
+        signum_meeting_time(&still, &negative, &effects, HUGE_VAL, &time, nullptr);
+    leave();
+    EXPECT_EQ(status, SIGNUM_INVALID_ARGUMENT);
 }
 
 }  // namespace

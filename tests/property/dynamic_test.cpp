@@ -163,6 +163,49 @@ TEST_P(Dynamic, TheGiant) {
     }
 }
 
+/// A hub amid a rim of many neighbours, with many sites hidden between: it goes, comes, moves and
+/// shrinks, and so many gaps are closed and so many sites put in again that their order matters.
+TEST_P(Dynamic, AHubInARim) {
+    for (int kind = 0; kind < 3; ++kind) {
+        SCOPED_TRACE(kind);
+        DynamicTessellation dynamic(GetParam());
+        std::map<Index, Site> sites;
+        const auto add = [&](const Site& site) { sites.emplace(dynamic.insert(site), site); };
+        const int rim = 120;
+        for (int i = 0; i < rim; ++i) {
+            const double angle = 2.0 * std::acos(-1.0) * i / rim;
+            const double along = i % (rim / 4) / (rim / 8.0) - 1.0;
+            const Site sides[] = {
+                {along, -1.0, 0.0}, {1.0, along, 0.0}, {-along, 1.0, 0.0}, {-1.0, -along, 0.0}};
+            if (kind == 0)
+                add({std::cos(angle), std::sin(angle), 0.0});
+            else if (kind == 1)
+                add({std::cos(angle), std::sin(angle), 0.02 * real()});
+            else
+                add(sides[i / (rim / 4)]);
+        }
+        const Site hub = {0.03125, 0.0625, 0.6};
+        const Index handle = dynamic.insert(hub);
+        sites.emplace(handle, hub);
+        for (int i = 0; i < 100; ++i)
+            add({0.7 * real() - 0.35, 0.7 * real() - 0.35, 0.001 * below(3)});
+        ASSERT_NO_FATAL_FAILURE(expect_canonical(dynamic, sites));
+        Site& it = sites.at(handle);
+        for (int step = 0; step < 3; ++step) {
+            it.x = 0.1 * real();
+            it.y = 0.1 * real();
+            dynamic.move(handle, {it.x, it.y});
+            ASSERT_NO_FATAL_FAILURE(expect_canonical(dynamic, sites)) << "step " << step;
+            it.r = step == 1 ? 0.001 : 0.6 + 0.05 * step;
+            dynamic.change(handle, it.r);
+            ASSERT_NO_FATAL_FAILURE(expect_canonical(dynamic, sites)) << "step " << step;
+        }
+        dynamic.erase(handle);
+        sites.erase(handle);
+        ASSERT_NO_FATAL_FAILURE(expect_canonical(dynamic, sites));
+    }
+}
+
 /// A hub with so many neighbours that hiders are looked for in boxes of sites: those that have gone
 /// are in none, however near they would be.
 TEST_P(Dynamic, TheGoneHideNothing) {

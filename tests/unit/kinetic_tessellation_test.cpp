@@ -202,6 +202,45 @@ TEST(KineticTessellation, DoesNotDependOnTheSteps) {
     }
 }
 
+/// What next_event() told is kept for advance(), and is forgotten with the event.
+TEST(KineticTessellation, IsWhereItWouldBeUnasked) {
+    for (const int kind : {0, 1, 2, 5}) {
+        Systems systems(static_cast<std::uint64_t>(91 + kind));
+        const auto sites = systems.make(kind, 14);
+        const auto others = systems.make(kind, 14);
+        KineticTessellation asked(sites);
+        KineticTessellation unasked(sites);
+        for (int step = 0; step < 60; ++step) {
+            const auto told = asked.next_event();
+            // Another event may be the next one then, or none.
+            if (step % 3 == 1) {
+                const MovingSite& site = others[static_cast<std::size_t>(step) % others.size()];
+                asked.change(step % 14, site);
+                unasked.change(step % 14, site);
+            }
+            const auto event = asked.next_event();
+            EXPECT_EQ(asked.next_event(), event);
+            if (step % 3 != 1) {
+                EXPECT_EQ(event, told);
+            }
+            if (!event) continue;
+            const std::uint64_t times = unasked.statistics().times;
+            if (const double before = std::nextafter(*event, -infinity_);
+                before >= unasked.time()) {
+                unasked.advance(before);
+                EXPECT_EQ(unasked.statistics().times, times) << "kind " << kind << ", " << step;
+                if (step % 2 == 0) asked.advance(before);
+                EXPECT_EQ(asked.statistics().times, times);
+            }
+            unasked.advance(*event);
+            EXPECT_GT(unasked.statistics().times, times) << "kind " << kind << ", " << step;
+            asked.advance(*event);
+            EXPECT_EQ(asked.statistics().times, unasked.statistics().times);
+            EXPECT_EQ(asked.faces(), unasked.faces());
+        }
+    }
+}
+
 TEST(KineticTessellation, IsTheSameInEveryEnvironment) {
     for (const int kind : {0, 1, 2, 5, Systems::tied_for_ever}) {
         Systems systems(static_cast<std::uint64_t>(81 + kind));

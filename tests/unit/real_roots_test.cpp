@@ -161,6 +161,34 @@ TEST(RealRoots, OfWilkinsonsPolynomial) {
     EXPECT_FALSE(p.first_change(8.0));
 }
 
+/// The doubles around a root are too near to it for the filter, and not for double-doubles.
+TEST(RealRoots, AreNarrowedWithoutIntegers) {
+    const auto form = coefficients(-2.0, 0.0, 1.0);
+    const auto steep = coefficients(-0x1.6p-400, 0.0, 0.0, 0.3, 0x1.1p-500);
+    const Polynomial of_two(form);
+    const Polynomial of_steep(steep);
+    for (const Polynomial* const one : {&of_two, &of_steep}) {
+        const Polynomial& p = *one;
+        const auto root = p.first_root(0.0);
+        ASSERT_TRUE(root && root->alone);
+        Tally tally;
+        const Root narrow = p.narrowed(*root, &tally);
+        expect_filtered(tally);
+        EXPECT_EQ(narrow.high, std::nextafter(narrow.low, infinity));
+        EXPECT_EQ(p.sign_at(narrow.low, &tally), -1);
+        EXPECT_EQ(p.sign_at(narrow.high, &tally), 1);
+        EXPECT_EQ(compare(RootOf{p, *root}, narrow.low, &tally), 1);
+        expect_filtered(tally);
+    }
+    EXPECT_EQ(of_two.narrowed(*of_two.first_root(0.0)).high, std::sqrt(2.0));
+    // Where even these do not tell, integers do.
+    const Factors<2> apart{{1.0, 1.0}, -0x1p-150};
+    const Polynomial p(apart);
+    Tally tally;
+    EXPECT_EQ(p.sign_at(1.0, &tally), -1);
+    EXPECT_EQ(p.sign_at(1.0 + 0x1p-52, &tally), 1);
+}
+
 TEST(RealRoots, WithMultiplicitiesByTheExactStage) {
     const auto form = with_roots(-1.0, -1.0, 0.5, 0.5, 0.5, 3.0, 3.0, 7.0);
     const Polynomial p(form);

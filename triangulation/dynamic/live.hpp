@@ -8,6 +8,7 @@
 #include <iterator>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <set>
 #include <span>
 #include <type_traits>
@@ -30,6 +31,7 @@
 #include "near_face.hpp"
 #include "ranks.hpp"
 #include "repair.hpp"
+#include "star.hpp"
 
 namespace signum::triangulation {
 
@@ -491,20 +493,13 @@ class Live {
     [[nodiscard]] std::vector<Index> taken_from_star(Index h) {
         std::vector<Index> taken;
         const HalfEdge spoke = spoke_of(h);
-        const auto in_star = [&](Index hidden) {
-            for (const HalfEdge face : topology_->fan(spoke)) {
-                const Index a = topology_->target(face);
-                const Index b = topology_->apex(face);
-                if (a != infinite && b != infinite && kernel_->ccw(h, a, hidden) >= 0 &&
-                    kernel_->ccw(a, b, hidden) >= 0 && kernel_->ccw(b, h, hidden) >= 0)
-                    return true;
-            }
-            return false;
-        };
+        std::optional<Star<Kernel>> star;
         for (const HalfEdge of : topology_->fan(spoke)) {
             const Index u = topology_->target(of);
             if (u == infinite || kept_.is_empty(with_others(u))) continue;
-            kept_.extract(with_others(u), taken, in_star);
+            if (!star) star.emplace(*topology_, *kernel_, spoke);
+            kept_.extract(with_others(u), taken,
+                          [&](Index hidden) { return star->contains(hidden); });
         }
         return taken;
     }
@@ -702,10 +697,19 @@ class Live {
         return true;
     }
 
-    /// The earlier in the rule's order, the less often a site is hidden again.
+    /// The earlier in the rule's order, the less often a site is hidden again. Many come in that of
+    /// construction: in another one each might change what all before it made.
     void add_all(std::vector<Index>& sites) {
+        constexpr std::size_t few = 64;
         std::ranges::sort(sites, [&](Index a, Index b) { return precedes(a, b); });
-        for (const Index site : sites) add(site);
+        if (sites.size() <= few) {
+            for (const Index site : sites) add(site);
+            return;
+        }
+        std::vector<S> centres;
+        for (const Index site : sites) centres.push_back(sites_[at(site)]);
+        const StridedSites view(centres.size(), sizeof(S), &centres[0].x, &centres[0].y);
+        for (const Index i : spatial_order(view, 1)) add(sites[at(i)]);
     }
 
     [[nodiscard]] bool precedes(Index a, Index b) const {

@@ -15,6 +15,7 @@
 ///  2. Sites that the deleted one hid are not looked at.
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -23,6 +24,7 @@
 #include <vector>
 
 #include "../../core/index.hpp"
+#include "../structure/insertion_rounds.hpp"
 #include "../structure/topology.hpp"
 #include "insert.hpp"
 
@@ -42,19 +44,15 @@ class Deletion {
     Deletion(Insertion<Kernel>& tessellation, std::span<Index> none_hidden)
         : into_(tessellation), topology_(tessellation.topology_), none_hidden_(none_hidden) {}
 
-    /// Deletes the origin of h; see law 1. O(degree) expected, and O(degree²) at most, apart from
-    /// the predicates.
+    /// Deletes the origin of h; see law 1. O(degree log degree) expected, whatever the neighbours,
+    /// and O(degree²) at most, apart from the predicates.
     [[nodiscard]] Gap erase(HalfEdge h) {
         const Index v = topology_.origin(h);
-        ring_.clear();
-        neighbours_.clear();
-        for (const HalfEdge spoke : topology_.fan(h)) {
-            const HalfEdge link = Topology::next(spoke);
-            ring_.push_back({topology_.origin(link), topology_.twin(link), Topology::face(spoke)});
-            if (topology_.origin(link) != infinite) neighbours_.push_back(topology_.origin(link));
-        }
-        std::sort(neighbours_.begin(), neighbours_.end());
-        neighbours_.erase(std::unique(neighbours_.begin(), neighbours_.end()), neighbours_.end());
+        find_ring(h);
+        if (ring_.size() <= few)
+            sort_neighbours();
+        else
+            order_neighbours();
 
         Topology patch(neighbours_.size() + 1);
         std::optional<Insertion<Kernel>> apart = start(patch);
@@ -68,13 +66,57 @@ class Deletion {
     }
 
  private:
-    /// An edge of the ring: where it begins, the half-edge outside, and the star's face.
+    /// An edge of the ring: where it begins, the half-edge outside, the star's face, and whether
+    /// the half-edge outside is one of the star, too.
     struct RingEdge {
         Index from;
         HalfEdge outside;
         Index face;
+        bool is_inner;
     };
     using Boundary = typename Insertion<Kernel>::BoundaryEdge;
+    /// Of so many neighbours the order of insertion makes no difference.
+    static constexpr std::size_t few = 32;
+
+    void find_ring(HalfEdge h) {
+        constexpr Index in_star = 1;
+        ring_.clear();
+        for (const HalfEdge spoke : topology_.fan(h)) {
+            const HalfEdge link = Topology::next(spoke);
+            ring_.push_back(
+                {topology_.origin(link), topology_.twin(link), Topology::face(spoke), false});
+            topology_.record(Topology::face(spoke)).mark = in_star;
+        }
+        for (RingEdge& edge : ring_)
+            edge.is_inner = topology_.record(Topology::face(edge.outside)).mark == in_star;
+        for (const RingEdge& edge : ring_) topology_.record(edge.face).mark = 0;
+    }
+
+    void sort_neighbours() {
+        neighbours_.clear();
+        for (const RingEdge& edge : ring_)
+            if (edge.from != infinite) neighbours_.push_back(edge.from);
+        std::sort(neighbours_.begin(), neighbours_.end());
+        neighbours_.erase(std::unique(neighbours_.begin(), neighbours_.end()), neighbours_.end());
+    }
+    /// Many are inserted in random rounds, each along the ring: so walks from one to the next are
+    /// short, and none has many neighbours for long but in the end.
+    void order_neighbours() {
+        std::vector<std::pair<Index, Index>> places;  // of each in the ring
+        for (std::size_t i = 0; i < ring_.size(); ++i)
+            if (ring_[i].from != infinite)
+                places.emplace_back(ring_[i].from, static_cast<Index>(i));
+        std::sort(places.begin(), places.end());
+        const auto same_site = [](const auto& a, const auto& b) { return a.first == b.first; };
+        places.erase(std::unique(places.begin(), places.end(), same_site), places.end());
+        const InsertionRounds rounds(places.size(), 1);
+        std::vector<std::array<Index, 3>> order;  // round, place, site
+        for (const auto& [site, place] : places)
+            order.push_back({rounds.of(static_cast<std::size_t>(place)), place, site});
+        std::sort(order.begin(), order.end());
+        neighbours_.clear();
+        for (const auto& [round, place, site] : order) neighbours_.push_back(site);
+    }
 
     /// The tessellation of the first two or three neighbours; they leave the list.
     [[nodiscard]] std::optional<Insertion<Kernel>> start(Topology& patch) {
@@ -119,11 +161,6 @@ class Deletion {
         return found;
     }
 
-    [[nodiscard]] bool is_in_star(Index f) const {
-        return std::any_of(ring_.begin(), ring_.end(),
-                           [f](const RingEdge& edge) { return edge.face == f; });
-    }
-
     void vacate(Index f) {
         topology_.record(f) = {
             {Topology::vacant, Topology::vacant, Topology::vacant}, 0, {0, 0, 0}};
@@ -139,7 +176,7 @@ class Deletion {
         if (outer == ring_.end()) return false;
         std::rotate(ring_.begin(), outer, ring_.end());
         const std::size_t last = ring_.size() - 1;
-        if (last == 1 && is_in_star(Topology::face(ring_[0].outside))) return false;
+        if (last == 1 && ring_[0].is_inner) return false;
         for (std::size_t i = 1; i < last; ++i)
             if (topology_.is_infinite(Topology::face(ring_[i].outside))) return false;
         HalfEdge before = ring_[0].outside;
@@ -186,10 +223,10 @@ class Deletion {
             }
         for (std::size_t i = 0; i < count; ++i) {
             const HalfEdge outside = apart.boundary_[i].outside;
-            const HalfEdge here = ring_[(i + turn) % count].outside;
+            const auto& [from, here, face, is_inner] = ring_[(i + turn) % count];
             // Where the ring runs along both sides of an edge whose middle was not the site's, the
             // patch has the edge whole; unless another site divides that middle.
-            if (is_in_star(Topology::face(here))) continue;
+            if (is_inner) continue;
             const HalfEdge inside = patch.twin(outside);
             if (place_of(Topology::face(inside)) >= 0) {
                 topology_.glue(here, moved(inside));

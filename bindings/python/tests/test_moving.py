@@ -1,5 +1,9 @@
 """What changes, what moves, and what strikes."""
 
+import contextlib
+import ctypes
+import platform
+
 import numpy as np
 import pytest
 
@@ -165,3 +169,53 @@ def test_what_a_simulation_refuses():
             signum.Simulation([[0, 0, 1, 0, 0]]).run(strikes=strikes)
     with pytest.raises(ValueError, match="Segment"):
         signum.Simulation([[0, 0, 0, 1, 0, 0, 0]], obstacles=[effects.Segment((0, 1), (1, 1))])
+
+
+@contextlib.contextmanager
+def control_word(more):
+    """The floating-point environment of this thread with more bits in the control word of SSE."""
+    libm = ctypes.CDLL("libm.so.6")
+    before, other = (ctypes.c_uint32 * 8)(), (ctypes.c_uint32 * 8)()
+    libm.fegetenv(before)
+    libm.fegetenv(other)
+    other[7] |= more
+    libm.fesetenv(other)
+    try:
+        yield
+    finally:
+        libm.fesetenv(before)
+
+
+@pytest.mark.skipif(
+    platform.machine() != "x86_64" or platform.libc_ver()[0] != "glibc", reason="its control word"
+)
+def test_arguments_are_judged_alike_in_every_environment():
+    u, two, three, negative = 5e-324, 1e-323, 1.5e-323, -5e-324
+    denormals_are_zero, upward = 0x8040, 0x4000
+    # The fifth leaves the square at three.
+    corners = [[0, 0, 0, 0, 0], [8, 0, 0, 0, 0], [8, 8, 0, 0, 0], [0, 8, 0, 0, 0]]
+    sites = np.array([*corners, [4, three, 0, 0, -1]])
+    expected = signum.KineticTessellation(sites)
+    expected.advance(two)
+    event, faces = expected.next_event(), expected.faces()
+    assert event == three and len(faces) == 4
+    moving = signum.KineticTessellation(sites)
+    refused = []
+    with control_word(denormals_are_zero):
+        moving.advance(two)
+        next_event, found = moving.next_event(), moving.faces()
+        for call in (
+            lambda: moving.advance(u),
+            lambda: signum.meeting_time([0, 0, 1, 1, 0], [9, 0, negative, 0, 0]),
+        ):
+            try:
+                call()
+            except ValueError:
+                refused.append(call)
+    assert next_event.hex() == event.hex() and np.array_equal(found, faces)
+    assert len(refused) == 2 and moving.time.hex() == two.hex()
+    balls = np.array([[9 * i, 0, 0.1 + 0.05 * i, 0, 0] for i in range(8)])
+    masses = signum.Simulation(balls).state().mass
+    with control_word(upward):
+        in_upward = signum.Simulation(balls).state().mass
+    assert in_upward.tobytes() == masses.tobytes()

@@ -81,6 +81,29 @@ struct Told {
     int went;
     signum_kinetic* of;
 };
+/* A handle at work is refused by all that could fail, and stays whoever frees it. */
+static void is_refused(signum_kinetic* k) {
+    const signum_moving_site more = {1, 1, 0, 0, 0, 0};
+    signum_moving_site site = {7, 7, 7, 7, 7, 7};
+    signum_tessellation* t = NULL;
+    const int32_t* faces = NULL;
+    int64_t count = -1;
+    double time = -1;
+    int32_t handle = -1;
+    signum_kinetic_free(k);
+    REFUSED(signum_kinetic_insert(k, &more, &handle, &error));
+    FAILS(signum_kinetic_erase(k, 0, &error), SIGNUM_INVALID_ARGUMENT, -1);
+    FAILS(signum_kinetic_change(k, 0, &more, &error), SIGNUM_INVALID_ARGUMENT, -1);
+    FAILS(signum_kinetic_site(k, 0, &site, &error), SIGNUM_INVALID_ARGUMENT, -1);
+    REFUSED(signum_kinetic_time(k, &time, &error));
+    REFUSED(signum_kinetic_next_event(k, &time, &error));
+    REFUSED(signum_kinetic_advance(k, 100, &error));
+    REFUSED(signum_kinetic_faces(k, &faces, &count, &error));
+    REFUSED(signum_kinetic_tessellation(k, &t, &error));
+    REFUSED(signum_kinetic_watch(k, NULL, NULL, &error));
+    EXPECT(handle == -1 && time == -1 && faces == NULL && count == -1 && t == NULL && site.x == 7);
+    EXPECT(signum_kinetic_size(k) >= 3 && signum_kinetic_contains(k, 99) == 0);
+}
 static void on_edge(int32_t a, int32_t b, int comes, void* user) {
     struct Told* told = user;
     EXPECT(a < b);
@@ -88,8 +111,7 @@ static void on_edge(int32_t a, int32_t b, int comes, void* user) {
         ++told->came;
     else
         ++told->went;
-    /* Not from here. */
-    EXPECT(signum_kinetic_advance(told->of, 100, NULL) == SIGNUM_INVALID_ARGUMENT);
+    is_refused(told->of);
 }
 
 static void that_move(void) {
@@ -118,6 +140,16 @@ static void that_move(void) {
     SUCCEEDS(signum_kinetic_watch(k, on_edge, &told, &error));
     SUCCEEDS(signum_kinetic_advance(k, time, &error));
     EXPECT(told.came == 1 && told.went == 1);
+    /* The same from the others that tell. */
+    SUCCEEDS(signum_kinetic_insert(k, &more, &handle, &error));
+    EXPECT(told.came == 4);
+    site = more;
+    site.x = 50;
+    SUCCEEDS(signum_kinetic_change(k, handle, &site, &error));
+    EXPECT(told.went > 1);
+    told.went = 0;
+    SUCCEEDS(signum_kinetic_erase(k, handle, &error));
+    EXPECT(told.went > 1);
     SUCCEEDS(signum_kinetic_watch(k, NULL, NULL, &error));
     SUCCEEDS(signum_kinetic_faces(k, &faces, &count, &error));
     EXPECT(count == 2 && faces[0] == 0 && faces[1] == 1 && faces[2] == 3);

@@ -20,6 +20,33 @@ static int goes_on(double done, void* user) {
     return 0;
 }
 
+/* What is being made is not there yet; what is there answers, though it is being validated. */
+struct Handles {
+    signum_tessellation** made;
+    signum_space_tessellation** made_in_space;
+    const signum_tessellation* there;
+    int calls;
+};
+static int looks_around(double done, void* user) {
+    struct Handles* handles = user;
+    signum_arrays a = SIGNUM_ARRAYS;
+    signum_voronoi* voronoi = NULL;
+    const double origin[] = {0, 0};
+    int32_t number = -7;
+    (void)done;
+    ++handles->calls;
+    if (handles->made != NULL) EXPECT(*handles->made == NULL);
+    if (handles->made_in_space != NULL) EXPECT(*handles->made_in_space == NULL);
+    if (handles->there == NULL) return 0;
+    SUCCEEDS(signum_tessellation_arrays(handles->there, &a, &error));
+    SUCCEEDS(signum_tessellation_locate(handles->there, origin, &number, &error));
+    SUCCEEDS(signum_tessellation_nearest(handles->there, origin, &number, &error));
+    EXPECT(number >= 0);
+    SUCCEEDS(signum_voronoi_create(handles->there, 1, &voronoi, &error));
+    signum_voronoi_free(voronoi);
+    return 0;
+}
+
 /* Numbers without order, the same everywhere. */
 static double* scattered(int64_t count) {
     double* numbers = malloc((size_t)count * sizeof *numbers);
@@ -138,6 +165,7 @@ static void options(void) {
     signum_options o = SIGNUM_OPTIONS;
     signum_arrays a = SIGNUM_ARRAYS, b = SIGNUM_ARRAYS;
     signum_validation v;
+    struct Handles handles = {NULL, NULL, NULL, 0};
     int calls = 0;
 
     /* All that can be asked for gives one result. */
@@ -153,7 +181,19 @@ static void options(void) {
     EXPECT(memcmp(a.faces, b.faces, (size_t)a.face_count * 12) == 0);
     signum_tessellation_free(again);
 
+    /* Handles seen from callbacks. */
+    o.progress = looks_around;
+    o.user = &handles;
+    handles.made = &again;
+    handles.there = t;
+    SUCCEEDS(signum_triangulate(scatter, many, 2, SIGNUM_POWER, &o, &again, &error));
+    signum_tessellation_free(again);
+    handles.made = NULL;
+    SUCCEEDS(signum_validate(&a, scatter, many, 2, &o, &v, &error));
+    EXPECT(v.canonical == 1 && handles.calls > 1);
+
     /* Stopped, with nothing to free. */
+    o.user = &calls;
     o.method = SIGNUM_INCREMENTAL;
     o.progress = stops;
     calls = 0;
@@ -279,6 +319,7 @@ static void in_space(void) {
     signum_space_arrays a = SIGNUM_SPACE_ARRAYS;
     signum_options o = SIGNUM_OPTIONS;
     signum_validation v;
+    struct Handles handles = {NULL, &t, NULL, 0};
     double vertices[4 * 64];
     int calls = 0;
 
@@ -314,6 +355,11 @@ static void in_space(void) {
     EXPECT(v.canonical == 1);
     signum_space_tessellation_free(t);
 
+    o.progress = looks_around;
+    o.user = &handles;
+    SUCCEEDS(signum_triangulate_space(scatter, many, 3, &o, &t, &error));
+    signum_space_tessellation_free(t);
+    EXPECT(handles.calls > 0);
     o.progress = stops;
     o.user = &calls;
     FAILS(signum_triangulate_space(scatter, many, 3, &o, &t, &error), SIGNUM_STOPPED, -1);
