@@ -225,12 +225,12 @@ class Loop final : public Simulation<D>::Engine {
     static constexpr Slot nobody = ~Slot{0};
     static constexpr Slot first_wall = nobody - (1 << 20);
     static constexpr std::uint32_t most_in_place_dissipative = 1000;
-    static constexpr std::uint32_t most_in_place_growing = 10'000;
+    static constexpr std::uint32_t most_in_place_closing = 10'000;
     static constexpr std::uint32_t most_in_place_elastic = 100'000;
     /// Parts of the time since 0, and of a time step, that are none.
     static constexpr double no_time = 0x1p-30;
     static constexpr double no_time_of_step = 0x1p-20;
-    /// A part of its radius that is no room for a ball in a packing that grows.
+    /// A part of its radius that is no room for a ball in a packing on which something closes.
     static constexpr double no_room = 0x1p-8;
     /// After so many strikes in place contacts that should stand are solved together.
     static constexpr std::uint32_t strikes_to_a_jam = 100;
@@ -977,6 +977,15 @@ class Loop final : public Simulation<D>::Engine {
         return facts;
     }
 
+    [[nodiscard]] static bool moves(const std::vector<Obstacle<D>>& obstacles) {
+        return std::ranges::any_of(obstacles, [](const Obstacle<D>& each) {
+            if (const auto* wall = std::get_if<HalfSpace<D>>(&each)) return wall->speed != 0.0;
+            if (const auto* wall = std::get_if<Sphere<D>>(&each))
+                return wall->velocity != Vector<D>{};
+            return false;
+        });
+    }
+
     /// At time t a ball of speed v along an axis flies v 2^-53 t while an event is told late by a
     /// rounding, and its place, x + v (t - T), is rounded by at most twice that and what the margin
     /// has besides. Where v t is at most 2^50 margins all that is less than half a margin an axis.
@@ -1052,7 +1061,7 @@ class Loop final : public Simulation<D>::Engine {
             (stayed == InPlace::no || (stayed == InPlace::uncertain && !exactly()))) [[likely]] {
             particles_[i].in_place = 0;
         } else if (++particles_[i].in_place >=
-                   (world_.effects.growth ? most_in_place_growing : most_in_place_)) {
+                   (closes() ? most_in_place_closing : most_in_place_)) {
             collapses_ = true;
             particles_[i].in_place = 0;
         }
@@ -1063,11 +1072,15 @@ class Loop final : public Simulation<D>::Engine {
     [[nodiscard]] bool is_hurried(const Ball<D>& came, double since, double approach,
                                   double square) const noexcept {
         if (since <= std::max(no_time * came.time, no_time_of_step * steps_.length())) return true;
-        if (!world_.effects.growth) [[likely]]
+        if (!closes()) [[likely]]
             return false;
         const double speed = approach / std::sqrt(square);
         return speed * since <= no_room * grown_radius(came) &&
                no_room * speed >= world_.pull * since;
+    }
+
+    [[nodiscard]] bool closes() const noexcept {
+        return world_.effects.growth.has_value() || has_moving_obstacles_;
     }
 
     [[nodiscard]] bool is_passed(Slot i, Proposal& candidate) {
@@ -1315,6 +1328,7 @@ class Loop final : public Simulation<D>::Engine {
     EventQueue queue_;
     bool fetches_;
     std::uint32_t most_in_place_;
+    bool has_moving_obstacles_ = moves(world_.effects.obstacles);
     bool collapses_ = false;
     std::uint64_t own_events_left_ = own_events_a_ball * particles_.size();
     std::uint64_t strikes_before_ = 0;
