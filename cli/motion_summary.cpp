@@ -55,8 +55,9 @@ std::string_view in_words(motion::Ending ending) {
 
 std::string describe_collapse(const motion::Strike& last) {
     return fmt::format(
-        "at time {} ball {} and {} {} strike without end, an inelastic collapse or a ball that "
-        "comes to rest; the log up to there is complete",
+        "at time {} ball {} and {} {} strike without end: an inelastic collapse, balls that are "
+        "jammed, or a ball that comes to rest, which effects.contact_duration or effects.contacts "
+        "would let go on; the log up to there is complete",
         last.time, last.a, last.wall ? "wall" : "ball", last.b);
 }
 
