@@ -19,7 +19,7 @@ namespace {
 #if defined(SIGNUM_THOROUGH)
 constexpr std::uint64_t scenes = 50'000;
 #else
-const std::uint64_t scenes = is_fast ? 400 : 20;
+const std::uint64_t scenes = is_fast ? 150 : 15;
 #endif
 
 /// Two half spaces between which balls are wedged, or pressed as these close.
@@ -159,6 +159,7 @@ TEST(MotionEnds, CornersWithMuchFriction) {
 /// Balls in a row between two walls that close: they fly ever faster.
 TEST(MotionEnds, RowsBetweenWallsThatClose) {
     for (const double restitution : {1.0, 0.9, 0.5, 0.0}) {
+        if (restitution == 1.0 && !is_fast) continue;  // a hundred thousand strikes each
         for (int balls = 1; balls <= 4; ++balls) {
             for (const double step : {0.0, 0.125}) {
                 Scene<2> scene{"row", {}, {}};
@@ -179,6 +180,7 @@ TEST(MotionEnds, RowsBetweenWallsThatClose) {
 /// Balls that grow until there is no room, with and without loss.
 TEST(MotionEnds, GrowthIntoAJam) {
     for (const double restitution : {1.0, 0.5}) {
+        if (restitution == 1.0 && !is_fast) continue;
         for (const bool is_periodic : {false, true}) {
             Scene<2> scene{"growth", {}, {}};
             scene.effects.restitution = scene.effects.wall_restitution = restitution;
