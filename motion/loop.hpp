@@ -746,7 +746,7 @@ class Loop final : public Simulation<D>::Engine {
         if (facts.stays) [[unlikely]] {
             if (waits(i, j, t, facts.approach, facts.distance - (a.radius + b.radius)))
                 exchange.struck = false;
-            else if (exchange.struck && is_jammed({i, j}))
+            else if (exchange.struck && is_jammed({i, j}, t))
                 return settle_jam(i, j, t);
         }
         if (!exchange.struck) {
@@ -854,7 +854,7 @@ class Loop final : public Simulation<D>::Engine {
                 turn_inwards(ball, hollow);
                 exchange.struck = true;
             }
-            if (exchange.struck && is_jammed({i})) return settle_jam(i, partner, t);
+            if (exchange.struck && is_jammed({i}, t)) return settle_jam(i, partner, t);
         }
         if (!exchange.struck) {
             if (bounce.stays) {
@@ -1278,7 +1278,9 @@ class Loop final : public Simulation<D>::Engine {
 
     /// Strikes one after the other, each of which would leave two in contact, need not come to an
     /// end: with friction above 1 a ball in a corner is sent from one wall to the other and back.
-    [[nodiscard]] bool is_jammed(std::initializer_list<Slot> balls) const {
+    /// But where no time is left until the next step each pair waits after one strike.
+    [[nodiscard]] bool is_jammed(std::initializer_list<Slot> balls, double t) const {
+        if (t >= turn_) return false;
         return std::ranges::any_of(balls, [&](Slot i) {
             const std::uint32_t count = particles_[i].in_place;
             return count > 0 && count % strikes_to_a_jam == 0;
