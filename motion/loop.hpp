@@ -1146,7 +1146,8 @@ class Loop final : public Simulation<D>::Engine {
             noted_.fly(world_.balls[i].v);
         }
         set_turn();
-        if (laws_.has_contacts()) pass_contacts(all_contacts);
+        // Between two steps nothing strikes, and whether a contact may wait is not in the state.
+        if (laws_.has_contacts() && !steps_.begins()) pass_contacts(all_contacts);
         ask_all_until_turn();
     }
     void end_growth() {
