@@ -13,6 +13,7 @@
 #include "atoms.hpp"
 #include "elements.hpp"
 #include "line_words.hpp"
+#include "number.hpp"
 
 namespace signum {
 namespace {
