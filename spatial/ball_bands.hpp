@@ -26,8 +26,7 @@
 /// is exactly the sum of these times a·e, a·p and a·q. Of a frame that is orthonormal within 2^-48
 /// the coefficients' squares sum to 1 within 2^-47. So r is in an interval, which `across`
 /// contains, the greatest change of r cos φ and r sin φ together; and l, whose square is a
-/// polynomial in s and t of the frame's products, changes by less than |s| + 2^-45 times as much as
-/// s.
+/// polynomial in s and t of the frame's products, changes by at most |s| + 2^-45 of what s does.
 ///
 /// The numbers are double-doubles, whose operations err by 2^-102. X and R are exact, P errs by
 /// 2^-98 k P with k = (X·X + R²) / P, a quotient by 2^-98 of itself, sums of four products by

@@ -177,6 +177,7 @@ class CellSearch {
         near_.clear();
         seen_.clear();
         ball_ = ball;
+        failures_ = 0;
         may_be_unbounded_ = false;
         // As far as half of those reach that are near in the tree.
         distances_.clear();
@@ -694,12 +695,12 @@ class CellSearch {
     };
 
     /// Divides a patch in bands, where the a of the list are nearly on a line, or in a chart, where
-    /// the patch is small and the list still long. False where it is neither, or numbers are out of
-    /// range.
+    /// the patch is small and the list still long. False where it is neither, where numbers are out
+    /// of range, and where it takes too long: some leaves may have been passed on then.
     template <class Leaf>
     bool divide_finely(const Patch& patch, const std::vector<Slot>& list, int steady,
                        const Leaf& leaf) {
-        if (patch.line != nullptr) return false;
+        if (patch.line != nullptr || failures_ >= most_failures) return false;
         const Seen* best = nullptr;
         for (const Slot slot : list)
             if (const Seen& q = seen_[slot];
@@ -719,12 +720,7 @@ class CellSearch {
             axis = a;
         }
         if (!(longest > 0x1p-900 && longest < 0x1p900)) return false;
-        const bool is_line = std::ranges::all_of(list, [&](Slot slot) {
-            if (seen_[slot].is_wild) return true;
-            const std::array<double, 3> a = offset(slot);
-            const double along = dot(a, axis);
-            return dot(a, a) - along * along / longest <= 0x1p-16 * longest;
-        });
+        const bool is_line = are_on_a_line(list, axis);
         if (!is_line && (steady < least_steady_of_charts || !(patch.delta < 0.125))) return false;
         const Frame frame(is_line ? axis : patch.v, is_line ? patch.v : axis);
         forms_.clear();
@@ -741,18 +737,43 @@ class CellSearch {
             forms_.push_back(frame.of(*f));
             slots_of_forms_.push_back(slot);
         }
-        members_.resize(most_halvings + 1);
+        members_.resize(most_depth_of_halvings + 1);
         members_[0].clear();
         for (std::uint32_t number = 0; number < forms_.size(); ++number)
             members_[0].push_back({number, {}});
+        halvings_left_ = most_halvings;
         if (is_line)
             halve(Band(patch.v, patch.delta, frame), 0, leaf);
         else
             halve(Chart(patch.v, patch.delta, frame), 0, leaf);
-        return true;
+        if (halvings_left_ > 0) return true;
+        ++failures_;
+        return false;
+    }
+    /// Whether the a of most balls lie nearly on a line of this direction, also with those that are
+    /// nearest along it.
+    [[nodiscard]] bool are_on_a_line(const std::vector<Slot>& list,
+                                     const std::array<double, 3>& axis) {
+        constexpr double most_off = 0x1p-12;  // a square
+        const double length = dot(axis, axis);
+        sorted_.clear();
+        for (const Slot slot : list) {
+            const Seen& q = seen_[slot];
+            if (!q.is_wild) sorted_.emplace_back(dot({q.ax, q.ay, q.az}, axis), slot);
+        }
+        std::sort(sorted_.begin(), sorted_.end());
+        std::size_t off = 0;
+        for (std::size_t k = 1; k < sorted_.size(); ++k) {
+            const Seen &q = seen_[sorted_[k - 1].second], &j = seen_[sorted_[k].second];
+            const std::array<double, 3> a{j.ax - q.ax, j.ay - q.ay, j.az - q.az};
+            const double along = dot(a, axis), square = dot(a, a);
+            off += !(square - along * along / length <= most_off * square);
+        }
+        return 4 * off <= sorted_.size();
     }
     template <class Region, class Leaf>
     void halve(const Region& region, std::size_t depth, const Leaf& leaf) {
+        if (--halvings_left_ <= 0) return;
         std::vector<Member>& list = members_[depth];
         double f_least = 0.0;
         std::erase_if(list, [&](Member& m) {
@@ -773,7 +794,7 @@ class CellSearch {
         for (const Member& m : list) count(slots_of_forms_[m.number]);
         for (const Slot slot : wild_) count(slot);
         if (list.size() > most_in_a_list && later >= 3 && of_other_kinds > 0 &&
-            depth < most_halvings) {
+            depth < most_depth_of_halvings) {
             const FineForm& first = forms_[list.front().number];
             Spread spread;
             double error = 0.0;
@@ -879,7 +900,10 @@ class CellSearch {
     static constexpr int most_steady_of_a_kind = 1;
     static constexpr std::size_t most_at_once = 12;
     static constexpr int least_steady_of_charts = 3;
-    static constexpr std::size_t most_halvings = 200;
+    static constexpr std::size_t most_depth_of_halvings = 200;
+    /// Of one patch, and how many patches of a cell may come to more.
+    static constexpr int most_halvings = 10'000;
+    static constexpr int most_failures = 2;
 
     const BallTree& tree_;
     std::vector<std::uint32_t> kinds_;  // by place
@@ -900,6 +924,8 @@ class CellSearch {
     std::vector<Place> leaf_;
     // Of the patch that is divided finely: its balls' functions in the frame, and those that have
     // none.
+    int halvings_left_ = 0;
+    int failures_ = 0;
     std::vector<FineForm> forms_;
     std::vector<Slot> slots_of_forms_;
     std::vector<Slot> wild_;
