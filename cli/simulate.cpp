@@ -181,6 +181,7 @@ void simulate_scene(const SimulateCall& call) {
             [&]<int D>(const Scene<D>& scene) {
                 const SimulateCall whole = completed(call, scene);
                 if (call.explain) {
+                    check_simulation<D>(whole, {scene.start, scene.effects});
                     DescriptorStream out(1, "standard output");
                     out << whole.scene.explanation;
                     out.flush();
