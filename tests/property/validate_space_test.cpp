@@ -762,7 +762,7 @@ TEST(ValidateSpace, TakesNoMuchLongerThanTheConstructionOfARoundedSphere) {
     Random g(9);
     std::vector<Point3> sites;
     for (int i = 0; i < 10000; ++i) {
-        const double z = 2 * g.real() - 1, angle = 7 * g.real(), r = std::sqrt(1 - z * z);
+        const double z = 2 * g.unit() - 1, angle = 7 * g.unit(), r = std::sqrt(1 - z * z);
         sites.push_back(
             {350 + 350 * r * std::cos(angle), 350 + 350 * r * std::sin(angle), 350 + 350 * z});
     }
