@@ -202,6 +202,7 @@ void simulate(SimulateCall call) {
         return;
     }
     if (!call.settings.empty()) throw CallError("--set is for scenes; give FILE.toml");
+    if (call.explain) throw CallError("--explain is for scenes; give FILE.toml");
     if (call.structure.empty()) call.structure = "auto";
     if (call.arithmetic.empty()) call.arithmetic = "exact";
     if (call.periodic && call.box.empty())

@@ -346,6 +346,9 @@ TEST_F(SceneRuns, AreNotExplainedWhereTheyWouldBeRefused) {
         EXPECT_EQ(explained.err, refused.err);
         EXPECT_EQ(explained.out, "");
     }
+    const std::string balls = scratch.file("balls.txt", "0 0 1 1 0\n");
+    EXPECT_EQ(run({"simulate", balls, "--until", "1", "--explain"}).err,
+              "signum: --explain is for scenes; give FILE.toml\n");
     // Nothing stays of the files that it opens.
     EXPECT_EQ(run({"simulate", scene, "-o", scratch.path("b.csv"), "--explain"}).code, 0);
     EXPECT_FALSE(std::ifstream(scratch.path("b.csv")).good());
