@@ -627,18 +627,15 @@ class CellSearch {
                 divide(patch.quarter(quarter), own, depth + 1, now_steady, true, leaf);
             return;
         }
-        finish(list, is_open, leaf);
+        finish(list, is_open, later, of_other_kinds, leaf);
     }
-    /// Passes a list on.
+    /// Passes a list on, of which so many are later, and of these so many of other kinds.
     template <class Leaf>
-    void finish(std::vector<Slot>& list, bool is_open, const Leaf& leaf) {
+    [[gnu::always_inline]] void finish(std::vector<Slot>& list, bool is_open, std::size_t later,
+                                       std::size_t of_other_kinds, const Leaf& leaf) {
         may_be_unbounded_ |= is_open;
-        std::size_t later = 0, of_other_kinds = 0;
-        for (const Slot slot : list) {
+        for (const Slot slot : list)
             if (!std::exchange(seen_[slot].is_listed, true)) neighbours_.push_back(places_[slot]);
-            later += seen_[slot].is_later;
-            of_other_kinds += seen_[slot].is_later && !seen_[slot].is_of_its_kind;
-        }
         if (later < 2 || of_other_kinds == 0) return;
         std::partition(list.begin(), list.end(), [&](Slot slot) { return seen_[slot].is_later; });
         leaf_.clear();
@@ -698,8 +695,8 @@ class CellSearch {
     /// the patch is small and the list still long. False where it is neither, where numbers are out
     /// of range, and where it takes too long: some leaves may have been passed on then.
     template <class Leaf>
-    bool divide_finely(const Patch& patch, const std::vector<Slot>& list, int steady,
-                       const Leaf& leaf) {
+    [[gnu::noinline]] bool divide_finely(const Patch& patch, const std::vector<Slot>& list,
+                                         int steady, const Leaf& leaf) {
         if (patch.line != nullptr || failures_ >= most_failures) return false;
         const Seen* best = nullptr;
         for (const Slot slot : list)
@@ -772,7 +769,7 @@ class CellSearch {
         return 4 * off <= sorted_.size();
     }
     template <class Region, class Leaf>
-    void halve(const Region& region, std::size_t depth, const Leaf& leaf) {
+    [[gnu::noinline]] void halve(const Region& region, std::size_t depth, const Leaf& leaf) {
         if (--halvings_left_ <= 0) return;
         std::vector<Member>& list = members_[depth];
         double f_least = 0.0;
@@ -821,7 +818,7 @@ class CellSearch {
         }
         fine_list_ = wild_;
         for (const Member& m : list) fine_list_.push_back(slots_of_forms_[m.number]);
-        finish(fine_list_, is_open, leaf);
+        finish(fine_list_, is_open, later, of_other_kinds, leaf);
     }
     /// Of a form's change in a region, with its error.
     template <class Region>
@@ -846,7 +843,7 @@ class CellSearch {
     /// Those that are less than another one: of a long list, than one that is the greatest in the
     /// middle or toward an end. Of the others the greatest in the middle come first.
     template <class Region>
-    void take_out_less(std::vector<Member>& list, const Region& region) {
+    [[gnu::noinline]] void take_out_less(std::vector<Member>& list, const Region& region) {
         if (list.size() < 2) return;
         const auto is_greater = [](const Member& a, const Member& b) {
             return a.value.high != b.value.high ? a.value.high > b.value.high
