@@ -755,7 +755,7 @@ TEST(ValidateSpace, StopsAndTellsHowFarItIs) {
     EXPECT_LT(result.multiprecision, result.filtered / 100);
 }
 
-/// Nearly all signs of in_sphere are left open by the filter. Judging took five to eight times the
+/// Nearly all signs of in_sphere are left open by the filter. Judging took five times the
 /// construction when they were all of them dyadic numbers'.
 TEST(ValidateSpace, TakesNoMuchLongerThanTheConstructionOfARoundedSphere) {
     if (!is_fast) GTEST_SKIP() << "a time of optimized code";
