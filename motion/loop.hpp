@@ -669,8 +669,10 @@ class Loop final : public Simulation<D>::Engine {
                 return;
             }
             if (is_stale(best)) {
-                // Whichever begins first: at its turn the ball is asked again.
-                if (candidate.early < best.early) best = candidate;
+                // At its turn, not after either begins, the ball is asked again for all: others
+                // have left out pairs with it since its turn would come before them. The candidate
+                // may turn out to be later than these.
+                best.early = std::min(best.early, candidate.early);
                 return;
             }
             make_exact(i, best);
