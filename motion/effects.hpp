@@ -35,7 +35,7 @@ struct Friction {
     double coefficient = 0.0;             ///< μ of two balls, from 0
     double wall_coefficient = 0.0;        ///< μ of a ball and a wall or obstacle
     double tangential_restitution = 0.0;  ///< β, from -1 to 1: 0 stops the sliding, 1 turns it back
-    /// I / m r², above 0: 1/2 of discs, 2/5 of balls.
+    /// I / m r², above 0: 1/2 of discs, 2/5 of balls. A ball of radius 0 does not turn.
     double inertia = 0.5;
 };
 

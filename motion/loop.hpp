@@ -33,6 +33,7 @@
 #include "engine.hpp"
 #include "event_queue.hpp"
 #include "exact_meeting.hpp"
+#include "in_place.hpp"
 #include "laws.hpp"
 #include "meeting.hpp"
 #include "naive_strike.hpp"
@@ -232,6 +233,8 @@ class Loop final : public Simulation<D>::Engine {
     static constexpr double no_time_of_step = 0x1p-20;
     /// A part of its radius that is no room for a ball in a packing on which something closes.
     static constexpr double no_room = 0x1p-8;
+    /// A part of a point's coordinates beside whose 256th rounding is nothing.
+    static constexpr double of_places = 0x1p-32;
     /// After so many strikes in place contacts that should stand are solved together.
     static constexpr std::uint32_t strikes_to_a_jam = 100;
 
@@ -748,7 +751,7 @@ class Loop final : public Simulation<D>::Engine {
         if (facts.stays) [[unlikely]] {
             if (waits(i, j, t, facts.approach, facts.distance - (a.radius + b.radius)))
                 exchange.struck = false;
-            else if (exchange.struck && is_jammed({i, j}))
+            else if (exchange.struck && is_jammed({i, j}, t))
                 return settle_jam(i, j, t);
         }
         if (!exchange.struck) {
@@ -856,7 +859,7 @@ class Loop final : public Simulation<D>::Engine {
                 turn_inwards(ball, hollow);
                 exchange.struck = true;
             }
-            if (exchange.struck && is_jammed({i})) return settle_jam(i, partner, t);
+            if (exchange.struck && is_jammed({i}, t)) return settle_jam(i, partner, t);
         }
         if (!exchange.struck) {
             if (bounce.stays) {
@@ -1148,7 +1151,8 @@ class Loop final : public Simulation<D>::Engine {
             noted_.fly(world_.balls[i].v);
         }
         set_turn();
-        if (laws_.has_contacts()) pass_contacts(all_contacts);
+        // Between two steps nothing strikes, and whether a contact may wait is not in the state.
+        if (laws_.has_contacts() && !steps_.begins()) pass_contacts(all_contacts);
         ask_all_until_turn();
     }
     void end_growth() {
@@ -1186,10 +1190,17 @@ class Loop final : public Simulation<D>::Engine {
     /// radius before the next step: that is left to the reactions then. In a chain of contacts each
     /// strike would bring about others, ever slower ones.
     [[nodiscard]] bool waits(Slot i, Slot partner, double t, double approach, double gap) const {
-        double radius = world_.balls[i].radius;
-        if (partner < first_wall) radius = std::min(radius, world_.balls[partner].radius);
-        return approach * (turn_ - t) <= StandingContacts<D>::allowed(gap, radius) &&
+        return approach * (turn_ - t) <= StandingContacts<D>::allowed(gap, scale_of(i, partner)) &&
                contacts_.has(numbers_of(i, partner));
+    }
+    /// The length of which two in contact may overlap by a visible part: the least radius that is
+    /// not 0. Of a point and a wall the overlap is beside what the point's place is rounded by.
+    [[nodiscard]] double scale_of(Slot i, Slot partner) const noexcept {
+        const Ball<D>& a = world_.balls[i];
+        const double other = partner < first_wall ? world_.balls[partner].radius : 0.0;
+        if (a.radius > 0.0 && other > 0.0) return std::min(a.radius, other);
+        const double radius = std::max(a.radius, other);
+        return radius > 0.0 ? radius : of_places * size_of(a);
     }
     /// The same of two that have waited, one of which has struck something else now.
     [[nodiscard]] bool waits_still(Slot i, Slot partner) const {
@@ -1219,6 +1230,7 @@ class Loop final : public Simulation<D>::Engine {
             const Facts facts = facts_of(a, b, nearest_image(a.x, b.x, world_.effects));
             place.normal = facts.normal;
             place.gap = facts.distance - (a.radius + b.radius);
+            place.scale = scale_of(slot_of(pair.first), slot_of(pair.second));
             if (rubs) place.friction = world_.effects.friction->coefficient;
             return place;
         }
@@ -1226,6 +1238,7 @@ class Loop final : public Simulation<D>::Engine {
         const Facing<D> faces = is_side(wall) ? facing_side<D>(wall) : walls_.facing(a, wall);
         place.normal = unit_normal(faces);
         place.gap = walls_.gap(a, wall);
+        place.scale = scale_of(slot_of(pair.first), first_wall + static_cast<Slot>(wall));
         place.wall_velocity = wall < 2 * D ? side_velocities_[static_cast<std::size_t>(wall)]
                                            : walls_.velocity(wall, now_);
         place.curvature = walls_.curvature(a, wall);
@@ -1280,7 +1293,9 @@ class Loop final : public Simulation<D>::Engine {
 
     /// Strikes one after the other, each of which would leave two in contact, need not come to an
     /// end: with friction above 1 a ball in a corner is sent from one wall to the other and back.
-    [[nodiscard]] bool is_jammed(std::initializer_list<Slot> balls) const {
+    /// But where no time is left until the next step each pair waits after one strike.
+    [[nodiscard]] bool is_jammed(std::initializer_list<Slot> balls, double t) const {
+        if (t >= turn_) return false;
         return std::ranges::any_of(balls, [&](Slot i) {
             const std::uint32_t count = particles_[i].in_place;
             return count > 0 && count % strikes_to_a_jam == 0;

@@ -37,6 +37,7 @@ class StandingContacts {
     struct Place {
         Vector<D> normal{};  ///< from b, or the wall, to a
         double gap = 0.0;
+        double scale = 0.0;  ///< the length of which an overlap may be a visible part
         double friction = 0.0;
         Vector<D> wall_velocity{};
         /// Of a hollow wall, that of the surface on which the centre is: a straight flight along it
@@ -74,8 +75,8 @@ class StandingContacts {
         return std::sqrt(std::max(dot(along, along) - parting * parting, 0.0));
     }
     /// How far two in contact may come nearer to one another until the next step.
-    [[nodiscard]] static double allowed(double gap, double radius) noexcept {
-        return std::max(0x1p-8 * radius + gap, 0x1p-12 * radius);
+    [[nodiscard]] static double allowed(double gap, double scale) noexcept {
+        return std::max(0x1p-8 * scale + gap, 0x1p-12 * scale);
     }
 
     /// All balls that hang together with one by contacts of balls, that one first.
@@ -124,7 +125,7 @@ class StandingContacts {
                     ? step * speed_along(bodies_[a].velocity, lies.wall_velocity, lies.normal)
                     : 0.0;
             const double gap = lies.gap - inwards(lies.curvature, along);
-            gaps_.push_back({gap, lies.curvature * along <= longest_chord});
+            gaps_.push_back({gap, lies.scale, lies.curvature * along <= longest_chord});
             contacts_.push_back({a, pair.second >= 0 ? index[pair.second] : Contact<D>::wall,
                                  lies.normal,
                                  gap - (lies.gap < 0.0 ? (1.0 - undone) * lies.gap : 0.0),
@@ -141,14 +142,14 @@ class StandingContacts {
                 continue;
             }
             const double nearer = step * approach(*solved);
-            const double radius = least_radius(*solved);
             // Those that overlap by a visible part of the radii part first; then the gap after the
             // step is to be one.
-            const double visible = 0x1p-10 * radius;
+            const double visible = 0x1p-10 * gap->scale;
             const bool stays_close = gap->width < -visible || gap->width - nearer < visible;
             if (solved->normal_impulse > 0.0 || stays_close) {
-                each->second = {solved->normal_impulse, solved->tangential_impulse,
-                                gap->is_for_whole_step && nearer <= allowed(gap->width, radius)};
+                each->second = {
+                    solved->normal_impulse, solved->tangential_impulse,
+                    gap->is_for_whole_step && nearer <= allowed(gap->width, gap->scale)};
                 ++each;
             } else {
                 each = momenta_.erase(each);
@@ -161,11 +162,6 @@ class StandingContacts {
     }
 
  private:
-    [[nodiscard]] double least_radius(const Contact<D>& contact) const noexcept {
-        const double radius = bodies_[contact.a].inert.radius;
-        return contact.b == Contact<D>::wall ? radius
-                                             : std::min(radius, bodies_[contact.b].inert.radius);
-    }
     [[nodiscard]] double approach(const Contact<D>& contact) const noexcept {
         const Vector<D>& of_b =
             contact.b == Contact<D>::wall ? contact.wall_velocity : bodies_[contact.b].velocity;
@@ -174,6 +170,7 @@ class StandingContacts {
     /// As it is, not undone.
     struct Gap {
         double width = 0.0;  ///< less what a chord of a hollow wall goes inwards
+        double scale = 0.0;
         bool is_for_whole_step = true;
     };
 

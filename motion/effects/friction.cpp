@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 namespace signum::motion {
 namespace {
@@ -13,16 +14,26 @@ Vector<D> scaled(double factor, const Vector<D>& v) noexcept {
     return result;
 }
 
+/// By how much a momentum of 1 along the surfaces changes their sliding speed: each ball's gives
+/// 1/m (1 + 1/q), I = q m r². A point does not turn, and gives 1/m.
+template <int D>
+double mobility(std::initializer_list<const Slider<D>*> balls, double inertia) noexcept {
+    double of_turning = 0.0;
+    double of_points = 0.0;
+    for (const Slider<D>* ball : balls)
+        (ball->radius > 0.0 ? of_turning : of_points) += 1.0 / ball->mass;
+    return of_turning * (1.0 + 1.0 / inertia) + of_points;
+}
+
 /// The momentum along the surface that a gets, of a sliding velocity with spins.
 template <int D>
-Vector<D> rub(Vector<D> sliding, const Vector<D>& normal, double inverse_mass, double inertia,
-              double most, double restitution) noexcept {
+Vector<D> rub(Vector<D> sliding, const Vector<D>& normal, double mobility, double most,
+              double restitution) noexcept {
     const double along_normal = dot(sliding, normal);
     for (int k = 0; k < D; ++k) sliding[k] -= along_normal * normal[k];
     const double speed = std::sqrt(dot(sliding, sliding));
     if (!(speed > 0.0)) return {};
-    // A momentum p at the surface changes the sliding speed by p (1/m) (1 + 1/q), I = q m r².
-    const double wanted = (1.0 + restitution) * speed / (inverse_mass * (1.0 + 1.0 / inertia));
+    const double wanted = (1.0 + restitution) * speed / mobility;
     return scaled(-std::min(wanted, most) / speed, sliding);
 }
 
@@ -53,7 +64,7 @@ void slide(Slider<D> a, Slider<D> b, const Vector<D>& normal, const Vector<D>& s
     add(at_surface, 1.0, a, arm_a);
     add(at_surface, -1.0, b, arm_b);
     const Vector<D> rubbed =
-        rub<D>(at_surface, normal, 1.0 / a.mass + 1.0 / b.mass, friction.inertia,
+        rub<D>(at_surface, normal, mobility<D>({&a, &b}, friction.inertia),
                friction.coefficient * momentum, friction.tangential_restitution);
     push(a, rubbed, arm_a, friction.inertia);
     push(b, scaled(-1.0, rubbed), arm_b, friction.inertia);
@@ -66,7 +77,7 @@ void slide(Slider<D> ball, const Vector<D>& normal, const Vector<D>& sliding, do
     Vector<D> at_surface = sliding;
     add(at_surface, 1.0, ball, arm);
     push(ball,
-         rub<D>(at_surface, normal, 1.0 / ball.mass, friction.inertia,
+         rub<D>(at_surface, normal, mobility<D>({&ball}, friction.inertia),
                 friction.wall_coefficient * momentum, friction.tangential_restitution),
          arm, friction.inertia);
 }

@@ -286,6 +286,24 @@ TEST(Effects, DiscsOfDifferentSizesThatGrowWriteOneLog) {
     }
 }
 
+/// A disc on a circle around it, over steps so long that the strikes in them count. Which contacts
+/// may wait within a step is found at its beginning, and is not in the state at its end.
+TEST(Effects, AStateBetweenTwoStepsKnowsNothingOfCuts) {
+    Effects<2> effects;
+    effects.restitution = effects.wall_restitution = 0.25;
+    effects.contacts = LastingContacts{0.5};
+    effects.time_step = 0.75;
+    effects.obstacles.emplace_back(Sphere<2>{.radius = 1.0, .side = Sphere<2>::Side::inside});
+    const std::vector<Body<2>> bodies = {{{0.0, -0.9375}, {1.0, 0.0}, 0.0625, 1}};
+    const State<2> first = start<2>(bodies, effects);
+    const Recorded<2> whole = run<2>(first, effects, {}, {.until = 4.5});
+    ASSERT_EQ(whole.state.contacts.size(), 1U);
+    ASSERT_EQ(whole.state.half_steps, 12U);
+    const Recorded<2> part = run<2>(first, effects, {}, {.until = 4.0});
+    const Recorded<2> rest = run<2>(part.state, effects, {}, {.until = 4.5});
+    expect_same(rest.state, whole.state);
+}
+
 // What does nothing
 
 template <int D>

@@ -156,6 +156,25 @@ TEST(MotionEnds, CornersWithMuchFriction) {
     }
 }
 
+/// A ball as wide as its box flies from side to side at time 0, when no step has begun, until it
+/// stays at one: after 100 strikes, too, when contacts would be solved over the rest of a step.
+TEST(MotionEnds, AJamWithoutTimeLeft) {
+    Effects<2> effects;
+    effects.restitution = effects.wall_restitution = 0.9;
+    effects.contacts = LastingContacts{0.25};
+    effects.time_step = 0.125;
+    effects.box = Box<2>{{0.0, 0.0}, {1.0, 8.0}};
+    for (double first = 1000.0; first < 20'000.0; first += 500.0) {
+        std::uint64_t expected = 1;
+        for (double v = first; 0.9 * v >= effects.contacts->speed; v *= 0.9) ++expected;
+        const std::vector<Body<2>> bodies = {{{0.5, 4.0}, {first, 0.0}, 0.5, 1.0}};
+        Simulation<2> simulation(start<2>(bodies, effects), effects);
+        EXPECT_EQ(simulation.run({.until = 0.0}).ending, Ending::until);
+        EXPECT_EQ(simulation.counts().strikes, expected) << first;
+        EXPECT_EQ(simulation.state().balls[0].v[0], 0.0) << first;
+    }
+}
+
 /// Balls in a row between two walls that close: they fly ever faster.
 TEST(MotionEnds, RowsBetweenWallsThatClose) {
     for (const double restitution : {1.0, 0.9, 0.5, 0.0}) {

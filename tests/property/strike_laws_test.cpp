@@ -256,7 +256,7 @@ Spinning<D> spinning(Choices& choose) {
     Spinning<D> ball;
     for (double& each : ball.v) each = choose.number(-2.0, 2.0);
     for (double& each : ball.spin.values) each = choose.number(-3.0, 3.0);
-    ball.radius = 0.125 + choose.unit();
+    ball.radius = choose.below(4) > 0 ? 0.125 + choose.unit() : 0.0;
     ball.mass = 0.125 + choose.unit();
     return ball;
 }

@@ -248,6 +248,38 @@ TEST(TimeSteps, APointRestsOnAFloor) {
     EXPECT_EQ(state.spins[0][0], 0.0);
 }
 
+/// Points slide along oblique floors that rise, and lie on discs: what rounding leaves of their
+/// approach is no strike, though they have no radius of which an overlap would be a part.
+TEST(TimeSteps, PointsStayInContact) {
+    for (std::uint64_t seed = 0; seed < (is_fast ? 60 : 10); ++seed) {
+        Choices choose(seed);
+        Effects<2> effects = standing(10.0);
+        effects.time_step = 0.03;
+        const double friction = choose.of(std::array{0.0, 0.1, 0.5, 1.0});
+        if (seed % 4 > 0) effects.friction = Friction{friction, friction, 0.0, 0.5};
+        const double angle = 0.8 * choose.unit();
+        effects.obstacles.emplace_back(
+            HalfSpace<2>{{-std::sin(angle), std::cos(angle)}, 0.0, seed % 3 == 0 ? 0.2 : 0.0});
+        std::vector<Body<2>> bodies;
+        for (int i = 0; i < 3; ++i) {
+            const double radius = 0.2 + 0.1 * choose.unit();
+            const double x = 0.7 * i;
+            const double y = x * std::tan(angle) + radius / std::cos(angle) + 0.05;
+            bodies.push_back({{x, y}, {choose.number(-1.0, 1.0), 0.0}, radius, 100.0});
+            bodies.push_back({{x + 0.05 * choose.unit(), y + radius + 0.1}, {}, 0.0, 1.0});
+        }
+        Simulation<2> simulation(start<2>(bodies, effects), effects);
+        ASSERT_EQ(simulation.run({.until = 3.0}).ending, Ending::until) << seed;
+        EXPECT_LT(simulation.counts().strikes, 1000U) << seed;
+        const State<2> state = simulation.state();
+        for (std::size_t i = 1; i < bodies.size(); i += 2) {
+            const Vector<2> x = centre(state.balls[i], state.time, effects);
+            const auto& floor = std::get<HalfSpace<2>>(effects.obstacles[0]);
+            EXPECT_GT(dot(x, floor.normal) - floor.speed * state.time, -1e-9) << seed;
+        }
+    }
+}
+
 /// How deep the first ball is in the first obstacle, a circle around it, at most.
 double deepest_in_circle(const Effects<2>& effects, Simulation<2>& simulation, double until) {
     const auto& circle = std::get<Sphere<2>>(effects.obstacles.front());
