@@ -181,6 +181,7 @@ void simulate_scene(const SimulateCall& call) {
             [&]<int D>(const Scene<D>& scene) {
                 const SimulateCall whole = completed(call, scene);
                 if (call.explain) {
+                    check_simulation<D>(whole, {scene.start, scene.effects});
                     DescriptorStream out(1, "standard output");
                     out << whole.scene.explanation;
                     out.flush();
@@ -201,6 +202,7 @@ void simulate(SimulateCall call) {
         return;
     }
     if (!call.settings.empty()) throw CallError("--set is for scenes; give FILE.toml");
+    if (call.explain) throw CallError("--explain is for scenes; give FILE.toml");
     if (call.structure.empty()) call.structure = "auto";
     if (call.arithmetic.empty()) call.arithmetic = "exact";
     if (call.periodic && call.box.empty())

@@ -170,6 +170,41 @@ std::string describe_list(const SimulateCall& call, const motion::ClosestPairs& 
     return text;
 }
 
+/// Where all goes; throws what keeps the call from being run.
+template <int D>
+std::vector<Target> checked_targets(const SimulateCall& call, const MotionState<D>& start) {
+    if (!call.until && !call.events) throw CallError("say when to end: --until T, or --events N");
+    if (call.until && *call.until < start.state.time)
+        throw CallError(fmt::format("--until {}: the state is that of time {}; give a later one",
+                                    *call.until, start.state.time));
+    std::vector<Target> targets = all_targets(call);
+    const bool is_in_frames = has_frames(targets);
+    if (is_in_frames && !call.until) throw CallError("frames need to know the end; add --until T");
+    if (call.every && !is_in_frames)
+        throw CallError("--every is for frames; add -o FILE.xyz or -o FILE.svg");
+    if (call.every) {
+        constexpr double most_frames = 1e7;
+        if ((*call.until - start.state.time) / *call.every > most_frames)
+            throw CallError(fmt::format(
+                "--every {}: more than 10 million frames; give a longer one", *call.every));
+    }
+    refuse_bad_files(call, targets);
+    if (!call.show.empty() && !is_written(targets, "svg") && !is_written(targets, "html"))
+        throw CallError("--show is for a movie; add -o FILE.svg");
+    if (D == 3 && !call.show.empty())
+        throw CallError(fmt::format(
+            "--show {}: drawn in the plane alone, but the balls lie in space; leave it out",
+            call.show));
+    return targets;
+}
+
+motion::Options options_of(const SimulateCall& call) {
+    motion::Options options;
+    options.structure = structure_of(call.structure);
+    options.kernel = call.arithmetic == "naive" ? motion::Kernel::naive : motion::Kernel::exact;
+    return options;
+}
+
 }  // namespace
 
 bool wants_frames(const SimulateCall& call) {
@@ -191,31 +226,8 @@ std::string results_in_words(const SimulateCall& call) {
 
 template <int D>
 void run_simulation(const SimulateCall& call, const MotionState<D>& start) {
-    if (!call.until && !call.events) throw CallError("say when to end: --until T, or --events N");
-    if (call.until && *call.until < start.state.time)
-        throw CallError(fmt::format("--until {}: the state is that of time {}; give a later one",
-                                    *call.until, start.state.time));
-    const std::vector<Target> targets = all_targets(call);
-    const bool is_in_frames = has_frames(targets);
-    if (is_in_frames && !call.until) throw CallError("frames need to know the end; add --until T");
-    if (call.every && !is_in_frames)
-        throw CallError("--every is for frames; add -o FILE.xyz or -o FILE.svg");
-    if (call.every) {
-        constexpr double most_frames = 1e7;
-        if ((*call.until - start.state.time) / *call.every > most_frames)
-            throw CallError(fmt::format(
-                "--every {}: more than 10 million frames; give a longer one", *call.every));
-    }
-    refuse_bad_files(call, targets);
-    if (!call.show.empty() && !is_written(targets, "svg") && !is_written(targets, "html"))
-        throw CallError("--show is for a movie; add -o FILE.svg");
-    if (D == 3 && !call.show.empty())
-        throw CallError(fmt::format(
-            "--show {}: drawn in the plane alone, but the balls lie in space; leave it out",
-            call.show));
-    motion::Options options;
-    options.structure = structure_of(call.structure);
-    options.kernel = call.arithmetic == "naive" ? motion::Kernel::naive : motion::Kernel::exact;
+    const std::vector<Target> targets = checked_targets(call, start);
+    const motion::Options options = options_of(call);
     const motion::Choice choice = motion::choose(options.structure, start.state, start.effects);
     Recording<D> recording(call, targets, start, choice.structure);
     if (!call.quiet && choice.structure != options.structure)
@@ -275,6 +287,17 @@ void run_simulation(const SimulateCall& call, const MotionState<D>& start) {
         ::raise(interrupted());
 }
 
+template <int D>
+void check_simulation(const SimulateCall& call, const MotionState<D>& start) {
+    const std::vector<Target> targets = checked_targets(call, start);
+    const motion::Choice choice =
+        motion::choose(options_of(call).structure, start.state, start.effects);
+    // Its files are beside their places, and go with it.
+    const Recording<D> opened(call, targets, start, choice.structure);
+}
+
+template void check_simulation(const SimulateCall&, const MotionState<2>&);
+template void check_simulation(const SimulateCall&, const MotionState<3>&);
 template void run_simulation(const SimulateCall&, const MotionState<2>&);
 template void run_simulation(const SimulateCall&, const MotionState<3>&);
 

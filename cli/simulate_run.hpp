@@ -17,6 +17,11 @@ namespace signum::cli {
 /// wants_frames().
 [[nodiscard]] std::string results_in_words(const SimulateCall& call);
 
+/// Throws what keeps the call from being run, as run_simulation() would before it begins: its files
+/// are opened, and nothing stays of them.
+template <int D>
+void check_simulation(const SimulateCall& call, const MotionState<D>& start);
+
 /// Runs, records and says how it went. Throws CallError where the call does not fit the state, or
 /// the clock ends the run, CheckFailure for a collapse, MachineError.
 template <int D>

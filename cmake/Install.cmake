@@ -62,6 +62,12 @@ install(TARGETS ${libraries} EXPORT signum-targets
         RUNTIME COMPONENT library
         LIBRARY COMPONENT library NAMELINK_COMPONENT development
         ARCHIVE COMPONENT development)
+# All that `cmake --install` looks for, for who builds no more than this: ./run.
+add_custom_target(signum_package)
+add_dependencies(signum_package ${libraries})
+if(TARGET signum_tool)
+  add_dependencies(signum_package signum_tool)
+endif()
 install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT licence)
 if(TARGET signum_tool)
   install(TARGETS signum_tool COMPONENT tool)

@@ -46,6 +46,17 @@ const json& list_of(const json& value) {
     return value;
 }
 
+/// A key that is not the format's, misspelt for one: where it may be missing nobody would notice.
+struct UnknownKey : json::exception {
+    explicit UnknownKey(const std::string& key) : json::exception(501, "unknown key"), name(key) {}
+    std::string name;
+};
+void refuse_others(const json& table, std::initializer_list<std::string_view> keys) {
+    if (!table.is_object()) throw OutOfPlace();
+    for (const auto& [key, value] : table.items())
+        if (std::ranges::find(keys, key) == keys.end()) throw UnknownKey(key);
+}
+
 json parsed(const std::string& path) {
     InputFile file(path, "a state of a simulation");
     std::string text;
@@ -191,6 +202,8 @@ motion::Vector<D> vector_of(const json& numbers) {
 template <int D>
 motion::Obstacle<D> obstacle_of(const json& wall) {
     const std::string kind = wall.at("kind").get<std::string>();
+    refuse_others(wall, {"kind", "normal", "offset", "speed", "centre", "velocity", "radius",
+                         "side", "from", "to"});
     if (kind == "half-space")
         return motion::HalfSpace<D>{vector_of<D>(wall.at("normal")),
                                     number_of<double>(wall.at("offset")),
@@ -220,23 +233,29 @@ void read_effects_of_state(const json& file, motion::Effects<D>& effects) {
         return number_of<double>(table.at(name));
     };
     with("speed_law", [&](const json& law) {
+        refuse_others(law, {"speed", "power"});
         effects.speed_law = motion::SpeedLaw{number(law, "speed"), number(law, "power")};
     });
     with("contact_duration",
          [&](const json& value) { effects.contact_duration = number_of<double>(value); });
     with("friction", [&](const json& friction) {
+        refuse_others(friction,
+                      {"coefficient", "wall_coefficient", "tangential_restitution", "inertia"});
         effects.friction = motion::Friction{
             number(friction, "coefficient"), number(friction, "wall_coefficient"),
             number(friction, "tangential_restitution"), number(friction, "inertia")};
     });
     with("shake", [&](const json& shake) {
+        refuse_others(shake, {"amplitude", "frequency", "phase"});
         effects.shake = motion::Shake<D>{vector_of<D>(shake.at("amplitude")),
                                          number(shake, "frequency"), number(shake, "phase")};
     });
     with("growth", [&](const json& growth) {
+        refuse_others(growth, {"rate", "until"});
         effects.growth = motion::Growth{number(growth, "rate"), number(growth, "until")};
     });
     with("fluid", [&](const json& fluid) {
+        refuse_others(fluid, {"velocity", "gradient", "linear", "quadratic"});
         motion::Fluid<D> result;
         result.velocity = vector_of<D>(fluid.at("velocity"));
         for (int k = 0; k < D; ++k)
@@ -246,6 +265,7 @@ void read_effects_of_state(const json& file, motion::Effects<D>& effects) {
         effects.fluid = result;
     });
     with("contacts", [&](const json& contacts) {
+        refuse_others(contacts, {"speed", "tolerance", "sweeps"});
         effects.contacts =
             motion::LastingContacts{number(contacts, "speed"), number(contacts, "tolerance"),
                                     number_of<int>(contacts.at("sweeps"))};
@@ -362,6 +382,12 @@ MotionState<D> read_motion_state(const std::string& path) {
     MotionState<D> result;
     try {
         auto& [state, effects] = result;
+        refuse_others(
+            file, {"format",    "version", "dimension", "time",  "restitution",  "wall_restitution",
+                   "periodic",  "gravity", "low",       "high",  "speed_law",    "contact_duration",
+                   "friction",  "shake",   "growth",    "fluid", "contacts",     "time_step",
+                   "obstacles", "balls",   "passed",    "spins", "last_strikes", "standing",
+                   "half_steps"});
         state.time = number_of<double>(file.at("time"));
         effects.restitution = number_of<double>(file.at("restitution"));
         effects.wall_restitution = number_of<double>(file.at("wall_restitution"));
@@ -388,6 +414,10 @@ MotionState<D> read_motion_state(const std::string& path) {
             state.passed.push_back(each);
         }
         read_rest_of_state(file, state);
+    } catch (const UnknownKey& key) {
+        throw InputError(path, fmt::format("a state of a simulation has no key {}; give a file as "
+                                           "--save wrote it",
+                                           in_quotes(key.name)));
     } catch (const json::exception&) {
         throw InputError(path,
                          "a state of a simulation with something missing or out of place; give a "

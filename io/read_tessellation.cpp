@@ -1,14 +1,17 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <map>
 #include <optional>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "json_events.hpp"
+#include "nearest_word.hpp"
 #include "read_tessellation.hpp"
 
 namespace signum {
@@ -33,6 +36,10 @@ constexpr std::array<std::string_view, 10> key_names = {
     "format",    "version", "metric", "weight_is",  "sites",
     "dimension", "faces",   "cells",  "neighbours", "hidden"};
 
+/// What may be missing, and what is written for others to read.
+const std::array<std::string, 4> optional_keys = {"weight_is", "dimension", "neighbours", "hidden"};
+constexpr std::array<std::string_view, 2> keys_of_others = {"vertices", "statistics"};
+
 Key key_of(std::string_view name) noexcept {
     for (std::size_t i = 0; i < key_names.size(); ++i) {
         if (key_names[i] == name) return static_cast<Key>(i);
@@ -53,8 +60,9 @@ struct Rows {
 
 class TessellationReader final : public JsonEvents {
  public:
-    TessellationReader(InputFile& file, bool takes_space)
+    TessellationReader(InputFile& file, std::string path, bool takes_space)
         : JsonEvents(file, "a tessellation is what signum triangulate writes as JSON"),
+          path_(std::move(path)),
           takes_space_(takes_space) {}
 
     ReadTessellation read() {
@@ -66,9 +74,15 @@ class TessellationReader final : public JsonEvents {
                 fail(cursor().structure(), fmt::format("\"{}\" is missing", name_of(key)));
             }
         }
+        for (const auto& [meant, typed] : misspelt_) {
+            if (seen_.contains(key_of(meant))) continue;
+            cursor().file().fail(typed.place,
+                                 fmt::format("{} is no key of a tessellation; did you mean \"{}\"?",
+                                             in_quotes(typed.name), meant));
+        }
         if (in_space) {
             SpaceTessellation found = finished_in_space();
-            return {std::move(arrays_), std::move(found)};
+            return {std::move(arrays_), std::move(found), note()};
         }
         if (seen_.contains(Key::dimension) && dimension_ != 2) {
             fail(cursor().structure(),
@@ -82,7 +96,7 @@ class TessellationReader final : public JsonEvents {
             for (const auto& [a, b, c, none] : neighbours_.rows)
                 arrays_.neighbours.push_back({a, b, c});
         }
-        return {std::move(arrays_), std::nullopt};
+        return {std::move(arrays_), std::nullopt, note()};
     }
 
     bool start_object(std::size_t /*size*/) override {
@@ -107,6 +121,8 @@ class TessellationReader final : public JsonEvents {
         if (key_ != Key::other && !seen_.insert(key_).second) {
             fail_at_value(fmt::format("a second \"{}\"", text));
         }
+        if (key_ == Key::other && std::ranges::find(keys_of_others, text) == keys_of_others.end())
+            note_unknown(text);
         return true;
     }
     bool start_array(std::size_t /*size*/) override {
@@ -195,6 +211,20 @@ class TessellationReader final : public JsonEvents {
         return key_ == Key::neighbours && longest() > 3 ? &neighbours_ : nullptr;
     }
 
+    /// A key that is not the format's.
+    void note_unknown(const std::string& name) {
+        if (const auto meant = nearest_word(name, optional_keys))
+            misspelt_.try_emplace(*meant, Unknown{name, cursor().value()});
+        if (!unknown_) unknown_ = {name, cursor().value()};
+    }
+    [[nodiscard]] std::string note() const {
+        if (!unknown_) return {};
+        return InputError(path_, unknown_->place,
+                          fmt::format("{} is no key of a tessellation, and is ignored",
+                                      in_quotes(unknown_->name)))
+            .what();
+    }
+
     void require_width(Key key, const Rows& rows, std::size_t width) const {
         if (rows.width == 0 || rows.width == width) return;
         fail(rows.start, fmt::format("{} numbers in an entry of \"{}\", not {}", rows.width,
@@ -275,12 +305,20 @@ class TessellationReader final : public JsonEvents {
                                                            name_of(key_), in_quotes(name), names));
     }
 
+    std::string path_;
     bool takes_space_;
     TessellationArrays arrays_;
     Rows cells_;
     Rows neighbours_;  ///< those that came before any faces
     int dimension_ = -1;
     std::set<Key> seen_;
+    /// By what they were meant to be, the first that reads so.
+    struct Unknown {
+        std::string name;
+        Position place;
+    };
+    std::map<std::string, Unknown> misspelt_;
+    std::optional<Unknown> unknown_;  ///< the first
     Key key_ = Key::other;
     int depth_ = 0;
     Position start_;  ///< of the entry that is being read
@@ -292,12 +330,12 @@ class TessellationReader final : public JsonEvents {
 
 TessellationArrays read_tessellation(const std::string& path) {
     InputFile file(path, "a tessellation in JSON");
-    return TessellationReader(file, false).read().arrays;
+    return TessellationReader(file, path, false).read().arrays;
 }
 
 ReadTessellation read_any_tessellation(const std::string& path) {
     InputFile file(path, "a tessellation in JSON");
-    return TessellationReader(file, true).read();
+    return TessellationReader(file, path, true).read();
 }
 
 }  // namespace signum

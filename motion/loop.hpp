@@ -226,7 +226,7 @@ class Loop final : public Simulation<D>::Engine {
     static constexpr Slot nobody = ~Slot{0};
     static constexpr Slot first_wall = nobody - (1 << 20);
     static constexpr std::uint32_t most_in_place_dissipative = 1000;
-    static constexpr std::uint32_t most_in_place_closing = 10'000;
+    static constexpr std::uint32_t most_without_room = 10'000;
     static constexpr std::uint32_t most_in_place_elastic = 100'000;
     /// Parts of the time since 0, and of a time step, that are none.
     static constexpr double no_time = 0x1p-30;
@@ -674,8 +674,10 @@ class Loop final : public Simulation<D>::Engine {
                 return;
             }
             if (is_stale(best)) {
-                // Whichever begins first: at its turn the ball is asked again.
-                if (candidate.early < best.early) best = candidate;
+                // At its turn, not after either begins, the ball is asked again for all: others
+                // have left out pairs with it since its turn would come before them. The candidate
+                // may turn out to be later than these.
+                best.early = std::min(best.early, candidate.early);
                 return;
             }
             make_exact(i, best);
@@ -1066,21 +1068,24 @@ class Loop final : public Simulation<D>::Engine {
     void count(Slot i, const Ball<D>& came, double approach, double square,
                const Exactly& exactly) {
         const double since = came.time - world_.balls[i].time;
-        const InPlace stayed = stayed_in_place(came, since, approach, square);
-        if (!is_hurried(came, since, approach, square) &&
-            (stayed == InPlace::no || (stayed == InPlace::uncertain && !exactly()))) [[likely]] {
+        const InPlace in_place = stayed_in_place(came, since, approach, square);
+        const bool stayed = in_place == InPlace::yes || takes_no_time(came, since) ||
+                            (in_place == InPlace::uncertain && exactly());
+        if (!stayed && !has_no_room(came, since, approach, square)) [[likely]] {
             particles_[i].in_place = 0;
-        } else if (++particles_[i].in_place >= most_in_place()) {
+        } else if (++particles_[i].in_place >= (stayed ? most_in_place_ : most_without_room)) {
             collapses_ = true;
             particles_[i].in_place = 0;
         }
     }
     /// Between what closes on it, walls or balls that grow, a ball flies ever faster. It is never
-    /// in place; but at last it flies in no time, and where balls grow hardly anywhere. What hops
-    /// on a floor hardly goes anywhere, too, but takes its time.
-    [[nodiscard]] bool is_hurried(const Ball<D>& came, double since, double approach,
-                                  double square) const noexcept {
-        if (since <= std::max(no_time * came.time, no_time_of_step * steps_.length())) return true;
+    /// in place; but at last it flies in no time,
+    [[nodiscard]] bool takes_no_time(const Ball<D>& came, double since) const noexcept {
+        return since <= std::max(no_time * came.time, no_time_of_step * steps_.length());
+    }
+    /// and hardly anywhere. What hops on a floor hardly goes anywhere, too, but takes its time.
+    [[nodiscard]] bool has_no_room(const Ball<D>& came, double since, double approach,
+                                   double square) const noexcept {
         if (!closes()) [[likely]]
             return false;
         const double speed = approach / std::sqrt(square);
@@ -1088,10 +1093,6 @@ class Loop final : public Simulation<D>::Engine {
                no_room * speed >= world_.pull * since;
     }
 
-    /// A ball's strikes in place, in a row, that end the run.
-    [[nodiscard]] std::uint32_t most_in_place() const noexcept {
-        return closes() ? most_in_place_closing : most_in_place_;
-    }
     [[nodiscard]] bool closes() const noexcept {
         return world_.effects.growth.has_value() || has_moving_obstacles_;
     }
@@ -1306,7 +1307,7 @@ class Loop final : public Simulation<D>::Engine {
     /// no time is left until the next step each pair waits after one slow strike.
     [[nodiscard]] bool is_jammed(std::initializer_list<Slot> balls, bool stays, double t) const {
         if (!laws_.has_contacts() || t >= turn_) return false;
-        const std::uint32_t most = most_in_place();
+        const std::uint32_t most = most_in_place_;
         return std::ranges::any_of(balls, [&](Slot i) {
             const std::uint32_t count = particles_[i].in_place;
             return (stays && count > 0 && count % strikes_to_a_jam == 0) ||

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "../exact/floating_environment.hpp"
+#include "check_parts.hpp"
 #include "gap.hpp"
 #include "near_pairs.hpp"
 #include "stop.hpp"
@@ -88,7 +89,7 @@ std::optional<Strike> next_strike(const State<D>& state, const Effects<D>& effec
 template <int D>
 std::optional<Neighbour> nearest(const State<D>& state, const Effects<D>& effects,
                                  std::int32_t ball) {
-    check(state, effects);
+    check_parts(state, effects);
     require_free_flight(effects);
     if (ball < 0 || static_cast<std::size_t>(ball) >= state.balls.size())
         throw std::out_of_range("ball: a number that no ball has");
@@ -102,7 +103,7 @@ std::optional<Neighbour> nearest(const State<D>& state, const Effects<D>& effect
 
 template <int D>
 std::optional<ClosestPair> closest_pair(const State<D>& state, const Effects<D>& effects) {
-    check(state, effects);
+    check_parts(state, effects);
     require_free_flight(effects);
     if (state.balls.size() < 2) return std::nullopt;
     const exact::IeeeEnvironment environment;

@@ -15,6 +15,7 @@
 #include "../exact/floating_environment.hpp"
 #include "apart.hpp"
 #include "box_tree.hpp"
+#include "check_parts.hpp"
 #include "simulation.hpp"
 #include "time_steps.hpp"
 
@@ -428,7 +429,7 @@ State<D> start(std::span<const Body<D>> bodies, const Effects<D>& effects) {
 }
 
 template <int D>
-void check(const State<D>& state, const Effects<D>& effects) {
+void check_parts(const State<D>& state, const Effects<D>& effects) {
     const exact::IeeeEnvironment environment;
     check(effects);
     const std::size_t balls = state.balls.size();
@@ -455,10 +456,10 @@ void check(const State<D>& state, const Effects<D>& effects) {
             !std::ranges::all_of(contact.rub, [](double each) { return std::isfinite(each); }))
             throw std::invalid_argument("a state with contacts of balls or walls that it has not");
     for (const Spin<D>& spin : state.spins)
-        if (!std::ranges::all_of(spin, is_in_reach))
-            throw std::invalid_argument("a state with a spin that is not finite, or beyond 2^200");
-    if (!(state.time >= 0.0 && is_in_reach(state.time)))
-        throw std::invalid_argument("a state's time: give 0 or more, at most 2^200");
+        if (!std::ranges::all_of(spin, [](double each) { return std::isfinite(each); }))
+            throw std::invalid_argument("a state with a spin that is not finite");
+    if (!(state.time >= 0.0 && std::isfinite(state.time)))
+        throw std::invalid_argument("a state's time: give 0 or more");
     for (const double time : state.last_strikes)
         if (!(time <= state.time))
             throw std::invalid_argument("a state with a last strike that is after its time");
@@ -472,10 +473,27 @@ void check(const State<D>& state, const Effects<D>& effects) {
         const Ball<D>& ball = state.balls[i];
         const auto number = static_cast<std::int64_t>(i);
         for (int k = 0; k < D; ++k)
-            if (!is_in_reach(ball.x[k]) || !is_in_reach(ball.v[k]))
-                throw BallError(number,
-                                "a coordinate or speed that is not finite, or beyond 2^200");
+            if (!std::isfinite(ball.x[k]) || !std::isfinite(ball.v[k]))
+                throw BallError(number, "a coordinate or speed that is not finite");
         check_radius_and_mass(ball.radius, state.masses[i], number);
+        if (!(ball.time >= 0.0 && ball.time <= state.time))
+            throw BallError(number, "a ball's own time that is not from 0 to that of the state");
+    }
+}
+
+template <int D>
+void check(const State<D>& state, const Effects<D>& effects) {
+    const exact::IeeeEnvironment environment;
+    check_parts(state, effects);
+    for (const Spin<D>& spin : state.spins)
+        if (!std::ranges::all_of(spin, is_in_reach))
+            throw std::invalid_argument("a state with a spin beyond 2^200");
+    if (!is_in_reach(state.time)) throw std::invalid_argument("a state's time: give at most 2^200");
+    for (std::size_t i = 0; i < state.balls.size(); ++i) {
+        const Ball<D>& ball = state.balls[i];
+        const auto number = static_cast<std::int64_t>(i);
+        if (!std::ranges::all_of(ball.x, is_in_reach) || !std::ranges::all_of(ball.v, is_in_reach))
+            throw BallError(number, "a coordinate or speed beyond 2^200");
         check_sides_of_segments(ball.radius, effects, number);
         if (effects.box) {
             const bool grows = effects.growth && state.time < effects.growth->until;
@@ -483,11 +501,11 @@ void check(const State<D>& state, const Effects<D>& effects) {
             check_width(ball.radius, grows ? effects.growth : std::nullopt, effects, 0x1p-40,
                         number);
         }
-        if (!(ball.time >= 0.0 && ball.time <= state.time))
-            throw BallError(number, "a ball's own time that is not from 0 to that of the state");
     }
 }
 
+template void check_parts(const State<2>&, const Effects<2>&);
+template void check_parts(const State<3>&, const Effects<3>&);
 template void check(const State<2>&, const Effects<2>&);
 template void check(const State<3>&, const Effects<3>&);
 template State<2> start(std::span<const Body<2>>, const Effects<2>&);

@@ -85,10 +85,10 @@ struct BallDiagram {
 /// about in proportion to the result for balls spread at random, and for crystals. Where m balls of
 /// equal radii touch one sphere, or have their centres in a plane, on a circle or on a line, about
 /// m² steps; where m of different radii touch one sphere or one plane from one side, each three and
-/// each four of them are looked at, up to m⁴. Where centres are nearly on a line, but not on one,
-/// and radii little different, some 10^5 directions are looked at for each ball, and all balls in
-/// each. A ball with m neighbours costs each of these up to m steps. Memory: about in proportion to
-/// the result, and to the fours and threes that are looked at for one ball.
+/// each four of them are looked at, up to m⁴. Where m balls are nearly so, but not quite, about a
+/// thousand directions of each ball tell them apart, however little they are off: some m² steps. A
+/// ball with m neighbours costs each of these up to m steps. Memory: about in proportion to the
+/// result, and to the fours and threes that are looked at for one ball.
 [[nodiscard]] BallDiagram ball_diagram(std::span<const Site3> balls, const Options& options = {});
 
 }  // namespace signum

@@ -4,8 +4,15 @@
 /// A step of time h is half a kick, a flight of h and half a kick (Strang 1968): the error of
 /// places and velocities after a given time goes as h². Kicks of gravity, of linear and of
 /// quadratic drag are each a formula, in the order g/2, linear/2, quadratic, linear/2, g/2, so that
-/// drag never turns a velocity round, however long the step. Doubles, each operation rounded once;
-/// exponentials are the nearest doubles.
+/// drag never turns a velocity round, however long the step. Where contacts stand a step is a whole
+/// kick and a flight, and the error goes as h.
+///
+/// Doubles, each operation rounded once, sums from left to right: a kick of time t makes of v
+///
+///     u = velocity + gradient·x,   w = E (v + t/2 g - u),   E = exp(-((linear r) / m) t / 2),
+///     v' = u + (E / (1 + c √(w·w) t)) w + t/2 g,            c = (quadratic r^(D-1)) / m,
+///
+/// r the radius at that time, E the nearest double to the exponential of the rounded number.
 
 #include <vector>
 

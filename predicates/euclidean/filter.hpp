@@ -310,17 +310,25 @@ inline constexpr ConflictOf<filters::RoundingCount> counted_conflict(counted_tri
 static_assert(counted_conflict.a.roundings == 19 && counted_conflict.l.roundings == 8);
 
 /// The sign of Q (A - L √Γ). The magnitude of A is at most m = l_q (l_j l_k)² (l_j + l_k + l_q),
-/// that of L at most t = l_j l_k l_q, that of Γ at most g² for g = l_j l_k l_jk. The errors:
-///     A      19e m
-///     L       8e t
-///     Γ      17e g², so that the root s of the rounded Γ, as |√a - √b| <= |a - b| / √a, is off by
-///            18e g²/s and by its own rounding, e s <= e (1+18e) g²/s: together less than 20e g²/s
-///     A - L s    19e m + 8e t s + |L| 20e g²/s, and 2e (|A| + |L| s) for product and difference.
-/// Now s <= g(1+9e), and t g <= m since l_jk <= l_j + l_k; so that all is at most
-/// (19 + 8 + 2 + 2) e m + 20e |L| g²/s, and some second-order terms. Both sides are compared times
-/// s, of degree 9, without a division: where s is 0, nothing is certain.
+/// that of L at most t = l_j l_k l_q, that of Γ at most g² for g = l_j l_k l_jk; and t g <= m,
+/// since l_jk <= l_j + l_k. The errors of what is computed, a, l and the root s of the rounded Γ:
+///     |a - A|    19e m
+///     |l - L|    8e t
+///     |s - √Γ|   19e g²/s: Γ is off by 17e g², so that its root, as |√x - √y| <= |x - y| / √x, is
+///                by 17e g²/s, and its own rounding is e s = e s²/s
+///     |l s - L √Γ| <= |l| |s - √Γ| + |l - L| √Γ
+/// and e (|a| + 2 |l| s) for product and difference. √Γ is not bounded by s where that is small:
+/// √Γ <= (1+e) s + 2^-23 g, as √(x + y) <= √x + √y; and it is l, not L, that the error of s is
+/// multiplied by, as in the bound. All is compared times s, of degree 9, without a division: where
+/// s is 0, nothing is certain. With s <= (1 + 2^-10) g and t g <= m it comes to
+///     (19 + 8 + 3) e m s + 19e |l| g²
+/// but for parts of 2^-9, and the bound, as it is computed, to more. A script says all this to
+/// gappa (tests/structure/proofs/conflict.hpp).
 inline constexpr int conflict_error_of_a = 34;
 inline constexpr int conflict_error_of_root = 22;
+static_assert(conflict_error_of_a >
+                  counted_conflict.a.roundings + counted_conflict.l.roundings + 3 &&
+              conflict_error_of_root > counted_conflict.gamma.roundings + 2);
 template <class Number>
 [[nodiscard, gnu::always_inline]] constexpr Number bound_of_conflict(const Number& m,
                                                                      const Number& l,
@@ -384,11 +392,14 @@ inline constexpr InfiniteConflictOf<filters::RoundingCount> counted_infinite_con
 static_assert(counted_infinite_conflict.t.roundings == 7 &&
               counted_infinite_conflict.cross.roundings == 4);
 
-/// The sign of T - √p X: T of 7 roundings of at most l_u² l_w, X of 4 roundings of at most l_u l_w.
-/// As above the root s of p is off by less than 8e l_u²/s, and s <= l_u(1+3e): (7 + 4 + 4)e l_u²
-/// l_w + 8e |X| l_u²/s, compared times s as above.
+/// The sign of T - √p X: T of 7 roundings of at most l_u² l_w, X of 4 roundings of at most l_u l_w,
+/// p of 5 of at most l_u². As above, the root s of p is off by less than 7e l_u²/s, and with x for
+/// what is computed of X the error, times s, is at most (7 + 4 + 3) e l_u² l_w s + 7e |x| l_u².
 inline constexpr int infinite_error_of_t = 18;
 inline constexpr int infinite_error_of_root = 10;
+static_assert(infinite_error_of_t > counted_infinite_conflict.t.roundings +
+                                        counted_infinite_conflict.cross.roundings + 3 &&
+              infinite_error_of_root > counted_difference.p.roundings + 2);
 template <class Number>
 [[nodiscard, gnu::always_inline]] constexpr Number bound_of_infinite_conflict(
     const Number& l_u, const Number& l_w, const Number& cross, const Number& root) noexcept {

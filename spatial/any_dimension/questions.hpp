@@ -16,13 +16,16 @@
 ///     last site whose coefficient is not 0 decides.
 ///
 /// A sign comes from the filter (rounded.hpp; in space those of predicates/space/), otherwise from
-/// exact numbers of the type Exact (exact.hpp).
+/// exact numbers of the type Exact (exact.hpp); a judge in space asks integers of a few words
+/// first.
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <type_traits>
 #include <utility>
 
 #include "../../core/index.hpp"
@@ -31,6 +34,7 @@
 #include "few.hpp"
 #include "rounded.hpp"
 #include "sites.hpp"
+#include "word_integers.hpp"
 
 namespace signum::any_dimension {
 
@@ -213,6 +217,9 @@ class Questions {
 
  private:
     static constexpr std::size_t most = static_cast<std::size_t>(D) + 1;
+    /// A judge's numbers in space: first those of a few words (word_integers.hpp).
+    static constexpr bool judges_in_words =
+        D == 3 && HasCentre3<S> && std::is_same_v<Exact, exact::Dyadic>;
 
     Sign filtered(Sign sign) noexcept {
         ++filtered_;
@@ -237,10 +244,22 @@ class Questions {
         return rows;
     }
     [[nodiscard, gnu::cold]] Sign exact_orientation(const Cell& v, const Axes<D>& axes) const {
+        if constexpr (judges_in_words) {
+            if (axes.count == 3)
+                if (const std::optional<Sign> sign =
+                        orientation_in_words(site(v[0]), site(v[1]), site(v[2]), site(v[3])))
+                    return *sign;
+        }
         return sign_of_determinant(exact_offsets(v, axes), axes.count);
     }
     [[nodiscard, gnu::cold]] Sign exact_in_sphere(const Cell& v, Index q) const {
         const std::size_t k = axes_.count;
+        if constexpr (judges_in_words) {
+            if (k == 3)
+                if (const std::optional<Sign> sign = in_sphere_in_words(
+                        std::array{site(v[0]), site(v[1]), site(v[2]), site(v[3])}, site(q)))
+                    return *sign;
+        }
         Matrix<Exact, most> rows;
         for (std::size_t i = 0; i <= k; ++i) {
             for (std::size_t m = 0; m < k; ++m)

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -443,6 +444,72 @@ TEST(BallDiagram, OfMoreBallsHasAllVertices) {
         std::map<List, int> vertices;
         for (std::size_t v = 0; v < d.vertices.size(); ++v) ++vertices[list_of(d.vertices[v])];
         EXPECT_EQ(vertices, all_vertices(balls, d));
+    }
+}
+
+/// Balls with centres near a line, a circle, a plane or a sphere, and radii near those that let all
+/// touch along one curve, or one sphere: the search for candidates tells them apart by less than
+/// doubles do.
+Balls nearly_on(const std::string& shape, Random& g, int n, double off) {
+    Balls balls;
+    const auto noise = [&] { return off * (2 * g.real() - 1); };
+    for (int i = 0; i < n; ++i) {
+        const double t = 3.0 * i + g.real(), angle = 2.0 * i + g.real();
+        Site3 b{0, 0, 0, 1};
+        if (shape == "line" || shape == "cone") {
+            b = {0.48 * t, 0.6 * t, 0.64 * t, shape == "cone" ? 0.25 * t : 1.0};
+        } else if (shape == "axis") {
+            b.x = 3.0 * i;
+        } else if (shape == "circle") {
+            b = {20 * std::cos(angle), 16 * std::sin(angle), 12 * std::sin(angle), 1};
+        } else if (shape == "plane") {
+            b = {40 * g.real(), 40 * g.real(), 0, 1};
+            b.z = 0.3 * b.x - 0.7 * b.y;
+        } else {
+            const double z = 2 * g.real() - 1, r = std::sqrt(1 - z * z);
+            b = {20 * r * std::cos(angle), 20 * r * std::sin(angle), 20 * z, 1};
+        }
+        balls.push_back({b.x + noise(), b.y + noise(), b.z + noise(), b.r + noise()});
+    }
+    return balls;
+}
+
+TEST(BallDiagram, OfBallsNearlyOnALineHasAllVertices) {
+    Random g(18);
+    for (const char* shape : {"line", "axis", "cone", "circle", "plane", "sphere"}) {
+        for (const double off : {0x1p-10, 0x1p-25, 0x1p-40, 0x1p-49}) {
+            for (int trial = 0; trial < (is_fast ? 3 : 1); ++trial) {
+                const Balls balls = nearly_on(shape, g, 14 + g.below(8), off);
+                SCOPED_TRACE(shape + std::string(", off by ") + std::to_string(std::ilogb(off)));
+                const BallDiagram d = ball_diagram(balls);
+                expect_laws(balls, d);
+                std::map<List, int> vertices;
+                bool is_general = true;
+                for (std::size_t v = 0; v < d.vertices.size(); ++v) {
+                    ++vertices[list_of(d.vertices[v])];
+                    is_general &= d.vertices[v].size() == 4 && d.turns[v] != 0;
+                }
+                if (is_general) {
+                    EXPECT_EQ(vertices, all_vertices(balls, d));
+                }
+            }
+        }
+    }
+}
+
+/// They were tried four by four: 40 on a circle took more than a minute.
+TEST(BallDiagram, OfBallsNearlyOnALineTakesNoLongerThanTheirSquares) {
+    Random g(19);
+    for (const char* shape : {"line", "axis", "circle", "plane", "sphere"}) {
+        for (const double off : {0x1p-10, 0x1p-30, 0x1p-49}) {
+            const Balls balls = nearly_on(shape, g, is_fast ? 80 : 40, off);
+            const auto begin = std::chrono::steady_clock::now();
+            const BallDiagram d = ball_diagram(balls);
+            const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+            EXPECT_GT(d.edges.size(), balls.size()) << shape;
+            // Some 1.4 s at most on an idle machine.
+            EXPECT_LT(seconds.count(), is_fast ? 20.0 : 60.0) << shape << ", off by " << off;
+        }
     }
 }
 

@@ -113,7 +113,7 @@ void add(Effects<D>& effects, Effect effect, Choices& choose, double size) {
             effects.contact_duration = choose.below(2) == 0 ? 0.125 : 0.01;
             break;
         case Effect::friction:
-            effects.friction = Friction{choose.number(0.0, 1.0), choose.number(0.0, 1.0),
+            effects.friction = Friction{choose.number(0.0, 2.0), choose.number(0.0, 2.0),
                                         0.25 * (choose.below(9) - 4), D == 2 ? 0.5 : 0.4};
             break;
         case Effect::shake:

@@ -257,6 +257,27 @@ TEST(MotionStructures, FewDiscsWriteOneLog) {
     }
 }
 
+/// Points and tiny discs in a periodic box, two and three: nothing but rounding keeps their
+/// projections apart.
+TEST(MotionStructures, FewPointsInAPeriodicBoxWriteOneLog) {
+    for (const double radius : {0.0, 0x1p-40, 0x1p-17}) {
+        for (std::uint64_t seed = 0; seed < 20; ++seed) {
+            SCOPED_TRACE(testing::Message() << "radius " << radius << ", seed " << seed);
+            std::mt19937_64 random(seed);
+            const auto unit = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
+            Scene<2> scene{"points", {}, {}};
+            for (std::uint64_t i = 0; i < 2 + seed % 2; ++i)
+                scene.bodies.push_back({{2.0 * unit(), seed % 4 == 0 ? 1.25 : 2.0 * unit()},
+                                        {3.0 * unit() - 1.5, seed % 3 == 0 ? 0.0 : unit() - 0.5},
+                                        radius,
+                                        1.0});
+            scene.effects.box = Box<2>{{0.0, 0.0}, {2.0, 2.0}};
+            scene.effects.periodic = true;
+            ASSERT_NO_FATAL_FAILURE(expect_one_log(scene, {.until = 50.0}));
+        }
+    }
+}
+
 /// What a record or a stop throws comes out of the run, and the log goes on without a gap.
 TEST(MotionStructures, WhatARecordOrAStopThrowsLosesNothing) {
     struct Thrown {};

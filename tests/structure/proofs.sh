@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Writes the proofs of the filters' bounds and has gappa check each. Without gappa it is skipped (77).
+# Writes the proofs of the filters' bounds and has gappa check each. Without gappa it is skipped (77). The
+# table of docs/proofs.md must say what the program prints.
 #
 #   proofs.sh PROGRAM [DIRECTORY]     (proofs/proofs.cpp); with a directory the scripts stay there
 set -euo pipefail
@@ -17,7 +18,8 @@ else
   trap 'rm -rf "$scratch"' EXIT
 fi
 
-"$proofs" "$scratch"
+table=$("$proofs" "$scratch")
+echo "$table"
 failed=0
 count=0
 for script in "$scratch"/*.g; do
@@ -31,6 +33,24 @@ for script in "$scratch"/*.g; do
   fi
 done
 echo "$((count - failed)) of $count propositions are proved"
+# A row of the page may have several names, of which all but the first are their last words, and a number for
+# each or one for all.
+page=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../../docs/proofs.md
+if ! diff <(tail -n +2 <<<"$table" | awk '{ printf "%s %d %.2f\n", $1, $2, $3 }' | sort) \
+  <(sed -n '/^| filter | where |/,/^$/p' "$page" | awk -F '|' 'NR > 2 && NF > 4 {
+      gsub(/[` ]/, "")
+      sub(/:.*/, "", $2)
+      names = split($2, name, ",")
+      roundings = split($4, rounding, ",")
+      margins = split($5, margin, ",")
+      stem = name[1]
+      sub(/_[^_]*$/, "", stem)
+      for (i = 1; i <= names; ++i)
+        print (i == 1 ? name[1] : stem name[i]), rounding[roundings == 1 ? 1 : i], margin[margins == 1 ? 1 : i]
+    }' | sort); then
+  failed=$((failed + 1))
+  echo "docs/proofs.md says otherwise than the program (<)"
+fi
 # What is false must not be provable: nor must an error that is greater than its bound.
 echo '{ |S| <= 1 /\ |s| <= 2 -> |S + s| <= 2 }' >"$scratch/false.g"
 if gappa "$scratch/false.g" >/dev/null 2>&1; then

@@ -202,6 +202,22 @@ TEST(ReadTessellation, RefusesWhatIsNoTessellation) {
     EXPECT_EQ(error("{\"faces\": ["), "1:12: the file ends too early" + expected);
 }
 
+TEST(ReadTessellation, RefusesAMisspeltKeyOfWhatMayBeMissing) {
+    const std::string begin =
+        "{\"format\": \"signum.tessellation\", \"version\": 1, \"metric\": \"power\", \"sites\": "
+        "3, \"faces\": [[0,1,2]], ";
+    const auto is_no_key = [&begin](const std::string& key, const std::string& meant) {
+        return "1:" + std::to_string(begin.size() + 1) + ": '" + key +
+               "' is no key of a tessellation; did you mean \"" + meant + "\"?";
+    };
+    EXPECT_EQ(error(begin + "\"weight_si\": \"weight\"}"), is_no_key("weight_si", "weight_is"));
+    EXPECT_EQ(error(begin + "\"neighbors\": [[-1,-1,-1]]}"), is_no_key("neighbors", "neighbours"));
+    EXPECT_EQ(error(begin + "\"Hidden\": [[3, 0]]}"), is_no_key("Hidden", "hidden"));
+    // Where what is meant is there, it is a key of somebody's own.
+    EXPECT_EQ(error(begin + "\"hiden\": 1, \"hidden\": []}"), "no error");
+    EXPECT_EQ(error(begin + "\"title\": \"Cells\"}"), "no error");
+}
+
 /// A tetrahedron with a hidden site in it.
 SpaceTessellation tetrahedron() {
     SpaceTessellation t;
@@ -237,6 +253,19 @@ std::string error_of_any(std::string_view text) {
 
 const std::string head =
     "{\"format\": \"signum.tessellation\", \"version\": 1, \"metric\": \"power\", \"sites\": 1";
+
+TEST(ReadAnyTessellation, NotesWhatItIgnores) {
+    const std::string note =
+        read_any(head + ", \"faces\": [],\n\"title\": {\"faces\": 1}, \"x\": 2}").note;
+    EXPECT_NE(note.find("t.json:2:1: 'title' is no key of a tessellation, and is ignored"),
+              std::string::npos)
+        << note;
+    EXPECT_EQ(
+        read_any(json(tessellation(), JsonOptions{.vertices = true, .statistics = true})).note, "");
+    EXPECT_EQ(read_any(json(tetrahedron(), WeightIs::weight)).note, "");
+    EXPECT_EQ(error_of_any(head + ", \"dimension\": 0, \"cells\": [[0]], \"neighbor\": [[1]]}"),
+              "1:112: 'neighbor' is no key of a tessellation; did you mean \"neighbours\"?");
+}
 
 TEST(ReadAnyTessellation, ReadsWhatIsWritten) {
     const ReadTessellation in_space = read_any(json(tetrahedron(), WeightIs::weight));

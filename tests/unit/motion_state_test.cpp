@@ -4,6 +4,7 @@
 #include <limits>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <variant>
 
 #include <gtest/gtest.h>
@@ -183,6 +184,27 @@ TEST(MotionState, OfVersion1IsRead) {
     EXPECT_EQ(state.state.masses[0], 7.0);
     EXPECT_FALSE(state.effects.friction);
     EXPECT_TRUE(state.effects.obstacles.empty());
+}
+
+TEST(MotionState, HasNoOtherKeys) {
+    const Scratch scratch;
+    const std::string text = written(with_all_effects<2>());
+    for (const auto& [name, other] :
+         {std::pair("\"friction\"", "\"fricton\""), std::pair("\"half_steps\"", "\"half_step\""),
+          std::pair("\"sweeps\"", "\"sweps\""), std::pair("\"low\"", "\"lower\"")}) {
+        std::string changed = text;
+        changed.replace(changed.find(name), std::string(name).size(), other);
+        const std::string path = scratch.file("state.json", changed);
+        try {
+            static_cast<void>(read_motion_state<2>(path));
+            ADD_FAILURE() << other;
+        } catch (const InputError& error) {
+            const std::string key(other);
+            EXPECT_EQ(error.what(), path + ": a state of a simulation has no key '" +
+                                        key.substr(1, key.size() - 2) +
+                                        "'; give a file as --save wrote it");
+        }
+    }
 }
 
 /// The state with all effects, with other text in one place.

@@ -329,6 +329,31 @@ TEST_F(SceneRuns, RecordWhereTheSceneSaysUnlessAnOptionDoes) {
               "signum: --save " + name("log.csv") + " is where -o goes, too; give another name\n");
 }
 
+TEST_F(SceneRuns, AreNotExplainedWhereTheyWouldBeRefused) {
+    const std::string scene = scratch.file("scene.toml", box + gas + "[run]\nuntil = 0.5\n");
+    const std::string nowhere = scratch.path("missing/log.csv");
+    for (const Words& words :
+         {Words{"-o", nowhere}, Words{"--save", nowhere}, Words{"--closest", nowhere},
+          Words{"--every", "0.1"}, Words{"--until", "-1"},
+          Words{"--save", scratch.path("a.csv"), "-o", scratch.path("a.csv")}}) {
+        Words call = {"simulate", scene, "--quiet"};
+        call.insert(call.end(), words.begin(), words.end());
+        const Outcome refused = run(call);
+        call.emplace_back("--explain");
+        const Outcome explained = run(call);
+        EXPECT_NE(refused.code, 0) << words[0];
+        EXPECT_EQ(explained.code, refused.code) << words[0];
+        EXPECT_EQ(explained.err, refused.err);
+        EXPECT_EQ(explained.out, "");
+    }
+    const std::string balls = scratch.file("balls.txt", "0 0 1 1 0\n");
+    EXPECT_EQ(run({"simulate", balls, "--until", "1", "--explain"}).err,
+              "signum: --explain is for scenes; give FILE.toml\n");
+    // Nothing stays of the files that it opens.
+    EXPECT_EQ(run({"simulate", scene, "-o", scratch.path("b.csv"), "--explain"}).code, 0);
+    EXPECT_FALSE(std::ifstream(scratch.path("b.csv")).good());
+}
+
 TEST_F(SceneRuns, SayWhatTheyWillWriteAndWhatTheyHaveWritten) {
     const auto name = [&](const std::string& file) { return scratch.path(file); };
     const std::string scene =

@@ -54,6 +54,8 @@ class Expression {
     explicit Expression(double value) {
         if (value != 0) *this = Expression(input_name(value < 0 ? -value : value));
     }
+    /// A factor of a formula.
+    explicit Expression(int factor) : Expression(constant(factor)) {}
     [[nodiscard]] static Expression constant(double value) {
         Expression result;
         result.magnitude_[{}] = value;

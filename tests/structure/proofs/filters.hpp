@@ -170,7 +170,7 @@ inline Compared sum_of_four_forms() {
 }
 inline Compared sum_of_eight_forms() {
     Expression sum(0.0);
-    for (int m = 1; m <= 8; ++m) sum = sum + manhattan_form(m);
+    for (int m = 1; m <= 8; ++m) sum = rectangular::with_term(sum, 1, manhattan_form(m));
     return {sum, rectangular::eight_by_four * (rectangular::error_of_four * manhattan_size())};
 }
 
