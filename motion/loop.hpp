@@ -259,6 +259,8 @@ class Loop final : public Simulation<D>::Engine {
         std::uint32_t in_place = 0;
         std::int32_t number = 0;
         std::uint32_t own_at_once = 0;  ///< events of the structure at one time
+        /// Of all balls, when own_at_once was last found to be too many.
+        std::uint32_t strikes_of_all = 0;
     };
 
     static Balls<D> in_order(const std::vector<Ball<D>>& balls,
@@ -1000,13 +1002,17 @@ class Loop final : public Simulation<D>::Engine {
         if (!world_.effects.box) make_anew();
         if (world_.effects.box || late_ != nobody) refuse(late);
     }
-    /// Ends of a ball's projections change places with all others', at one time, at most.
+    /// Ends of a ball's projections change places with all others', at one time, at most; but after
+    /// a strike at that time anew.
     void refuse_standstill(Slot i) {
         Particle& particle = particles_[i];
-        if (particle.own > now_) [[likely]]
+        if (particle.own > now_) [[likely]] {
             particle.own_at_once = 0;
-        else if (++particle.own_at_once > 1000 + 8 * particles_.size())
-            refuse(i);
+        } else if (++particle.own_at_once > 1000 + 8 * particles_.size()) [[unlikely]] {
+            const auto strikes = static_cast<std::uint32_t>(counts_.strikes);
+            if (std::exchange(particle.strikes_of_all, strikes) == strikes) refuse(i);
+            particle.own_at_once = 0;
+        }
     }
     [[noreturn, gnu::cold]] void refuse(Slot i) const {
         throw std::range_error("ball " + std::to_string(particles_[i].number) + " at time " +

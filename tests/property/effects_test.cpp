@@ -304,6 +304,30 @@ TEST(Effects, AStateBetweenTwoStepsKnowsNothingOfCuts) {
     expect_same(rest.state, whole.state);
 }
 
+/// Two balls without room that grow and rub: thousands of strikes at time 0, after each of which
+/// the ends of projections change places anew.
+TEST(Effects, ManyStrikesAtOneTimeAreNoStandstill) {
+    Effects<3> effects;
+    effects.restitution = 0.75;
+    effects.friction = Friction{0.875, 3.0, 1.0, 0.4};
+    effects.growth = Growth{0.25, 1.0};
+    effects.box = cube<3>(2.0);
+    const std::vector<Body<3>> bodies = {
+        {{1.5, 1.5, 1.5}, {-1.125, -0.875, -1.625}, 0.5, 2.125, {-0.625, 1.5, -0.75}},
+        {{0.5, 1.5, 1.5}, {0.0, 0.0, 1.25}, 0.5, 3.875, {0.125, -0.75, 0.25}}};
+    const State<3> first = start<3>(bodies, effects);
+    const Limits all{.until = 1.0, .strikes = 50'000, .stop = {}};
+    const Recorded<3> expected = run<3>(first, effects, {Structure::pairs}, all);
+    EXPECT_EQ(expected.end, "collapse");
+    EXPECT_EQ(expected.state.time, 0.0);
+    for (const Structure structure : all_structures) {
+        SCOPED_TRACE(name_of(structure));
+        const Recorded<3> other = run<3>(first, effects, {structure}, all);
+        EXPECT_EQ(other.end, expected.end);
+        expect_same(other.log, expected.log);
+    }
+}
+
 // What does nothing
 
 template <int D>
