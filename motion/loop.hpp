@@ -742,6 +742,7 @@ class Loop final : public Simulation<D>::Engine {
             law.restitution = bounce.restitution;
             facts.stays = bounce.stays;
             facts.rubs = bounce.rubs;
+            facts.jams = is_jammed({i, j}, facts.stays, t);
         }
         Exchange exchange;
         const double mass_a = particles_[i].mass;
@@ -753,12 +754,11 @@ class Loop final : public Simulation<D>::Engine {
         counts_.rounded += tally.refined;
         counts_.rounded_exactly += tally.exact;
         refuse_missed_strike(i, j, a, b, exchange.square);
-        if (facts.stays) [[unlikely]] {
+        if (facts.stays) [[unlikely]]
             if (waits(i, j, t, facts.approach, facts.distance - (a.radius + b.radius)))
                 exchange.struck = false;
-            else if (exchange.struck && is_jammed({i, j}, t))
-                return settle_jam(i, j, t);
-        }
+        if (facts.jams && exchange.struck) [[unlikely]]
+            return settle_jam(i, j, t);
         if (!exchange.struck) {
             passed_.pass(i, j, facts.stays ? std::max(t, turn_) : t);
             if (facts.stays) stand(i, j);
@@ -864,8 +864,8 @@ class Loop final : public Simulation<D>::Engine {
                 turn_inwards(ball, hollow);
                 exchange.struck = true;
             }
-            if (exchange.struck && is_jammed({i}, t)) return settle_jam(i, partner, t);
         }
+        if (exchange.struck && is_jammed({i}, bounce.stays, t)) return settle_jam(i, partner, t);
         if (!exchange.struck) {
             if (bounce.stays) {
                 passed_.pass(i, partner, std::max(t, turn_));
@@ -973,6 +973,7 @@ class Loop final : public Simulation<D>::Engine {
         double approach = 0.0;
         bool stays = false;
         bool rubs = false;
+        bool jams = false;
     };
     [[nodiscard]] Facts facts_of(const Ball<D>& a, const Ball<D>& b, const Image<D>& seen,
                                  double growth = 0.0) const {
@@ -1288,12 +1289,16 @@ class Loop final : public Simulation<D>::Engine {
 
     /// Strikes one after the other, each of which would leave two in contact, need not come to an
     /// end: with friction above 1 a ball in a corner is sent from one wall to the other and back.
-    /// But where no time is left until the next step each pair waits after one strike.
-    [[nodiscard]] bool is_jammed(std::initializer_list<Slot> balls, double t) const {
-        if (t >= turn_) return false;
+    /// Fast ones need not, in number: a light ball on a floor that a heavy one falls on goes to and
+    /// fro between the two. So shortly before that would end the run all stay in contact. But where
+    /// no time is left until the next step each pair waits after one slow strike.
+    [[nodiscard]] bool is_jammed(std::initializer_list<Slot> balls, bool stays, double t) const {
+        if (!laws_.has_contacts() || t >= turn_) return false;
+        const std::uint32_t most = most_in_place_;
         return std::ranges::any_of(balls, [&](Slot i) {
             const std::uint32_t count = particles_[i].in_place;
-            return count > 0 && count % strikes_to_a_jam == 0;
+            return (stays && count > 0 && count % strikes_to_a_jam == 0) ||
+                   (count >= most - most / 10 && count < most);
         });
     }
     /// Instead of a strike all contacts that hang together with it are solved at once, as at the

@@ -198,8 +198,8 @@ TEST(MotionEnds, NotWhereThereIsNoEnd) {
         state.time = time;
         for (Ball<2>& ball : state.balls) ball.time = time;
         Simulation<2> simulation(state, effects);
-        EXPECT_EQ(simulation.run({.until = time + 1000.0, .strikes = 20'000}).ending,
-                  Ending::strikes);
+        EXPECT_EQ(simulation.run({.until = time + 1000.0}).ending, Ending::until);
+        EXPECT_GT(simulation.counts().strikes, 10'000U);
     }
     for (const bool grows : {true, false}) {
         Effects<2> effects;
@@ -219,11 +219,11 @@ TEST(MotionEnds, NotWhereThereIsNoEnd) {
     }
 }
 
-/// Balls in a row between two walls that close: they fly ever faster.
+/// Balls in a row between two walls that close. Without loss they would fly ever faster, and strike
+/// some million times.
 TEST(MotionEnds, RowsBetweenWallsThatClose) {
-    for (const double restitution : {1.0, 0.9, 0.5, 0.0}) {
-        if (restitution == 1.0 && !is_fast) continue;  // a million strikes a ball
-        for (int balls = 1; balls <= (restitution == 1.0 ? 1 : 4); ++balls) {
+    for (const double restitution : {0.9, 0.5, 0.0}) {
+        for (int balls = 1; balls <= 4; ++balls) {
             for (const double step : {0.0, 0.125}) {
                 Scene<2> scene{"row", {}, {}};
                 scene.effects.restitution = scene.effects.wall_restitution = restitution;

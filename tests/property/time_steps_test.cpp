@@ -280,6 +280,27 @@ TEST(TimeSteps, PointsStayInContact) {
     }
 }
 
+/// A heavy disc falls on a light one on the floor, which goes to and fro between the two ever
+/// faster, until they lie on one another.
+TEST(TimeSteps, AHeavyDiscFallsOnALightOne) {
+    for (const double heavy : {10.0, 1e3, 1e4, 1e6})
+        for (const double restitution : {0.0, 0.25, 0.5, 0.75}) {
+            Effects<2> effects = standing(10.0);
+            effects.restitution = effects.wall_restitution = restitution;
+            effects.box = Box<2>{{0.0, 0.0}, {1.0, 10.0}};
+            effects.friction = Friction{0.5, 0.5, 0.0, 0.5};
+            const std::vector<Body<2>> bodies = {{{0.5, 0.25}, {}, 0.25, 1.0},
+                                                 {{0.5, 2.0}, {}, 0.5, heavy}};
+            Simulation<2> simulation(start<2>(bodies, effects), effects);
+            ASSERT_EQ(simulation.run({.until = 6.0}).ending, Ending::until)
+                << heavy << ' ' << restitution;
+            EXPECT_LT(simulation.counts().strikes, 5000U);
+            const State<2> state = simulation.state();
+            EXPECT_NEAR(state.balls[1].v[1], 0.0, 1e-9);
+            EXPECT_NEAR(push_between(state, 0, 1) / effects.time_step / heavy, 10.0, 1e-6);
+        }
+}
+
 /// How deep the first ball is in the first obstacle, a circle around it, at most.
 double deepest_in_circle(const Effects<2>& effects, Simulation<2>& simulation, double until) {
     const auto& circle = std::get<Sphere<2>>(effects.obstacles.front());
