@@ -53,14 +53,29 @@ std::string_view in_words(motion::Ending ending) {
     return "a collapse";
 }
 
-std::string describe_collapse(const motion::Strike& last) {
+template <int D>
+std::string describe_collapse(const motion::Strike& last, const motion::Effects<D>& effects) {
+    const bool loses =
+        effects.restitution < 1.0 || effects.wall_restitution < 1.0 || effects.speed_law;
+    std::string_view remedy;
+    if (effects.growth)
+        remedy = "; let effects.growth end earlier";
+    else if (effects.contacts)
+        remedy = "";
+    else if (loses && effects.contact_duration == 0.0)
+        remedy =
+            "; with effects.contact_duration, or effects.contacts and run.time_step, such balls go "
+            "on";
+    else if (loses || effects.gravity != motion::Vector<D>{})
+        remedy = "; with effects.contacts and run.time_step balls may lie still";
     return fmt::format(
-        "at time {} ball {} and {} {} strike without end: an inelastic collapse, balls that are "
-        "jammed, or a ball that comes to rest, which effects.contact_duration or effects.contacts "
-        "would let go on; the log up to there is complete",
-        last.time, last.a, last.wall ? "wall" : "ball", last.b);
+        "at time {} ball {} and {} {} strike without end: an inelastic collapse, a jam, or a ball "
+        "that lies still; the log up to there is complete{}",
+        last.time, last.a, last.wall ? "wall" : "ball", last.b, remedy);
 }
 
+template std::string describe_collapse(const motion::Strike&, const motion::Effects<2>&);
+template std::string describe_collapse(const motion::Strike&, const motion::Effects<3>&);
 template std::optional<double> compressibility(const Summary<2>&);
 template std::optional<double> compressibility(const Summary<3>&);
 template std::string statistics_of(const Summary<2>&);

@@ -31,6 +31,9 @@ template <int D>
 
 /// How a run ended.
 [[nodiscard]] std::string_view in_words(motion::Ending ending);
-[[nodiscard]] std::string describe_collapse(const motion::Strike& last);
+/// The last strike of a collapse, and what would let such balls go on, if there is something.
+template <int D>
+[[nodiscard]] std::string describe_collapse(const motion::Strike& last,
+                                            const motion::Effects<D>& effects);
 
 }  // namespace signum::cli

@@ -100,6 +100,14 @@ void refuse_bad_file(std::string_view option, const std::string& path, std::stri
                 fmt::format("{} {} is where -o goes, too; give another name", option, path));
     }
 }
+/// Who is near whom is told of free flights alone.
+template <int D>
+void refuse_list_of_pairs(const SimulateCall& call, const motion::Effects<D>& effects) {
+    if (call.closest.empty() || (!effects.growth && effects.time_step == 0.0)) return;
+    throw CallError(
+        fmt::format("--closest is for balls that fly freely; leave it out, or leave out {}",
+                    effects.growth ? "effects.growth" : "run.time_step"));
+}
 void refuse_bad_files(const SimulateCall& call, std::span<const Target> targets) {
     refuse_bad_file("--save", call.save, "a state", call, targets);
     refuse_bad_file("--closest", call.closest, "the list", call, targets);
@@ -189,6 +197,7 @@ std::vector<Target> checked_targets(const SimulateCall& call, const MotionState<
                 "--every {}: more than 10 million frames; give a longer one", *call.every));
     }
     refuse_bad_files(call, targets);
+    refuse_list_of_pairs(call, start.effects);
     if (!call.show.empty() && !is_written(targets, "svg") && !is_written(targets, "html"))
         throw CallError("--show is for a movie; add -o FILE.svg");
     if (D == 3 && !call.show.empty())
@@ -269,7 +278,7 @@ void run_simulation(const SimulateCall& call, const MotionState<D>& start) {
         }
     }
     if (outcome->ending == motion::Ending::collapse) {
-        std::string what = describe_collapse(outcome->last);
+        std::string what = describe_collapse(outcome->last, start.effects);
         if (is_interrupted(closest))
             what += "; closest pairs: " + describe_list(call, *closest, seconds_of_list.count());
         throw CheckFailure(what);

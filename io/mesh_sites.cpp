@@ -36,10 +36,13 @@ class PlySites {
                 }
                 if (is_vertex) read_vertex();
             }
-            if (!is_vertex) continue;
-            if (&element == &elements_.back() && lines_.next_with_words())
-                lines_.fail_at(0, fmt::format("a line beyond the {} vertices", element.count));
-            break;
+        }
+        // It may be a vertex that the header does not count.
+        if (lines_.next_with_words()) {
+            const Element& last = elements_.back();
+            lines_.fail_at(
+                0, fmt::format("a line beyond the {} {}", last.count,
+                               last.name == "vertex" ? "vertices" : "elements " + last.name));
         }
         if (result_.in_space.empty()) lines_.fail_at_end("no vertex in this file");
         return std::move(result_);
@@ -56,7 +59,10 @@ class PlySites {
             lines_.fail_at_end("this is no PLY file");
         while (lines_.next_with_words()) {
             const std::string_view what = lines_[0];
-            if (what == "end_header") return check_header();
+            if (what == "end_header") {
+                if (lines_.size() > 1) lines_.fail_at(1, "end_header stands alone in its line");
+                return check_header();
+            }
             if (what == "format")
                 read_format();
             else if (what == "element")

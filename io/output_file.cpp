@@ -92,6 +92,8 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)), target_(path_
     struct stat status = {};
     const bool exists = ::stat(path_.c_str(), &status) == 0;
     if (exists && S_ISDIR(status.st_mode)) fail(path_, EISDIR);
+    // To rename over a file that is protected against writing, its directory alone is asked.
+    if (exists && ::faccessat(AT_FDCWD, path_.c_str(), W_OK, AT_EACCESS) != 0) fail(path_, errno);
     if (exists && !S_ISREG(status.st_mode)) {
         descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
         if (descriptor_ < 0) fail(path_, errno);

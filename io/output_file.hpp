@@ -6,7 +6,7 @@
 ///  2. A file that is not published leaves nothing behind, after an exception or, when the program
 ///     calls remove_unfinished_files() from its signal handlers, after a signal.
 ///  3. Every failure to write is a MachineError that names the file and the reason, or a NameError
-///     where the file cannot have its name.
+///     where the file cannot have its name. A file that may not be written to is not replaced.
 /// What is no regular file (a device, a pipe) cannot be renamed into and is written directly.
 
 #include <memory>

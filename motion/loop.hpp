@@ -228,12 +228,15 @@ class Loop final : public Simulation<D>::Engine {
     static constexpr std::uint32_t most_in_place_dissipative = 1000;
     static constexpr std::uint32_t most_without_room = 10'000;
     static constexpr std::uint32_t most_in_place_elastic = 100'000;
-    /// Parts of the time since 0, and of a time step, that are none.
-    static constexpr double no_time = 0x1p-30;
-    static constexpr double no_time_of_step = 0x1p-20;
-    /// A part of its radius that is no room for a ball in a packing on which something closes.
+    /// A strike that comes sooner after the last one than this part of the clock, some 2^7 of its
+    /// ticks, comes at once.
+    static constexpr double no_time = 0x1p-45;
+    /// A ball that flies no farther than this part of its radius has no room where balls grow, if
+    /// they would still grow by so many times that way.
     static constexpr double no_room = 0x1p-8;
-    /// A part of a point's coordinates beside whose 256th rounding is nothing.
+    static constexpr double growth_to_a_jam = 16.0;
+    /// A point has no radius: it may overlap by 2^-40, a 256th of this part, of its largest
+    /// coordinate, which is 2^13 roundings.
     static constexpr double of_places = 0x1p-32;
     /// After so many strikes in place contacts that should stand are solved together.
     static constexpr std::uint32_t strikes_to_a_jam = 100;
@@ -774,11 +777,11 @@ class Loop final : public Simulation<D>::Engine {
         ++counts_.strikes;
         ++particles_[i].strikes;
         ++particles_[j].strikes;
-        count(i, a_before, exchange.approach, exchange.square, [&] {
+        count(i, a_before, exchange.approach, exchange.square, law.growth, [&] {
             return stayed_in_place_exactly(a_before, b_before, seen, world_.effects,
                                            world_.balls[i].time);
         });
-        count(j, b_before, exchange.approach, exchange.square, [&] {
+        count(j, b_before, exchange.approach, exchange.square, law.growth, [&] {
             // D and V of the pair, whichever comes first.
             Image<D> back;
             for (int k = 0; k < D; ++k) back[k] = -seen[k];
@@ -832,7 +835,7 @@ class Loop final : public Simulation<D>::Engine {
         }
         ++counts_.strikes;
         ++particles_[i].strikes;
-        count(i, ball_before, std::fabs(ball_before.v[wall / 2]), 1.0,
+        count(i, ball_before, std::fabs(ball_before.v[wall / 2]), 1.0, 0.0,
               [&] { return stayed_in_place_exactly(ball_before, wall, world_.balls[i].time); });
         put(i, ball);
         release(i);
@@ -879,7 +882,7 @@ class Loop final : public Simulation<D>::Engine {
         }
         ++counts_.strikes;
         ++particles_[i].strikes;
-        count(i, came, exchange.approach, exchange.square,
+        count(i, came, exchange.approach, exchange.square, growth,
               [&] { return stayed_in_place_exactly(came, faces, growth, world_.balls[i].time); });
         if (bounce.rubs) {
             Vector<D> sliding = came.v;
@@ -985,15 +988,6 @@ class Loop final : public Simulation<D>::Engine {
         return facts;
     }
 
-    [[nodiscard]] static bool moves(const std::vector<Obstacle<D>>& obstacles) {
-        return std::ranges::any_of(obstacles, [](const Obstacle<D>& each) {
-            if (const auto* wall = std::get_if<HalfSpace<D>>(&each)) return wall->speed != 0.0;
-            if (const auto* wall = std::get_if<Sphere<D>>(&each))
-                return wall->velocity != Vector<D>{};
-            return false;
-        });
-    }
-
     /// At time t a ball of speed v along an axis flies v 2^-53 t while an event is told late by a
     /// rounding, and its place, x + v (t - T), is rounded by at most twice that and what the margin
     /// has besides. Where v t is at most 2^50 margins all that is less than half a margin an axis.
@@ -1063,38 +1057,31 @@ class Loop final : public Simulation<D>::Engine {
                                         : naive::arrived(world_.balls[i], t, world_.effects);
     }
 
-    /// Counts a strike of a ball, which is given as it was when it came.
+    /// Counts a strike of a ball, which is given as it was when it came. `growth`: the speed at
+    /// which the radii of the two grow.
     template <class Exactly>
-    void count(Slot i, const Ball<D>& came, double approach, double square,
+    void count(Slot i, const Ball<D>& came, double approach, double square, double growth,
                const Exactly& exactly) {
         const double since = came.time - world_.balls[i].time;
         const InPlace in_place = stayed_in_place(came, since, approach, square);
-        const bool stayed = in_place == InPlace::yes || takes_no_time(came, since) ||
+        const bool stayed = in_place == InPlace::yes || since <= no_time * came.time ||
                             (in_place == InPlace::uncertain && exactly());
-        if (!stayed && !has_no_room(came, since, approach, square)) [[likely]] {
+        if (!stayed && !has_no_room(came, since, approach / std::sqrt(square), growth)) [[likely]] {
             particles_[i].in_place = 0;
         } else if (++particles_[i].in_place >= (stayed ? most_in_place_ : most_without_room)) {
             collapses_ = true;
             particles_[i].in_place = 0;
         }
     }
-    /// Between what closes on it, walls or balls that grow, a ball flies ever faster. It is never
-    /// in place; but at last it flies in no time,
-    [[nodiscard]] bool takes_no_time(const Ball<D>& came, double since) const noexcept {
-        return since <= std::max(no_time * came.time, no_time_of_step * steps_.length());
-    }
-    /// and hardly anywhere. What hops on a floor hardly goes anywhere, too, but takes its time.
-    [[nodiscard]] bool has_no_room(const Ball<D>& came, double since, double approach,
-                                   double square) const noexcept {
-        if (!closes()) [[likely]]
+    /// Whether balls will have closed the gap that one has flown through long before they cease to
+    /// grow. A ball that hops on a floor flies as short ways, but as slowly as it falls.
+    [[nodiscard]] bool has_no_room(const Ball<D>& came, double since, double speed,
+                                   double growth) const noexcept {
+        if (!world_.effects.growth) [[likely]]
             return false;
-        const double speed = approach / std::sqrt(square);
-        return speed * since <= no_room * grown_radius(came) &&
-               no_room * speed >= world_.pull * since;
-    }
-
-    [[nodiscard]] bool closes() const noexcept {
-        return world_.effects.growth.has_value() || has_moving_obstacles_;
+        const double flown = speed * since;
+        return flown <= no_room * grown_radius(came) && no_room * speed >= world_.pull * since &&
+               growth_to_a_jam * flown <= growth * (world_.effects.growth->until - came.time);
     }
 
     [[nodiscard]] bool is_passed(Slot i, Proposal& candidate) {
@@ -1358,7 +1345,6 @@ class Loop final : public Simulation<D>::Engine {
     EventQueue queue_;
     bool fetches_;
     std::uint32_t most_in_place_;
-    bool has_moving_obstacles_ = moves(world_.effects.obstacles);
     bool collapses_ = false;
     std::uint64_t own_events_left_ = own_events_a_ball * particles_.size();
     std::uint64_t strikes_before_ = 0;

@@ -173,7 +173,7 @@ class Explanation {
                          quantity(e.contact_duration, dimensions::time)),
              "the time of each ball's last strike",
              loses ? "a ball that comes to rest strikes ever faster, and that collapse ends the run"
-                   : "where strikes are elastic nothing collapses"},
+                   : "elastic balls come to no rest"},
             {"friction", e.friction.has_value(),
              e.friction ? fmt::format("{}, at walls {}; tangential restitution {}, inertia {} m r²",
                                       e.friction->coefficient, e.friction->wall_coefficient,

@@ -29,6 +29,7 @@ py::object inserted(Dynamic& dynamic, const py::object& sites) {
     const py::array array = doubles(sites);
     const bool is_one = array.ndim() == 1 && array.size() > 0;
     const Rows rows(is_one ? array.attr("reshape")(1, -1) : py::object(array), "sites", 2, 3);
+    refuse_too_many(rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i)
         if (!are_finite(site_of(rows, i)))
             throw py::value_error("sites: row " + std::to_string(i) + " is not finite");
@@ -87,12 +88,14 @@ void moved_all(Dynamic& dynamic, const py::object& centres) {
 }
 
 void bind_changing(py::module_& module) {
-    py::class_<Dynamic>(module, "DynamicTessellation",
-                        R"(A tessellation whose sites come, go, grow and move.
+    py::class_<Dynamic> bound(module, "DynamicTessellation",
+                              R"(A tessellation whose sites come, go, grow and move.
 
 At any time it is that of triangulate() of the sites that are there, in the order of their handles. A
 handle names its site until that is erased; then it may be given to another one. One call at a time:
-while one runs in another thread the next one raises RuntimeError.)")
+while one runs in another thread the next one raises RuntimeError.)");
+    complete(bound);
+    bound
         .def(py::init([](const std::string& metric, const std::string& weight_is,
                          const py::object& sites) {
                  auto dynamic = std::make_unique<Dynamic>(metric_of(metric), weight_of(weight_is));
@@ -237,7 +240,10 @@ MovingSite moving_site(const Rows& rows, std::size_t i) {
             rows.at(i, 4), rows.at(i, 2), rows.columns() > 5 ? rows.at(i, 5) : 0.0};
 }
 MovingSite one_moving_site(const py::object& object) {
-    const Rows rows(doubles(object).attr("reshape")(1, -1), "site", 5, 6);
+    const py::array array = doubles(object);
+    const Rows rows(array.ndim() == 1 ? array.attr("reshape")(1, -1) : py::object(array), "site", 5,
+                    6);
+    if (rows.size() != 1) throw py::value_error("site: one row is needed");
     return moving_site(rows, 0);
 }
 
@@ -286,12 +292,14 @@ auto asked(Kinetic& kinetic, Use use) {
 }
 
 void bind_moving(py::module_& module) {
-    py::class_<Kinetic>(module, "KineticTessellation",
-                        R"(A power tessellation whose sites move, kept up exactly.
+    py::class_<Kinetic> bound(module, "KineticTessellation",
+                              R"(A power tessellation whose sites move, kept up exactly.
 
 Sites are x, y, r, vx, vy and, if they are not of time 0, their own time: at time t the centre is
 (x, y) + (vx, vy) (t - time), and where all fall alike g (t - time)^2 / 2 more. Handles and threads as those of
-a DynamicTessellation.)")
+a DynamicTessellation.)");
+    complete(bound);
+    bound
         .def(py::init(&moving), py::arg("sites"), py::kw_only(), py::arg("start") = 0.0,
              py::arg("fall") = py::make_tuple(0.0, 0.0),
              "Of sites with handles 0, 1, 2 ...; raises ValueError naming the row that is not "

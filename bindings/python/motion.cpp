@@ -29,8 +29,28 @@ motion::Vector<D> vector_of(const py::object& object, const char* what) {
     for (int k = 0; k < D; ++k) result[k] = numbers(k);
     return result;
 }
+/// Of an object that is to be of a class of signum.effects.
+py::object field_of(const py::object& from, const char* name) {
+    if (!py::hasattr(from, name))
+        throw py::type_error(std::string(name) + ": a '" +
+                             std::string(py::str(py::type::of(from).attr("__name__"))) +
+                             "' has none; an object of a class of signum.effects is needed");
+    return from.attr(name);
+}
 double number(const py::object& from, const char* name) {
-    return from.attr(name).cast<double>();
+    return number_of(field_of(from, name), name);
+}
+bool truth(const py::object& from, const char* name) {
+    const int truth = PyObject_IsTrue(field_of(from, name).ptr());
+    if (truth < 0) throw py::error_already_set();
+    return truth != 0;
+}
+int sweeps_of(const py::object& object) {
+    try {
+        return object.cast<int>();
+    } catch (const py::cast_error&) {
+        throw py::type_error("sweeps: a whole number of 32 bits is needed");
+    }
 }
 
 template <int D>
@@ -50,21 +70,21 @@ template <int D>
 motion::Obstacle<D> obstacle_of(const py::object& object) {
     const std::string kind = py::str(py::type::of(object).attr("__name__"));
     if (kind == "HalfSpace")
-        return motion::HalfSpace<D>{vector_of<D>(object.attr("normal"), "normal"),
+        return motion::HalfSpace<D>{vector_of<D>(field_of(object, "normal"), "normal"),
                                     number(object, "offset"), number(object, "speed")};
     if (kind == "Sphere") {
-        const py::object velocity = object.attr("velocity");
+        const py::object velocity = field_of(object, "velocity");
         return motion::Sphere<D>{
-            vector_of<D>(object.attr("centre"), "centre"),
+            vector_of<D>(field_of(object, "centre"), "centre"),
             velocity.is_none() ? motion::Vector<D>{} : vector_of<D>(velocity, "velocity"),
             number(object, "radius"),
-            object.attr("inside").cast<bool>() ? motion::Sphere<D>::Side::inside
-                                               : motion::Sphere<D>::Side::outside};
+            truth(object, "inside") ? motion::Sphere<D>::Side::inside
+                                    : motion::Sphere<D>::Side::outside};
     }
     if constexpr (D == 2)
         if (kind == "Segment")
-            return motion::Segment{vector_of<2>(object.attr("start"), "start"),
-                                   vector_of<2>(object.attr("end"), "end")};
+            return motion::Segment{vector_of<2>(field_of(object, "start"), "start"),
+                                   vector_of<2>(field_of(object, "end"), "end")};
     throw py::value_error("obstacles: " + kind + " is none of the classes of signum.effects" +
                           (D == 3 ? " for space" : ""));
 }
@@ -82,20 +102,20 @@ motion::Effects<D> effects_of(const py::object& given) {
     effects.wall_restitution = number(given, "wall_restitution");
     effects.contact_duration = number(given, "contact_duration");
     effects.time_step = number(given, "time_step");
-    effects.periodic = given.attr("periodic").cast<bool>();
+    effects.periodic = truth(given, "periodic");
     with("box", [&](const py::object& box) { effects.box = box_of_corners<D>(box); });
     with("speed_law", [&](const py::object& law) {
         effects.speed_law = motion::SpeedLaw{number(law, "speed"), number(law, "power")};
     });
     with("friction", [&](const py::object& f) {
-        const py::object inertia = f.attr("inertia");
-        effects.friction =
-            motion::Friction{number(f, "coefficient"), number(f, "wall_coefficient"),
-                             number(f, "tangential_restitution"),
-                             inertia.is_none() ? (D == 2 ? 0.5 : 0.4) : inertia.cast<double>()};
+        const py::object inertia = field_of(f, "inertia");
+        effects.friction = motion::Friction{
+            number(f, "coefficient"), number(f, "wall_coefficient"),
+            number(f, "tangential_restitution"),
+            inertia.is_none() ? (D == 2 ? 0.5 : 0.4) : number_of(inertia, "inertia")};
     });
     with("shake", [&](const py::object& s) {
-        effects.shake = motion::Shake<D>{vector_of<D>(s.attr("amplitude"), "amplitude"),
+        effects.shake = motion::Shake<D>{vector_of<D>(field_of(s, "amplitude"), "amplitude"),
                                          number(s, "frequency"), number(s, "phase")};
     });
     with("growth", [&](const py::object& g) {
@@ -105,9 +125,9 @@ motion::Effects<D> effects_of(const py::object& given) {
         motion::Fluid<D> fluid;
         fluid.linear = number(f, "linear");
         fluid.quadratic = number(f, "quadratic");
-        if (const py::object v = f.attr("velocity"); !v.is_none())
+        if (const py::object v = field_of(f, "velocity"); !v.is_none())
             fluid.velocity = vector_of<D>(v, "velocity");
-        if (const py::object g = f.attr("gradient"); !g.is_none()) {
+        if (const py::object g = field_of(f, "gradient"); !g.is_none()) {
             const Rows rows(g, "gradient", D, D);
             if (rows.size() != D) throw py::value_error("gradient: a row an axis is needed");
             for (int i = 0; i < D; ++i)
@@ -118,7 +138,7 @@ motion::Effects<D> effects_of(const py::object& given) {
     });
     with("contacts", [&](const py::object& c) {
         effects.contacts = motion::LastingContacts{number(c, "speed"), number(c, "tolerance"),
-                                                   c.attr("sweeps").cast<int>()};
+                                                   sweeps_of(field_of(c, "sweeps"))};
     });
     for (const py::handle obstacle : given.attr("obstacles"))
         effects.obstacles.push_back(obstacle_of<D>(py::reinterpret_borrow<py::object>(obstacle)));
@@ -303,7 +323,9 @@ py::object closest_pair(const State& state) {
 }
 
 void bind_simulation(py::module_& module) {
-    py::class_<Simulation>(module, "_Simulation")
+    py::class_<Simulation> bound(module, "_Simulation");
+    complete(bound);
+    bound
         .def(py::init(&simulation), py::arg("balls"), py::arg("effects"), py::arg("structure"),
              py::arg("arithmetic"))
         .def("run", &run, py::arg("until"), py::arg("strikes"), py::arg("log"), py::arg("progress"))
@@ -312,11 +334,12 @@ void bind_simulation(py::module_& module) {
 }
 
 void bind_state(py::module_& module) {
-    py::class_<State>(module, "State", R"(Balls at one time: what Simulation.state() gives.
+    py::class_<State> bound(module, "State", R"(Balls at one time: what Simulation.state() gives.
 
 Each ball's x and v are those at its own time, of its last strike, and exact; until its next strike it
-flies on. The arrays are read-only views of the state's memory.)")
-        .def_property_readonly("time", &time_of, "Nothing is left to do before it.")
+flies on. The arrays are read-only views of the state's memory.)");
+    complete(bound);
+    bound.def_property_readonly("time", &time_of, "Nothing is left to do before it.")
         .def_property_readonly(
             "dimension", [](const State& state) { return state.index() == 0 ? 2 : 3; }, "2 or 3.")
         .def_property_readonly(
@@ -344,7 +367,7 @@ flies on. The arrays are read-only views of the state's memory.)")
         .def(
             "centres",
             [](const State& state, const py::object& time) {
-                const double at = time.is_none() ? time_of(state) : time.cast<double>();
+                const double at = time.is_none() ? time_of(state) : number_of(time, "time");
                 return std::visit(
                     [at](const auto& with_effects) { return centres_at(with_effects, at); }, state);
             },

@@ -75,6 +75,7 @@ Validation validated(const py::object& sites, const py::object& faces, const std
                      const py::object& neighbours, const py::object& hidden,
                      const std::string& weight_is, const py::object& progress) {
     const Rows rows(sites, "sites", 2, 3);
+    refuse_too_many(rows.size());
     TessellationArrays arrays;
     arrays.metric = metric_of(metric);
     arrays.weight_is = weight_of(weight_is);
@@ -109,10 +110,13 @@ py::array_t<bool> may_share_edge(const Tessellation& tessellation, const py::obj
 }
 
 void bind_tessellation(py::module_& module) {
-    py::class_<Tessellation>(module, "Tessellation", R"(The tessellation of sites in the plane.
+    py::class_<Tessellation> bound(module, "Tessellation",
+                                   R"(The tessellation of sites in the plane.
 
 What triangulate() gives. Its arrays are read-only views of its memory, which they keep alive; it can
-be asked from several threads at once.)")
+be asked from several threads at once.)");
+    complete(bound);
+    bound
         .def_property_readonly(
             "metric", [](const Tessellation& t) { return text(name_of(t.metric())); },
             "'power', 'euclidean', 'manhattan' or 'supremum'.")
@@ -226,9 +230,10 @@ void bind_plane(py::module_& module) {
     broken.attr("__doc__") =
         "Inexact arithmetic led a construction astray. Exact ones never raise it.";
 
-    py::class_<Validation>(module, "Validation",
-                           "What validate() says; true where the result is valid.")
-        .def_readonly("valid", &Validation::valid, "Whether it is a tessellation of the sites.")
+    py::class_<Validation> bound(module, "Validation",
+                                 "What validate() says; true where the result is valid.");
+    complete(bound);
+    bound.def_readonly("valid", &Validation::valid, "Whether it is a tessellation of the sites.")
         .def_readonly("canonical", &Validation::canonical,
                       "Whether it is the one that the rule of ties chooses, its arrays in order.")
         .def_readonly("message", &Validation::message, "What is wrong and where; empty otherwise.")

@@ -264,6 +264,8 @@ motion::GrowingBall<D> flying(const Row& row) {
 /// Each box length takes time, during which no signal is looked at.
 constexpr const char* too_far =
     "until then the two fly past each other's images a million times: take an earlier time";
+constexpr const char* too_large =
+    "the two touch millions of each other's images: take smaller radii or a larger box";
 template <int D>
 bool are_near(const motion::GrowingBall<D>& a, const motion::GrowingBall<D>& b,
               const motion::Effects<D>& effects, double until) {
@@ -274,6 +276,21 @@ bool are_near(const motion::GrowingBall<D>& a, const motion::GrowingBall<D>& b,
         if (!(std::fabs(a.v[k] - b.v[k]) * time <= 0x1p20 * length)) return false;
     }
     return true;
+}
+/// Whether the images that both touch at one time are few enough for so many times as the two fly
+/// past each other's.
+template <int D>
+bool are_small(const motion::GrowingBall<D>& a, const motion::GrowingBall<D>& b,
+               const motion::Effects<D>& effects, double until) {
+    double images = 1.0;
+    double turns = 1.0;
+    for (int k = 0; k < D; ++k) {
+        const double length = effects.box->high[k] - effects.box->low[k];
+        images *= 2.0 * (a.radius / length + b.radius / length) + 2.0;
+        if (std::isfinite(until))
+            turns = std::max(turns, std::fabs(a.v[k] - b.v[k]) / length * until);
+    }
+    return images * turns <= 0x1p26;
 }
 
 template <int D>
@@ -300,7 +317,10 @@ py::object meetings(const py::object& a, const py::object& b, double until,
     return all([&](const auto& r) {
         const motion::GrowingBall<D> first = flying<D>(r[0]);
         const motion::GrowingBall<D> second = flying<D>(r[1]);
-        if (effects.periodic) require(are_near(first, second, effects, until), too_far);
+        if (effects.periodic) {
+            require(are_near(first, second, effects, until), too_far);
+            require(are_small(first, second, effects, until), too_large);
+        }
         return motion::meeting_time(first, second, effects, until);
     });
 }

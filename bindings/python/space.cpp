@@ -142,11 +142,13 @@ void bind_space_tessellation(py::module_& module) {
                     {static_cast<py::ssize_t>(all.size()), std::max(dimension + 1, 0)},
                     {sizeof(SpaceCell), sizeof(Index)}, self);
     };
-    py::class_<Space, std::shared_ptr<Space>>(module, "SpaceTessellation",
-                                              R"(The power tessellation of sites in space.
+    py::class_<Space, std::shared_ptr<Space>> bound(module, "SpaceTessellation",
+                                                    R"(The power tessellation of sites in space.
 
 What triangulate_space() gives. Its arrays are read-only views of its memory, which they keep alive; it
-can be asked from several threads at once.)")
+can be asked from several threads at once.)");
+    complete(bound);
+    bound
         .def_property_readonly(
             "sites",
             [](const py::object& self) {
@@ -244,12 +246,14 @@ void bind_space_cells(py::module_& module) {
         const SpaceCells& cells = self.cast<const SpaceClip&>().cells;
         return part<double>(std::span<const SpaceMeasure>(cells.measures), offset, columns, self);
     };
-    py::class_<SpaceClip, std::shared_ptr<SpaceClip>>(
+    py::class_<SpaceClip, std::shared_ptr<SpaceClip>> bound(
         module, "SpaceCells",
         R"(The power cells of space in a box, which they tile.
 
 What SpaceTessellation.clip() gives. Lengths, areas and volumes are doubles, in error by about 1e-12 of
-those of a cell as large as the distance of its corners from its site.)")
+those of a cell as large as the distance of its corners from its site.)");
+    complete(bound);
+    bound
         .def_property_readonly(
             "tessellation",
             [](const SpaceClip& clip) { return std::const_pointer_cast<Space>(clip.space); },

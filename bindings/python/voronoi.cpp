@@ -46,7 +46,7 @@ std::shared_ptr<Clip> clipped(const std::shared_ptr<Voronoi>& voronoi, const py:
 }
 
 double tolerance_of(const Clip& clip, const py::object& tolerance) {
-    if (!tolerance.is_none()) return tolerance.cast<double>();
+    if (!tolerance.is_none()) return number_of(tolerance, "tolerance");
     return std::max(clip.box.x1 - clip.box.x0, clip.box.y1 - clip.box.y0) * 0x1p-12;
 }
 
@@ -102,12 +102,14 @@ py::array cell(const Voronoi& voronoi, Index site) {
 
 void bind_diagram(py::module_& module) {
     static_assert(sizeof(VoronoiEdge) == 6 * sizeof(Index));
-    py::class_<Voronoi, std::shared_ptr<Voronoi>>(
+    py::class_<Voronoi, std::shared_ptr<Voronoi>> bound(
         module, "Voronoi",
         R"(The Voronoi diagram of a tessellation of the plane.
 
 Vertices, edges along bisectors and cells; unbounded ones as well. What voronoi() gives. Its arrays are
-read-only views of its memory.)")
+read-only views of its memory.)");
+    complete(bound);
+    bound
         .def_property_readonly(
             "tessellation", &Voronoi::tessellation, py::return_value_policy::reference_internal,
             "The Tessellation whose diagram it is; a copy of that it was made of.")
@@ -169,10 +171,13 @@ void bind_cells(py::module_& module) {
         return part<double>(std::span<const Measure>(self.cast<const Clip&>().measures), offset,
                             columns, self);
     };
-    py::class_<Clip, std::shared_ptr<Clip>>(module, "Cells",
-                                            R"(The cells of the plane in a box, which they tile.
+    py::class_<Clip, std::shared_ptr<Clip>> bound(
+        module, "Cells",
+        R"(The cells of the plane in a box, which they tile.
 
-What Voronoi.clip() gives. Areas and centroids are those of the true shapes, arcs of hyperbolas included.)")
+What Voronoi.clip() gives. Areas and centroids are those of the true shapes, arcs of hyperbolas included.)");
+    complete(bound);
+    bound
         .def_property_readonly(
             "voronoi",
             [](const Clip& clip) { return std::const_pointer_cast<Voronoi>(clip.voronoi); },

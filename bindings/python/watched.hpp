@@ -8,6 +8,7 @@
 #include <functional>
 #include <stdexcept>
 #include <stop_token>
+#include <thread>
 #include <utility>
 
 #include <pybind11/pybind11.h>
@@ -20,10 +21,39 @@ namespace signum::python {
 
 namespace py = pybind11;
 
+/// Python before 3.14 ends a thread that asks for the interpreter while that is going down. Where
+/// the system does so by unwinding the stack, frames that may not throw would end the process with
+/// an error. So the thread sleeps here until the process ends.
+[[noreturn]] inline void sleep_until_process_ends() noexcept {
+    for (;;) std::this_thread::sleep_for(std::chrono::hours(1));
+}
+
+/// While it lives, other threads of Python may run.
+class Released {
+ public:
+    Released() : state_(PyEval_SaveThread()) {}
+    Released(const Released&) = delete;
+    Released& operator=(const Released&) = delete;
+    ~Released() {
+        try {
+            PyEval_RestoreThread(state_);
+        } catch (...) {
+            sleep_until_process_ends();
+        }
+    }
+
+ private:
+    PyThreadState* state_;
+};
+
 /// Of one piece of work. Made and destroyed by who holds the interpreter, asked by who does not.
 class Watch {
  public:
-    explicit Watch(py::object progress) : progress_(std::move(progress)) {}
+    /// Throws TypeError where `progress` is there and cannot be called.
+    explicit Watch(py::object progress) : progress_(std::move(progress)) {
+        if (!progress_.is_none() && PyCallable_Check(progress_.ptr()) == 0)
+            throw py::type_error("progress: a function is needed, or None");
+    }
 
     [[nodiscard]] std::stop_token token() const noexcept { return source_.get_token(); }
     [[nodiscard]] bool stops() const noexcept { return source_.stop_requested(); }
@@ -31,14 +61,17 @@ class Watch {
     void look(double share) noexcept {
         const auto now = std::chrono::steady_clock::now();
         if (now - last_ < std::chrono::milliseconds(100)) return;
-        const py::gil_scoped_acquire held;
-        const exact::KeptEnvironment kept;
         try {
-            if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-            if (!progress_.is_none()) progress_(share);
+            const py::gil_scoped_acquire held;
+            const exact::KeptEnvironment kept;
+            try {
+                ask(share);
+            } catch (const py::error_already_set&) {
+                error_ = std::current_exception();
+                source_.request_stop();
+            }
         } catch (...) {
-            error_ = std::current_exception();
-            source_.request_stop();
+            sleep_until_process_ends();  // with what unwinds the stack, and nothing else
         }
         last_ = std::chrono::steady_clock::now();
     }
@@ -63,6 +96,15 @@ class Watch {
     }
 
  private:
+    /// In C alone, which has nothing to destroy where the interpreter goes down meanwhile.
+    void ask(double share) const {
+        if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+        if (progress_.is_none()) return;
+        PyObject* const told = PyObject_CallFunction(progress_.ptr(), "d", share);
+        if (told == nullptr) throw py::error_already_set();
+        Py_DECREF(told);
+    }
+
     py::object progress_;
     std::stop_source source_;
     std::exception_ptr error_;
@@ -76,7 +118,7 @@ auto watched(const py::object& progress, Work&& work) {
     Watch watch(progress);
     try {
         auto result = [&] {
-            const py::gil_scoped_release released;
+            const Released released;
             const exact::IeeeEnvironment environment;
             return std::forward<Work>(work)(watch);
         }();

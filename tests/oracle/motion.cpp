@@ -345,7 +345,7 @@ class Simulation {
         const Rational since = exactly(ball(i).t0) - exactly(before);
         int& strikes = in_place_[static_cast<std::size_t>(i)];
         const Rational no_time =
-            exactly(ball(i).t0) / Rational(boost::multiprecision::mpz_int(1) << 30);
+            exactly(ball(i).t0) / Rational(boost::multiprecision::mpz_int(1) << 45);
         const bool is_in_place =
             approach_squared * since * since <= size * size || since <= no_time;
         strikes = is_in_place ? strikes + 1 : 0;

@@ -22,8 +22,9 @@
 /// - The impulse at a circle is (1 + e) m |(v - u)·n| / |n|, as at the other walls.
 /// - A strike finds a ball in place where it has flown, along the normal and at the speed of the
 ///   strike, at most 2^-40 of the largest of its coordinates and radius since its last strike, or
-///   where that strike is at most 2^-30 of the time ago. A ball's 1000th strike in a row of this kind (100 000th where restitution is 1 and there is no
-///   gravity) is logged and ends the run with a collapse.
+///   where that strike is at most 2^-45 of the time ago. A ball's 1000th strike in a row of this
+///   kind (100 000th where restitution is 1 and there is no gravity) is logged and ends the run
+///   with a collapse.
 
 #include <array>
 #include <cstddef>

@@ -1,4 +1,5 @@
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <string>
@@ -66,6 +67,35 @@ TEST(OutputFile, KeepsLinksAndPermissions) {
     struct stat status = {};
     ASSERT_EQ(::stat(target.c_str(), &status), 0);
     EXPECT_EQ(status.st_mode & 0777, 0640U);
+}
+
+/// Whom permissions bind: root they do not.
+class Nobody {
+ public:
+    Nobody() {
+        if (::geteuid() == 0) is_set_ = ::seteuid(65534) == 0;
+    }
+    Nobody(const Nobody&) = delete;
+    Nobody& operator=(const Nobody&) = delete;
+    ~Nobody() {
+        if (is_set_) static_cast<void>(!::seteuid(0));
+    }
+
+ private:
+    bool is_set_ = false;
+};
+
+TEST(OutputFile, DoesNotReplaceWhatIsProtected) {
+    const Scratch scratch;
+    const std::string path = scratch.file("out", "old");
+    ASSERT_EQ(::chmod(scratch.path("").c_str(), 0777), 0);
+    ASSERT_EQ(::chmod(path.c_str(), 0444), 0);
+    const Nobody nobody;
+    if (::geteuid() == 0) GTEST_SKIP() << "root may write to everything";
+    EXPECT_EQ(failure(path, 3), "cannot write " + path + ": Permission denied");
+    EXPECT_EQ(failure(scratch.path("other"), 3), "no error");
+    EXPECT_EQ(contents(path), "old");
+    EXPECT_EQ(scratch.size(), 2U);
 }
 
 TEST(OutputFile, WritesDevicesDirectly) {

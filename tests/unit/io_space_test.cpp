@@ -482,6 +482,16 @@ TEST(PlySites, ReadVertices) {
               "10:4: 2 numbers, but the header names 3 properties of a vertex");
     EXPECT_EQ(wrong(vertices + "1 2 3\n1 2 3x\n"), "10:5: '3x'" + word);
     EXPECT_EQ(wrong(vertices + "1 2 3\n4 5 6\n\n7 8 9\n"), "12:1: a line beyond the 2 vertices");
+    // A vertex is not taken for a part of the header, nor for a face.
+    const std::string mesh = head +
+                             "element vertex 2\nproperty float x\nproperty float y\nproperty float "
+                             "z\nelement face 1\nproperty list uchar int vertex_indices\n";
+    EXPECT_EQ(wrong(mesh + "end_header 1 2 3\n4 5 6\n3 0 1 1\n"),
+              "10:12: end_header stands alone in its line");
+    EXPECT_EQ(wrong(mesh + "end_header\n1 2 3\n4 5 6\n7 8 9\n3 0 1 1\n"),
+              "14:1: a line beyond the 1 elements face");
+    EXPECT_EQ(wrong(mesh + "end_header\n1 2 3\n4 5 6\n"),
+              "12:1: the file ends after 0 of 1 elements face" + advice);
     std::string elements;
     for (int i = 0; i < 1000; ++i) elements += "element e 1\n";
     EXPECT_EQ(wrong(head + elements + "element f 1\n"),

@@ -55,6 +55,9 @@ class Simulation:
         self.effects = Effects(**effects)
         self._simulation = _signum._Simulation(balls, self.effects, structure, arithmetic)
 
+    def __reduce_ex__(self, protocol: object) -> tuple[Any, ...]:
+        raise TypeError("cannot pickle or copy a Simulation")
+
     def run(
         self,
         until: float = inf,
