@@ -130,7 +130,8 @@ class Segments {
     [[nodiscard]] double place(End end, int k, double now) const noexcept {
         const Ball<D>& ball = world_.balls[ball_of(end)];
         const double x = coordinate(ball, k, now, world_.effects);
-        const double reach = world_.radius(ball_of(end)) + margin_;
+        // On a circle two projections end to end are to be wider than gap() takes for nothing.
+        const double reach = std::max(world_.radius(ball_of(end)), 3.0 * margin_) + margin_;
         return is_upper(end) ? x + reach : x - reach;
     }
     [[nodiscard]] double speed(End end, int k, double now) const noexcept {

@@ -155,7 +155,9 @@ TEST(MotionEnds, CornersWithMuchFriction) {
                                                     << ", heavy " << heavy << ", speed " << speed);
                     // What can rest rests. From friction 1 on a floor that rises cannot take along
                     // a ball that a wall holds: most of these end with a sentence.
-                    if (rise == 0.0 || friction < 1.0) EXPECT_EQ(end.why, "until");
+                    if (rise == 0.0 || friction < 1.0) {
+                        EXPECT_EQ(end.why, "until");
+                    }
                     EXPECT_TRUE(end.why == "until" || end.why == "collapse") << end.why;
                     EXPECT_LE(end.strikes, 5000U);
                 }
