@@ -3,7 +3,9 @@
 ///
 /// Laws:
 ///  1. The shapes of all cells tile the box: each edge is cut once, and both its cells get the same
-///     parts of it.
+///     parts of it. Cuts are rounded: a part in the box no longer than some 2^-46 of the largest
+///     number among sites and box may be taken for none, and what lies beyond it goes to the other
+///     cell.
 ///  2. A shape is a set of loops, counterclockwise, of edges' parts and pieces of the box's border.
 ///     More than one loop stands where the box cuts a cell in pieces.
 ///  3. Without a box the shapes are those of the bounded cells; the others have none.
