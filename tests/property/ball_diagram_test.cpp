@@ -502,7 +502,7 @@ TEST(BallDiagram, OfBallsNearlyOnALineTakesNoLongerThanTheirSquares) {
     Random g(19);
     for (const char* shape : {"line", "axis", "circle", "plane", "sphere"}) {
         for (const double off : {0x1p-10, 0x1p-30, 0x1p-49}) {
-            const Balls balls = nearly_on(shape, g, is_fast ? 80 : 40, off);
+            const Balls balls = nearly_on(shape, g, is_fast ? 80 : 20, off);
             const auto begin = std::chrono::steady_clock::now();
             const BallDiagram d = ball_diagram(balls);
             const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;

@@ -134,6 +134,7 @@ End end_of(const Scene<D>& scene, double until = 3.0) {
 /// strike of one wall sends it into the other.
 TEST(MotionEnds, CornersWithMuchFriction) {
     for (const double friction : {0.9, 1.0, 1.5, 2.0, 3.0}) {
+        if (!is_fast && friction != 1.0) continue;
         for (const double rise : {0.0, 0.3}) {
             for (const double heavy : {0.0, 1.0, 1e6}) {
                 for (const double speed : {0.5, 1.0, 2.0}) {
@@ -199,8 +200,9 @@ TEST(MotionEnds, NotWhereThereIsNoEnd) {
         state.time = time;
         for (Ball<2>& ball : state.balls) ball.time = time;
         Simulation<2> simulation(state, effects);
-        EXPECT_EQ(simulation.run({.until = time + 1000.0}).ending, Ending::until);
-        EXPECT_GT(simulation.counts().strikes, 10'000U);
+        EXPECT_EQ(simulation.run({.until = time + (is_fast ? 1000.0 : 200.0)}).ending,
+                  Ending::until);
+        EXPECT_GT(simulation.counts().strikes, 2000U);
     }
     for (const bool grows : {true, false}) {
         Effects<2> effects;
@@ -216,7 +218,7 @@ TEST(MotionEnds, NotWhereThereIsNoEnd) {
                               0.5 - 0x1p-14,
                               1.0});
         Simulation<2> simulation(start<2>(bodies, effects), effects);
-        EXPECT_EQ(simulation.run({.until = 1.0}).ending, Ending::until) << grows;
+        EXPECT_EQ(simulation.run({.until = is_fast ? 1.0 : 0.05}).ending, Ending::until) << grows;
     }
 }
 
