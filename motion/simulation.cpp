@@ -130,7 +130,10 @@ std::string_view name_of(Structure structure) noexcept {
 template <int D>
 Choice choose(Structure wish, const State<D>& state, const Effects<D>& effects) {
     const Sizes sizes = sizes_of(state, effects);
-    const bool few_cells = effects.periodic && sizes.shortest_box < 5.01 * 2.0 * sizes.largest;
+    // Cells are as wide as the largest ball, and by three margins (Grid): 15 in five of them.
+    const bool few_cells =
+        effects.periodic && sizes.shortest_box * (1.0 - 0x1p-14) <
+                                5.01 * 2.0 * sizes.largest + 0x1p-42 * sizes.farthest;
     // There the margins that structures allow for are no longer little beside the box (Spread).
     const bool thin = effects.periodic && sizes.shortest_box < 0x1p-36 * sizes.farthest;
     if (thin && wish != Structure::pairs) return {Structure::pairs, thin_box};
