@@ -1294,11 +1294,10 @@ class Loop final : public Simulation<D>::Engine {
     /// no time is left until the next step each pair waits after one slow strike.
     [[nodiscard]] bool is_jammed(std::initializer_list<Slot> balls, bool stays, double t) const {
         if (!laws_.has_contacts() || t >= turn_) return false;
-        const std::uint32_t most = most_in_place_;
         return std::ranges::any_of(balls, [&](Slot i) {
             const std::uint32_t count = particles_[i].in_place;
             return (stays && count > 0 && count % strikes_to_a_jam == 0) ||
-                   (count >= most - most / 10 && count < most);
+                   (count >= most_in_place_ - most_in_place_ / 10 && count < most_in_place_);
         });
     }
     /// Instead of a strike all contacts that hang together with it are solved at once, as at the

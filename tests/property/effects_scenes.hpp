@@ -15,6 +15,16 @@
 
 namespace signum::motion {
 
+/// How many scenes of a kind a test draws; `thorough` is for a slow test of its own of the same
+/// source.
+inline std::uint64_t scenes_to_draw([[maybe_unused]] std::uint64_t thorough) {
+#if defined(SIGNUM_THOROUGH)
+    return thorough;
+#else
+    return is_fast ? 150 : 15;
+#endif
+}
+
 /// What a scene may be asked for beside its world.
 enum class Effect {
     gravity,

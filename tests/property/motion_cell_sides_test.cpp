@@ -13,11 +13,7 @@
 namespace signum::motion {
 namespace {
 
-#if defined(SIGNUM_THOROUGH)
-constexpr std::uint64_t scenes = 10'000;
-#else
-const std::uint64_t scenes = is_fast ? 150 : 15;
-#endif
+const std::uint64_t scenes = scenes_to_draw(10'000);
 
 /// The world around the balls.
 enum class Ground { box, periodic, nothing, half_space, bowl };

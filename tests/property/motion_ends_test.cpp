@@ -17,11 +17,7 @@
 namespace signum::motion {
 namespace {
 
-#if defined(SIGNUM_THOROUGH)
-constexpr std::uint64_t scenes = 50'000;
-#else
-const std::uint64_t scenes = is_fast ? 150 : 15;
-#endif
+const std::uint64_t scenes = scenes_to_draw(50'000);
 
 /// Two half spaces between which balls are wedged, or pressed as these close.
 template <int D>
