@@ -1306,9 +1306,8 @@ class Loop final : public Simulation<D>::Engine {
         stand(i, partner);
         ++particles_[i].in_place;
         if (partner < first_wall) ++particles_[partner].in_place;
-        const std::vector<std::int32_t> hanging = contacts_.hanging_with(particles_[i].number);
-        const std::set<std::int32_t> numbers(hanging.begin(), hanging.end());
-        const auto takes = [&](const auto& pair) { return numbers.contains(pair.first); };
+        const std::set<std::int32_t> hanging = contacts_.hanging_with(particles_[i].number);
+        const auto takes = [&](const auto& pair) { return hanging.contains(pair.first); };
         StrikeTally tally;
         for (const std::int32_t number : hanging) {
             const Slot j = slot_of(number);

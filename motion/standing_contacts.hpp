@@ -79,19 +79,22 @@ class StandingContacts {
         return std::max(0x1p-8 * scale + gap, 0x1p-12 * scale);
     }
 
-    /// All balls that hang together with one by contacts of balls, that one first.
-    [[nodiscard]] std::vector<std::int32_t> hanging_with(std::int32_t ball) const {
+    /// All balls that hang together with one by contacts of balls, that one among them.
+    [[nodiscard]] std::set<std::int32_t> hanging_with(std::int32_t ball) const {
         std::map<std::int32_t, std::vector<std::int32_t>> partners;
         for (const auto& [pair, momenta] : momenta_) {
             if (pair.second < 0) continue;
             partners[pair.first].push_back(pair.second);
             partners[pair.second].push_back(pair.first);
         }
-        std::vector<std::int32_t> found = {ball};
-        std::set<std::int32_t> known = {ball};
-        for (std::size_t next = 0; next < found.size(); ++next)
-            for (const std::int32_t each : partners[found[next]])
-                if (known.insert(each).second) found.push_back(each);
+        std::set<std::int32_t> found = {ball};
+        std::vector<std::int32_t> next = {ball};
+        while (!next.empty()) {
+            const std::int32_t one = next.back();
+            next.pop_back();
+            for (const std::int32_t each : partners[one])
+                if (found.insert(each).second) next.push_back(each);
+        }
         return found;
     }
 
