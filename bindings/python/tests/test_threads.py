@@ -21,7 +21,7 @@ balls = np.random.default_rng(1).uniform(0, 1, (300, 5)) * [1, 1, 1e-6, 1, 1]
 work = {
     "plane": lambda: signum.triangulate(np.tile(sites, (5, 1)) + np.arange(5.0).repeat(400_000)[:, None] * [1, 0, 0]),
     "simulation": lambda: signum.Simulation(balls, box=((-1, -1), (2, 2))).run(log=False),
-    "moving": lambda: signum.KineticTessellation(np.tile(balls, (40, 1)) + np.random.default_rng(2).normal(size=(12_000, 5))).advance(1e9),
+    "moving": lambda: signum.KineticTessellation(np.tile(balls, (640, 1)) + np.random.default_rng(2).normal(size=(192_000, 5))).advance(1e9),
     "predicates": lambda: signum.ccw(sites[:4000, None, :2], sites[None, :, :2], sites[0, :2]),
 }[sys.argv[1]]
 threading.Thread(target=lambda: (time.sleep(1), os.kill(os.getpid(), signal.SIGINT)), daemon=True).start()
