@@ -15,7 +15,7 @@ namespace {
 
 using triangulation::PowerKernel;
 
-class ShewchukKernel : public PowerKernel<Point, Arithmetic::exact, filters::NoTally> {
+class ShewchukKernel : public PowerKernel<triangulation::PowerSigns<Point>, filters::NoTally> {
  public:
     using PowerKernel::PowerKernel;
 
@@ -59,8 +59,8 @@ class ShewchukKernel : public PowerKernel<Point, Arithmetic::exact, filters::NoT
 std::unique_ptr<Attempt> prepare_shewchuk(const std::vector<Site>& sites) {
     exactinit(0, 0, 0, 1.0, 1.0, 1.0);  // the largest coordinates count in space alone
     return std::make_unique<Triangulation>(sites, [](const std::vector<Site>& given) {
-        return triangulation::construct_with_kernel<ShewchukKernel>(Metric::power, given,
-                                                                    Options{});
+        return triangulation::construct_with_kernel<ShewchukKernel>(
+            Metric::power, given, Options{}, triangulation::PowerSigns<Point>{});
     });
 }
 

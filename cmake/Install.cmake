@@ -1,4 +1,5 @@
-# Headers, library, tool and a package: find_package(signum) then gives signum::signum.
+# Headers, libraries, tool and a package: find_package(signum) then gives signum::signum and signum::predicates,
+# find_package(signum COMPONENTS predicates) the latter alone.
 include(CMakePackageConfigHelpers)
 set(package_directory "${CMAKE_INSTALL_LIBDIR}/cmake/signum")
 
@@ -39,12 +40,17 @@ set(headers_behind
   triangulation/structure/corners.hpp triangulation/structure/cycle.hpp)
 # What needs a library of the user's own, which is no dependency of the package.
 file(GLOB interop_headers RELATIVE "${PROJECT_SOURCE_DIR}" CONFIGURE_DEPENDS interop/*.hpp interop/cgal/*.hpp)
+set(c_headers bindings/c/signum.h)
+if(SIGNUM_ONLY_PREDICATES)
+  list(FILTER public_headers INCLUDE REGEX "^(core|exact|predicates)/")
+  list(FILTER headers_behind INCLUDE REGEX "^(core|filters|predicates)/")
+  set(interop_headers)
+  set(c_headers)
+endif()
 foreach(header IN LISTS public_headers headers_behind interop_headers)
   cmake_path(GET header PARENT_PATH folder)
   install(FILES "${header}" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/signum/${folder}" COMPONENT development)
 endforeach()
-# Those of C.
-set(c_headers bindings/c/signum.h)
 if(TARGET signum_classic)
   list(APPEND c_headers bindings/classic/classic.h)
 endif()
@@ -52,19 +58,24 @@ install(FILES ${c_headers} DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/signum" COMP
 
 option(SIGNUM_DEBIAN "Make Debian packages with cpack: scripts/package.sh" OFF)
 # Its parts are those of a distribution's packages: library, development, tool.
-set(libraries signum)
-foreach(library IN ITEMS signum_static signum_classic)
+install(TARGETS signum_predicates EXPORT signum-predicates-targets ARCHIVE COMPONENT development)
+install(EXPORT signum-predicates-targets NAMESPACE signum:: DESTINATION "${package_directory}" COMPONENT development)
+set(libraries)
+foreach(library IN ITEMS signum signum_static signum_classic)
   if(TARGET ${library})
     list(APPEND libraries ${library})
   endif()
 endforeach()
-install(TARGETS ${libraries} EXPORT signum-targets
-        RUNTIME COMPONENT library
-        LIBRARY COMPONENT library NAMELINK_COMPONENT development
-        ARCHIVE COMPONENT development)
+if(libraries)
+  install(TARGETS ${libraries} EXPORT signum-targets
+          RUNTIME COMPONENT library
+          LIBRARY COMPONENT library NAMELINK_COMPONENT development
+          ARCHIVE COMPONENT development)
+  install(EXPORT signum-targets NAMESPACE signum:: DESTINATION "${package_directory}" COMPONENT development)
+endif()
 # All that `cmake --install` looks for, for who builds no more than this: ./run.
 add_custom_target(signum_package)
-add_dependencies(signum_package ${libraries})
+add_dependencies(signum_package signum_predicates ${libraries})
 if(TARGET signum_tool)
   add_dependencies(signum_package signum_tool)
 endif()
@@ -80,7 +91,6 @@ if(TARGET signum_tool)
   mark_as_advanced(SIGNUM_ZSH_FOLDER)
   install(FILES packaging/completions/_signum DESTINATION "${SIGNUM_ZSH_FOLDER}" COMPONENT tool)
 endif()
-install(EXPORT signum-targets NAMESPACE signum:: DESTINATION "${package_directory}" COMPONENT development)
 
 configure_package_config_file(cmake/signum-config.cmake.in "${PROJECT_BINARY_DIR}/signum-config.cmake"
                               INSTALL_DESTINATION "${package_directory}")
@@ -91,6 +101,10 @@ install(FILES "${PROJECT_BINARY_DIR}/signum-config.cmake"
               "${PROJECT_BINARY_DIR}/signum-config-version.cmake" cmake/FindGMP.cmake
               cmake/FindMPFR.cmake cmake/HeaderAndLibrary.cmake
         DESTINATION "${package_directory}" COMPONENT development)
+
+if(SIGNUM_ONLY_PREDICATES)
+  return()
+endif()
 
 # For pkg-config. Who links the static library needs what it is linked with, the C++ library included, for a
 # program in C; where there is no other library, that is everyone.

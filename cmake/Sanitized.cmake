@@ -9,13 +9,12 @@ set(SIGNUM_SANITIZERS -fsanitize=address,undefined -fno-sanitize=null,object-siz
     -fno-sanitize-recover=all)
 # Shared, so that its own templates are called where a test has the same without a sanitizer. Not optimized, which
 # takes half the time; contracts are checked.
-add_library(signum_sanitized SHARED ${library_sources})
-describe_library(signum_sanitized)
+add_library(signum_sanitized SHARED ${predicate_sources} ${library_sources})
+describe_library(signum_sanitized "" ${SIGNUM_NUMBERS} Threads::Threads)
 target_compile_options(signum_sanitized PRIVATE -fno-semantic-interposition ${SIGNUM_IEEE_OPTIONS} -O0 -g1 -UNDEBUG
                        -fno-omit-frame-pointer ${SIGNUM_SANITIZERS})
 target_link_options(signum_sanitized PRIVATE ${SIGNUM_SANITIZERS} "LINKER:-Bsymbolic-functions")
 set_target_properties(signum_sanitized PROPERTIES EXCLUDE_FROM_ALL ON)
 if(SIGNUM_UNITY_BUILD)
-  get_target_property(headers signum PRECOMPILE_HEADERS)
-  target_precompile_headers(signum_sanitized PRIVATE ${headers})
+  target_precompile_headers(signum_sanitized PRIVATE ${headers_of_numbers})
 endif()

@@ -68,7 +68,7 @@ double nearest_place(double x, double v, double g, double start, double t) {
 
 /// Of sites where they are now, and by their weights alone: who is tied is in no conflict.
 class TolerantKernel
-    : public triangulation::PowerKernel<Site, Arithmetic::exact, filters::NoTally> {
+    : public triangulation::PowerKernel<triangulation::PowerSigns<Site>, filters::NoTally> {
  public:
     using PowerKernel::PowerKernel;
     [[nodiscard]] bool conflicts(Index i, Index j, Index k, Index q) const {

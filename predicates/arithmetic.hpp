@@ -43,9 +43,8 @@ using NumberOf = std::conditional_t<
     std::conditional_t<arithmetic == Arithmetic::interval, filters::Interval, double>>;
 
 /// The site as the arithmetic takes it. Precondition of the single one: the numbers fit in floats.
-template <Arithmetic arithmetic>
-[[nodiscard]] constexpr Site rounded(const Site& site) noexcept {
-    if constexpr (arithmetic != Arithmetic::single) return site;
+[[nodiscard]] constexpr Site rounded(Arithmetic arithmetic, const Site& site) noexcept {
+    if (arithmetic != Arithmetic::single) return site;
     return {static_cast<float>(site.x), static_cast<float>(site.y), static_cast<float>(site.r)};
 }
 

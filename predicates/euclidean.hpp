@@ -75,6 +75,8 @@ template <class... Others>
 /// for all finite doubles, in every floating-point environment, and takes constant time.
 template <Arithmetic arithmetic = Arithmetic::exact>
 struct Perturbed {
+    static constexpr Arithmetic arithmetic_used = arithmetic;
+
     /// Whether i hides q, |c_i - c_q| <= r_i - r_q: +1 or -1.
     [[nodiscard]] static Decision hides(const Site& i, const Site& q,
                                         const std::array<Index, 2>& ranks) noexcept {

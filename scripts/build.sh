@@ -60,9 +60,22 @@ if [ ! -f "$build/build.ninja" ] || [ "$(cat "$asked" 2>/dev/null)" != "$wish" ]
   say "building in $build (the first time this takes minutes)"
 fi
 
+# Keeps what is said, and says how far it is at every tenth of long work: a terminal has Ninja's own line.
+follow() {
+  local line tenths=0
+  while IFS= read -r line; do
+    printf '%s\n' "$line"
+    [[ $line =~ ^\[([0-9]+)/([0-9]+)\] ]] && ((BASH_REMATCH[2] >= 20)) || continue
+    ((10 * BASH_REMATCH[1] / BASH_REMATCH[2] > tenths)) || continue
+    tenths=$((10 * BASH_REMATCH[1] / BASH_REMATCH[2]))
+    say "$target: ${BASH_REMATCH[1]} of ${BASH_REMATCH[2]} steps after $SECONDS s"
+  done >"$log"
+}
+
+build=(cmake --build "$build" --target "$target" --parallel "${JOBS:-$(jobs)}")
 if [ -t 2 ]; then
-  cmake --build "$build" --target "$target" --parallel "${JOBS:-$(jobs)}" >&2 || exit 3
-elif ! cmake --build "$build" --target "$target" --parallel "${JOBS:-$(jobs)}" >"$log" 2>&1; then
+  "${build[@]}" >&2 || exit 3
+elif ! "${build[@]}" 2>&1 | follow; then
   cat "$log" >&2
   say "the build failed"
   exit 3

@@ -21,10 +21,9 @@ namespace triangulation {
 namespace {
 
 template <template <Arithmetic> class Predicates>
-using LiveAdditive =
-    Live<AdditiveKernel<Predicates<Arithmetic::exact>, Arithmetic::exact, filters::NoTally>>;
+using LiveAdditive = Live<AdditiveKernel<Predicates<Arithmetic::exact>, filters::NoTally>>;
 template <class S>
-using LivePower = Live<PowerKernel<S, Arithmetic::exact, filters::NoTally>>;
+using LivePower = Live<PowerKernel<PowerSigns<S>, filters::NoTally>>;
 
 }  // namespace
 }  // namespace triangulation

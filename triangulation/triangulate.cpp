@@ -40,6 +40,14 @@ void check_method(const StridedSites& sites, Metric metric, const Options& optio
 }
 
 }  // namespace
+
+Tessellation construct(Metric metric, const StridedSites& input, const Options& options) {
+    if (options.arithmetic == Arithmetic::exact) return construct_exactly(metric, input, options);
+    if (!is_exact(options.arithmetic) && !options.count)
+        return construct_rounded(metric, input, options);
+    return construct_in_yardstick(metric, input, options);
+}
+
 }  // namespace triangulation
 
 FlipOutcome flip_from_delaunay(StridedSites sites, const Options& options) {
@@ -59,21 +67,7 @@ Tessellation triangulate(StridedSites sites, Metric metric, const Options& optio
     check_method(sites, metric, options);
     if (options.method == Method::flips && !equal_weights(sites))
         return construct_by_flips(sites, options);
-    switch (options.arithmetic) {
-        case Arithmetic::exact:
-            return construct<Arithmetic::exact>(metric, sites, options);
-        case Arithmetic::naive:
-            return construct<Arithmetic::naive>(metric, sites, options);
-        case Arithmetic::single:
-            return construct<Arithmetic::single>(metric, sites, options);
-        case Arithmetic::interval:
-            return construct<Arithmetic::interval>(metric, sites, options);
-        case Arithmetic::sum:
-            return construct<Arithmetic::sum>(metric, sites, options);
-        case Arithmetic::multiprecision:
-            return construct<Arithmetic::multiprecision>(metric, sites, options);
-    }
-    throw std::invalid_argument("no such arithmetic");
+    return construct(metric, sites, options);
 }
 
 }  // namespace signum

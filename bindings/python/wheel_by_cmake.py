@@ -28,7 +28,8 @@ def project():
         return tomllib.load(file)["project"]
 
 
-def metadata(about):
+def information_of(about):
+    """The name of the folder that says what a wheel is, and its files."""
     lines = [
         "Metadata-Version: 2.1",
         f"Name: {about['name']}",
@@ -37,7 +38,12 @@ def metadata(about):
         f"License: {about['license']['text']}",
         f"Requires-Python: {about['requires-python']}",
     ]
-    return "\n".join(lines) + "\n"
+    files = {
+        "METADATA": ("\n".join(lines) + "\n").encode(),
+        "LICENSE": (ROOT / "LICENSE").read_bytes(),
+        "WHEEL": f"Wheel-Version: 1.0\nGenerator: signum\nRoot-Is-Purelib: false\nTag: {tag()}\n".encode(),
+    }
+    return f"{about['name']}-{about['version']}.dist-info", files
 
 
 def tag():
@@ -56,7 +62,7 @@ def build(directory):
     """Configures and compiles."""
     call(
         "cmake", "-S", ROOT, "-B", directory, "-DCMAKE_BUILD_TYPE=Release", "-DBUILD_SHARED_LIBS=OFF",
-        "-DSIGNUM_BUILD_PYTHON=ON", "-DSIGNUM_BUILD_TOOL=OFF", "-DSIGNUM_BUILD_TESTS=OFF",
+        "-DSIGNUM_UNITY_BUILD=ON", "-DSIGNUM_BUILD_PYTHON=ON", "-DSIGNUM_BUILD_TOOL=OFF", "-DSIGNUM_BUILD_TESTS=OFF",
         f"-DSIGNUM_PYTHON={sys.executable}", *shlex.split(os.environ.get("CMAKE_ARGS", "")),
     )  # fmt: skip
     call("cmake", "--build", directory, "--target", "signum_python", "--parallel", os.cpu_count() or 1)
@@ -77,8 +83,7 @@ def pack(wheel, files, information):
 def wheel_of(directory, wheel_directory):
     """Packs what has been built in a directory, and gives the wheel's name."""
     about = project()
-    name = f"{about['name']}-{about['version']}"
-    information = f"{name}.dist-info"
+    information, about_files = information_of(about)
     with tempfile.TemporaryDirectory() as staging:
         call("cmake", "--install", directory, "--component", "python", "--prefix", staging)
         files = [
@@ -88,17 +93,20 @@ def wheel_of(directory, wheel_directory):
         ]
     if not files:
         raise SystemExit("signum: there is no Python package in " + str(directory))
-    files += [
-        (f"{information}/METADATA", metadata(about).encode()),
-        (f"{information}/LICENSE", (ROOT / "LICENSE").read_bytes()),
-        (
-            f"{information}/WHEEL",
-            f"Wheel-Version: 1.0\nGenerator: signum\nRoot-Is-Purelib: false\nTag: {tag()}\n".encode(),
-        ),
-    ]
-    wheel = f"{name}-{tag()}.whl"
+    files += [(f"{information}/{name}", content) for name, content in about_files.items()]
+    wheel = f"{about['name']}-{about['version']}-{tag()}.whl"
     pack(pathlib.Path(wheel_directory) / wheel, files, information)
     return wheel
+
+
+def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
+    """What pip asks first: it is known before anything is built."""
+    information, files = information_of(project())
+    folder = pathlib.Path(metadata_directory) / information
+    folder.mkdir()
+    for name, content in files.items():
+        (folder / name).write_bytes(content)
+    return information
 
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):

@@ -155,7 +155,6 @@ static_assert(distance_to_centre<Manhattan, filters::RoundingCount>(Point{}, Sit
 /// `tied` is a touch without the rule.
 template <class Directions, Arithmetic arithmetic = Arithmetic::exact>
 struct Perturbed {
-    using DirectionsType = Directions;
     static constexpr Arithmetic arithmetic_used = arithmetic;
 
     /// Whether i hides q: +1 or -1.

@@ -23,9 +23,9 @@
 namespace signum::triangulation {
 namespace {
 
-using Power = PowerKernel<Site, Arithmetic::exact, filters::Tally>;
+using Power = PowerKernel<PowerSigns<Site>, filters::Tally>;
 template <template <Arithmetic> class Predicates>
-using Additive = AdditiveKernel<Predicates<Arithmetic::exact>, Arithmetic::exact, filters::Tally>;
+using Additive = AdditiveKernel<Predicates<Arithmetic::exact>, filters::Tally>;
 
 /// The giant last, the others around it in no order.
 std::vector<Site> giant_in_rim(int rim) {

@@ -71,7 +71,7 @@ class AdditiveCheck : private ArraysCheck {
     }
 
  private:
-    using Kernel = AdditiveKernel<Predicates, predicates::judging, filters::Tally>;
+    using Kernel = AdditiveKernel<Predicates, filters::Tally>;
 
     /// Throws if the question is answered yes; where nothing but the tie rule does so, notes it.
     /// Whether the answer is no. Reasons are given by a function, for they are seldom needed.

@@ -1,6 +1,6 @@
 #pragma once
 /// Incremental insertion and the sweep, from checked sites to a tessellation: the text of
-/// construct(), which each source beside it compiles for one arithmetic or two. For sources only.
+/// what each source beside it compiles for arithmetics of its own. For sources only.
 
 #include <algorithm>
 #include <chrono>
@@ -26,12 +26,14 @@
 
 namespace signum::triangulation {
 
-template <class Kernel>
-LargeArray<typename Kernel::SiteType> in_order(const StridedSites& input,
-                                               const LargeArray<Index>& original) {
-    LargeArray<typename Kernel::SiteType> sites(original.size());
+/// In that order, and as the arithmetic takes them.
+template <power::PowerSite S>
+LargeArray<S> in_order(const StridedSites& input, const LargeArray<Index>& original,
+                       Arithmetic arithmetic) {
+    LargeArray<S> sites(original.size());
     for (std::size_t i = 0; i < original.size(); ++i)
-        sites[i] = Kernel::rounded(input[static_cast<std::size_t>(original[i])]);
+        sites[i] = made_of<S>(
+            predicates::rounded(arithmetic, input[static_cast<std::size_t>(original[i])]));
     return sites;
 }
 
@@ -110,17 +112,17 @@ Tessellation finish(Metric metric, const StridedSites& input, const Options& opt
     return constructed(std::move(arrays), std::move(copy), statistics);
 }
 
-template <class Kernel>
-Tessellation construct_with_kernel(Metric metric, const StridedSites& input,
-                                   const Options& options) {
+template <class Kernel, class Signs>
+Tessellation construct_with_kernel(Metric metric, const StridedSites& input, const Options& options,
+                                   Signs signs) {
     using S = typename Kernel::SiteType;
     const auto start = std::chrono::steady_clock::now();
     const std::size_t n = input.size();
 
     LargeArray<Index> original = spatial_order(input, options.seed);
-    LargeArray<S> sites = in_order<Kernel>(input, original);
+    LargeArray<S> sites = in_order<S>(input, original, options.arithmetic);
 
-    Kernel kernel(sites.data(), original.data());
+    Kernel kernel(sites.data(), original.data(), signs);
     Topology topology(n);
     LargeArray<Index> hidden_by(n, -1);
     if (lead_with_triangle(kernel, sites, original)) {
@@ -137,16 +139,18 @@ Tessellation construct_with_kernel(Metric metric, const StridedSites& input,
                   std::move(original), std::move(hidden_by));
 }
 
-template <class Kernel>
+template <class Kernel, class Predicates>
 Tessellation construct_additive_with_kernel(Metric metric, const StridedSites& input,
-                                            const Options& options) {
+                                            const Options& options, Predicates predicates) {
     const auto start = std::chrono::steady_clock::now();
     const std::size_t n = input.size();
 
     LargeArray<Index> original = spatial_order(input, options.seed);
     LargeArray<RankedSite> sites(n);
     for (std::size_t i = 0; i < n; ++i)
-        sites[i] = {Kernel::rounded(input[static_cast<std::size_t>(original[i])]), 0};
+        sites[i] = {
+            predicates::rounded(options.arithmetic, input[static_cast<std::size_t>(original[i])]),
+            0};
     rank(sites, original);
     if (n > 0) {
         // The first site of the tie rule's order leads: no other ever hides it.
@@ -156,7 +160,7 @@ Tessellation construct_additive_with_kernel(Metric metric, const StridedSites& i
         std::swap(sites[0], *first);
     }
 
-    Kernel kernel(sites.data());
+    Kernel kernel(sites.data(), predicates);
     Topology topology(n);
     LargeArray<Index> hidden_by(n, -1);
     std::size_t second = 1;
@@ -175,32 +179,30 @@ Tessellation construct_additive_with_kernel(Metric metric, const StridedSites& i
 }
 
 /// The same, for squares, by a sweep.
-template <class Kernel>
+template <class Directions, Arithmetic arithmetic, class Kernel, class Predicates>
 Tessellation construct_by_sweep_with_kernel(Metric metric, const StridedSites& input,
-                                            const Options& options) {
-    using SweepOfKernel = Sweep<Kernel>;
+                                            const Options& options, Predicates predicates) {
     const auto start = std::chrono::steady_clock::now();
     const std::size_t n = input.size();
 
-    const bool exact_sums =
-        SweepOfKernel::arithmetic == Arithmetic::exact && rectangular::sums_are_exact(input);
+    const bool exact_sums = arithmetic == Arithmetic::exact && rectangular::sums_are_exact(input);
     LargeArray<Index> original(n);
     std::iota(original.begin(), original.end(), 0);
     LargeArray<RankedSite> sites(n);
     {
         LargeArray<RankedSite> given(n);
-        for (std::size_t i = 0; i < n; ++i) given[i] = {Kernel::rounded(input[i]), 0};
+        for (std::size_t i = 0; i < n; ++i)
+            given[i] = {predicates::rounded(arithmetic, input[i]), 0};
         rank(given, original);
-        original =
-            order_of_starts<typename SweepOfKernel::Directions, SweepOfKernel::arithmetic>(given);
+        original = order_of_starts<Directions, arithmetic>(given);
         for (std::size_t i = 0; i < n; ++i) sites[i] = given[static_cast<std::size_t>(original[i])];
     }
 
-    Kernel kernel(sites.data());
+    Kernel kernel(sites.data(), predicates);
     Topology topology(n);
     LargeArray<Index> hidden_by(n, -1);
     const Watch watch(options.stop, options.progress, n);
-    SweepOfKernel sweep(topology, kernel, hidden_by, exact_sums);
+    Sweep<Directions, arithmetic, Kernel> sweep(topology, kernel, hidden_by, exact_sums);
     sweep.run(n, [&](std::size_t reached) { watch.at(reached); });
     Statistics statistics;
     statistics.events = sweep.events();
@@ -208,62 +210,51 @@ Tessellation construct_by_sweep_with_kernel(Metric metric, const StridedSites& i
                   std::move(original), std::move(hidden_by), statistics);
 }
 
-/// Whether a tally is felt: it costs a few per cent of what exact and rounded numbers cost and
-/// nothing beside the others, nor under a sanitizer.
-template <Arithmetic arithmetic>
-inline constexpr bool is_fast =
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-    false;
-#else
-    arithmetic == Arithmetic::exact || !is_exact(arithmetic);
-#endif
-
-/// construct<Tally>() for what the options ask. Where it is not felt, the tally is always kept:
-/// that code is compiled once.
-template <Arithmetic arithmetic, class Construct>
+/// construct<Tally>() for what the options ask: to count costs a few per cent.
+template <class Construct>
 Tessellation with_tally(const Options& options, Construct construct) {
-    if constexpr (is_fast<arithmetic>)
-        if (!options.count) return construct.template operator()<filters::NoTally>();
-    return construct.template operator()<filters::Tally>();
+    return options.count ? construct.template operator()<filters::Tally>()
+                         : construct.template operator()<filters::NoTally>();
 }
 
-template <class S, Arithmetic arithmetic>
-Tessellation construct_power(Metric metric, const StridedSites& input, const Options& options) {
-    return with_tally<arithmetic>(options, [&]<class Tally>() {
-        return construct_with_kernel<PowerKernel<S, arithmetic, Tally>>(metric, input, options);
-    });
-}
-
-/// M: a metric with additive weights.
-template <class M, Arithmetic arithmetic>
-Tessellation construct_additive(const StridedSites& input, const Options& options) {
-    return with_tally<arithmetic>(options, [&]<class Tally>() {
-        using Predicates = typename PredicatesOf<M>::template Perturbed<arithmetic>;
-        using Kernel = AdditiveKernel<Predicates, arithmetic, Tally>;
-        if constexpr (M::traits.has_sweep)
-            if (options.method == Method::sweep)
-                return construct_by_sweep_with_kernel<Kernel>(M::metric, input, options);
-        return construct_additive_with_kernel<Kernel>(M::metric, input, options);
-    });
-}
-
-template <Arithmetic arithmetic>
-Tessellation construct(Metric metric, const StridedSites& input, const Options& options) {
+/// Calls by_power<S>() with the simplest kind of site that will do, or by_distance<M>().
+template <class Power, class Additive>
+Tessellation construct_by_metric(Metric metric, const StridedSites& input, Power by_power,
+                                 Additive by_distance) {
     return with_metric(metric, [&]<class M>(M) {
         if constexpr (M::traits.edges_are_straight) {
-            if (equal_weights(input))
-                return construct_power<Point, arithmetic>(metric, input, options);
-            if (input.third_is_weight())
-                return construct_power<power::Site, arithmetic>(metric, input, options);
-            return construct_power<Site, arithmetic>(metric, input, options);
+            if (equal_weights(input)) return by_power.template operator()<Point>();
+            if (input.third_is_weight()) return by_power.template operator()<power::Site>();
+            return by_power.template operator()<Site>();
         } else {
             // Ties included.
             if constexpr (M::traits.is_delaunay_for_equal_radii)
-                if (equal_radii(input))
-                    return construct_power<Point, arithmetic>(metric, input, options);
-            return construct_additive<M, arithmetic>(input, options);
+                if (equal_radii(input)) return by_power.template operator()<Point>();
+            return by_distance.template operator()<M>();
         }
     });
+}
+
+/// By kernels that ask without a detour.
+template <Arithmetic arithmetic, class Tally>
+Tessellation construct_directly(Metric metric, const StridedSites& input, const Options& options) {
+    return construct_by_metric(
+        metric, input,
+        [&]<class S>() {
+            using Signs = PowerSigns<S, arithmetic>;
+            return construct_with_kernel<PowerKernel<Signs, Tally>>(metric, input, options,
+                                                                    Signs{});
+        },
+        [&]<class M>() {
+            using Predicates = typename PredicatesOf<M>::template Perturbed<arithmetic>;
+            using Kernel = AdditiveKernel<Predicates, Tally>;
+            if constexpr (M::traits.has_sweep)
+                if (options.method == Method::sweep)
+                    return construct_by_sweep_with_kernel<typename PredicatesOf<M>::Directions,
+                                                          arithmetic, Kernel>(
+                        metric, input, options, Predicates{});
+            return construct_additive_with_kernel<Kernel>(metric, input, options, Predicates{});
+        });
 }
 
 }  // namespace signum::triangulation

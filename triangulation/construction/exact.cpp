@@ -2,6 +2,10 @@
 
 namespace signum::triangulation {
 
-template Tessellation construct<Arithmetic::exact>(Metric, const StridedSites&, const Options&);
+Tessellation construct_exactly(Metric metric, const StridedSites& input, const Options& options) {
+    return with_tally(options, [&]<class Tally>() {
+        return construct_directly<Arithmetic::exact, Tally>(metric, input, options);
+    });
+}
 
 }  // namespace signum::triangulation

@@ -53,7 +53,7 @@ Tessellation construct_by_flips_with_kernel(const StridedSites& input, const Opt
     const std::size_t n = input.size();
 
     LargeArray<Index> original = spatial_order(input, options.seed);
-    LargeArray<S> sites = in_order<Kernel>(input, original);
+    LargeArray<S> sites = in_order<S>(input, original, Arithmetic::exact);
     Kernel kernel(sites.data(), original.data());
     std::vector<Index> first_of;
     const std::size_t front = front_of_equal_centres(kernel, sites, original, first_of);
@@ -65,7 +65,7 @@ Tessellation construct_by_flips_with_kernel(const StridedSites& input, const Opt
                            std::span(original).first(front))) {
         LargeArray<Point> points(n);
         for (std::size_t i = 0; i < n; ++i) points[i] = {sites[i].x, sites[i].y};
-        using PointKernel = PowerKernel<Point, Arithmetic::exact, filters::NoTally>;
+        using PointKernel = PowerKernel<PowerSigns<Point>, filters::NoTally>;
         PointKernel point_kernel(points.data(), original.data());
         Insertion<PointKernel> insertion(topology, point_kernel, hidden_by, 0, 1, 2);
         const Watch watch(options.stop, options.progress, 2 * n);
@@ -104,9 +104,9 @@ Tessellation construct_by_flips_with_kernel(const StridedSites& input, const Opt
 template <class S>
 Tessellation construct_by_flips_of(const StridedSites& input, const Options& options,
                                    std::optional<Edge>* obstruction) {
-    return with_tally<Arithmetic::exact>(options, [&]<class Tally>() {
-        return construct_by_flips_with_kernel<PowerKernel<S, Arithmetic::exact, Tally>>(
-            input, options, obstruction);
+    return with_tally(options, [&]<class Tally>() {
+        return construct_by_flips_with_kernel<PowerKernel<PowerSigns<S>, Tally>>(input, options,
+                                                                                 obstruction);
     });
 }
 

@@ -15,46 +15,42 @@
 
 namespace signum::triangulation {
 
-/// Predicates: those of a metric under the tie rule (rectangular::Perturbed).
-template <class Predicates, Arithmetic arithmetic, class Tally>
+/// Predicates: those of a metric under the tie rule (rectangular::Perturbed), or what hands their
+/// questions on (construction/yardsticks.cpp).
+template <class Predicates, class Tally>
 class AdditiveKernel {
  public:
     using SiteType = RankedSite;
-    using PredicatesType = Predicates;
-    static constexpr bool is_exact = signum::is_exact(arithmetic);
+    static constexpr bool is_exact = signum::is_exact(Predicates::arithmetic_used);
     /// The edges of the dual are curved; see insert.hpp.
     static constexpr bool is_straight = false;
 
-    /// The site that the kernel takes for this one.
-    [[nodiscard]] static Site rounded(const Site& given) noexcept {
-        return predicates::rounded<arithmetic>(given);
-    }
-
     /// The array is not copied.
-    explicit AdditiveKernel(const RankedSite* sites) noexcept : sites_(sites) {}
+    explicit AdditiveKernel(const RankedSite* sites, Predicates predicates = {}) noexcept
+        : sites_(sites), predicates_(predicates) {}
 
     /// Whether site i hides site q.
     [[nodiscard]] bool hides(Index i, Index q) noexcept {
-        return decide(Predicates::hides(site(i), site(q), {site(i).rank, site(q).rank}));
+        return decide(predicates_.hides(site(i), site(q), {site(i).rank, site(q).rank}));
     }
     /// Whether i would hide q if it came before it in the tie rule's order.
     [[nodiscard]] bool hides_if_first(Index i, Index q) noexcept {
-        return decide(Predicates::hides(site(i), site(q), {0, 1}));
+        return decide(predicates_.hides(site(i), site(q), {0, 1}));
     }
     /// Whether a circle touches i, j, k counterclockwise.
     [[nodiscard]] bool exists(Index i, Index j, Index k) noexcept {
-        return decide(Predicates::exists(site(i), site(j), site(k),
+        return decide(predicates_.exists(site(i), site(j), site(k),
                                          {site(i).rank, site(j).rank, site(k).rank}));
     }
     /// Whether circles touch i, j, k both counterclockwise and clockwise.
     [[nodiscard]] bool exist_twice(Index i, Index j, Index k) noexcept {
-        return decide(Predicates::exists_twice(site(i), site(j), site(k),
+        return decide(predicates_.exists_twice(site(i), site(j), site(k),
                                                {site(i).rank, site(j).rank, site(k).rank}));
     }
     /// Whether q's part of the bisector of i and j, or what it leaves, comes before k's; see
     /// Predicates.
     [[nodiscard]] bool precedes_on_bisector(Index i, Index j, Index q, Index k) noexcept {
-        return decide(Predicates::precedes_on_bisector(
+        return decide(predicates_.precedes_on_bisector(
             site(i), site(j), site(q), site(k),
             {site(i).rank, site(j).rank, site(q).rank, site(k).rank}));
     }
@@ -62,7 +58,7 @@ class AdditiveKernel {
     /// around the horizon of s; see Predicates.
     [[nodiscard]] bool in_order_at_infinity(Index s, Index k, Index q, Index l,
                                             bool rest) noexcept {
-        return decide(Predicates::in_order_at_infinity(
+        return decide(predicates_.in_order_at_infinity(
             site(s), site(k), site(q), site(l), rest,
             {site(s).rank, site(k).rank, site(q).rank, site(l).rank}));
     }
@@ -70,7 +66,7 @@ class AdditiveKernel {
     /// them hides q.
     [[nodiscard]] bool conflicts(Index i, Index j, Index k, Index q) noexcept {
         tally_.count_in_circle();
-        return decide(Predicates::in_circle_of_visible(
+        return decide(predicates_.in_circle_of_visible(
             site(i), site(j), site(k), site(q),
             {site(i).rank, site(j).rank, site(k).rank, site(q).rank}));
     }
@@ -78,30 +74,30 @@ class AdditiveKernel {
     [[nodiscard]] bool conflicts_if_visible(Index i, Index j, Index k, Index q) noexcept {
         tally_.count_in_circle();
         return decide(
-            Predicates::in_circle(site(i), site(j), site(k), site(q),
+            predicates_.in_circle(site(i), site(j), site(k), site(q),
                                   {site(i).rank, site(j).rank, site(k).rank, site(q).rank}));
     }
     /// Whether q conflicts with the face (b, a, infinity) of the hull edge a -> b.
     [[nodiscard]] bool conflicts_infinite(Index a, Index b, Index q) noexcept {
         tally_.count_in_circle();
-        return decide(Predicates::in_circle_infinite(site(a), site(b), site(q),
+        return decide(predicates_.in_circle_infinite(site(a), site(b), site(q),
                                                      {site(a).rank, site(b).rank, site(q).rank}));
     }
     /// Whether the part of the horizon from hull edge k -> s on to s -> l contains the first
     /// direction. Precondition: neither of s and k, or s and l, hides the other.
     [[nodiscard]] bool holds_first_direction(Index k, Index s, Index l) noexcept {
-        return decide(Predicates::holds_first_direction(
+        return decide(predicates_.holds_first_direction(
             site(k), site(s), site(l), {site(k).rank, site(s).rank, site(l).rank}));
     }
     /// How far the centre of q is from a: computed once by who compares many sites there.
     using Distance = additive::Distance;
     [[nodiscard]] Distance distance(Index q, Index a) const noexcept {
-        return Predicates::distance(centre(q), site(a));
+        return predicates_.distance(centre(q), site(a));
     }
     /// Whether the centre of q is nearer to a than to b, ties going to the earlier site.
     [[nodiscard]] bool is_nearer(Index q, Index a, const Distance& to_a, Index b,
                                  const Distance& to_b) noexcept {
-        if constexpr (arithmetic == Arithmetic::exact) {
+        if constexpr (Predicates::arithmetic_used == Arithmetic::exact) {
             const filters::Verdict verdict = additive::nearer(to_a, to_b);
             if (verdict.is_certain()) [[likely]] {
                 tally_.count_nearer();
@@ -113,12 +109,12 @@ class AdditiveKernel {
     [[nodiscard]] bool is_nearer(Index q, Index a, Index b) noexcept {
         tally_.count_nearer();
         return decide(
-            Predicates::nearer(centre(q), site(a), site(b), {site(a).rank, site(b).rank}));
+            predicates_.nearer(centre(q), site(a), site(b), {site(a).rank, site(b).rank}));
     }
     /// The same where a is no site of the tessellation, and first in the tie rule's order.
     [[nodiscard]] bool would_be_nearer(Index q, const Site& a, Index b) noexcept {
         tally_.count_nearer();
-        return decide(Predicates::nearer(centre(q), a, site(b), {0, 1}));
+        return decide(predicates_.nearer(centre(q), a, site(b), {0, 1}));
     }
     /// The third number of a site: the greater, the nearer it is to everything.
     [[nodiscard]] double weight(Index i) const noexcept { return site(i).r; }
@@ -138,6 +134,7 @@ class AdditiveKernel {
     [[nodiscard]] bool decide(Decision decision) noexcept { return count(decision) > 0; }
 
     const RankedSite* sites_;
+    [[no_unique_address]] Predicates predicates_;
     [[no_unique_address]] Tally tally_;
 };
 

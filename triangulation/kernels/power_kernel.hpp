@@ -22,23 +22,117 @@
 
 namespace signum::triangulation {
 
-template <power::PowerSite S, Arithmetic arithmetic, class Tally>
+/// A site of the kind S, of one that may have more.
+template <power::PowerSite S>
+[[nodiscard]] S made_of(const Site& site) noexcept {
+    if constexpr (std::is_same_v<S, Point>)
+        return {site.x, site.y};
+    else
+        return {site.x, site.y, site.r};
+}
+
+/// The signs that a construction asks for, none of them perturbed.
+template <power::PowerSite S, Arithmetic arithmetic = Arithmetic::exact>
+struct PowerSigns {
+    using SiteType = S;
+    static constexpr bool is_exact = signum::is_exact(arithmetic);
+    static constexpr bool is_trusted = is_exact;
+
+    [[nodiscard]] static Decision ccw(const S& a, const S& b, const S& q) noexcept {
+        if constexpr (arithmetic == Arithmetic::exact) {
+            return ccw_decision(a, b, q);
+        } else if constexpr (arithmetic == Arithmetic::multiprecision) {
+            return {multiprecision::ccw(power::centre(a), power::centre(b), power::centre(q)),
+                    Stage::multiprecision};
+        } else {
+            return decide(
+                [&] { return predicates::rounded_ccw<Number>(a, b, q); },
+                [&] { return essa::ccw(power::centre(a), power::centre(b), power::centre(q)); });
+        }
+    }
+
+    [[nodiscard]] static Decision in_circle(const S& i, const S& j, const S& k,
+                                            const S& q) noexcept {
+        if constexpr (arithmetic == Arithmetic::exact) {
+            return power::in_circle_decision(i, j, k, q);
+        } else if constexpr (arithmetic == Arithmetic::multiprecision) {
+            return {power::multiprecision::in_circle(i, j, k, q), Stage::multiprecision};
+        } else {
+            return decide(
+                [&] {
+                    return power::in_circle_determinant(power::row<Number>(i, q),
+                                                        power::row<Number>(j, q),
+                                                        power::row<Number>(k, q));
+                },
+                [&] { return power::essa::in_circle(i, j, k, q); });
+        }
+    }
+
+    [[nodiscard]] static Decision in_segment(const S& a, const S& b, const S& q) noexcept {
+        if constexpr (arithmetic == Arithmetic::exact) {
+            return power::in_segment_decision(a, b, q);
+        } else if constexpr (arithmetic == Arithmetic::multiprecision) {
+            return {power::multiprecision::in_segment(a, b, q), Stage::multiprecision};
+        } else {
+            return decide(
+                [&] {
+                    const power::Row<Number> row_a = power::row<Number>(a, q);
+                    const power::Row<Number> row_b = power::row<Number>(b, q);
+                    const bool along_x = a.x != b.x;
+                    const Number& t_a = along_x ? row_a.x : row_a.y;
+                    const Number& t_b = along_x ? row_b.x : row_b.y;
+                    const Number determinant =
+                        power::in_segment_determinant(row_a, row_b, t_a, t_b);
+                    return (along_x ? a.x < b.x : a.y < b.y) ? determinant : -determinant;
+                },
+                [&] { return power::essa::in_segment(a, b, q); });
+        }
+    }
+
+    /// Which of a and b is nearer to p: +1 for a.
+    [[nodiscard]] static Decision nearer(const Point& p, const S& a, const S& b) noexcept {
+        if constexpr (arithmetic == Arithmetic::exact) {
+            return power::nearer_decision(p, a, b);
+        } else if constexpr (arithmetic == Arithmetic::multiprecision) {
+            return {power::multiprecision::nearer(p, a, b), Stage::multiprecision};
+        } else {
+            return decide([&] { return power::nearer_difference<Number>(p, a, b); },
+                          [&] { return power::essa::nearer(p, a, b); });
+        }
+    }
+
+ private:
+    using Number = predicates::NumberOf<arithmetic>;
+
+    /// The sign of a number: rounded, and that is that; or in an interval, and where it contains 0
+    /// by ESSA; or by ESSA at once.
+    template <class Rounded, class ByEssa>
+    [[nodiscard]] static Decision decide(Rounded rounded, ByEssa by_essa) noexcept {
+        if constexpr (arithmetic != Arithmetic::sum) {
+            const Number number = rounded();
+            if (filters::exceeds(number, 0.0)) [[likely]]
+                return {filters::sign_of_nonzero(number), Stage::filter};
+            if constexpr (!is_exact) return {0, Stage::filter};
+        }
+        return by_essa();
+    }
+};
+
+/// Signs: a PowerSigns, or what hands its questions on (construction/yardsticks.cpp).
+template <class Signs, class Tally>
 class PowerKernel {
+    using S = typename Signs::SiteType;
+
  public:
     using SiteType = S;
     /// Whether answers can be trusted never to lead an algorithm astray.
-    static constexpr bool is_exact = signum::is_exact(arithmetic);
+    static constexpr bool is_exact = Signs::is_trusted;
     /// The edges of the dual are straight; see insert.hpp.
     static constexpr bool is_straight = true;
 
-    /// The site that the kernel takes for this one.
-    [[nodiscard]] static S rounded(const Site& given) noexcept {
-        return made_of(predicates::rounded<arithmetic>(given));
-    }
-
     /// Neither array is copied.
-    PowerKernel(const S* sites, const Index* original) noexcept
-        : sites_(sites), original_(original) {}
+    PowerKernel(const S* sites, const Index* original, Signs signs = {}) noexcept
+        : sites_(sites), original_(original), signs_(signs) {}
 
     /// The orientation of a, b and q.
     [[nodiscard]] Sign ccw(Index a, Index b, Index q) noexcept {
@@ -48,8 +142,8 @@ class PowerKernel {
     /// Whether q conflicts with the face (i, j, k). Precondition: ccw(i,j,k) > 0.
     [[nodiscard]] bool conflicts(Index i, Index j, Index k, Index q) noexcept {
         tally_.count_in_circle();
-        const Sign sign = in_circle(site(i), site(j), site(k), site(q));
-        if (sign != 0 || !is_exact) [[likely]]
+        const Sign sign = count(signs_.in_circle(site(i), site(j), site(k), site(q)));
+        if (sign != 0 || !signs_.is_exact) [[likely]]
             return sign > 0;
         tally_.count_tie();
         return tie(i, j, k, q);
@@ -64,8 +158,8 @@ class PowerKernel {
     /// The same where q is known to lie on the line through a and b.
     [[nodiscard]] bool conflicts_on_line(Index a, Index b, Index q) noexcept {
         tally_.count_in_circle();
-        const Sign sign = in_segment(site(a), site(b), site(q));
-        if (sign != 0 || !is_exact) return sign > 0;
+        const Sign sign = count(signs_.in_segment(site(a), site(b), site(q)));
+        if (sign != 0 || !signs_.is_exact) return sign > 0;
         tally_.count_tie();
         return power::in_segment_tie(centre(a), centre(b), centre(q), places({a, b, q})) > 0;
     }
@@ -74,8 +168,7 @@ class PowerKernel {
     [[nodiscard]] Sign compare_along(Index a, Index b) const noexcept {
         const Point p = centre(a);
         const Point q = centre(b);
-        return p.x != q.x ? filters::compare_numbers(p.x, q.x)
-                          : filters::compare_numbers(p.y, q.y);
+        return p.x != q.x ? filters::compare_numbers(p.x, q.x) : filters::compare_numbers(p.y, q.y);
     }
 
     /// Whether a comes before b in the tie rule's order.
@@ -99,7 +192,7 @@ class PowerKernel {
     /// third number is what weight() says of a site.
     [[nodiscard]] bool would_be_nearer(Index q, const Site& a, Index b) noexcept {
         tally_.count_nearer();
-        return nearer_sign(centre(q), made_of(a), site(b)) >= 0;
+        return nearer_sign(centre(q), made_of<S>(a), site(b)) >= 0;
     }
     /// The third number of a site, without its sign where that does not matter: the greater, the
     /// nearer the site is to everything.
@@ -110,89 +203,12 @@ class PowerKernel {
     [[nodiscard]] const Tally& tally() const noexcept { return tally_; }
 
  private:
-    using Number = predicates::NumberOf<arithmetic>;
-
-    [[nodiscard]] static S made_of(const Site& site) noexcept {
-        if constexpr (std::is_same_v<S, Point>) {
-            return {site.x, site.y};
-        } else {
-            return {site.x, site.y, site.r};
-        }
-    }
-
     [[nodiscard]] Sign orientation(const S& a, const S& b, const S& q) noexcept {
         tally_.count_ccw();
-        if constexpr (arithmetic == Arithmetic::exact) {
-            return count(ccw_decision(a, b, q));
-        } else if constexpr (arithmetic == Arithmetic::multiprecision) {
-            return count({multiprecision::ccw(power::centre(a), power::centre(b), power::centre(q)),
-                          Stage::multiprecision});
-        } else {
-            return count(decide(
-                [&] { return predicates::rounded_ccw<Number>(a, b, q); },
-                [&] { return essa::ccw(power::centre(a), power::centre(b), power::centre(q)); }));
-        }
+        return count(signs_.ccw(a, b, q));
     }
-
-    [[nodiscard]] Sign in_circle(const S& i, const S& j, const S& k, const S& q) noexcept {
-        if constexpr (arithmetic == Arithmetic::exact) {
-            return count(power::in_circle_decision(i, j, k, q));
-        } else if constexpr (arithmetic == Arithmetic::multiprecision) {
-            return count({power::multiprecision::in_circle(i, j, k, q), Stage::multiprecision});
-        } else {
-            return count(decide(
-                [&] {
-                    return power::in_circle_determinant(power::row<Number>(i, q),
-                                                        power::row<Number>(j, q),
-                                                        power::row<Number>(k, q));
-                },
-                [&] { return power::essa::in_circle(i, j, k, q); }));
-        }
-    }
-
-    [[nodiscard]] Sign in_segment(const S& a, const S& b, const S& q) noexcept {
-        if constexpr (arithmetic == Arithmetic::exact) {
-            return count(power::in_segment_decision(a, b, q));
-        } else if constexpr (arithmetic == Arithmetic::multiprecision) {
-            return count({power::multiprecision::in_segment(a, b, q), Stage::multiprecision});
-        } else {
-            return count(decide(
-                [&] {
-                    const power::Row<Number> row_a = power::row<Number>(a, q);
-                    const power::Row<Number> row_b = power::row<Number>(b, q);
-                    const bool along_x = a.x != b.x;
-                    const Number& t_a = along_x ? row_a.x : row_a.y;
-                    const Number& t_b = along_x ? row_b.x : row_b.y;
-                    const Number determinant =
-                        power::in_segment_determinant(row_a, row_b, t_a, t_b);
-                    return (along_x ? a.x < b.x : a.y < b.y) ? determinant : -determinant;
-                },
-                [&] { return power::essa::in_segment(a, b, q); }));
-        }
-    }
-
     [[nodiscard]] Sign nearer_sign(Point p, const S& a, const S& b) noexcept {
-        if constexpr (arithmetic == Arithmetic::exact) {
-            return count(power::nearer_decision(p, a, b));
-        } else if constexpr (arithmetic == Arithmetic::multiprecision) {
-            return count({power::multiprecision::nearer(p, a, b), Stage::multiprecision});
-        } else {
-            return count(decide([&] { return power::nearer_difference<Number>(p, a, b); },
-                                [&] { return power::essa::nearer(p, a, b); }));
-        }
-    }
-
-    /// The sign of a number: rounded, and that is that; or in an interval, and where it contains 0
-    /// by ESSA; or by ESSA at once.
-    template <class Rounded, class ByEssa>
-    [[nodiscard]] static Decision decide(Rounded rounded, ByEssa by_essa) noexcept {
-        if constexpr (arithmetic != Arithmetic::sum) {
-            const Number number = rounded();
-            if (filters::exceeds(number, 0.0)) [[likely]]
-                return {filters::sign_of_nonzero(number), Stage::filter};
-            if constexpr (!is_exact) return {0, Stage::filter};
-        }
-        return by_essa();
+        return count(signs_.nearer(p, a, b));
     }
 
     [[nodiscard, gnu::noinline]] bool tie(Index i, Index j, Index k, Index q) const noexcept {
@@ -216,6 +232,7 @@ class PowerKernel {
 
     const S* sites_;
     const Index* original_;
+    [[no_unique_address]] Signs signs_;
     [[no_unique_address]] Tally tally_;
 };
 

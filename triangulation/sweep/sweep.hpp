@@ -97,13 +97,10 @@ template <class Directions, Arithmetic arithmetic>
     return order;
 }
 
-/// Kernel: an AdditiveKernel over rectangular::Perturbed.
-template <class Kernel>
+/// Kernel: an AdditiveKernel over the predicates of these directions.
+template <class Directions, Arithmetic arithmetic, class Kernel>
 class Sweep {
  public:
-    using Directions = typename Kernel::PredicatesType::DirectionsType;
-    static constexpr Arithmetic arithmetic = Kernel::PredicatesType::arithmetic_used;
-
     /// `exact_sums`: rectangular::sums_are_exact(sites), for the exact kernel alone.
     Sweep(Topology& topology, Kernel& kernel, std::span<Index> hidden_by, bool exact_sums)
         : topology_(topology),

@@ -1,7 +1,0 @@
-#include "constructions.hpp"
-
-namespace signum::triangulation {
-
-template Tessellation construct<Arithmetic::sum>(Metric, const StridedSites&, const Options&);
-
-}  // namespace signum::triangulation
