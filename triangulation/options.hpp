@@ -64,7 +64,7 @@ struct Options {
     Method method = Method::incremental;
     /// Seeds the random insertion order. The result does not depend on it.
     std::uint64_t seed = 1;
-    /// Fill the counters of Statistics; costs a few per cent of the time.
+    /// Fill the counters of Statistics; costs up to a fifth of the time.
     bool count = false;
     /// Checked every few thousand sites; a stopped construction throws Stopped.
     std::stop_token stop = {};

@@ -42,10 +42,10 @@ void check_method(const StridedSites& sites, Metric metric, const Options& optio
 }  // namespace
 
 Tessellation construct(Metric metric, const StridedSites& input, const Options& options) {
+    if (options.count) return construct_in_any_arithmetic(metric, input, options);
     if (options.arithmetic == Arithmetic::exact) return construct_exactly(metric, input, options);
-    if (!is_exact(options.arithmetic) && !options.count)
-        return construct_rounded(metric, input, options);
-    return construct_in_yardstick(metric, input, options);
+    if (!is_exact(options.arithmetic)) return construct_rounded(metric, input, options);
+    return construct_in_any_arithmetic(metric, input, options);
 }
 
 }  // namespace triangulation

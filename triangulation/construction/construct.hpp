@@ -25,14 +25,14 @@ inline bool equal_weights(const StridedSites& sites) noexcept {
 /// which must be finite; the tessellation is still one of the sites given.
 [[nodiscard]] Tessellation construct(Metric metric, const StridedSites& input,
                                      const Options& options);
-/// construct() in the exact arithmetic; in the two that round, without a count; in any but the
-/// exact one, always with a count.
+/// The same in the exact arithmetic, and in the two that round, without a count; and in any, which
+/// always counts.
 [[nodiscard]] Tessellation construct_exactly(Metric metric, const StridedSites& input,
                                              const Options& options);
 [[nodiscard]] Tessellation construct_rounded(Metric metric, const StridedSites& input,
                                              const Options& options);
-[[nodiscard]] Tessellation construct_in_yardstick(Metric metric, const StridedSites& input,
-                                                  const Options& options);
+[[nodiscard]] Tessellation construct_in_any_arithmetic(Metric metric, const StridedSites& input,
+                                                       const Options& options);
 
 /// The power tessellation by flips, in exact arithmetic. `obstruction` is where to report the edge
 /// that could not be flipped in the order of discovery; without it the order is that of time.

@@ -210,13 +210,6 @@ Tessellation construct_by_sweep_with_kernel(Metric metric, const StridedSites& i
                   std::move(original), std::move(hidden_by), statistics);
 }
 
-/// construct<Tally>() for what the options ask: to count costs a few per cent.
-template <class Construct>
-Tessellation with_tally(const Options& options, Construct construct) {
-    return options.count ? construct.template operator()<filters::Tally>()
-                         : construct.template operator()<filters::NoTally>();
-}
-
 /// Calls by_power<S>() with the simplest kind of site that will do, or by_distance<M>().
 template <class Power, class Additive>
 Tessellation construct_by_metric(Metric metric, const StridedSites& input, Power by_power,
@@ -235,19 +228,19 @@ Tessellation construct_by_metric(Metric metric, const StridedSites& input, Power
     });
 }
 
-/// By kernels that ask without a detour.
-template <Arithmetic arithmetic, class Tally>
+/// By kernels that ask without a detour, and count nothing.
+template <Arithmetic arithmetic>
 Tessellation construct_directly(Metric metric, const StridedSites& input, const Options& options) {
     return construct_by_metric(
         metric, input,
         [&]<class S>() {
             using Signs = PowerSigns<S, arithmetic>;
-            return construct_with_kernel<PowerKernel<Signs, Tally>>(metric, input, options,
-                                                                    Signs{});
+            return construct_with_kernel<PowerKernel<Signs, filters::NoTally>>(metric, input,
+                                                                               options, Signs{});
         },
         [&]<class M>() {
             using Predicates = typename PredicatesOf<M>::template Perturbed<arithmetic>;
-            using Kernel = AdditiveKernel<Predicates, Tally>;
+            using Kernel = AdditiveKernel<Predicates, filters::NoTally>;
             if constexpr (M::traits.has_sweep)
                 if (options.method == Method::sweep)
                     return construct_by_sweep_with_kernel<typename PredicatesOf<M>::Directions,

@@ -16,7 +16,7 @@
 namespace signum::triangulation {
 
 /// Predicates: those of a metric under the tie rule (rectangular::Perturbed), or what hands their
-/// questions on (construction/yardsticks.cpp).
+/// questions on (construction/any_arithmetic.cpp).
 template <class Predicates, class Tally>
 class AdditiveKernel {
  public:

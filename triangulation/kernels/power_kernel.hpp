@@ -118,7 +118,7 @@ struct PowerSigns {
     }
 };
 
-/// Signs: a PowerSigns, or what hands its questions on (construction/yardsticks.cpp).
+/// Signs: a PowerSigns, or what hands its questions on (construction/any_arithmetic.cpp).
 template <class Signs, class Tally>
 class PowerKernel {
     using S = typename Signs::SiteType;

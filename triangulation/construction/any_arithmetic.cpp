@@ -1,5 +1,5 @@
-/// Constructions in the arithmetics that the exact one is measured by. They ask through pointers,
-/// so that each algorithm is compiled once for all of them.
+/// Constructions that ask through pointers, so that each algorithm is compiled once for all
+/// arithmetics: in those that are so slow that it is not felt, and where somebody counts.
 
 #include "constructions.hpp"
 
@@ -63,8 +63,10 @@ constexpr PointedPredicates pointed_predicates = {&Predicates::hides,
 
 /// Calls visit<arithmetic>().
 template <class Visit>
-auto with_yardstick(Arithmetic arithmetic, Visit visit) {
+auto with_arithmetic(Arithmetic arithmetic, Visit visit) {
     switch (arithmetic) {
+        case Arithmetic::exact:
+            return visit.template operator()<Arithmetic::exact>();
         case Arithmetic::naive:
             return visit.template operator()<Arithmetic::naive>();
         case Arithmetic::single:
@@ -75,33 +77,31 @@ auto with_yardstick(Arithmetic arithmetic, Visit visit) {
             return visit.template operator()<Arithmetic::sum>();
         case Arithmetic::multiprecision:
             return visit.template operator()<Arithmetic::multiprecision>();
-        case Arithmetic::exact:
-            break;
     }
     throw std::invalid_argument("no such arithmetic");
 }
 
 }  // namespace
 
-Tessellation construct_in_yardstick(Metric metric, const StridedSites& input,
-                                    const Options& options) {
+Tessellation construct_in_any_arithmetic(Metric metric, const StridedSites& input,
+                                         const Options& options) {
     using AnyKernel = AdditiveKernel<PointedPredicates, filters::Tally>;
     return construct_by_metric(
         metric, input,
         [&]<class S>() {
-            const PointedSigns<S> signs = with_yardstick(
+            const PointedSigns<S> signs = with_arithmetic(
                 options.arithmetic, []<Arithmetic a>() { return pointed_signs<PowerSigns<S, a>>; });
             return construct_with_kernel<PowerKernel<PointedSigns<S>, filters::Tally>>(
                 metric, input, options, signs);
         },
         [&]<class M>() {
             const PointedPredicates predicates =
-                with_yardstick(options.arithmetic, []<Arithmetic a>() {
+                with_arithmetic(options.arithmetic, []<Arithmetic a>() {
                     return pointed_predicates<typename PredicatesOf<M>::template Perturbed<a>>;
                 });
             if constexpr (M::traits.has_sweep)
                 if (options.method == Method::sweep)
-                    return with_yardstick(options.arithmetic, [&]<Arithmetic a>() {
+                    return with_arithmetic(options.arithmetic, [&]<Arithmetic a>() {
                         return construct_by_sweep_with_kernel<typename PredicatesOf<M>::Directions,
                                                               a, AnyKernel>(metric, input, options,
                                                                             predicates);
