@@ -18,7 +18,7 @@
 
 #include <fmt/format.h>
 
-#include "../generate/generate.hpp"
+#include "../tool/generate/generate.hpp"
 #include "../triangulation/triangulate.hpp"
 
 namespace signum::benchmarks {

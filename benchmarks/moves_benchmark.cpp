@@ -15,7 +15,7 @@
 
 #include <fmt/format.h>
 
-#include "../generate/generate.hpp"
+#include "../tool/generate/generate.hpp"
 #include "../triangulation/dynamic.hpp"
 #include "../triangulation/triangulate.hpp"
 #include "measuring.hpp"

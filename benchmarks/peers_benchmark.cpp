@@ -19,8 +19,8 @@
 
 #include <fmt/format.h>
 
-#include "../generate/generate.hpp"
-#include "../study/timing.hpp"
+#include "../tool/generate/generate.hpp"
+#include "../tool/study/timing.hpp"
 #include "../triangulation/triangulate.hpp"
 #include "../voronoi/contacts.hpp"
 

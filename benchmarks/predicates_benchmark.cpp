@@ -14,8 +14,8 @@
 #include <fmt/format.h>
 
 #include "../exact/sign_of_sum.hpp"
-#include "../generate/generate.hpp"
 #include "../predicates/power.hpp"
+#include "../tool/generate/generate.hpp"
 
 #include "interleaved.hpp"
 

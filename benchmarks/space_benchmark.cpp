@@ -22,8 +22,8 @@
 
 #include <fmt/format.h>
 
-#include "../generate/generate.hpp"
 #include "../spatial/triangulate.hpp"
+#include "../tool/generate/generate.hpp"
 
 #include "construction.hpp"
 #include "interleaved.hpp"

@@ -21,7 +21,7 @@
 
 #include <fmt/format.h>
 
-#include "../generate/generate.hpp"
+#include "../tool/generate/generate.hpp"
 #include "../triangulation/triangulate.hpp"
 
 #include "construction.hpp"

@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include <signum/draw/frame.hpp>
-#include <signum/draw/lines.hpp>
-#include <signum/draw/svg_text.hpp>
+#include <signum/tool/draw/frame.hpp>
+#include <signum/tool/draw/lines.hpp>
+#include <signum/tool/draw/svg_text.hpp>
 #include <signum/triangulation/dynamic.hpp>
 #include <signum/voronoi/voronoi.hpp>
 

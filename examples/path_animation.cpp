@@ -18,8 +18,8 @@
 #include <utility>
 #include <vector>
 
-#include <signum/draw/svg_text.hpp>
-#include <signum/generate/generate.hpp>
+#include <signum/tool/draw/svg_text.hpp>
+#include <signum/tool/generate/generate.hpp>
 #include <signum/triangulation/space.hpp>
 #include <signum/triangulation/triangulate.hpp>
 

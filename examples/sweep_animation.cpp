@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
-#include <signum/draw/frame.hpp>
-#include <signum/draw/lines.hpp>
-#include <signum/draw/svg_text.hpp>
+#include <signum/tool/draw/frame.hpp>
+#include <signum/tool/draw/lines.hpp>
+#include <signum/tool/draw/svg_text.hpp>
 #include <signum/triangulation/triangulate.hpp>
 #include <signum/voronoi/voronoi.hpp>
 

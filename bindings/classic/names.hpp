@@ -1,8 +1,9 @@
-// The classic names for points that are SIGNUM_POINT; included once for every way in which a program may
-// have declared them, and so without a guard.
+// The classic names for points that are SIGNUM_POINT; included once for every way in which a
+// program may have declared them, and so without a guard.
 
 #define SIGNUM_THREE(name) double name(SIGNUM_POINT a, SIGNUM_POINT b, SIGNUM_POINT c)
-#define SIGNUM_FOUR(name) double name(SIGNUM_POINT a, SIGNUM_POINT b, SIGNUM_POINT c, SIGNUM_POINT d)
+#define SIGNUM_FOUR(name) \
+    double name(SIGNUM_POINT a, SIGNUM_POINT b, SIGNUM_POINT c, SIGNUM_POINT d)
 #define SIGNUM_FIVE(name) \
     double name(SIGNUM_POINT a, SIGNUM_POINT b, SIGNUM_POINT c, SIGNUM_POINT d, SIGNUM_POINT e)
 

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "../../generate/hard.hpp"
+#include "../../tool/generate/hard.hpp"
 #include "integer.hpp"
 
 namespace signum::fuzz {

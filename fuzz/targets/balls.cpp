@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "../../io/read_balls.hpp"
-#include "../../io/read_xyz.hpp"
-#include "../../io/write_motion.hpp"
+#include "../../tool/io/read_balls.hpp"
+#include "../../tool/io/read_xyz.hpp"
+#include "../../tool/io/write_motion.hpp"
 
 #include "memory_file.hpp"
 #include "parsers.hpp"

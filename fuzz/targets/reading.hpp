@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "../../io/errors.hpp"
+#include "../../tool/io/errors.hpp"
 
 #include "target.hpp"
 

@@ -5,11 +5,11 @@
 #include <string_view>
 #include <variant>
 
-#include "../../io/motion_state.hpp"
-#include "../../io/scratch_folder.hpp"
-#include "../../scenes/document.hpp"
-#include "../../scenes/explain.hpp"
-#include "../../scenes/read_scene.hpp"
+#include "../../tool/io/motion_state.hpp"
+#include "../../tool/io/scratch_folder.hpp"
+#include "../../tool/scenes/document.hpp"
+#include "../../tool/scenes/explain.hpp"
+#include "../../tool/scenes/read_scene.hpp"
 
 #include "memory_file.hpp"
 #include "parsers.hpp"

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "../../core/site.hpp"
-#include "../../io/read_sites.hpp"
-#include "../../io/write_sites.hpp"
+#include "../../tool/io/read_sites.hpp"
+#include "../../tool/io/write_sites.hpp"
 
 #include "memory_file.hpp"
 #include "parsers.hpp"

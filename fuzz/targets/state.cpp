@@ -1,6 +1,6 @@
 #include <sstream>
 
-#include "../../io/motion_state.hpp"
+#include "../../tool/io/motion_state.hpp"
 
 #include "memory_file.hpp"
 #include "parsers.hpp"

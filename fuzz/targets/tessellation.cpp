@@ -2,10 +2,10 @@
 #include <stdexcept>
 #include <vector>
 
-#include "../../io/read_sites.hpp"
-#include "../../io/read_tessellation.hpp"
-#include "../../io/write_json.hpp"
 #include "../../spatial/validate.hpp"
+#include "../../tool/io/read_sites.hpp"
+#include "../../tool/io/read_tessellation.hpp"
+#include "../../tool/io/write_json.hpp"
 #include "../../triangulation/validate.hpp"
 
 #include "memory_file.hpp"

@@ -4,9 +4,9 @@
 #include <variant>
 #include <vector>
 
-#include "../../io/nearest_word.hpp"
-#include "../../io/number.hpp"
-#include "../../scenes/units.hpp"
+#include "../../tool/io/nearest_word.hpp"
+#include "../../tool/io/number.hpp"
+#include "../../tool/scenes/units.hpp"
 
 #include "parsers.hpp"
 

@@ -12,10 +12,10 @@
 
 #include <gtest/gtest.h>
 
-#include "../../generate/generate.hpp"
 #include "../../predicates/euclidean.hpp"
 #include "../../predicates/manhattan.hpp"
 #include "../../predicates/supremum.hpp"
+#include "../../tool/generate/generate.hpp"
 #include "../../triangulation/structure/tie_order.hpp"
 
 namespace {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "../../core/site.hpp"
-#include "../../generate/uniform.hpp"
+#include "../../tool/generate/uniform.hpp"
 
 namespace signum::adversarial {
 

@@ -1,10 +1,10 @@
 // The cells as they are drawn, against their definition: along an edge two sites are equally near
 // and none is nearer, and wherever the nearest site changes an edge is drawn.
 
-#include "../../draw/frame.hpp"
-#include "../../draw/lines.hpp"
-#include "../../draw/shapes.hpp"
 #include "../../predicates/additive.hpp"
+#include "../../tool/draw/frame.hpp"
+#include "../../tool/draw/lines.hpp"
+#include "../../tool/draw/shapes.hpp"
 #include "../../triangulation/triangulate.hpp"
 #include "../thoroughness.hpp"
 

@@ -1,6 +1,6 @@
 // Sites whose numbers have magnitudes far apart, from the least denormal to the largest double
-// (generate/hard.hpp): what overflows, underflows and is nothing beside others is no reason to be
-// wrong.
+// (tool/generate/hard.hpp): what overflows, underflows and is nothing beside others is no reason to
+// be wrong.
 
 #include <algorithm>
 #include <cmath>
@@ -12,10 +12,10 @@
 
 #include <gtest/gtest.h>
 
-#include "../../generate/hard.hpp"
 #include "../../spatial/ball_diagram.hpp"
 #include "../../spatial/triangulate.hpp"
 #include "../../spatial/validate.hpp"
+#include "../../tool/generate/hard.hpp"
 #include "../../triangulation/dynamic.hpp"
 #include "../../triangulation/triangulate.hpp"
 #include "../../triangulation/validate.hpp"

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../../generate/generate.hpp"
+#include "../../tool/generate/generate.hpp"
 #include "../../triangulation/triangulate.hpp"
 #include "../thoroughness.hpp"
 #include "adversarial_sites.hpp"

@@ -121,8 +121,7 @@ TEST(CompareCells, FindsNothingWrongInOtherOrdersOfTies) {
         SpaceTessellation other = canonical;
         other.cells.clear();
         for (SpaceCell cell : oracle::power_space<3>(same, ranks).cells) {
-            if (canonical.dimension == 3 && turn_of(cell, sites) < 0)
-                std::swap(cell[2], cell[3]);
+            if (canonical.dimension == 3 && turn_of(cell, sites) < 0) std::swap(cell[2], cell[3]);
             other.cells.push_back(cell);
         }
         other.neighbours.assign(other.cells.size(), {0, 0, 0, 0});

@@ -13,7 +13,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../../generate/generate.hpp"
+#include "../../tool/generate/generate.hpp"
 
 #include "../thoroughness.hpp"
 #include "degenerate_sites.hpp"

@@ -10,7 +10,7 @@
 #include <tuple>
 #include <vector>
 
-#include "../../generate/generate.hpp"
+#include "../../tool/generate/generate.hpp"
 #include "../../triangulation/triangulate.hpp"
 #include "../../triangulation/validate.hpp"
 #include "../thoroughness.hpp"

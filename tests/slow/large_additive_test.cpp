@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "../../generate/generate.hpp"
+#include "../../tool/generate/generate.hpp"
 #include "../../triangulation/triangulate.hpp"
 #include "../../triangulation/validate.hpp"
 

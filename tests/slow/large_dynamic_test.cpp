@@ -12,7 +12,7 @@
 #include <tuple>
 #include <vector>
 
-#include "../../generate/generate.hpp"
+#include "../../tool/generate/generate.hpp"
 #include "../../triangulation/dynamic.hpp"
 #include "../../triangulation/triangulate.hpp"
 

@@ -9,7 +9,7 @@
 #include <tuple>
 #include <vector>
 
-#include "../../generate/generate.hpp"
+#include "../../tool/generate/generate.hpp"
 #include "../../triangulation/triangulate.hpp"
 
 namespace signum {

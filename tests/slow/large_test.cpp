@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "../../generate/generate.hpp"
+#include "../../tool/generate/generate.hpp"
 #include "../../triangulation/triangulate.hpp"
 #include "../../triangulation/validate.hpp"
 

@@ -93,6 +93,13 @@ std::optional<Include> included(std::string_view line) {
     return Include{std::string(line.substr(1, end - 1)), quoted};
 }
 
+/// The layer of a file: the folder that it lies in at the root, but in tool/ the folder there.
+std::string layer_of(const fs::path& file) {
+    auto folder = file.begin();
+    if (*folder == "tool") ++folder;
+    return folder->string();
+}
+
 /// What is wrong with an include from one file of triangulation/ to another; empty when nothing is.
 std::string complaint_within_triangulation(const fs::path& file, const fs::path& target) {
     const auto room_of = [](const fs::path& path) {
@@ -124,7 +131,7 @@ std::string complaint_within_motion(const fs::path& file, const fs::path& target
 /// programs that use the library.
 template <class Exists>
 std::vector<std::string> complaints(const fs::path& file, std::istream& text, Exists exists) {
-    const std::string layer = file.begin()->string();
+    const std::string layer = layer_of(file);
     std::vector<std::string> result;
     std::string line;
     while (std::getline(text, line)) {
@@ -137,7 +144,7 @@ std::vector<std::string> complaints(const fs::path& file, std::istream& text, Ex
             continue;
         }
         const fs::path target = (file.parent_path() / path).lexically_normal();
-        const std::string to = target.begin()->string();
+        const std::string to = layer_of(target);
         if (!exists(target)) {
             result.push_back("\"" + path + "\": there is no " + target.string());
         } else if (!allowed().contains(to)) {
@@ -170,7 +177,9 @@ std::vector<fs::path> sources_in(const fs::path& folder) {
 TEST(IncludeDirection, OfEveryLayerFollowsTheTable) {
     const auto exists = [](const fs::path& path) { return fs::exists(root / path); };
     for (const auto& [layer, targets] : allowed()) {
-        const std::vector<fs::path> sources = sources_in(root / layer);
+        const fs::path folder = root / layer;
+        const std::vector<fs::path> sources =
+            sources_in(fs::exists(folder) ? folder : root / "tool" / layer);
         EXPECT_FALSE(sources.empty()) << layer;
         for (const fs::path& source : sources) {
             std::ifstream text(source);
@@ -199,10 +208,14 @@ TEST(IncludeDirection, EveryRoomOfTriangulationIsDrawn) {
 TEST(IncludeDirection, EveryFolderWithAHeaderIsKnown) {
     const Layers others = {"tests",    "fuzz",    "proofs", "benchmarks",
                            "examples", "scripts", "docs",   "packaging"};
+    for (const auto& entry : fs::directory_iterator(root / "tool"))
+        if (entry.is_directory()) {
+            EXPECT_TRUE(allowed().contains(entry.path().filename().string())) << entry.path();
+        }
     for (const auto& entry : fs::directory_iterator(root)) {
         const std::string name = entry.path().filename().string();
         if (!entry.is_directory() || name.starts_with('.') || name.starts_with("build")) continue;
-        if (sources_in(entry.path()).empty()) continue;
+        if (name == "tool" || sources_in(entry.path()).empty()) continue;
         EXPECT_TRUE(allowed().contains(name) || others.contains(name)) << name;
     }
 }
@@ -250,16 +263,16 @@ TEST(IncludeDirection, WrongArrowsAreFound) {
     EXPECT_EQ(count("core/a.hpp", "#include \"../exact/expansion.hpp\""), 1);
     EXPECT_EQ(count("filters/a.hpp", "  #  include \"../exact/expansion.hpp\"  // why"), 1);
     EXPECT_EQ(count("exact/a.cpp", "#include \"../filters/verdict.hpp\""), 1);
-    EXPECT_EQ(count("io/a.cpp", "#include \"../predicates/ccw.hpp\""), 1);
-    EXPECT_EQ(count("io/a.cpp", "#include \"../draw/svg.hpp\""), 1);
-    EXPECT_EQ(count("triangulation/flips/a.cpp", "#include \"../../cli/commands.hpp\""), 1);
+    EXPECT_EQ(count("tool/io/a.cpp", "#include \"../../predicates/ccw.hpp\""), 1);
+    EXPECT_EQ(count("tool/io/a.cpp", "#include \"../draw/svg.hpp\""), 1);
+    EXPECT_EQ(count("triangulation/flips/a.cpp", "#include \"../../tool/cli/commands.hpp\""), 1);
     EXPECT_EQ(count("core/a.hpp", "#include \"../utils/all.hpp\""), 1);
     EXPECT_EQ(count("core/a.hpp", "#include <signum/core/sign.hpp>"), 1);
     EXPECT_EQ(count("core/a.hpp", "#include \"far.hpp\""), 1);
     EXPECT_EQ(count("triangulation/flips/a.cpp",
                     "#include \"near.hpp\"\n#include \"../../core/sign.hpp\"\n"
                     "#include \"../structure/topology.hpp\"\n"
-                    "#include <vector>\n// #include \"../../io/number.hpp\"\n"),
+                    "#include <vector>\n// #include \"../../tool/io/number.hpp\"\n"),
               0);
     EXPECT_EQ(count("triangulation/structure/a.hpp", "#include \"../flips/b.hpp\""), 1);
     EXPECT_EQ(count("triangulation/arrays.hpp", "#include \"structure/topology.hpp\""), 1);

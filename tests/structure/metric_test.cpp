@@ -30,8 +30,7 @@ std::string text_of(const fs::path& file) {
 std::map<std::string, std::string> code() {
     static const std::regex words_for_readers("//[^\n]*|\"[^\"\n]*\"");
     std::map<std::string, std::string> result;
-    for (const char* room :
-         {"triangulation", "voronoi", "io", "draw", "generate", "study", "cli", "bindings"})
+    for (const char* room : {"triangulation", "voronoi", "tool", "bindings"})
         for (const auto& entry : fs::recursive_directory_iterator(root / room))
             if (entry.path().extension() == ".hpp" || entry.path().extension() == ".cpp")
                 result[entry.path().lexically_relative(root).string()] =

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../../generate/generate.hpp"
+#include "../../tool/generate/generate.hpp"
 #include "../../triangulation/triangulate.hpp"
 
 namespace {

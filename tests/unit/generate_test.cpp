@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "../../core/index.hpp"
-#include "../../generate/generate.hpp"
+#include "../../tool/generate/generate.hpp"
 
 namespace signum {
 namespace {

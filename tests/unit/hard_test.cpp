@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../../generate/hard.hpp"
+#include "../../tool/generate/hard.hpp"
 
 namespace signum::hard {
 namespace {

@@ -9,13 +9,13 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "../../io/read_sites.hpp"
-#include "../../io/write_nodes.hpp"
-#include "../../io/write_ply.hpp"
-#include "../../io/write_space_cells.hpp"
-#include "../../io/write_voronoi.hpp"
-#include "../../io/write_vtk.hpp"
 #include "../../spatial/triangulate.hpp"
+#include "../../tool/io/read_sites.hpp"
+#include "../../tool/io/write_nodes.hpp"
+#include "../../tool/io/write_ply.hpp"
+#include "../../tool/io/write_space_cells.hpp"
+#include "../../tool/io/write_voronoi.hpp"
+#include "../../tool/io/write_vtk.hpp"
 #include "../../triangulation/triangulate.hpp"
 #include "../../voronoi/space_cells.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../../io/number.hpp"
+#include "../../tool/io/number.hpp"
 
 namespace signum {
 namespace {

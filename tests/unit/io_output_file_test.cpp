@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "../../io/errors.hpp"
-#include "../../io/output_file.hpp"
+#include "../../tool/io/errors.hpp"
+#include "../../tool/io/output_file.hpp"
 
 #include "io_scratch.hpp"
 

@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "../../io/errors.hpp"
-#include "../../io/read_sites.hpp"
+#include "../../tool/io/errors.hpp"
+#include "../../tool/io/read_sites.hpp"
 
 #include "io_refusal.hpp"
 #include "io_scratch.hpp"

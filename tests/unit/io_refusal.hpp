@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../../io/errors.hpp"
+#include "../../tool/io/errors.hpp"
 #include "io_scratch.hpp"
 
 namespace signum::test {

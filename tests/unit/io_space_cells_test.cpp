@@ -11,8 +11,8 @@
 
 #include <gtest/gtest.h>
 
-#include "../../draw/space_cells_svg.hpp"
-#include "../../io/write_space_cells.hpp"
+#include "../../tool/draw/space_cells_svg.hpp"
+#include "../../tool/io/write_space_cells.hpp"
 
 namespace signum {
 namespace {

@@ -15,17 +15,17 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "../../generate/generate.hpp"
-#include "../../io/elements.hpp"
-#include "../../io/errors.hpp"
-#include "../../io/read_sites.hpp"
-#include "../../io/read_tessellation.hpp"
-#include "../../io/write_csv.hpp"
-#include "../../io/write_json.hpp"
-#include "../../io/write_obj.hpp"
-#include "../../io/write_sites.hpp"
-#include "../../io/write_vtk.hpp"
 #include "../../spatial/triangulate.hpp"
+#include "../../tool/generate/generate.hpp"
+#include "../../tool/io/elements.hpp"
+#include "../../tool/io/errors.hpp"
+#include "../../tool/io/read_sites.hpp"
+#include "../../tool/io/read_tessellation.hpp"
+#include "../../tool/io/write_csv.hpp"
+#include "../../tool/io/write_json.hpp"
+#include "../../tool/io/write_obj.hpp"
+#include "../../tool/io/write_sites.hpp"
+#include "../../tool/io/write_vtk.hpp"
 
 #include "io_refusal.hpp"
 #include "io_scratch.hpp"

@@ -8,13 +8,13 @@
 
 #include <gtest/gtest.h>
 
-#include "../../io/errors.hpp"
-#include "../../io/read_sites.hpp"
-#include "../../io/read_tessellation.hpp"
-#include "../../io/write_csv.hpp"
-#include "../../io/write_json.hpp"
-#include "../../io/write_obj.hpp"
-#include "../../io/write_sites.hpp"
+#include "../../tool/io/errors.hpp"
+#include "../../tool/io/read_sites.hpp"
+#include "../../tool/io/read_tessellation.hpp"
+#include "../../tool/io/write_csv.hpp"
+#include "../../tool/io/write_json.hpp"
+#include "../../tool/io/write_obj.hpp"
+#include "../../tool/io/write_sites.hpp"
 
 #include "io_refusal.hpp"
 #include "io_scratch.hpp"

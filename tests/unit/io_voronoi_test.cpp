@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "../../draw/voronoi_svg.hpp"
-#include "../../generate/generate.hpp"
-#include "../../io/write_voronoi.hpp"
+#include "../../tool/draw/voronoi_svg.hpp"
+#include "../../tool/generate/generate.hpp"
+#include "../../tool/io/write_voronoi.hpp"
 #include "../../triangulation/triangulate.hpp"
 #include "../../voronoi/polygon.hpp"
 

@@ -1,4 +1,4 @@
-#include "../../study/margin.hpp"
+#include "../../tool/study/margin.hpp"
 
 #include <cmath>
 #include <iterator>

@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "../../io/errors.hpp"
-#include "../../io/motion_state.hpp"
+#include "../../tool/io/errors.hpp"
+#include "../../tool/io/motion_state.hpp"
 #include "io_scratch.hpp"
 
 namespace signum {

@@ -9,11 +9,11 @@
 
 #include <gtest/gtest.h>
 
-#include "../../study/motion/measure.hpp"
-#include "../../study/motion/page.hpp"
-#include "../../study/motion/plan.hpp"
-#include "../../study/motion/results.hpp"
-#include "../../study/motion/shaker.hpp"
+#include "../../tool/study/motion/measure.hpp"
+#include "../../tool/study/motion/page.hpp"
+#include "../../tool/study/motion/plan.hpp"
+#include "../../tool/study/motion/results.hpp"
+#include "../../tool/study/motion/shaker.hpp"
 
 namespace signum::study {
 namespace {

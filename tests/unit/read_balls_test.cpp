@@ -12,8 +12,8 @@
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
-#include "../../io/errors.hpp"
-#include "../../io/read_balls.hpp"
+#include "../../tool/io/errors.hpp"
+#include "../../tool/io/read_balls.hpp"
 
 #include "io_refusal.hpp"
 #include "io_scratch.hpp"

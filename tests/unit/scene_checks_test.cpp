@@ -14,9 +14,9 @@
 
 #include <gtest/gtest.h>
 
-#include "../../scenes/beside_wall.hpp"
-#include "../../scenes/checks.hpp"
-#include "../../scenes/normal.hpp"
+#include "../../tool/scenes/beside_wall.hpp"
+#include "../../tool/scenes/checks.hpp"
+#include "../../tool/scenes/normal.hpp"
 #include "io_scratch.hpp"
 
 namespace signum {

@@ -10,12 +10,12 @@
 
 #include <gtest/gtest.h>
 
-#include "../../generate/uniform.hpp"
-#include "../../io/program.hpp"
-#include "../../scenes/arrangement.hpp"
-#include "../../scenes/frame_picture.hpp"
-#include "../../scenes/normal.hpp"
-#include "../../scenes/pair_correlation.hpp"
+#include "../../tool/generate/uniform.hpp"
+#include "../../tool/io/program.hpp"
+#include "../../tool/scenes/arrangement.hpp"
+#include "../../tool/scenes/frame_picture.hpp"
+#include "../../tool/scenes/normal.hpp"
+#include "../../tool/scenes/pair_correlation.hpp"
 #include "io_scratch.hpp"
 #include "tool_call.hpp"
 

@@ -19,10 +19,10 @@
 
 #include <gtest/gtest.h>
 
-#include "../../io/motion_state.hpp"
-#include "../../io/program.hpp"
-#include "../../scenes/overlaps.hpp"
-#include "../../scenes/read_scene.hpp"
+#include "../../tool/io/motion_state.hpp"
+#include "../../tool/io/program.hpp"
+#include "../../tool/scenes/overlaps.hpp"
+#include "../../tool/scenes/read_scene.hpp"
 #include "io_scratch.hpp"
 #include "tool_call.hpp"
 

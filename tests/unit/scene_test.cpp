@@ -14,9 +14,9 @@
 
 #include <gtest/gtest.h>
 
-#include "../../scenes/explain.hpp"
-#include "../../scenes/keys.hpp"
-#include "../../scenes/read_scene.hpp"
+#include "../../tool/scenes/explain.hpp"
+#include "../../tool/scenes/keys.hpp"
+#include "../../tool/scenes/read_scene.hpp"
 #include "io_scratch.hpp"
 #include "tool_call.hpp"
 

@@ -7,14 +7,14 @@
 
 #include <gtest/gtest.h>
 
-#include "../../study/accuracy_page.hpp"
-#include "../../study/figures.hpp"
-#include "../../study/measure.hpp"
-#include "../../study/plan.hpp"
-#include "../../study/plot.hpp"
-#include "../../study/report.hpp"
-#include "../../study/rows.hpp"
-#include "../../study/space_page.hpp"
+#include "../../tool/study/accuracy_page.hpp"
+#include "../../tool/study/figures.hpp"
+#include "../../tool/study/measure.hpp"
+#include "../../tool/study/plan.hpp"
+#include "../../tool/study/plot.hpp"
+#include "../../tool/study/report.hpp"
+#include "../../tool/study/rows.hpp"
+#include "../../tool/study/space_page.hpp"
 
 namespace signum::study {
 namespace {

@@ -2,14 +2,14 @@
 /// cannot draw, and bounded however many sites there are. The cells are checked against their
 /// definition.
 
-#include "../../draw/svg.hpp"
-#include "../../draw/frame.hpp"
-#include "../../draw/lines.hpp"
-#include "../../draw/outline.hpp"
-#include "../../draw/shapes.hpp"
-#include "../../draw/space_svg.hpp"
-#include "../../draw/thinning.hpp"
-#include "../../generate/generate.hpp"
+#include "../../tool/draw/svg.hpp"
+#include "../../tool/draw/frame.hpp"
+#include "../../tool/draw/lines.hpp"
+#include "../../tool/draw/outline.hpp"
+#include "../../tool/draw/shapes.hpp"
+#include "../../tool/draw/space_svg.hpp"
+#include "../../tool/draw/thinning.hpp"
+#include "../../tool/generate/generate.hpp"
 #include "../../triangulation/triangulate.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "../../study/timing.hpp"
+#include "../../tool/study/timing.hpp"
 
 #include <numeric>
 #include <random>

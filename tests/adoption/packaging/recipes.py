@@ -40,7 +40,7 @@ for name in ("packaging/vcpkg/portfile.cmake", "packaging/conan/conanfile.py", "
     passed = set(re.findall(r"SIGNUM_\w+", text(name)))
     require(passed and passed <= declared, f"{name}: there is no option {passed - declared}")
 # What the tool finds by CMake is what the recipes bring.
-for package in re.findall(r"find_package\((\w+)", text("cli/CMakeLists.txt")):
+for package in re.findall(r"find_package\((\w+)", text("tool/CMakeLists.txt")):
     name = {"nlohmann_json": "nlohmann-json"}.get(package, package).lower()
     require(name in port["features"]["tool"]["dependencies"], f"vcpkg.json does not bring {name}")
     require(name.replace("-", "_") in text("packaging/conda/meta.yaml"), f"meta.yaml does not bring {name}")

@@ -1,0 +1,86 @@
+#pragma once
+/// The subcommands, and how they end.
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "../../triangulation/tessellation.hpp"
+#include "../io/errors.hpp"
+#include "../io/read_sites.hpp"
+
+namespace signum::cli {
+
+/// What the tool returns to the shell.
+enum ExitCode : int {
+    done = 0,
+    check_failed = 1,   ///< a check that was asked for
+    wrong_input = 2,    ///< the call or its input
+    machine_failed = 3  ///< disk full, no memory
+};
+
+/// The call is wrong. The message says what would be right; main() puts "signum: " before it.
+class CallError : public ShownError {
+ public:
+    using ShownError::ShownError;
+};
+
+/// A check that was asked for failed; main() puts "signum: " before the message.
+class CheckFailure : public ShownError {
+ public:
+    using ShownError::ShownError;
+};
+
+/// Each adds its subcommand to the tool. The subcommand runs at the end of parsing, writes its
+/// result to standard output and throws CallError, InputError, NameError, MachineError or
+/// CheckFailure.
+void add_triangulate(CLI::App& tool);
+void add_voronoi(CLI::App& tool);
+void add_compare(CLI::App& tool);
+void add_sign(CLI::App& tool);
+void add_generate(CLI::App& tool);
+void add_validate(CLI::App& tool);
+void add_study(CLI::App& tool);
+void add_simulate(CLI::App& tool);
+
+/// Accepts these words in any case and no others; as a transform() it turns them into the spelling
+/// that is given here.
+CLI::Validator one_of(std::vector<std::string> words);
+
+/// Accepts whole numbers that fit into 64 bits, and no sign.
+CLI::Validator whole_number();
+
+/// Accepts finite numbers as io/number.hpp reads them, those from `least` to `most`.
+CLI::Validator number_from(double least, double most);
+/// Accepts finite numbers.
+CLI::Validator finite_number();
+
+/// Accepts names of files, which are not empty; whether one is there is not looked at.
+CLI::Validator name_of_file();
+
+/// Accepts the names and aliases of metrics, in any case; as a transform() it turns them into the
+/// name.
+CLI::Validator name_of_metric();
+
+/// Adds the option --metric with its four names and its default, euclidean.
+CLI::Option* add_metric(CLI::App& command, std::string& metric);
+/// The metric of a name that add_metric() let through.
+Metric metric_of(const std::string& name);
+
+/// Adds the option --columns; empty when it is not given.
+CLI::Option* add_columns(CLI::App& command, std::string& columns);
+/// Reads the file with the columns that --columns names, and says so where a column was left out
+/// that may have been meant. Throws InputError, CallError and MachineError.
+SitesFile read_sites_by_columns(const std::string& path, const std::string& columns,
+                                std::optional<int> dimension = 2,
+                                SitesInput input = SitesInput::text, bool attributes = false);
+
+/// Adds the option --weight-is; empty when it is not given. `otherwise` says what holds then.
+CLI::Option* add_weight_is(CLI::App& command, std::string& weight_is, std::string_view otherwise);
+/// Throws CallError where --weight-is is given with a metric that has no weights.
+void check_weight_is(const std::string& weight_is, Metric metric);
+
+}  // namespace signum::cli

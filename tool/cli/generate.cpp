@@ -1,0 +1,204 @@
+/// signum generate: sites to try things on.
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "../../core/index.hpp"
+#include "../generate/generate.hpp"
+#include "../io/number.hpp"
+#include "../io/output_file.hpp"
+#include "../io/write_sites.hpp"
+
+#include "commands.hpp"
+#include "outputs.hpp"
+
+namespace signum::cli {
+namespace {
+
+/// Which are no distribution, and are of both dimensions.
+constexpr std::string_view hard_sites = "hard";
+
+/// The call as it was typed.
+struct GenerateCall {
+    std::string distribution;
+    int dimension = 2;
+    std::int64_t count = 0;
+    std::string radius = "0";
+    std::string perturb = "0";
+    std::uint64_t seed = 1;
+    std::string output{"-"};
+    std::string format;
+};
+
+/// The one of `all` that has this name. Throws CallError where it is one of the other dimension.
+template <class Distributions>
+auto distribution_of(const GenerateCall& call, const Distributions& all) {
+    const auto found =
+        std::ranges::find_if(all, [&](auto each) { return name_of(each) == call.distribution; });
+    if (found != all.end()) return *found;
+    std::vector<std::string_view> names;
+    for (const auto each : all) names.push_back(name_of(each));
+    names.push_back(hard_sites);
+    throw CallError(
+        fmt::format("{} lies in {}; {}, or take one of {}", call.distribution,
+                    call.dimension == 3 ? "the plane" : "space",
+                    call.dimension == 3 ? "leave --dimension 3 out" : "add --dimension 3",
+                    fmt::join(names, ", ")));
+}
+
+std::vector<std::string> names_of_distributions() {
+    std::vector<std::string> names;
+    for (const Distribution each : all_distributions) names.emplace_back(name_of(each));
+    for (const SpaceDistribution each : all_space_distributions)
+        if (std::ranges::count(names, name_of(each)) == 0) names.emplace_back(name_of(each));
+    names.emplace_back(hard_sites);
+    return names;
+}
+
+double number_of(const std::string& option, std::string_view text) {
+    const Number number = parse_number(text);
+    if (number.fault == NumberFault::none) return number.value;
+    throw CallError(fmt::format("{}: {}", option, explain(number.fault, text)));
+}
+
+/// By --format, else by the ending, where there is one. Throws CallError for that of another
+/// format.
+SitesFormat format_of(const GenerateCall& call) {
+    const std::string name = call.format.empty() ? ending_of(call.output) : call.format;
+    if (name == "csv") return SitesFormat::csv;
+    if (name == "json") return SitesFormat::json;
+    for (const std::string_view text : {"", "text", "txt", "xyr", "dat"})
+        if (name == text) return SitesFormat::text;
+    throw CallError(
+        fmt::format("-o {}: the ending says what to write; give it .txt, .csv or .json, or say it "
+                    "with --format",
+                    call.output));
+}
+
+/// The file is opened before the work.
+template <class Make>
+void generate_to_output(const GenerateCall& call, Make make, SitesFormat format) {
+    std::optional<OutputFile> file;
+    if (call.output != standard_output) file.emplace(call.output);
+    decltype(make()) sites;
+    try {
+        sites = make();
+    } catch (const std::invalid_argument& error) {
+        throw CallError(error.what());
+    }
+    if (file) {
+        write_sites(file->stream(), sites, format);
+        file->publish();
+    } else {
+        DescriptorStream out(1, "standard output");
+        write_sites(out, sites, format);
+        out.flush();
+    }
+}
+
+void run(const GenerateCall& call) {
+    const std::int64_t most = call.dimension == 3 ? max_sites_in_space : max_sites;
+    if (call.count < 1 || call.count > most) {
+        throw CallError(
+            fmt::format("-n {}: give a number of sites from 1 to {}", call.count, most));
+    }
+    GenerateOptions options;
+    options.count = call.count;
+    const std::size_t colon = call.radius.find(':');
+    options.radius_from = number_of("--radius", call.radius.substr(0, colon));
+    options.radius_to = colon == std::string::npos
+                            ? options.radius_from
+                            : number_of("--radius", call.radius.substr(colon + 1));
+    options.perturb = number_of("--perturb", call.perturb);
+    options.seed = call.seed;
+    if (options.radius_from > options.radius_to) {
+        throw CallError(fmt::format("--radius {}: give the smaller number first", call.radius));
+    }
+    if (options.perturb < 0.0) {
+        throw CallError(
+            fmt::format("--perturb {}: give a number that is not negative", call.perturb));
+    }
+    const SitesFormat format = format_of(call);
+    const auto write = [&](auto make) { generate_to_output(call, make, format); };
+    const bool is_hard = call.distribution == hard_sites;
+    if (is_hard && call.dimension == 3)
+        return write([&] { return generate_hard_in_space(options); });
+    if (is_hard) return write([&] { return generate_hard(options); });
+    if (call.dimension == 3)
+        return write(
+            [&] { return generate(distribution_of(call, all_space_distributions), options); });
+    write([&] { return generate(distribution_of(call, all_distributions), options); });
+}
+
+}  // namespace
+
+void add_generate(CLI::App& tool) {
+    auto call = std::make_shared<GenerateCall>();
+    CLI::App* command =
+        tool.add_subcommand("generate", "Makes sites; the same options make the same sites");
+    command
+        ->add_option("DISTRIBUTION", call->distribution,
+                     "random   in the square [0, 700] x [0, 700]\n"
+                     "circle   on the largest circle in it, radius 350\n"
+                     "square   on its boundary\n"
+                     "grid     on a grid of square cells filling it\n"
+                     "lattice  integers on circles, 192 on each, exactly\n"
+                     "rings    on circles side by side, 1000 on each\n"
+                     "offset   on a fine grid far away: sums round\n"
+                     "tangent  discs that touch circles, 192 on each,\n"
+                     "         exactly\n"
+                     "hard     patterns of sixteen: tangent, nested, collinear,\n"
+                     "         mirrored, exactly or but for a few ulps\n"
+                     "With --dimension 3:\n"
+                     "random   in the cube [0, 700] x [0, 700] x [0, 700]\n"
+                     "sphere   on the largest sphere in it, radius 350\n"
+                     "cube     on its boundary\n"
+                     "grid     on a grid of cubes filling it\n"
+                     "hard     as in the plane")
+        ->required()
+        ->transform(one_of(names_of_distributions()))
+        ->type_name("");
+    command->add_option("--dimension", call->dimension, "2: in the plane; 3: in space")
+        ->check(one_of({"2", "3"}))
+        ->type_name("2|3")
+        ->capture_default_str();
+    command->add_option("-n", call->count, "How many sites")
+        ->required()
+        ->check(whole_number())
+        ->type_name("N");
+    command->add_option("--radius", call->radius, "The radius of all, or uniform from A to B")
+        ->type_name("A[:B]")
+        ->capture_default_str();
+    command
+        ->add_option("--perturb", call->perturb,
+                     "Adds to each coordinate a number, uniform from\n0 to P")
+        ->type_name("P")
+        ->capture_default_str();
+    command->add_option("--seed", call->seed, "Other seeds, other sites")
+        ->check(whole_number())
+        ->type_name("N")
+        ->capture_default_str();
+    command
+        ->add_option("-o,--output", call->output,
+                     "Where the sites go, by its ending: .csv, .json, or\n"
+                     "lines x y r, in space x y z r, in .txt, .xyr, .dat\n"
+                     "and without one;\n"
+                     "- is standard output")
+        ->type_name("FILE")
+        ->capture_default_str();
+    command
+        ->add_option("--format", call->format,
+                     "What is written, whatever the ending: text, csv,\njson")
+        ->transform(one_of({"text", "csv", "json"}))
+        ->type_name("NAME");
+    command->footer(
+        "Examples:\n"
+        "  signum generate random -n 1000 --radius 1:20 --seed 7 -o sites.txt\n"
+        "  signum generate sphere --dimension 3 -n 1000 -o sphere.csv");
+    command->callback([call] { run(*call); });
+}
+
+}  // namespace signum::cli

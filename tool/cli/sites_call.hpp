@@ -1,0 +1,95 @@
+#pragma once
+/// From a file of sites to their tessellation: what several subcommands begin with.
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "../../triangulation/triangulate.hpp"
+#include "../../triangulation/validate.hpp"
+#include "../io/read_sites.hpp"
+
+namespace signum::cli {
+
+/// The part of a call that says what to tessellate.
+struct SitesCall {
+    std::string input;
+    std::string columns;
+    /// Of the sites; nothing: what the file says.
+    std::optional<int> dimension = 2;
+    std::string read_as;  ///< of the names of --read-as; empty: by the ending
+    std::string metric;
+    std::string weight_is;
+    std::string arithmetic = "exact";
+    std::uint64_t seed = 1;
+    bool attributes = false;  ///< of the sites, as what is written wants them
+    bool statistics = false;
+    bool quiet = false;
+    /// The metrics that the subcommand has of sites in space.
+    std::vector<Metric> metrics_in_space = {Metric::power};
+};
+
+/// Adds FILE, --columns, --metric, --weight-is, --seed and --quiet.
+void add_sites(CLI::App& command, SitesCall& call);
+
+/// Adds --dimension and --read-as, for a subcommand that takes sites of space, too, in those
+/// metrics that the call knows.
+void add_space(CLI::App& command, SitesCall& call);
+
+/// Adds to what --columns says of itself what holds in space.
+void describe_columns_in_space(CLI::Option& columns);
+
+/// Adds --read-as; empty when it is not given.
+void add_read_as(CLI::App& command, std::string& read_as);
+
+/// What a file is taken for: what --read-as says, else what its ending says.
+SitesInput input_of(const std::string& path, const std::string& read_as);
+
+/// Accepts the name of an arithmetic.
+[[nodiscard]] CLI::Validator name_of_arithmetic();
+
+/// The arithmetic of that name; throws CallError where there is none.
+Arithmetic arithmetic_of(const std::string& name);
+
+struct InputSites {
+    SitesFile file;
+    WeightIs third;  ///< what the third numbers are
+};
+
+/// Reads the file, and warns of negative radii where they will be squared and nobody has said that
+/// they are radii. Throws InputError, or CallError where metric and weights do not fit.
+InputSites read_input(const SitesCall& call);
+
+/// Where more than half of the sites in the plane are hidden, and the file does not say that its
+/// third numbers are radii, says how to read them as z.
+void hint_at_space(const SitesCall& call, const SitesFile& file, std::size_t hidden);
+
+/// Throws InputError where the file has a number that this arithmetic has not.
+void check_reach(const std::string& path, const SitesFile& file, const std::string& arithmetic);
+
+/// With a progress bar unless quiet. Throws CheckFailure where inexact arithmetic broke the
+/// structure.
+Tessellation construct(const SitesCall& call, const InputSites& sites,
+                       Method method = Method::incremental);
+
+/// What to say where the result of --check is not what it must be.
+std::string words_of_failed_check(const Validation& result);
+
+/// What to say where rounded signs broke the structure, so that nothing is written.
+std::string broken_words(const std::string& arithmetic, const BrokenStructure& error);
+
+/// A line of a summary, to standard error. Nobody loses a result because nobody reads its summary:
+/// failures to write are ignored.
+template <typename... Arguments>
+void say(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+    std::fputs(fmt::format(format, std::forward<Arguments>(arguments)...).c_str(), stderr);
+}
+
+}  // namespace signum::cli

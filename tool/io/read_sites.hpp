@@ -1,0 +1,92 @@
+#pragma once
+/// Sites from a file: text or JSON, described in README.md under "Input", and in space atoms and
+/// vertices of meshes as well, described in docs/space.md.
+///
+/// Laws:
+///  1. Every number is read to the nearest double.
+///  2. Whatever is not exactly a list of sites is an InputError that names file, line and column; a
+///     file is read whole or not at all.
+///  3. Memory beyond the sites themselves, and the attributes that were asked for, is bounded,
+///     whatever the file holds.
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "../../core/site.hpp"
+#include "../../core/strided_sites.hpp"
+#include "../../triangulation/tessellation.hpp"
+#include "attributes.hpp"
+#include "errors.hpp"
+
+namespace signum {
+
+/// The columns that are x, y and, where there are three, r; in space x, y, z and, where there are
+/// four, r. Each is the name that a header gives it, in any case, or its number from 1. Empty: what
+/// the header says, else the first ones.
+using Columns = std::vector<std::string>;
+
+/// What a file of sites may be.
+enum class SitesInput : std::uint8_t {
+    text,  ///< lines of columns, or JSON
+    xyz,   ///< atoms: their number, a comment, then a line each: element x y z [radius]
+    pdb,   ///< atoms of the Protein Data Bank, with the radii of their elements
+    pqr,   ///< the same with charges and radii
+    ply,   ///< vertices of a mesh
+    node   ///< points of Triangle (in the plane) or TetGen (in space)
+};
+/// Whether all that is read so lies in space.
+[[nodiscard]] constexpr bool is_of_space(SitesInput input) noexcept {
+    return input != SitesInput::text && input != SitesInput::node;
+}
+/// By the ending of the name, in small letters: .xyz, .pdb, .ent, .pqr, .ply, .node,
+/// else text.
+[[nodiscard]] SitesInput input_by_ending(std::string_view ending) noexcept;
+
+/// How a file is read, where it leaves that open.
+struct ReadOptions {
+    Columns columns = {};
+    /// 2 or 3; nothing: what the file says. Sites of text lie in space where a header names x, y
+    /// and z, or where four columns are chosen; those of JSON where the first one has four numbers.
+    std::optional<int> dimension = std::nullopt;
+    /// All but text and nodes lie in space.
+    SitesInput input = SitesInput::text;
+    /// Whether the attributes of text and nodes are read, too.
+    bool attributes = false;
+};
+
+/// At least one site, all numbers finite; r is a radius or a weight, as the user of the file says.
+struct SitesFile {
+    int dimension = 2;
+    std::vector<Site> sites;      ///< in the plane
+    std::vector<Site3> in_space;  ///< in space; the other one of the two is empty
+    /// What a header calls the last column, where there is a header that says radius or weight.
+    std::optional<WeightIs> third;
+    /// Whether a site of text has a third number, and nobody has said what that is, or that sites
+    /// lie in the plane.
+    bool third_may_be_z = false;
+    /// Where the first radius or weight below 0 stands.
+    std::optional<Position> first_negative;
+    /// Where the first number stands that no float reaches.
+    std::optional<Position> first_beyond_single;
+    /// Those that were asked for.
+    std::vector<Attribute> attributes;
+    /// What was left out, in a sentence, where a file has what may have been meant, such as a third
+    /// column of another name, and nobody had said so; else empty.
+    std::string note;
+};
+
+/// Reads the file `path`, or standard input for "-", as sites of the plane. Throws InputError, and
+/// MachineError where it is the machine that fails. O(bytes).
+[[nodiscard]] SitesFile read_sites(const std::string& path, const Columns& columns = {});
+/// The same of the plane or of space.
+[[nodiscard]] SitesFile read_sites(const std::string& path, const ReadOptions& options);
+
+/// A view of sites whose third number is a radius or a weight, as triangulate() and validate() want
+/// it.
+[[nodiscard]] StridedSites strided_view(std::span<const Site> sites, WeightIs third) noexcept;
+
+}  // namespace signum

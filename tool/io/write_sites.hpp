@@ -1,0 +1,21 @@
+#pragma once
+/// Sites as a file that read_sites() reads back to the same doubles.
+
+#include <cstdint>
+#include <ostream>
+#include <span>
+
+#include "../../core/site.hpp"
+
+namespace signum {
+
+enum class SitesFormat : std::uint8_t {
+    text,  ///< x y r, in space x y z r, one site a line
+    csv,   ///< a header x,y,r or x,y,z,r, then one site a line
+    json   ///< [[x, y, r], ...] or [[x, y, z, r], ...]
+};
+
+void write_sites(std::ostream& out, std::span<const Site> sites, SitesFormat format);
+void write_sites(std::ostream& out, std::span<const Site3> sites, SitesFormat format);
+
+}  // namespace signum

@@ -1,0 +1,171 @@
+#include "write_space_cells.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "../../spatial/cells.hpp"
+
+#include "text_writer.hpp"
+
+namespace signum {
+namespace {
+
+bool is_infinite(const SpaceCell& cell) noexcept {
+    return cell[0] == infinite;
+}
+
+/// In order.
+std::vector<Index> visible_sites(const SpaceTessellation& tessellation) {
+    std::vector<bool> is_hidden(static_cast<std::size_t>(tessellation.sites));
+    for (const auto& [site, by] : tessellation.hidden)
+        is_hidden[static_cast<std::size_t>(site)] = true;
+    std::vector<Index> result;
+    for (Index site = 0; site < static_cast<Index>(tessellation.sites); ++site)
+        if (!is_hidden[static_cast<std::size_t>(site)]) result.push_back(site);
+    return result;
+}
+
+std::string triple_of(const Point3& p) {
+    if (!are_finite(p)) return "null";
+    return fmt::format(FMT_COMPILE("[{}, {}, {}]"), JsonNumber{p.x}, JsonNumber{p.y},
+                       JsonNumber{p.z});
+}
+
+struct DualEdge {
+    std::array<Index, 3> sites;
+    std::array<Index, 2> vertices;
+};
+
+/// One a facet that is finite, in the order of the cells that have it first. `number_of` is by cell
+/// the vertex's, -1 of infinite ones.
+std::vector<DualEdge> edges_of(const SpaceTessellation& tessellation,
+                               std::span<const Index> number_of) {
+    std::vector<DualEdge> edges;
+    if (tessellation.dimension < 3) return edges;
+    for (std::size_t c = 0; c < tessellation.cells.size(); ++c) {
+        const SpaceCell& cell = tessellation.cells[c];
+        if (is_infinite(cell)) continue;
+        for (std::size_t k = 0; k < 4; ++k) {
+            const auto across = static_cast<std::size_t>(tessellation.neighbours[c][k]);
+            const bool is_told = !is_infinite(tessellation.cells[across]) && across < c;
+            if (is_told) continue;
+            const auto& [i, j, m] = spatial::facet_of[k];  // counterclockwise seen from outside
+            edges.push_back({{cell[i], cell[j], cell[m]}, {number_of[c], number_of[across]}});
+        }
+    }
+    return edges;
+}
+
+void put_cell(TextWriter& text, const SpaceCells& cells, Index site, bool is_unbounded) {
+    const auto& [volume, area, centroid] = cells.measures[static_cast<std::size_t>(site)];
+    const auto faces = cells.faces_of(site);
+    const bool is_clipped =
+        std::ranges::any_of(faces, [](const SpaceFace& face) { return is_box_side(face.beyond); });
+    text.put(FMT_COMPILE(R"({{"site": {}, "unbounded": {}, "clipped": {}, "volume": {}, )"
+                         R"("area": {}, "centroid": {}, "faces": [)"),
+             site, is_unbounded, is_clipped, number_or_null(volume), number_or_null(area),
+             volume > 0.0 ? triple_of(centroid) : "null");
+    const char* comma = "";
+    for (const SpaceFace& face : faces) {
+        text.put(FMT_COMPILE(R"({}{{"neighbour": {}, "area": {}}})"), comma, face.beyond,
+                 number_or_null(face.area));
+        comma = ", ";
+    }
+    text.put("]}");
+}
+
+}  // namespace
+
+void write_space_cells_json(std::ostream& out, const SpaceCells& cells,
+                            const SpaceTessellation& tessellation, WeightIs weight_is,
+                            std::span<const SpaceVertex> vertices) {
+    TextWriter text(out);
+    const auto& [low, high] = cells.box;
+    text.put(FMT_COMPILE(R"({{"format": "signum.voronoi", "version": 1, "dimension": 3, )"
+                         R"("metric": "power", "weight_is": "{}", "sites": {}, )"
+                         R"("clip": [{}, {}, {}, {}, {}, {}])"),
+             name_of(weight_is), tessellation.sites, low.x, low.y, low.z, high.x, high.y, high.z);
+    std::vector<SpaceVertex> finite;
+    std::vector<Index> number_of(tessellation.cells.size(), infinite);
+    if (tessellation.dimension == 3)
+        for (std::size_t c = 0; c < tessellation.cells.size(); ++c) {
+            if (is_infinite(tessellation.cells[c])) continue;
+            number_of[c] = static_cast<Index>(finite.size());
+            finite.push_back(vertices[c]);
+        }
+    text.put_array("vertices", finite, [&](const SpaceVertex& v) {
+        text.put(FMT_COMPILE("[{}, {}, {}, {}]"), number_or_null(v.x), number_or_null(v.y),
+                 number_or_null(v.z), number_or_null(v.rho));
+    });
+    text.put_array("edges", edges_of(tessellation, number_of), [&](const DualEdge& edge) {
+        text.put(FMT_COMPILE(R"({{"sites": [{}], "vertices": [{}]}})"), fmt::join(edge.sites, ", "),
+                 fmt::join(edge.vertices, ", "));
+    });
+    const std::vector<bool> unbounded = unbounded_cells(tessellation);
+    text.put_array("cells", visible_sites(tessellation), [&](Index site) {
+        put_cell(text, cells, site, unbounded[static_cast<std::size_t>(site)]);
+    });
+    text.put_array("hidden", tessellation.hidden, [&](const Hidden& hidden) {
+        text.put(FMT_COMPILE("[{}, {}]"), hidden.site, hidden.by);
+    });
+    text.put("}\n");
+    text.flush();
+}
+
+void write_space_cells_csv(std::ostream& out, const SpaceCells& cells) {
+    TextWriter text(out);
+    text.put("site,volume,area,centroid_x,centroid_y,centroid_z,faces,neighbours,face_areas\n");
+    for (std::size_t i = 0; i < cells.measures.size(); ++i) {
+        const auto& [volume, area, centroid] = cells.measures[i];
+        const auto faces = cells.faces_of(static_cast<Index>(i));
+        text.put(FMT_COMPILE("{},{},{},{},{},{},{},"), i, number_or_blank(volume),
+                 number_or_blank(area), number_or_blank(centroid.x), number_or_blank(centroid.y),
+                 number_or_blank(centroid.z), faces.size());
+        const char* blank = "";
+        for (const SpaceFace& face : faces) {
+            text.put(FMT_COMPILE("{}{}"), blank, face.beyond);
+            blank = " ";
+        }
+        text.put(",");
+        blank = "";
+        for (const SpaceFace& face : faces) {
+            text.put(FMT_COMPILE("{}{}"), blank, number_or_blank(face.area));
+            blank = " ";
+        }
+        text.put("\n");
+    }
+    text.flush();
+}
+
+VtkGrid vtk_grid(const SpaceCells& cells, std::span<const SpacePolyhedron> polyhedra) {
+    VtkGrid grid;
+    grid.title = "signum: power cells";
+    grid.of_cells = {{"site", true, {}}, {"volume", false, {}}, {"faces", true, {}}};
+    for (const SpacePolyhedron& each : polyhedra) {
+        if (each.corners.empty()) continue;
+        const auto first = static_cast<std::int64_t>(grid.points.size());
+        grid.points.insert(grid.points.end(), each.corners.begin(), each.corners.end());
+        std::vector<std::int64_t> corners(each.corners.size());
+        std::iota(corners.begin(), corners.end(), first);
+        grid.add_cell(VtkCell::polyhedron, corners);
+        grid.faces.push_back(static_cast<std::int64_t>(each.beyond.size()));
+        for (std::size_t f = 0; f < each.beyond.size(); ++f) {
+            const auto loop = each.corners_of(f);
+            grid.faces.push_back(static_cast<std::int64_t>(loop.size()));
+            for (const Index corner : loop) grid.faces.push_back(first + corner);
+        }
+        grid.face_ends.push_back(static_cast<std::int64_t>(grid.faces.size()));
+        const double volume = cells.measures.at(static_cast<std::size_t>(each.site)).volume;
+        grid.of_cells[0].values.push_back(each.site);
+        grid.of_cells[1].values.push_back(volume);
+        grid.of_cells[2].values.push_back(static_cast<double>(each.beyond.size()));
+    }
+    return grid;
+}
+
+}  // namespace signum

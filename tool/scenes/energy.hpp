@@ -1,0 +1,77 @@
+#pragma once
+/// The energy of a simulation at one time, and how it goes.
+
+#include <ostream>
+
+#include "../../motion/effects/friction.hpp"
+#include "../io/text_writer.hpp"
+#include "snapshot.hpp"
+
+namespace signum {
+
+/// Kinetic energy, that of spins where there is friction, and their sum with that of height, which
+/// is 0 at the origin. O(balls).
+template <int D>
+struct Energy {
+    double kinetic = 0.0;
+    double spin = 0.0;
+    double total = 0.0;
+
+    Energy(const motion::State<D>& state, const motion::Effects<D>& effects, double time) {
+        Snapshot<D> snapshot(state, effects, time);
+        std::size_t i = 0;
+        for (const MotionFrame::Ball& ball : snapshot.frame().balls) {
+            const double mass = state.masses[i];
+            spin += spin_of(state, effects, i, ball.radius);
+            ++i;
+            for (int k = 0; k < D; ++k) {
+                kinetic += 0.5 * mass * ball.v[static_cast<std::size_t>(k)] *
+                           ball.v[static_cast<std::size_t>(k)];
+                total -= mass * effects.gravity[k] * ball.x[static_cast<std::size_t>(k)];
+            }
+        }
+        total += kinetic;
+        total += spin;
+    }
+
+ private:
+    static double spin_of(const motion::State<D>& state, const motion::Effects<D>& effects,
+                          std::size_t i, double radius) {
+        if (!effects.friction) return 0.0;
+        return motion::energy_of<D>(state.spins[i], radius, state.masses[i], *effects.friction);
+    }
+};
+
+/// Energies as CSV, a time a line: time,kinetic; spin where there is friction and height where
+/// there is gravity; and, where there is either, total.
+template <int D>
+class EnergyWriter {
+ public:
+    /// Writes the header.
+    EnergyWriter(std::ostream& out, const motion::Effects<D>& effects)
+        : text_(out), effects_(effects), has_height_(effects.gravity != motion::Vector<D>{}) {
+        text_.put(FMT_COMPILE("time,kinetic{}{}{}\n"), has_spin() ? ",spin" : "",
+                  has_height_ ? ",height" : "", has_total() ? ",total" : "");
+    }
+    /// O(balls).
+    void put(const motion::State<D>& state, double time) {
+        const Energy<D> energy(state, effects_, time);
+        text_.put(FMT_COMPILE("{},{}"), time, energy.kinetic);
+        if (has_spin()) text_.put(FMT_COMPILE(",{}"), energy.spin);
+        if (has_height_) text_.put(FMT_COMPILE(",{}"), energy.total - energy.kinetic - energy.spin);
+        if (has_total()) text_.put(FMT_COMPILE(",{}"), energy.total);
+        text_.put("\n");
+    }
+    /// To be called at the end.
+    void finish() { text_.flush(); }
+
+ private:
+    [[nodiscard]] bool has_spin() const { return effects_.friction.has_value(); }
+    [[nodiscard]] bool has_total() const { return has_spin() || has_height_; }
+
+    TextWriter text_;
+    motion::Effects<D> effects_;
+    bool has_height_;
+};
+
+}  // namespace signum

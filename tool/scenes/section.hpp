@@ -1,0 +1,101 @@
+#pragma once
+/// A table of a scene as it is read: every key by its kind, and every way to be wrong with its
+/// place and what would be right.
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <toml++/toml.h>
+
+#include "../../motion/vector.hpp"
+#include "document.hpp"
+#include "units.hpp"
+
+namespace signum {
+
+/// Which numbers are allowed, and how that is said.
+struct Range {
+    double least = -std::numeric_limits<double>::infinity();
+    double most = std::numeric_limits<double>::infinity();
+    bool is_open = false;  ///< the least itself is not allowed
+    std::string_view words = "a finite number";
+};
+inline constexpr Range any_number{};
+inline constexpr Range from_0{.least = 0.0, .words = "0 or more"};
+inline constexpr Range above_0{.least = 0.0, .is_open = true, .words = "a number above 0"};
+inline constexpr Range from_0_to_1{.least = 0.0, .most = 1.0, .words = "a number from 0 to 1"};
+
+struct Quantity {
+    Dimension dimension;
+    Range range = any_number;
+};
+
+/// "a text", "an array" and so on.
+[[nodiscard]] std::string_view kind_of(const toml::node& node);
+
+/// A number, or a text with a unit, in the document's units. `name` is what messages call it.
+/// Throws as Document::fail.
+[[nodiscard]] double read_quantity(const Document& document, const toml::node& node,
+                                   std::string_view name, const Quantity& quantity);
+/// D of them. Throws as Document::fail.
+template <int D>
+[[nodiscard]] motion::Vector<D> read_vector(const Document& document, const toml::node& node,
+                                            std::string_view name, const Quantity& quantity);
+
+/// All functions with a key throw as Document::fail where the value is of another kind; those
+/// without "optional" also where it is missing, at the section's own place.
+class Section {
+ public:
+    /// Refuses keys that keys_of(name) does not have, at once.
+    Section(const Document& document, const toml::table& table, std::string name);
+
+    [[nodiscard]] const std::string& name() const noexcept { return name_; }
+    [[nodiscard]] const Document& document() const noexcept { return *document_; }
+    [[nodiscard]] bool has(std::string_view key) const { return find(key) != nullptr; }
+    /// Null where the key is missing.
+    [[nodiscard]] const toml::node* find(std::string_view key) const { return table_->get(key); }
+    [[nodiscard]] const toml::node& get(std::string_view key, std::string_view advice) const;
+
+    [[nodiscard]] std::optional<double> optional_quantity(std::string_view key,
+                                                          const Quantity& quantity) const;
+    [[nodiscard]] double quantity(std::string_view key, const Quantity& quantity,
+                                  std::string_view advice) const;
+    template <int D>
+    [[nodiscard]] std::optional<motion::Vector<D>> optional_vector(std::string_view key,
+                                                                   const Quantity& quantity) const;
+    template <int D>
+    [[nodiscard]] motion::Vector<D> vector(std::string_view key, const Quantity& quantity,
+                                           std::string_view advice) const;
+    /// Empty where the key is missing; refuses an empty text.
+    [[nodiscard]] std::string optional_text(std::string_view key) const;
+    [[nodiscard]] bool flag(std::string_view key, bool otherwise) const;
+    [[nodiscard]] std::optional<std::uint64_t> optional_whole(std::string_view key,
+                                                              std::uint64_t least,
+                                                              std::uint64_t most) const;
+    /// One of the words, or nothing.
+    [[nodiscard]] std::optional<std::string> optional_word(
+        std::string_view key, std::span<const std::string> words) const;
+    [[nodiscard]] std::optional<Section> optional_section(std::string_view key) const;
+    /// A table or an array of tables; none where the key is missing.
+    [[nodiscard]] std::vector<Section> sections(std::string_view key) const;
+
+    /// At the value of a key, which is there; `message` follows the key's name.
+    [[noreturn]] void fail_at(std::string_view key, std::string_view message) const;
+    /// At the section.
+    [[noreturn]] void fail(std::string_view message) const;
+    [[nodiscard]] ScenePlace place() const { return document_->place_of(table_->source()); }
+
+ private:
+    [[nodiscard]] std::string inner_name(std::string_view key) const;
+
+    const Document* document_;
+    const toml::table* table_;
+    std::string name_;
+};
+
+}  // namespace signum
