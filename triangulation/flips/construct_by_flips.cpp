@@ -101,7 +101,7 @@ Tessellation construct_by_flips_with_kernel(const StridedSites& input, const Opt
                   std::move(topology), std::move(original), std::move(hidden_by), statistics);
 }
 
-/// construct<Tally>() for what the options ask: to count costs a few per cent.
+/// construct<Tally>() for what the options ask.
 template <class Construct>
 Tessellation with_tally(const Options& options, Construct construct) {
     return options.count ? construct.template operator()<filters::Tally>()

@@ -329,8 +329,7 @@ void tessellate() {
             site.r = std::bit_cast<double>(std::bit_cast<std::uint64_t>(site.r) << 1 >> 1);
             sites.push_back(site);
         }
-        const signum::Tessellation t =
-            signum::triangulation::construct<signum::Arithmetic::exact>(metric, sites, {});
+        const signum::Tessellation t = signum::triangulation::construct(metric, sites, {});
         Answers answers;
         mix_rows(answers, t.faces());
         mix_rows(answers, t.neighbours());
