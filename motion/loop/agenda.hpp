@@ -48,14 +48,11 @@ class Agenda {
     [[nodiscard]] const Particle& operator[](Slot i) const noexcept { return particles_[i]; }
 
     /// Whose event comes first, and not before when.
-    [[nodiscard]] Slot top() {
-        return queue_.top([this](Slot i, Slot j) { return comes_before(i, j); });
-    }
+    [[nodiscard]] Slot top() { return queue_.top(Before{this}); }
     [[nodiscard]] double key(Slot i) const noexcept { return queue_.key(i); }
     /// A ball's next event has become another one.
     void settle(Slot i) {
-        queue_.set(i, std::min(particles_[i].own, particles_[i].next.early),
-                   [this](Slot a, Slot b) { return comes_before(a, b); });
+        queue_.set(i, std::min(particles_[i].own, particles_[i].next.early), Before{this});
     }
     /// EventQueue::for_each_ahead.
     template <class Visit>
@@ -80,6 +77,10 @@ class Agenda {
         const std::int32_t b = particles_[p.partner.slot()].number;
         return {false, std::min(a, b), std::max(a, b)};
     }
+    struct Before {
+        const Agenda* agenda;
+        bool operator()(Slot i, Slot j) const { return agenda->comes_before(i, j); }
+    };
     /// Of two entries of equal key: those that are no exact strikes first.
     [[nodiscard]] bool comes_before(Slot i, Slot j) const {
         const auto is_exact = [this](Slot e) {
