@@ -51,7 +51,7 @@ class Agenda {
     [[nodiscard]] Slot top() { return queue_.top(Before{this}); }
     [[nodiscard]] double key(Slot i) const noexcept { return queue_.key(i); }
     /// A ball's next event has become another one.
-    void settle(Slot i) {
+    [[gnu::always_inline]] void settle(Slot i) {
         queue_.set(i, std::min(particles_[i].own, particles_[i].next.early), Before{this});
     }
     /// EventQueue::for_each_ahead.

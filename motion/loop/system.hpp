@@ -110,7 +110,7 @@ struct System {
         return is_side(wall) ? facing_side<D>(wall) : walls.facing(ball, wall);
     }
     /// A ball flies otherwise than before.
-    void put(Slot i, const Ball<D>& ball) {
+    [[gnu::always_inline]] void put(Slot i, const Ball<D>& ball) {
         world.balls[i] = ball;
         filter.include(ball);
         if (notes_pairs()) [[unlikely]]
