@@ -56,7 +56,7 @@ class Loop final : public Simulation<D>::Engine {
                 broad_phase_.relieve();
             const Slot i = agenda.top();
             const double key = agenda.key(i);
-            if constexpr (system_.has_turns()) {
+            if constexpr (System<D, known>::has_turns()) {
                 if (turn <= key && (turn < key || is_before_strikes(system_)) &&
                     is_turn_due(system_, until)) [[unlikely]] {
                     if (limits.stop && limits.stop()) return {Ending::stopped, {}};

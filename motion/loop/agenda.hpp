@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <tuple>
-#include <vector>
 
 #include "../../core/large_array.hpp"
 #include "../event_queue.hpp"

@@ -1,7 +1,6 @@
 #pragma once
 /// The clock: a ball that flies too far from one double to the next is refused, with a sentence.
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <stdexcept>

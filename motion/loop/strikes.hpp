@@ -2,7 +2,6 @@
 /// The meeting of two balls whose time has come: whether it is a strike, and what that does.
 
 #include <algorithm>
-#include <cstdint>
 
 #include "clock.hpp"
 #include "collapse.hpp"

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <ranges>
-#include <span>
 #include <utility>
 #include <vector>
 
