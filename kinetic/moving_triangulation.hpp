@@ -169,7 +169,6 @@ class MovingTriangulation {
     }
     /// Whether the edge is right; then its next event is in the queue.
     [[nodiscard]] bool is_right(HalfEdge h);
-    [[nodiscard]] bool is_right_at_infinity(HalfEdge h, Index before, Index middle, Index after);
     [[nodiscard]] bool make_right(HalfEdge h);
     [[nodiscard]] bool hide(HalfEdge h);
     void place(Index q);

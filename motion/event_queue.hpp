@@ -40,7 +40,7 @@ class EventQueue {
 
     /// Gives an entry a key, or the same one where its place among equals has changed.
     template <class Before>
-    void set(Entry e, double key, const Before& before) {
+    [[gnu::always_inline]] void set(Entry e, double key, const Before& before) {
         const std::uint32_t from = items_[e].bucket;
         items_[e].key = key;
         const std::uint32_t to = bucket_ == far_ ? far_ : bucket_of(key);

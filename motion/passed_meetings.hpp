@@ -8,16 +8,15 @@
 #include <span>
 #include <vector>
 
-#include "ball.hpp"
+#include "partner.hpp"
 
 namespace signum::motion {
 
-/// Up to when each of some pairs is passed over. A partner may be a wall: any slot that is not
-/// below the number of balls.
+/// Up to when each of some pairs is passed over.
 class PassedMeetings {
  public:
     struct Entry {
-        Slot partner;
+        Partner partner;
         double until;
     };
 
@@ -28,23 +27,24 @@ class PassedMeetings {
         return of_.empty() ? std::span<const Entry>() : of_[i];
     }
     /// -infinity where the pair is not passed over.
-    [[nodiscard]] double until(Slot i, Slot j) const noexcept {
+    [[nodiscard]] double until(Slot i, Partner partner) const noexcept {
         for (const Entry& entry : of(i))
-            if (entry.partner == j) return entry.until;
+            if (entry.partner == partner) return entry.until;
         return -infinity;
     }
-    void pass(Slot i, Slot j, double until) {
+    void pass(Slot i, Partner partner, double until) {
         if (of_.empty()) of_.resize(balls_);
-        put(i, j, until);
-        if (j < balls_) put(j, i, until);
+        put(i, partner, until);
+        if (partner.is_ball()) put(partner.slot(), Partner::ball(i), until);
     }
     /// Something has happened to a ball.
     void release(Slot i) {
         if (is_empty()) return;
         for (const Entry& entry : of_[i])
-            if (entry.partner < balls_)
-                size_ -= std::erase_if(of_[entry.partner],
-                                       [i](const Entry& other) { return other.partner == i; });
+            if (entry.partner.is_ball())
+                size_ -= std::erase_if(of_[entry.partner.slot()], [i](const Entry& other) {
+                    return other.partner == Partner::ball(i);
+                });
         size_ -= of_[i].size();
         of_[i].clear();
     }
@@ -56,13 +56,13 @@ class PassedMeetings {
  private:
     static constexpr double infinity = std::numeric_limits<double>::infinity();
 
-    void put(Slot i, Slot j, double until) {
+    void put(Slot i, Partner partner, double until) {
         for (Entry& entry : of_[i]) {
-            if (entry.partner != j) continue;
+            if (entry.partner != partner) continue;
             entry.until = until;
             return;
         }
-        of_[i].push_back({j, until});
+        of_[i].push_back({partner, until});
         ++size_;
     }
 

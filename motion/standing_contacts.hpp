@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "effects/contact_forces.hpp"
+#include "partner.hpp"
 #include "simulation.hpp"
 
 namespace signum::motion {
@@ -23,8 +24,8 @@ namespace signum::motion {
 template <int D>
 class StandingContacts {
  public:
-    /// Numbers: of a ball, and of a ball greater than that or a wall as -1 - wall.
-    using Pair = std::pair<std::int32_t, std::int32_t>;
+    /// A ball, and a wall or a ball of a greater number.
+    using Pair = std::pair<std::int32_t, Partner>;
     /// Exchanged in the last step.
     struct Momenta {
         double push = 0.0;
@@ -83,9 +84,9 @@ class StandingContacts {
     [[nodiscard]] std::set<std::int32_t> hanging_with(std::int32_t ball) const {
         std::map<std::int32_t, std::vector<std::int32_t>> partners;
         for (const auto& [pair, momenta] : momenta_) {
-            if (pair.second < 0) continue;
-            partners[pair.first].push_back(pair.second);
-            partners[pair.second].push_back(pair.first);
+            if (pair.second.is_wall()) continue;
+            partners[pair.first].push_back(pair.second.code());
+            partners[pair.second.code()].push_back(pair.first);
         }
         std::set<std::int32_t> found = {ball};
         std::vector<std::int32_t> next = {ball};
@@ -110,7 +111,7 @@ class StandingContacts {
         for (const auto& [pair, momenta] : momenta_) {
             if (!takes(pair)) continue;
             index.try_emplace(pair.first);
-            if (pair.second >= 0) index.try_emplace(pair.second);
+            if (pair.second.is_ball()) index.try_emplace(pair.second.code());
         }
         bodies_.clear();
         for (auto& [number, at] : index) {
@@ -129,10 +130,10 @@ class StandingContacts {
                     : 0.0;
             const double gap = lies.gap - inwards(lies.curvature, along);
             gaps_.push_back({gap, lies.scale, lies.curvature * along <= longest_chord});
-            contacts_.push_back({a, pair.second >= 0 ? index[pair.second] : Contact<D>::wall,
-                                 lies.normal,
-                                 gap - (lies.gap < 0.0 ? (1.0 - undone) * lies.gap : 0.0),
-                                 lies.friction, lies.wall_velocity, momenta.push, momenta.rub});
+            contacts_.push_back(
+                {a, pair.second.is_ball() ? index[pair.second.code()] : Contact<D>::wall,
+                 lies.normal, gap - (lies.gap < 0.0 ? (1.0 - undone) * lies.gap : 0.0),
+                 lies.friction, lies.wall_velocity, momenta.push, momenta.rub});
         }
         const ContactReport report =
             solve_contacts<D>(bodies_, contacts_, step, effect.tolerance, effect.sweeps);

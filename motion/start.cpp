@@ -16,6 +16,7 @@
 #include "apart.hpp"
 #include "box_tree.hpp"
 #include "check_parts.hpp"
+#include "partner.hpp"
 #include "simulation.hpp"
 #include "time_steps.hpp"
 
@@ -441,12 +442,11 @@ void check_parts(const State<D>& state, const Effects<D>& effects) {
             "a state that does not have what its effects need of each ball");
     const auto number_of_balls = static_cast<std::int64_t>(balls);
     const auto walls = static_cast<std::int64_t>(2 * D + effects.obstacles.size());
-    const auto has_pair = [&](std::int64_t a, std::int64_t b) {
-        const std::int64_t wall = -1 - b;
-        const bool is_there = wall < 0       ? a < b && b < number_of_balls
-                              : wall < 2 * D ? effects.box && !effects.periodic
-                                             : wall < walls;
-        return a >= 0 && a < number_of_balls && is_there;
+    const auto has_pair = [&](std::int32_t a, std::int32_t b) {
+        if (a < 0 || a >= number_of_balls) return false;
+        const Partner partner = Partner::coded(b);
+        if (!partner.is_wall()) return a < b && b < number_of_balls;
+        return partner.wall() < 2 * D ? effects.box && !effects.periodic : partner.wall() < walls;
     };
     for (const Passed& passed : state.passed)
         if (!has_pair(passed.a, passed.b) || std::isnan(passed.time))

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "../motion/partner.hpp"
 #include "check_parts.hpp"
 
 namespace signum {
@@ -27,10 +28,11 @@ std::vector<WallContact<D>> wall_contacts(const RunRecord<D>& record) {
     const motion::Effects<D>& effects = record.effects();
     const double time = record.moments().back().time;
     for (const motion::StandingContact<D>& contact : record.end().contacts) {
-        if (contact.b >= 0) continue;
+        const auto partner = motion::Partner::coded(contact.b);
+        if (!partner.is_wall()) continue;
         const motion::Ball<D>& ball = record.end().balls[static_cast<std::size_t>(contact.a)];
         const BesideWall<D> beside =
-            beside_wall(effects, -1 - contact.b, centre(ball, time, effects), time);
+            beside_wall(effects, partner.wall(), centre(ball, time, effects), time);
         WallContact<D> found;
         found.point = beside.nearest;
         for (int k = 0; k < D; ++k)
