@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "../motion/partner.hpp"
+#include "../../motion/partner.hpp"
 #include "check_parts.hpp"
 
 namespace signum {
