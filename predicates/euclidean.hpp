@@ -75,6 +75,7 @@ template <class... Others>
 /// for all finite doubles, in every floating-point environment, and takes constant time.
 template <Arithmetic arithmetic = Arithmetic::exact>
 struct Perturbed {
+    /// By what arithmetic; see predicates/arithmetic.hpp.
     static constexpr Arithmetic arithmetic_used = arithmetic;
 
     /// Whether i hides q, |c_i - c_q| <= r_i - r_q: +1 or -1.
