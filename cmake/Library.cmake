@@ -29,7 +29,7 @@ set(headers_of_numbers <algorithm> <array> <cmath> <functional> <optional> <span
 add_library(signum_signs OBJECT ${predicate_sources})
 compile_as_library(signum_signs)
 describe_library(signum_signs "" ${SIGNUM_INTEGERS})
-if(SIGNUM_UNITY_BUILD)
+if(SIGNUM_UNITY_BUILD OR SIGNUM_ONLY_PREDICATES)
   target_precompile_headers(signum_signs PRIVATE ${headers_of_numbers})
 endif()
 add_library(signum_predicates STATIC $<TARGET_OBJECTS:signum_signs>)
