@@ -101,20 +101,13 @@ Tessellation construct_by_flips_with_kernel(const StridedSites& input, const Opt
                   std::move(topology), std::move(original), std::move(hidden_by), statistics);
 }
 
-/// construct<Tally>() for what the options ask.
-template <class Construct>
-Tessellation with_tally(const Options& options, Construct construct) {
-    return options.count ? construct.template operator()<filters::Tally>()
-                         : construct.template operator()<filters::NoTally>();
-}
-
 template <class S>
 Tessellation construct_by_flips_of(const StridedSites& input, const Options& options,
                                    std::optional<Edge>* obstruction) {
-    return with_tally(options, [&]<class Tally>() {
-        return construct_by_flips_with_kernel<PowerKernel<PowerSigns<S>, Tally>>(input, options,
-                                                                                 obstruction);
-    });
+    using Counting = PowerKernel<PowerSigns<S>, filters::Tally>;
+    using Plain = PowerKernel<PowerSigns<S>, filters::NoTally>;
+    return options.count ? construct_by_flips_with_kernel<Counting>(input, options, obstruction)
+                         : construct_by_flips_with_kernel<Plain>(input, options, obstruction);
 }
 
 }  // namespace
