@@ -49,6 +49,17 @@ struct StandingContact {
     friend bool operator==(const StandingContact&, const StandingContact&) = default;
 };
 
+/// A ball that has struck, where balls grow or walls move: how often in a row in narrow gaps
+/// (docs/motion.md), and when last, and when as often as the last power of two, and as half of it.
+struct Pressed {
+    std::int32_t ball = 0;      ///< its number
+    std::uint32_t strikes = 0;  ///< in a row
+    double half = 0.0;          ///< time of the strike of that power of two
+    double quarter = 0.0;       ///< time of that of half of it
+    double last = -std::numeric_limits<double>::infinity();  ///< time of its last strike
+    friend bool operator==(const Pressed&, const Pressed&) = default;
+};
+
 /// Where a simulation stands: what it needs to go on with the very log it would have had.
 template <int D>
 struct State {
@@ -68,6 +79,7 @@ struct State {
     std::vector<StandingContact<D>> contacts = {};  ///< that stand
     /// Where there are time steps: 2 k + 1 in step k, counted from 0, 2 k between two steps.
     std::uint64_t half_steps = 0;
+    std::vector<Pressed> pressed = {};  ///< in the order of the balls
 };
 
 /// What is to be seen of a structure at work, and of the loop over it, at one time. Balls by their

@@ -451,6 +451,10 @@ void check_parts(const State<D>& state, const Effects<D>& effects) {
     for (const Passed& passed : state.passed)
         if (!has_pair(passed.a, passed.b) || std::isnan(passed.time))
             throw std::invalid_argument("a state with a meeting of balls or walls that it has not");
+    for (const Pressed& pressed : state.pressed)
+        if (pressed.ball < 0 || pressed.ball >= number_of_balls || !std::isfinite(pressed.half) ||
+            !std::isfinite(pressed.quarter) || !std::isfinite(pressed.last))
+            throw std::invalid_argument("a state with a pressed ball that it has not");
     for (const StandingContact<D>& contact : state.contacts)
         if (!effects.contacts || !has_pair(contact.a, contact.b) || !std::isfinite(contact.push) ||
             !std::ranges::all_of(contact.rub, [](double each) { return std::isfinite(each); }))

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "../effects/growth.hpp"
@@ -55,6 +56,8 @@ struct System {
     /// How many strikes in place end a run (collapse.hpp), and whether one is to end.
     std::uint32_t most_in_place;
     bool collapses = false;
+    bool walls_move = false;
+    std::vector<Pressed> pressed;  ///< of each ball, where balls grow or walls move
     /// How far a ball may fly from time 0 on (clock.hpp), and who flies farther.
     double farthest = infinity;
     Partner late;
@@ -134,6 +137,18 @@ struct System {
         return effects;
     }
 
+    [[nodiscard]] static bool moves(const Effects<D>& effects) {
+        const auto move = [](const auto& obstacle) {
+            if constexpr (requires { obstacle.speed; }) return obstacle.speed != 0.0;
+            if constexpr (requires { obstacle.velocity; }) return obstacle.velocity != Vector<D>{};
+            return false;
+        };
+        return effects.shake ||
+               std::ranges::any_of(effects.obstacles, [&move](const Obstacle<D>& obstacle) {
+                   return std::visit(move, obstacle);
+               });
+    }
+
     static constexpr std::uint32_t most_in_place_dissipative = 1000;
     static constexpr std::uint32_t most_in_place_elastic = 100'000;
 };
@@ -164,6 +179,10 @@ System<D, known>::System(const State<D>& state, const Effects<D>& effects, Kerne
         agenda[i].mass = state.masses[number];
         agenda[i].in_place = state.in_place[number];
     }
+    walls_move = has_walls() && moves(effects);
+    if (effects.growth || walls_move) pressed.resize(slots.size());
+    for (const Pressed& each : state.pressed)
+        if (!pressed.empty()) pressed[slot_of(each.ball)] = each;
     laws.set(state, slots);
     for (const StandingContact<D>& contact : state.contacts)
         contacts.set({contact.a, Partner::coded(contact.b)}, {contact.push, contact.rub});
@@ -196,6 +215,11 @@ State<D> System<D, known>::state() const {
     }
     std::ranges::sort(state.passed, {},
                       [](const Passed& each) { return std::pair(each.a, each.b); });
+    for (Slot i : slots) {
+        if (pressed.empty() || pressed[i].last == -infinity) continue;
+        state.pressed.push_back(pressed[i]);
+        state.pressed.back().ball = agenda[i].number;
+    }
     state.half_steps = steps.half_steps();
     for (const auto& [pair, momenta] : contacts.all())
         state.contacts.push_back({pair.first, pair.second.code(), momenta.push, momenta.rub});

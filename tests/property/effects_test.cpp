@@ -84,6 +84,7 @@ void expect_same(const State<D>& a, const State<D>& b) {
     EXPECT_EQ(a.passed, b.passed);
     EXPECT_EQ(a.spins, b.spins);
     EXPECT_EQ(a.last_strikes, b.last_strikes);
+    EXPECT_EQ(a.pressed, b.pressed);
     EXPECT_EQ(a.contacts, b.contacts);
     EXPECT_EQ(a.half_steps, b.half_steps);
 }

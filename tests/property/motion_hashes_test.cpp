@@ -63,6 +63,13 @@ class Hash {
         }
         for (const Spin<D>& spin : state.spins) take_all(spin.values);
         take_all(state.last_strikes);
+        for (const Pressed& pressed : state.pressed) {
+            take(pressed.ball);
+            take(pressed.strikes);
+            take(pressed.half);
+            take(pressed.quarter);
+            take(pressed.last);
+        }
         for (const StandingContact<D>& contact : state.contacts) {
             take(contact.a);
             take(contact.b);
@@ -165,13 +172,13 @@ TEST(MotionHashes, InThePlane) {
         {"speed law", 0xfe73fc7915c3c167},
         {"contact duration", 0x3000cec5eddeb892},
         {"friction", 0x899d3bfadb0ee630},
-        {"shake", 0x97a5e0c50e03e3be},
-        {"obstacles", 0x8852b0ff16dae249},
-        {"growth", 0xebfefb6a7e5a6f92},
+        {"shake", 0xf4b4fcbdfd04a0e0},
+        {"obstacles", 0x5b49004d4510a3b9},
+        {"growth", 0xcd8028b7760fc29f},
         {"fluid", 0x794c49e23e45b168},
-        {"time steps", 0x6eb76764d7ed4ad1},
+        {"time steps", 0xed31c4de116cac5d},
         {"contacts", 0x1875374a0520b8c9},
-        {"every mixture", 0xbf1045dca03951c5},
+        {"every mixture", 0x51a6ff583267ea8e},
     });
 }
 
@@ -182,16 +189,16 @@ TEST(MotionHashes, InSpace) {
         {"cradle, grazing", 0x77cbba5e4bd6ecbd},
         {"gravity", 0x7c82e4c77a95ebf3},
         {"losses", 0xaaa3428317d6531e},
-        {"speed law", 0x851ceef97535135b},
-        {"contact duration", 0xaa466a2467af7519},
-        {"friction", 0xae3b51e373d00c23},
-        {"shake", 0x386cc134b7346c6e},
-        {"obstacles", 0xf15f8d76637b017d},
-        {"growth", 0x5368aea0f7eb0a5a},
-        {"fluid", 0x620e332a09d3091d},
-        {"time steps", 0xdd3ea9e467f778bb},
-        {"contacts", 0x5c047a5eef3029dc},
-        {"every mixture", 0x2fe444bba806a8c2},
+        {"speed law", 0x1f1ef1a08909b334},
+        {"contact duration", 0x44ac15559a9830cd},
+        {"friction", 0xbaa16c93357041a9},
+        {"shake", 0x2f529dd877cb83ce},
+        {"obstacles", 0x19e6e8f3df9d01a4},
+        {"growth", 0x591058ef0c5e5d5b},
+        {"fluid", 0x60d8322668f50ccf},
+        {"time steps", 0x7c8c8874f2bac47c},
+        {"contacts", 0xe520e2c89e3a29c7},
+        {"every mixture", 0x9a15a25533e43b98},
     });
 }
 

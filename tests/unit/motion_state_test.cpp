@@ -84,6 +84,7 @@ MotionState<D> with_all_effects() {
     for (double& each : spin) each = number();
     state.state.spins = {spin};
     state.state.last_strikes = {-std::numeric_limits<double>::infinity()};
+    state.state.pressed = {{0, 4711, number(), number(), number()}};
     state.state.contacts = {{0, -2, number(), vector()}};
     state.state.half_steps = 41;
     return state;
@@ -95,6 +96,7 @@ void expect_same(const MotionState<D>& a, const MotionState<D>& b) {
     EXPECT_EQ(a.state.balls[0].v, b.state.balls[0].v);
     EXPECT_EQ(a.state.spins, b.state.spins);
     EXPECT_EQ(a.state.last_strikes, b.state.last_strikes);
+    EXPECT_EQ(a.state.pressed, b.state.pressed);
     EXPECT_EQ(a.state.contacts, b.state.contacts);
     EXPECT_EQ(a.state.half_steps, b.state.half_steps);
     const motion::Effects<D>& e = a.effects;
@@ -230,7 +232,8 @@ TEST_F(DamagedStates, OfALaterVersionOrAnUnknownWallAreRefused) {
     refused("\"inside\"", "\"aside\"");
     refused("\"low\"", "\"below\"");
     refused("\"high\"", "\"above\"");
-    for (const std::string list : {"balls", "passed", "spins", "last_strikes", "standing"}) {
+    for (const std::string list :
+         {"balls", "passed", "spins", "last_strikes", "standing", "pressed"}) {
         const std::string deep = std::string(200000, '[') + std::string(200000, ']');
         for (const std::string& other : {std::string("null"), std::string("{\"x\": 1}"), deep})
             refused("\"" + list + "\": ", "\"" + list + "\": " + other + ", \"rest\": ");

@@ -299,6 +299,11 @@ void read_rest_of_state(const json& file, motion::State<D>& state) {
         state.contacts.push_back({number_of<std::int32_t>(contact.at(0)),
                                   number_of<std::int32_t>(contact.at(1)),
                                   number_of<double>(contact.at(2)), vector_of<D>(contact.at(3))});
+    for (const json& ball : list("pressed"))
+        state.pressed.push_back({number_of<std::int32_t>(ball.at(0)),
+                                 number_of<std::uint32_t>(ball.at(1)),
+                                 number_of<double>(ball.at(2)), number_of<double>(ball.at(3)),
+                                 number_of<double>(ball.at(4))});
     if (file.contains("half_steps"))
         state.half_steps = number_of<std::uint64_t>(file.at("half_steps"));
 }
@@ -361,6 +366,11 @@ void write_motion_state(std::ostream& out, const MotionState<D>& state) {
                            text.put("]");
                        });
     }
+    if (!balls_state.pressed.empty())
+        text.put_array("pressed", balls_state.pressed, [&](const motion::Pressed& ball) {
+            text.put(FMT_COMPILE("[{}, {}, {}, {}, {}]"), ball.ball, ball.strikes,
+                     JsonNumber{ball.half}, JsonNumber{ball.quarter}, JsonNumber{ball.last});
+        });
     if (balls_state.half_steps != 0)
         text.put(FMT_COMPILE(",\n\"half_steps\": {}"), balls_state.half_steps);
     text.put("}\n");
@@ -383,11 +393,12 @@ MotionState<D> read_motion_state(const std::string& path) {
     try {
         auto& [state, effects] = result;
         refuse_others(
-            file, {"format",    "version", "dimension", "time",  "restitution",  "wall_restitution",
-                   "periodic",  "gravity", "low",       "high",  "speed_law",    "contact_duration",
-                   "friction",  "shake",   "growth",    "fluid", "contacts",     "time_step",
-                   "obstacles", "balls",   "passed",    "spins", "last_strikes", "standing",
-                   "half_steps"});
+            file,
+            {"format",     "version", "dimension", "time",  "restitution",  "wall_restitution",
+             "periodic",   "gravity", "low",       "high",  "speed_law",    "contact_duration",
+             "friction",   "shake",   "growth",    "fluid", "contacts",     "time_step",
+             "obstacles",  "balls",   "passed",    "spins", "last_strikes", "standing",
+             "half_steps", "pressed"});
         state.time = number_of<double>(file.at("time"));
         effects.restitution = number_of<double>(file.at("restitution"));
         effects.wall_restitution = number_of<double>(file.at("wall_restitution"));
