@@ -24,7 +24,7 @@
 #include <vector>
 
 #include <signum/predicates/space.hpp>
-#include <signum/spatial/ball_diagram.hpp>
+#include <signum/voronoi/balls/diagram.hpp>
 
 namespace {
 

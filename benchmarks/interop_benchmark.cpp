@@ -1,5 +1,5 @@
 /// CGAL's triangulations on signum's predicates beside CGAL's on its own kernel's, interleaved:
-/// what interop/cgal.hpp is worth.
+/// what bindings/interop/cgal.hpp is worth.
 ///
 /// usage: interop_benchmark [--sites=100000] [Google Benchmark's options]
 
@@ -23,7 +23,7 @@
 
 #include <fmt/format.h>
 
-#include "../interop/cgal.hpp"
+#include "../bindings/interop/cgal.hpp"
 
 #include "interleaved.hpp"
 

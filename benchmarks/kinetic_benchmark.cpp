@@ -15,9 +15,9 @@
 
 #include <fmt/format.h>
 
-#include "../kinetic/forms.hpp"
-#include "../kinetic/moving_triangulation.hpp"
 #include "../triangulation/flips/event_queue.hpp"
+#include "../triangulation/moving/forms.hpp"
+#include "../triangulation/moving/moving_triangulation.hpp"
 #include "../triangulation/structure/flip.hpp"
 #include "measuring.hpp"
 

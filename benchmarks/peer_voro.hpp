@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "../voronoi/space_cells.hpp"
+#include "../voronoi/space/cells.hpp"
 
 namespace signum::benchmarks {
 

@@ -22,8 +22,8 @@
 
 #include <fmt/format.h>
 
-#include "../spatial/triangulate.hpp"
 #include "../tool/generate/generate.hpp"
+#include "../triangulation/space/triangulate.hpp"
 
 #include "construction.hpp"
 #include "interleaved.hpp"

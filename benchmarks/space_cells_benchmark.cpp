@@ -15,7 +15,7 @@
 
 #include <fmt/format.h>
 
-#include "../voronoi/space_cells.hpp"
+#include "../voronoi/space/cells.hpp"
 #include "measuring.hpp"
 #if defined(SIGNUM_WITH_VORO)
 #include "peer_voro.hpp"

@@ -14,18 +14,18 @@ set(public_headers
   triangulation/metric.hpp triangulation/arrays.hpp triangulation/options.hpp
   triangulation/tessellation.hpp triangulation/triangulate.hpp
   triangulation/validate.hpp triangulation/vertices.hpp triangulation/dynamic.hpp
-  triangulation/edge_list.hpp triangulation/space.hpp
-  kinetic/kinetic_tessellation.hpp
-  spatial/ball_diagram.hpp spatial/compare.hpp spatial/touching_rectangular.hpp
-  spatial/touching_spheres.hpp spatial/triangulate.hpp spatial/validate.hpp spatial/vertices.hpp
-  spatial/any_dimension/triangulate.hpp spatial/any_dimension/validate.hpp
+  triangulation/edge_list.hpp triangulation/flip_graph.hpp
+  triangulation/moving/kinetic_tessellation.hpp
+  voronoi/balls/diagram.hpp triangulation/space/compare.hpp voronoi/balls/touching_rectangular.hpp
+  voronoi/balls/touching_spheres.hpp triangulation/space/triangulate.hpp triangulation/space/validate.hpp triangulation/space/vertices.hpp
+  triangulation/any_dimension/triangulate.hpp triangulation/any_dimension/validate.hpp
   voronoi/voronoi.hpp voronoi/curve.hpp voronoi/conic.hpp voronoi/clip.hpp voronoi/polygon.hpp
-  voronoi/contacts.hpp voronoi/compare.hpp voronoi/space_cells.hpp voronoi/space_polyhedra.hpp
+  voronoi/contacts.hpp voronoi/compare.hpp voronoi/space/cells.hpp voronoi/space/polyhedra.hpp
   motion/simulation.hpp motion/queries.hpp motion/meeting_time.hpp motion/shaking_wall.hpp)
 # What these include in their turn: the filters, which are inline. Nobody includes them by name.
 set(headers_behind
   core/contract.hpp core/handle.hpp
-  kinetic/moving_site.hpp
+  triangulation/moving/moving_site.hpp
   motion/ball.hpp motion/effects.hpp motion/meeting.hpp motion/obstacle.hpp motion/vector.hpp
   filters/bounds.hpp filters/environment.hpp filters/interval.hpp filters/rounding_count.hpp
   filters/tally.hpp
@@ -39,7 +39,7 @@ set(headers_behind
   predicates/rectangular/forms.hpp predicates/rectangular/squares.hpp
   triangulation/structure/corners.hpp triangulation/structure/cycle.hpp)
 # What needs a library of the user's own, which is no dependency of the package.
-file(GLOB interop_headers RELATIVE "${PROJECT_SOURCE_DIR}" CONFIGURE_DEPENDS interop/*.hpp interop/cgal/*.hpp)
+file(GLOB interop_headers RELATIVE "${PROJECT_SOURCE_DIR}" CONFIGURE_DEPENDS bindings/interop/*.hpp bindings/interop/cgal/*.hpp)
 set(c_headers bindings/c/signum.h)
 if(SIGNUM_ONLY_PREDICATES)
   list(FILTER public_headers INCLUDE REGEX "^(core|exact|predicates)/")
@@ -49,6 +49,7 @@ if(SIGNUM_ONLY_PREDICATES)
 endif()
 foreach(header IN LISTS public_headers headers_behind interop_headers)
   cmake_path(GET header PARENT_PATH folder)
+  string(REGEX REPLACE "^bindings/" "" folder "${folder}")
   install(FILES "${header}" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/signum/${folder}" COMPONENT development)
 endforeach()
 if(TARGET signum_classic)

@@ -20,7 +20,7 @@
 
 #include <signum/tool/draw/svg_text.hpp>
 #include <signum/tool/generate/generate.hpp>
-#include <signum/triangulation/space.hpp>
+#include <signum/triangulation/flip_graph.hpp>
 #include <signum/triangulation/triangulate.hpp>
 
 namespace {

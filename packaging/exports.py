@@ -21,7 +21,7 @@ MAP = pathlib.Path(__file__).resolve().parent / "exports.map"
 
 
 def syntax_trees(include):
-    """What clang++ makes of namespace signum, all headers together. interop/ needs libraries of others."""
+    """What clang++ makes of namespace signum, all headers together. bindings/interop/ needs libraries of others."""
     headers = sorted(header.relative_to(include) for header in (include / "signum").rglob("*.hpp")
                      if "interop" not in header.parts)
     clang = os.environ.get("CLANG", "clang++")

@@ -18,7 +18,7 @@ environments=(nearest upward downward zero flush)
 mkdir -p "$place/rows"
 
 # What a row depends on.
-sources=$(cat $(git ls-files core exact filters predicates triangulation spatial cmake tests/structure/machines) | sha256sum)
+sources=$(cat $(git ls-files core exact filters predicates triangulation cmake tests/structure/machines) | sha256sum)
 if [ "$pattern" != page ] && [ "$(cat "$place/sources" 2>/dev/null)" != "$sources" ]; then
   rm -f "$place"/rows/*
   echo "$sources" >"$place/sources"

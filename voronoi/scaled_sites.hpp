@@ -19,8 +19,8 @@
 #include "../core/large_array.hpp"
 #include "../core/sign.hpp"
 #include "../core/site.hpp"
-#include "../spatial/triangulate.hpp"
-#include "space_cells.hpp"
+#include "../triangulation/space/triangulate.hpp"
+#include "space/cells.hpp"
 #include "vector3.hpp"
 
 namespace signum {

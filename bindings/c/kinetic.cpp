@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "../../kinetic/kinetic_tessellation.hpp"
+#include "../../triangulation/moving/kinetic_tessellation.hpp"
 #include "boundary.hpp"
 #include "handles.hpp"
 

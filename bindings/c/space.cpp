@@ -5,9 +5,9 @@
 #include <variant>
 #include <vector>
 
-#include "../../spatial/triangulate.hpp"
-#include "../../spatial/validate.hpp"
-#include "../../spatial/vertices.hpp"
+#include "../../triangulation/space/triangulate.hpp"
+#include "../../triangulation/space/validate.hpp"
+#include "../../triangulation/space/vertices.hpp"
 #include "boundary.hpp"
 #include "handles.hpp"
 

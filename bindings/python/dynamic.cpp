@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "../../kinetic/kinetic_tessellation.hpp"
 #include "../../triangulation/dynamic.hpp"
+#include "../../triangulation/moving/kinetic_tessellation.hpp"
 #include "names.hpp"
 #include "parts.hpp"
 #include "results.hpp"

@@ -11,11 +11,11 @@
 #include <variant>
 #include <vector>
 
-#include "../../spatial/triangulate.hpp"
-#include "../../spatial/validate.hpp"
-#include "../../spatial/vertices.hpp"
-#include "../../voronoi/space_cells.hpp"
-#include "../../voronoi/space_polyhedra.hpp"
+#include "../../triangulation/space/triangulate.hpp"
+#include "../../triangulation/space/validate.hpp"
+#include "../../triangulation/space/vertices.hpp"
+#include "../../voronoi/space/cells.hpp"
+#include "../../voronoi/space/polyhedra.hpp"
 #include "names.hpp"
 #include "parts.hpp"
 #include "results.hpp"

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "../../kinetic/kinetic_tessellation.hpp"
-#include "../../spatial/validate.hpp"
 #include "../../triangulation/dynamic.hpp"
+#include "../../triangulation/moving/kinetic_tessellation.hpp"
+#include "../../triangulation/space/validate.hpp"
 #include "../../triangulation/triangulate.hpp"
 #include "../../triangulation/validate.hpp"
 #include "../../triangulation/vertices.hpp"

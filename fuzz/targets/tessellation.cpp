@@ -2,10 +2,10 @@
 #include <stdexcept>
 #include <vector>
 
-#include "../../spatial/validate.hpp"
 #include "../../tool/io/read_sites.hpp"
 #include "../../tool/io/read_tessellation.hpp"
 #include "../../tool/io/write_json.hpp"
+#include "../../triangulation/space/validate.hpp"
 #include "../../triangulation/validate.hpp"
 
 #include "memory_file.hpp"

@@ -1,6 +1,6 @@
 #pragma once
-/// The power triangulation of the discs, kept up while they fly (thesis 9.3, kinetic/): in the
-/// plane.
+/// The power triangulation of the discs, kept up while they fly (thesis 9.3,
+/// triangulation/moving/): in the plane.
 ///
 /// Discs that touch are neighbours in it. For where they touch, at p, both have power 0, and every
 /// other disc, as interiors are disjoint, a greater one: p lies in both cells and in no other. So
@@ -39,7 +39,7 @@
 #include <utility>
 #include <vector>
 
-#include "../../kinetic/moving_triangulation.hpp"
+#include "../../triangulation/moving/moving_triangulation.hpp"
 #include "../cells.hpp"
 #include "../simulation.hpp"
 #include "../world.hpp"

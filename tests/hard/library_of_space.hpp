@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "../../predicates/space.hpp"
-#include "../../spatial/ball_diagram.hpp"
-#include "../../spatial/triangulate.hpp"
+#include "../../triangulation/space/triangulate.hpp"
+#include "../../voronoi/balls/diagram.hpp"
 #include "../property/environments.hpp"
 #include "library_of_plane.hpp"
 #include "space_case.hpp"

@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "../../exact/multiprecision.hpp"
-#include "../../spatial/any_dimension/questions.hpp"
+#include "../../triangulation/any_dimension/questions.hpp"
 #include "../oracle/oracle_test_support.hpp"
 #include "../thoroughness.hpp"
 #include "any_dimension_sites.hpp"

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "../../spatial/any_dimension/triangulate.hpp"
+#include "../../triangulation/any_dimension/triangulate.hpp"
 #include "../oracle/oracle_test_support.hpp"
 
 namespace signum::any_dimension_test {

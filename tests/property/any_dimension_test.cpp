@@ -15,7 +15,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../../spatial/any_dimension/triangulate.hpp"
+#include "../../triangulation/any_dimension/triangulate.hpp"
 #include "../../triangulation/triangulate.hpp"
 #include "../oracle/oracle_test_support.hpp"
 #include "../oracle/power_space.hpp"
@@ -100,7 +100,7 @@ TEST(AnyDimension, SmallSetsInSixDimensions) {
     expect_small_sets<6>(40 * thoroughness, 9);
 }
 
-/// The same arrays as spatial/triangulate.hpp gives.
+/// The same arrays as triangulation/space/triangulate.hpp gives.
 void expect_as_in_space(const Sites<3>& sites) {
     std::vector<power::Site3> weighted;
     for (const auto& s : sites) weighted.push_back({s.centre[0], s.centre[1], s.centre[2], s.w});

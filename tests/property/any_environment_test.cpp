@@ -13,19 +13,19 @@
 #include <gtest/gtest.h>
 
 #include "../../bindings/c/signum.h"
-#include "../../kinetic/kinetic_tessellation.hpp"
 #include "../../motion/simulation.hpp"
-#include "../../spatial/ball_diagram.hpp"
-#include "../../spatial/triangulate.hpp"
-#include "../../spatial/validate.hpp"
 #include "../../triangulation/dynamic.hpp"
+#include "../../triangulation/moving/kinetic_tessellation.hpp"
+#include "../../triangulation/space/triangulate.hpp"
+#include "../../triangulation/space/validate.hpp"
 #include "../../triangulation/triangulate.hpp"
 #include "../../triangulation/validate.hpp"
+#include "../../voronoi/balls/diagram.hpp"
 #include "../../voronoi/clip.hpp"
 #include "../../voronoi/compare.hpp"
 #include "../../voronoi/contacts.hpp"
 #include "../../voronoi/polygon.hpp"
-#include "../../voronoi/space_polyhedra.hpp"
+#include "../../voronoi/space/polyhedra.hpp"
 
 #include "environments.hpp"
 

@@ -20,8 +20,8 @@
 
 #include "../../predicates/space/ccw.hpp"
 #include "../../predicates/space/euclidean.hpp"
-#include "../../spatial/ball_diagram.hpp"
-#include "../../spatial/triangulate.hpp"
+#include "../../triangulation/space/triangulate.hpp"
+#include "../../voronoi/balls/diagram.hpp"
 #include "../oracle/ball_edges.hpp"
 #include "../oracle/balls_space.hpp"
 #include "../thoroughness.hpp"

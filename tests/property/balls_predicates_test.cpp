@@ -13,7 +13,7 @@
 #include "../../predicates/space/euclidean.hpp"
 #include "../../predicates/space/in_sphere.hpp"
 #include "../../predicates/space/multiprecision.hpp"
-#include "../../spatial/touching_spheres.hpp"
+#include "../../voronoi/balls/touching_spheres.hpp"
 #include "ball_families.hpp"
 #include "environments.hpp"
 #include "rounded_surd.hpp"

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../../kinetic/bounded_forms.hpp"
+#include "../../triangulation/moving/bounded_forms.hpp"
 #include "../oracle/oracle_test_support.hpp"
 
 namespace signum::kinetic {

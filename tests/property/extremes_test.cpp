@@ -12,13 +12,13 @@
 
 #include <gtest/gtest.h>
 
-#include "../../spatial/ball_diagram.hpp"
-#include "../../spatial/triangulate.hpp"
-#include "../../spatial/validate.hpp"
 #include "../../tool/generate/hard.hpp"
 #include "../../triangulation/dynamic.hpp"
+#include "../../triangulation/space/triangulate.hpp"
+#include "../../triangulation/space/validate.hpp"
 #include "../../triangulation/triangulate.hpp"
 #include "../../triangulation/validate.hpp"
+#include "../../voronoi/balls/diagram.hpp"
 #include "../../voronoi/clip.hpp"
 #include "../thoroughness.hpp"
 

@@ -13,7 +13,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../../kinetic/kinetic_tessellation.hpp"
+#include "../../triangulation/moving/kinetic_tessellation.hpp"
 #include "../../triangulation/triangulate.hpp"
 #include "../../triangulation/validate.hpp"
 #include "../oracle/kinetic.hpp"

@@ -18,8 +18,8 @@
 #include "../../predicates/power.hpp"
 #include "../../predicates/space.hpp"
 #include "../../predicates/supremum.hpp"
-#include "../../spatial/triangulate.hpp"
 #include "../../triangulation/dynamic.hpp"
+#include "../../triangulation/space/triangulate.hpp"
 #include "../../triangulation/triangulate.hpp"
 #include "../../triangulation/validate.hpp"
 

@@ -11,8 +11,8 @@
 
 #include <gtest/gtest.h>
 
-#include "../../kinetic/kinetic_tessellation.hpp"
 #include "../../motion/structures/delaunay.hpp"
+#include "../../triangulation/moving/kinetic_tessellation.hpp"
 #include "motion_scenes.hpp"
 
 namespace signum::motion {

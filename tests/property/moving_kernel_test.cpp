@@ -10,8 +10,8 @@
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
-#include "../../kinetic/moving_kernel.hpp"
 #include "../../triangulation/insertion/insert.hpp"
+#include "../../triangulation/moving/moving_kernel.hpp"
 #include "../oracle/kinetic.hpp"
 #include "../oracle/oracle_test_support.hpp"
 

@@ -10,7 +10,7 @@
 
 #include "../../core/index.hpp"
 #include "../../core/site.hpp"
-#include "../../kinetic/moving_site.hpp"
+#include "../../triangulation/moving/moving_site.hpp"
 #include "../../triangulation/tessellation.hpp"
 #include "../oracle/oracle_test_support.hpp"
 

@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "../../predicates/space/in_sphere.hpp"
-#include "../../spatial/orthospheres.hpp"
+#include "../../triangulation/space/orthospheres.hpp"
 #include "../oracle/oracle_test_support.hpp"
 #include "../thoroughness.hpp"
 

@@ -6,7 +6,7 @@
 
 #include <map>
 
-#include "../../spatial/touching_rectangular.hpp"
+#include "../../voronoi/balls/touching_rectangular.hpp"
 #include "environments.hpp"
 #include "rectangular_families.hpp"
 #include "rounded.hpp"

@@ -16,8 +16,8 @@
 
 #include <gtest/gtest.h>
 
-#include "../../voronoi/space_cells.hpp"
-#include "../../voronoi/space_polyhedra.hpp"
+#include "../../voronoi/space/cells.hpp"
+#include "../../voronoi/space/polyhedra.hpp"
 #include "../oracle/oracle_test_support.hpp"
 #include "../oracle/power_cells.hpp"
 #include "../thoroughness.hpp"

@@ -13,7 +13,7 @@
 #include "../../predicates/power.hpp"
 #include "../../predicates/space/ccw.hpp"
 #include "../../predicates/space/multiprecision.hpp"
-#include "../../spatial/compare.hpp"
+#include "../../triangulation/space/compare.hpp"
 #include "../oracle/oracle_test_support.hpp"
 #include "../oracle/power_space.hpp"
 #include "../thoroughness.hpp"

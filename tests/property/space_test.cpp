@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "../../triangulation/space.hpp"
+#include "../../triangulation/flip_graph.hpp"
 #include "../../triangulation/triangulate.hpp"
 
 namespace signum {

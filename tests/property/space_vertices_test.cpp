@@ -14,7 +14,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../../spatial/vertices.hpp"
+#include "../../triangulation/space/vertices.hpp"
 #include "../oracle/oracle_test_support.hpp"
 #include "../thoroughness.hpp"
 

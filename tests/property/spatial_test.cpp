@@ -21,7 +21,7 @@
 #include "../../predicates/space/ccw.hpp"
 #include "../../predicates/space/nearer.hpp"
 #include "../../predicates/space/ties.hpp"
-#include "../../spatial/triangulate.hpp"
+#include "../../triangulation/space/triangulate.hpp"
 #include "../oracle/oracle_test_support.hpp"
 #include "../oracle/power_space.hpp"
 #include "../thoroughness.hpp"

@@ -14,9 +14,9 @@
 
 #include <gtest/gtest.h>
 
-#include "../../kinetic/kinetic_tessellation.hpp"
 #include "../../predicates/ccw.hpp"
 #include "../../predicates/power.hpp"
+#include "../../triangulation/moving/kinetic_tessellation.hpp"
 #include "../../triangulation/triangulate.hpp"
 #include "../../triangulation/validate.hpp"
 #include "../property/moving_systems.hpp"

@@ -8,7 +8,7 @@
 #include <functional>
 #include <map>
 
-#include "../../spatial/touching_spheres.hpp"
+#include "../../voronoi/balls/touching_spheres.hpp"
 #include "../property/ball_families.hpp"
 #include "../property/rounded_surd.hpp"
 

@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "../../spatial/ball_bands.hpp"
+#include "../../voronoi/balls/bands.hpp"
 
 namespace signum::spatial {
 namespace {

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../../interop/cgal/signs.hpp"
+#include "../../bindings/interop/cgal/signs.hpp"
 #include "../oracle/linear_system.hpp"
 #include "../oracle/oracle_test_support.hpp"
 

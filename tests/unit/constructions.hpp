@@ -14,23 +14,23 @@
 #include <string>
 #include <vector>
 
-#include "../../kinetic/kinetic_tessellation.hpp"
 #include "../../motion/simulation.hpp"
-#include "../../spatial/any_dimension/triangulate.hpp"
-#include "../../spatial/any_dimension/validate.hpp"
-#include "../../spatial/ball_diagram.hpp"
-#include "../../spatial/compare.hpp"
-#include "../../spatial/triangulate.hpp"
-#include "../../spatial/validate.hpp"
-#include "../../spatial/vertices.hpp"
+#include "../../triangulation/any_dimension/triangulate.hpp"
+#include "../../triangulation/any_dimension/validate.hpp"
 #include "../../triangulation/dynamic.hpp"
 #include "../../triangulation/edge_list.hpp"
+#include "../../triangulation/moving/kinetic_tessellation.hpp"
+#include "../../triangulation/space/compare.hpp"
+#include "../../triangulation/space/triangulate.hpp"
+#include "../../triangulation/space/validate.hpp"
+#include "../../triangulation/space/vertices.hpp"
 #include "../../triangulation/triangulate.hpp"
 #include "../../triangulation/validate.hpp"
 #include "../../triangulation/vertices.hpp"
+#include "../../voronoi/balls/diagram.hpp"
 #include "../../voronoi/clip.hpp"
 #include "../../voronoi/compare.hpp"
-#include "../../voronoi/space_cells.hpp"
+#include "../../voronoi/space/cells.hpp"
 #include "../../voronoi/voronoi.hpp"
 
 namespace signum::constructions {

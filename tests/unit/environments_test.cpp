@@ -9,7 +9,6 @@
 #include <gtest/gtest.h>
 
 #include "../../filters/interval.hpp"
-#include "../../kinetic/bounded_forms.hpp"
 #include "../../predicates/additive.hpp"
 #include "../../predicates/ccw.hpp"
 #include "../../predicates/euclidean/filter.hpp"
@@ -18,6 +17,7 @@
 #include "../../predicates/space.hpp"
 #include "../../predicates/space/ball_filter.hpp"
 #include "../../roots/filter.hpp"
+#include "../../triangulation/moving/bounded_forms.hpp"
 #include "../property/environments.hpp"
 
 namespace signum {

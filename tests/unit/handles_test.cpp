@@ -13,7 +13,7 @@
 
 #include "../../triangulation/dynamic.hpp"
 #include "../../triangulation/edge_list.hpp"
-#include "../../triangulation/space.hpp"
+#include "../../triangulation/flip_graph.hpp"
 #include "../../triangulation/triangulate.hpp"
 #include "../../voronoi/clip.hpp"
 #include "../../voronoi/contacts.hpp"

@@ -9,15 +9,15 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "../../spatial/triangulate.hpp"
 #include "../../tool/io/read_sites.hpp"
 #include "../../tool/io/write_nodes.hpp"
 #include "../../tool/io/write_ply.hpp"
 #include "../../tool/io/write_space_cells.hpp"
 #include "../../tool/io/write_voronoi.hpp"
 #include "../../tool/io/write_vtk.hpp"
+#include "../../triangulation/space/triangulate.hpp"
 #include "../../triangulation/triangulate.hpp"
-#include "../../voronoi/space_cells.hpp"
+#include "../../voronoi/space/cells.hpp"
 
 #include "io_refusal.hpp"
 #include "io_scratch.hpp"

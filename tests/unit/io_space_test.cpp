@@ -15,7 +15,6 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "../../spatial/triangulate.hpp"
 #include "../../tool/generate/generate.hpp"
 #include "../../tool/io/elements.hpp"
 #include "../../tool/io/errors.hpp"
@@ -26,6 +25,7 @@
 #include "../../tool/io/write_obj.hpp"
 #include "../../tool/io/write_sites.hpp"
 #include "../../tool/io/write_vtk.hpp"
+#include "../../triangulation/space/triangulate.hpp"
 
 #include "io_refusal.hpp"
 #include "io_scratch.hpp"

@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "../../kinetic/bounded_forms.hpp"
 #include "../../roots/approximation.hpp"
+#include "../../triangulation/moving/bounded_forms.hpp"
 
 #include "threshold.hpp"
 

@@ -14,7 +14,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../../kinetic/kinetic_tessellation.hpp"
+#include "../../triangulation/moving/kinetic_tessellation.hpp"
 #include "../../triangulation/triangulate.hpp"
 #include "../../triangulation/validate.hpp"
 #include "../property/moving_systems.hpp"

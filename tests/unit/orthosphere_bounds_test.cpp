@@ -1,5 +1,5 @@
 /// What rounded spheres of cells tell, and which are made at all: beside the lemma and the counted
-/// roundings of spatial/orthospheres.hpp.
+/// roundings of triangulation/space/orthospheres.hpp.
 
 #include <array>
 #include <bit>
@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../../spatial/orthospheres.hpp"
+#include "../../triangulation/space/orthospheres.hpp"
 
 #include "threshold.hpp"
 

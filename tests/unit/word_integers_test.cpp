@@ -10,9 +10,9 @@
 #include <random>
 
 #include "../../exact/multiprecision.hpp"
-#include "../../spatial/any_dimension/determinant.hpp"
-#include "../../spatial/any_dimension/sites.hpp"
-#include "../../spatial/any_dimension/word_integers.hpp"
+#include "../../triangulation/any_dimension/determinant.hpp"
+#include "../../triangulation/any_dimension/sites.hpp"
+#include "../../triangulation/any_dimension/word_integers.hpp"
 
 namespace signum::any_dimension {
 namespace {

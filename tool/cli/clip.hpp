@@ -9,7 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include "../../voronoi/clip.hpp"
-#include "../../voronoi/space_cells.hpp"
+#include "../../voronoi/space/cells.hpp"
 
 #include "outputs.hpp"
 

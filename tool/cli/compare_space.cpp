@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "../../spatial/compare.hpp"
+#include "../../triangulation/space/compare.hpp"
 #include "../io/output_file.hpp"
 #include "../io/text_writer.hpp"
 #include "../study/timing.hpp"

@@ -12,7 +12,7 @@
 
 #include "../../predicates/space.hpp"
 #include "../../predicates/space/ties.hpp"
-#include "../../spatial/touching_rectangular.hpp"
+#include "../../voronoi/balls/touching_rectangular.hpp"
 
 #include "commands.hpp"
 #include "sign_call.hpp"

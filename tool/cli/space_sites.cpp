@@ -3,7 +3,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "../../spatial/validate.hpp"
+#include "../../triangulation/space/validate.hpp"
 
 #include "progress.hpp"
 

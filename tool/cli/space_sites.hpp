@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "../../spatial/triangulate.hpp"
+#include "../../triangulation/space/triangulate.hpp"
 #include "../../triangulation/validate.hpp"
 
 #include "commands.hpp"

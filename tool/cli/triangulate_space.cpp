@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "../../spatial/triangulate.hpp"
-#include "../../spatial/vertices.hpp"
+#include "../../triangulation/space/triangulate.hpp"
+#include "../../triangulation/space/vertices.hpp"
 #include "../draw/space_svg.hpp"
 #include "../io/write_csv.hpp"
 #include "../io/write_json.hpp"

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "../../spatial/ball_diagram.hpp"
+#include "../../voronoi/balls/diagram.hpp"
 #include "../io/write_ball_diagram.hpp"
 
 #include "commands.hpp"

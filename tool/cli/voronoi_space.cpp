@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "../../voronoi/space_cells.hpp"
-#include "../../voronoi/space_polyhedra.hpp"
+#include "../../voronoi/space/cells.hpp"
+#include "../../voronoi/space/polyhedra.hpp"
 #include "../draw/space_cells_svg.hpp"
 #include "../io/write_space_cells.hpp"
 

@@ -6,8 +6,8 @@
 /// cells the one whose site is nearer to the eye is nowhere behind the other one, so that drawing
 /// them in that order hides what is hidden.
 
-#include "../../voronoi/space_cells.hpp"
-#include "../../voronoi/space_polyhedra.hpp"
+#include "../../voronoi/space/cells.hpp"
+#include "../../voronoi/space/polyhedra.hpp"
 
 #include <cstddef>
 #include <iosfwd>

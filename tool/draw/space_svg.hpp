@@ -5,7 +5,7 @@
 /// Laws: those of draw/svg.hpp. Beyond the limits the nearest sites are drawn, and of the edges
 /// those of the hull; the legend says so.
 
-#include "../../spatial/triangulate.hpp"
+#include "../../triangulation/space/triangulate.hpp"
 
 #include <cstddef>
 #include <iosfwd>

@@ -6,7 +6,7 @@
 
 #include <ostream>
 
-#include "../../spatial/ball_diagram.hpp"
+#include "../../voronoi/balls/diagram.hpp"
 
 namespace signum {
 

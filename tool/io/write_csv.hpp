@@ -4,7 +4,7 @@
 
 #include <ostream>
 
-#include "../../spatial/triangulate.hpp"
+#include "../../triangulation/space/triangulate.hpp"
 #include "../../triangulation/tessellation.hpp"
 
 namespace signum {

@@ -10,8 +10,8 @@
 #include <ostream>
 #include <span>
 
-#include "../../spatial/triangulate.hpp"
-#include "../../spatial/vertices.hpp"
+#include "../../triangulation/space/triangulate.hpp"
+#include "../../triangulation/space/vertices.hpp"
 #include "../../triangulation/tessellation.hpp"
 
 namespace signum {

@@ -6,7 +6,7 @@
 #include <ostream>
 #include <span>
 
-#include "../../spatial/triangulate.hpp"
+#include "../../triangulation/space/triangulate.hpp"
 #include "../../triangulation/tessellation.hpp"
 
 namespace signum {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "../../spatial/cells.hpp"
+#include "../../triangulation/space/cells.hpp"
 
 #include "text_writer.hpp"
 

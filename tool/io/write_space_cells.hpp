@@ -7,9 +7,9 @@
 #include <ostream>
 #include <span>
 
-#include "../../spatial/vertices.hpp"
-#include "../../voronoi/space_cells.hpp"
-#include "../../voronoi/space_polyhedra.hpp"
+#include "../../triangulation/space/vertices.hpp"
+#include "../../voronoi/space/cells.hpp"
+#include "../../voronoi/space/polyhedra.hpp"
 #include "vtk_grid.hpp"
 
 namespace signum {

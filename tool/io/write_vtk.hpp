@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "../../spatial/triangulate.hpp"
+#include "../../triangulation/space/triangulate.hpp"
 #include "../../triangulation/tessellation.hpp"
 #include "vtk_grid.hpp"
 

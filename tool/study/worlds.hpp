@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "../../spatial/compare.hpp"
-#include "../../spatial/triangulate.hpp"
+#include "../../triangulation/space/compare.hpp"
+#include "../../triangulation/space/triangulate.hpp"
 #include "../../voronoi/compare.hpp"
 
 #include "contestants.hpp"

@@ -9,7 +9,7 @@
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
 
-#include "../../../interop/boost_geometry.hpp"
+#include "../../../bindings/interop/boost_geometry.hpp"
 #include "../../../triangulation/triangulate.hpp"
 #include "../../../voronoi/voronoi.hpp"
 

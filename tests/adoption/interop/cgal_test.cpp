@@ -22,8 +22,8 @@
 
 #include <gtest/gtest.h>
 
-#include "../../../interop/cgal.hpp"
-#include "../../../spatial/validate.hpp"
+#include "../../../bindings/interop/cgal.hpp"
+#include "../../../triangulation/space/validate.hpp"
 #include "../../../triangulation/triangulate.hpp"
 #include "../../../triangulation/validate.hpp"
 

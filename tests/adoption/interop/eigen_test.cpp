@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../../../interop/eigen.hpp"
+#include "../../../bindings/interop/eigen.hpp"
 #include "../../../triangulation/triangulate.hpp"
 #include "../../../triangulation/validate.hpp"
 

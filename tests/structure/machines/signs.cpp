@@ -23,8 +23,8 @@
 #include <signum/predicates/power.hpp>
 #include <signum/predicates/space.hpp>
 #include <signum/predicates/supremum.hpp>
-#include <signum/spatial/triangulate.hpp>
 #include <signum/triangulation/construction/construct.hpp>
+#include <signum/triangulation/space/triangulate.hpp>
 
 #if defined(__SSE2__)
 #include <immintrin.h>

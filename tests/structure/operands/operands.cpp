@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <cstdio>
 
-#include "../../../interop/cgal/signs.hpp"
+#include "../../../bindings/interop/cgal/signs.hpp"
 #include "../../../motion/ball.hpp"
 #include "../../../predicates/euclidean.hpp"
 #include "../../../predicates/manhattan.hpp"

@@ -1,0 +1,541 @@
+#pragma once
+/// The check of power tessellations in any dimension, of space among them, whoever made them.
+///
+/// Why it suffices, the centres spanning k >= 1 dimensions:
+///  1. Every cell has k+1 different vertices, and its neighbours agree about their common facets;
+///     every site is a vertex or hidden, not both. So facets are glued in pairs.
+///  2. The centres lie in a flat of k dimensions: every one has the orientation 0 with k+1 that
+///  span
+///     such a flat, along each further axis. Finite cells turn positively, so that there are no
+///     fewer dimensions. Across a facet cells turn alike: so two finite ones lie on the two sides
+///     of its hyperplane, and the sum of all finite ones has the hull's facets for its border.
+///  3. Let p be the middle of one finite cell, the base. No vertex of the base lies beyond a hull's
+///     facet, and one strictly within: so p lies strictly within. And no facet of the hull has the
+///     other vertex of a neighbour there beyond its hyperplane.
+///  4. No other finite cell contains p. So the sum of all covers p once, and its border, the hull,
+///     winds around p once. All its facets turn the same side to p: so each direction from p meets
+///     one of them, and the hull is the border of a star around p. The function that is 1 on it and
+///     grows in proportion along the rays from p is linear over each facet and convex across the
+///     border of any two (3). A continuous function that is convex across each wall between the
+///     parts on which it is linear is convex, for it is so along all lines that meet none but
+///     walls, and these are dense. So the hull is convex. How many cells contain a place changes
+///     nowhere but at the hull: one does within, none outside, and neither a second layer nor cells
+///     that turn twice around a common face are possible. The cells triangulate what the hull
+///     encloses.
+///  5. Across every facet the neighbour's other vertex is not in conflict. So the function that is
+///     |x|² - w at the vertices and linear over cells is convex, by the same argument. (Facets of
+///     the hull that lie in one hyperplane need no look of their own: the cells behind them do.)
+///  6. The centre of a hidden site lies in a cell, and the site is not in conflict with it. So it
+///  is
+///     not below the function, which therefore is the lower hull of all lifted sites: this is what
+///     a power tessellation is.
+///  7. No visible site is nearer to a hidden one's centre than the one that it names.
+///  8. With ties the same holds of the tie rule's infinitesimals, which make all inequalities
+///  strict
+///     and leave but one tessellation: where one is right without and wrong with them, the arrays
+///     are valid, not canonical.
+/// In one place (k = 0) one site hides the others. Conversely every one of these holds for a power
+/// tessellation, so that nothing right is refused.
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "../../exact/floating_environment.hpp"
+#include "../structure/watch.hpp"
+#include "../validate.hpp"
+#include "few.hpp"
+#include "near_sites.hpp"
+#include "questions.hpp"
+
+namespace signum::any_dimension {
+
+/// T: SpaceTessellation or TessellationOf<D>.
+template <class S, class T>
+class Check {
+ public:
+    Check(const T& arrays, std::span<const S> sites, const ValidationOptions& options)
+        : arrays_(arrays),
+          sites_(sites),
+          cells_(arrays.cells),
+          neighbours_(arrays.neighbours),
+          questions_(sites),
+          watch_(options.stop, options.progress,
+                 passes * arrays.cells.size() + arrays.hidden.size()) {}
+
+    [[nodiscard]] Validation run() {
+        Validation result;
+        try {
+            check_counts();
+            check_cells();
+            check_hidden_numbers();
+            if (arrays_.dimension == 0) check_one_place();
+            if (arrays_.dimension > 0) {
+                check_neighbours();
+                check_dimension();
+                check_orientations();
+                check_turns();
+                check_hull();
+                check_cover();
+                check_facets();
+                check_hidden();
+            }
+            check_canonical_order();
+            result.valid = true;
+            result.canonical = not_canonical_.empty();
+            result.message = not_canonical_;
+        } catch (const Invalid& invalid) {
+            result.message = invalid.why;
+        }
+        result.filtered = questions_.filtered_count() + passed_;
+        result.multiprecision = questions_.exact_count();
+        return result;
+    }
+
+ private:
+    using Asked = Questions<S, exact::Dyadic>;
+    using Cell = typename Asked::Cell;
+    static constexpr int D = Asked::D;
+    static constexpr std::size_t passes = 5;
+
+    /// Why the arrays are no valid tessellation.
+    struct Invalid {
+        std::string why;
+    };
+
+    [[nodiscard]] static std::size_t at(Index i) noexcept { return static_cast<std::size_t>(i); }
+    [[nodiscard]] static std::string name(Index v) {
+        return v == infinite ? "infinity" : "site " + std::to_string(v);
+    }
+    [[nodiscard]] static std::string cell_name(Index c) { return "cell " + std::to_string(c); }
+    void note(const std::string& why) {
+        if (not_canonical_.empty()) not_canonical_ = why;
+    }
+    void advance() { watch_.at(++done_); }
+
+    [[nodiscard]] Index cells() const noexcept { return static_cast<Index>(cells_.size()); }
+    /// k + 1.
+    [[nodiscard]] std::size_t size() const noexcept { return at(arrays_.dimension) + 1; }
+    [[nodiscard]] std::size_t place_of(Index v, const Cell& among) const noexcept {
+        std::size_t place = 0;
+        while (place < size() && among[place] != v) ++place;
+        return place;
+    }
+    [[nodiscard]] bool is_infinite(Index c) const noexcept {
+        return place_of(infinite, cells_[at(c)]) < size();
+    }
+    /// Where the vertex of a neighbour is that the cell lacks.
+    [[nodiscard]] std::size_t place_beyond(const Cell& cell, const Cell& beyond) const noexcept {
+        std::size_t place = 0;
+        while (place < size() && place_of(beyond[place], cell) < size()) ++place;
+        return place;
+    }
+    [[nodiscard]] Sign orientation_with(Cell cell, std::size_t place, Index v) {
+        cell[place] = v;
+        return questions_.orientation(cell);
+    }
+
+    // ---- numbers ------------------------------------------------------------------------------
+
+    void check_counts() const {
+        const auto n = static_cast<std::int64_t>(sites_.size());
+        if (arrays_.sites != n)
+            throw Invalid{"the tessellation speaks of " + std::to_string(arrays_.sites) +
+                          " sites, the input has " + std::to_string(n)};
+        const int k = arrays_.dimension;
+        if (k < -1 || k > D || (k == -1) != (n == 0))
+            throw Invalid{std::to_string(n) + " sites do not span " + std::to_string(k) +
+                          " dimensions"};
+        if (cells_.size() > at(std::numeric_limits<Index>::max()))
+            throw Invalid{"there are more than 2^31 cells"};
+        if (cells_.empty() != (n == 0))
+            throw Invalid{cells_.empty() ? "there is no cell" : "there are cells, but no site"};
+        if (neighbours_.size() != cells_.size())
+            throw Invalid{"there are " + std::to_string(cells_.size()) + " cells, but " +
+                          std::to_string(neighbours_.size()) + " tuples of neighbours"};
+    }
+    /// Each number of a cell is infinity's or a site's, and there once.
+    void check_cells() {
+        seen_.resize(sites_.size(), unseen);
+        const auto n = static_cast<std::int64_t>(sites_.size());
+        for (Index c = 0; c < cells(); ++c, advance()) {
+            const Cell& cell = cells_[at(c)];
+            for (std::size_t i = 0; i < cell.size(); ++i) {
+                if (i >= size()) {
+                    if (cell[i] != no_vertex)
+                        throw Invalid{cell_name(c) + " has more than " + std::to_string(size()) +
+                                      " vertices"};
+                    continue;
+                }
+                if (cell[i] < infinite || cell[i] >= n)
+                    throw Invalid{cell_name(c) + ": there is no site " + std::to_string(cell[i])};
+                if (place_of(cell[i], cell) != i)
+                    throw Invalid{cell_name(c) + " has " + name(cell[i]) + " twice"};
+                if (cell[i] != infinite) seen_[at(cell[i])] = is_vertex;
+            }
+        }
+    }
+    void check_hidden_numbers() {
+        const auto n = static_cast<std::int64_t>(sites_.size());
+        for (const auto& [site, by] : arrays_.hidden) {
+            for (const Index each : {site, by})
+                if (each < 0 || each >= n)
+                    throw Invalid{"hidden: there is no site " + std::to_string(each)};
+            if (seen_[at(site)] != unseen)
+                throw Invalid{name(site) + (seen_[at(site)] == is_vertex
+                                                ? " is both visible and hidden"
+                                                : " is hidden twice")};
+            seen_[at(site)] = is_hidden;
+        }
+        for (Index i = 0; i < n; ++i)
+            if (seen_[at(i)] == unseen) throw Invalid{name(i) + " is neither visible nor hidden"};
+        for (const auto& [site, by] : arrays_.hidden)
+            if (seen_[at(by)] != is_vertex)
+                throw Invalid{name(site) + " is hidden by " + name(by) +
+                              ", which is hidden itself"};
+    }
+    /// Whether facets are glued in pairs.
+    void check_neighbours() {
+        for (Index c = 0; c < cells(); ++c, advance()) {
+            const Cell& cell = cells_[at(c)];
+            for (std::size_t i = 0; i < cell.size(); ++i) {
+                const Index n = neighbours_[at(c)][i];
+                if (i >= size()) {
+                    if (n != no_vertex)
+                        throw Invalid{cell_name(c) + " has more than " + std::to_string(size()) +
+                                      " neighbours"};
+                    continue;
+                }
+                const auto across = [&] {
+                    return cell_name(c) + ", across from " + name(cell[i]) + ": ";
+                };
+                if (n < 0 || n >= cells() || n == c)
+                    throw Invalid{across() + "cell " + std::to_string(n) + " is no neighbour"};
+                const Cell& beyond = cells_[at(n)];
+                const std::size_t back = place_beyond(cell, beyond);
+                bool share = back < size();
+                for (std::size_t m = 0; m < size(); ++m)
+                    share &= m == i || place_of(cell[m], beyond) < size();
+                if (!share) throw Invalid{across() + cell_name(n) + " does not share the facet"};
+                if (neighbours_[at(n)][back] != c)
+                    throw Invalid{across() + cell_name(n) + " has another neighbour there"};
+            }
+        }
+    }
+
+    // ---- one place ----------------------------------------------------------------------------
+
+    void check_one_place() {
+        if (cells() != 2 || is_infinite(0) == is_infinite(1))
+            throw Invalid{"one visible site has a cell and infinity another"};
+        for (Index c = 0; c < 2; ++c)
+            for (std::size_t i = 0; i < cells_[0].size(); ++i)
+                if (neighbours_[at(c)][i] != (i == 0 ? 1 - c : no_vertex))
+                    throw Invalid{cell_name(c) + " and the other one are not neighbours"};
+        const Index one = cells_[is_infinite(0) ? 1 : 0][0];
+        for (Index q = 0; at(q) < sites_.size(); ++q) {
+            if (q == one) continue;
+            if (!have_one_centre(sites_[at(q)], sites_[at(one)]))
+                throw Invalid{name(q) + " and " + name(one) + " are not in one place"};
+            if (filters::compare_numbers(power::weight_key(sites_[at(q)]),
+                                         power::weight_key(sites_[at(one)])) > 0)
+                throw Invalid{name(one) + " does not hide " + name(q)};
+            if (questions_.precedes(q, one))
+                note("by the tie rule " + name(q) + " hides " + name(one));
+        }
+    }
+
+    // ---- places -------------------------------------------------------------------------------
+
+    /// The axes along which the sites of flat ones are told apart. Precondition: there is a cell.
+    void check_dimension() {
+        base_ = 0;
+        while (base_ < cells() && is_infinite(base_)) ++base_;
+        if (base_ == cells()) throw Invalid{"there is no finite cell"};
+        const auto k = at(arrays_.dimension);
+        if (k == at(D)) return;
+        const Cell& base = cells_[at(base_)];
+        Axes<D> axes;
+        for (std::size_t set = 0; set < std::size_t{1} << D; ++set) {
+            if (static_cast<std::size_t>(std::popcount(set)) != k) continue;
+            axes.count = 0;
+            for (std::size_t axis = 0; axis < at(D); ++axis)
+                if ((set >> axis & 1) != 0) axes.axis[axes.count++] = axis;
+            if (questions_.orientation(base, axes) != 0) break;
+            axes.count = 0;
+        }
+        if (axes.count == 0) throw Invalid{cell_name(base_) + " is flat"};
+        questions_.ask_along(axes);
+        for (Index q = 0; at(q) < sites_.size(); ++q)
+            for (std::size_t axis = 0; axis < at(D); ++axis) {
+                if (axes.has(axis)) continue;
+                Axes<D> more = axes;
+                more.axis[more.count++] = axis;
+                Cell with_q = base;
+                with_q[k + 1] = q;
+                if (questions_.orientation(with_q, more) != 0)
+                    throw Invalid{name(q) + " does not lie in the flat of dimension " +
+                                  std::to_string(k) + " of " + cell_name(base_)};
+            }
+        turn_flat_cells();
+    }
+    /// Cells of flat sites have no orientation of their own: one is chosen for each, by which
+    /// finite ones turn positively and those at infinity away from the base.
+    void turn_flat_cells() {
+        turned_cells_ = arrays_.cells;
+        turned_neighbours_ = arrays_.neighbours;
+        for (Index c = 0; c < cells(); ++c) {
+            const std::size_t place = place_of(infinite, cells_[at(c)]);
+            Sign sign = 0;
+            if (place == size()) {
+                sign = questions_.orientation(cells_[at(c)]);
+            } else {
+                for (std::size_t m = 0; m < size() && sign == 0; ++m)
+                    sign = -orientation_with(cells_[at(c)], place, cells_[at(base_)][m]);
+            }
+            if (sign >= 0) continue;
+            std::swap(turned_cells_[at(c)][0], turned_cells_[at(c)][1]);
+            std::swap(turned_neighbours_[at(c)][0], turned_neighbours_[at(c)][1]);
+        }
+        cells_ = turned_cells_;
+        neighbours_ = turned_neighbours_;
+    }
+
+    /// Finite cells turn positively. For a base a small one is taken, as few others are near it.
+    void check_orientations() {
+        double least = std::numeric_limits<double>::infinity();
+        for (Index c = 0; c < cells(); ++c, advance()) {
+            if (is_infinite(c)) continue;
+            const Sign sign = questions_.orientation(cells_[at(c)]);
+            if (sign <= 0)
+                throw Invalid{cell_name(c) + (sign == 0 ? " is flat" : " turns the wrong way")};
+            double extent = 0.0;
+            for (std::size_t axis = 0; axis < at(D); ++axis) {
+                const auto [low, high] = range(c, axis);
+                extent += high - low;
+            }
+            if (extent >= least) continue;
+            least = extent;
+            base_ = c;
+        }
+    }
+    /// The least and the greatest coordinate of a finite cell.
+    [[nodiscard]] std::pair<double, double> range(Index c, std::size_t axis) const noexcept {
+        const Cell& cell = cells_[at(c)];
+        double low = coordinate(sites_[at(cell[0])], axis);
+        double high = low;
+        for (std::size_t m = 1; m < size(); ++m) {
+            const double x = coordinate(sites_[at(cell[m])], axis);
+            low = std::min(low, x);
+            high = std::max(high, x);
+        }
+        return {low, high};
+    }
+
+    /// Across a facet cells turn alike: with the vertex beyond in the place of the one across from
+    /// it, the cell is an odd permutation of its neighbour.
+    void check_turns() const {
+        for (Index c = 0; c < cells(); ++c)
+            for (std::size_t i = 0; i < size(); ++i) {
+                const Index n = neighbours_[at(c)][i];
+                if (n < c) continue;
+                const Cell& beyond = cells_[at(n)];
+                Cell cell = cells_[at(c)];
+                cell[i] = beyond[place_beyond(cell, beyond)];
+                std::array<std::size_t, static_cast<std::size_t>(D) + 1> places{};
+                for (std::size_t m = 0; m < size(); ++m) places[m] = place_of(cell[m], beyond);
+                if (sort_few(size(), places))
+                    throw Invalid{cell_name(c) + " and " + cell_name(n) +
+                                  " lie on the same side of their facet"};
+            }
+    }
+
+    void check_hull() {
+        const Cell base = cells_[at(base_)];
+        for (Index c = 0; c < cells(); ++c, advance()) {
+            const Cell& cell = cells_[at(c)];
+            const std::size_t place = place_of(infinite, cell);
+            if (place == size()) continue;
+            const auto keep_within = [&](Index v) {
+                const Sign sign = orientation_with(cell, place, v);
+                if (sign > 0)
+                    throw Invalid{name(v) + " lies beyond the hull's facet of " + cell_name(c)};
+                return sign < 0;
+            };
+            bool is_strict = false;
+            for (std::size_t m = 0; m < size(); ++m) is_strict |= keep_within(base[m]);
+            if (!is_strict) throw Invalid{"the hull's facet of " + cell_name(c) + " is flat"};
+            for (std::size_t m = 0; m < size(); ++m) {
+                if (m == place) continue;
+                const Cell& beyond = cells_[at(neighbours_[at(c)][m])];
+                keep_within(beyond[place_beyond(cell, beyond)]);
+            }
+        }
+    }
+
+    /// The middle of the base lies in no other cell.
+    void check_cover() {
+        std::array<std::pair<double, double>, static_cast<std::size_t>(D)> base_range;
+        for (std::size_t axis = 0; axis < at(D); ++axis) base_range[axis] = range(base_, axis);
+        const auto is_near = [&](Index c) {
+            for (std::size_t axis = 0; axis < at(D); ++axis) {
+                const auto [low, high] = range(c, axis);
+                if (high < base_range[axis].first || low > base_range[axis].second) return false;
+            }
+            return true;
+        };
+        for (Index c = 0; c < cells(); ++c)
+            if (c != base_ && !is_infinite(c) && is_near(c) && holds_middle_of_base(c))
+                throw Invalid{cell_name(c) + " and " + cell_name(base_) + " overlap"};
+    }
+    [[nodiscard]] bool holds_middle_of_base(Index c) {
+        for (std::size_t i = 0; i < size(); ++i)
+            if (questions_.orientation_with_middle(cells_[at(c)], i, cells_[at(base_)]) < 0)
+                return false;
+        return true;
+    }
+
+    // ---- conflicts ----------------------------------------------------------------------------
+
+    void judge(Index c, Index q) {
+        const Sign sign = questions_.in_sphere(cells_[at(c)], q);
+        if (sign < 0) return;
+        const auto why = [&] { return name(q) + " is in conflict with " + cell_name(c); };
+        if (sign > 0) throw Invalid{why()};
+        if (not_canonical_.empty() && questions_.tie_conflicts(cells_[at(c)], q))
+            note("by the tie rule " + why());
+    }
+    /// Each facet once: from the smaller of its cells.
+    void check_facets() {
+        for (Index c = 0; c < cells(); ++c, advance()) {
+            if (is_infinite(c)) continue;
+            for (std::size_t i = 0; i < size(); ++i) {
+                const Index n = neighbours_[at(c)][i];
+                if (n < c || is_infinite(n)) continue;
+                const Cell& beyond = cells_[at(n)];
+                judge(c, beyond[place_beyond(cells_[at(c)], beyond)]);
+            }
+        }
+    }
+
+    void check_hidden() {
+        if (arrays_.hidden.empty()) return;
+        std::vector<Index> cell_of(sites_.size(), infinite);
+        for (Index c = 0; c < cells(); ++c)
+            if (!is_infinite(c))
+                for (std::size_t m = 0; m < size(); ++m) cell_of[at(cells_[at(c)][m])] = c;
+        std::vector<Index> visible;
+        for (Index i = 0; at(i) < sites_.size(); ++i)
+            if (seen_[at(i)] == is_vertex) visible.push_back(i);
+        NearSites<S> near(sites_, std::move(visible));
+        // Those of one site together.
+        std::vector<Hidden> hidden = arrays_.hidden;
+        std::ranges::sort(hidden, {}, [](const Hidden& h) { return std::pair(h.by, h.site); });
+        Index last = infinite;
+        Index c = infinite;
+        for (const auto& [q, by] : hidden) {
+            check_nearest(q, by, near);
+            if (std::exchange(last, by) != by) c = cell_of[at(by)];
+            c = cell_that_holds(q, c);
+            judge(c, q);
+            advance();
+        }
+    }
+    void check_nearest(Index q, Index by, NearSites<S>& near) {
+        passed_ += near.visit_near(sites_[at(q)], sites_[at(by)], [&](Index v) {
+            if (v == by) return;
+            const Sign sign = questions_.nearer(q, v, by);
+            if (sign > 0)
+                throw Invalid{name(q) + " is said to be hidden by " + name(by) + ", but " +
+                              name(v) + " is nearer"};
+            if (sign == 0 && questions_.precedes(v, by))
+                note("by the tie rule " + name(q) + " is hidden by " + name(v) + ", not " +
+                     name(by));
+        });
+    }
+    /// A finite cell with the centre of q in it. By chance out of one of the facets that have it on
+    /// the other side: where ties are decided otherwise than by the rule a walk that always takes
+    /// the first may go in circles.
+    [[nodiscard]] Index cell_that_holds(Index q, Index start) {
+        Index c = start;
+        for (std::size_t steps = 0; steps < 2 * cells_.size() + 1000; ++steps) {
+            chance_ = chance_ * 6364136223846793005U + 1442695040888963407U;
+            const std::size_t first = (chance_ >> 33) % size();
+            const Index next = way_to(q, c, first);
+            if (next == c) return c;
+            if (is_infinite(next))
+                throw Invalid{name(q) + " is said to be hidden, but lies outside the hull"};
+            c = next;
+        }
+        for (c = 0; c < cells(); ++c)
+            if (!is_infinite(c) && way_to(q, c, 0) == c) return c;
+        throw Invalid{name(q) + " is said to be hidden, but lies outside the hull"};
+    }
+    /// The neighbour on the side of q, or the cell itself where it holds it.
+    [[nodiscard]] Index way_to(Index q, Index c, std::size_t first) {
+        for (std::size_t m = 0; m < size(); ++m) {
+            const std::size_t i = (first + m) % size();
+            if (orientation_with(cells_[at(c)], i, q) < 0) return neighbours_[at(c)][i];
+        }
+        return c;
+    }
+
+    // ---- order --------------------------------------------------------------------------------
+
+    void check_canonical_order() {
+        // As they are in the arrays; their orientation has been checked.
+        const auto& given = arrays_.cells;
+        for (std::size_t c = 0; c < given.size(); ++c) {
+            const std::size_t free = arrays_.dimension == D ? 1 : 0;
+            bool rises = true;
+            for (std::size_t m = 1; m < size(); ++m)
+                rises &= m + free == size() ? m < 2 || given[c][m - 2] < given[c][m]
+                                            : given[c][m - 1] < given[c][m];
+            if (!rises)
+                note(cell_name(static_cast<Index>(c)) + ": its numbers are not in canonical order");
+            if (c > 0 && given[c] < given[c - 1])
+                note(cell_name(static_cast<Index>(c)) + " is not in canonical order");
+        }
+        if (!std::ranges::is_sorted(arrays_.hidden, {}, &Hidden::site))
+            note("the hidden sites are not in canonical order");
+    }
+
+    enum Seen : std::uint8_t { unseen, is_vertex, is_hidden };
+
+    const T& arrays_;
+    std::span<const S> sites_;
+    // Those of the arrays, or turned ones.
+    std::span<const Cell> cells_;
+    std::span<const Cell> neighbours_;
+    std::vector<Cell> turned_cells_;
+    std::vector<Cell> turned_neighbours_;
+    Asked questions_;
+    triangulation::Watch watch_;
+    std::size_t done_ = 0;
+    std::string not_canonical_;
+    std::vector<Seen> seen_;
+    Index base_ = 0;
+    std::uint64_t passed_ = 0;  // questions that intervals decided
+    std::uint64_t chance_ = 1;
+};
+
+/// Throws std::invalid_argument for a site that is not finite.
+template <class S, class T>
+[[nodiscard]] Validation check(const T& arrays, std::span<const S> sites,
+                               const ValidationOptions& options) {
+    for (std::size_t i = 0; i < sites.size(); ++i)
+        if (!is_finite(sites[i]))
+            throw std::invalid_argument("site " + std::to_string(i) + " is not finite");
+    const exact::IeeeEnvironment environment;
+    return Check<S, T>(arrays, sites, options).run();
+}
+
+}  // namespace signum::any_dimension

@@ -1,0 +1,293 @@
+#include "exact_sphere.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "../../predicates/euclidean/polynomials.hpp"
+
+namespace signum::spatial {
+namespace {
+
+[[nodiscard]] Vector4 vector_of(const Site3& s) {
+    return {exact::to_rational(s.x), exact::to_rational(s.y), exact::to_rational(s.z),
+            exact::to_rational(s.r)};
+}
+/// a + t b
+[[nodiscard]] Vector4 along(const Vector4& a, const Rational& t, const Vector4& b) {
+    Vector4 result = a;
+    for (std::size_t k = 0; k < 4; ++k) result[k] += t * b[k];
+    return result;
+}
+[[nodiscard]] Vector4 difference(const Vector4& a, const Vector4& b) {
+    return along(a, -1, b);
+}
+[[nodiscard]] Rational dot(const Vector4& a, const Vector4& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
+}
+/// <a, b>
+[[nodiscard]] Rational inner(const Vector4& a, const Vector4& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] - a[3] * b[3];
+}
+
+using Matrix = std::vector<Vector4>;
+
+/// Brings rows into the reduced form, values with them: in each of the first ones there is a 1 in a
+/// column in which all others have 0. The columns of these.
+std::vector<std::size_t> reduce(Matrix& rows, std::vector<Rational>& values) {
+    std::vector<std::size_t> pivots;
+    for (std::size_t column = 0; column < 4 && pivots.size() < rows.size(); ++column) {
+        const std::size_t place = pivots.size();
+        std::size_t row = place;
+        while (row < rows.size() && rows[row][column].is_zero()) ++row;
+        if (row == rows.size()) continue;
+        std::swap(rows[row], rows[place]);
+        std::swap(values[row], values[place]);
+        const Rational factor = 1 / rows[place][column];
+        for (Rational& number : rows[place]) number *= factor;
+        values[place] *= factor;
+        for (std::size_t other = 0; other < rows.size(); ++other) {
+            if (other == place) continue;
+            const Rational times = -rows[other][column];
+            rows[other] = along(rows[other], times, rows[place]);
+            values[other] += times * values[place];
+        }
+        pivots.push_back(column);
+    }
+    return pivots;
+}
+[[nodiscard]] std::size_t rank_of(Matrix rows) {
+    std::vector<Rational> values(rows.size());
+    return reduce(rows, values).size();
+}
+/// The directions that all rows are orthogonal to (as a scalar product).
+[[nodiscard]] Matrix directions_of(Matrix rows) {
+    std::vector<Rational> values(rows.size());
+    const std::vector<std::size_t> pivots = reduce(rows, values);
+    Matrix directions;
+    for (std::size_t free = 0; free < 4; ++free) {
+        if (std::find(pivots.begin(), pivots.end(), free) != pivots.end()) continue;
+        Vector4& direction = directions.emplace_back();
+        direction[free] = 1;
+        for (std::size_t row = 0; row < pivots.size(); ++row)
+            direction[pivots[row]] = -rows[row][free];
+    }
+    return directions;
+}
+[[nodiscard]] Rational determinant(Matrix rows) {
+    Rational result = 1;
+    for (std::size_t column = 0; column < 4; ++column) {
+        std::size_t row = column;
+        while (row < 4 && rows[row][column].is_zero()) ++row;
+        if (row == 4) return 0;
+        if (row != column) {
+            std::swap(rows[row], rows[column]);
+            result = -result;
+        }
+        result *= rows[column][column];
+        for (std::size_t other = column + 1; other < 4; ++other)
+            rows[other] =
+                along(rows[other], -rows[other][column] / rows[column][column], rows[column]);
+    }
+    return result;
+}
+
+/// The sign of a + b √g.
+[[nodiscard]] Sign sign_of_surd(const Rational& a, const Rational& b, const Rational& g) {
+    const Sign of_root = g.sign();
+    return euclidean::polynomials::sign_of_difference(
+        a.sign(), -b.sign() * of_root, [&] { return Rational(a * a - b * b * g).sign(); });
+}
+/// The sign of a + b √g - d √h.
+[[nodiscard]] Sign sign_of_two_roots(const Rational& a, const Rational& b, const Rational& g,
+                                     const Rational& d, const Rational& h) {
+    return euclidean::polynomials::sign_of_difference(
+        sign_of_surd(a, b, g), d.sign() * h.sign(),
+        [&] { return sign_of_surd(a * a + b * b * g - d * d * h, 2 * a * b, g); });
+}
+
+/// Three balls relative to the first of them.
+struct Curve {
+    Vector4 first, b, c;
+    Rational p_b, p_c, p_bc;  // <b, b>, <c, c>, <b, c>
+    /// (X_b × X_c, 0) or, where this is 0, a row that the others do not span: it varies along the
+    /// curve. Of three balls that no sphere touches b and c may depend on one another.
+    Vector4 row;
+    Sign of_w;
+
+    explicit Curve(const std::array<Site3, 3>& balls)
+        : first(vector_of(balls[0])),
+          b(difference(vector_of(balls[1]), first)),
+          c(difference(vector_of(balls[2]), first)),
+          p_b(inner(b, b)),
+          p_c(inner(c, c)),
+          p_bc(inner(b, c)),
+          row{b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2], b[0] * c[1] - b[1] * c[0], 0},
+          of_w(Rational(p_b * p_c - p_bc * p_bc).sign()) {
+        for (std::size_t k = 0; k < 4 && rank_of({b, c, row}) < 3; ++k) {
+            row = {};
+            row[k] = 1;
+        }
+    }
+};
+
+}  // namespace
+
+Sign ExactSphere::sign(const Surd& number) const {
+    return sign_of_surd(number.a, number.b, g_);
+}
+ExactSphere::Surd ExactSphere::product(const Vector4& row, const Vector4& from) const {
+    Vector4 w = middle_;
+    for (std::size_t k = 0; k < 3; ++k) w[k] -= from[k];
+    w[3] += from[3];
+    return {dot(row, w), dot(row, step_)};
+}
+ExactSphere::Surd ExactSphere::turned(const Vector4& from, const Vector4& b, const Vector4& c,
+                                      const Vector4& row) const {
+    Vector4 w = difference(middle_, from);
+    w[3] = -(middle_[3] + from[3]);
+    Vector4 step = step_;
+    step[3] = -step[3];
+    return {determinant({w, b, c, row}), determinant({step, b, c, row})};
+}
+
+/// The points w = v + t n: a t² + 2 b t + c = 0.
+void ExactSphere::solve(const Vector4& first, const std::array<Vector4, 3>& rows,
+                        const std::array<Rational, 3>& values, std::vector<ExactSphere>& spheres) {
+    Matrix reduced(rows.begin(), rows.end());
+    std::vector<Rational> reduced_values(values.begin(), values.end());
+    const std::vector<std::size_t> pivots = reduce(reduced, reduced_values);
+    if (pivots.size() < 3) return;
+    Vector4 v;
+    for (std::size_t row = 0; row < 3; ++row) v[pivots[row]] = reduced_values[row];
+    const Vector4 n = directions_of(reduced).front();
+    const Rational a = inner(n, n), b = inner(v, n), c = inner(v, v);
+    const auto add = [&](const Vector4& middle, const Vector4& step, const Rational& g) {
+        if (sign_of_surd(middle[3], step[3], g) < 0) return;
+        ExactSphere& sphere = spheres.emplace_back();
+        sphere.middle_ = along(middle, 1, first);
+        sphere.middle_[3] = middle[3] - first[3];
+        sphere.step_ = step;
+        sphere.g_ = g;
+    };
+    if (a.is_zero()) {
+        if (!b.is_zero()) add(along(v, -c / (2 * b), n), {}, 0);
+        return;
+    }
+    const Rational g = b * b - a * c;
+    if (g.sign() < 0) return;
+    const Vector4 middle = along(v, -b / a, n);
+    if (g.is_zero()) return add(middle, {}, 0);
+    for (const int side : {1, -1}) add(middle, along({}, side / a, n), g);
+}
+
+std::vector<ExactSphere> ExactSphere::touching(const std::array<Site3, 4>& balls) {
+    const Vector4 first = vector_of(balls[0]);
+    std::array<Vector4, 3> rows;
+    std::array<Rational, 3> values;
+    for (std::size_t m = 0; m < 3; ++m) {
+        rows[m] = difference(vector_of(balls[m + 1]), first);
+        values[m] = inner(rows[m], rows[m]) / 2;
+    }
+    std::vector<ExactSphere> spheres;
+    solve(first, rows, values, spheres);
+    return spheres;
+}
+
+std::optional<ExactSphere> ExactSphere::on_curve(const std::array<Site3, 3>& balls) {
+    const Curve curve(balls);
+    Rational value = 0;
+    if (curve.of_w < 0) {
+        // The middle of the ellipse lies in the span of the (X, -R), and inside the cone.
+        const Rational w = curve.p_b * curve.p_c - curve.p_bc * curve.p_bc;
+        const Rational of_b = curve.p_c * (curve.p_b - curve.p_bc) / (2 * w);
+        const Rational of_c = curve.p_b * (curve.p_c - curve.p_bc) / (2 * w);
+        Vector4 middle = along(along({}, of_b, curve.b), of_c, curve.c);
+        middle[3] = -middle[3];
+        if (inner(middle, middle).sign() >= 0 || middle[3].sign() < 0) return std::nullopt;
+        value = dot(curve.row, middle);
+    }
+    std::vector<ExactSphere> spheres;
+    solve(curve.first, {curve.b, curve.c, curve.row}, {curve.p_b / 2, curve.p_c / 2, value},
+          spheres);
+    if (spheres.empty()) return std::nullopt;
+    return spheres.front();
+}
+
+Sign ExactSphere::conflict(const Site3& q) const {
+    const Vector4 ball = vector_of(q);
+    // (rho + r)² - |c - c_q|²
+    const Vector4 w = [&] {
+        Vector4 result = difference(middle_, ball);
+        result[3] = middle_[3] + ball[3];
+        return result;
+    }();
+    return -sign({inner(w, w) + inner(step_, step_) * g_, 2 * inner(w, step_)});
+}
+
+Sign ExactSphere::turn(const Site3& a, const Site3& b, const Site3& c, const Site3& l) const {
+    const Vector4 first = vector_of(a);
+    return sign(turned(first, difference(vector_of(b), first), difference(vector_of(c), first),
+                       difference(vector_of(l), first)));
+}
+
+/// Along a direction d of the plane in which the curve lies, y_l·d is a multiple of <w, d>: both
+/// are 0 along the tangent. And along the curve w moves by its tangent and a part e of second order
+/// with 2 <w, e> = -<tangent, tangent> < 0.
+bool ExactSphere::is_only_one_free_of(const std::array<Site3, 3>& balls, const Site3& l) const {
+    const Curve curve(balls);
+    const Vector4 row = difference(vector_of(l), curve.first);
+    for (Vector4 d : directions_of({curve.b, curve.c})) {
+        const Sign of_row = dot(row, d).sign();
+        d[3] = -d[3];
+        const Sign of_w = sign(product(d, curve.first));
+        if (of_w != 0) return of_row * of_w < 0;
+    }
+    return false;
+}
+
+bool touch_along_a_curve(const std::array<Site3, 4>& balls) {
+    const Vector4 first = vector_of(balls[0]);
+    Matrix rows;
+    for (std::size_t m = 1; m < 4; ++m) rows.push_back(difference(vector_of(balls[m]), first));
+    return rank_of(std::move(rows)) < 3;
+}
+
+bool is_loop(const std::array<Site3, 3>& curve) {
+    return Curve(curve).of_w < 0;
+}
+
+/// By the values of the row of Curve: rising where it grows forward, then falling; at most two
+/// spheres, those of an ellipse's least and greatest value, lie between.
+std::vector<std::size_t> forward_order(const std::array<Site3, 3>& balls,
+                                       std::span<const ExactSphere> spheres) {
+    const Curve curve(balls);
+    std::vector<ExactSphere::Surd> values;
+    std::vector<Sign> growth;
+    for (const ExactSphere& sphere : spheres) {
+        values.push_back(sphere.product(curve.row, curve.first));
+        growth.push_back(sphere.sign(sphere.turned(curve.first, curve.b, curve.c, curve.row)));
+    }
+    const auto compare = [&](std::size_t i, std::size_t j) -> Sign {
+        return sign_of_two_roots(values[i].a - values[j].a, values[i].b, spheres[i].g_, values[j].b,
+                                 spheres[j].g_);
+    };
+    std::vector<std::size_t> order(spheres.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::vector<int> part(spheres.size());  // the least, rising, the greatest, falling
+    for (const std::size_t i : order) {
+        part[i] = growth[i] > 0 ? 1 : 3;
+        if (growth[i] == 0)
+            part[i] = std::all_of(order.begin(), order.end(),
+                                  [&](std::size_t j) { return compare(i, j) <= 0; })
+                          ? 0
+                          : 2;
+    }
+    std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+        if (part[i] != part[j]) return part[i] < part[j];
+        return part[i] == 1 ? compare(i, j) < 0 : part[i] == 3 && compare(i, j) > 0;
+    });
+    return order;
+}
+
+}  // namespace signum::spatial

@@ -1,0 +1,76 @@
+#pragma once
+/// A sphere that touches three balls, roughly, and what certainly conflicts with it. For sources
+/// only.
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "../../core/site.hpp"
+
+namespace signum::spatial {
+
+/// A sphere that touches three balls, roughly: where the greatest distance along their curve is
+/// least. Seen from the first ball it is the direction u with f_b(u) = f_c(u) (ball_cell.hpp).
+///
+/// The bounds. Where P is more than a part of 2^-10 of what it is the difference of, a and b err by
+/// a part of 2^-40; where the difference N of the two a is no smaller than a part of 2^-8 of them,
+/// the circle's radius no smaller than 2^-5, and the part of a across N one of 2^-10 of it, u is
+/// off by less than 2^-18 from a direction of the curve. What is more by 2^-14 is certainly more.
+class RoughSphere {
+ public:
+    RoughSphere(const Site3& i, const Site3& j, const Site3& k) : first_(i) {
+        Function b, c;
+        if (!function(j, b) || !function(k, c)) return;
+        std::array<double, 3> n, across;
+        double square = 0.0, along = 0.0, rest = 0.0;
+        for (std::size_t m = 0; m < 3; ++m) {
+            n[m] = b.a[m] - c.a[m];
+            square += n[m] * n[m];
+            along += n[m] * b.a[m];
+        }
+        const double difference = b.b - c.b, lengths = b.length + c.length;
+        if (!(square > 0x1p-16 * lengths * lengths)) return;
+        const double radius = 1.0 - difference * difference / square;
+        for (std::size_t m = 0; m < 3; ++m) {
+            across[m] = b.a[m] - along / square * n[m];
+            rest += across[m] * across[m];
+        }
+        if (!(radius > 0x1p-10) || !(rest > 0x1p-20 * b.length * b.length)) return;
+        for (std::size_t m = 0; m < 3; ++m)
+            u_[m] = std::sqrt(radius / rest) * across[m] - difference / square * n[m];
+        value_ = at(b);
+        length_ = b.length;
+        is_known_ = value_ > 0x1p-14 * length_;
+    }
+    [[nodiscard]] bool certainly_conflicts(const Site3& q) const {
+        Function f;
+        return is_known_ && function(q, f) &&
+               at(f) > value_ + 0x1p-14 * (length_ + f.length + std::fabs(f.b));
+    }
+
+ private:
+    struct Function {
+        std::array<double, 3> a;
+        double b, length;
+    };
+    [[nodiscard]] bool function(const Site3& j, Function& f) const {
+        const double x = j.x - first_.x, y = j.y - first_.y, z = j.z - first_.z;
+        const double r = j.r - first_.r, square = x * x + y * y + z * z;
+        const double p = square - r * r;
+        if (!(p > 0x1p-10 * (square + r * r) && p > 0x1p-200 && p < 0x1p200)) return false;
+        f = {{2.0 * x / p, 2.0 * y / p, 2.0 * z / p}, 2.0 * r / p, 2.0 * std::sqrt(square) / p};
+        return true;
+    }
+    [[nodiscard]] double at(const Function& f) const {
+        return f.a[0] * u_[0] + f.a[1] * u_[1] + f.a[2] * u_[2] + f.b;
+    }
+
+    Site3 first_;
+    std::array<double, 3> u_ = {};
+    double value_ = 0.0;
+    double length_ = 0.0;
+    bool is_known_ = false;
+};
+
+}  // namespace signum::spatial

@@ -1,0 +1,286 @@
+#include "cells.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "../../exact/floating_environment.hpp"
+#include "../../triangulation/space/order.hpp"
+#include "faces.hpp"
+
+namespace signum {
+namespace {
+
+class Measuring {
+ public:
+    Measuring(const SpaceTessellation& tessellation, const AnySites3& sites, const Box3& box)
+        : faces_(tessellation, sites, box), size_(static_cast<Index>(faces_.sites().size())) {
+        result_.box = box;
+        result_.measures.resize(faces_.sites().size());
+        found_.reserve(8 * faces_.sites().size());
+        apexes_.resize(faces_.sites().size());
+        has_apex_.resize(faces_.sites().size(), 0);
+    }
+
+    [[nodiscard]] SpaceCells run() && {
+        // Near ones after one another, so that most of what a site looks at has been looked at.
+        const auto place = [&](Index i) { return faces_.sites()[i].centre; };
+        const LargeArray<Index> order = spatial::insertion_order(has_apex_.size(), place, 1);
+        for (std::size_t k = 0; k < order.size(); ++k) {
+            const Index i = order[k];
+            if (k + 1 < order.size()) faces_.prefetch(order[k + 1]);
+            for (const auto& neighbour : faces_.neighbours(i, i)) {
+                const CutFace* const face = faces_.cut(i, neighbour);
+                if (face == nullptr) continue;
+                const Index j = neighbour.site;
+                if (!face->is_narrow) found_.push_back({i, j, face->area});
+                const Point3& corner = faces_.polygon().front();
+                add(i, face->normal, corner, *face, {});
+                add(j, plus({}, face->normal, -1.0), corner, *face,
+                    faces_.sites().between_eyes(i, j));
+                if (faces_.is_at_box()) [[unlikely]]
+                    keep_rims(i, j);
+            }
+        }
+        measure_sides();
+        list_faces();
+        for (Index i = 0; i < size_; ++i) finish(i);
+        return std::move(result_);
+    }
+
+ private:
+    /// A face and its two cells; of a side of the box the second one is that side.
+    struct Found {
+        Index first;
+        Index second;
+        double area;
+    };
+
+    struct EndOfCell {
+        Index site;
+        EdgeEnd end;
+    };
+
+    [[nodiscard]] SpaceMeasure& measure_of(Index i) noexcept {
+        return result_.measures[static_cast<std::size_t>(i)];
+    }
+    /// The cone over a face, its normal turned outward; `offset` leads from where the face and a
+    /// corner of it were seen to site i. Cones of a cell begin at a corner of its first face, so
+    /// that of a small cell far from its site the rounding of faces is not multiplied by that
+    /// distance.
+    void add(Index i, const Point3& normal, const Point3& corner, const CutFace& face,
+             const Point3& offset) noexcept {
+        const auto s = static_cast<std::size_t>(i);
+        if (has_apex_[s] == 0) {
+            has_apex_[s] = 1;
+            apexes_[s] = minus(corner, offset);
+        }
+        const Point3 from = plus(offset, apexes_[s]);
+        const double over = dot(normal, minus(corner, from));
+        SpaceMeasure& measure = measure_of(i);
+        if (!face.is_narrow) measure.area += face.area;
+        measure.volume += over * face.area / 3;
+        measure.centroid = plus(measure.centroid, plus(face.moment, from, -face.area), over / 4);
+    }
+
+    // ---- sides of the box ----------------------------------------------------------------------
+
+    /// What the last face leaves on the sides: a step for each of its two cells, in which their
+    /// rims run against the face.
+    void keep_rims(Index i, Index j) {
+        const auto polygon = faces_.polygon();
+        const auto borders = faces_.borders();
+        const Point3 offset = faces_.sites().between_eyes(i, j);
+        for (std::size_t k = 0; k < polygon.size(); ++k) {
+            if (!is_box_side(borders[k])) continue;
+            const int side = Side::named(borders[k]).number;
+            const Point3& from = polygon[k];
+            const Point3& to = polygon[k + 1 < polygon.size() ? k + 1 : 0];
+            steps_.push_back({i, side, to, from});
+            steps_.push_back({j, side, minus(from, offset), minus(to, offset)});
+        }
+        faces_.for_ends_on_edges(i, j, [&](const EdgeEnd& end) {
+            ends_.push_back({i, end});
+            EdgeEnd other = end;
+            other.is_high = !end.is_high;
+            other.place = minus(end.place, offset);
+            ends_.push_back({j, other});
+        });
+    }
+    /// The parts of the box's edges close the rims.
+    void measure_sides() {
+        std::ranges::sort(ends_, {}, &EndOfCell::site);
+        if (ends_.empty()) {
+            if (const Index owner = faces_.owner_of_box(); owner >= 0) add_edges(owner, {}, true);
+        }
+        std::vector<EdgeEnd> of_cell;
+        for (std::size_t k = 0; k < ends_.size();) {
+            const Index i = ends_[k].site;
+            for (of_cell.clear(); k < ends_.size() && ends_[k].site == i; ++k)
+                of_cell.push_back(ends_[k].end);
+            add_edges(i, of_cell, false);
+        }
+        const auto of = [](const SideStep& step) { return std::pair(step.site, step.side); };
+        std::ranges::stable_sort(steps_, {}, of);
+        for (std::size_t k = 0; k < steps_.size();) {
+            std::size_t last = k;
+            while (last < steps_.size() && of(steps_[last]) == of(steps_[k])) ++last;
+            const auto [i, number, from, to] = steps_[k];
+            const CutFace face =
+                SpaceFaces::on_side(Side(number), std::span(steps_).subspan(k, last - k));
+            if (!face.is_narrow) found_.push_back({i, Side(number).name(), face.area});
+            add(i, face.normal, from, face, {});
+            k = last;
+        }
+    }
+    void add_edges(Index i, std::span<const EdgeEnd> ends, bool is_whole_box) {
+        const Box3 box = faces_.box_from(i);
+        for (const EdgePart& part : edge_parts(ends, is_whole_box)) {
+            const auto [low, high] = ends_of(part, box);
+            for (const Side side : {part.edge.next(), part.edge.last()}) {
+                const bool is_up = side.number == side_around_which_up(part.edge).number;
+                steps_.push_back({i, side.number, is_up ? low : high, is_up ? high : low});
+            }
+        }
+    }
+
+    /// Into the lists of both cells, which are then put in order.
+    void list_faces() {
+        auto& first = result_.first_face;
+        first.assign(result_.measures.size() + 2, 0);
+        for (const Found& each : found_) {
+            ++first[static_cast<std::size_t>(each.first) + 2];
+            if (each.second >= 0) ++first[static_cast<std::size_t>(each.second) + 2];
+        }
+        for (std::size_t s = 2; s < first.size(); ++s) first[s] += first[s - 1];
+        result_.faces.resize(static_cast<std::size_t>(first.back()));
+        const auto put = [&](Index i, Index beyond, double area) {
+            // The begin of each list moves to its end.
+            std::int64_t& next = first[static_cast<std::size_t>(i) + 1];
+            result_.faces[static_cast<std::size_t>(next++)] = {beyond, in_plane(area, 2)};
+        };
+        for (const auto& [i, j, area] : found_) {
+            put(i, j, area);
+            if (j >= 0) put(j, i, area);
+        }
+        first.pop_back();
+        for (std::size_t s = 0; s + 1 < first.size(); ++s)
+            std::sort(result_.faces.begin() + first[s], result_.faces.begin() + first[s + 1],
+                      [](const SpaceFace& a, const SpaceFace& b) {
+                          return (a.beyond < 0) != (b.beyond < 0) ? b.beyond < 0
+                                 : a.beyond < 0                   ? a.beyond > b.beyond
+                                                                  : a.beyond < b.beyond;
+                      });
+    }
+    /// A product of so many lengths as it is where the sites lie.
+    [[nodiscard]] double in_plane(double value, int lengths) const noexcept {
+        return std::ldexp(value, lengths * faces_.sites().exponent());
+    }
+    void finish(Index i) noexcept {
+        SpaceMeasure& measure = measure_of(i);
+        const Box3 box = faces_.box_from(i);
+        const Point3 sum = measure.centroid;
+        measure.volume = std::max(measure.volume, 0.0);
+        // Without a volume the site itself, or what is next to it in the box.
+        const Point3 place = measure.volume > 0.0 ? apexes_[static_cast<std::size_t>(i)] : Point3{};
+        const Point3 eye = faces_.sites().eye(i);
+        for (double Point3::*const axis : axes_of_space) {
+            const double moved = measure.volume > 0.0 ? sum.*axis / measure.volume : 0.0;
+            // Of next to no volume rounding may lead out of it.
+            const double x = std::clamp(place.*axis + moved, box.low.*axis, box.high.*axis);
+            measure.centroid.*axis = in_plane(eye.*axis + x, 1);
+        }
+        measure.volume = in_plane(measure.volume, 3);
+        measure.area = in_plane(measure.area, 2);
+    }
+
+    SpaceFaces faces_;
+    Index size_;
+    SpaceCells result_;
+    LargeArray<Point3> apexes_;
+    std::vector<char> has_apex_;
+    std::vector<Found> found_;
+    std::vector<SideStep> steps_;
+    std::vector<EndOfCell> ends_;
+};
+
+}  // namespace
+
+std::vector<bool> unbounded_cells(const SpaceTessellation& tessellation) {
+    const bool are_flat = tessellation.dimension < 3;
+    std::vector<bool> result(static_cast<std::size_t>(tessellation.sites), are_flat);
+    for (const auto& [site, by] : tessellation.hidden)
+        result[static_cast<std::size_t>(site)] = false;
+    if (are_flat) return result;
+    for (const auto& [a, b, c, d] : tessellation.cells)
+        if (a == infinite)
+            for (const Index site : {b, c, d}) result[static_cast<std::size_t>(site)] = true;
+    return result;
+}
+
+namespace {
+
+/// Point3, Site3 or power::Site3.
+template <class S>
+Box3 box_around(std::span<const S> sites) {
+    const exact::IeeeEnvironment environment;
+    if (sites.empty()) throw std::invalid_argument("no site, no box");
+    Box3 box = {{sites[0].x, sites[0].y, sites[0].z}, {sites[0].x, sites[0].y, sites[0].z}};
+    for (const S& site : sites) {
+        const Point3 centre = {site.x, site.y, site.z};
+        if (!are_finite(centre)) throw std::invalid_argument("a centre is not finite");
+        for (const auto axis : axes_of_space) {
+            box.low.*axis = std::min(box.low.*axis, centre.*axis);
+            box.high.*axis = std::max(box.high.*axis, centre.*axis);
+        }
+    }
+    double tenth = 0.0;  // of the longest side, which itself may be no double
+    double extent = 0.0;
+    bool is_point = true;
+    for (const auto axis : axes_of_space) {
+        tenth = std::max(tenth, (box.high.*axis / 2 - box.low.*axis / 2) / 5);
+        extent = std::max({extent, std::fabs(box.low.*axis), std::fabs(box.high.*axis)});
+        is_point &= box.low.*axis == box.high.*axis;
+    }
+    // Doubles are to tell its sides apart.
+    constexpr double denormal = std::numeric_limits<double>::denorm_min();
+    const double margin = std::max({is_point ? 1.0 : tenth, 0x1p-50 * extent, denormal});
+    constexpr double largest = std::numeric_limits<double>::max();
+    for (const auto axis : axes_of_space) {
+        box.low.*axis = std::max(box.low.*axis - margin, -largest);
+        box.high.*axis = std::min(box.high.*axis + margin, largest);
+    }
+    return box;
+}
+
+}  // namespace
+
+Box3 default_box(std::span<const Point3> sites) {
+    return box_around(sites);
+}
+Box3 default_box(std::span<const Site3> sites) {
+    return box_around(sites);
+}
+Box3 default_box(std::span<const power::Site3> sites) {
+    return box_around(sites);
+}
+
+SpaceCells space_cells(const SpaceTessellation& tessellation, std::span<const Point3> sites,
+                       const Box3& box) {
+    const exact::IeeeEnvironment environment;
+    return Measuring(tessellation, sites, box).run();
+}
+SpaceCells space_cells(const SpaceTessellation& tessellation, std::span<const Site3> sites,
+                       const Box3& box) {
+    const exact::IeeeEnvironment environment;
+    return Measuring(tessellation, sites, box).run();
+}
+SpaceCells space_cells(const SpaceTessellation& tessellation, std::span<const power::Site3> sites,
+                       const Box3& box) {
+    const exact::IeeeEnvironment environment;
+    return Measuring(tessellation, sites, box).run();
+}
+
+}  // namespace signum
