@@ -1,9 +1,9 @@
 #pragma once
 /// Bands and charts of directions, and balls in them to a hundred bits: for the search of
-/// ball_cell.hpp where many balls are the greatest together, or nearly so. For sources only.
+/// cell.hpp where many balls are the greatest together, or nearly so. For sources only.
 ///
 /// Where centres are nearly on a line or on a circle, or on a line with radii that fit, the
-/// functions f = a·u + b (ball_cell.hpp) have their (a, b) nearly on a line of R⁴, of the direction
+/// functions f = a·u + b (cell.hpp) have their (a, b) nearly on a line of R⁴, of the direction
 /// (d, δ). Then all are nearly equal along the circle u·d = -δ, and hardly change along it. Squares
 /// that tell them apart across the circle are far too small along it: there were 10^5 of them. A
 /// Band is divided about the axis e = d / |d|: with a frame e, p, q the directions

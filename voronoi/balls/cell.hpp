@@ -20,7 +20,7 @@
 /// ones keep far ones out by F = f / |a| = (X·u + R) / |X|: where F_q < F_j and |a_q| <= |a_j|
 /// either f_q < 0 or f_q < f_j, in each direction.
 ///
-/// Where quarters of a patch keep having all of a long list, it is divided as ball_bands.hpp says:
+/// Where quarters of a patch keep having all of a long list, it is divided as bands.hpp says:
 /// along a circle in bands, around one direction in a chart, with numbers of a hundred bits.
 ///
 /// Laws:
@@ -66,63 +66,10 @@
 #include "../../core/index.hpp"
 #include "../../core/site.hpp"
 #include "bands.hpp"
+#include "patch.hpp"
 #include "tree.hpp"
 
 namespace signum::spatial {
-
-/// The directions through a rectangle on a face of the cube: a convex piece of the unit sphere. So
-/// the farthest of them from the one through the rectangle's middle are corners.
-///
-/// Where all centres are on one line, whose direction is the unit vector e, all a are multiples of
-/// e, and f depends on s = u·e alone. There a patch are all u of which this lies in an interval,
-/// v is s e for its middle s, and δ is half its length: |a·(u - v)| <= |a| δ, which is all that is
-/// asked of them.
-struct Patch {
-    int face;
-    double s, t, half;  // the middle of the rectangle, and half its side
-    std::array<double, 3> v;
-    double delta;
-    const std::array<double, 3>* line = nullptr;  // e
-
-    Patch(int of_face, double middle_s, double middle_t, double half_side)
-        : face(of_face), s(middle_s), t(middle_t), half(half_side), v(direction(s, t)), delta(0.0) {
-        double square = 0.0;
-        for (const double ds : {-half, half}) {
-            for (const double dt : {-half, half}) {
-                const std::array<double, 3> corner = direction(s + ds, t + dt);
-                const double x = corner[0] - v[0], y = corner[1] - v[1], z = corner[2] - v[2];
-                square = std::max(square, x * x + y * y + z * z);
-            }
-        }
-        delta = std::sqrt(square) * (1.0 + 0x1p-48) + 0x1p-48;
-    }
-    Patch(const std::array<double, 3>& of_line, double middle, double half_length)
-        : face(0),
-          s(middle),
-          t(0.0),
-          half(half_length),
-          v(of_line),
-          delta(half + 0x1p-47),
-          line(&of_line) {
-        for (double& x : v) x *= s;
-    }
-    [[nodiscard]] Patch quarter(int number) const {
-        if (line != nullptr) return {*line, s + half * (0.5 * number - 0.75), 0.25 * half};
-        const double h = 0.5 * half;
-        return {face, s + ((number & 1) != 0 ? h : -h), t + ((number & 2) != 0 ? h : -h), h};
-    }
-
- private:
-    [[nodiscard]] std::array<double, 3> direction(double at_s, double at_t) const {
-        const double length = 1.0 / std::sqrt(1.0 + at_s * at_s + at_t * at_t);
-        const auto axis = static_cast<std::size_t>(face % 3);
-        std::array<double, 3> result;
-        result[axis] = face < 3 ? length : -length;
-        result[(axis + 1) % 3] = at_s * length;
-        result[(axis + 2) % 3] = at_t * length;
-        return result;
-    }
-};
 
 class CellSearch {
  public:
@@ -431,88 +378,7 @@ class CellSearch {
 
     /// Whether some ball in the node may be the greatest somewhere in the patch.
     [[nodiscard]] bool may_reach(const BallTree::Node& node, const Patch& patch,
-                                 const Gathered& gathered) const {
-        const Site3& i = tree_.ball(ball_);
-        const std::array<double, 3> from{i.x, i.y, i.z};
-        std::array<double, 3> low, high;
-        double farthest = 0.0;
-        for (std::size_t k = 0; k < 3; ++k) {
-            low[k] = node.low[k] - from[k];
-            high[k] = node.high[k] - from[k];
-            const double far = std::max(-low[k], high[k]);
-            farthest += far * far;
-        }
-        const double least_r = node.least_radius - i.r, greatest_r = node.greatest_radius - i.r;
-        const double square_r = std::max(least_r * least_r, greatest_r * greatest_r);
-        if (!(farthest > 0x1p-900)) return true;
-        const double far = std::sqrt(farthest);
-        // The greatest of 2 X·v - f X·X + 2 R + f R², but for its error: of each coordinate the top
-        // is at v / f.
-        const auto greatest = [&](double f) {
-            double sum = 2.0 * greatest_r + f * square_r;
-            for (std::size_t k = 0; k < 3; ++k) {
-                const double v = patch.v[k];
-                double x = v > 0.0 ? high[k] : low[k];
-                if (v * x >= 0.0 && f * std::fabs(x) > std::fabs(v))
-                    x = std::clamp(v / f, low[k], high[k]);
-                sum += x * (2.0 * v - f * x);
-            }
-            return sum;
-        };
-        const auto error = [&](double f) {
-            return 0x1p-46 *
-                   (far + std::fabs(greatest_r) + std::fabs(least_r) + f * (farthest + square_r));
-        };
-        const double f_least = gathered.f_least;
-        if (greatest(f_least) + 2.0 * patch.delta * far + error(f_least) < 0.0) return false;
-        double square = 0.0, half_square = 0.0, nearest = 0.0;
-        std::array<double, 3> middle;
-        for (std::size_t k = 0; k < 3; ++k) {
-            middle[k] = 0.5 * (low[k] + high[k]);
-            const double half = 0.5 * (high[k] - low[k]);
-            square += middle[k] * middle[k];
-            half_square += half * half;
-            const double near = std::max({low[k], -high[k], 0.0});
-            nearest += near * near;
-        }
-        const double half = std::sqrt(half_square), distance = std::sqrt(square);
-        // F is lower than that of another, whose a is longer: |a| is at most that of the nearest.
-        if (nearest > square_r && nearest > 0x1p-900) {
-            const double length = 2.0 * std::sqrt(nearest) / (nearest - square_r) * (1.0 + 0x1p-40);
-            const double along = middle[0] * patch.v[0] + middle[1] * patch.v[1] +
-                                 middle[2] * patch.v[2] + greatest_r + half;
-            const double slack = 0x1p-46 * (far + std::fabs(greatest_r));
-            for (std::size_t k = 0; k < gathered.number_of_high; ++k) {
-                const auto& [its_height, slot] = gathered.high[k];
-                const Seen& j = seen_[slot];
-                const double top = along - distance * its_height + half * std::fabs(its_height) +
-                                   slack * (1.0 + std::fabs(j.c));
-                if (!(top < 0.0)) continue;
-                if (nearest <= square_r * (1.0 + 0x1p-10) || !(length <= j.length - j.error))
-                    continue;
-                const double x = middle[0] - distance * j.nx, y = middle[1] - distance * j.ny,
-                             z = middle[2] - distance * j.nz;
-                const double change = std::sqrt(x * x + y * y + z * z) + 2.0 * half + slack;
-                if (top + patch.delta * change * (1.0 + 0x1p-46) < 0.0) return false;
-            }
-        }
-        if (gathered.best == no_slot || !(gathered.best_value > 0.0)) return true;
-        // The same beside the best one of f = a·u + b, which changes by a·w: w·(2 X - P a).
-        const Seen& best = seen_[gathered.best];
-        const double f = gathered.best_value;
-        const double top = greatest(f) + error(f) + best.error * (farthest + square_r);
-        if (!(top < 0.0)) return true;
-        const double middle_r = 0.5 * (least_r + greatest_r);
-        const double half_r = 0.5 * (greatest_r - least_r);
-        const double p = square - middle_r * middle_r;
-        const double x = 2.0 * middle[0] - p * best.ax, y = 2.0 * middle[1] - p * best.ay,
-                     z = 2.0 * middle[2] - p * best.az;
-        const double change_of_p =
-            2.0 * distance * half + half_square + half_r * (2.0 * std::fabs(middle_r) + half_r);
-        const double change = std::sqrt(x * x + y * y + z * z) + 2.0 * half +
-                              best.length * (change_of_p + 0x1p-46 * (farthest + square_r));
-        return !(top + patch.delta * (change * (1.0 + 0x1p-46) + 0x1p-46 * far) < 0.0);
-    }
+                                 const Gathered& gathered) const;
 
     [[nodiscard]] bool is_below_any(Slot slot, const Gathered& gathered, const Patch& patch) const {
         for (std::size_t k = 0; k < gathered.number_of_high; ++k) {
@@ -696,130 +562,13 @@ class CellSearch {
     /// of range, and where it takes too long: some leaves may have been passed on then.
     template <class Leaf>
     [[gnu::noinline]] bool divide_finely(const Patch& patch, const std::vector<Slot>& list,
-                                         int steady, const Leaf& leaf) {
-        if (patch.line != nullptr || failures_ >= most_failures) return false;
-        const Seen* best = nullptr;
-        for (const Slot slot : list)
-            if (const Seen& q = seen_[slot];
-                !q.is_wild && (best == nullptr || value(q, patch) > value(*best, patch)))
-                best = &q;
-        const auto offset = [&](Slot slot) -> std::array<double, 3> {
-            const Seen& q = seen_[slot];
-            return {q.ax - best->ax, q.ay - best->ay, q.az - best->az};
-        };
-        std::array<double, 3> axis{};
-        double longest = 0.0;
-        for (const Slot slot : list) {
-            if (seen_[slot].is_wild) continue;
-            const std::array<double, 3> a = offset(slot);
-            if (!(dot(a, a) > longest)) continue;
-            longest = dot(a, a);
-            axis = a;
-        }
-        if (!(longest > 0x1p-900 && longest < 0x1p900)) return false;
-        const bool is_line = are_on_a_line(list, axis);
-        if (!is_line && (steady < least_steady_of_charts || !(patch.delta < 0.125))) return false;
-        const Frame frame(is_line ? axis : patch.v, is_line ? patch.v : axis);
-        forms_.clear();
-        slots_of_forms_.clear();
-        wild_.clear();
-        for (const Slot slot : list) {
-            if (seen_[slot].is_wild) {
-                wild_.push_back(slot);
-                continue;
-            }
-            const std::optional<FineForm> f =
-                fine_form(tree_.ball(ball_), tree_.ball(places_[slot]));
-            if (!f) return false;
-            forms_.push_back(frame.of(*f));
-            slots_of_forms_.push_back(slot);
-        }
-        members_.resize(most_depth_of_halvings + 1);
-        members_[0].clear();
-        for (std::uint32_t number = 0; number < forms_.size(); ++number)
-            members_[0].push_back({number, {}});
-        halvings_left_ = most_halvings;
-        if (is_line)
-            halve(Band(patch.v, patch.delta, frame), 0, leaf);
-        else
-            halve(Chart(patch.v, patch.delta, frame), 0, leaf);
-        if (halvings_left_ > 0) return true;
-        ++failures_;
-        return false;
-    }
+                                         int steady, const Leaf& leaf);
     /// Whether the a of most balls lie nearly on a line of this direction, also with those that are
     /// nearest along it.
     [[nodiscard]] bool are_on_a_line(const std::vector<Slot>& list,
-                                     const std::array<double, 3>& axis) {
-        constexpr double most_off = 0x1p-12;  // a square
-        const double length = dot(axis, axis);
-        sorted_.clear();
-        for (const Slot slot : list) {
-            const Seen& q = seen_[slot];
-            if (!q.is_wild) sorted_.emplace_back(dot({q.ax, q.ay, q.az}, axis), slot);
-        }
-        std::sort(sorted_.begin(), sorted_.end());
-        std::size_t off = 0;
-        for (std::size_t k = 1; k < sorted_.size(); ++k) {
-            const Seen &q = seen_[sorted_[k - 1].second], &j = seen_[sorted_[k].second];
-            const std::array<double, 3> a{j.ax - q.ax, j.ay - q.ay, j.az - q.az};
-            const double along = dot(a, axis), square = dot(a, a);
-            off += !(square - along * along / length <= most_off * square);
-        }
-        return 4 * off <= sorted_.size();
-    }
+                                     const std::array<double, 3>& axis);
     template <class Region, class Leaf>
-    [[gnu::noinline]] void halve(const Region& region, std::size_t depth, const Leaf& leaf) {
-        if (--halvings_left_ <= 0) return;
-        std::vector<Member>& list = members_[depth];
-        double f_least = 0.0;
-        std::erase_if(list, [&](Member& m) {
-            const FineForm& f = forms_[m.number];
-            m.value = region.value(f);
-            const double slack = 0x1p-50 * std::fabs(m.value.high) +
-                                 bound(region, f.x.high, f.y.high, f.z.high, f.b.high, f.error);
-            f_least = std::max(f_least, m.value.high - slack);
-            return m.value.high + slack < 0.0;
-        });
-        const bool is_open = !(f_least > 0.0);
-        take_out_less(list, region);
-        std::size_t later = 0, of_other_kinds = 0;
-        const auto count = [&](Slot slot) {
-            later += seen_[slot].is_later;
-            of_other_kinds += seen_[slot].is_later && !seen_[slot].is_of_its_kind;
-        };
-        for (const Member& m : list) count(slots_of_forms_[m.number]);
-        for (const Slot slot : wild_) count(slot);
-        if (list.size() > most_in_a_list && later >= 3 && of_other_kinds > 0 &&
-            depth < most_depth_of_halvings) {
-            const FineForm& first = forms_[list.front().number];
-            Spread spread;
-            double error = 0.0;
-            for (const Member& m : list) {
-                const FineForm& f = forms_[m.number];
-                spread.take(difference(f.x, first.x), difference(f.y, first.y),
-                            difference(f.z, first.z), difference(f.b, first.b));
-                error = std::max(error, f.error);
-            }
-            // What no halves take away need not be half of all.
-            auto [in_first, in_second, rest] = region.parts_of_change(spread);
-            rest += error;
-            for (const int interval : {0, 1}) {
-                double& part = interval == 0 ? in_first : in_second;
-                if (!region.has_halves(interval)) rest += std::exchange(part, 0.0);
-            }
-            if (in_first + in_second > rest) {
-                for (const int number : {0, 1}) {
-                    members_[depth + 1] = members_[depth];
-                    halve(region.half(in_first >= in_second ? 0 : 1, number), depth + 1, leaf);
-                }
-                return;
-            }
-        }
-        fine_list_ = wild_;
-        for (const Member& m : list) fine_list_.push_back(slots_of_forms_[m.number]);
-        finish(fine_list_, is_open, later, of_other_kinds, leaf);
-    }
+    [[gnu::noinline]] void halve(const Region& region, std::size_t depth, const Leaf& leaf);
     /// Of a form's change in a region, with its error.
     template <class Region>
     [[nodiscard]] static double bound(const Region& region, double x, double y, double z, double b,
@@ -843,48 +592,7 @@ class CellSearch {
     /// Those that are less than another one: of a long list, than one that is the greatest in the
     /// middle or toward an end. Of the others the greatest in the middle come first.
     template <class Region>
-    [[gnu::noinline]] void take_out_less(std::vector<Member>& list, const Region& region) {
-        if (list.size() < 2) return;
-        const auto is_greater = [](const Member& a, const Member& b) {
-            return a.value.high != b.value.high ? a.value.high > b.value.high
-                   : a.value.low != b.value.low ? a.value.low > b.value.low
-                                                : a.number < b.number;
-        };
-        const Member top = *std::ranges::min_element(list, is_greater);
-        const FineForm& first = forms_[top.number];
-        std::array<Member, 9> greatest;
-        greatest.fill(top);
-        std::array<double, 9> values;
-        values.fill(-HUGE_VAL);
-        for (const Member& m : list) {
-            const FineForm& f = forms_[m.number];
-            const double middle = difference(m.value, top.value);
-            const auto [in_first, in_second] =
-                region.rise(difference(f.x, first.x), difference(f.y, first.y),
-                            difference(f.z, first.z), difference(f.b, first.b));
-            for (std::size_t k = 0; k < 9; ++k) {
-                const double there = middle + (static_cast<double>(k % 3) - 1.0) * in_first +
-                                     (static_cast<double>(k / 3) - 1.0) * in_second;
-                if (!(there > values[k])) continue;
-                values[k] = there;
-                greatest[k] = m;
-            }
-        }
-        std::erase_if(list, [&](const Member& m) {
-            return std::ranges::any_of(greatest,
-                                       [&](const Member& j) { return is_less(m, j, region); });
-        });
-        std::ranges::sort(list, is_greater);
-        if (list.size() > most_in_pairs) return;
-        std::size_t kept = 0;
-        for (const Member& m : list) {
-            const std::span<const Member> greater(list.data(), kept);
-            if (!std::ranges::any_of(greater,
-                                     [&](const Member& j) { return is_less(m, j, region); }))
-                list[kept++] = m;
-        }
-        list.resize(kept);
-    }
+    [[gnu::noinline]] void take_out_less(std::vector<Member>& list, const Region& region);
 
     std::vector<Slot>& list_at(int depth) {
         if (lists_.size() <= static_cast<std::size_t>(depth))
@@ -931,3 +639,6 @@ class CellSearch {
 };
 
 }  // namespace signum::spatial
+
+#include "cell_finely.hpp"
+#include "cell_tree.hpp"

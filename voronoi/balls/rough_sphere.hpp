@@ -11,7 +11,7 @@
 namespace signum::spatial {
 
 /// A sphere that touches three balls, roughly: where the greatest distance along their curve is
-/// least. Seen from the first ball it is the direction u with f_b(u) = f_c(u) (ball_cell.hpp).
+/// least. Seen from the first ball it is the direction u with f_b(u) = f_c(u) (cell.hpp).
 ///
 /// The bounds. Where P is more than a part of 2^-10 of what it is the difference of, a and b err by
 /// a part of 2^-40; where the difference N of the two a is no smaller than a part of 2^-8 of them,
