@@ -1,6 +1,6 @@
 // Sites from Boost.Geometry's points, cells as its polygons.
 
-#include <signum/bindings/interop/boost_geometry.hpp>
+#include <signum/interop/boost_geometry.hpp>
 
 #include <cstdio>
 

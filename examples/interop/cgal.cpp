@@ -1,6 +1,6 @@
 // A triangulation of CGAL's on signum's predicates, and from CGAL to signum and back.
 
-#include <signum/bindings/interop/cgal.hpp>
+#include <signum/interop/cgal.hpp>
 
 #include <cstdio>
 #include <vector>

@@ -1,6 +1,6 @@
 // Sites in a matrix of Eigen's, faces in another, none of them copied.
 
-#include <signum/bindings/interop/eigen.hpp>
+#include <signum/interop/eigen.hpp>
 
 #include <cstdio>
 
