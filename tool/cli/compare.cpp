@@ -271,10 +271,11 @@ void run(const CompareCall& call) {
             fmt::format("{} arithmetic broke the structure, so that there is "
                         "nothing to draw; nothing is written",
                         call.arithmetic));
-    outputs.write([&](std::ostream& picture, std::string_view) {
-        write_svg(picture, *judged.tessellation,
-                  {.wrong = judged.edges.wrong, .different = judged.edges.different});
-    });
+    outputs.write({{"svg", [&](std::ostream& picture) {
+                        write_svg(
+                            picture, *judged.tessellation,
+                            {.wrong = judged.edges.wrong, .different = judged.edges.different});
+                    }}});
     if (!call.quiet) say("{}", written(targets));
 }
 

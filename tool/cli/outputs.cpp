@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <sstream>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -178,8 +179,13 @@ Outputs::Outputs(std::span<const Target> targets) : targets_(targets) {
     }
 }
 
-void Outputs::write(
-    const std::function<void(std::ostream& out, std::string_view format)>& write_one) const {
+void Outputs::write(std::initializer_list<Writer> writers) const {
+    const auto write_one = [&](std::ostream& out, std::string_view format) {
+        const auto writer = std::ranges::find(writers, format, &Writer::format);
+        if (writer == writers.end())
+            throw std::logic_error(fmt::format("a format that nothing writes: {}", format));
+        writer->write(out);
+    };
     const auto write = [&](std::ostream& out, std::string_view format) {
         const std::optional<Converted> made_of_svg = converted(format);
         if (!made_of_svg) return write_one(out, format);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <ostream>
@@ -79,16 +80,22 @@ bool is_written(std::span<const Target> targets, std::string_view format);
 /// "written  a.json, b.svg\n" for the summary; empty where everything goes to standard output.
 std::string written(std::span<const Target> targets);
 
+/// What writes a format.
+struct Writer {
+    std::string_view format;
+    std::function<void(std::ostream& out)> write;
+};
+
 class Outputs {
  public:
     /// Opens all files, and finds the program that makes png and pdf: a directory that cannot be
     /// written should not cost minutes. The targets must outlive the object.
     explicit Outputs(std::span<const Target> targets);
 
-    /// Writes every target; files appear under their names when all are complete. Of what is made
-    /// of a picture write_one is asked for svg.
-    void write(
-        const std::function<void(std::ostream& out, std::string_view format)>& write_one) const;
+    /// Writes every target; files appear under their names when all are complete. What is made of a
+    /// picture is written by the writer of svg.
+    /// Throws std::logic_error where a target's format has no writer.
+    void write(std::initializer_list<Writer> writers) const;
 
  private:
     std::span<const Target> targets_;

@@ -53,18 +53,16 @@ void add_space(CLI::App& command, SitesCall& call) {
 }
 
 void add_read_as(CLI::App& command, std::string& read_as) {
-    command
-        .add_option("--read-as", read_as,
-                    "What FILE is, whatever its ending:\n"
-                    "text  lines of columns, or JSON [[x, y, r], ...]\n"
-                    "xyz   atoms in space: element x y z [radius]\n"
-                    "pdb   atoms of a protein, with the van der Waals\n"
-                    "      radii of their elements\n"
-                    "pqr   the same with radii of their own\n"
-                    "ply   the vertices of a mesh, in ASCII\n"
-                    "node  points of Triangle or, in space, TetGen")
-        ->transform(one_of({"text", "xyz", "pdb", "pqr", "ply", "node"}))
-        ->type_name("NAME");
+    std::string help = "What FILE is, whatever its ending:";
+    std::vector<std::string> names;
+    for (const SitesInputKind& kind : sites_input_kinds()) {
+        names.emplace_back(kind.name);
+        std::string holds(kind.holds);
+        for (std::size_t at = 0; (at = holds.find('\n', at)) != std::string::npos; at += 7)
+            holds.insert(at + 1, "      ");
+        help += fmt::format("\n{:<6}{}", kind.name, holds);
+    }
+    command.add_option("--read-as", read_as, help)->transform(one_of(names))->type_name("NAME");
 }
 
 CLI::Validator name_of_arithmetic() {

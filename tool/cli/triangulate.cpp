@@ -66,33 +66,6 @@ std::vector<Edge> flipped_edges(const Tessellation& tessellation) {
     return flipped;
 }
 
-void write(std::ostream& out, std::string_view format, const Tessellation& tessellation,
-           const JsonOptions& options, const std::optional<Box>& clip, Method method) {
-    if (format == "svg") {
-        const std::vector<Edge> flipped =
-            method == Method::flips ? flipped_edges(tessellation) : std::vector<Edge>{};
-        write_svg(out, tessellation, {.box = clip, .flipped = flipped});
-    } else if (format == "csv") {
-        write_csv(out, tessellation);
-    } else if (format == "obj") {
-        write_obj(out, tessellation);
-    } else if (format == "ply") {
-        write_ply(out, tessellation);
-    } else if (format == "vtk") {
-        write_vtk(out, vtk_grid(tessellation));
-    } else if (format == "vtp") {
-        write_vtp(out, vtk_grid(tessellation));
-    } else if (format == "node") {
-        write_node(out, tessellation.sites());
-    } else if (format == "ele") {
-        write_ele(out, tessellation);
-    } else if (format == "neigh") {
-        write_neigh(out, tessellation);
-    } else {
-        write_json(out, tessellation, options);
-    }
-}
-
 void summarize(const Tessellation& tessellation, std::span<const Target> targets) {
     const auto faces = tessellation.faces();
     const std::size_t sites = tessellation.sites().size();
@@ -149,9 +122,24 @@ void run(const TriangulateCall& call) {
     // Before anything is written: what fails its check is not left under the name asked for.
     std::optional<Validation> checked;
     if (call.check) checked = check(call, tessellation);
-    outputs.write([&](std::ostream& out, std::string_view format) {
-        write(out, format, tessellation, {call.vertices, call.statistics}, clip, method);
-    });
+    outputs.write({{"svg",
+                    [&](std::ostream& out) {
+                        const std::vector<Edge> flipped = method == Method::flips
+                                                              ? flipped_edges(tessellation)
+                                                              : std::vector<Edge>{};
+                        write_svg(out, tessellation, {.box = clip, .flipped = flipped});
+                    }},
+                   {"csv", [&](std::ostream& out) { write_csv(out, tessellation); }},
+                   {"obj", [&](std::ostream& out) { write_obj(out, tessellation); }},
+                   {"ply", [&](std::ostream& out) { write_ply(out, tessellation); }},
+                   {"vtk", [&](std::ostream& out) { write_vtk(out, vtk_grid(tessellation)); }},
+                   {"vtp", [&](std::ostream& out) { write_vtp(out, vtk_grid(tessellation)); }},
+                   {"node", [&](std::ostream& out) { write_node(out, tessellation.sites()); }},
+                   {"ele", [&](std::ostream& out) { write_ele(out, tessellation); }},
+                   {"neigh", [&](std::ostream& out) { write_neigh(out, tessellation); }},
+                   {"json", [&](std::ostream& out) {
+                        write_json(out, tessellation, {call.vertices, call.statistics});
+                    }}});
     if (!call.quiet) {
         summarize(tessellation, targets);
         hint_at_space(call, sites.file, tessellation.hidden().size());

@@ -91,30 +91,23 @@ void triangulate_in_space(const TriangulateCall& call, const InputSites& sites,
     // Before anything is written: what fails its check is not left under the name asked for.
     std::optional<Validation> checked;
     if (call.check) checked = checked_in_space(call, tessellation, sites);
-    outputs.write([&](std::ostream& out, std::string_view format) {
-        if (format == "svg") {
-            write_svg(out, tessellation, balls, sites.third);
-        } else if (format == "csv") {
-            write_csv(out, tessellation);
-        } else if (format == "obj") {
-            write_obj(out, tessellation, balls);
-        } else if (format == "vtk") {
-            write_vtk(out, vtk_grid(tessellation, balls, sites.third));
-        } else if (format == "vtu") {
-            write_vtu(out, vtk_grid(tessellation, balls, sites.third));
-        } else if (format == "ply") {
-            write_ply(out, balls, sites.third);
-        } else if (format == "node") {
-            write_node(out, balls);
-        } else if (format == "ele") {
-            write_ele(out, tessellation);
-        } else if (format == "neigh") {
-            write_neigh(out, tessellation);
-        } else {
-            write_json(out, tessellation, metric_of(call.metric), sites.third,
-                       call.statistics ? std::optional(result.statistics) : std::nullopt, diagram);
-        }
-    });
+    outputs.write(
+        {{"svg", [&](std::ostream& out) { write_svg(out, tessellation, balls, sites.third); }},
+         {"csv", [&](std::ostream& out) { write_csv(out, tessellation); }},
+         {"obj", [&](std::ostream& out) { write_obj(out, tessellation, balls); }},
+         {"vtk",
+          [&](std::ostream& out) { write_vtk(out, vtk_grid(tessellation, balls, sites.third)); }},
+         {"vtu",
+          [&](std::ostream& out) { write_vtu(out, vtk_grid(tessellation, balls, sites.third)); }},
+         {"ply", [&](std::ostream& out) { write_ply(out, balls, sites.third); }},
+         {"node", [&](std::ostream& out) { write_node(out, balls); }},
+         {"ele", [&](std::ostream& out) { write_ele(out, tessellation); }},
+         {"neigh", [&](std::ostream& out) { write_neigh(out, tessellation); }},
+         {"json", [&](std::ostream& out) {
+              write_json(out, tessellation, metric_of(call.metric), sites.third,
+                         call.statistics ? std::optional(result.statistics) : std::nullopt,
+                         diagram);
+          }}});
     if (!call.quiet) summarize(result, sites.third, checked, targets);
 }
 

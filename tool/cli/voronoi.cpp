@@ -84,24 +84,23 @@ void run(VoronoiCall& call) {
     const auto clipped = [&]() -> const ClippedVoronoi& {
         return cells ? *cells : cells.emplace(diagram, box);
     };
-    outputs.write([&](std::ostream& out, std::string_view format) {
-        if (format == "json") {
-            const Box cut = clip.value_or(no_box);
-            write_voronoi_json(out, ClippedVoronoi(diagram, cut), cut);
-        } else if (format == "svg") {
-            write_voronoi_svg(out, diagram, clip);
-        } else if (format == "geojson") {
-            write_voronoi_geojson(out, clipped(), box, tolerance, sites.file.attributes);
-        } else if (format == "wkt") {
-            write_voronoi_wkt(out, clipped(), tolerance);
-        } else if (format == "vtk") {
-            write_vtk(out, vtk_grid(clipped(), tolerance));
-        } else if (format == "vtp") {
-            write_vtp(out, vtk_grid(clipped(), tolerance));
-        } else {
-            write_voronoi_csv(out, clipped(), tolerance, carried_to_tables(call, sites));
-        }
-    });
+    outputs.write(
+        {{"json",
+          [&](std::ostream& out) {
+              const Box cut = clip.value_or(no_box);
+              write_voronoi_json(out, ClippedVoronoi(diagram, cut), cut);
+          }},
+         {"svg", [&](std::ostream& out) { write_voronoi_svg(out, diagram, clip); }},
+         {"geojson",
+          [&](std::ostream& out) {
+              write_voronoi_geojson(out, clipped(), box, tolerance, sites.file.attributes);
+          }},
+         {"wkt", [&](std::ostream& out) { write_voronoi_wkt(out, clipped(), tolerance); }},
+         {"vtk", [&](std::ostream& out) { write_vtk(out, vtk_grid(clipped(), tolerance)); }},
+         {"vtp", [&](std::ostream& out) { write_vtp(out, vtk_grid(clipped(), tolerance)); }},
+         {"csv", [&](std::ostream& out) {
+              write_voronoi_csv(out, clipped(), tolerance, carried_to_tables(call, sites));
+          }}});
     if (!call.quiet) {
         summarize(diagram, targets);
         hint_at_space(call, sites.file, diagram.tessellation().hidden().size());

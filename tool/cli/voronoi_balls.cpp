@@ -74,13 +74,8 @@ void voronoi_of_balls(const VoronoiCall& call, const InputSites& sites,
     refuse_what_is_not_of_balls(call, targets);
     const Outputs outputs(targets);
     const BallDiagram diagram = diagram_of(call, sites);
-    outputs.write([&](std::ostream& out, std::string_view format) {
-        if (format == "csv") {
-            write_csv(out, diagram);
-        } else {
-            write_json(out, diagram);
-        }
-    });
+    outputs.write({{"csv", [&](std::ostream& out) { write_csv(out, diagram); }},
+                   {"json", [&](std::ostream& out) { write_json(out, diagram); }}});
     if (!call.quiet) summarize(diagram, targets);
 }
 

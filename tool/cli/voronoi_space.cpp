@@ -96,19 +96,17 @@ void voronoi_in_space(const VoronoiCall& call, const InputSites& sites,
         diagram =
             with_sites_in_space(sites, [&](auto those) { return vertices(tessellation, those); });
     }
-    outputs.write([&](std::ostream& out, std::string_view format) {
-        if (format == "csv") {
-            write_space_cells_csv(out, cells);
-        } else if (format == "svg") {
-            write_space_cells_svg(out, sites.file.in_space, cells, found.polyhedra);
-        } else if (format == "vtk") {
-            write_vtk(out, vtk_grid(cells, found.polyhedra));
-        } else if (format == "vtu") {
-            write_vtu(out, vtk_grid(cells, found.polyhedra));
-        } else {
-            write_space_cells_json(out, cells, tessellation, sites.third, diagram);
-        }
-    });
+    outputs.write(
+        {{"csv", [&](std::ostream& out) { write_space_cells_csv(out, cells); }},
+         {"svg",
+          [&](std::ostream& out) {
+              write_space_cells_svg(out, sites.file.in_space, cells, found.polyhedra);
+          }},
+         {"vtk", [&](std::ostream& out) { write_vtk(out, vtk_grid(cells, found.polyhedra)); }},
+         {"vtu", [&](std::ostream& out) { write_vtu(out, vtk_grid(cells, found.polyhedra)); }},
+         {"json", [&](std::ostream& out) {
+              write_space_cells_json(out, cells, tessellation, sites.third, diagram);
+          }}});
     if (!call.quiet) summarize(tessellation, cells, sites.third, targets);
 }
 

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <array>
+
 #include <fmt/format.h>
 
 #include "../../core/index.hpp"
@@ -12,34 +15,45 @@
 namespace signum {
 namespace {
 
-SitesFile read_input(InputFile& file, const ReadOptions& options) {
-    switch (options.input) {
-        case SitesInput::xyz:
-            return read_xyz_sites(file);
-        case SitesInput::pdb:
-            return read_pdb_sites(file);
-        case SitesInput::pqr:
-            return read_pqr_sites(file);
-        case SitesInput::ply:
-            return read_ply_sites(file);
-        case SitesInput::node:
-            return read_node_sites(file, options);
-        case SitesInput::text:
-            break;
-    }
+template <SitesFile (*read)(InputFile&)>
+SitesFile as_it_is(InputFile& file, const ReadOptions&) {
+    return read(file);
+}
+SitesFile read_text_or_json(InputFile& file, const ReadOptions& options) {
     const char first = file.first_character();
     return first == '[' || first == '{' ? read_json_sites(file, options.columns, options.dimension)
                                         : read_text_sites(file, options);
 }
 
+constexpr std::array kinds = {
+    SitesInputKind{SitesInput::text, "text", "", "lines of columns, or JSON [[x, y, r], ...]",
+                   false, read_text_or_json},
+    SitesInputKind{SitesInput::xyz, "xyz", "", "atoms in space: element x y z [radius]", true,
+                   as_it_is<read_xyz_sites>},
+    SitesInputKind{SitesInput::pdb, "pdb", "ent",
+                   "atoms of a protein, with the van der Waals\nradii of their elements", true,
+                   as_it_is<read_pdb_sites>},
+    SitesInputKind{SitesInput::pqr, "pqr", "", "the same with radii of their own", true,
+                   as_it_is<read_pqr_sites>},
+    SitesInputKind{SitesInput::ply, "ply", "", "the vertices of a mesh, in ASCII", true,
+                   as_it_is<read_ply_sites>},
+    SitesInputKind{SitesInput::node, "node", "", "points of Triangle or, in space, TetGen", false,
+                   read_node_sites}};
+const SitesInputKind& kind_of(SitesInput input) noexcept {
+    return *std::ranges::find(kinds, input, &SitesInputKind::input);
+}
+
 }  // namespace
 
+std::span<const SitesInputKind> sites_input_kinds() noexcept {
+    return kinds;
+}
+bool is_of_space(SitesInput input) noexcept {
+    return kind_of(input).is_of_space;
+}
 SitesInput input_by_ending(std::string_view ending) noexcept {
-    if (ending == "xyz") return SitesInput::xyz;
-    if (ending == "pdb" || ending == "ent") return SitesInput::pdb;
-    if (ending == "pqr") return SitesInput::pqr;
-    if (ending == "ply") return SitesInput::ply;
-    if (ending == "node") return SitesInput::node;
+    for (const SitesInputKind& kind : kinds)
+        if (!ending.empty() && (ending == kind.name || ending == kind.ending)) return kind.input;
     return SitesInput::text;
 }
 
@@ -49,7 +63,7 @@ SitesFile read_sites(const std::string& path, const Columns& columns) {
 
 SitesFile read_sites(const std::string& path, const ReadOptions& options) {
     InputFile file(path, "a file of sites");
-    SitesFile result = read_input(file, options);
+    SitesFile result = kind_of(options.input).read(file, options);
     const std::size_t number = result.sites.size() + result.in_space.size();
     if (static_cast<std::int64_t>(number) > max_sites) {
         file.fail({}, fmt::format("{} sites; {} is the most that 32-bit indices allow", number,

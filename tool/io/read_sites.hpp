@@ -38,12 +38,22 @@ enum class SitesInput : std::uint8_t {
     ply,   ///< vertices of a mesh
     node   ///< points of Triangle (in the plane) or TetGen (in space)
 };
-/// Whether all that is read so lies in space.
-[[nodiscard]] constexpr bool is_of_space(SitesInput input) noexcept {
-    return input != SitesInput::text && input != SitesInput::node;
-}
-/// By the ending of the name, in small letters: .xyz, .pdb, .ent, .pqr, .ply, .node,
-/// else text.
+class InputFile;
+struct ReadOptions;
+struct SitesFile;
+
+/// One of them, as the one table in read_sites.cpp describes it.
+struct SitesInputKind {
+    SitesInput input;
+    std::string_view name;    ///< and, but for text, the ending of its files, in small letters
+    std::string_view ending;  ///< another one; empty where there is none
+    std::string_view holds;   ///< for the help; lines are parted by \n
+    bool is_of_space;         ///< whether all that is read so lies in space
+    SitesFile (*read)(InputFile&, const ReadOptions&);
+};
+[[nodiscard]] std::span<const SitesInputKind> sites_input_kinds() noexcept;
+[[nodiscard]] bool is_of_space(SitesInput input) noexcept;
+/// Text where the ending is none of theirs.
 [[nodiscard]] SitesInput input_by_ending(std::string_view ending) noexcept;
 
 /// How a file is read, where it leaves that open.

@@ -1,0 +1,105 @@
+/// At how many places a format or a subcommand is known: at those that CONTRIBUTING.md names.
+
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "../../tool/cli/formats.hpp"
+#include "../../tool/io/read_sites.hpp"
+
+namespace signum {
+namespace {
+
+namespace fs = std::filesystem;
+using Files = std::set<std::string>;
+
+const fs::path root = SIGNUM_SOURCES;
+
+std::string text_of(const fs::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file).rdbuf();
+    return text.str();
+}
+
+/// The files that a section of CONTRIBUTING.md names, but for those with NAME in their names.
+Files named_under(const std::string& heading) {
+    const std::string page = text_of(root / "CONTRIBUTING.md");
+    const std::size_t from = page.find("\n## " + heading + "\n");
+    if (from == std::string::npos) return {};
+    const std::string section = page.substr(from + 1, page.find("\n## ", from + 1) - from - 1);
+    static const std::regex path("`(tool/[a-z_/]+\\.[ch]pp)`");
+    Files files;
+    for (std::sregex_iterator each(section.begin(), section.end(), path), end; each != end; ++each)
+        files.insert((*each)[1]);
+    return files;
+}
+
+/// Those of the tool whose text matches, but for those that match `own`.
+Files that_match(const std::string& pattern, const std::string& own) {
+    const std::regex wanted(pattern), left_out(own);
+    Files files;
+    for (const auto& entry : fs::recursive_directory_iterator(root / "tool")) {
+        const std::string ending = entry.path().extension().string();
+        if (ending != ".hpp" && ending != ".cpp") continue;
+        const std::string text = text_of(entry.path());
+        if (std::regex_search(text, wanted) && !std::regex_search(text, left_out))
+            files.insert(entry.path().lexically_relative(root).string());
+    }
+    return files;
+}
+
+TEST(Places, OfAnInputFormat) {
+    const Files places = named_under("Add an input format");
+    EXPECT_EQ(places.size(), 2U);  // and the reader
+    for (const SitesInputKind& kind : sites_input_kinds()) {
+        if (kind.input == SitesInput::text || kind.input == SitesInput::node) continue;
+        const std::string name(kind.name);
+        EXPECT_EQ(that_match(
+                      "SitesInput::" + name + "\\b|read_" + name + "_sites|\\b" + name + ",? *///<",
+                      "SitesFile read_" + name + "_sites\\("),
+                  places)
+            << name;
+    }
+}
+
+TEST(Places, OfAnOutputFormat) {
+    // And the subcommands that write it.
+    Files places = named_under("Add an output format");
+    EXPECT_EQ(places.size(), 1U);
+    places.merge(that_match("outputs\\.write\\(", "^$"));
+    std::size_t seen = 0;
+    const auto expect_places = [&](const auto& formats) {
+        for (const cli::Format& format : formats) {
+            // Others speak of these, too: what stands for the default, pictures and numbers.
+            if (std::set<std::string_view>{"json", "csv", "svg", "png", "pdf"}.contains(
+                    format.name))
+                continue;
+            for (const std::string& file : that_match('"' + std::string(format.name) + '"', "^$")) {
+                if (file.ends_with("_sites.cpp")) continue;  // readers
+                EXPECT_TRUE(places.contains(file)) << format.name << ' ' << file;
+                ++seen;
+            }
+        }
+    };
+    expect_places(cli::triangulate_formats);
+    expect_places(cli::voronoi_formats);
+    EXPECT_GT(seen, 20U);
+}
+
+TEST(Places, OfASubcommand) {
+    const Files places = named_under("Add a subcommand");
+    EXPECT_EQ(places.size(), 2U);  // and its own file
+    for (const std::string name : {"triangulate", "voronoi", "compare", "validate", "simulate"})
+        EXPECT_EQ(
+            that_match("\\badd_" + name + "\\(", "void add_" + name + "\\(CLI::App& tool\\) \\{"),
+            places)
+            << name;
+}
+
+}  // namespace
+}  // namespace signum
