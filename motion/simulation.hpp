@@ -49,8 +49,9 @@ struct StandingContact {
     friend bool operator==(const StandingContact&, const StandingContact&) = default;
 };
 
-/// A ball that has struck, where balls grow or walls move: how often in a row in narrow gaps
-/// (docs/motion.md), and when last, and when as often as the last power of two, and as half of it.
+/// A ball that has struck, where balls grow, walls move or strikes have a duration: how often in a
+/// row in narrow gaps (docs/motion.md), and when last, and when as often as the last power of two,
+/// and as half of it.
 struct Pressed {
     std::int32_t ball = 0;      ///< its number
     std::uint32_t strikes = 0;  ///< in a row

@@ -470,7 +470,25 @@ enum {
     SIGNUM_PERIODIC = 2  ///< the cell of a periodic world
 };
 
-/// What acts on balls. (Shaking walls, obstacles, friction, fluids: in C++ and in scene files.)
+typedef int32_t signum_obstacle_kind;
+enum {
+    SIGNUM_HALF_SPACE = 0,  ///< balls are where at . x >= size + speed t
+    SIGNUM_PILLAR = 1,      ///< a circle or sphere; balls are outside
+    SIGNUM_DRUM = 2,        ///< the same; balls are inside
+    SIGNUM_SEGMENT = 3      ///< a thin wall in the plane, at rest, struck from both sides
+};
+
+/// What balls strike beside the box. It has no mass.
+typedef struct signum_obstacle {
+    signum_obstacle_kind kind;
+    int32_t reserved;
+    double at[3];  ///< the normal of a half space; a centre at t = 0; one end of a segment
+    double to[3];  ///< the velocity of a centre; the other end of a segment
+    double size;   ///< the offset of a half space, times |at|; a radius, above 0
+    double speed;  ///< of a half space along its normal, times |at|
+} signum_obstacle;
+
+/// What acts on balls. docs/motion.md says what each effect does, and which go together.
 typedef struct signum_effects {
     size_t size;
     int32_t dimension;  ///< 2 or 3
@@ -483,12 +501,35 @@ typedef struct signum_effects {
     double contact_duration;  ///< a strike is elastic that follows one within it; 0 is never
     double growth_rate;       ///< radii are r (1 + rate t), 0 is none
     double growth_until;
+    double law_speed;      ///< restitutions are those at this speed; 0: they do not depend on it
+    double law_power;      ///< 1 - restitution goes as speed to that power, above 0
+    int32_t has_friction;  ///< whether balls spin, and rub; else the next four are not looked at
+    int32_t reserved;
+    double friction;                ///< of two balls, from 0
+    double wall_friction;           ///< of a ball and a wall
+    double tangential_restitution;  ///< from -1 to 1: 0 stops the sliding, 1 turns it back
+    double inertia;                 ///< I / m r^2, above 0: 1/2 of discs, 2/5 of balls
+    double shake_amplitude[3];      ///< the box's sides go by amplitude sin(frequency t + phase)
+    double shake_frequency;         ///< in radians per unit of time; 0 is at rest
+    double shake_phase;             ///< in radians
+    double fluid_velocity[3];       ///< at the origin
+    double fluid_gradient[9];       ///< of axis k along axis l at 3 k + l
+    double fluid_linear;            ///< drag, from 0; both 0: there is no fluid
+    double fluid_quadratic;         ///< from 0
+    double contact_speed;           ///< who would part slower stays in contact; 0 is nobody
+    double contact_tolerance;       ///< between 0 and 1
+    int32_t contact_sweeps;         ///< from 2
+    int32_t reserved_too;
+    double time_step;  ///< forces act in steps of that time; 0: flights are parabolas
+    const signum_obstacle* obstacles;  ///< their walls are numbered from 2 dimension on
+    int64_t obstacle_count;
 } signum_effects;
 /// Of free flight and elastic strikes.
 #define SIGNUM_EFFECTS(dimension)                                                                  \
     {                                                                                              \
         sizeof(signum_effects), (dimension), SIGNUM_NO_BOX, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 1, 1, \
-            0, 0, 0                                                                                \
+            0, 0, 0, 0, 0.2, 0, 0, 0, 0, 0, 0.5, {0, 0, 0}, 0, 0, {0, 0, 0},                       \
+            {0, 0, 0, 0, 0, 0, 0, 0, 0}, 0, 0, 0, 1e-10, 1000, 0, 0, NULL, 0                       \
     }
 
 /// When two balls meet: the nearest double to the exact time, not before the later of their own
@@ -553,6 +594,10 @@ signum_status signum_simulation_time(const signum_simulation* simulation, double
                                      signum_error* error);
 /// The balls in their order, each at its own time; `count` is theirs. O(n).
 signum_status signum_simulation_balls(const signum_simulation* simulation, signum_ball* balls,
+                                      int64_t count, signum_error* error);
+/// How fast they turn, three numbers a ball, `count` balls: the angular velocity about each axis,
+/// in the plane about the third. Balls start without; 0 where there is no friction. O(n).
+signum_status signum_simulation_spins(const signum_simulation* simulation, double* spins,
                                       int64_t count, signum_error* error);
 /// How many; of null 0.
 int64_t signum_simulation_size(const signum_simulation* simulation);

@@ -38,6 +38,25 @@ template <int D>
 }
 
 template <int D>
+[[nodiscard]] motion::Obstacle<D> obstacle_of(const signum_obstacle& given) {
+    using Side = typename motion::Sphere<D>::Side;
+    switch (given.kind) {
+        case SIGNUM_HALF_SPACE:
+            return motion::HalfSpace<D>{vector_of<D>(given.at), given.size, given.speed};
+        case SIGNUM_PILLAR:
+        case SIGNUM_DRUM:
+            return motion::Sphere<D>{vector_of<D>(given.at), vector_of<D>(given.to), given.size,
+                                     given.kind == SIGNUM_DRUM ? Side::inside : Side::outside};
+        case SIGNUM_SEGMENT:
+            if constexpr (D == 2)
+                return motion::Segment{vector_of<2>(given.at), vector_of<2>(given.to)};
+            throw Refused("segments are of the plane");
+        default:
+            throw Refused("there is no kind of obstacle " + std::to_string(given.kind));
+    }
+}
+
+template <int D>
 [[nodiscard]] motion::Effects<D> effects_of(const signum_effects& given) {
     motion::Effects<D> effects;
     effects.gravity = vector_of<D>(given.gravity);
@@ -49,6 +68,25 @@ template <int D>
     effects.periodic = given.box == SIGNUM_PERIODIC;
     if (given.growth_rate != 0.0)
         effects.growth = motion::Growth{given.growth_rate, given.growth_until};
+    if (given.law_speed != 0.0) effects.speed_law = {given.law_speed, given.law_power};
+    if (given.has_friction != 0)
+        effects.friction = {given.friction, given.wall_friction, given.tangential_restitution,
+                            given.inertia};
+    if (given.shake_frequency != 0.0)
+        effects.shake = {vector_of<D>(given.shake_amplitude), given.shake_frequency,
+                         given.shake_phase};
+    if (given.fluid_linear != 0.0 || given.fluid_quadratic != 0.0) {
+        effects.fluid = {
+            vector_of<D>(given.fluid_velocity), {}, given.fluid_linear, given.fluid_quadratic};
+        for (int k = 0; k < D; ++k)
+            effects.fluid->gradient[k] = vector_of<D>(given.fluid_gradient + 3 * k);
+    }
+    if (given.contact_speed != 0.0)
+        effects.contacts = {given.contact_speed, given.contact_tolerance, given.contact_sweeps};
+    effects.time_step = given.time_step;
+    expect_array(given.obstacles, given.obstacle_count, "obstacles");
+    for (std::int64_t i = 0; i < given.obstacle_count; ++i)
+        effects.obstacles.push_back(obstacle_of<D>(given.obstacles[i]));
     return effects;
 }
 
@@ -138,6 +176,14 @@ using c::guarded;
 
 namespace {
 
+/// Room for something of each ball.
+void expect_all_balls(const auto& world, const void* room, std::int64_t count) {
+    if (count != static_cast<std::int64_t>(world.size))
+        throw c::Refused("there is room for " + std::to_string(count) + " balls, of " +
+                         std::to_string(world.size));
+    c::expect_array(room, count, "balls");
+}
+
 /// Gives `ask` the world of a simulation that is not at work.
 template <class Simulation, class Ask>
 void with_world(Simulation* simulation, Ask&& ask) {
@@ -208,10 +254,7 @@ signum_status signum_simulation_balls(const signum_simulation* simulation, signu
                                       int64_t count, signum_error* error) {
     return guarded(error, [&] {
         with_world(simulation, [&]<int D>(const c::World<D>& world) {
-            if (count != static_cast<std::int64_t>(world.size))
-                throw c::Refused("there is room for " + std::to_string(count) + " balls, of " +
-                                 std::to_string(world.size));
-            c::expect_array(balls, count, "balls");
+            expect_all_balls(world, balls, count);
             const motion::State<D> state = world.simulation.state();
             for (std::size_t i = 0; i < state.balls.size(); ++i) {
                 const motion::Ball<D>& ball = state.balls[i];
@@ -220,6 +263,20 @@ signum_status signum_simulation_balls(const signum_simulation* simulation, signu
                 std::copy(ball.v.begin(), ball.v.end(), told.v);
                 balls[i] = told;
             }
+        });
+    });
+}
+
+signum_status signum_simulation_spins(const signum_simulation* simulation, double* spins,
+                                      int64_t count, signum_error* error) {
+    return guarded(error, [&] {
+        with_world(simulation, [&]<int D>(const c::World<D>& world) {
+            expect_all_balls(world, spins, count);
+            std::fill(spins, spins + 3 * count, 0.0);
+            const motion::State<D> state = world.simulation.state();
+            for (std::size_t i = 0; i < state.spins.size(); ++i)
+                std::copy(state.spins[i].begin(), state.spins[i].end(),
+                          spins + 3 * i + (D == 2 ? 2 : 0));
         });
     });
 }

@@ -26,20 +26,26 @@ inline constexpr double growth_to_a_jam = 16.0;
 /// balls that lose nothing fly ever faster: N strikes in a row leave gaps as 1 / (N0 + N), and last
 /// as long as 1 / N0 - 1 / (N0 + N). The second half of them comes to last no longer than the
 /// quarter before when the gap is a third as wide; in a gas that is dense it lasts twice as long.
-[[nodiscard]] inline bool closes_on(Pressed& pressed, double t) noexcept {
+/// And who strikes so often within the duration of one contact is pressed by a heavy ball, or what
+/// else there is, and loses nothing meanwhile.
+[[nodiscard]] inline bool closes_on(Pressed& pressed, double t, bool walls_move,
+                                    double contact_duration) noexcept {
     constexpr std::uint32_t least = 1 << 14;
+    constexpr std::uint32_t most_in_a_contact = 1 << 18;
     if (!std::has_single_bit(++pressed.strikes)) [[likely]]
         return false;
     const bool closes =
-        pressed.strikes >= least && t - pressed.half <= pressed.half - pressed.quarter;
+        (walls_move && pressed.strikes >= least &&
+         t - pressed.half <= pressed.half - pressed.quarter) ||
+        (pressed.strikes >= most_in_a_contact && t - pressed.quarter <= contact_duration);
     pressed.quarter = pressed.half;
     pressed.half = t;
     return closes;
 }
 
-/// Counts a strike of a ball where balls grow or walls move, and returns whether growth will have
-/// closed a narrow gap long before it ends. A ball that hops on a floor flies as short ways as in
-/// such a gap, but as slowly as it falls.
+/// Counts a strike of a ball where balls grow, walls move or contacts last, and returns whether
+/// growth will have closed a narrow gap long before it ends. A ball that hops on a floor flies as
+/// short ways as in such a gap, but as slowly as it falls.
 template <int D, Known known>
 [[nodiscard, gnu::noinline]] bool count_in_gap(System<D, known>& system, Slot i,
                                                const Ball<D>& came, double speed, double growth) {
@@ -53,7 +59,8 @@ template <int D, Known known>
         return false;
     }
     if (!(flown <= narrow * radius && narrow * speed >= world.pull * since)) return false;
-    if (system.walls_move) system.collapses |= closes_on(pressed, came.time);
+    system.collapses |=
+        closes_on(pressed, came.time, system.walls_move, world.effects.contact_duration);
     const auto& grows = world.effects.growth;
     return grows && growth_to_a_jam * flown <= growth * (grows->until - came.time);
 }

@@ -57,7 +57,7 @@ struct System {
     std::uint32_t most_in_place;
     bool collapses = false;
     bool walls_move = false;
-    std::vector<Pressed> pressed;  ///< of each ball, where balls grow or walls move
+    std::vector<Pressed> pressed;  ///< of each ball, where count_in_gap() is asked
     /// How far a ball may fly from time 0 on (clock.hpp), and who flies farther.
     double farthest = infinity;
     Partner late;
@@ -180,7 +180,8 @@ System<D, known>::System(const State<D>& state, const Effects<D>& effects, Kerne
         agenda[i].in_place = state.in_place[number];
     }
     walls_move = has_walls() && moves(effects);
-    if (effects.growth || walls_move) pressed.resize(slots.size());
+    if (effects.growth || walls_move || effects.contact_duration > 0.0)
+        pressed.resize(slots.size());
     for (const Pressed& each : state.pressed)
         if (!pressed.empty()) pressed[slot_of(each.ball)] = each;
     laws.set(state, slots);

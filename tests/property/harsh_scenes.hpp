@@ -26,10 +26,18 @@ void add_wedge(Effects<D>& effects, Choices& choose, double size) {
     }
 }
 
+template <int D>
+void stop(Obstacle<D>& obstacle) {
+    if (auto* wall = std::get_if<HalfSpace<D>>(&obstacle)) wall->speed = 0.0;
+    if (auto* wall = std::get_if<Sphere<D>>(&obstacle)) wall->velocity = {};
+}
+
 /// Any mixture of effects; harsher than effects_scene(): friction up to 3, masses up to 2^20,
 /// walls that close, fluids that drag hard, balls in corners.
+/// `crushes`: boxes shake as far, walls close as well on balls that lose nothing, and balls are as
+/// heavy there as anywhere, which takes up to a million strikes before such a scene ends.
 template <int D>
-Scene<D> harsh_scene(std::uint64_t seed) {
+Scene<D> harsh_scene(std::uint64_t seed, bool crushes = false) {
     Choices choose(seed);
     choose.be_round(choose.below(2) == 0);
     const double size = 2.0 + 2.0 * choose.below(3);
@@ -41,6 +49,9 @@ Scene<D> harsh_scene(std::uint64_t seed) {
     if (around == 2) add_wedge(effects, choose, size);
     for (int effect = 0; effect < effects_in_all; ++effect)
         if (choose.below(5) < 2) add(effects, static_cast<Effect>(effect), choose, size);
+    if (effects.shake && !crushes) effects.shake->amplitude[0] *= 0.0625;
+    if (!crushes && (effects.restitution == 1.0 || effects.contact_duration > 0.0))
+        for (Obstacle<D>& each : effects.obstacles) stop<D>(each);
     if (effects.friction && choose.below(2) == 0) {
         constexpr std::array<double, 6> coefficients = {1.0, 1.5, 2.0, 3.0, 0.5, 0.9};
         effects.friction->coefficient = choose.of(coefficients);
@@ -54,7 +65,10 @@ Scene<D> harsh_scene(std::uint64_t seed) {
     for (int tries = 0; tries < 80 && static_cast<int>(scene.bodies.size()) < most; ++tries) {
         Body<D> body;
         body.radius = std::max(choose.number(0.0, 0.7), 0.125);
-        body.mass = choose.below(6) == 0 ? 0x1p20 : std::max(choose.number(0.0, 4.0), 0.125);
+        const bool closes =
+            !crushes && (effects.growth || effects.shake || !effects.obstacles.empty());
+        body.mass = choose.below(6) == 0 ? (closes ? 0x1p8 : 0x1p20)
+                                         : std::max(choose.number(0.0, 4.0), 0.125);
         for (int k = 0; k < D; ++k) {
             body.x[k] = choose.number(body.radius, size - body.radius);
             if (is_in_corners) body.x[k] = choose.below(2) == 0 ? body.radius : size - body.radius;

@@ -15,6 +15,7 @@ namespace signum::motion {
 namespace {
 
 const std::uint64_t scenes = scenes_to_draw(50'000);
+const std::uint64_t crushing_scenes = scenes_to_draw(6'000) / 3;
 
 /// Of a ball, in a run of some units of time: a million.
 constexpr std::uint64_t most_strikes = 1 << 20;
@@ -192,22 +193,26 @@ TEST(MotionEnds, GrowthIntoAJam) {
 }
 
 template <int D>
-void expect_ends() {
+void expect_ends(std::uint64_t number, bool crushes) {
     std::map<std::string, std::uint64_t> ends;
-    for (std::uint64_t seed = 0; seed < scenes; ++seed) {
-        const std::string why = end_of(harsh_scene<D>(seed), 1.0).why;
+    for (std::uint64_t seed = 0; seed < number; ++seed) {
+        const std::string why = end_of(harsh_scene<D>(seed, crushes), 1.0).why;
         ASSERT_NE(why, "strikes") << "seed " << seed;
         ++ends[why];
     }
     // Most come to their time; few are refused, or by a clock that cannot tell.
-    EXPECT_GT(10 * ends["until"], 6 * scenes);
-    EXPECT_LE(20 * (ends["refused"] + ends["clock"]), scenes);
+    EXPECT_GT(10 * ends["until"], 6 * number);
+    EXPECT_LE(20 * (ends["refused"] + ends["clock"]), number);
 }
 TEST(MotionEnds, EveryMixtureOfEffectsInThePlane) {
-    expect_ends<2>();
+    expect_ends<2>(scenes, false);
 }
 TEST(MotionEnds, EveryMixtureOfEffectsInSpace) {
-    expect_ends<3>();
+    expect_ends<3>(scenes, false);
+}
+TEST(MotionEnds, WhatIsCrushed) {
+    expect_ends<2>(crushing_scenes, true);
+    expect_ends<3>(crushing_scenes, true);
 }
 
 }  // namespace

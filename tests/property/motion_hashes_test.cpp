@@ -170,15 +170,15 @@ TEST(MotionHashes, InThePlane) {
         {"gravity", 0x5270390c813d69d3},
         {"losses", 0x56517cb2f32d6e3a},
         {"speed law", 0xfe73fc7915c3c167},
-        {"contact duration", 0x3000cec5eddeb892},
+        {"contact duration", 0x707546a6396e97a6},
         {"friction", 0x899d3bfadb0ee630},
         {"shake", 0xf4b4fcbdfd04a0e0},
         {"obstacles", 0x5b49004d4510a3b9},
-        {"growth", 0xcd8028b7760fc29f},
+        {"growth", 0x92568f81d3ceb775},
         {"fluid", 0x794c49e23e45b168},
         {"time steps", 0xed31c4de116cac5d},
         {"contacts", 0x1875374a0520b8c9},
-        {"every mixture", 0x51a6ff583267ea8e},
+        {"every mixture", 0x3719a944599ab27d},
     });
 }
 
@@ -190,15 +190,15 @@ TEST(MotionHashes, InSpace) {
         {"gravity", 0x7c82e4c77a95ebf3},
         {"losses", 0xaaa3428317d6531e},
         {"speed law", 0x1f1ef1a08909b334},
-        {"contact duration", 0x44ac15559a9830cd},
+        {"contact duration", 0xef9b525ba2c9cebf},
         {"friction", 0xbaa16c93357041a9},
         {"shake", 0x2f529dd877cb83ce},
         {"obstacles", 0x19e6e8f3df9d01a4},
-        {"growth", 0x591058ef0c5e5d5b},
+        {"growth", 0x15fc08e0a6c42542},
         {"fluid", 0x60d8322668f50ccf},
         {"time steps", 0x7c8c8874f2bac47c},
         {"contacts", 0xe520e2c89e3a29c7},
-        {"every mixture", 0x9a15a25533e43b98},
+        {"every mixture", 0xca32067349d245a2},
     });
 }
 

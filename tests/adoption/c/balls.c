@@ -193,6 +193,156 @@ static void what_is_refused(void) {
     REFUSED(signum_simulation_closest_pair(NULL, &a, &b, &gap, &error));
 }
 
+/* One ball, until a time; the wall that it strikes last, or -1. */
+static int32_t last_wall;
+static int keep_wall(const signum_strike* strike, void* user) {
+    (void)user;
+    last_wall = strike->wall ? strike->b : -1;
+    return 0;
+}
+static void flies(signum_ball* ball, const signum_effects* effects, double until, double spin[3]) {
+    signum_simulation* s = NULL;
+    signum_limits limits = SIGNUM_LIMITS;
+    signum_ending ending = -1;
+    limits.until = until;
+    limits.record = keep_wall;
+    last_wall = -1;
+    SUCCEEDS(signum_simulation_create(ball, 1, effects, &s, &error));
+    SUCCEEDS(signum_simulation_run(s, &limits, &ending, NULL, &error));
+    EXPECT(ending == SIGNUM_UNTIL || ending == SIGNUM_NOTHING);
+    SUCCEEDS(signum_simulation_spins(s, spin, 1, &error));
+    REFUSED(signum_simulation_spins(s, spin, 2, &error));
+    REFUSED(signum_simulation_spins(s, NULL, 1, &error));
+    SUCCEEDS(signum_simulation_balls(s, ball, 1, &error));
+    signum_simulation_free(s);
+}
+
+static void every_effect(void) {
+    const signum_ball above = {{0, 2, 0}, {0, 0, 0}, 1, 0, 1};
+    signum_obstacle obstacles[1] = {{SIGNUM_HALF_SPACE, 0, {0, 1, 0}, {0, 0, 0}, 0, 0}};
+    signum_effects effects = SIGNUM_EFFECTS(2);
+    signum_ball ball = above;
+    signum_simulation* s = NULL;
+    double spin[3] = {7, 7, 7};
+
+    /* It falls by 1 until t = 1, and comes with the speed 2. */
+    effects.obstacles = obstacles;
+    effects.obstacle_count = 1;
+    effects.gravity[1] = -2;
+    effects.wall_restitution = 0.5;
+    flies(&ball, &effects, 1, spin);
+    EXPECT(last_wall == 4 && ball.v[1] == 1 && ball.x[1] == 1);
+    EXPECT(spin[0] == 0 && spin[1] == 0 && spin[2] == 0);
+    /* Half as large a loss at half the speed, by a linear law. */
+    effects.law_speed = 4;
+    effects.law_power = 1;
+    ball = above;
+    flies(&ball, &effects, 1, spin);
+    EXPECT(ball.v[1] == 1.5);
+    effects.law_power = -1;
+    REFUSED(signum_simulation_create(&above, 1, &effects, &s, &error));
+    effects.law_speed = 0;
+
+    /* What slides comes to roll: a third of its momentum turns it. */
+    effects.gravity[1] = 0;
+    effects.has_friction = 1;
+    effects.wall_friction = 10;
+    ball = above;
+    ball.v[0] = 1;
+    ball.v[1] = -1;
+    flies(&ball, &effects, 1, spin);
+    EXPECT(fabs(ball.v[0] - 2.0 / 3) < 1e-15 && fabs(spin[2] + 2.0 / 3) < 1e-15);
+    effects.inertia = 0;
+    REFUSED(signum_simulation_create(&above, 1, &effects, &s, &error));
+    effects.has_friction = 0;
+
+    /* It falls, and comes to rest. */
+    effects.gravity[1] = -1;
+    effects.contact_speed = 0.25;
+    effects.time_step = 0.125;
+    ball = above;
+    flies(&ball, &effects, 16, spin);
+    EXPECT(fabs(ball.x[1] - 1) < 1e-2 && fabs(ball.v[1]) < 1e-6);
+    effects.contact_sweeps = 1;
+    REFUSED(signum_simulation_create(&above, 1, &effects, &s, &error));
+    effects.contact_speed = 0;
+    effects.gravity[1] = 0;
+
+    /* A fluid at rest takes speed away, one that flows takes the ball along. */
+    effects.obstacle_count = 0;
+    effects.fluid_linear = 1;
+    ball = above;
+    ball.v[0] = 1;
+    flies(&ball, &effects, 1, spin);
+    EXPECT(fabs(ball.v[0] - exp(-1)) < 1e-2);
+    effects.fluid_velocity[0] = 1;
+    effects.fluid_gradient[1] = 0.5;
+    ball = above;
+    flies(&ball, &effects, 16, spin);
+    EXPECT(fabs(ball.v[0] - 2) < 1e-2 && fabs(ball.v[1]) < 1e-6);
+    effects.fluid_linear = 0;
+    effects.fluid_quadratic = -1;
+    REFUSED(signum_simulation_create(&above, 1, &effects, &s, &error));
+    effects.fluid_quadratic = 0;
+    effects.time_step = 0;
+
+    /* Round walls, and thin ones. */
+    effects.obstacle_count = 1;
+    effects.wall_restitution = 1;
+    obstacles[0].kind = SIGNUM_DRUM;
+    obstacles[0].at[1] = 2;
+    obstacles[0].size = 3;
+    ball = above;
+    ball.v[0] = 1;
+    flies(&ball, &effects, 2, spin);
+    EXPECT(last_wall == 4 && ball.v[0] == -1);
+    obstacles[0].kind = SIGNUM_PILLAR;
+    FAILS(signum_simulation_create(&above, 1, &effects, &s, &error), SIGNUM_INVALID_ARGUMENT, 0);
+    obstacles[0].at[0] = 6;
+    ball = above;
+    ball.v[0] = 1;
+    flies(&ball, &effects, 2, spin);
+    EXPECT(last_wall == 4 && ball.v[0] == -1);
+    obstacles[0].to[0] = -1;
+    ball = above;
+    flies(&ball, &effects, 2, spin);
+    EXPECT(last_wall == 4 && ball.v[0] == -2);
+    obstacles[0].kind = SIGNUM_SEGMENT;
+    obstacles[0].at[0] = obstacles[0].to[0] = 6;
+    obstacles[0].at[1] = -1;
+    obstacles[0].to[1] = 9;
+    ball = above;
+    ball.v[0] = 1;
+    flies(&ball, &effects, 5, spin);
+    EXPECT(last_wall == 4 && ball.v[0] == -1);
+    effects.dimension = 3;
+    REFUSED(signum_simulation_create(&above, 1, &effects, &s, &error));
+    obstacles[0].kind = 4;
+    REFUSED(signum_simulation_create(&above, 1, &effects, &s, &error));
+    effects.obstacles = NULL;
+    REFUSED(signum_simulation_create(&above, 1, &effects, &s, &error));
+    effects.obstacle_count = -1;
+    REFUSED(signum_simulation_create(&above, 1, &effects, &s, &error));
+    effects.obstacle_count = 0;
+
+    /* Three axes to turn about; a floor that goes to and fro. */
+    effects.dimension = 3;
+    effects.box = SIGNUM_WALLS;
+    effects.high[0] = effects.high[1] = effects.high[2] = 4;
+    effects.shake_amplitude[1] = 0.125;
+    effects.shake_frequency = 1;
+    effects.has_friction = 1;
+    effects.inertia = 0.4;
+    ball = above;
+    ball.x[0] = ball.x[2] = 2;
+    ball.v[1] = -1;
+    ball.v[2] = 1;
+    flies(&ball, &effects, 1.5, spin);
+    EXPECT(last_wall >= 2 && ball.v[1] > 1 && spin[0] > 0 && spin[1] == 0 && spin[2] == 0);
+    effects.box = SIGNUM_NO_BOX;
+    REFUSED(signum_simulation_create(&above, 1, &effects, &s, &error));
+}
+
 static void meetings(void) {
     signum_ball a = {{0, 0, NAN}, {1, 0, NAN}, 1, 0, 0}, b = {{10, 0, 0}, {-1, 0, 0}, 1, 0, 0};
     signum_effects effects = SIGNUM_EFFECTS(2);
@@ -237,6 +387,7 @@ int main(void) {
     strikes(2);
     strikes(3);
     what_is_refused();
+    every_effect();
     meetings();
     return mistakes != 0;
 }
