@@ -262,7 +262,7 @@ using polynomials::Answer;
 /// that hold them.
 template <std::size_t n, class Question>
 [[nodiscard]] Decision decide_exactly(const std::array<Site, n>& sites, const Question& question) {
-    const numbers::Numbers<n> parts(sites);
+    const numbers::Apart<n> parts = numbers::apart(sites);
     if (parts.span() > numbers::integer_bits)
         return at(Stage::multiprecision, question(exact_discs(sites)));
     if (parts.span() <= 62) {
@@ -272,9 +272,8 @@ template <std::size_t n, class Question>
     const auto ask = [&]<class D>(std::array<Disc<D>, n> discs) -> Decision {
         using Integer = typename D::Linear;
         for (std::size_t m = 0; m < n; ++m)
-            discs[m] = {parts.template value<Integer>(3 * m),
-                        parts.template value<Integer>(3 * m + 1),
-                        parts.template value<Integer>(3 * m + 2)};
+            discs[m] = {parts.template value<Integer>(m, 0), parts.template value<Integer>(m, 1),
+                        parts.template value<Integer>(m, 2)};
         return at(Stage::exact, question(discs));
     };
     if (parts.span() <= numbers::wide_bits) return ask(std::array<Disc<Wide>, n>());
@@ -284,11 +283,13 @@ template <std::size_t n, class Question>
 /// The same by the exact sign of a sum (ESSA), as far as doubles hold all terms.
 template <std::size_t n, class Question>
 [[nodiscard]] Decision decide_by_essa(const std::array<Site, n>& sites, const Question& question) {
-    const numbers::Numbers<n> parts(sites);
+    const numbers::Apart<n> parts = numbers::apart(sites);
     if (parts.span() > numbers::sum_bits) return decide_exactly(sites, question);
     std::array<Site, n> centred;
     for (std::size_t m = 0; m < n; ++m)
-        centred[m] = {parts.centred(3 * m), parts.centred(3 * m + 1), parts.centred(3 * m + 2)};
+        centred[m] = {parts.centred(m, 0, numbers::sum_bits),
+                      parts.centred(m, 1, numbers::sum_bits),
+                      parts.centred(m, 2, numbers::sum_bits)};
     return exact::in_ieee_environment(
         [&](const std::array<Site, n>& given) {
             std::array<Disc<Uniform<exact::Sum>>, n> discs;

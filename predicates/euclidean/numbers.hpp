@@ -16,13 +16,13 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
 #include <cstdint>
 
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include "../../core/contract.hpp"
 #include "../../core/site.hpp"
+#include "../../exact/apart.hpp"
 #include "../../exact/fixed_integer.hpp"
 #include "../../exact/multiprecision.hpp"
 #include "../../exact/sum.hpp"
@@ -56,72 +56,27 @@ inline constexpr int integer_bits = 400;
 /// of them neither over- nor underflow.
 inline constexpr int sum_bits = 240;
 
-using exact::Parts;
-
-/// The numbers of n sites in the order x, y, r.
+/// The numbers x, y, r of n sites.
 template <std::size_t n>
-class Numbers {
- public:
-    explicit Numbers(const std::array<Site, n>& sites) noexcept {
-        bool any = false;
-        for (std::size_t m = 0; m < n; ++m) {
-            const double values[] = {sites[m].x, sites[m].y, sites[m].r};
-            for (std::size_t column = 0; column < 3; ++column) {
-                const Parts& number = numbers_[3 * m + column] = exact::parts(values[column]);
-                if (number.significand == 0) continue;
-                const int end =
-                    number.exponent + static_cast<int>(std::bit_width(number.significand));
-                lowest_ = any ? std::min(lowest_, number.exponent) : number.exponent;
-                highest_ = any ? std::max(highest_, end) : end;
-                any = true;
-            }
-        }
-    }
-
-    /// All are multiples of 2^lowest below 2^(lowest + span).
-    [[nodiscard]] int span() const noexcept { return highest_ - lowest_; }
-
-    /// number / 2^lowest. Precondition: span() <= 62.
-    [[nodiscard]] std::int64_t small(std::size_t at) const noexcept {
-        const Parts& number = numbers_[at];
-        if (number.significand == 0) return 0;
-        const auto result =
-            static_cast<std::int64_t>(number.significand << (number.exponent - lowest_));
-        return number.negative ? -result : result;
-    }
-    /// number / 2^(lowest + sum_bits / 2). Precondition: span() <= sum_bits.
-    [[nodiscard]] double centred(std::size_t at) const noexcept {
-        const Parts& number = numbers_[at];
-        const double result = std::ldexp(static_cast<double>(number.significand),
-                                         number.exponent - lowest_ - sum_bits / 2);
-        return number.negative ? -result : result;
-    }
-    /// number / 2^lowest for any span.
-    template <class Integer>
-    [[nodiscard]] Integer value(std::size_t at) const {
-        const Parts& number = numbers_[at];
-        Integer result = number.significand;
-        if (number.significand != 0) result <<= number.exponent - lowest_;
-        if (number.negative) result.backend().negate();
-        return result;
-    }
-
- private:
-    std::array<Parts, 3 * n> numbers_;
-    int lowest_ = 0;
-    int highest_ = 0;
-};
+using Apart = exact::Apart<n, 3>;
+template <std::size_t n>
+[[nodiscard]] inline Apart<n> apart(const std::array<Site, n>& sites) noexcept {
+    std::array<std::array<double, 3>, n> rows;
+    for (std::size_t m = 0; m < n; ++m) rows[m] = {sites[m].x, sites[m].y, sites[m].r};
+    return Apart<n>(rows);
+}
 
 /// Relative to the first site; precondition: span() <= 62, so that no difference overflows.
 template <std::size_t n>
 class SmallDiscs {
  public:
-    explicit SmallDiscs(const Numbers<n>& numbers) noexcept {
+    explicit SmallDiscs(const Apart<n>& numbers) noexcept {
         std::uint64_t bits = 0;
         for (std::size_t m = 0; m < n; ++m) {
             std::int64_t* const values[] = {&discs_[m].x, &discs_[m].y, &discs_[m].r};
             for (std::size_t column = 0; column < 3; ++column) {
-                *values[column] = numbers.small(3 * m + column) - numbers.small(column);
+                *values[column] = numbers.template value<std::int64_t>(m, column) -
+                                  numbers.template value<std::int64_t>(0, column);
                 bits |= static_cast<std::uint64_t>(*values[column]);
             }
         }

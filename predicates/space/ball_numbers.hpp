@@ -19,6 +19,7 @@
 
 #include <boost/multiprecision/cpp_int.hpp>
 
+#include "../../exact/apart.hpp"
 #include "../../exact/fixed_integer.hpp"
 #include "../../exact/multiprecision.hpp"
 #include "../../filters/wide.hpp"
@@ -47,47 +48,6 @@ using Widest = Numbers<exact::FixedInteger<4032>>;
 inline constexpr int narrow_bits = 24;
 inline constexpr int wide_bits = 99;
 inline constexpr int integer_bits = 400;
-
-/// The numbers of n balls, their doubles taken apart.
-template <std::size_t d, std::size_t n>
-class Apart {
- public:
-    explicit Apart(const std::array<Ball<d, double>, n>& balls) noexcept {
-        bool any = false;
-        for (std::size_t m = 0; m < n; ++m)
-            for (std::size_t k = 0; k <= d; ++k) {
-                const exact::Parts& number = numbers_[m][k] = exact::parts(balls[m][k]);
-                if (number.significand == 0) continue;
-                const int end =
-                    number.exponent + static_cast<int>(std::bit_width(number.significand));
-                lowest_ = any ? std::min(lowest_, number.exponent) : number.exponent;
-                highest_ = any ? std::max(highest_, end) : end;
-                any = true;
-            }
-    }
-
-    /// All are multiples of 2^lowest below 2^(lowest + span).
-    [[nodiscard]] int span() const noexcept { return highest_ - lowest_; }
-
-    /// The numbers / 2^lowest. Precondition: the type holds them.
-    template <class Integer>
-    [[nodiscard]] std::array<Ball<d, Integer>, n> integers() const {
-        std::array<Ball<d, Integer>, n> result;
-        for (std::size_t m = 0; m < n; ++m)
-            for (std::size_t k = 0; k <= d; ++k) {
-                const exact::Parts& number = numbers_[m][k];
-                result[m][k] = number.significand;
-                if (number.significand != 0) result[m][k] <<= number.exponent - lowest_;
-                if (number.negative) result[m][k] = -result[m][k];
-            }
-        return result;
-    }
-
- private:
-    std::array<std::array<exact::Parts, d + 1>, n> numbers_;
-    int lowest_ = 0;
-    int highest_ = 0;
-};
 
 /// Moves the first ball to the origin and divides by as large a power of two as all numbers allow;
 /// whether all are below 2^narrow_bits then. Precondition: all are below 2^62.

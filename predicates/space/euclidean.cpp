@@ -61,18 +61,18 @@ template <class Question, std::size_t d, std::size_t n>
 /// In the narrowest numbers that hold the balls.
 template <class Question, std::size_t d, std::size_t n>
 [[nodiscard]] Decision decide(const std::array<Ball<d, double>, n>& balls) noexcept {
-    const Apart<d, n> apart(balls);
+    const exact::Apart<n, d + 1> apart(balls);
     if (apart.span() <= 62) {
-        auto small = apart.template integers<__int128>();
+        auto small = apart.template values<__int128>();
         if (narrowed<d>(small)) return {Question::template ask<d, Narrow>(small), Stage::exact};
     }
     if (apart.span() <= wide_bits)
-        return {Question::template ask<d, Wide>(apart.template integers<Wide::Number>()),
+        return {Question::template ask<d, Wide>(apart.template values<Wide::Number>()),
                 Stage::exact};
     const filters::Verdict verdict = exact::in_ieee_environment(ask_bounded<Question, d, n>, balls);
     if (verdict.is_certain()) return {verdict.sign(), Stage::filter};
     if (apart.span() <= integer_bits)
-        return {Question::template ask<d, Widest>(apart.template integers<Widest::Number>()),
+        return {Question::template ask<d, Widest>(apart.template values<Widest::Number>()),
                 Stage::exact};
     return {ask_exactly<Question, Arithmetic::multiprecision, d>(balls), Stage::multiprecision};
 }

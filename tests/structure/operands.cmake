@@ -39,7 +39,8 @@ foreach(program IN ITEMS g++ clang++-14)
   endif()
   foreach(flags IN LISTS liberties)
     separate_arguments(options UNIX_COMMAND "${flags}")
-    must("${compiler}" ${FLAGS} -std=c++20 ${options} -DNDEBUG "${folder}/operands.cpp" "${scratch}/truth.o"
+    must("${compiler}" ${FLAGS} -std=c++20 ${options} -DNDEBUG "-I${directory}/include"
+         "${folder}/operands.cpp" "${scratch}/truth.o"
          ${LIBRARIES} "${GMPXX_LIBRARY}" -pthread "-Wl,-rpath,${directory}" -o "${scratch}/operands")
     execute_process(COMMAND "${scratch}/operands" TIMEOUT 100 RESULT_VARIABLE code OUTPUT_VARIABLE output)
     if(NOT code EQUAL 0)
