@@ -50,13 +50,13 @@ struct StandingContact {
 };
 
 /// A ball that has struck, where balls grow, walls move or strikes have a duration: how often in a
-/// row in narrow gaps (docs/motion.md), and when last, and when as often as the last power of two,
-/// and as half of it.
+/// row in narrow gaps (docs/motion.md). 2^k is the greatest power of two that is not above that.
 struct Pressed {
     std::int32_t ball = 0;      ///< its number
     std::uint32_t strikes = 0;  ///< in a row
-    double half = 0.0;          ///< time of the strike of that power of two
-    double quarter = 0.0;       ///< time of that of half of it
+    bool by_wall = false;       ///< whether a wall that moves was among what it struck
+    double half = 0.0;          ///< time of strike 2^k of the row
+    double quarter = 0.0;       ///< time of strike 2^(k-1)
     double last = -std::numeric_limits<double>::infinity();  ///< time of its last strike
     friend bool operator==(const Pressed&, const Pressed&) = default;
 };
@@ -203,7 +203,7 @@ struct Limits {
 };
 
 /// Why a run ended: the time came, the strikes are done, nothing meets any more, it was stopped, or
-/// a ball strikes in place without end.
+/// balls strike without end (docs/motion.md, "A collapse").
 enum class Ending { until, strikes, nothing, stopped, collapse };
 
 /// How a run ended, and of a collapse which balls (or ball and wall) struck last.

@@ -451,10 +451,15 @@ void check_parts(const State<D>& state, const Effects<D>& effects) {
     for (const Passed& passed : state.passed)
         if (!has_pair(passed.a, passed.b) || std::isnan(passed.time))
             throw std::invalid_argument("a state with a meeting of balls or walls that it has not");
-    for (const Pressed& pressed : state.pressed)
-        if (pressed.ball < 0 || pressed.ball >= number_of_balls || !std::isfinite(pressed.half) ||
-            !std::isfinite(pressed.quarter) || !std::isfinite(pressed.last))
-            throw std::invalid_argument("a state with a pressed ball that it has not");
+    std::int64_t ball_before = -1;
+    for (const Pressed& pressed : state.pressed) {
+        if (pressed.ball <= std::exchange(ball_before, pressed.ball) ||
+            pressed.ball >= number_of_balls)
+            throw std::invalid_argument("a state with pressed balls that it has not, or twice");
+        if (!(0.0 <= pressed.quarter && pressed.quarter <= pressed.half &&
+              pressed.half <= pressed.last && pressed.last <= state.time))
+            throw std::invalid_argument("a state with pressed balls at times that are in no order");
+    }
     for (const StandingContact<D>& contact : state.contacts)
         if (!effects.contacts || !has_pair(contact.a, contact.b) || !std::isfinite(contact.push) ||
             !std::ranges::all_of(contact.rub, [](double each) { return std::isfinite(each); }))

@@ -484,11 +484,13 @@ typedef struct signum_obstacle {
     int32_t reserved;
     double at[3];  ///< the normal of a half space; a centre at t = 0; one end of a segment
     double to[3];  ///< the velocity of a centre; the other end of a segment
-    double size;   ///< the offset of a half space, times |at|; a radius, above 0
+    double size;   ///< the offset of a half space, times |at|; a radius, from 0
     double speed;  ///< of a half space along its normal, times |at|
 } signum_obstacle;
 
-/// What acts on balls. docs/motion.md says what each effect does, and which go together.
+/// What acts on balls. docs/motion.md says what each effect does, and which go together: a box that
+/// shakes has SIGNUM_WALLS, a fluid and contacts that last have a time step. Of an effect that is
+/// off no other number is looked at.
 typedef struct signum_effects {
     size_t size;
     int32_t dimension;  ///< 2 or 3
@@ -502,15 +504,15 @@ typedef struct signum_effects {
     double growth_rate;       ///< radii are r (1 + rate t), 0 is none
     double growth_until;
     double law_speed;      ///< restitutions are those at this speed; 0: they do not depend on it
-    double law_power;      ///< 1 - restitution goes as speed to that power, above 0
+    double law_power;      ///< 1 - restitution goes as speed to that power, above 0, at most 8
     int32_t has_friction;  ///< whether balls spin, and rub; else the next four are not looked at
     int32_t reserved;
     double friction;                ///< of two balls, from 0
     double wall_friction;           ///< of a ball and a wall
     double tangential_restitution;  ///< from -1 to 1: 0 stops the sliding, 1 turns it back
-    double inertia;                 ///< I / m r^2, above 0: 1/2 of discs, 2/5 of balls
+    double inertia;                 ///< I / m r^2, above 0, at most 1: 1/2 of discs, 2/5 of balls
     double shake_amplitude[3];      ///< the box's sides go by amplitude sin(frequency t + phase)
-    double shake_frequency;         ///< in radians per unit of time; 0 is at rest
+    double shake_frequency;         ///< in radians per unit of time; 0: the box does not shake
     double shake_phase;             ///< in radians
     double fluid_velocity[3];       ///< at the origin
     double fluid_gradient[9];       ///< of axis k along axis l at 3 k + l
@@ -521,7 +523,7 @@ typedef struct signum_effects {
     int32_t contact_sweeps;         ///< from 2
     int32_t reserved_too;
     double time_step;  ///< forces act in steps of that time; 0: flights are parabolas
-    const signum_obstacle* obstacles;  ///< their walls are numbered from 2 dimension on
+    const signum_obstacle* obstacles;  ///< their walls are numbered from 2 * dimension on
     int64_t obstacle_count;
 } signum_effects;
 /// Of free flight and elastic strikes.
@@ -540,7 +542,7 @@ signum_status signum_meeting_time(const signum_ball* a, const signum_ball* b,
                                   const signum_effects* effects, double until, double* time,
                                   signum_error* error);
 
-/// Two balls a < b, or ball a and wall b: 2 axis, 1 more for the upper one.
+/// Two balls a < b, or ball a and wall b: 2 axis, 1 more for the upper one; then the obstacles.
 typedef struct signum_strike {
     double time;
     double impulse;  ///< along the normal
@@ -556,7 +558,7 @@ enum {
     SIGNUM_STRIKES = 1,            ///< so many are done
     SIGNUM_NOTHING = 2,            ///< nothing meets any more
     SIGNUM_STOPPED_BY_CALLER = 3,  ///< a callback said so
-    SIGNUM_COLLAPSE = 4            ///< a ball strikes in place without end
+    SIGNUM_COLLAPSE = 4            ///< balls strike without end
 };
 
 typedef struct signum_limits {

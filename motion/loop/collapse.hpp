@@ -28,27 +28,28 @@ inline constexpr double growth_to_a_jam = 16.0;
 /// quarter before when the gap is a third as wide; in a gas that is dense it lasts twice as long.
 /// And who strikes so often within the duration of one contact is pressed by a heavy ball, or what
 /// else there is, and loses nothing meanwhile.
-[[nodiscard]] inline bool closes_on(Pressed& pressed, double t, bool walls_move,
-                                    double contact_duration) noexcept {
-    constexpr std::uint32_t least = 1 << 14;
-    constexpr std::uint32_t most_in_a_contact = 1 << 18;
+[[nodiscard]] inline bool closes_on(Pressed& pressed, double t, double contact_duration) noexcept {
+    constexpr std::uint32_t least_by_a_wall = 1 << 14;
+    constexpr std::uint32_t least_in_a_contact = 1 << 18;
     if (!std::has_single_bit(++pressed.strikes)) [[likely]]
         return false;
     const bool closes =
-        (walls_move && pressed.strikes >= least &&
+        (pressed.by_wall && pressed.strikes >= least_by_a_wall &&
          t - pressed.half <= pressed.half - pressed.quarter) ||
-        (pressed.strikes >= most_in_a_contact && t - pressed.quarter <= contact_duration);
+        (pressed.strikes >= least_in_a_contact && t - pressed.quarter <= contact_duration);
     pressed.quarter = pressed.half;
     pressed.half = t;
     return closes;
 }
 
 /// Counts a strike of a ball where balls grow, walls move or contacts last, and returns whether
-/// growth will have closed a narrow gap long before it ends. A ball that hops on a floor flies as
+/// growth will have closed a narrow gap long before it ends. `by_wall`: whether it strikes a wall
+/// that moves. A ball that hops on a floor flies as
 /// short ways as in such a gap, but as slowly as it falls.
 template <int D, Known known>
 [[nodiscard, gnu::noinline]] bool count_in_gap(System<D, known>& system, Slot i,
-                                               const Ball<D>& came, double speed, double growth) {
+                                               const Ball<D>& came, double speed, double growth,
+                                               bool by_wall) {
     const World<D>& world = system.world;
     Pressed& pressed = system.pressed[i];
     const double since = came.time - std::exchange(pressed.last, came.time);
@@ -58,25 +59,27 @@ template <int D, Known known>
         pressed = {.last = came.time};
         return false;
     }
+    pressed.by_wall |= by_wall;
     if (!(flown <= narrow * radius && narrow * speed >= world.pull * since)) return false;
-    system.collapses |=
-        closes_on(pressed, came.time, system.walls_move, world.effects.contact_duration);
+    system.collapses |= closes_on(pressed, came.time, world.effects.contact_duration);
     const auto& grows = world.effects.growth;
     return grows && growth_to_a_jam * flown <= growth * (grows->until - came.time);
 }
 
 /// Counts a strike of a ball, which is given as it was when it came. `growth`: the speed at which
-/// the radii of the two grow.
+/// the radii of the two grow. `by_wall`: whether it strikes a wall that moves.
 template <int D, Known known, class Exactly>
 inline void count_in_place(System<D, known>& system, Slot i, const Ball<D>& came, double approach,
-                           double square, double growth, const Exactly& exactly) {
+                           double square, double growth, const Exactly& exactly,
+                           bool by_wall = false) {
     Particle& particle = system.agenda[i];
     const double since = came.time - system.world.balls[i].time;
     const InPlace in_place = stayed_in_place(came, since, approach, square);
     const bool stayed = in_place == InPlace::yes || since <= no_time * came.time ||
                         (in_place == InPlace::uncertain && exactly());
-    const bool has_no_room = !system.pressed.empty() &&
-                             count_in_gap(system, i, came, approach / std::sqrt(square), growth);
+    const bool has_no_room =
+        !system.pressed.empty() &&
+        count_in_gap(system, i, came, approach / std::sqrt(square), growth, by_wall);
     if (!stayed && !has_no_room) [[likely]] {
         particle.in_place = 0;
     } else if (++particle.in_place >= (stayed ? system.most_in_place : most_without_room)) {

@@ -56,7 +56,6 @@ struct System {
     /// How many strikes in place end a run (collapse.hpp), and whether one is to end.
     std::uint32_t most_in_place;
     bool collapses = false;
-    bool walls_move = false;
     std::vector<Pressed> pressed;  ///< of each ball, where count_in_gap() is asked
     /// How far a ball may fly from time 0 on (clock.hpp), and who flies farther.
     double farthest = infinity;
@@ -70,6 +69,11 @@ struct System {
     /// Whether a wall is a side of the box at rest.
     [[nodiscard]] bool is_side(Wall wall) const noexcept {
         return !has_walls() || walls.numbers().empty() || !walls.has(wall);
+    }
+    /// Whether a wall moves: a side of the box that shakes, or an obstacle.
+    [[nodiscard]] bool moves(Wall wall) const {
+        if (wall < 2 * D) return !is_side(wall);
+        return is_moving(world.effects.obstacles[static_cast<std::size_t>(wall - 2 * D)]);
     }
     void set_turn() {
         turn = steps.next();
@@ -137,16 +141,17 @@ struct System {
         return effects;
     }
 
-    [[nodiscard]] static bool moves(const Effects<D>& effects) {
-        const auto move = [](const auto& obstacle) {
-            if constexpr (requires { obstacle.speed; }) return obstacle.speed != 0.0;
-            if constexpr (requires { obstacle.velocity; }) return obstacle.velocity != Vector<D>{};
-            return false;
-        };
-        return effects.shake ||
-               std::ranges::any_of(effects.obstacles, [&move](const Obstacle<D>& obstacle) {
-                   return std::visit(move, obstacle);
-               });
+    [[nodiscard]] static bool is_moving(const Obstacle<D>& obstacle) {
+        return std::visit(
+            [](const auto& each) {
+                if constexpr (requires { each.speed; })
+                    return each.speed != 0.0;
+                else if constexpr (requires { each.velocity; })
+                    return each.velocity != Vector<D>{};
+                else
+                    return false;
+            },
+            obstacle);
     }
 
     static constexpr std::uint32_t most_in_place_dissipative = 1000;
@@ -179,8 +184,8 @@ System<D, known>::System(const State<D>& state, const Effects<D>& effects, Kerne
         agenda[i].mass = state.masses[number];
         agenda[i].in_place = state.in_place[number];
     }
-    walls_move = has_walls() && moves(effects);
-    if (effects.growth || walls_move || effects.contact_duration > 0.0)
+    if (effects.growth || effects.shake || effects.contact_duration > 0.0 ||
+        std::ranges::any_of(effects.obstacles, is_moving))
         pressed.resize(slots.size());
     for (const Pressed& each : state.pressed)
         if (!pressed.empty()) pressed[slot_of(each.ball)] = each;

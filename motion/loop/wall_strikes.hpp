@@ -104,9 +104,10 @@ template <int D, Known known>
         return Met::passed;
     }
     tell_strike(system, i, exchange.impulse, record);
-    count_in_place(system, i, came, exchange.approach, exchange.square, growth, [&] {
-        return stayed_in_place_exactly(came, faces, growth, system.world.balls[i].time);
-    });
+    count_in_place(
+        system, i, came, exchange.approach, exchange.square, growth,
+        [&] { return stayed_in_place_exactly(came, faces, growth, system.world.balls[i].time); },
+        system.moves(wall));
     if (bounce.rubs) {
         Vector<D> sliding = came.v;
         const Vector<D> velocity = walls.velocity(wall, t);

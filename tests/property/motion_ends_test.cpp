@@ -136,6 +136,15 @@ TEST(MotionEnds, NotWhereThereIsNoEnd) {
         Simulation<2> simulation(start<2>(bodies, effects), effects);
         EXPECT_EQ(simulation.run({.until = is_fast ? 1.0 : 0.05}).ending, Ending::until) << what;
     }
+    // A heavy ball turns round after 411 774 strikes, beside a wall that nobody reaches, too.
+    Effects<2> beside;
+    beside.obstacles.push_back(HalfSpace<2>{{1.0, 0.0}, 0.0, 0.0});
+    beside.obstacles.push_back(HalfSpace<2>{{0.0, 1.0}, -1e6, 1e-6});
+    const std::vector<Body<2>> two = {{{1.0 + 0x1p-12, 0.0}, {0.0, 0.0}, 1.0, 1.0},
+                                      {{3.0 + 0x1p-10, 0.0}, {-1.0, 0.0}, 1.0, 0x1p34}};
+    Simulation<2> turns(start<2>(two, beside), beside);
+    EXPECT_EQ(turns.run({.until = 10.0, .strikes = is_fast ? ~std::uint64_t{0} : 40'000}).ending,
+              is_fast ? Ending::until : Ending::strikes);
     // A flight may take many steps, each of them short.
     Effects<2> effects;
     effects.box = cube<2>(8.5);

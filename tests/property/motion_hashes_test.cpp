@@ -66,6 +66,7 @@ class Hash {
         for (const Pressed& pressed : state.pressed) {
             take(pressed.ball);
             take(pressed.strikes);
+            take(std::uint32_t{pressed.by_wall});
             take(pressed.half);
             take(pressed.quarter);
             take(pressed.last);
@@ -170,15 +171,15 @@ TEST(MotionHashes, InThePlane) {
         {"gravity", 0x5270390c813d69d3},
         {"losses", 0x56517cb2f32d6e3a},
         {"speed law", 0xfe73fc7915c3c167},
-        {"contact duration", 0x707546a6396e97a6},
+        {"contact duration", 0x23de8dd5b8a1bee6},
         {"friction", 0x899d3bfadb0ee630},
-        {"shake", 0xf4b4fcbdfd04a0e0},
-        {"obstacles", 0x5b49004d4510a3b9},
-        {"growth", 0x92568f81d3ceb775},
+        {"shake", 0x67d9f1db11a1c420},
+        {"obstacles", 0xf4b67444ea5b7e79},
+        {"growth", 0x7d0e0c684a03c075},
         {"fluid", 0x794c49e23e45b168},
-        {"time steps", 0xed31c4de116cac5d},
+        {"time steps", 0x767de456f3f5891d},
         {"contacts", 0x1875374a0520b8c9},
-        {"every mixture", 0x3719a944599ab27d},
+        {"every mixture", 0x5acab2d6dbc39f9c},
     });
 }
 
@@ -189,16 +190,16 @@ TEST(MotionHashes, InSpace) {
         {"cradle, grazing", 0x77cbba5e4bd6ecbd},
         {"gravity", 0x7c82e4c77a95ebf3},
         {"losses", 0xaaa3428317d6531e},
-        {"speed law", 0x1f1ef1a08909b334},
-        {"contact duration", 0xef9b525ba2c9cebf},
-        {"friction", 0xbaa16c93357041a9},
-        {"shake", 0x2f529dd877cb83ce},
-        {"obstacles", 0x19e6e8f3df9d01a4},
-        {"growth", 0x15fc08e0a6c42542},
-        {"fluid", 0x60d8322668f50ccf},
-        {"time steps", 0x7c8c8874f2bac47c},
-        {"contacts", 0xe520e2c89e3a29c7},
-        {"every mixture", 0xca32067349d245a2},
+        {"speed law", 0x1d8f359a8eed68b4},
+        {"contact duration", 0x2dfdaa3191ac82bf},
+        {"friction", 0xdd5051fc2e227dc9},
+        {"shake", 0xb0ba3b70df382f8e},
+        {"obstacles", 0x7bba08450add1e84},
+        {"growth", 0x9e126b9520c77c42},
+        {"fluid", 0xd74c5bbb7d7c580f},
+        {"time steps", 0x9ad23e615e5fdd5c},
+        {"contacts", 0x6643a0f2ef7e53a7},
+        {"every mixture", 0xf4c6fe9d328b94e},
     });
 }
 

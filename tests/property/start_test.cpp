@@ -368,14 +368,21 @@ TEST(Start, RefusesStatesThatCannotBe) {
         {"a state that does not have what its effects", [](State<2>& s) { s.spins.clear(); }},
         {"a state that does not have what its effects",
          [](State<2>& s) { s.last_strikes.pop_back(); }},
-        {"a state with a pressed ball",
+        {"a state with pressed balls that", [](State<2>& s) { s.pressed = {{2}}; }},
+        {"a state with pressed balls that", [](State<2>& s) { s.pressed = {{-1}}; }},
+        {"a state with pressed balls that",
          [](State<2>& s) {
-             s.pressed = {{2, 1, 0.0, 0.0, 0.0}};
+             s.pressed = {{0, 1, false, 0.0, 0.0, 0.0}, {0, 1, false, 0.0, 0.0, 0.0}};
          }},
-        {"a state with a pressed ball",
+        {"a state with pressed balls at",
          [](State<2>& s) {
-             s.pressed = {{0, 1, nan, 0.0, 0.0}};
+             s.pressed = {{0, 1, false, nan, 0.0, 0.0}};
          }},
+        {"a state with pressed balls at",
+         [](State<2>& s) {
+             s.pressed = {{0, 1, false, 0.0, 0.0, 1e300}};
+         }},
+        {"a state with pressed balls at", [](State<2>& s) { s.pressed = {{0}}; }},
         {"a state with contacts",
          [](State<2>& s) {
              s.contacts.push_back({0, 2});

@@ -55,15 +55,16 @@ Files that_match(const std::string& pattern, const std::string& own) {
 
 TEST(Places, OfAnInputFormat) {
     const Files places = named_under("Add an input format");
-    EXPECT_EQ(places.size(), 2U);  // and the reader
+    EXPECT_EQ(places.size(), 2U);  // and the reader, a source and its header
     for (const SitesInputKind& kind : sites_input_kinds()) {
         if (kind.input == SitesInput::text || kind.input == SitesInput::node) continue;
         const std::string name(kind.name);
-        EXPECT_EQ(that_match(
-                      "SitesInput::" + name + "\\b|read_" + name + "_sites|\\b" + name + ",? *///<",
-                      "SitesFile read_" + name + "_sites\\("),
-                  places)
-            << name;
+        Files found = that_match(
+            "SitesInput::" + name + "\\b|read_" + name + "_sites|\\b" + name + ",? *///<",
+            "SitesFile read_" + name + "_sites\\(InputFile& file\\) \\{");
+        for (const std::string& place : places) EXPECT_EQ(found.erase(place), 1U) << name << place;
+        ASSERT_EQ(found.size(), 1U) << name;
+        EXPECT_TRUE(found.begin()->ends_with(".hpp")) << name;
     }
 }
 

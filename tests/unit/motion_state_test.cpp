@@ -84,7 +84,7 @@ MotionState<D> with_all_effects() {
     for (double& each : spin) each = number();
     state.state.spins = {spin};
     state.state.last_strikes = {-std::numeric_limits<double>::infinity()};
-    state.state.pressed = {{0, 4711, number(), number(), number()}};
+    state.state.pressed = {{0, 4711, true, number(), number(), number()}};
     state.state.contacts = {{0, -2, number(), vector()}};
     state.state.half_steps = 41;
     return state;

@@ -69,8 +69,8 @@ std::string describe_collapse(const motion::Strike& last, const motion::Effects<
     else if (loses || effects.gravity != motion::Vector<D>{})
         remedy = "; with effects.contacts and run.time_step balls may lie still";
     return fmt::format(
-        "at time {} ball {} and {} {} strike without end: an inelastic collapse, a jam, or a ball "
-        "that lies still; the log up to there is complete{}",
+        "at time {} ball {} and {} {} strike without end: an inelastic collapse, a jam, a gap "
+        "that walls close, or a ball that lies still; the log up to there is complete{}",
         last.time, last.a, last.wall ? "wall" : "ball", last.b, remedy);
 }
 

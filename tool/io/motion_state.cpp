@@ -301,9 +301,9 @@ void read_rest_of_state(const json& file, motion::State<D>& state) {
                                   number_of<double>(contact.at(2)), vector_of<D>(contact.at(3))});
     for (const json& ball : list("pressed"))
         state.pressed.push_back({number_of<std::int32_t>(ball.at(0)),
-                                 number_of<std::uint32_t>(ball.at(1)),
-                                 number_of<double>(ball.at(2)), number_of<double>(ball.at(3)),
-                                 number_of<double>(ball.at(4))});
+                                 number_of<std::uint32_t>(ball.at(1)), ball.at(2).get<bool>(),
+                                 number_of<double>(ball.at(3)), number_of<double>(ball.at(4)),
+                                 number_of<double>(ball.at(5))});
     if (file.contains("half_steps"))
         state.half_steps = number_of<std::uint64_t>(file.at("half_steps"));
 }
@@ -368,7 +368,7 @@ void write_motion_state(std::ostream& out, const MotionState<D>& state) {
     }
     if (!balls_state.pressed.empty())
         text.put_array("pressed", balls_state.pressed, [&](const motion::Pressed& ball) {
-            text.put(FMT_COMPILE("[{}, {}, {}, {}, {}]"), ball.ball, ball.strikes,
+            text.put(FMT_COMPILE("[{}, {}, {}, {}, {}, {}]"), ball.ball, ball.strikes, ball.by_wall,
                      JsonNumber{ball.half}, JsonNumber{ball.quarter}, JsonNumber{ball.last});
         });
     if (balls_state.half_steps != 0)

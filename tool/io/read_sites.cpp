@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
@@ -39,8 +38,15 @@ constexpr std::array kinds = {
                    as_it_is<read_ply_sites>},
     SitesInputKind{SitesInput::node, "node", "", "points of Triangle or, in space, TetGen", false,
                    read_node_sites}};
+constexpr bool are_in_order() {
+    for (std::size_t i = 0; i < kinds.size(); ++i)
+        if (kinds[i].input != static_cast<SitesInput>(i)) return false;
+    return kinds.back().input == SitesInput::node;
+}
+static_assert(are_in_order(), "a row an enumerator, in their order");
+
 const SitesInputKind& kind_of(SitesInput input) noexcept {
-    return *std::ranges::find(kinds, input, &SitesInputKind::input);
+    return kinds[static_cast<std::size_t>(input)];
 }
 
 }  // namespace

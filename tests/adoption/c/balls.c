@@ -169,6 +169,16 @@ static void what_is_refused(void) {
     effects.restitution = 2;
     REFUSED(signum_simulation_create(balls, 2, &effects, &s, &error));
     REFUSED(signum_meeting_time(balls, balls + 1, &effects, HUGE_VAL, &time, &error));
+    /* Of a program from before friction: what lies behind is not looked at. */
+    effects.restitution = 1;
+    effects.law_speed = NAN;
+    effects.obstacle_count = 7;
+    effects.size = offsetof(signum_effects, law_speed);
+    SUCCEEDS(signum_simulation_create(balls, 2, &effects, &s, &error));
+    signum_simulation_free(s);
+    effects.law_speed = 0;
+    effects.obstacle_count = 0;
+    effects.restitution = 2;
     /* Of an older program, which knew of no restitution. */
     effects.size = offsetof(signum_effects, restitution);
     SUCCEEDS(signum_simulation_create(balls, 2, &effects, &s, &error));
@@ -323,6 +333,21 @@ static void every_effect(void) {
     REFUSED(signum_simulation_create(&above, 1, &effects, &s, &error));
     effects.obstacle_count = -1;
     REFUSED(signum_simulation_create(&above, 1, &effects, &s, &error));
+    effects.obstacle_count = 0;
+
+    /* A floor that rises from 1 below, at half a unit of time: they meet at 1, and part as fast. */
+    effects.obstacles = obstacles;
+    effects.obstacle_count = 1;
+    effects.dimension = 2;
+    obstacles[0].kind = SIGNUM_HALF_SPACE;
+    obstacles[0].at[0] = 0;
+    obstacles[0].at[1] = 1;
+    obstacles[0].size = -1;
+    obstacles[0].speed = 0.5;
+    ball = above;
+    ball.v[1] = -1.5;
+    flies(&ball, &effects, 1, spin);
+    EXPECT(last_wall == 4 && ball.x[1] == 0.5 && ball.v[1] == 2.5);
     effects.obstacle_count = 0;
 
     /* Three axes to turn about; a floor that goes to and fro. */
