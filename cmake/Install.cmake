@@ -16,9 +16,11 @@ set(public_headers
   triangulation/validate.hpp triangulation/vertices.hpp triangulation/dynamic.hpp
   triangulation/edge_list.hpp triangulation/flip_graph.hpp
   triangulation/moving/kinetic_tessellation.hpp
-  voronoi/balls/diagram.hpp triangulation/space/compare.hpp voronoi/balls/touching_rectangular.hpp
-  voronoi/balls/touching_spheres.hpp triangulation/space/triangulate.hpp triangulation/space/validate.hpp triangulation/space/vertices.hpp
+  triangulation/space/compare.hpp triangulation/space/triangulate.hpp
+  triangulation/space/validate.hpp triangulation/space/vertices.hpp
   triangulation/any_dimension/triangulate.hpp triangulation/any_dimension/validate.hpp
+  voronoi/balls/diagram.hpp voronoi/balls/touching_rectangular.hpp
+  voronoi/balls/touching_spheres.hpp
   voronoi/voronoi.hpp voronoi/curve.hpp voronoi/conic.hpp voronoi/clip.hpp voronoi/polygon.hpp
   voronoi/contacts.hpp voronoi/compare.hpp voronoi/space/cells.hpp voronoi/space/polyhedra.hpp
   motion/simulation.hpp motion/queries.hpp motion/meeting_time.hpp motion/shaking_wall.hpp)

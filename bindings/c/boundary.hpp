@@ -106,8 +106,8 @@ inline void expect_array(const void* first, std::int64_t count, const char* name
     if (count < 0) throw Refused(std::string("there are ") + std::to_string(count) + " " + name);
     if (count > 0) expect(first, name);
 }
-/// Room for as many numbers as there are to write.
-inline void expect_room(const double* first, std::int64_t count, std::size_t needed,
+/// Room for as many numbers, or balls, as there are to write.
+inline void expect_room(const void* first, std::int64_t count, std::size_t needed,
                         const char* name) {
     if (count != static_cast<std::int64_t>(needed))
         throw Refused("there is room for " + std::to_string(count) + " " + name + ", of " +

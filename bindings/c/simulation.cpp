@@ -176,14 +176,6 @@ using c::guarded;
 
 namespace {
 
-/// Room for something of each ball.
-void expect_all_balls(const auto& world, const void* room, std::int64_t count) {
-    if (count != static_cast<std::int64_t>(world.size))
-        throw c::Refused("there is room for " + std::to_string(count) + " balls, of " +
-                         std::to_string(world.size));
-    c::expect_array(room, count, "balls");
-}
-
 /// Gives `ask` the world of a simulation that is not at work.
 template <class Simulation, class Ask>
 void with_world(Simulation* simulation, Ask&& ask) {
@@ -254,7 +246,7 @@ signum_status signum_simulation_balls(const signum_simulation* simulation, signu
                                       int64_t count, signum_error* error) {
     return guarded(error, [&] {
         with_world(simulation, [&]<int D>(const c::World<D>& world) {
-            expect_all_balls(world, balls, count);
+            c::expect_room(balls, count, world.size, "balls");
             const motion::State<D> state = world.simulation.state();
             for (std::size_t i = 0; i < state.balls.size(); ++i) {
                 const motion::Ball<D>& ball = state.balls[i];
@@ -271,7 +263,7 @@ signum_status signum_simulation_spins(const signum_simulation* simulation, doubl
                                       int64_t count, signum_error* error) {
     return guarded(error, [&] {
         with_world(simulation, [&]<int D>(const c::World<D>& world) {
-            expect_all_balls(world, spins, count);
+            c::expect_room(spins, count, world.size, "balls");
             std::fill(spins, spins + 3 * count, 0.0);
             const motion::State<D> state = world.simulation.state();
             for (std::size_t i = 0; i < state.spins.size(); ++i)
