@@ -33,6 +33,8 @@ set(headers_behind
   filters/tally.hpp
   filters/verdict.hpp
   predicates/additive.hpp
+  predicates/formulas/difference.hpp predicates/formulas/lifted.hpp
+  predicates/formulas/orientation.hpp predicates/ladder/decision.hpp
   predicates/euclidean/filter.hpp
   predicates/power/edge.hpp predicates/power/in_circle.hpp predicates/power/infinite.hpp
   predicates/power/ties.hpp predicates/power/weight.hpp

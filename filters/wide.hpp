@@ -58,13 +58,13 @@ struct Wide {
     }
 };
 
-/// Brings the site of the least coordinates to the end, where determinants of differences have
+/// Brings the site of the least coordinates to the place where determinants of differences have
 /// their origin; -1 where that turns the sign of a determinant, and else +1.
 ///
 /// Why: differences to a far site lose what tells the others apart, and raw doubles are of all
 /// sizes at once. Every other site has a coordinate no smaller than all of this one.
 template <class S, std::size_t n>
-[[nodiscard]] int base_on_least(std::array<const S*, n>& sites) noexcept {
+[[nodiscard]] int base_on_least(std::array<const S*, n>& sites, std::size_t origin) noexcept {
     const auto reach = [](const S* site) {
         double largest = std::max(magnitude(site->x), magnitude(site->y));
         if constexpr (requires { site->z; }) largest = std::max(largest, magnitude(site->z));
@@ -72,8 +72,8 @@ template <class S, std::size_t n>
     };
     const auto least = std::min_element(
         sites.begin(), sites.end(), [&](const S* a, const S* b) { return reach(a) < reach(b); });
-    if (least == sites.end() - 1) return 1;
-    std::swap(*least, sites.back());
+    if (*least == sites[origin]) return 1;
+    std::swap(*least, sites[origin]);
     return -1;
 }
 

@@ -15,6 +15,7 @@
 ///     the program ends.
 
 #include <concepts>
+#include <cstddef>
 
 #include "../core/contract.hpp"
 #include "../core/sign.hpp"
@@ -23,6 +24,8 @@
 #include "../filters/rounding_count.hpp"
 #include "../filters/tally.hpp"
 #include "../filters/verdict.hpp"
+#include "formulas/orientation.hpp"
+#include "ladder/decision.hpp"
 
 SIGNUM_IEEE_BEGIN
 
@@ -36,23 +39,13 @@ concept HasCentre =
 
 namespace predicates {
 
-/// The 2x2 determinant of the differences to c, for any type of number.
-template <class Number>
-[[nodiscard]] constexpr Number ccw_determinant(Number ax, Number ay, Number bx, Number by) {
-    return ax * by - ay * bx;
-}
-/// The same from the points.
-template <class Number, HasCentre S>
-[[nodiscard]] constexpr Number rounded_ccw(const S& a, const S& b, const S& c) noexcept {
-    return ccw_determinant<Number>(Number(a.x) - Number(c.x), Number(a.y) - Number(c.y),
-                                   Number(b.x) - Number(c.x), Number(b.y) - Number(c.y));
-}
-
 /// The error of the rounded determinant, as a multiple of the sum of its two products' magnitudes.
 /// The lemma of rounding_count.hpp gives (1+e)^4 - 1; one more e pays for the terms in e² and for
 /// the roundings of the bound itself, 4e(1 + 8e) < 5e.
 inline constexpr double ccw_error = 5 * filters::epsilon;
-static_assert(rounded_ccw<filters::RoundingCount>(Point{}, Point{}, Point{}).roundings == 4);
+static_assert(ccw_determinant(filters::rounded_difference, filters::rounded_difference,
+                              filters::rounded_difference, filters::rounded_difference)
+                  .roundings == 4);
 
 /// The determinant and its bound, from the differences to c.
 template <class Number>
@@ -82,15 +75,33 @@ template <HasCentre S>
     return filters::Verdict::certain(filters::sign_of_nonzero(determinant));
 }
 
-/// The stages behind the filter.
-[[nodiscard, gnu::pure]] Decision ccw_cold(Point a, Point b, Point c) noexcept;
+/// The formula. Law 1 of any three: exchanging two of them turns the sign.
+struct Ccw {
+    /// Whose place is the origin's.
+    static constexpr std::size_t origin = 2;
+    /// In which expansions and sums hold it: from 2^-window to 2^window.
+    static constexpr int window = 200;
 
-/// Out of line and by reference: the filter need not keep copies of its operands for this call.
-template <HasCentre S>
-[[nodiscard, gnu::cold, gnu::pure, gnu::noinline]] Decision ccw_uncertain(const S& a, const S& b,
-                                                                          const S& c) noexcept {
-    return ccw_cold({a.x, a.y}, {b.x, b.y}, {c.x, c.y});
-}
+    template <class Number, HasCentre S>
+    [[nodiscard, gnu::always_inline]] static constexpr auto value(const S& a, const S& b,
+                                                                  const S& c) noexcept {
+        return ccw_determinant(difference<Number>(a.x, c.x), difference<Number>(a.y, c.y),
+                               difference<Number>(b.x, c.x), difference<Number>(b.y, c.y));
+    }
+    template <HasCentre S>
+    [[nodiscard]] static filters::Verdict filter(const S& a, const S& b, const S& c) noexcept {
+        return ccw_filter(a, b, c);
+    }
+    /// Out of line and by reference: the filter need not keep copies of its operands for this call.
+    template <Arithmetic arithmetic, HasCentre S>
+    [[nodiscard, gnu::cold, gnu::pure, gnu::noinline]] static Decision behind(const S& a,
+                                                                              const S& b,
+                                                                              const S& c) noexcept {
+        return of_points<arithmetic>({a.x, a.y}, {b.x, b.y}, {c.x, c.y});
+    }
+    template <Arithmetic arithmetic>
+    [[nodiscard, gnu::pure]] static Decision of_points(Point a, Point b, Point c) noexcept;
+};
 
 }  // namespace predicates
 
@@ -98,10 +109,7 @@ template <HasCentre S>
 /// Precondition: finite coordinates.
 template <HasCentre S>
 [[nodiscard]] inline Decision ccw_decision(const S& a, const S& b, const S& c) noexcept {
-    const filters::Verdict verdict = predicates::ccw_filter(a, b, c);
-    if (verdict.is_certain()) [[likely]]
-        return {verdict.sign(), Stage::filter};
-    return predicates::ccw_uncertain(a, b, c);
+    return predicates::decide<Arithmetic::exact, predicates::Ccw>(a, b, c);
 }
 
 /// The orientation: +1 counterclockwise, 0 collinear, -1 clockwise. Exact.

@@ -110,8 +110,8 @@ template <int capacity>
 /// The library's predicate is fast where the five are cospherical, as all of a grid may be.
 [[nodiscard]] double exactly(const Insphere& d) noexcept {
     const auto point = [](const double* p) { return Point3{p[0], p[1], p[2]}; };
-    const Decision decision =
-        power::in_sphere_cold(point(d.a), point(d.b), point(d.c), point(d.d), point(d.e));
+    const Decision decision = power::InSphere::behind<Arithmetic::exact>(
+        point(d.a), point(d.b), point(d.c), point(d.d), point(d.e));
     return decision.sign == 0 ? 0.0 : nearest(d.determinant<Dyadic>());
 }
 template <class Determinant>

@@ -14,8 +14,6 @@
 
 #include "../../exact/floating_environment.hpp"
 #include "../../exact/sign_of_sum.hpp"
-#include "../essa.hpp"
-#include "../multiprecision.hpp"
 #include "numbers.hpp"
 #include "polynomials.hpp"
 
@@ -434,17 +432,22 @@ Decision reaches_farther(Arithmetic arithmetic, const Site& a, const Site& b,
 }
 
 Decision turn(Arithmetic arithmetic, const Site& a, const Site& b, const Site& c) noexcept {
-    if (arithmetic == Arithmetic::exact) return ccw_decision(a, b, c);
-    if (arithmetic == Arithmetic::multiprecision)
-        return {multiprecision::ccw({a.x, a.y}, {b.x, b.y}, {c.x, c.y}), Stage::multiprecision};
-    if (arithmetic == predicates::judging)
-        return {multiprecision::ccw<predicates::judging>({a.x, a.y}, {b.x, b.y}, {c.x, c.y}),
-                Stage::multiprecision};
-    return decide_number(
-        arithmetic, [&]<class Number>(Number) { return predicates::rounded_ccw<Number>(a, b, c); },
-        [&] {
-            return essa::ccw({a.x, a.y}, {b.x, b.y}, {c.x, c.y});
-        });
+    using predicates::Ccw;
+    switch (arithmetic) {
+        case Arithmetic::exact:
+            return predicates::decide<Arithmetic::exact, Ccw>(a, b, c);
+        case Arithmetic::naive:
+            return predicates::decide<Arithmetic::naive, Ccw>(a, b, c);
+        case Arithmetic::single:
+            return predicates::decide<Arithmetic::single, Ccw>(a, b, c);
+        case Arithmetic::interval:
+            return predicates::decide<Arithmetic::interval, Ccw>(a, b, c);
+        case Arithmetic::sum:
+            return predicates::decide<Arithmetic::sum, Ccw>(a, b, c);
+        case Arithmetic::multiprecision:
+            return predicates::decide<Arithmetic::multiprecision, Ccw>(a, b, c);
+    }
+    return predicates::decide<predicates::judging, Ccw>(a, b, c);
 }
 
 }  // namespace cold

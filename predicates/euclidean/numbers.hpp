@@ -27,7 +27,7 @@
 #include "../../exact/multiprecision.hpp"
 #include "../../exact/sum.hpp"
 #include "../../filters/interval.hpp"
-#include "../exact_number.hpp"
+#include "../ladder/exact_number.hpp"
 #include "polynomials.hpp"
 
 namespace signum::euclidean {

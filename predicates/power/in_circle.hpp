@@ -13,33 +13,12 @@
 #include "../../filters/tally.hpp"
 #include "../../filters/verdict.hpp"
 #include "../ccw.hpp"
+#include "../formulas/lifted.hpp"
 #include "weight.hpp"
 
 SIGNUM_IEEE_BEGIN
 
 namespace signum::power {
-
-/// One row of the determinant: a site's centre relative to q, and its weight minus that of q.
-template <class Number>
-struct Row {
-    Number x;
-    Number y;
-    Number weight;
-};
-
-/// The determinant for any type of number.
-template <class Number>
-[[nodiscard]] constexpr Number in_circle_determinant(const Row<Number>& i, const Row<Number>& j,
-                                                     const Row<Number>& k) {
-    return ((i.x * i.x + i.y * i.y) - i.weight) * (j.x * k.y - k.x * j.y) +
-           ((j.x * j.x + j.y * j.y) - j.weight) * (k.x * i.y - i.x * k.y) +
-           ((k.x * k.x + k.y * k.y) - k.weight) * (i.x * j.y - j.x * i.y);
-}
-
-template <class Number = double, PowerSite S>
-[[nodiscard]] constexpr Row<Number> row(const S& m, const S& q) noexcept {
-    return {Number(m.x) - Number(q.x), Number(m.y) - Number(q.y), weight_difference<Number>(m, q)};
-}
 
 /// The error of the rounded determinant as a multiple of its magnitude: the lemma of
 /// rounding_count.hpp gives (1+e)^12 - 1 < 12e(1 + 12e), and one more e pays for the second-order
@@ -61,6 +40,29 @@ template <class Number>
                      (c_square + magnitude(c.weight));
     return {in_circle_determinant(a, b, c),
             5 * filters::epsilon * (s * s) + (0x1p-1000 * s + 0x1p-1000)};
+}
+
+/// The determinant with every operand replaced by its absolute value, every difference by a sum.
+template <class Number>
+[[nodiscard]] constexpr Number determinant_magnitude(const Row<Number>& a, const Row<Number>& b,
+                                                     const Row<Number>& c) noexcept {
+    using filters::magnitude;
+    const auto absolute = [](const Row<Number>& row) {
+        return Row<Number>{magnitude(row.x), magnitude(row.y), magnitude(row.weight)};
+    };
+    const Row<Number> i = absolute(a);
+    const Row<Number> j = absolute(b);
+    const Row<Number> k = absolute(c);
+    return (i.x * i.x + i.y * i.y + i.weight) * (j.x * k.y + k.x * j.y) +
+           (j.x * j.x + j.y * j.y + j.weight) * (k.x * i.y + i.x * k.y) +
+           (k.x * k.x + k.y * k.y + k.weight) * (i.x * j.y + j.x * i.y);
+}
+
+/// Inside the window nothing under- or overflows; the same below.
+template <class Number>
+[[nodiscard]] constexpr filters::Compared<Number> compared_in_circle_finely(
+    const Row<Number>& a, const Row<Number>& b, const Row<Number>& c) noexcept {
+    return {in_circle_determinant(a, b, c), in_circle_error * determinant_magnitude(a, b, c)};
 }
 
 /// Decides almost every call. With h_m = |m-q|² + |w_m - w_q| and s = h_i + h_j + h_k the magnitude
@@ -87,16 +89,30 @@ template <PowerSite S>
     return filters::Verdict::certain(filters::sign_of_nonzero(determinant));
 }
 
-/// The stages behind the filter, for the three kinds of sites.
-[[nodiscard, gnu::cold, gnu::pure]] Decision in_circle_cold(const Point& i, const Point& j,
-                                                            const Point& k,
-                                                            const Point& q) noexcept;
-[[nodiscard, gnu::cold, gnu::pure]] Decision in_circle_cold(const Site& i, const Site& j,
-                                                            const Site& k, const Site& q) noexcept;
-[[nodiscard, gnu::cold, gnu::pure]] Decision in_circle_cold(const signum::Site& i,
-                                                            const signum::Site& j,
-                                                            const signum::Site& k,
-                                                            const signum::Site& q) noexcept;
+/// The formula.
+struct InCircle {
+    static constexpr std::size_t origin = 3;
+    static constexpr int window = 200;
+
+    template <class Number, PowerSite S>
+    [[nodiscard, gnu::always_inline]] static constexpr auto value(const S& i, const S& j,
+                                                                  const S& k, const S& q) noexcept {
+        return in_circle_determinant(row<Number>(i, q), row<Number>(j, q), row<Number>(k, q));
+    }
+    template <PowerSite S>
+    [[nodiscard]] static filters::Verdict filter(const S& i, const S& j, const S& k,
+                                                 const S& q) noexcept {
+        return in_circle_filter(i, j, k, q);
+    }
+    template <PowerSite S>
+    [[nodiscard]] static filters::Compared<double> bounded(const S& i, const S& j, const S& k,
+                                                           const S& q) noexcept {
+        return compared_in_circle_finely(row(i, q), row(j, q), row(k, q));
+    }
+    template <Arithmetic arithmetic, PowerSite S>
+    [[nodiscard, gnu::cold, gnu::pure]] static Decision behind(const S& i, const S& j, const S& k,
+                                                               const S& q) noexcept;
+};
 
 /// The sign of in_circle with the stage that decided.
 /// Preconditions: finite numbers, ccw(i,j,k) > 0.
@@ -104,10 +120,15 @@ template <PowerSite S>
 [[nodiscard]] inline Decision in_circle_decision(const S& i, const S& j, const S& k,
                                                  const S& q) noexcept {
     SIGNUM_EXPECTS(ccw(i, j, k) > 0);
-    const filters::Verdict verdict = in_circle_filter(i, j, k, q);
-    if (verdict.is_certain()) [[likely]]
-        return {verdict.sign(), Stage::filter};
-    return in_circle_cold(i, j, k, q);
+    return predicates::decide<Arithmetic::exact, InCircle>(i, j, k, q);
+}
+
+/// +1 where q conflicts with the vertex of i, j, k (is nearer than they are), 0 where it touches,
+/// -1 otherwise. Preconditions: exists(i,j,k), finite numbers. Thesis: Theorem 4.4.1.
+template <PowerSite S>
+[[nodiscard]] inline Sign in_circle(const S& i, const S& j, const S& k, const S& q) noexcept {
+    SIGNUM_EXPECTS(are_finite(i, j, k, q));
+    return in_circle_decision(i, j, k, q).sign;
 }
 
 }  // namespace signum::power

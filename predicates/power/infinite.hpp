@@ -16,19 +16,70 @@ SIGNUM_IEEE_BEGIN
 
 namespace signum::power {
 
-/// (h_a t_b - h_b t_a), for any type of number; the caller multiplies by the sign of t_b - t_a.
+/// The error of the rounded determinant as a multiple of its magnitude: (1+e)^8 - 1 by the lemma,
+/// one more e for second-order terms and the roundings of the bound.
+inline constexpr double in_segment_error = 9 * filters::epsilon;
+static_assert(in_segment_determinant(rounded_row, rounded_row, filters::rounded_difference,
+                                     filters::rounded_difference)
+                  .roundings == 8);
+
 template <class Number>
-[[nodiscard]] constexpr Number in_segment_determinant(const Row<Number>& a, const Row<Number>& b,
-                                                      const Number& t_a, const Number& t_b) {
-    return ((a.x * a.x + a.y * a.y) - a.weight) * t_b - ((b.x * b.x + b.y * b.y) - b.weight) * t_a;
+[[nodiscard]] constexpr filters::Compared<Number> compared_in_segment(const Row<Number>& a,
+                                                                      const Row<Number>& b,
+                                                                      const Number& t_a,
+                                                                      const Number& t_b) noexcept {
+    using filters::magnitude;
+    const Number a_square = a.x * a.x + a.y * a.y;
+    const Number b_square = b.x * b.x + b.y * b.y;
+    return {in_segment_determinant(a, b, t_a, t_b),
+            in_segment_error * ((a_square + magnitude(a.weight)) * magnitude(t_b) +
+                                (b_square + magnitude(b.weight)) * magnitude(t_a))};
 }
 
-/// The one-dimensional in_circle on the line through a and b.
+/// The formula. Any coordinate that separates a and b runs along their line.
 /// Preconditions: finite numbers, centres of a and b differ, q on the line through them.
-[[nodiscard]] Decision in_segment_decision(const Point& a, const Point& b, const Point& q) noexcept;
-[[nodiscard]] Decision in_segment_decision(const Site& a, const Site& b, const Site& q) noexcept;
-[[nodiscard]] Decision in_segment_decision(const signum::Site& a, const signum::Site& b,
-                                           const signum::Site& q) noexcept;
+struct InSegment {
+    static constexpr int window = 200;
+
+    template <class Number, PowerSite S>
+    [[nodiscard, gnu::always_inline]] static constexpr auto value(const S& a, const S& b,
+                                                                  const S& q) noexcept {
+        const Sign by_x = filters::compare_numbers(b.x, a.x);
+        const auto row_a = row<Number>(a, q);
+        const auto row_b = row<Number>(b, q);
+        const auto determinant = by_x != 0 ? in_segment_determinant(row_a, row_b, row_a.x, row_b.x)
+                                           : in_segment_determinant(row_a, row_b, row_a.y, row_b.y);
+        const bool rises = (by_x != 0 ? by_x : filters::compare_numbers(b.y, a.y)) > 0;
+        return rises ? determinant : -determinant;
+    }
+    template <PowerSite S>
+    [[nodiscard]] static filters::Compared<double> bounded(const S& a, const S& b,
+                                                           const S& q) noexcept {
+        const Row<double> row_a = row(a, q);
+        const Row<double> row_b = row(b, q);
+        return {value<double>(a, b, q),
+                a.x != b.x ? compared_in_segment(row_a, row_b, row_a.x, row_b.x).bound
+                           : compared_in_segment(row_a, row_b, row_a.y, row_b.y).bound};
+    }
+    template <Arithmetic arithmetic, PowerSite S>
+    [[nodiscard, gnu::pure]] static Decision behind(const S& a, const S& b, const S& q) noexcept;
+};
+
+/// The one-dimensional in_circle on the line through a and b.
+template <PowerSite S>
+[[nodiscard]] inline Decision in_segment_decision(const S& a, const S& b, const S& q) noexcept {
+    return predicates::decide<Arithmetic::exact, InSegment>(a, b, q);
+}
+
+/// The same at the hull edge a -> b, all other sites on its left or on its line: +1 where q
+/// conflicts with the vertex at infinity, 0 where it touches, -1 otherwise. Preconditions: centres
+/// of a and b differ, finite numbers.
+template <PowerSite S>
+[[nodiscard]] inline Sign in_circle_infinite(const S& a, const S& b, const S& q) noexcept {
+    SIGNUM_EXPECTS(are_finite(a, b, q));
+    const Sign side = ccw(a, b, q);
+    return side != 0 ? -side : in_segment_decision(a, b, q).sign;
+}
 
 }  // namespace signum::power
 

@@ -1,9 +1,5 @@
 #pragma once
-/// The one thing in which the three kinds of power sites differ, in the plane and in space: the
-/// difference of two weights.
-///
-/// A Point weighs nothing (Delaunay), a power::Site carries w, a Site the radius of w = r². The
-/// rounded difference r_i² - r_j² is taken as (r_i - r_j)(r_i + r_j), which does not cancel.
+/// The three kinds of power sites of the plane, and how they are ordered by weight.
 
 #include <concepts>
 
@@ -17,17 +13,6 @@ namespace signum::power {
 template <class S>
 concept PowerSite =
     std::same_as<S, Point> || std::same_as<S, Site> || std::same_as<S, signum::Site>;
-
-/// w_i - w_q, in doubles with a relative error of at most three roundings.
-template <class Number = double, class S>
-[[nodiscard]] constexpr Number weight_difference(const S& i, const S& q) noexcept {
-    if constexpr (requires { i.w; })
-        return Number(i.w) - Number(q.w);
-    else if constexpr (requires { i.r; })
-        return (Number(i.r) - Number(q.r)) * (Number(i.r) + Number(q.r));
-    else
-        return Number(0.0);
-}
 
 /// A number that orders sites of one kind by weight: w itself, or |r|, exactly.
 template <class S>

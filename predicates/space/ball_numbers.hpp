@@ -23,7 +23,7 @@
 #include "../../exact/fixed_integer.hpp"
 #include "../../exact/multiprecision.hpp"
 #include "../../filters/wide.hpp"
-#include "../exact_number.hpp"
+#include "../ladder/exact_number.hpp"
 #include "ball_polynomials.hpp"
 
 namespace signum::euclidean::balls {

@@ -6,6 +6,7 @@
 /// is exact and never perturbed. The laws of all predicates: predicates/ccw.hpp.
 
 #include <concepts>
+#include <cstddef>
 
 #include "../../core/contract.hpp"
 #include "../../core/sign.hpp"
@@ -16,6 +17,8 @@
 #include "../../filters/rounding_count.hpp"
 #include "../../filters/tally.hpp"
 #include "../../filters/verdict.hpp"
+#include "../formulas/orientation.hpp"
+#include "../ladder/decision.hpp"
 
 SIGNUM_IEEE_BEGIN
 
@@ -32,27 +35,6 @@ template <HasCentre3 S>
 }
 
 namespace predicates {
-
-/// A place relative to another one.
-template <class Number>
-struct Offset3 {
-    Number x;
-    Number y;
-    Number z;
-};
-template <class Number = double, HasCentre3 S>
-[[nodiscard]] constexpr Offset3<Number> offset(const S& to, const S& from) noexcept {
-    return {Number(to.x) - Number(from.x), Number(to.y) - Number(from.y),
-            Number(to.z) - Number(from.z)};
-}
-
-/// det(b, c, d), for any type of number.
-template <class Number>
-[[nodiscard]] constexpr Number ccw_determinant(const Offset3<Number>& b, const Offset3<Number>& c,
-                                               const Offset3<Number>& d) {
-    return b.x * (c.y * d.z - c.z * d.y) + b.y * (c.z * d.x - c.x * d.z) +
-           b.z * (c.x * d.y - c.y * d.x);
-}
 
 /// The largest coordinates of three or four offsets, in magnitude.
 template <class Number>
@@ -108,9 +90,55 @@ template <HasCentre3 S>
     return filters::Verdict::certain(filters::sign_of_nonzero(determinant));
 }
 
-/// The stages behind the filter.
-[[nodiscard, gnu::cold, gnu::pure]] Decision ccw_cold(const Point3& a, const Point3& b,
-                                                      const Point3& c, const Point3& d) noexcept;
+/// The filter's determinant with its magnitude itself for a bound.
+template <class Number>
+[[nodiscard]] inline filters::Compared<Number> compared_ccw_finely(
+    const Offset3<Number>& u, const Offset3<Number>& v, const Offset3<Number>& w) noexcept {
+    const auto absolute = [](const Offset3<Number>& offset) {
+        using filters::magnitude;
+        return Offset3<Number>{magnitude(offset.x), magnitude(offset.y), magnitude(offset.z)};
+    };
+    const Offset3<Number> a = absolute(u);
+    const Offset3<Number> b = absolute(v);
+    const Offset3<Number> c = absolute(w);
+    const Number magnitude = a.x * (b.y * c.z + b.z * c.y) + a.y * (b.z * c.x + b.x * c.z) +
+                             a.z * (b.x * c.y + b.y * c.x);
+    return {ccw_determinant(u, v, w), 9 * filters::epsilon * magnitude};
+}
+
+/// The formula. Exchanging any two of the four turns the sign.
+struct Ccw3 {
+    /// Whose place is the origin's.
+    static constexpr std::size_t origin = 0;
+    static constexpr int window = 200;
+
+    template <class Number, HasCentre3 S>
+    [[nodiscard, gnu::always_inline]] static constexpr auto value(const S& a, const S& b,
+                                                                  const S& c, const S& d) noexcept {
+        return ccw_determinant(offset<Number>(b, a), offset<Number>(c, a), offset<Number>(d, a));
+    }
+    template <HasCentre3 S>
+    [[nodiscard]] static filters::Verdict filter(const S& a, const S& b, const S& c,
+                                                 const S& d) noexcept {
+        return ccw_filter(a, b, c, d);
+    }
+    [[nodiscard]] static filters::Compared<double> bounded(const Point3& a, const Point3& b,
+                                                           const Point3& c,
+                                                           const Point3& d) noexcept {
+        return compared_ccw_finely(offset(b, a), offset(c, a), offset(d, a));
+    }
+    template <Arithmetic arithmetic, HasCentre3 S>
+    [[nodiscard, gnu::cold, gnu::pure, gnu::noinline]] static Decision behind(const S& a,
+                                                                              const S& b,
+                                                                              const S& c,
+                                                                              const S& d) noexcept {
+        return of_points<arithmetic>(centre3(a), centre3(b), centre3(c), centre3(d));
+    }
+    template <Arithmetic arithmetic>
+    [[nodiscard, gnu::cold, gnu::pure]] static Decision of_points(const Point3& a, const Point3& b,
+                                                                  const Point3& c,
+                                                                  const Point3& d) noexcept;
+};
 
 }  // namespace predicates
 
@@ -119,10 +147,7 @@ template <HasCentre3 S>
 template <HasCentre3 S>
 [[nodiscard]] inline Decision ccw_decision(const S& a, const S& b, const S& c,
                                            const S& d) noexcept {
-    const filters::Verdict verdict = predicates::ccw_filter(a, b, c, d);
-    if (verdict.is_certain()) [[likely]]
-        return {verdict.sign(), Stage::filter};
-    return predicates::ccw_cold(centre3(a), centre3(b), centre3(c), centre3(d));
+    return predicates::decide<Arithmetic::exact, predicates::Ccw3>(a, b, c, d);
 }
 
 /// The orientation: +1 where det(b-a, c-a, d-a) > 0, 0 where the four are coplanar, -1 otherwise.

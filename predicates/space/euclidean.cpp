@@ -4,7 +4,6 @@
 #include "ball_filter.hpp"
 #include "ball_numbers.hpp"
 #include "in_sphere.hpp"
-#include "multiprecision.hpp"
 
 namespace signum::euclidean {
 namespace balls {

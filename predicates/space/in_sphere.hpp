@@ -9,6 +9,7 @@
 #include <array>
 
 #include "../../core/index.hpp"
+#include "../formulas/lifted.hpp"
 #include "../power/weight.hpp"
 #include "ccw.hpp"
 
@@ -19,44 +20,6 @@ namespace signum::power {
 template <class S>
 concept PowerSite3 =
     std::same_as<S, Point3> || std::same_as<S, Site3> || std::same_as<S, signum::Site3>;
-
-/// A row of the determinant: a site's centre relative to q, and its weight minus that of q.
-template <class Number>
-struct LiftedRow {
-    predicates::Offset3<Number> offset;
-    Number weight;
-
-    [[nodiscard, gnu::always_inline]] constexpr Number height() const {
-        const auto& [x, y, z] = offset;
-        return (x * x + y * y + z * z) - weight;
-    }
-};
-
-/// Minus the determinant, for any type of number: by its last column, minors of pairs shared.
-template <class Row>
-[[nodiscard, gnu::always_inline]] constexpr auto in_sphere_determinant(const Row& i, const Row& j,
-                                                                       const Row& k, const Row& l) {
-    using Number = decltype(i.height());
-    const auto& a = i.offset;
-    const auto& b = j.offset;
-    const auto& c = k.offset;
-    const auto& d = l.offset;
-    const Number ab = a.x * b.y - b.x * a.y;
-    const Number bc = b.x * c.y - c.x * b.y;
-    const Number cd = c.x * d.y - d.x * c.y;
-    const Number da = d.x * a.y - a.x * d.y;
-    const Number ac = a.x * c.y - c.x * a.y;
-    const Number bd = b.x * d.y - d.x * b.y;
-    return Number((i.height() * (b.z * cd - c.z * bd + d.z * bc) +
-                   k.height() * (d.z * ab + a.z * bd + b.z * da)) -
-                  (j.height() * (c.z * da + d.z * ac + a.z * cd) +
-                   l.height() * (a.z * bc - b.z * ac + c.z * ab)));
-}
-
-template <class Number = double, PowerSite3 S>
-[[nodiscard]] constexpr LiftedRow<Number> lifted_row(const S& m, const S& q) noexcept {
-    return {predicates::offset<Number>(m, q), weight_difference<Number>(m, q)};
-}
 
 /// The error of the rounded determinant as a multiple of its magnitude; as in_circle_error.
 inline constexpr double in_sphere_error = 18 * filters::epsilon;
@@ -137,18 +100,62 @@ template <PowerSite3 S>
     return filters::Verdict::certain(filters::sign_of_nonzero(determinant));
 }
 
-/// The stages behind the filter, for the three kinds of sites.
-[[nodiscard, gnu::cold, gnu::pure]] Decision in_sphere_cold(const Point3& i, const Point3& j,
-                                                            const Point3& k, const Point3& l,
-                                                            const Point3& q) noexcept;
-[[nodiscard, gnu::cold, gnu::pure]] Decision in_sphere_cold(const Site3& i, const Site3& j,
-                                                            const Site3& k, const Site3& l,
-                                                            const Site3& q) noexcept;
-[[nodiscard, gnu::cold, gnu::pure]] Decision in_sphere_cold(const signum::Site3& i,
-                                                            const signum::Site3& j,
-                                                            const signum::Site3& k,
-                                                            const signum::Site3& l,
-                                                            const signum::Site3& q) noexcept;
+/// The determinant's magnitude: every operand replaced by its absolute value, every difference by a
+/// sum.
+[[nodiscard, gnu::always_inline]] inline double determinant_magnitude(
+    const LiftedRow<double> (&rows)[4]) noexcept {
+    using filters::magnitude;
+    const auto of_minor = [&](int j, int k, int l) {
+        const auto& [bx, by, bz] = rows[j].offset;
+        const auto& [cx, cy, cz] = rows[k].offset;
+        const auto& [dx, dy, dz] = rows[l].offset;
+        return magnitude(bz) * (magnitude(cx * dy) + magnitude(cy * dx)) +
+               magnitude(cz) * (magnitude(dx * by) + magnitude(dy * bx)) +
+               magnitude(dz) * (magnitude(bx * cy) + magnitude(by * cx));
+    };
+    const auto height = [&](int m) {
+        const auto& [x, y, z] = rows[m].offset;
+        return (x * x + y * y + z * z) + magnitude(rows[m].weight);
+    };
+    return height(0) * of_minor(1, 2, 3) + height(1) * of_minor(2, 3, 0) +
+           height(2) * of_minor(3, 0, 1) + height(3) * of_minor(0, 1, 2);
+}
+
+/// The formula.
+struct InSphere {
+    static constexpr std::size_t origin = 4;
+    /// Of double-doubles: terms of degree up to 5, and their errors, are multiples of 2^-1010.
+    static constexpr int window = 150;
+
+    template <class Number, PowerSite3 S>
+    [[nodiscard, gnu::always_inline]] static constexpr auto value(const S& i, const S& j,
+                                                                  const S& k, const S& l,
+                                                                  const S& q) noexcept {
+        return in_sphere_determinant(lifted_row<Number>(i, q), lifted_row<Number>(j, q),
+                                     lifted_row<Number>(k, q), lifted_row<Number>(l, q));
+    }
+    template <PowerSite3 S>
+    [[nodiscard]] static filters::Verdict filter(const S& i, const S& j, const S& k, const S& l,
+                                                 const S& q) noexcept {
+        return in_sphere_filter(i, j, k, l, q);
+    }
+    template <PowerSite3 S>
+    [[nodiscard]] static filters::Compared<double> bounded(const S& i, const S& j, const S& k,
+                                                           const S& l, const S& q) noexcept {
+        return {value<double>(i, j, k, l, q), in_sphere_error * magnitude(i, j, k, l, q)};
+    }
+    template <PowerSite3 S>
+    [[nodiscard, gnu::always_inline]] static inline double magnitude(const S& i, const S& j,
+                                                                     const S& k, const S& l,
+                                                                     const S& q) noexcept {
+        const LiftedRow<double> rows[4] = {lifted_row(i, q), lifted_row(j, q), lifted_row(k, q),
+                                           lifted_row(l, q)};
+        return determinant_magnitude(rows);
+    }
+    template <Arithmetic arithmetic, PowerSite3 S>
+    [[nodiscard, gnu::cold, gnu::pure]] static Decision behind(const S& i, const S& j, const S& k,
+                                                               const S& l, const S& q) noexcept;
+};
 
 /// The sign of in_sphere with the stage that decided.
 /// Preconditions: finite numbers, ccw(i,j,k,l) > 0.
@@ -156,10 +163,7 @@ template <PowerSite3 S>
 [[nodiscard]] inline Decision in_sphere_decision(const S& i, const S& j, const S& k, const S& l,
                                                  const S& q) noexcept {
     SIGNUM_EXPECTS(ccw(i, j, k, l) > 0);
-    const filters::Verdict verdict = in_sphere_filter(i, j, k, l, q);
-    if (verdict.is_certain()) [[likely]]
-        return {verdict.sign(), Stage::filter};
-    return in_sphere_cold(i, j, k, l, q);
+    return predicates::decide<Arithmetic::exact, InSphere>(i, j, k, l, q);
 }
 
 /// +1 where q conflicts with the vertex of i, j, k, l (is nearer than they are), 0 where it

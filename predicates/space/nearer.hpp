@@ -9,32 +9,19 @@ SIGNUM_IEEE_BEGIN
 
 namespace signum::power {
 
-/// The square of a distance, in any arithmetic.
-template <class Number = double>
-[[nodiscard]] constexpr Number squared_distance(const Point3& p, const Point3& q) noexcept {
-    const predicates::Offset3<Number> d = predicates::offset<Number>(p, q);
-    return d.x * d.x + d.y * d.y + d.z * d.z;
-}
-/// (|p-b|² - w_b) - (|p-a|² - w_a), in any arithmetic.
-template <class Number, PowerSite3 S>
-[[nodiscard]] constexpr Number nearer_difference(const Point3& p, const S& a, const S& b) noexcept {
-    return (squared_distance<Number>(p, centre3(b)) - squared_distance<Number>(p, centre3(a))) +
-           weight_difference<Number>(a, b);
-}
-
 /// The error of the rounded difference as a multiple of the sum of its three terms' magnitudes. One
 /// more e than there are roundings pays for the terms in e², another one for those of the sum.
 inline constexpr double nearer_error = 9 * filters::epsilon;
-static_assert(
-    nearer_difference<filters::RoundingCount>({}, signum::Site3{}, signum::Site3{}).roundings <= 7);
+static_assert(nearer_difference<filters::RoundingCount>(Point3{}, signum::Site3{}, signum::Site3{})
+                  .roundings <= 7);
 
 /// The difference, and the sum of its terms' magnitudes: the bound is so many times that.
 template <class Number, PowerSite3 S>
 [[nodiscard, gnu::always_inline]] constexpr filters::Compared<Number> compared_nearer(
     const Point3& p, const S& a, const S& b) noexcept {
     using filters::magnitude;
-    const Number to_a = squared_distance<Number>(p, centre3(a));
-    const Number to_b = squared_distance<Number>(p, centre3(b));
+    const Number to_a = squared_distance<Number>(p, a);
+    const Number to_b = squared_distance<Number>(p, b);
     const Number weight = weight_difference<Number>(a, b);
     return {(to_b - to_a) + weight, to_a + to_b + magnitude(weight)};
 }
@@ -55,22 +42,28 @@ template <PowerSite3 S>
     return filters::Verdict::certain(filters::sign_of_nonzero(difference));
 }
 
-/// The stages behind the filter.
-[[nodiscard, gnu::cold]] Decision nearer_cold(const Point3& p, const Point3& a,
-                                              const Point3& b) noexcept;
-[[nodiscard, gnu::cold]] Decision nearer_cold(const Point3& p, const Site3& a,
-                                              const Site3& b) noexcept;
-[[nodiscard, gnu::cold]] Decision nearer_cold(const Point3& p, const signum::Site3& a,
-                                              const signum::Site3& b) noexcept;
+/// The formula. It has no window: long doubles hold squares of all doubles, and their bound tells
+/// nearly all that the filter leaves open.
+struct Nearer3 {
+    template <class Number, PowerSite3 S>
+    [[nodiscard, gnu::always_inline]] static constexpr auto value(const Point3& p, const S& a,
+                                                                  const S& b) noexcept {
+        return nearer_difference<Number>(p, a, b);
+    }
+    template <PowerSite3 S>
+    [[nodiscard]] static filters::Verdict filter(const Point3& p, const S& a, const S& b) noexcept {
+        return nearer_filter(p, a, b);
+    }
+    template <Arithmetic arithmetic, PowerSite3 S>
+    [[nodiscard, gnu::cold]] static Decision behind(const Point3& p, const S& a,
+                                                    const S& b) noexcept;
+};
 
 /// +1 where the point p is nearer to a than to b, 0 where both are as near, -1 otherwise: the sign
 /// of (|p-b|² - w_b) - (|p-a|² - w_a). Exact. Precondition: finite numbers.
 template <PowerSite3 S>
 [[nodiscard]] inline Decision nearer_decision(const Point3& p, const S& a, const S& b) noexcept {
-    const filters::Verdict verdict = nearer_filter(p, a, b);
-    if (verdict.is_certain()) [[likely]]
-        return {verdict.sign(), Stage::filter};
-    return nearer_cold(p, a, b);
+    return predicates::decide<Arithmetic::exact, Nearer3>(p, a, b);
 }
 
 }  // namespace signum::power

@@ -9,10 +9,10 @@
 #include <map>
 
 #include "../../predicates/euclidean.hpp"
+#include "../../predicates/space.hpp"
 #include "../../predicates/space/ball_polynomials.hpp"
 #include "../../predicates/space/euclidean.hpp"
 #include "../../predicates/space/in_sphere.hpp"
-#include "../../predicates/space/multiprecision.hpp"
 #include "../../voronoi/balls/touching_spheres.hpp"
 #include "ball_families.hpp"
 #include "environments.hpp"

@@ -13,10 +13,9 @@
 #include <string>
 #include <vector>
 
-#include "../../predicates/essa.hpp"
 #include "../../predicates/power.hpp"
-#include "../../predicates/power/essa.hpp"
 #include "../../triangulation/check/judging.hpp"
+#include "../../triangulation/kernels/power_kernel.hpp"
 #include "environments.hpp"
 #include "raw_doubles.hpp"
 
@@ -24,6 +23,8 @@ namespace signum {
 namespace {
 
 using Judging = triangulation::JudgingPower;
+template <class S>
+using BySums = triangulation::PowerSigns<S, Arithmetic::sum>;
 
 // ---- the reference: integers -------------------------------------------------------------------
 
@@ -356,7 +357,7 @@ TEST_P(Predicates, Ccw) {
                          [](const auto& q) { return ccw_decision(q[0], q[1], q[2]); }));
         if (trial % 8 != 0) continue;
         ASSERT_TRUE(says(p, sgn(area(e[0], e[1], e[2])),
-                         [](const auto& q) { return essa::ccw(q[0], q[1], q[2]); }));
+                         [](const auto& q) { return BySums<Point>::ccw(q[0], q[1], q[2]); }));
         ASSERT_TRUE(says(p, sgn(area(e[0], e[1], e[2])),
                          [](const auto& q) { return Judging::ccw(q[0], q[1], q[2]); }));
     }
@@ -379,7 +380,7 @@ void test_in_circle(Random& random, const Family& family, int count) {
         }));
         if (trial % 8 != 0) continue;
         ASSERT_TRUE(says(sites, expected, [](const auto& s) {
-            return power::essa::in_circle(s[0], s[1], s[2], s[3]);
+            return BySums<S>::in_circle(s[0], s[1], s[2], s[3]);
         }));
         ASSERT_TRUE(says(sites, expected,
                          [](const auto& s) { return Judging::in_circle(s[0], s[1], s[2], s[3]); }));
@@ -429,7 +430,7 @@ void test_in_segment(Random& random, const Family& family) {
         }));
         if (trial % 8 == 0) {
             ASSERT_TRUE(says(sites, expected, [](const auto& s) {
-                return power::essa::in_segment(s[0], s[1], s[2]);
+                return BySums<S>::in_segment(s[0], s[1], s[2]);
             }));
             ASSERT_TRUE(says(sites, expected,
                              [](const auto& s) { return Judging::in_segment(s[0], s[1], s[2]); }));
@@ -459,7 +460,7 @@ void test_nearer(Random& random, const Family& family) {
         }));
         if (trial % 8 == 0) {
             ASSERT_TRUE(says(sites, sign_nearer(e[0], e[1], e[2]), [](const auto& s) {
-                return power::essa::nearer({s[0].x, s[0].y}, s[1], s[2]);
+                return BySums<S>::nearer({s[0].x, s[0].y}, s[1], s[2]);
             }));
             ASSERT_TRUE(says(sites, sign_nearer(e[0], e[1], e[2]), [](const auto& s) {
                 return Judging::nearer(Point{s[0].x, s[0].y}, s[1], s[2]);

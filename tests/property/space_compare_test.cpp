@@ -11,8 +11,8 @@
 #include <gtest/gtest.h>
 
 #include "../../predicates/power.hpp"
+#include "../../predicates/space.hpp"
 #include "../../predicates/space/ccw.hpp"
-#include "../../predicates/space/multiprecision.hpp"
 #include "../../triangulation/space/compare.hpp"
 #include "../oracle/oracle_test_support.hpp"
 #include "../oracle/power_space.hpp"
@@ -37,7 +37,9 @@ Sign turn_of(const SpaceCell& cell, const Sites& sites) {
     const auto at = [&](std::size_t m) {
         return centre3(sites[static_cast<std::size_t>(cell[m])]);
     };
-    return multiprecision::ccw(at(0), at(1), at(2), at(3));
+    return predicates::decide<Arithmetic::multiprecision, predicates::Ccw3>(at(0), at(1), at(2),
+                                                                            at(3))
+        .sign;
 }
 
 /// Law 1 by every site.
@@ -45,7 +47,9 @@ bool is_valid(const SpaceCell& cell, const Sites& sites) {
     if (turn_of(cell, sites) <= 0) return false;
     const auto at = [&](std::size_t m) { return sites[static_cast<std::size_t>(cell[m])]; };
     return std::ranges::none_of(sites, [&](const power::Site3& q) {
-        return power::multiprecision::in_sphere(at(0), at(1), at(2), at(3), q) > 0;
+        return predicates::decide<Arithmetic::multiprecision, power::InSphere>(at(0), at(1), at(2),
+                                                                               at(3), q)
+                   .sign > 0;
     });
 }
 

@@ -15,8 +15,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "../../predicates/space.hpp"
 #include "../../predicates/space/in_sphere.hpp"
-#include "../../predicates/space/multiprecision.hpp"
 #include "environments.hpp"
 #include "raw_doubles.hpp"
 
@@ -311,8 +311,8 @@ class SpacePredicates : public testing::TestWithParam<Family> {
             }));
             if (trial % 8 != 0) continue;
             ASSERT_TRUE(says(sites, expected, [](const auto& s) {
-                return Decision{power::multiprecision::in_sphere(s[0], s[1], s[2], s[3], s[4]),
-                                Stage::multiprecision};
+                return predicates::decide<Arithmetic::multiprecision, power::InSphere>(
+                    s[0], s[1], s[2], s[3], s[4]);
             }));
         }
     }
@@ -329,7 +329,8 @@ TEST_P(SpacePredicates, Ccw) {
         EXPECT_EQ(ccw(p[0], p[1], p[3], p[2]), -expected);
         if (trial % 8 != 0) continue;
         ASSERT_TRUE(says(p, expected, [](const auto& q) {
-            return Decision{multiprecision::ccw(q[0], q[1], q[2], q[3]), Stage::multiprecision};
+            return predicates::decide<Arithmetic::multiprecision, predicates::Ccw3>(q[0], q[1],
+                                                                                    q[2], q[3]);
         }));
     }
 }

@@ -38,19 +38,19 @@ std::size_t at(Index i) {
 struct PowerInRationals {
     template <class S>
     static Decision ccw(const S& a, const S& b, const S& c) {
-        return {multiprecision::ccw({a.x, a.y}, {b.x, b.y}, {c.x, c.y}), Stage::multiprecision};
+        return predicates::decide<Arithmetic::multiprecision, predicates::Ccw>(a, b, c);
     }
     template <class S>
     static Decision in_circle(const S& i, const S& j, const S& k, const S& q) {
-        return {power::multiprecision::in_circle(i, j, k, q), Stage::multiprecision};
+        return predicates::decide<Arithmetic::multiprecision, power::InCircle>(i, j, k, q);
     }
     template <class S>
     static Decision in_segment(const S& a, const S& b, const S& q) {
-        return {power::multiprecision::in_segment(a, b, q), Stage::multiprecision};
+        return predicates::decide<Arithmetic::multiprecision, power::InSegment>(a, b, q);
     }
     template <class S>
     static Decision nearer(Point p, const S& a, const S& b) {
-        return {power::multiprecision::nearer(p, a, b), Stage::multiprecision};
+        return predicates::decide<Arithmetic::multiprecision, power::Nearer>(p, a, b);
     }
 };
 

@@ -13,11 +13,9 @@
 #include <random>
 #include <tuple>
 
-#include "../../predicates/essa.hpp"
 #include "../../predicates/euclidean.hpp"
 #include "../../predicates/manhattan.hpp"
 #include "../../predicates/power.hpp"
-#include "../../predicates/power/essa.hpp"
 #include "../../predicates/space.hpp"
 #include "../../predicates/space/facets.hpp"
 #include "../../predicates/supremum.hpp"

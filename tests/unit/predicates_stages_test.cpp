@@ -10,9 +10,8 @@
 #include <ostream>
 #include <type_traits>
 
-#include "../../predicates/essa.hpp"
 #include "../../predicates/power.hpp"
-#include "../../predicates/power/essa.hpp"
+#include "../../triangulation/kernels/power_kernel.hpp"
 
 namespace signum {
 
@@ -92,22 +91,24 @@ TEST(CcwStages, BeyondTheWindow) {
 
 /// ESSA decides what its products hold, whether or not a filter could.
 TEST(EssaStages, AnswerInTheWindow) {
+    using OfPoints = triangulation::PowerSigns<Point, Arithmetic::sum>;
+    using OfSites = triangulation::PowerSigns<Site, Arithmetic::sum>;
     const auto by_essa = [](Sign sign) -> Decision { return {sign, Stage::essa}; };
-    EXPECT_EQ(essa::ccw({0, 0}, {1, 0}, {0, 1}), by_essa(+1));
-    EXPECT_EQ(essa::ccw({0.1, 0.1}, {0.7, 0.7}, {123.4, 123.4}), by_essa(0));
-    EXPECT_EQ(essa::ccw({0x1p-200, 0x1p-200}, {0x1p200, 0x1p200}, {1, 1}), by_essa(0));
-    EXPECT_EQ(essa::ccw({0, 0}, {0x1p201, 0x1p201}, {1, 1}), multiprecision(0));
+    EXPECT_EQ(OfPoints::ccw({0, 0}, {1, 0}, {0, 1}), by_essa(+1));
+    EXPECT_EQ(OfPoints::ccw({0.1, 0.1}, {0.7, 0.7}, {123.4, 123.4}), by_essa(0));
+    EXPECT_EQ(OfPoints::ccw({0x1p-200, 0x1p-200}, {0x1p200, 0x1p200}, {1, 1}), by_essa(0));
+    EXPECT_EQ(OfPoints::ccw({0, 0}, {0x1p201, 0x1p201}, {1, 1}), multiprecision(0));
     const Site i{1, 0, 2};
     const Site j{0, 1, 2};
     const Site k{-1, 0, 2};
-    EXPECT_EQ(power::essa::in_circle(i, j, k, {0, 0, 2}), by_essa(+1));
-    EXPECT_EQ(power::essa::in_circle(i, j, k, {0, -1, 2}), by_essa(0));
-    EXPECT_EQ(power::essa::in_circle(i, j, k, {0x1p-150, -1, 2}), by_essa(-1));
-    EXPECT_EQ(power::essa::in_circle(i, j, k, {0x1p-201, -1, 2}), multiprecision(-1));
-    EXPECT_EQ(power::essa::in_segment(k, i, {0, 0, 2}), by_essa(+1));
-    EXPECT_EQ(power::essa::in_segment(k, i, {0x1p201, 0, 2}), multiprecision(-1));
-    EXPECT_EQ(power::essa::nearer({0, 0}, i, k), by_essa(0));
-    EXPECT_EQ(power::essa::nearer({0x1p-201, 0}, i, k), multiprecision(+1));
+    EXPECT_EQ(OfSites::in_circle(i, j, k, {0, 0, 2}), by_essa(+1));
+    EXPECT_EQ(OfSites::in_circle(i, j, k, {0, -1, 2}), by_essa(0));
+    EXPECT_EQ(OfSites::in_circle(i, j, k, {0x1p-150, -1, 2}), by_essa(-1));
+    EXPECT_EQ(OfSites::in_circle(i, j, k, {0x1p-201, -1, 2}), multiprecision(-1));
+    EXPECT_EQ(OfSites::in_segment(k, i, {0, 0, 2}), by_essa(+1));
+    EXPECT_EQ(OfSites::in_segment(k, i, {0x1p201, 0, 2}), multiprecision(-1));
+    EXPECT_EQ(OfSites::nearer({0, 0}, i, k), by_essa(0));
+    EXPECT_EQ(OfSites::nearer({0x1p-201, 0}, i, k), multiprecision(+1));
 }
 
 // ---- in_circle ---------------------------------------------------------------------------------

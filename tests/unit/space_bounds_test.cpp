@@ -45,9 +45,10 @@ TEST(SpaceBounds, OfCcwInSpace) {
                 return predicates::ccw_filter(a, b, c, d).is_certain();
             });
             // The magnitude itself, 4s.
-            expect_first_certain("ccw_cold", 8 * 2, 10 * 2, [&](std::int64_t steps) {
+            expect_first_certain("behind the filter", 8 * 2, 10 * 2, [&](std::int64_t steps) {
                 const auto& [a, b, c, d] = NearlyFlat(axes, size, steps).corners;
-                return predicates::ccw_cold(a, b, c, d).stage == Stage::filter;
+                return predicates::Ccw3::of_points<Arithmetic::exact>(a, b, c, d).stage ==
+                       Stage::filter;
             });
         }
 }
@@ -83,9 +84,11 @@ TEST(SpaceBounds, OfInSphere) {
             // s, s and s.
             const double magnitude = (4 * s * s + 2) / (s * s);
             expect_first_certain(
-                "in_sphere_cold", 17 * magnitude, 19 * magnitude, [&](std::int64_t steps) {
+                "in_sphere behind the filter", 17 * magnitude, 19 * magnitude,
+                [&](std::int64_t steps) {
                     const auto& [i, j, k, l, q] = NearlyTied(axes, s, steps).sites;
-                    return power::in_sphere_cold(i, j, k, l, q).stage == Stage::filter;
+                    return power::InSphere::behind<Arithmetic::exact>(i, j, k, l, q).stage ==
+                           Stage::filter;
                 });
         }
 }

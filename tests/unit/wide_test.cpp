@@ -36,10 +36,10 @@ TEST(Wide, HasASignBeyondItsError) {
 TEST(Wide, BasesOnTheLeastAndSaysWhetherThatTurns) {
     const Point near{1, 1}, far{9, 0}, farther{0, -99};
     std::array in_place = {&farther, &far, &near};
-    EXPECT_EQ(base_on_least(in_place), 1);
+    EXPECT_EQ(base_on_least(in_place, in_place.size() - 1), 1);
     EXPECT_EQ(in_place[2], &near);
     std::array exchanged = {&near, &far, &farther};
-    EXPECT_EQ(base_on_least(exchanged), -1);
+    EXPECT_EQ(base_on_least(exchanged, exchanged.size() - 1), -1);
     EXPECT_EQ(exchanged[2], &near);
     EXPECT_EQ(exchanged[0], &farther);
 }

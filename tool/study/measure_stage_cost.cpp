@@ -9,9 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "../../predicates/power/multiprecision.hpp"
 #include "../../predicates/space.hpp"
-#include "../../predicates/space/multiprecision.hpp"
 #include "../../triangulation/kernels/predicates_of.hpp"
 
 #include "contestants.hpp"
@@ -36,7 +34,7 @@ template <class M>
 Decision decide_in_rationals(const RankedCall& call) noexcept {
     const auto& [i, j, k, q] = call.sites;
     if constexpr (M::traits.edges_are_straight) {
-        return {power::multiprecision::in_circle(i, j, k, q), Stage::multiprecision};
+        return predicates::decide<Arithmetic::multiprecision, power::InCircle>(i, j, k, q);
     } else {
         using Predicates =
             typename triangulation::PredicatesOf<M>::template Perturbed<Arithmetic::multiprecision>;
@@ -65,7 +63,7 @@ Decision decide_call_in_space(const CallInSpace& call) noexcept {
 }
 Decision decide_in_space_in_rationals(const CallInSpace& call) noexcept {
     const auto& [i, j, k, l, q] = call;
-    return {power::multiprecision::in_sphere(i, j, k, l, q), Stage::multiprecision};
+    return predicates::decide<Arithmetic::multiprecision, power::InSphere>(i, j, k, l, q);
 }
 
 std::vector<CallInSpace> calls_in_space(const std::vector<Site3>& sites) {

@@ -12,13 +12,8 @@
 #include <array>
 #include <type_traits>
 
-#include "../../filters/interval.hpp"
 #include "../../predicates/arithmetic.hpp"
-#include "../../predicates/essa.hpp"
-#include "../../predicates/multiprecision.hpp"
 #include "../../predicates/power.hpp"
-#include "../../predicates/power/essa.hpp"
-#include "../../predicates/power/multiprecision.hpp"
 
 namespace signum::triangulation {
 
@@ -39,82 +34,18 @@ struct PowerSigns {
     static constexpr bool is_trusted = is_exact;
 
     [[nodiscard]] static Decision ccw(const S& a, const S& b, const S& q) noexcept {
-        if constexpr (arithmetic == Arithmetic::exact) {
-            return ccw_decision(a, b, q);
-        } else if constexpr (arithmetic == Arithmetic::multiprecision) {
-            return {multiprecision::ccw(power::centre(a), power::centre(b), power::centre(q)),
-                    Stage::multiprecision};
-        } else {
-            return decide(
-                [&] { return predicates::rounded_ccw<Number>(a, b, q); },
-                [&] { return essa::ccw(power::centre(a), power::centre(b), power::centre(q)); });
-        }
+        return predicates::decide<arithmetic, predicates::Ccw>(a, b, q);
     }
-
     [[nodiscard]] static Decision in_circle(const S& i, const S& j, const S& k,
                                             const S& q) noexcept {
-        if constexpr (arithmetic == Arithmetic::exact) {
-            return power::in_circle_decision(i, j, k, q);
-        } else if constexpr (arithmetic == Arithmetic::multiprecision) {
-            return {power::multiprecision::in_circle(i, j, k, q), Stage::multiprecision};
-        } else {
-            return decide(
-                [&] {
-                    return power::in_circle_determinant(power::row<Number>(i, q),
-                                                        power::row<Number>(j, q),
-                                                        power::row<Number>(k, q));
-                },
-                [&] { return power::essa::in_circle(i, j, k, q); });
-        }
+        return predicates::decide<arithmetic, power::InCircle>(i, j, k, q);
     }
-
     [[nodiscard]] static Decision in_segment(const S& a, const S& b, const S& q) noexcept {
-        if constexpr (arithmetic == Arithmetic::exact) {
-            return power::in_segment_decision(a, b, q);
-        } else if constexpr (arithmetic == Arithmetic::multiprecision) {
-            return {power::multiprecision::in_segment(a, b, q), Stage::multiprecision};
-        } else {
-            return decide(
-                [&] {
-                    const power::Row<Number> row_a = power::row<Number>(a, q);
-                    const power::Row<Number> row_b = power::row<Number>(b, q);
-                    const bool along_x = a.x != b.x;
-                    const Number& t_a = along_x ? row_a.x : row_a.y;
-                    const Number& t_b = along_x ? row_b.x : row_b.y;
-                    const Number determinant =
-                        power::in_segment_determinant(row_a, row_b, t_a, t_b);
-                    return (along_x ? a.x < b.x : a.y < b.y) ? determinant : -determinant;
-                },
-                [&] { return power::essa::in_segment(a, b, q); });
-        }
+        return predicates::decide<arithmetic, power::InSegment>(a, b, q);
     }
-
     /// Which of a and b is nearer to p: +1 for a.
     [[nodiscard]] static Decision nearer(const Point& p, const S& a, const S& b) noexcept {
-        if constexpr (arithmetic == Arithmetic::exact) {
-            return power::nearer_decision(p, a, b);
-        } else if constexpr (arithmetic == Arithmetic::multiprecision) {
-            return {power::multiprecision::nearer(p, a, b), Stage::multiprecision};
-        } else {
-            return decide([&] { return power::nearer_difference<Number>(p, a, b); },
-                          [&] { return power::essa::nearer(p, a, b); });
-        }
-    }
-
- private:
-    using Number = predicates::NumberOf<arithmetic>;
-
-    /// The sign of a number: rounded, and that is that; or in an interval, and where it contains 0
-    /// by ESSA; or by ESSA at once.
-    template <class Rounded, class ByEssa>
-    [[nodiscard]] static Decision decide(Rounded rounded, ByEssa by_essa) noexcept {
-        if constexpr (arithmetic != Arithmetic::sum) {
-            const Number number = rounded();
-            if (filters::exceeds(number, 0.0)) [[likely]]
-                return {filters::sign_of_nonzero(number), Stage::filter};
-            if constexpr (!is_exact) return {0, Stage::filter};
-        }
-        return by_essa();
+        return predicates::decide<arithmetic, power::Nearer>(p, a, b);
     }
 };
 

@@ -124,7 +124,7 @@ class ExactKernel : public View<S> {
             if (6.0 * (x * y * z) <= lattice_.exact_below_3())
                 return sign_of(predicates::ccw_determinant(u, v, w));
         }
-        return predicates::ccw_cold(a, b, c, d).sign;
+        return predicates::Ccw3::of_points<Arithmetic::exact>(a, b, c, d).sign;
     }
     [[nodiscard]] const S& site(Seen v) const noexcept { return this->at(this->name(v)); }
     [[nodiscard]] bool precedes(Index a, Index b) const noexcept {

@@ -5,6 +5,7 @@
 
 #include "../../core/processor.hpp"
 #include "../../filters/four.hpp"
+#include "../../predicates/ladder/ladder.hpp"
 #include "../../predicates/space/refined.hpp"
 
 namespace signum::spatial {
@@ -146,7 +147,7 @@ template <class S>
 [[gnu::always_inline]] inline void gather(RefinedRows& rows, const std::array<const S*, 4>& of,
                                           const S& eye) noexcept {
     for (std::size_t k = 0; k < 4; ++k) {
-        const power::LiftedRow<DoubleDouble> row = power::double_double_row(*of[k], eye);
+        const auto row = power::lifted_row<predicates::ladder::Refined>(*of[k], eye);
         put(rows.offset.x, k, row.offset.x);
         put(rows.offset.y, k, row.offset.y);
         put(rows.offset.z, k, row.offset.z);
@@ -198,7 +199,9 @@ void refined_in_spheres_beyond(const S& eye, const std::array<const S*, 4>& cell
 
 template <power::PowerSite3 S>
 bool are_in_window(std::span<const S> sites) noexcept {
-    return std::ranges::all_of(sites, [](const S& site) { return power::in_window(site); });
+    return std::ranges::all_of(sites, [](const S& site) {
+        return predicates::ladder::in_window<power::InSphere::window>(site);
+    });
 }
 
 #define SIGNUM_OF(S)                                                                  \

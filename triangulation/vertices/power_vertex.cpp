@@ -1,6 +1,7 @@
 #include "../../exact/multiprecision.hpp"
 #include "../../filters/bounded.hpp"
-#include "../../predicates/power/exact_rows.hpp"
+#include "../../predicates/ladder/ladder.hpp"
+#include "../../predicates/power.hpp"
 #include "vertex_of_face.hpp"
 
 namespace signum::triangulation {
@@ -31,7 +32,7 @@ struct Centre {
 
 template <power::PowerSite S>
 power::Row<filters::Bounded> bounded_row(const S& m, const S& origin) {
-    const auto row = power::cold::double_double_row(m, origin);
+    const auto row = power::row<predicates::ladder::Refined>(m, origin);
     // The product of a radius row commits one rounding.
     return {filters::Bounded::exactly(row.x),
             filters::Bounded::exactly(row.y),
@@ -53,12 +54,9 @@ Rational rational_weight(const Site& s) {
 
 template <power::PowerSite S>
 DiagramVertex exact_vertex(const S& i, const S& j, const S& k) {
-    const auto row = [&i](const S& m) -> power::Row<Rational> {
-        return {to_rational(m.x) - to_rational(i.x), to_rational(m.y) - to_rational(i.y),
-                rational_weight(m) - rational_weight(i)};
-    };
-    const power::Row<Rational> b = row(j);
-    const power::Row<Rational> c = row(k);
+    using Exactly = predicates::ladder::Exactly<Arithmetic::multiprecision>;
+    const auto b = power::row<Exactly>(j, i);
+    const auto c = power::row<Exactly>(k, i);
     if (b.x * c.y == c.x * b.y) return no_vertex();  // a flat face that inexact arithmetic made
     const Centre<Rational> centre(b, c);
     return {exact::round_to_double(Rational(centre.x + to_rational(i.x))),
@@ -70,7 +68,11 @@ DiagramVertex exact_vertex(const S& i, const S& j, const S& k) {
 
 template <class S>
 DiagramVertex power_vertex(const S& i, const S& j, const S& k) {
-    if (power::cold::in_window(i, j, k)) {
+    constexpr int window = power::InCircle::window;
+    const auto holds = [](const auto&... sites) {
+        return (predicates::ladder::in_window<window>(sites) && ...);
+    };
+    if (holds(i, j, k)) {
         const Centre<filters::Bounded> centre(bounded_row(j, i), bounded_row(k, i));
         const auto x = (centre.x + filters::Bounded::exactly(i.x)).rounded();
         const auto y = (centre.y + filters::Bounded::exactly(i.y)).rounded();

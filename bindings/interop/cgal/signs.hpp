@@ -102,7 +102,7 @@ template <class P>
     const SmallOffsets from(m, 2, 26);
     if (from.are_exact())
         return sign_of(predicates::ccw_determinant(from(0, 0), from(0, 1), from(1, 0), from(1, 1)));
-    return predicates::ccw_cold({m[0].x, m[0].y}, {m[1].x, m[1].y}, {m[2].x, m[2].y}).sign;
+    return predicates::Ccw::behind<Arithmetic::exact>(m[0], m[1], m[2]).sign;
 }
 template <class P>
 [[nodiscard, gnu::cold, gnu::noinline]] Sign turn_uncertain(const P& p, const P& q, const P& r,
@@ -111,7 +111,7 @@ template <class P>
     // Six products of 48 bits.
     const SmallOffsets from(m, 0, 16);
     if (from.are_exact()) return sign_of(predicates::ccw_determinant(from[1], from[2], from[3]));
-    return predicates::ccw_cold(centre3(m[0]), centre3(m[1]), centre3(m[2]), centre3(m[3])).sign;
+    return predicates::Ccw3::behind<Arithmetic::exact>(m[0], m[1], m[2], m[3]).sign;
 }
 /// The orientation of three points of the plane or four of space.
 template <class... P>
@@ -144,8 +144,10 @@ template <class P>
         std::swap(m[last], m[3]);
         const Sign exchanged = last == 3 ? 1 : -1;
         const Sign around = turn(m[0], m[1], m[2]);
-        if (around > 0) return exchanged * power::in_circle_cold(m[0], m[1], m[2], m[3]).sign;
-        if (around < 0) return -exchanged * power::in_circle_cold(m[1], m[0], m[2], m[3]).sign;
+        if (around < 0) std::swap(m[0], m[1]);
+        if (around != 0)
+            return around * exchanged *
+                   power::InCircle::behind<Arithmetic::exact>(m[0], m[1], m[2], m[3]).sign;
         std::swap(m[last], m[3]);
     }
     return 0;
@@ -167,9 +169,10 @@ template <class P>
         std::swap(m[last], m[4]);
         const Sign exchanged = last == 4 ? 1 : -1;
         const Sign around = turn(m[0], m[1], m[2], m[3]);
-        if (around > 0) return exchanged * power::in_sphere_cold(m[0], m[1], m[2], m[3], m[4]).sign;
-        if (around < 0)
-            return -exchanged * power::in_sphere_cold(m[1], m[0], m[2], m[3], m[4]).sign;
+        if (around < 0) std::swap(m[0], m[1]);
+        if (around != 0)
+            return around * exchanged *
+                   power::InSphere::behind<Arithmetic::exact>(m[0], m[1], m[2], m[3], m[4]).sign;
         std::swap(m[last], m[4]);
     }
     return 0;

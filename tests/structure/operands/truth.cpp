@@ -5,7 +5,6 @@
 #include "../../../predicates/euclidean.hpp"
 #include "../../../predicates/manhattan.hpp"
 #include "../../../predicates/power.hpp"
-#include "../../../predicates/power/multiprecision.hpp"
 #include "../../../predicates/supremum.hpp"
 
 namespace truth {

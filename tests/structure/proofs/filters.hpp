@@ -5,7 +5,7 @@
 
 #include "../../../predicates/ccw.hpp"
 #include "../../../predicates/euclidean/filter.hpp"
-#include "../../../predicates/power/compared.hpp"
+#include "../../../predicates/power.hpp"
 #include "../../../predicates/rectangular/forms.hpp"
 #include "../../../predicates/space/in_sphere.hpp"
 #include "../../../predicates/space/nearer.hpp"

@@ -1,9 +1,9 @@
 #pragma once
-/// The exact numbers of the last stage. Included by sources only, for it pulls in GMP.
+/// The exact numbers of the last stages. Included by sources only, for it pulls in Boost and GMP.
 
-#include "../exact/dyadic.hpp"
-#include "../exact/multiprecision.hpp"
-#include "arithmetic.hpp"
+#include "../../exact/dyadic.hpp"
+#include "../../exact/multiprecision.hpp"
+#include "../arithmetic.hpp"
 
 namespace signum::predicates {
 
