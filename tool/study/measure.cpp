@@ -1,35 +1,19 @@
 #include "measure.hpp"
 
-#include <algorithm>
-#include <chrono>
-#include <utility>
+#include <array>
 
 #include "work.hpp"
 
 namespace signum::study {
 
 std::vector<Row> measure(const Cell& cell, const Pass& pass) {
-    const auto start = std::chrono::steady_clock::now();
+    // In the order of the enumerators.
+    constexpr std::array works = {measure_construction, measure_deletion,  measure_stage_cost,
+                                  measure_first_error,  measure_margin,    measure_structures,
+                                  measure_rounding,     measure_time_steps};
     std::vector<Row> rows;
-    switch (cell.work) {
-        case Work::construction:
-            rows = measure_construction(cell, pass);
-            break;
-        case Work::deletion:
-            rows = measure_deletion(cell, pass);
-            break;
-        case Work::stage_cost:
-            rows = measure_stage_cost(cell, pass);
-            break;
-        case Work::first_error:
-            rows = measure_first_error(cell);
-            break;
-        case Work::margin:
-            rows = measure_margin(cell);
-            break;
-    }
     const double seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        seconds_of([&] { rows = works[static_cast<std::size_t>(cell.work)](cell, pass); });
     rows.push_back({cell.setting, "study", std::string(end_of_cell), exactly(seconds)});
     return rows;
 }

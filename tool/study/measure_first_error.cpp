@@ -51,7 +51,7 @@ std::vector<Row> first_errors(const Cell& cell) {
 
 }  // namespace
 
-std::vector<Row> measure_first_error(const Cell& cell) {
+std::vector<Row> measure_first_error(const Cell& cell, const Pass& /*pass*/) {
     return cell.dimension == 3 ? first_errors<Space>(cell) : first_errors<Plane>(cell);
 }
 

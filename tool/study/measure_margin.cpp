@@ -12,7 +12,7 @@
 
 namespace signum::study {
 
-std::vector<Row> measure_margin(const Cell& cell) {
+std::vector<Row> measure_margin(const Cell& cell, const Pass& /*pass*/) {
     const Metric metric = metric_named(cell.setting.metric).value();
     const Margins margins = margins_of(triangulate(sites_of(cell.setting, 1), metric));
     std::vector<Row> rows;

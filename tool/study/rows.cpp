@@ -1,19 +1,72 @@
 #include "rows.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <map>
 #include <numeric>
+#include <optional>
+#include <ranges>
 #include <stdexcept>
+#include <tuple>
 #include <type_traits>
 #include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 
-#include "motion/setting.hpp"
-
 namespace signum::study {
 namespace {
+
+using Member = std::variant<std::string Setting::*, std::int64_t Setting::*, double Setting::*,
+                            std::string Row::*, double Interval::*, std::size_t Interval::*>;
+
+template <class Owner, class T>
+auto& in(Owner& row, T Setting::*member) {
+    return row.setting.*member;
+}
+template <class Owner, class T>
+auto& in(Owner& row, T Row::*member) {
+    return row.*member;
+}
+template <class Owner, class T>
+auto& in(Owner& row, T Interval::*member) {
+    return row.value.*member;
+}
+
+/// Of the tables of both kinds, or of one.
+struct Column {
+    std::string_view name;
+    Member member;
+    std::optional<Of> of = {};
+};
+constexpr std::array all_columns = {Column{"experiment", &Setting::experiment},
+                                    Column{"metric", &Setting::metric, Of::sites},
+                                    Column{"distribution", &Setting::distribution, Of::sites},
+                                    Column{"sites", &Setting::count, Of::sites},
+                                    Column{"perturbation", &Setting::perturbation, Of::sites},
+                                    Column{"radius_from", &Setting::radius_from, Of::sites},
+                                    Column{"radius_to", &Setting::radius_to, Of::sites},
+                                    Column{"balls", &Setting::count, Of::balls},
+                                    Column{"size_ratio", &Setting::size_ratio, Of::balls},
+                                    Column{"packing", &Setting::packing, Of::balls},
+                                    Column{"time_step", &Setting::time_step, Of::balls},
+                                    Column{"contestant", &Row::contestant},
+                                    Column{"quantity", &Row::quantity},
+                                    Column{"value", &Interval::median},
+                                    Column{"low", &Interval::low},
+                                    Column{"high", &Interval::high},
+                                    Column{"runs", &Interval::runs}};
+
+auto columns(Of of) {
+    return all_columns |
+           std::views::filter([of](const Column& column) { return column.of.value_or(of) == of; });
+}
+
+std::string text_at(const Row& row, const Column& column) {
+    return std::visit([&](auto member) { return fmt::format("{}", in(row, member)); },
+                      column.member);
+}
 
 /// Of a column, whose number it becomes or whose word it is.
 bool read_field(std::string_view text, std::string& word) {
@@ -27,53 +80,57 @@ bool read_field(std::string_view text, Number& number) {
     return result.ec == std::errc{} && result.ptr == end;
 }
 
-/// All columns of a row, in their order.
-template <class Row>
-auto all_fields(Row& row) {
-    return std::tuple_cat(std::remove_const_t<decltype(row.setting)>::fields(row.setting),
-                          std::tie(row.contestant, row.quantity, row.value.median, row.value.low,
-                                   row.value.high, row.value.runs));
+bool read_row(std::string_view line, Row& row, Of of) {
+    bool is_first = true;
+    for (const Column& column : columns(of)) {
+        if (!std::exchange(is_first, false)) {
+            if (line.empty()) return false;
+            line.remove_prefix(1);
+        }
+        const std::string_view field = line.substr(0, line.find(','));
+        if (!std::visit([&](auto member) { return read_field(field, in(row, member)); },
+                        column.member))
+            return false;
+        line.remove_prefix(field.size());
+    }
+    return line.empty();
 }
 
-template <class At>
-bool read_row(std::string_view line, RowOf<At>& row) {
-    bool is_right = true;
-    std::size_t left = At::columns.size() + 6;
-    const auto read_next = [&](auto& field) {
-        const std::size_t comma = line.find(',');
-        --left;
-        is_right = is_right && (comma == std::string_view::npos) == (left == 0) &&
-                   read_field(line.substr(0, comma), field);
-        if (comma != std::string_view::npos) line.remove_prefix(comma + 1);
-    };
-    std::apply([&](auto&... field) { (read_next(field), ...); }, all_fields(row));
-    return is_right;
+/// What `write` makes of the columns, with a comma between them.
+template <class Write>
+std::string line_of(Of of, const Write& write, std::string_view comma) {
+    std::string text;
+    for (const Column& column : columns(of)) text += fmt::format("{}{}", write(column), comma);
+    text.resize(text.size() - comma.size());
+    return text;
 }
 
 }  // namespace
 
-template <class At>
-std::string csv_header() {
-    std::string text;
-    for (const std::string_view column : At::columns) text += fmt::format("{},", column);
-    return text + "contestant,quantity,value,low,high,runs\n";
+std::string text_in(const Row& row, std::string_view name) {
+    const auto* const found = std::ranges::find(all_columns, name, &Column::name);
+    if (found == all_columns.end())
+        throw std::invalid_argument(fmt::format("there is no column {}", name));
+    return text_at(row, *found);
 }
 
-template <class At>
-std::string csv_line(const RowOf<At>& row) {
-    std::string text;
-    std::apply([&](const auto&... field) { ((text += fmt::format("{},", field)), ...); },
-               all_fields(row));
-    text.back() = '\n';
-    return text;
+std::string csv_header(Of of) {
+    return line_of(
+               of, [](const Column& column) { return column.name; }, ",") +
+           "\n";
 }
 
-template <class At>
-TableOf<At> read_csv(std::string_view text) {
-    TableOf<At> table;
-    const std::string header = csv_header<At>();
+std::string csv_line(const Row& row, Of of) {
+    return line_of(
+               of, [&](const Column& column) { return text_at(row, column); }, ",") +
+           "\n";
+}
+
+Table read_csv(std::string_view text, Of of) {
+    Table table;
+    const std::string header = csv_header(of);
     if (!text.starts_with(header)) {
-        if (header.starts_with(text)) return table;  // cut off at once
+        if (std::string_view(header).starts_with(text)) return table;  // cut off at once
         throw std::invalid_argument("line 1 is not the header of a study");
     }
     table.bytes = header.size();
@@ -82,29 +139,25 @@ TableOf<At> read_csv(std::string_view text) {
     for (std::size_t number = 2;; ++number) {
         const std::size_t end = text.find('\n', place);
         if (end == std::string_view::npos) break;
-        RowOf<At> row;
-        if (!read_row(text.substr(place, end - place), row))
+        Row& row = table.rows.emplace_back();
+        if (!read_row(text.substr(place, end - place), row, of))
             throw std::invalid_argument(fmt::format("line {} is no row of a study", number));
         place = end + 1;
-        const bool ends = row.quantity == end_of_cell;
-        table.rows.push_back(std::move(row));
-        if (ends) {
-            complete = table.rows.size();
-            table.bytes = place;
-        }
+        if (row.quantity != end_of_cell) continue;
+        complete = table.rows.size();
+        table.bytes = place;
     }
     table.rows.resize(complete);
     return table;
 }
 
-template <class At>
-std::vector<RowOf<At>> combined(const std::vector<RowOf<At>>& passes) {
-    std::vector<RowOf<At>> rows;
+std::vector<Row> combined(const std::vector<Row>& passes) {
+    std::vector<Row> rows;
     std::vector<std::vector<double>> values;
-    std::map<std::string, std::size_t> places;
-    for (const RowOf<At>& row : passes) {
-        const auto [found, is_new] = places.try_emplace(
-            csv_line(RowOf<At>{row.setting, row.contestant, row.quantity, {}}), rows.size());
+    std::map<std::tuple<Setting, std::string, std::string>, std::size_t> places;
+    for (const Row& row : passes) {
+        const auto [found, is_new] =
+            places.try_emplace({row.setting, row.contestant, row.quantity}, rows.size());
         if (is_new) {
             rows.push_back(row);
             values.emplace_back();
@@ -123,42 +176,21 @@ std::vector<RowOf<At>> combined(const std::vector<RowOf<At>>& passes) {
     return rows;
 }
 
-template <class At>
-std::string json_array(const std::vector<RowOf<At>>& rows) {
-    const auto in_json = [](const auto& field) {
-        if constexpr (std::is_same_v<decltype(field), const std::string&>)
-            return fmt::format("\"{}\"", field);
-        else
-            return fmt::format("{}", field);
-    };
+std::string json_array(const std::vector<Row>& rows, Of of) {
     std::string text = "[";
-    for (const RowOf<At>& row : rows) {
+    for (const Row& row : rows) {
+        const auto write = [&](const Column& column) {
+            return std::visit(
+                [&]<class T, class Owner>(T Owner::*member) {
+                    constexpr std::string_view quote = std::is_same_v<T, std::string> ? "\"" : "";
+                    return fmt::format("\"{0}\": {1}{2}{1}", column.name, quote, in(row, member));
+                },
+                column.member);
+        };
         text += text.size() > 1 ? ",\n{" : "\n{";
-        std::size_t column = 0;
-        std::apply(
-            [&](const auto&... field) {
-                ((text += fmt::format("\"{}\": {}, ", At::columns[column++], in_json(field))), ...);
-            },
-            At::fields(row.setting));
-        text += fmt::format(
-            "\"contestant\": \"{}\", \"quantity\": \"{}\", \"value\": {}, \"low\": {}, \"high\": "
-            "{}, \"runs\": {}}}",
-            row.contestant, row.quantity, row.value.median, row.value.low, row.value.high,
-            row.value.runs);
+        text += line_of(of, write, ", ") + "}";
     }
     return text + "\n]";
 }
-
-template std::string csv_header<Setting>();
-template std::string csv_line(const Row&);
-template TableOf<Setting> read_csv(std::string_view);
-template std::vector<Row> combined(const std::vector<Row>&);
-template std::string json_array(const std::vector<Row>&);
-
-template std::string csv_header<MotionSetting>();
-template std::string csv_line(const MotionRow&);
-template TableOf<MotionSetting> read_csv(std::string_view);
-template std::vector<MotionRow> combined(const std::vector<MotionRow>&);
-template std::string json_array(const std::vector<MotionRow>&);
 
 }  // namespace signum::study

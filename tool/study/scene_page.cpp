@@ -1,12 +1,13 @@
 #include "scene_page.hpp"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <string_view>
 
 #include <fmt/format.h>
 
-#include "html.hpp"
+#include "template.hpp"
 
 namespace signum::study {
 namespace {
@@ -15,47 +16,34 @@ std::string with_unit(std::string_view name, const std::string& unit) {
     return unit.empty() ? std::string(name) : fmt::format("{} ({})", name, unit);
 }
 
-std::string_view in_words(Judgement judgement) {
-    switch (judgement) {
-        case Judgement::good:
-            return "good";
-        case Judgement::not_good:
-            return "not good";
-        case Judgement::not_told:
-            break;
+struct JudgementWords {
+    Judgement judgement;
+    const char* name;
+    const char* words;
+};
+constexpr std::array<JudgementWords, 3> judgements = {
+    {{Judgement::good, "good", "good"},
+     {Judgement::not_good, "not_good", "not good"},
+     {Judgement::not_told, "not_told", "not told: too few data"}}};
+
+/// The lines of the table of checks; how many are good, not good and not told.
+Values words_of(const std::vector<Check>& checks) {
+    Values values = {{"all", std::to_string(checks.size())}, {"checks", ""}};
+    for (const auto& [judgement, name, words] : judgements) {
+        const auto count = std::ranges::count(checks, judgement, &Check::judgement);
+        values[name] = count > 0 || judgement == Judgement::good ? std::to_string(count) : "";
     }
-    return "not told: too few data";
-}
-std::string_view class_of(Judgement judgement) {
-    return judgement == Judgement::good       ? "good"
-           : judgement == Judgement::not_good ? "not_good"
-                                              : "not_told";
-}
-
-std::string table_of_checks(const std::vector<Check>& checks) {
-    std::string text =
-        "<table "
-        "class=\"run\">\n<tr><th>what</th><th>expected</th><th>found</th><th>deviation</th><th></"
-        "th>"
-        "</tr>\n";
-    for (const Check& check : checks)
-        text += fmt::format(
-            "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td class=\"{}\">{}</td></tr>\n",
-            html_text(check.what), html_text(check.expected), html_text(check.found),
-            html_text(check.deviation), class_of(check.judgement), in_words(check.judgement));
-    return text + "</table>\n";
-}
-
-std::string summary_of_checks(const std::vector<Check>& checks) {
-    const auto count = [&](Judgement judgement) {
-        return std::ranges::count(checks, judgement, &Check::judgement);
-    };
-    std::string text = fmt::format("{} of {} are good", count(Judgement::good), checks.size());
-    if (const auto bad = count(Judgement::not_good); bad > 0)
-        text += fmt::format(", <strong class=\"not_good\">{} not</strong>", bad);
-    if (const auto open = count(Judgement::not_told); open > 0)
-        text += fmt::format(", {} not told", open);
-    return text + ".";
+    for (const Check& check : checks) {
+        const auto* const judged =
+            std::ranges::find(judgements, check.judgement, &JudgementWords::judgement);
+        values["checks"] += html_of("check", {{"what", html_text(check.what)},
+                                              {"expected", html_text(check.expected)},
+                                              {"found", html_text(check.found)},
+                                              {"deviation", html_text(check.deviation)},
+                                              {"name", judged->name},
+                                              {"words", judged->words}});
+    }
+    return values;
 }
 
 }  // namespace
@@ -141,26 +129,19 @@ std::vector<Plot> plots_of_scene(const SceneDescription& scene, const SceneCurve
 }
 
 std::string html_of(const ScenePage& page) {
-    const std::string title =
+    Values values = words_of(page.checks);
+    values["title"] =
         html_text(page.scene.title.empty() ? "Balls that move and strike" : page.scene.title);
-    std::string text = fmt::format("{}<h1>{}</h1>\n", html_head(title), title);
-    text += fmt::format("<figure class=\"film\">\n{}\n</figure>\n", page.film);
-    text += fmt::format(
-        "<h2>Beside what is known</h2>\n<p>{} Each stands here only where what it expects "
-        "holds.</p>\n{}",
-        summary_of_checks(page.checks), table_of_checks(page.checks));
-    text += "<h2>The run</h2>\n<table class=\"run\">\n";
+    values["head"] = html_of("head", {{"title", values["title"]}});
+    values["film"] = page.film;
+    values["without_curves"] = html_text(page.without_curves);
+    values["explanation"] = html_text(page.scene.explanation);
     for (const auto& [name, value] : page.run)
-        text += fmt::format("<tr><th>{}</th><td>{}</td></tr>\n", html_text(name), html_text(value));
-    text += "</table>\n<h2>Curves</h2>\n";
-    if (!page.without_curves.empty())
-        text += fmt::format("<p class=\"soft\">{}</p>\n", html_text(page.without_curves));
+        values["run"] += table_line({html_text(name), html_text(value)}, "th");
     for (const std::string& curve : page.curves)
-        text += fmt::format("<figure>\n{}\n</figure>\n", curve);
-    if (!page.scene.explanation.empty())
-        text +=
-            fmt::format("<h2>The scene</h2>\n<pre>{}</pre>\n", html_text(page.scene.explanation));
-    return text + "</body>\n</html>\n";
+        values["curves"] += fmt::format("<figure>\n{}\n</figure>\n", curve);
+    values.try_emplace("curves", "");
+    return html_of("scene", values);
 }
 
 }  // namespace signum::study

@@ -8,7 +8,8 @@
 
 #include "../../../motion/queries.hpp"
 #include "../../scenes/snapshot.hpp"
-#include "work.hpp"
+#include "../work.hpp"
+#include "shaker.hpp"
 
 namespace signum::study {
 namespace {
@@ -47,7 +48,7 @@ void look(Run& run, const motion::State<2>& state, const motion::Effects<2>& eff
     run.lost = std::max(run.lost, lost);
 }
 
-Run run_of(const MotionCell& cell, const motion::Options& options, std::size_t most_strikes) {
+Run run_of(const Cell& cell, const motion::Options& options, std::size_t most_strikes) {
     const Shaker& shaker = shaker_for(cell);
     Run run;
     try {
@@ -75,8 +76,8 @@ std::size_t first_difference(const Run& a, const Run& b, const Same& same) {
     return static_cast<std::size_t>(in_a - a.log.begin());
 }
 
-std::vector<MotionRow> compare_runs(const MotionCell& cell) {
-    std::vector<MotionRow> rows;
+std::vector<Row> compare_runs(const Cell& cell) {
+    std::vector<Row> rows;
     const double radius = radii_of(cell.setting).back();
     Run exact;
     for (const char* name : {"exact", "naive"}) {
@@ -113,11 +114,11 @@ std::vector<MotionRow> compare_runs(const MotionCell& cell) {
 
 }  // namespace
 
-std::vector<MotionRow> measure_rounding(const MotionCell& cell, const Pass& pass) {
+std::vector<Row> measure_rounding(const Cell& cell, const Pass& pass) {
     const Shaker& shaker = shaker_for(cell);
-    std::vector<MotionRow> rows;
+    std::vector<Row> rows;
     if (pass.number == 1) rows = compare_runs(cell);
-    for (const MotionRow& row : rows)
+    for (const Row& row : rows)
         if (row.quantity == broken_percent && row.value.median > 0.0) return rows;
     if (pass.number > 1 && pass.breaks) return rows;
     std::vector<Contestant> racing;

@@ -8,7 +8,8 @@
 #include <string>
 #include <utility>
 
-#include "work.hpp"
+#include "../work.hpp"
+#include "shaker.hpp"
 
 namespace signum::study {
 namespace {
@@ -21,8 +22,8 @@ Structure structure_named(const std::string& name) {
 }
 
 /// Those that take some ten, or some hundred, times as long as the others are stopped earlier.
-std::uint64_t most_strikes_of(Structure structure, const MotionCell& cell) {
-    if (cell.setting.balls < 1000 || cell.setting.time_step > 0.0) return cell.most_strikes;
+std::uint64_t most_strikes_of(Structure structure, const Cell& cell) {
+    if (cell.setting.count < 1000 || cell.setting.time_step > 0.0) return cell.most_strikes;
     if (structure == Structure::segments) return cell.most_strikes / 100;
     if (structure == Structure::delaunay || structure == Structure::pairs)
         return cell.most_strikes / 10;
@@ -52,12 +53,12 @@ struct Racer {
 
 }  // namespace
 
-std::vector<MotionRow> measure_structures(const MotionCell& cell, const Pass& pass) {
+std::vector<Row> measure_structures(const Cell& cell, const Pass& pass) {
     const Shaker& shaker = shaker_for(cell);
     std::vector<Racer> racers;
     racers.reserve(cell.contestants.size());
     std::vector<Contestant> racing;
-    std::vector<MotionRow> rows;
+    std::vector<Row> rows;
     for (const std::string& name : cell.contestants) {
         const Structure wish = structure_named(name);
         const Structure chosen = choose(wish, shaker.state, shaker.effects).structure;

@@ -6,7 +6,8 @@
 #include <fmt/format.h>
 
 #include "../../scenes/energy.hpp"
-#include "work.hpp"
+#include "../work.hpp"
+#include "shaker.hpp"
 
 namespace signum::study {
 namespace {
@@ -26,14 +27,14 @@ Interval mean_of(const std::vector<double>& values, double widths) {
 
 }  // namespace
 
-std::vector<MotionRow> measure_time_steps(const MotionCell& cell) {
-    const double side = side_of_box(cell.setting.balls);
+std::vector<Row> measure_time_steps(const Cell& cell, const Pass& /*pass*/) {
+    const double side = side_of_box(cell.setting.count);
     const double mass = cell.setting.packing * side * side;
     std::vector<std::vector<double>> strikes(parts);
     std::vector<std::vector<double>> energies(parts);
     std::vector<double> all_strikes;
     std::vector<double> mean_energies;
-    for (std::size_t seed = 1; seed <= cell.seeds; ++seed) {
+    for (std::size_t seed = 1; seed <= cell.sets; ++seed) {
         const Shaker shaker = shaker_of(cell.setting, cell.speed, seed);
         motion::Simulation<2> simulation(shaker.state, shaker.effects);
         double done = 0.0;
@@ -51,7 +52,7 @@ std::vector<MotionRow> measure_time_steps(const MotionCell& cell) {
         all_strikes.push_back(done);
         mean_energies.push_back(energy_sum / parts);
     }
-    std::vector<MotionRow> rows;
+    std::vector<Row> rows;
     const auto put = [&](const std::string& quantity, const Interval& value) {
         rows.push_back({cell.setting, "auto", quantity, value});
     };
@@ -61,7 +62,7 @@ std::vector<MotionRow> measure_time_steps(const MotionCell& cell) {
         put(fmt::format("strikes_at_{}", time), mean_of(strikes[i], 1.0));
         put(fmt::format("energy_at_{}", time), mean_of(energies[i], 1.0));
     }
-    const double of_the_mean = 1.0 / std::sqrt(static_cast<double>(cell.seeds));
+    const double of_the_mean = 1.0 / std::sqrt(static_cast<double>(cell.sets));
     put("all_strikes", mean_of(all_strikes, of_the_mean));
     put("mean_energy", mean_of(mean_energies, of_the_mean));
     return rows;

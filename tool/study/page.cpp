@@ -1,0 +1,94 @@
+#include "page.hpp"
+
+#include <array>
+
+#include <fmt/format.h>
+
+#include "motion/words.hpp"
+
+#include "figures.hpp"
+
+namespace signum::study {
+namespace {
+
+/// The numbers that the thesis states in its text, and ours, where there are rows of them.
+std::string beside_the_thesis(const toml::table& page, const std::vector<Row>& rows) {
+    std::string lines;
+    const toml::array* const all = page["beside"].as_array();
+    for (std::size_t i = 0; all && i < all->size(); ++i) {
+        std::array<std::string, 4> text;  // what, the thesis, the rows and the format of ours
+        for (std::size_t k = 0; k < text.size(); ++k)
+            text[k] = (*all)[i].as_array()->get(k)->value_or("");
+        if (const auto found = rows_that_fit(rows, text[2]); !found.empty())
+            lines += table_line({html_text(text[0]), html_text(text[1]),
+                                 fmt::format(fmt::runtime(text[3]), found[0]->value.median)});
+    }
+    return lines;
+}
+
+/// The figure, where it is like an earlier one with what that one says.
+toml::table with_model(const toml::array& figures, const toml::table& figure) {
+    for (const toml::node& each : figures)
+        if (figure.contains("like") && each.at_path("name") == figure["like"])
+            return within(*each.as_table(), figure);
+    return figure;
+}
+
+}  // namespace
+
+Page page_of(std::string_view study, const std::vector<Row>& rows, const Values& values) {
+    const toml::table& page = page_table(study);
+    Page result;
+    result.title = page["title"].value_or("");
+    Values own = values;
+    own["beside"] = beside_the_thesis(page, rows);
+    result.introduction = filled(page["introduction"].value_or(""), own).value();
+    result.glossary = page["glossary"].value_or("");
+    if (page.contains("words"))
+        result.glossary = html_of(
+            "glossary", {{"words", page["words"].value_or("")}, {"tie", page["tie"].value_or("")}});
+    std::vector<Row> all = rows;
+    if (page.contains("thesis")) {
+        const std::vector<Row> theirs = thesis_rows(page);
+        all.insert(all.end(), theirs.begin(), theirs.end());
+    }
+    const toml::array& figures = *page["figure"].as_array();
+    for (const toml::node& each : figures) {
+        const toml::table figure = with_model(figures, *each.as_table());
+        const std::string name = figure["name"].value_or("");
+        if (auto drawn = figure_of(page, figure, all, words_of(name, page, all)))
+            result.figures.push_back(std::move(*drawn));
+    }
+    return result;
+}
+
+std::string html_report(const Page& page, const Account& account) {
+    std::string sections;
+    for (const Figure& figure : page.figures)
+        sections +=
+            html_of("section", {{"name", figure.plot.name},
+                                {"number", std::to_string(&figure - page.figures.data() + 1)},
+                                {"title", figure.title},
+                                {"text", figure.text},
+                                {"svg", figure.svg}});
+    std::string machine;
+    for (const auto& [name, value] : account.machine)
+        machine += table_line({html_text(name), html_text(value)}, "th");
+    const bool is_whole = account.measured >= account.planned;
+    return html_of(
+        "report",
+        {{"head", html_of("head", {{"title", html_text(page.title + ": a study by signum")}})},
+         {"title", page.title},
+         {"introduction", page.introduction},
+         {"sections", sections},
+         {"glossary", page.glossary},
+         {"command", html_text(account.command)},
+         {"version", html_text(account.version)},
+         {"time", account.seconds < 120.0 ? fmt::format("{:.0f} seconds", account.seconds)
+                                          : fmt::format("{:.0f} minutes", account.seconds / 60.0)},
+         {"measured", is_whole ? "" : std::to_string(account.measured)},
+         {"planned", std::to_string(account.planned)},
+         {"machine", machine}});
+}
+
+}  // namespace signum::study
