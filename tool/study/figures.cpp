@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include <fmt/format.h>
@@ -13,21 +12,22 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-std::string text_of(const toml::table& table, std::string_view key) {
-    return table[key].value_or(std::string());
+std::string text_of(const toml::table& table, std::string_view key,
+                    const std::string& otherwise = "") {
+    return table[key].value_or(otherwise);
 }
 
-Names names_of(const toml::node_view<const toml::node>& array) {
-    Names names;
-    if (const toml::array* all = array.as_array())
-        for (const toml::node& name : *all) names.push_back(name.value_or(std::string()));
-    return names;
+/// The array in a table; an empty one where there is none.
+const toml::array& array_in(const toml::table& table, std::string_view key) {
+    static const toml::array none;
+    const toml::array* const found = table.at_path(key).as_array();
+    return found ? *found : none;
 }
 
-Names split(std::string_view text, char at) {
+Names split(std::string_view text) {
     Names parts;
     while (!text.empty()) {
-        const std::string_view part = text.substr(0, text.find(at));
+        const std::string_view part = text.substr(0, text.find(' '));
         if (!part.empty()) parts.emplace_back(part);
         text.remove_prefix(std::min(part.size() + 1, text.size()));
     }
@@ -35,44 +35,35 @@ Names split(std::string_view text, char at) {
 }
 
 /// Of "column:list" the column.
-std::string head_of(const std::string& dimension) {
+std::string column_of(const std::string& dimension) {
     return dimension.substr(0, dimension.find(':'));
 }
 
-/// "a=1 b=2 a=3": of a column the last value is wanted.
-class Filter {
- public:
-    explicit Filter(std::string_view text) {
-        for (const std::string& each : split(text, ' ')) {
-            const std::size_t sign = each.find('=');
-            value_of(each.substr(0, sign)) = each.substr(sign + 1);
-        }
-    }
-    [[nodiscard]] bool fits(const Row& row) const {
-        return std::ranges::all_of(wanted, [&](const auto& each) {
-            const auto& [column, value] = each;
-            const std::string text = text_in(row, column);
-            return value.ends_with('*') ? text.starts_with(value.substr(0, value.size() - 1))
-                                        : text == value;
-        });
-    }
-    std::string& value_of(const std::string& column) {
-        const auto found = std::ranges::find(wanted, column, &Wanted::first);
-        return found != wanted.end() ? found->second : wanted.emplace_back(column, "").second;
-    }
+/// "{column}, {column}"
+std::string in_braces(const std::string& dimensions) {
+    std::string text;
+    for (const std::string& each : split(dimensions))
+        text += fmt::format("{}{{{}}}", text.empty() ? "" : ", ", column_of(each));
+    return text;
+}
 
-    using Wanted = std::pair<std::string, std::string>;
-    std::vector<Wanted> wanted;
-};
+/// "a=1 b=2 a=3" as columns and values; of a column the last value is wanted.
+Values wanted_by(std::string_view filter) {
+    Values wanted;
+    for (const std::string& each : split(filter)) {
+        const std::size_t sign = each.find('=');
+        wanted[each.substr(0, sign)] = each.substr(sign + 1);
+    }
+    return wanted;
+}
 
 /// An empty line begins a new line, another end of a line is a space.
 std::string folded(std::string text) {
-    for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 1)) {
+    for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 1))
         if (text.substr(at, 2) == "\n\n")
             text.erase(at, 1);
         else
             text[at] = ' ';
-    }
     return text;
 }
 
@@ -86,40 +77,53 @@ std::optional<double> number_in(std::string_view text) {
 /// The tables of an array in a table, each within this one.
 std::vector<toml::table> all_within(const toml::table& outer, std::string_view array) {
     std::vector<toml::table> all;
-    if (const toml::array* inner = outer[array].as_array())
-        for (const toml::node& each : *inner) all.push_back(within(outer, *each.as_table()));
+    for (const toml::node& each : array_in(outer, array))
+        all.push_back(within(outer, *each.as_table()));
     return all;
+}
+
+/// What a value of a column is called.
+std::string in_words(const toml::table& spec, const std::string& column, const std::string& value) {
+    if (column == "packing") return fmt::format("{:.3g} %", 100.0 * number_in(value).value());
+    if (column == "size_ratio") return value == "1" ? "one size" : "1 : " + value;
+    if (column == "time_step") return value == "0" ? "events" : value + " s";
+    return spec["words"][value].value_or(value);
+}
+
+/// A title with the values of cells in it.
+std::string title(const toml::table& spec, const std::string& words, const std::string& cells) {
+    Values values = wanted_by(cells);
+    for (auto& [column, value] : values) value = in_words(spec, column, value);
+    return filled(words, values).value();
 }
 
 class Drawing {
  public:
     Drawing(const toml::table& page, const std::vector<Row>& rows) : page_(page), rows_(rows) {}
 
-    [[nodiscard]] Plot plot(const toml::table& figure) const {
-        Plot plot{text_of(figure, "name"), figure["columns"].value_or(1), {}};
-        const std::string cells = text_of(figure, "cells");
-        std::vector<toml::table> panels = all_within(figure, "panel");
-        if (panels.empty()) panels = {figure};
-        for (const std::string& some : combinations(text_of(figure, "panels"), cells))
-            for (const toml::table& spec : panels)
-                plot.panels.push_back(panel(spec, text_of(spec, "cells") + some));
-        return plot;
+    [[nodiscard]] std::vector<Panel> panels(const toml::table& figure) const {
+        std::vector<toml::table> specs = all_within(figure, "panel");
+        if (specs.empty()) specs = {figure};
+        std::vector<Panel> panels;
+        for (const std::string& some :
+             combinations(text_of(figure, "panels"), text_of(figure, "cells")))
+            for (const toml::table& spec : specs)
+                panels.push_back(panel(spec, text_of(spec, "cells") + some));
+        return panels;
     }
 
  private:
-    /// What a value of a column is called.
-    static std::string in_words(const toml::table& spec, const std::string& column,
-                                const std::string& value) {
-        if (column == "packing") return fmt::format("{:.3g} %", 100.0 * number_in(value).value());
-        if (column == "size_ratio") return value == "1" ? "one size" : "1 : " + value;
-        if (column == "time_step") return value == "0" ? "events" : value + " s";
-        return spec["words"][value].value_or(value);
+    [[nodiscard]] Names list(const std::string& name) const {
+        Names names;
+        for (const toml::node& each : array_in(page_, "lists." + name))
+            names.push_back(each.value_or(""));
+        return names;
     }
 
-    /// The place of a name in a list of the page.
-    [[nodiscard]] std::optional<std::size_t> place(const std::string& list,
+    /// The place of a name in the list of its column.
+    [[nodiscard]] std::optional<std::size_t> place(const std::string& column,
                                                    const std::string& name) const {
-        const Names names = names_of(page_["lists"][list]);
+        const Names names = list(column);
         const auto found = std::ranges::find(names, name);
         if (found == names.end()) return std::nullopt;
         return static_cast<std::size_t>(found - names.begin());
@@ -128,15 +132,15 @@ class Drawing {
     /// Of "column:list" the list, of "column" the values that rows have: words in the order of the
     /// list of the column's name, numbers by size.
     [[nodiscard]] Names values_of(const std::string& dimension, const std::string& cells) const {
-        const Names parts = split(dimension, ':');
-        if (parts.size() > 1) return names_of(page_["lists"][parts[1]]);
+        const std::string column = column_of(dimension);
+        if (column != dimension) return list(dimension.substr(column.size() + 1));
         std::map<double, std::string> found;
         for (const Row* row : rows_that_fit(rows_, cells)) {
-            const std::string value = text_in(*row, parts[0]);
-            const auto place_in_list = place(parts[0], value);
-            const auto order =
-                place_in_list ? std::optional<double>(*place_in_list) : number_in(value);
-            if (order) found[*order] = value;
+            const std::string value = text_in(*row, column);
+            if (const auto in_list = place(column, value))
+                found[static_cast<double>(*in_list)] = value;
+            else if (const auto number = number_in(value))
+                found[*number] = value;
         }
         Names values;
         for (const auto& [order, value] : found) values.push_back(value);
@@ -146,66 +150,65 @@ class Drawing {
     /// A filter for each value of a column, with each of the next.
     [[nodiscard]] Names combinations(const std::string& dimensions,
                                      const std::string& cells) const {
-        if (dimensions.empty()) return {""};
-        Names result;
-        const std::string first = dimensions.substr(0, dimensions.find(' '));
-        const std::string rest = dimensions.substr(std::min(first.size() + 1, dimensions.size()));
-        for (const std::string& value : values_of(first, cells)) {
-            const std::string one = fmt::format(" {}={}", head_of(first), value);
-            for (const std::string& more : combinations(rest, cells + one))
-                result.push_back(one + more);
+        Names result = {""};
+        for (const std::string& dimension : split(dimensions)) {
+            Names longer;
+            for (const std::string& some : result)
+                for (const std::string& value : values_of(dimension, cells + some))
+                    longer.push_back(fmt::format("{} {}={}", some, column_of(dimension), value));
+            result = std::move(longer);
         }
         return result;
     }
 
-    [[nodiscard]] Panel panel(const toml::table& spec, const std::string& cells) const {
+    [[nodiscard]] Panel panel(const toml::table& spec, std::string cells) const {
         Panel panel;
-        panel.title = title(spec, "panel_title", cells);
-        panel.x_label = text_of(spec, "x_label");
+        const std::string x = text_of(spec, "x");
+        const bool has_categories = x.find(':') != std::string::npos;
+        panel.title =
+            title(spec, text_of(spec, "panel_title", in_braces(text_of(spec, "panels"))), cells);
+        if (!panel.title.empty()) panel.title[0] = static_cast<char>(std::toupper(panel.title[0]));
+        panel.x_label = text_of(spec, "x_label", has_categories ? "" : x);
         panel.y_label = text_of(spec, "y_label");
         const std::string log = text_of(spec, "log");
         panel.x_is_log = log.find('x') != std::string::npos;
         panel.y_is_log = log.find('y') != std::string::npos;
-        panel.y_least = spec["y_least"].value_or(panel.y_least);
-        panel.y_most = spec["y_most"].value_or(panel.y_most);
-        panel.place_of_zero = spec["zero"].value_or(0.0);
+        if (!panel.y_is_log) panel.y_least = spec["y_least"].value_or(0.0);
         panel.stacked = spec["stacked"].value_or(false);
-        if (const toml::array* uprights = spec["uprights"].as_array())
-            for (const toml::node& each : *uprights) {
-                const toml::array& upright = *each.as_array();
-                panel.uprights.push_back(
-                    {upright[0].value_or(0.0), upright[1].value_or(std::string())});
+        if (panel.stacked) panel.y_most = 100.0;
+        panel.place_of_zero = spec["zero"].value_or(0.0);
+        for (const toml::node& each : array_in(spec, "uprights"))
+            panel.uprights.push_back(
+                {each.at_path("[0]").value_or(0.0), each.at_path("[1]").value_or(std::string())});
+        Values wanted = wanted_by(cells);
+        if (text_of(spec, "thesis_of", wanted["metric"]) == wanted["metric"])
+            for (const toml::node& each : array_in(spec, "thesis")) {
+                const double y = each.at_path("[1]").value_or(0.0);
+                panel.quoted.title = "the thesis";
+                panel.quoted.points.push_back({each.at_path("[0]").value_or(0.0), y, y, y});
             }
-        const std::string thesis_of = text_of(spec, "thesis_of");
-        const toml::array* thesis = spec["thesis"].as_array();
-        if (thesis && (thesis_of.empty() || Filter(cells).value_of("metric") == thesis_of)) {
-            panel.quoted.title = "the thesis";
-            for (const toml::node& each : *thesis) {
-                const double y = each.as_array()->get(1)->value_or(0.0);
-                panel.quoted.points.push_back({each.as_array()->get(0)->value_or(0.0), y, y, y});
-            }
-        }
-        const Names categories = categories_of(spec);
-        const std::string x = text_of(spec, "x");
-        for (const std::string& category : categories)
-            panel.categories.push_back(in_words(spec, head_of(x), category));
-        add_series(panel, spec, cells, categories);
-        if (panel.stacked) make_shares(panel, spec, cells, categories);
-        return panel;
-    }
 
-    /// The names of a list along the axis of x; empty where x is a number.
-    [[nodiscard]] Names categories_of(const toml::table& spec) const {
-        const Names x = split(text_of(spec, "x"), ':');
-        if (x.size() < 2) return {};
-        Names names = names_of(page_["lists"][x[1]]);
+        Names categories;
+        if (has_categories) categories = values_of(x, cells);
         if (spec["present"].value_or(false))
-            std::erase_if(names, [&](const std::string& name) {
+            std::erase_if(categories, [&](const std::string& name) {
+                const std::string cells_of_all = text_of(spec, "cells");
                 return rows_that_fit(rows_,
-                                     fmt::format("{} {}={}", text_of(spec, "cells"), x[0], name))
+                                     fmt::format("{} {}={}", cells_of_all, column_of(x), name))
                     .empty();
             });
-        return names;
+        for (const std::string& category : categories)
+            panel.categories.push_back(in_words(spec, column_of(x), category));
+        if (panel.stacked) {
+            const Names sites = values_of("sites", cells);
+            if (sites.empty()) return panel;
+            cells += " sites=" + sites.back();
+        }
+        add_series(panel, spec, cells, categories);
+        if (panel.stacked)
+            make_shares(panel,
+                        points(spec, cells + " quantity=" + text_of(spec, "whole"), categories));
+        return panel;
     }
 
     void add_series(Panel& panel, const toml::table& spec, const std::string& cells,
@@ -215,43 +218,24 @@ class Drawing {
             const int look = static_cast<int>(style.value_or(panel.series.size())) + 1;
             panel.series.push_back(
                 {std::move(name), of["style"].value_or(look), categories.empty(),
-                 points(of, fmt::format("{} {} {}", cells, text_of(of, "rows"), one), categories)});
+                 points(of, fmt::format("{} {}{}", cells, text_of(of, "rows"), one), categories)});
         };
-        const std::string dimensions = text_of(spec, "series");
-        const std::string column = head_of(dimensions);
-        if (!dimensions.empty())
-            for (const std::string& one : combinations(dimensions, cells)) {
-                const std::string name = Filter(one).value_of(column);
-                add(spec, one,
-                    spec.contains("series_title") ? title(spec, "series_title", one)
-                                                  : in_words(spec, column, name),
-                    place(column, name));
+        const std::string series = text_of(spec, "series");
+        if (!series.empty())
+            for (const std::string& one : combinations(series, cells)) {
+                const auto& [column, value] = *wanted_by(one).begin();
+                add(spec, one, title(spec, text_of(spec, "series_title", in_braces(series)), one),
+                    place(column, value));
             }
         for (const toml::table& more : all_within(spec, "more"))
             add(more, "", text_of(more, "curve"), std::nullopt);
     }
 
-    /// A title with the values of its cells in it.
-    static std::string title(const toml::table& spec, std::string_view key,
-                             const std::string& cells) {
-        Values values;
-        for (const auto& [column, value] : Filter(cells).wanted) {
-            values[column] = in_words(spec, column, value);
-            std::string name = column;
-            std::string capital = value;
-            for (std::string* text : {&name, &capital})
-                (*text)[0] = static_cast<char>(std::toupper((*text)[0]));
-            values[name] = capital;
-        }
-        return filled(text_of(spec, key), values).value();
-    }
-
     /// By rising x.
     [[nodiscard]] std::vector<PlotPoint> points(const toml::table& spec, const std::string& filter,
                                                 const Names& categories) const {
-        const std::string x = text_of(spec, "x");
-        const std::string column = head_of(x);
-        const std::size_t prefix = Filter(filter).value_of("quantity").size() - 1;
+        const std::string column = column_of(text_of(spec, "x"));
+        const std::size_t prefix = wanted_by(filter)["quantity"].size() - 1;
         const auto x_of = [&](const Row& row) -> std::optional<double> {
             std::string text = text_in(row, column);
             if (!categories.empty()) {
@@ -269,46 +253,34 @@ class Drawing {
         };
         std::vector<PlotPoint> result;
         for (const Row* row : rows_that_fit(rows_, filter))
-            if (const auto at = x_of(*row)) {
-                const double times = spec["times"].value_or(1.0);
-                const double over = spec["over"].value_or(1.0);
-                const auto scaled = [&](double y) { return times * y / over; };
-                result.push_back({*at, scaled(row->value.median), scaled(row->value.low),
-                                  scaled(row->value.high)});
-            }
+            if (const auto x = x_of(*row))
+                result.push_back({*x, row->value.median, row->value.low, row->value.high});
         std::ranges::stable_sort(result, {}, &PlotPoint::x);
-        if (spec["a_second"] && !result.empty()) {
-            const double rate = static_cast<double>(result.size()) / result.back().x;
-            for (PlotPoint& point : result)
-                point = {point.x, rate * point.y, rate * point.low, rate * point.high};
-        }
+        double times = spec["times"].value_or(1.0);
+        if (spec["a_second"] && !result.empty())
+            times = static_cast<double>(result.size()) / result.back().x;
+        for (PlotPoint& point : result)
+            for (double PlotPoint::*y : {&PlotPoint::y, &PlotPoint::low, &PlotPoint::high})
+                point.*y = times * point.*y / spec["over"].value_or(1.0);
         return result;
     }
 
-    /// A number a category for every series, of the most sites; then their shares.
-    void make_shares(Panel& panel, const toml::table& spec, const std::string& cells,
-                     const Names& categories) const {
-        const auto number = [&](const std::string& filter, const std::string& count) {
-            const auto found = rows_that_fit(rows_, fmt::format("{} {}", filter, count));
-            return found.empty() ? 0.0 : found[0]->value.median;
-        };
-        std::int64_t most = 0;
-        const auto there = rows_that_fit(rows_, cells);
-        if (there.empty()) return;
-        for (const Row* row : there) most = std::max(most, row->setting.count);
-        const std::string column = split(text_of(spec, "x"), ':')[0];
-        for (std::size_t i = 0; i < categories.size(); ++i) {
-            const std::string here =
-                fmt::format("{} {}={} sites={} ", cells, column, categories[i], most);
-            std::vector<double> parts;
-            for (const toml::table& more : all_within(spec, "more"))
-                parts.push_back(number(here, text_of(more, "rows")));
-            const double all = spec["whole"] ? number(here, "quantity=" + text_of(spec, "whole"))
-                                             : std::accumulate(parts.begin(), parts.end(), 0.0);
-            for (std::size_t s = 0; s < parts.size(); ++s) {
-                const double y = all > 0.0 ? 100.0 * parts[s] / all : 0.0;
-                panel.series[s].points.resize(categories.size());
-                panel.series[s].points[i] = {static_cast<double>(i), y, y, y};
+    /// From numbers to their shares of a whole, or of all of a category where there is none.
+    static void make_shares(Panel& panel, const std::vector<PlotPoint>& whole) {
+        for (std::size_t i = 0; i < panel.categories.size(); ++i) {
+            const auto x = static_cast<double>(i);
+            const auto number = [&](const std::vector<PlotPoint>& points) {
+                const auto found = std::ranges::find(points, x, &PlotPoint::x);
+                return found == points.end() ? 0.0 : found->y;
+            };
+            double all = number(whole);
+            if (whole.empty())
+                for (const Series& series : panel.series) all += number(series.points);
+            for (Series& series : panel.series) {
+                const double y = all > 0.0 ? 100.0 * number(series.points) / all : 0.0;
+                std::erase_if(series.points, [&](const PlotPoint& point) { return point.x == x; });
+                series.points.insert(series.points.begin() + static_cast<std::ptrdiff_t>(i),
+                                     {x, y, y, y});
             }
         }
     }
@@ -328,10 +300,16 @@ toml::table within(const toml::table& outer, const toml::table& inner) {
 }
 
 std::vector<const Row*> rows_that_fit(const std::vector<Row>& rows, std::string_view filter) {
-    const Filter wanted(filter);
+    const Values wanted = wanted_by(filter);
     std::vector<const Row*> found;
     for (const Row& row : rows)
-        if (wanted.fits(row)) found.push_back(&row);
+        if (std::ranges::all_of(wanted, [&](const auto& each) {
+                const auto& [column, value] = each;
+                const std::string text = text_in(row, column);
+                return value.ends_with('*') ? text.starts_with(value.substr(0, value.size() - 1))
+                                            : text == value;
+            }))
+            found.push_back(&row);
     return found;
 }
 
@@ -343,9 +321,10 @@ std::optional<Figure> figure_of(const toml::table& page, const toml::table& figu
     const auto text = filled(folded(text_of(figure, "text")), all);
     if (!text) return std::nullopt;
     Figure result = {{}, text_of(figure, "title"), *text, text_of(figure, "description"), ""};
-    result.plot.name = text_of(figure, "name");
-    if (!figure.contains("cells")) return result;
-    result.plot = Drawing(page, rows).plot(figure);
+    result.plot = {
+        text_of(figure, "name"), figure.contains("panel") || figure.contains("panels") ? 2 : 1, {}};
+    if (!figure.contains("x") && !figure.contains("panel")) return result;
+    result.plot.panels = Drawing(page, rows).panels(figure);
     for (const Panel& panel : result.plot.panels)
         for (const Series& series : panel.series)
             if (!series.points.empty()) return result;
