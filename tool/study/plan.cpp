@@ -33,30 +33,37 @@ struct Radii {
 };
 constexpr Radii small = {0.01, 10.0};
 
-/// A cell for each metric, distribution, number of sites and perturbation.
-struct Experiment {
-    std::string name;
-    Work work;
-    Metrics metrics;
-    Names distributions;
-    Sizes sites;
-    Names contestants = {};
-    /// None: the thesis's radii, 1 to 10 for random sites, the same for all where all is
-    /// degenerate.
-    std::optional<Radii> radii = {};
-    Numbers perturbations = {0.0};
-};
-
 class Plan {
  public:
     Plan(const Scope& scope, int dimension) : scope_(scope), dimension_(dimension) {}
 
-    void add(const Experiment& experiment) {
-        for (const Metric metric : experiment.metrics)
-            for (const std::string& distribution : experiment.distributions)
-                for (const std::int64_t sites : experiment.sites)
-                    for (const double perturbation : experiment.perturbations)
-                        add(experiment, metric, distribution, sites, perturbation);
+    /// A cell for each metric, distribution, number of sites and perturbation. Without radii they
+    /// are the thesis's: 1 to 10 for random sites, the same for all where all is degenerate.
+    void add(const char* experiment, Work work, const Metrics& metrics, const Names& distributions,
+             const Sizes& numbers, const Names& contestants = {},
+             const std::optional<Radii>& radii = {}, const Numbers& perturbations = {0.0}) {
+        // Six are the fewest whose extremes are an interval of 95 %.
+        const bool is_timed = work == Work::deletion || work == Work::stage_cost ||
+                              (work == Work::construction && contestants.size() > 1);
+        // Rationals take a thousand times as long as the rest.
+        const bool is_slow = std::ranges::count(contestants, "multiprecision") > 0;
+        for (const Metric metric : metrics)
+            for (const std::string& distribution : distributions)
+                for (const std::int64_t sites : numbers)
+                    for (const double perturbation : perturbations) {
+                        const Radii thesis = {1.0, distribution == "random" ? 10.0 : 1.0};
+                        const auto& [from, to] = radii.value_or(thesis);
+                        // Enough for a percentage, and for a run that the clock can resolve.
+                        const auto sets = std::clamp<std::int64_t>(10000 / sites, 1, 20);
+                        add({.setting = {experiment, std::string(name_of(metric)), distribution,
+                                         sites, perturbation, from, to},
+                             .work = work,
+                             .dimension = dimension_,
+                             .contestants = contestants,
+                             .sets = is_slow ? 1 : static_cast<std::size_t>(sets),
+                             .passes = is_timed ? 6U : 1U,
+                             .budget = {1, 5, scope_.quick ? 0.04 : 0.25}});
+                    }
     }
     void add(Cell cell) {
         const std::int64_t count = cell.setting.count;
@@ -65,15 +72,16 @@ class Plan {
     }
 
     /// What the quick form has, or the full one.
-    template <class Values>
-    [[nodiscard]] Values pick(Values quick, Values full) const {
+    [[nodiscard]] Sizes sizes(const Sizes& quick, const Sizes& full) const {
         return scope_.quick ? quick : full;
     }
-    /// Powers of ten, in the quick form every second one.
+    [[nodiscard]] Numbers numbers(const Numbers& quick, const Numbers& full) const {
+        return scope_.quick ? quick : full;
+    }
     [[nodiscard]] Numbers perturbations() const {
-        return pick(Numbers{1e-1, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13, 1e-15},
-                    Numbers{1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11,
-                            1e-12, 1e-13, 1e-14, 1e-15});
+        return numbers({1e-1, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13, 1e-15},
+                       {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12,
+                        1e-13, 1e-14, 1e-15});
     }
     [[nodiscard]] Metrics built_by(Method method) const {
         Metrics metrics = scope_.metrics;
@@ -84,29 +92,6 @@ class Plan {
     std::vector<Cell> take() { return std::move(cells_); }
 
  private:
-    void add(const Experiment& experiment, Metric metric, const std::string& distribution,
-             std::int64_t sites, double perturbation) {
-        const Radii radii = experiment.radii.value_or(distribution == "random" ? Radii{1.0, 10.0}
-                                                                               : Radii{1.0, 1.0});
-        // Rationals take a thousand times as long as the rest. Otherwise sets enough for a
-        // percentage, and for a run that the clock can resolve.
-        const Names& names = experiment.contestants;
-        const bool is_slow = std::ranges::count(names, "multiprecision") > 0;
-        const std::int64_t sets = is_slow ? 1 : std::clamp<std::int64_t>(10000 / sites, 1, 20);
-        // Six are the fewest whose extremes are an interval of 95 %.
-        const Work work = experiment.work;
-        const bool is_timed = work == Work::deletion || work == Work::stage_cost ||
-                              (work == Work::construction && names.size() > 1);
-        add({.setting = {experiment.name, std::string(name_of(metric)), distribution, sites,
-                         perturbation, radii.from, radii.to},
-             .work = work,
-             .dimension = dimension_,
-             .contestants = names,
-             .sets = static_cast<std::size_t>(sets),
-             .passes = is_timed ? 6U : 1U,
-             .budget = {1, 5, scope_.quick ? 0.04 : 0.25}});
-    }
-
     const Scope& scope_;
     int dimension_;
     std::vector<Cell> cells_;
@@ -115,127 +100,80 @@ class Plan {
 /// In mean distances of neighbours: of random sites in a square 700 wide, or a cube.
 void add_radii(Plan& plan, Metric metric, double mean_distance) {
     for (const double factor : {0.0, 0.01, 0.1, 0.3, 1.0, 3.0})
-        plan.add({"radii",
-                  Work::construction,
-                  {metric},
-                  {"random"},
-                  {1000},
-                  {"naive", "exact"},
-                  Radii{0.0, std::round(1e4 * factor * mean_distance) / 1e4}});
+        plan.add("radii", Work::construction, {metric}, {"random"}, {1000}, {"naive", "exact"},
+                 Radii{0.0, std::round(1e4 * factor * mean_distance) / 1e4});
 }
 
 }  // namespace
 
 std::vector<Cell> plan(const Scope& scope) {
     Plan plan(scope, 2);
-    const auto pick = [&](Sizes quick, Sizes full) {
-        return plan.pick(std::move(quick), std::move(full));
-    };
     const Metrics& all = scope.metrics;
     const Names every = names_of(all_distributions);
     const Names arithmetics = {"naive", "exact", "interval", "single"};
 
     // How near to zero, and when that is too near.
-    plan.add({"margin", Work::margin, all, every, pick({2000}, {10000})});
-    plan.add({"first_error",
-              Work::first_error,
-              all,
-              four,
-              pick({100, 1000, 10000}, {100, 1000, 10000, 100000}),
-              {"naive", "single"}});
+    plan.add("margin", Work::margin, all, every, plan.sizes({2000}, {10000}));
+    plan.add("first_error", Work::first_error, all, four,
+             plan.sizes({100, 1000, 10000}, {100, 1000, 10000, 100000}), {"naive", "single"});
     // Figures 4.7.4 and 4.7.5: against the perturbation.
-    plan.add({"perturbation",
-              Work::construction,
-              all,
-              four,
-              {100},
-              arithmetics,
-              {},
-              plan.perturbations()});
+    plan.add("perturbation", Work::construction, all, four, {100}, arithmetics, {},
+             plan.perturbations());
     for (const Metric metric : all) add_radii(plan, metric, 700.0 / std::sqrt(1000.0));
     // All arithmetics side by side.
-    plan.add({"kernels",
-              Work::construction,
-              all,
-              four,
-              pick({200}, {1000}),
-              {"naive", "exact", "single", "interval", "sum", "multiprecision"}});
+    plan.add("kernels", Work::construction, all, four, plan.sizes({200}, {1000}),
+             {"naive", "exact", "single", "interval", "sum", "multiprecision"});
     // Who decides, and what that costs.
-    plan.add({"stages", Work::construction, all, every, pick({2000}, {10000, 100000}), {"exact"}});
-    plan.add({"stage_cost", Work::stage_cost, all, every, {2000}});
+    plan.add("stages", Work::construction, all, every, plan.sizes({2000}, {10000, 100000}),
+             {"exact"});
+    plan.add("stage_cost", Work::stage_cost, all, every, {2000});
     // Figures 6.7.1 and 6.7.2: from Delaunay to power by flips.
-    plan.add({"flips",
-              Work::construction,
-              plan.built_by(Method::flips),
-              four,
-              pick({100, 300, 1000, 3000}, {100, 200, 500, 1000, 2000, 3000, 10000, 100000}),
-              {"incremental", "flips"},
-              small});
+    plan.add("flips", Work::construction, plan.built_by(Method::flips), four,
+             plan.sizes({100, 300, 1000, 3000}, {100, 200, 500, 1000, 2000, 3000, 10000, 100000}),
+             {"incremental", "flips"}, small);
     // The same where radii shrink with the distances, so that the discs intersect no more often.
-    for (const std::int64_t sites : pick({100, 300, 1000, 3000}, {100, 300, 1000, 3000, 10000}))
-        plan.add({"flips_scaled",
-                  Work::construction,
-                  plan.built_by(Method::flips),
-                  {"random"},
-                  {sites},
-                  {"incremental", "flips"},
-                  Radii{0.01, 100.0 / std::sqrt(static_cast<double>(sites))}});
+    for (const std::int64_t sites :
+         plan.sizes({100, 300, 1000, 3000}, {100, 300, 1000, 3000, 10000}))
+        plan.add("flips_scaled", Work::construction, plan.built_by(Method::flips), {"random"},
+                 {sites}, {"incremental", "flips"},
+                 Radii{0.01, 100.0 / std::sqrt(static_cast<double>(sites))});
     // Figure 5.7.2: the sweep.
-    plan.add({"sweep",
-              Work::construction,
-              plan.built_by(Method::sweep),
-              four,
-              pick({1000, 3000, 10000}, {1000, 2000, 4000, 6000, 8000, 10000, 100000, 1000000}),
-              {"incremental", "sweep"},
-              small});
-    plan.add({"deletion",
-              Work::deletion,
-              all,
-              {"random"},
-              pick({1000, 10000}, {1000, 10000, 100000}),
-              {"build", "insert", "erase"},
-              small});
+    plan.add(
+        "sweep", Work::construction, plan.built_by(Method::sweep), four,
+        plan.sizes({1000, 3000, 10000}, {1000, 2000, 4000, 6000, 8000, 10000, 100000, 1000000}),
+        {"incremental", "sweep"}, small);
+    plan.add("deletion", Work::deletion, all, {"random"},
+             plan.sizes({1000, 10000}, {1000, 10000, 100000}), {"build", "insert", "erase"}, small);
     // What stays hard at any size, beside what does not.
-    plan.add({"hard",
-              Work::construction,
-              all,
-              hard,
-              pick({1000, 10000}, {1000, 10000, 100000}),
-              {"naive", "exact"}});
+    plan.add("hard", Work::construction, all, hard,
+             plan.sizes({1000, 10000}, {1000, 10000, 100000}), {"naive", "exact"});
     // Figures 4.7.2 and 4.7.3: against the number of sites. The large ones come last.
     for (const std::int64_t sites :
-         pick({100, 200, 500, 1000, 10000, 100000},
-              {100, 200, 300, 500, 700, 1000, 3000, 10000, 30000, 100000, 300000, 1000000})) {
+         plan.sizes({100, 200, 500, 1000, 10000, 100000},
+                    {100, 200, 300, 500, 700, 1000, 3000, 10000, 30000, 100000, 300000, 1000000})) {
         Metrics metrics = all;
         if (scope.quick && sites > 10000)
             std::erase_if(metrics,
                           [](Metric metric) { return !traits_of(metric).edges_are_straight; });
-        plan.add({"sites", Work::construction, metrics, four, {sites}, arithmetics});
+        plan.add("sites", Work::construction, metrics, four, {sites}, arithmetics);
     }
     return plan.take();
 }
 
 std::vector<Cell> plan_in_space(const Scope& scope) {
     Plan plan(scope, 3);
-    const auto pick = [&](Sizes quick, Sizes full) {
-        return plan.pick(std::move(quick), std::move(full));
-    };
     const Metrics power = {Metric::power};
     const Names every = names_of(all_space_distributions);
     const Names both = {"naive", "exact"};
-    plan.add({"first_error",
-              Work::first_error,
-              power,
-              every,
-              pick({100, 1000}, {100, 1000, 10000}),
-              {"naive"}});
-    plan.add(
-        {"perturbation", Work::construction, power, every, {300}, both, {}, plan.perturbations()});
+    plan.add("first_error", Work::first_error, power, every,
+             plan.sizes({100, 1000}, {100, 1000, 10000}), {"naive"});
+    plan.add("perturbation", Work::construction, power, every, {300}, both, {},
+             plan.perturbations());
     add_radii(plan, Metric::power, 70.0);
-    plan.add({"stage_cost", Work::stage_cost, power, every, pick({2000}, {10000})});
-    for (const std::int64_t sites :
-         pick({100, 300, 1000, 10000}, {100, 200, 300, 500, 1000, 3000, 10000, 30000, 100000}))
-        plan.add({"sites", Work::construction, power, every, {sites}, both});
+    plan.add("stage_cost", Work::stage_cost, power, every, plan.sizes({2000}, {10000}));
+    for (const std::int64_t sites : plan.sizes(
+             {100, 300, 1000, 10000}, {100, 200, 300, 500, 1000, 3000, 10000, 30000, 100000}))
+        plan.add("sites", Work::construction, power, every, {sites}, both);
     return plan.take();
 }
 
@@ -244,8 +182,7 @@ std::vector<Cell> plan_motion(const Scope& scope) {
     constexpr double thesis_step = 0.005;
     const bool quick = scope.quick;
     const std::size_t passes = quick ? 2 : 6;
-    const Numbers packings =
-        plan.pick(Numbers{0.05, 0.33, 0.7}, Numbers{0.05, 0.2, 0.33, 0.5, 0.7});
+    const Numbers packings = plan.numbers({0.05, 0.33, 0.7}, {0.05, 0.2, 0.33, 0.5, 0.7});
     const auto add = [&](const char* experiment, std::int64_t balls, double size_ratio,
                          double packing, double time_step, Cell cell) {
         cell.setting = {.experiment = experiment,
@@ -281,13 +218,13 @@ std::vector<Cell> plan_motion(const Scope& scope) {
     judged.speed = 30.0;
     judged.warming_up = 5.0;
     judged.simulated = 1.0;
-    for (const std::int64_t balls : plan.pick(Sizes{1000}, Sizes{1000, 10000}))
+    for (const std::int64_t balls : plan.sizes({1000}, {1000, 10000}))
         for (const double size_ratio : {1.0, 10.0})
-            for (const double packing : plan.pick(Numbers{0.33}, Numbers{0.05, 0.33, 0.5, 0.7}))
+            for (const double packing : plan.numbers({0.33}, {0.05, 0.33, 0.5, 0.7}))
                 add("accuracy", balls, size_ratio, packing, 0.0, judged);
 
     // Time steps against events.
-    for (const double packing : plan.pick(Numbers{0.33}, Numbers{0.05, 0.33, 0.5}))
+    for (const double packing : plan.numbers({0.33}, {0.05, 0.33, 0.5}))
         for (const double step : {0.0, 0.00125, 0.0025, thesis_step})
             add("time_steps", 100, 1.0, packing, step,
                 {.work = Work::time_steps, .sets = quick ? 3U : 8U, .simulated = shaken.simulated});
@@ -298,10 +235,9 @@ std::vector<Cell> plan_motion(const Scope& scope) {
                   .most_strikes = quick ? 20'000U : 200'000U,
                   .speed = 30.0,
                   .warming_up = 5.0};
-    for (const std::int64_t balls : plan.pick(Sizes{1000, 10000}, Sizes{1000, 10000, 100000}))
+    for (const std::int64_t balls : plan.sizes({1000, 10000}, {1000, 10000, 100000}))
         for (const double size_ratio : {1.0, 10.0})
-            for (const double packing :
-                 plan.pick(Numbers{0.05, 0.33, 0.7}, Numbers{0.05, 0.33, 0.5, 0.7})) {
+            for (const double packing : plan.numbers({0.05, 0.33, 0.7}, {0.05, 0.33, 0.5, 0.7})) {
                 large.simulated = 10.0;
                 add("large", balls, size_ratio, packing, 0.0, large);
                 // A step moves all balls, whoever strikes.

@@ -26,26 +26,6 @@ constexpr std::array<JudgementWords, 3> judgements = {
      {Judgement::not_good, "not_good", "not good"},
      {Judgement::not_told, "not_told", "not told: too few data"}}};
 
-/// The lines of the table of checks; how many are good, not good and not told.
-Values words_of(const std::vector<Check>& checks) {
-    Values values = {{"all", std::to_string(checks.size())}, {"checks", ""}};
-    for (const auto& [judgement, name, words] : judgements) {
-        const auto count = std::ranges::count(checks, judgement, &Check::judgement);
-        values[name] = count > 0 || judgement == Judgement::good ? std::to_string(count) : "";
-    }
-    for (const Check& check : checks) {
-        const auto* const judged =
-            std::ranges::find(judgements, check.judgement, &JudgementWords::judgement);
-        values["checks"] += html_of("check", {{"what", html_text(check.what)},
-                                              {"expected", html_text(check.expected)},
-                                              {"found", html_text(check.found)},
-                                              {"deviation", html_text(check.deviation)},
-                                              {"name", judged->name},
-                                              {"words", judged->words}});
-    }
-    return values;
-}
-
 }  // namespace
 
 std::vector<Plot> plots_of_scene(const SceneDescription& scene, const SceneCurves& curves) {
@@ -60,19 +40,14 @@ std::vector<Plot> plots_of_scene(const SceneDescription& scene, const SceneCurve
     const std::string time = with_unit("time", scene.time);
 
     const auto plot = [&](std::string name, std::string x, std::string title) -> Panel& {
-        Panel panel;
+        Panel& panel = plots.emplace_back(Plot{std::move(name), 1, {Panel{}}}).panels.front();
         panel.x_label = std::move(x);
         panel.title = std::move(title);
-        plots.push_back({std::move(name), 1, {std::move(panel)}});
-        return plots.back().panels.front();
+        return panel;
     };
     const auto add = [](Panel& panel, std::string title, std::vector<PlotPoint> points) {
-        Series series;
-        series.title = std::move(title);
-        series.style = static_cast<int>(panel.series.size()) + 1;
-        series.marked = false;
-        series.points = std::move(points);
-        panel.series.push_back(std::move(series));
+        const int style = static_cast<int>(panel.series.size()) + 1;
+        panel.series.push_back({std::move(title), style, true, std::move(points), false});
     };
     const auto over_time = [&](const std::function<double(const Moment&)>& value) {
         std::vector<PlotPoint> points;
@@ -128,19 +103,27 @@ std::vector<Plot> plots_of_scene(const SceneDescription& scene, const SceneCurve
     return plots;
 }
 
-std::string html_of(const ScenePage& page) {
-    Values values = words_of(page.checks);
-    values["title"] =
-        html_text(page.scene.title.empty() ? "Balls that move and strike" : page.scene.title);
+std::string scene_page(const SceneDescription& scene, const std::vector<Check>& checks,
+                       Values values) {
+    values["all"] = std::to_string(checks.size());
+    for (const auto& [judgement, name, words] : judgements) {
+        const auto count = std::ranges::count(checks, judgement, &Check::judgement);
+        values[name] = count > 0 || judgement == Judgement::good ? std::to_string(count) : "";
+    }
+    std::string& lines = values["checks"];
+    for (const Check& check : checks) {
+        const auto* const judged =
+            std::ranges::find(judgements, check.judgement, &JudgementWords::judgement);
+        lines += html_of("check", {{"what", html_text(check.what)},
+                                   {"expected", html_text(check.expected)},
+                                   {"found", html_text(check.found)},
+                                   {"deviation", html_text(check.deviation)},
+                                   {"name", judged->name},
+                                   {"words", judged->words}});
+    }
+    values["title"] = html_text(scene.title.empty() ? "Balls that move and strike" : scene.title);
     values["head"] = html_of("head", {{"title", values["title"]}});
-    values["film"] = page.film;
-    values["without_curves"] = html_text(page.without_curves);
-    values["explanation"] = html_text(page.scene.explanation);
-    for (const auto& [name, value] : page.run)
-        values["run"] += table_line({html_text(name), html_text(value)}, "th");
-    for (const std::string& curve : page.curves)
-        values["curves"] += fmt::format("<figure>\n{}\n</figure>\n", curve);
-    values.try_emplace("curves", "");
+    values["explanation"] = html_text(scene.explanation);
     return html_of("scene", values);
 }
 
