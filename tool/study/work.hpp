@@ -1,5 +1,5 @@
 #pragma once
-/// The kinds of work of a cell, a source each, and what they share. For the sources of study/.
+/// The kinds of work of a cell, and what they share. For the sources of study/.
 
 #include <chrono>
 #include <string>
