@@ -20,10 +20,8 @@
 #include "../io/errors.hpp"
 #include "../io/number.hpp"
 #include "../io/output_file.hpp"
-#include "../study/machine.hpp"
 #include "../study/measure.hpp"
 #include "../study/page.hpp"
-#include "../study/picture.hpp"
 #include "../study/plan.hpp"
 
 #include "commands.hpp"

@@ -1,5 +1,3 @@
-#include "machine.hpp"
-
 #include <sys/sysinfo.h>
 #include <sys/utsname.h>
 
@@ -7,6 +5,8 @@
 #include <thread>
 
 #include <fmt/format.h>
+
+#include "page.hpp"
 
 namespace signum::study {
 namespace {

@@ -1,15 +1,30 @@
 #include "page.hpp"
 
 #include <array>
+#include <sstream>
 
 #include <fmt/format.h>
 
+#include "../../voronoi/compare.hpp"
+#include "../draw/svg.hpp"
 #include "motion/words.hpp"
 
+#include "contestants.hpp"
 #include "figures.hpp"
 
 namespace signum::study {
 namespace {
+
+/// A picture as a part of the page, whose styles are its own.
+std::string data_address(std::string_view svg) {
+    std::string result = "data:image/svg+xml,";
+    for (const char c : svg)
+        if (std::string_view("%#\"<>\n").find(c) != std::string_view::npos)
+            result += fmt::format("%{:02X}", static_cast<unsigned>(c));
+        else
+            result += c;
+    return result;
+}
 
 /// The numbers that the thesis states in its text, and ours, where there are rows of them.
 std::string beside_the_thesis(const toml::table& page, const std::vector<Row>& rows) {
@@ -35,6 +50,30 @@ toml::table with_model(const toml::array& figures, const toml::table& figure) {
 }
 
 }  // namespace
+
+Values wrong_picture() {
+    const Setting setting = {"", "power", "circle", 60};
+    Options options;
+    options.arithmetic = Arithmetic::single;
+    for (std::size_t seed = 1; seed < 100; ++seed) {
+        const std::vector<Site> sites = sites_of(setting, seed);
+        try {
+            const Tessellation tessellation = triangulate(sites, Power{}, options);
+            const EdgeComparison comparison =
+                compare_edges(tessellation, triangulate(sites, Power{}));
+            if (comparison.wrong.empty()) continue;
+            std::ostringstream svg;
+            write_svg(svg, tessellation, {.wrong = comparison.wrong});
+            return {{"picture", data_address(svg.str())},
+                    {"sites", std::to_string(setting.count)},
+                    {"edges", std::to_string(comparison.edges)},
+                    {"wrong", std::to_string(comparison.wrong.size())}};
+        } catch (const BrokenStructure&) {
+            continue;  // there are no edges to show
+        }
+    }
+    return {};
+}
 
 Page page_of(std::string_view study, const std::vector<Row>& rows, const Values& values) {
     const toml::table& page = page_table(study);

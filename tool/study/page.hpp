@@ -36,6 +36,15 @@ struct Page {
 [[nodiscard]] Page page_of(std::string_view study, const std::vector<Row>& rows,
                            const Values& values = {});
 
+/// What goes wrong, as a picture for the page of the plane: the tessellation of sites on a circle
+/// as single precision makes it, its wrong edges thick. The address of the `picture`, and how many
+/// `sites`, `edges` and `wrong` edges it has.
+[[nodiscard]] Values wrong_picture();
+
+/// What the times of a study belong to. Names and values, to be shown in this order: processor, its
+/// number of cores, memory, system, compiler.
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> describe_machine();
+
 /// What a study is: shown at the end of its report.
 struct Account {
     std::string version;
