@@ -99,7 +99,7 @@ std::string title(const toml::table& spec, const std::string& words, const std::
 
 class Drawing {
  public:
-    Drawing(const toml::table& page, const std::vector<Row>& rows) : page_(page), rows_(rows) {}
+    Drawing(const toml::table& page, const Records& records) : page_(page), records_(records) {}
 
     [[nodiscard]] std::vector<Panel> panels(const toml::table& figure) const {
         std::vector<toml::table> specs = all_within(figure, "panel");
@@ -135,8 +135,8 @@ class Drawing {
         const std::string column = column_of(dimension);
         if (column != dimension) return list(dimension.substr(column.size() + 1));
         std::map<double, std::string> found;
-        for (const Row* row : rows_that_fit(rows_, cells)) {
-            const std::string value = text_in(*row, column);
+        for (const Record* record : that_fit(records_, cells)) {
+            const std::string value = record->columns.at(column);
             if (const auto in_list = place(column, value))
                 found[static_cast<double>(*in_list)] = value;
             else if (const auto number = number_in(value))
@@ -193,8 +193,7 @@ class Drawing {
         if (spec["present"].value_or(false))
             std::erase_if(categories, [&](const std::string& name) {
                 const std::string cells_of_all = text_of(spec, "cells");
-                return rows_that_fit(rows_,
-                                     fmt::format("{} {}={}", cells_of_all, column_of(x), name))
+                return that_fit(records_, fmt::format("{} {}={}", cells_of_all, column_of(x), name))
                     .empty();
             });
         for (const std::string& category : categories)
@@ -236,8 +235,8 @@ class Drawing {
                                                 const Names& categories) const {
         const std::string column = column_of(text_of(spec, "x"));
         const std::size_t prefix = wanted_by(filter)["quantity"].size() - 1;
-        const auto x_of = [&](const Row& row) -> std::optional<double> {
-            std::string text = text_in(row, column);
+        const auto x_of = [&](const Record& record) -> std::optional<double> {
+            std::string text = record.columns.at(column);
             if (!categories.empty()) {
                 const auto found = std::ranges::find(categories, text);
                 if (found == categories.end()) return std::nullopt;
@@ -252,9 +251,9 @@ class Drawing {
             return number;
         };
         std::vector<PlotPoint> result;
-        for (const Row* row : rows_that_fit(rows_, filter))
-            if (const auto x = x_of(*row))
-                result.push_back({*x, row->value.median, row->value.low, row->value.high});
+        for (const Record* record : that_fit(records_, filter))
+            if (const auto x = x_of(*record))
+                result.push_back({*x, record->value.median, record->value.low, record->value.high});
         std::ranges::stable_sort(result, {}, &PlotPoint::x);
         double times = spec["times"].value_or(1.0);
         if (spec["a_second"] && !result.empty())
@@ -286,7 +285,7 @@ class Drawing {
     }
 
     const toml::table& page_;
-    const std::vector<Row>& rows_;
+    const Records& records_;
 };
 
 }  // namespace
@@ -299,22 +298,25 @@ toml::table within(const toml::table& outer, const toml::table& inner) {
     return all;
 }
 
-std::vector<const Row*> rows_that_fit(const std::vector<Row>& rows, std::string_view filter) {
+std::vector<const Record*> that_fit(const Records& records, std::string_view filter) {
     const Values wanted = wanted_by(filter);
-    std::vector<const Row*> found;
-    for (const Row& row : rows)
+    std::vector<const Record*> found;
+    const auto there = records.find(wanted.at("experiment"));
+    if (there == records.end()) return found;
+    for (const Record& record : there->second)
         if (std::ranges::all_of(wanted, [&](const auto& each) {
-                const auto& [column, value] = each;
-                const std::string text = text_in(row, column);
-                return value.ends_with('*') ? text.starts_with(value.substr(0, value.size() - 1))
-                                            : text == value;
+                const std::string& text = record.columns.at(each.first);
+                const std::string& value = each.second;
+                return value.ends_with('*')
+                           ? text.compare(0, value.size() - 1, value, 0, value.size() - 1) == 0
+                           : text == value;
             }))
-            found.push_back(&row);
+            found.push_back(&record);
     return found;
 }
 
 std::optional<Figure> figure_of(const toml::table& page, const toml::table& figure,
-                                const std::vector<Row>& rows, const Values& values) {
+                                const Records& records, const Values& values) {
     Values all = values;
     for (const auto& [key, value] : figure)
         if (value.is_string()) all.try_emplace(std::string(key.str()), value.value_or(""));
@@ -324,7 +326,7 @@ std::optional<Figure> figure_of(const toml::table& page, const toml::table& figu
     result.plot = {
         text_of(figure, "name"), figure.contains("panel") || figure.contains("panels") ? 2 : 1, {}};
     if (!figure.contains("x") && !figure.contains("panel")) return result;
-    result.plot.panels = Drawing(page, rows).panels(figure);
+    result.plot.panels = Drawing(page, records).panels(figure);
     for (const Panel& panel : result.plot.panels)
         for (const Series& series : panel.series)
             if (!series.points.empty()) return result;

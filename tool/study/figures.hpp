@@ -31,16 +31,22 @@
 
 namespace signum::study {
 
+/// A row by the names of its columns.
+struct Record {
+    Values columns;
+    Interval value;
+};
+using Records = std::map<std::string, std::vector<Record>>;  ///< by experiment
+
 /// None where a value of its text is not there, or nothing is to be drawn.
 [[nodiscard]] std::optional<Figure> figure_of(const toml::table& page, const toml::table& figure,
-                                              const std::vector<Row>& rows, const Values& values);
+                                              const Records& records, const Values& values);
 
 /// A table within another one: what it does not say the other one does; its cells and rows are
 /// fewer.
 [[nodiscard]] toml::table within(const toml::table& outer, const toml::table& inner);
 
-/// The rows of which `filter` ("experiment=sites sites=100") is true.
-[[nodiscard]] std::vector<const Row*> rows_that_fit(const std::vector<Row>& rows,
-                                                    std::string_view filter);
+/// Those of which `filter`, which names an experiment ("experiment=sites sites=100"), is true.
+[[nodiscard]] std::vector<const Record*> that_fit(const Records& records, std::string_view filter);
 
 }  // namespace signum::study

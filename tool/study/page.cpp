@@ -1,5 +1,6 @@
 #include "page.hpp"
 
+#include <algorithm>
 #include <array>
 #include <sstream>
 
@@ -27,14 +28,14 @@ std::string data_address(std::string_view svg) {
 }
 
 /// The numbers that the thesis states in its text, and ours, where there are rows of them.
-std::string beside_the_thesis(const toml::table& page, const std::vector<Row>& rows) {
+std::string beside_the_thesis(const toml::table& page, const Records& records) {
     std::string lines;
     const toml::array* const all = page["beside"].as_array();
     for (std::size_t i = 0; all && i < all->size(); ++i) {
         std::array<std::string, 4> text;  // what, the thesis, the rows and the format of ours
         for (std::size_t k = 0; k < text.size(); ++k)
             text[k] = (*all)[i].as_array()->get(k)->value_or("");
-        if (const auto found = rows_that_fit(rows, text[2]); !found.empty())
+        if (const auto found = that_fit(records, text[2]); !found.empty())
             lines += table_line({html_text(text[0]), html_text(text[1]),
                                  fmt::format(fmt::runtime(text[3]), found[0]->value.median)});
     }
@@ -77,25 +78,28 @@ Values wrong_picture() {
 
 Page page_of(std::string_view study, const std::vector<Row>& rows, const Values& values) {
     const toml::table& page = page_table(study);
+    const bool is_motion = page.contains("thesis");
+    std::vector<Row> all = rows;
+    if (is_motion) std::ranges::copy(thesis_rows(page), std::back_inserter(all));
+    Records records;
+    for (const Row& row : all)
+        records[row.setting.experiment].push_back(
+            {columns_of(row, is_motion ? Of::balls : Of::sites), row.value});
     Page result;
     result.title = page["title"].value_or("");
     Values own = values;
-    own["beside"] = beside_the_thesis(page, rows);
+    own["beside"] = beside_the_thesis(page, records);
     result.introduction = filled(page["introduction"].value_or(""), own).value();
     result.glossary = page["glossary"].value_or("");
     if (page.contains("words"))
         result.glossary = html_of(
             "glossary", {{"words", page["words"].value_or("")}, {"tie", page["tie"].value_or("")}});
-    std::vector<Row> all = rows;
-    if (page.contains("thesis")) {
-        const std::vector<Row> theirs = thesis_rows(page);
-        all.insert(all.end(), theirs.begin(), theirs.end());
-    }
     const toml::array& figures = *page["figure"].as_array();
     for (const toml::node& each : figures) {
         const toml::table figure = with_model(figures, *each.as_table());
         const std::string name = figure["name"].value_or("");
-        if (auto drawn = figure_of(page, figure, all, words_of(name, page, all)))
+        if (auto drawn =
+                figure_of(page, figure, records, is_motion ? words_of(name, page, all) : Values()))
             result.figures.push_back(std::move(*drawn));
     }
     return result;

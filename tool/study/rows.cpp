@@ -1,15 +1,10 @@
 #include "rows.hpp"
 
-#include <algorithm>
-#include <array>
 #include <charconv>
 #include <map>
 #include <numeric>
-#include <optional>
-#include <ranges>
 #include <stdexcept>
 #include <tuple>
-#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -18,54 +13,35 @@
 namespace signum::study {
 namespace {
 
-using Member = std::variant<std::string Setting::*, std::int64_t Setting::*, double Setting::*,
-                            std::string Row::*, double Interval::*, std::size_t Interval::*>;
+using Field = std::variant<std::string*, std::int64_t*, double*, std::size_t*>;
 
-template <class Owner, class T>
-auto& in(Owner& row, T Setting::*member) {
-    return row.setting.*member;
-}
-template <class Owner, class T>
-auto& in(Owner& row, T Row::*member) {
-    return row.*member;
-}
-template <class Owner, class T>
-auto& in(Owner& row, T Interval::*member) {
-    return row.value.*member;
-}
-
-/// Of the tables of both kinds, or of one.
-struct Column {
-    std::string_view name;
-    Member member;
-    std::optional<Of> of = {};
-};
-constexpr std::array all_columns = {Column{"experiment", &Setting::experiment},
-                                    Column{"metric", &Setting::metric, Of::sites},
-                                    Column{"distribution", &Setting::distribution, Of::sites},
-                                    Column{"sites", &Setting::count, Of::sites},
-                                    Column{"perturbation", &Setting::perturbation, Of::sites},
-                                    Column{"radius_from", &Setting::radius_from, Of::sites},
-                                    Column{"radius_to", &Setting::radius_to, Of::sites},
-                                    Column{"balls", &Setting::count, Of::balls},
-                                    Column{"size_ratio", &Setting::size_ratio, Of::balls},
-                                    Column{"packing", &Setting::packing, Of::balls},
-                                    Column{"time_step", &Setting::time_step, Of::balls},
-                                    Column{"contestant", &Row::contestant},
-                                    Column{"quantity", &Row::quantity},
-                                    Column{"value", &Interval::median},
-                                    Column{"low", &Interval::low},
-                                    Column{"high", &Interval::high},
-                                    Column{"runs", &Interval::runs}};
-
-auto columns(Of of) {
-    return all_columns |
-           std::views::filter([of](const Column& column) { return column.of.value_or(of) == of; });
+/// The columns of a table, and where they are in a row. They stand here alone.
+std::vector<std::pair<std::string_view, Field>> fields_of(Row& row, Of of) {
+    Setting& at = row.setting;
+    std::vector<std::pair<std::string_view, Field>> fields = {{"experiment", &at.experiment}};
+    if (of == Of::sites)
+        fields.insert(fields.end(), {{"metric", &at.metric},
+                                     {"distribution", &at.distribution},
+                                     {"sites", &at.count},
+                                     {"perturbation", &at.perturbation},
+                                     {"radius_from", &at.radius_from},
+                                     {"radius_to", &at.radius_to}});
+    else
+        fields.insert(fields.end(), {{"balls", &at.count},
+                                     {"size_ratio", &at.size_ratio},
+                                     {"packing", &at.packing},
+                                     {"time_step", &at.time_step}});
+    fields.insert(fields.end(), {{"contestant", &row.contestant},
+                                 {"quantity", &row.quantity},
+                                 {"value", &row.value.median},
+                                 {"low", &row.value.low},
+                                 {"high", &row.value.high},
+                                 {"runs", &row.value.runs}});
+    return fields;
 }
 
-std::string text_at(const Row& row, const Column& column) {
-    return std::visit([&](auto member) { return fmt::format("{}", in(row, member)); },
-                      column.member);
+std::string text_of(const Field& field) {
+    return std::visit([](const auto* value) { return fmt::format("{}", *value); }, field);
 }
 
 /// Of a column, whose number it becomes or whose word it is.
@@ -81,48 +57,44 @@ bool read_field(std::string_view text, Number& number) {
 }
 
 bool read_row(std::string_view line, Row& row, Of of) {
-    bool is_first = true;
-    for (const Column& column : columns(of)) {
-        if (!std::exchange(is_first, false)) {
-            if (line.empty()) return false;
-            line.remove_prefix(1);
-        }
-        const std::string_view field = line.substr(0, line.find(','));
-        if (!std::visit([&](auto member) { return read_field(field, in(row, member)); },
-                        column.member))
-            return false;
-        line.remove_prefix(field.size());
+    const auto fields = fields_of(row, of);
+    for (const auto& [name, field] : fields) {
+        const std::string_view text = line.substr(0, line.find(','));
+        if (!std::visit([&](auto* value) { return read_field(text, *value); }, field)) return false;
+        line.remove_prefix(text.size());
+        const bool is_last = name == fields.back().first;
+        if (line.empty() != is_last) return false;
+        if (!is_last) line.remove_prefix(1);
     }
-    return line.empty();
+    return true;
 }
 
-/// What `write` makes of the columns, with a comma between them.
+/// What `write` makes of the columns of a row, with a comma between them.
 template <class Write>
-std::string line_of(Of of, const Write& write, std::string_view comma) {
+std::string line_of(Row row, Of of, std::string_view comma, const Write& write) {
     std::string text;
-    for (const Column& column : columns(of)) text += fmt::format("{}{}", write(column), comma);
-    text.resize(text.size() - comma.size());
-    return text;
+    for (const auto& [name, field] : fields_of(row, of))
+        text += fmt::format("{}{}", write(name, field), comma);
+    return text.substr(0, text.size() - comma.size());
 }
 
 }  // namespace
 
-std::string text_in(const Row& row, std::string_view name) {
-    const auto* const found = std::ranges::find(all_columns, name, &Column::name);
-    if (found == all_columns.end())
-        throw std::invalid_argument(fmt::format("there is no column {}", name));
-    return text_at(row, *found);
+std::map<std::string, std::string> columns_of(const Row& row, Of of) {
+    Row copy = row;
+    std::map<std::string, std::string> columns;
+    for (const auto& [name, field] : fields_of(copy, of))
+        columns[std::string(name)] = text_of(field);
+    return columns;
 }
 
 std::string csv_header(Of of) {
-    return line_of(
-               of, [](const Column& column) { return column.name; }, ",") +
-           "\n";
+    return line_of({}, of, ",", [](std::string_view name, const Field&) { return name; }) + "\n";
 }
 
 std::string csv_line(const Row& row, Of of) {
-    return line_of(
-               of, [&](const Column& column) { return text_at(row, column); }, ",") +
+    return line_of(row, of, ",",
+                   [](std::string_view, const Field& field) { return text_of(field); }) +
            "\n";
 }
 
@@ -179,16 +151,12 @@ std::vector<Row> combined(const std::vector<Row>& passes) {
 std::string json_array(const std::vector<Row>& rows, Of of) {
     std::string text = "[";
     for (const Row& row : rows) {
-        const auto write = [&](const Column& column) {
-            return std::visit(
-                [&]<class T, class Owner>(T Owner::*member) {
-                    constexpr std::string_view quote = std::is_same_v<T, std::string> ? "\"" : "";
-                    return fmt::format("\"{0}\": {1}{2}{1}", column.name, quote, in(row, member));
-                },
-                column.member);
+        const auto write = [](std::string_view name, const Field& field) {
+            const char* quote = std::holds_alternative<std::string*>(field) ? "\"" : "";
+            return fmt::format("\"{0}\": {1}{2}{1}", name, quote, text_of(field));
         };
         text += text.size() > 1 ? ",\n{" : "\n{";
-        text += line_of(of, write, ", ") + "}";
+        text += line_of(row, of, ", ", write) + "}";
     }
     return text + "\n]";
 }

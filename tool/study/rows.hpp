@@ -5,6 +5,7 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,9 +48,8 @@ inline constexpr std::string_view end_of_cell = "cell_seconds";
 /// That of a construction: the share of the sets on which inexact arithmetic lost its way.
 inline constexpr std::string_view broken_percent = "broken_percent";
 
-/// What stands in the column of that name, in a table of either kind, as the table has it. Throws
-/// std::invalid_argument where there is no such column.
-[[nodiscard]] std::string text_in(const Row& row, std::string_view column);
+/// What stands in its columns, by their names.
+[[nodiscard]] std::map<std::string, std::string> columns_of(const Row& row, Of of);
 
 /// The first line of the table.
 [[nodiscard]] std::string csv_header(Of of = Of::sites);

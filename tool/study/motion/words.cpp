@@ -458,7 +458,6 @@ std::vector<Row> thesis_rows(const toml::table& page) {
 }
 
 Values words_of(const std::string& figure, const toml::table& page, const std::vector<Row>& rows) {
-    if (!page.contains("thesis")) return {};
     const Motion motion(page, rows);
     if (figure == "packing_one_size") return packing_words(motion, 1.0);
     if (figure == "packing_many_sizes") return packing_words(motion, 10.0);
