@@ -205,8 +205,10 @@ class Drawing {
         }
         add_series(panel, spec, cells, categories);
         if (panel.stacked)
-            make_shares(panel,
-                        points(spec, cells + " quantity=" + text_of(spec, "whole"), categories));
+            make_shares(panel, points(spec,
+                                      fmt::format("{} {} quantity={}", cells, text_of(spec, "rows"),
+                                                  text_of(spec, "whole")),
+                                      categories));
         return panel;
     }
 

@@ -35,7 +35,8 @@ std::string beside_the_thesis(const toml::table& page, const Records& records) {
         std::array<std::string, 4> text;  // what, the thesis, the rows and the format of ours
         for (std::size_t k = 0; k < text.size(); ++k)
             text[k] = (*all)[i].as_array()->get(k)->value_or("");
-        if (const auto found = that_fit(records, text[2]); !found.empty())
+        const std::string cells = page["beside_cells"].value_or("");
+        if (const auto found = that_fit(records, cells + " " + text[2]); !found.empty())
             lines += table_line({html_text(text[0]), html_text(text[1]),
                                  fmt::format(fmt::runtime(text[3]), found[0]->value.median)});
     }
