@@ -101,6 +101,11 @@ std::string hash_of(Page page) {
     return std::to_string(hash);
 }
 
+TEST(StudyPages, HaveAPanelOfEveryMetric) {
+    const Page page = page_of("plane", rows_of(plan({.quick = true})));
+    EXPECT_EQ(page.figures.at(0).plot.panels.size(), all_metrics.size());
+}
+
 TEST(StudyPages, AreWhatTheyWere) {
     EXPECT_EQ(hash_of(page_of("plane", rows_of(plan({.quick = true})))), "17280393612217300266");
     EXPECT_EQ(hash_of(page_of("space", rows_of(plan_in_space({.quick = true})))),
