@@ -31,6 +31,9 @@
 
 namespace signum::study {
 
+/// What pages/NAME.toml says.
+[[nodiscard]] const toml::table& page_table(std::string_view name);
+
 /// A row by the names of its columns.
 struct Record {
     Values columns;

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "figures.hpp"
+
 namespace signum::study {
 namespace {
 

@@ -7,8 +7,6 @@
 #include <string_view>
 #include <vector>
 
-#include <toml++/toml.h>
-
 namespace signum::study {
 
 /// What stands in a text by name, as HTML.
@@ -18,8 +16,6 @@ using Values = std::map<std::string, std::string>;
 /// in it is empty or not there; none where one outside of them is not there.
 [[nodiscard]] std::optional<std::string> filled(std::string_view text, const Values& values);
 
-/// What pages/NAME.toml says.
-[[nodiscard]] const toml::table& page_table(std::string_view name);
 /// The text of that name in pages/html.toml with its values. Precondition: they are all there.
 [[nodiscard]] std::string html_of(std::string_view name, const Values& values);
 

@@ -1,8 +1,8 @@
 #include "words.hpp"
 
 #include <cmath>
+#include <functional>
 #include <limits>
-#include <set>
 #include <string_view>
 #include <utility>
 
@@ -61,8 +61,11 @@ struct Motion {
             structures.push_back(name.value_or(std::string()));
     }
 
-    [[nodiscard]] Cells cells(std::string_view experiment) const {
-        return results.cells([&](const Setting& cell) { return cell.experiment == experiment; });
+    using Which = std::function<bool(const Setting&)>;
+    [[nodiscard]] Cells cells(std::string_view experiment, const Which& which = {}) const {
+        return results.cells([&](const Setting& cell) {
+            return cell.experiment == experiment && (!which || which(cell));
+        });
     }
 
     /// None where no two structures were timed.
@@ -111,10 +114,8 @@ struct Motion {
                 return ranks.slowest_optimization() == "delaunay";
             };
             const auto cells_before_tree = [](const Ranking& ranks) {
-                const auto of_cells = ranks.factor.find("cells");
-                const auto of_tree = ranks.factor.find("tree");
-                return of_cells != ranks.factor.end() && of_tree != ranks.factor.end() &&
-                       of_cells->second < of_tree->second;
+                return ranks.factor.contains("cells") && ranks.factor.contains("tree") &&
+                       ranks.factor.at("cells") < ranks.factor.at("tree");
             };
             text += filled(page["claim"].value_or(""),
                            {{"way", step > 0.0 ? "With steps" : "From event to event"},
@@ -128,17 +129,17 @@ struct Motion {
 };
 
 Values packing_words(const Motion& motion, double size_ratio) {
-    const Cells cells = motion.results.cells([&](const Setting& cell) {
-        return cell.experiment == "packing" && cell.size_ratio == size_ratio;
-    });
+    const Cells cells =
+        motion.cells("packing", [&](const Setting& cell) { return cell.size_ratio == size_ratio; });
     if (cells.empty()) return {};
     const auto value = [&](double packing, const char* experiment, double step,
                            const std::string& contestant, const char* quantity) {
-        Setting cell = {experiment, "", "", 100};
-        cell.size_ratio = size_ratio;
-        cell.packing = packing;
-        cell.time_step = step;
-        return motion.results.value(cell, contestant, quantity);
+        return motion.results.value({.experiment = experiment,
+                                     .count = 100,
+                                     .size_ratio = size_ratio,
+                                     .packing = packing,
+                                     .time_step = step},
+                                    contestant, quantity);
     };
     const auto line = [&](std::string name, const auto& of_packing, const char* tag = "td") {
         std::vector<std::string> text = {std::move(name)};
@@ -194,11 +195,11 @@ Values packing_words(const Motion& motion, double size_ratio) {
 
 /// The power of the number of balls with which the time of steps grows, over the last doubling.
 std::optional<double> growth_of_time(const Motion& motion, const std::string& structure) {
-    std::map<double, double> seconds;
+    std::map<double, double> seconds;  // by the number of balls
     for (const Setting& cell : motion.cells("number"))
-        if (cell.time_step == thesis_step)
-            if (const auto value = motion.results.value(cell, structure, "seconds"))
-                seconds[static_cast<double>(cell.count)] = *value;
+        if (const auto value = motion.results.value(cell, structure, "seconds");
+            value && cell.time_step == thesis_step)
+            seconds[static_cast<double>(cell.count)] = *value;
     for (const auto& [balls, value] : seconds) {
         const auto& [most, last] = *seconds.rbegin();
         if (2.0 * balls <= most * 1.2 && 2.5 * balls >= most)
@@ -236,8 +237,8 @@ Values number_words(const Motion& motion) {
 }
 
 Values large_words(const Motion& motion) {
-    Cells cells = motion.cells("large");
-    std::erase_if(cells, [](const Setting& cell) { return cell.time_step > 0.0; });
+    const Cells cells =
+        motion.cells("large", [](const Setting& cell) { return cell.time_step == 0.0; });
     if (cells.empty()) return {};
     return {{"segments_are_slowest", motion.in_cells(cells, [](const Ranking& ranks) {
                  return ranks.slowest_optimization() == "segments";
@@ -275,9 +276,8 @@ Values choice_words(const Motion& motion) {
             const auto ranks = motion.ranking(cell);
             if (!ranks) continue;
             of_auto.add(ranks->factor.at("auto"), 1.2, cell);
-            const auto found = ranks->factor.find("levels");
             std::optional<double> levels;
-            if (found != ranks->factor.end()) levels = found->second;
+            if (ranks->factor.contains("levels")) levels = ranks->factor.at("levels");
             if (levels && cell.size_ratio >= 10.0 && cell.packing >= 0.33)
                 of_levels.add(*levels, 1.1, cell);
             values["lines"] +=
