@@ -18,7 +18,7 @@ namespace signum::cli {
 namespace {
 
 template <class S>
-ComparedReport compare(const CompareCall& call, std::span<const S> sites) {
+ComparedReport compare_sites(const CompareCall& call, std::span<const S> sites) {
     std::optional<Progress> bar;
     if (!call.quiet) bar.emplace();
     double done = 0.0;
@@ -79,7 +79,7 @@ void compare_in_space(const CompareCall& call, const InputSites& sites) {
     check_arithmetic_in_space(call, "--arithmetic", call.arithmetic);
     check_arithmetic_in_space(call, "--against", call.against);
     const ComparedReport report = with_sites_in_space(
-        sites, [&]<class S>(std::span<const S> those) { return compare<S>(call, those); });
+        sites, [&]<class S>(std::span<const S> those) { return compare_sites<S>(call, those); });
     DescriptorStream out(1, "standard output");
     TextWriter text(out);
     put_report(text, report, call.json);

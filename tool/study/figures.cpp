@@ -328,7 +328,9 @@ std::optional<Figure> figure_of(const toml::table& page, const toml::table& figu
     result.plot = {
         text_of(figure, "name"), figure.contains("panel") || figure.contains("panels") ? 2 : 1, {}};
     if (!figure.contains("x") && !figure.contains("panel")) return result;
-    result.plot.panels = Drawing(page, records).panels(figure);
+    toml::table spec = figure;
+    spec.insert("cells", "experiment=" + result.plot.name);  // where nothing else is said
+    result.plot.panels = Drawing(page, records).panels(spec);
     for (const Panel& panel : result.plot.panels)
         for (const Series& series : panel.series)
             if (!series.points.empty()) return result;

@@ -1,27 +1,31 @@
 #pragma once
 /// Figures as pages/NAME.toml describes them. For the sources of study/.
 ///
-/// A [[figure]] has a name, a title, a text and a description. It draws where it has an x:
-///   cells        which cells it is about, as "experiment=sites time_step=0"
-///   rows         which of their rows; a value that ends with * is any that begins so
-///   panels       columns of which each value has panels of its own, as "packing size_ratio": the
-///                values that its cells have. A [[figure.panel]] is one of these panels; what it
-///                does not say the figure does
-///   series       the same for the curves of a panel; "distribution:four" are the names of a list.
-///                [[figure.more]] are further curves, whose name is `curve`
-///   x            a column; "distribution:eight" makes categories of the names of a list
-///   (`present`:
-///                of those that its cells have), "quantity" takes the number behind the * of rows
-///   like         an earlier figure, which says the rest
-///   panel_title, x_label, y_label, y_least, y_most, log ("x", "y", "xy"), uprights, zero    of a
-///   panel.
-///                {column} in a title is its value, {Column} the same with a capital
-///   x_times, times, over    by which x and y are multiplied, y divided
-///   decades      x is in the middle of a power of ten
-///   a_second     y is counted in the time between two x
-///   stacked      parts of bars: shares, in percent, of all series or of the quantity `whole`
-///   thesis       points that it states; `thesis_of` is the metric whose panels have them
-///   words        what names are called
+/// A [[figure]] has a name, a title, a text and a description. In its text, see filled(), an empty
+/// line begins a new line, and its own keys are values. It is drawn where it has an x or
+/// panels. Its keys, which each [[figure.panel]] and each curve of `more` may say anew:
+///   like      an earlier figure, which says the rest
+///   cells     which cells it is about: "experiment=sites time_step=0". Without it, those of the
+///             experiment of its name
+///   rows      which of their rows; a value that ends with * stands for any that begins so
+///   panels    columns: each value that the cells have gets panels of its own, "packing size_ratio"
+///             each pair. Numbers rise, words stand in the order of lists.COLUMN
+///   series    the same for the curves of a panel; "distribution:four" takes all of lists.four
+///   more      further curves, each with its name, `curve`
+///   x         a column. "distribution:four" has a category for each name (`present`: those that
+///             the cells have); "quantity" takes the number that stands for the * of rows
+///   log       the logarithmic axes: "x", "y" or "xy". A linear axis of y begins at `y_least`, or 0
+///   panel_title, series_title, x_label, y_label, uprights, zero
+///             see Panel. In titles {COLUMN} is its value; without them, titles are the values, and
+///             the label of x is its column
+///   x_times, times, over
+///             x is multiplied by x_times, y by times and divided by over
+///   decades   an x stands for a power of ten: it is drawn in its middle
+///   a_second  a y is what happened since the last x: it is drawn a unit of x
+///   stacked   bars whose parts are the shares of the curves, in percent of all or of the quantity
+///             `whole`
+///   thesis    points that the thesis states; `thesis_of`: only in panels of this metric
+///   words     what names are called
 
 #include <optional>
 
