@@ -7,14 +7,11 @@
 
 #include <gtest/gtest.h>
 
-#include "../../tool/study/accuracy_page.hpp"
-#include "../../tool/study/figures.hpp"
 #include "../../tool/study/measure.hpp"
+#include "../../tool/study/page.hpp"
 #include "../../tool/study/plan.hpp"
 #include "../../tool/study/plot.hpp"
-#include "../../tool/study/report.hpp"
 #include "../../tool/study/rows.hpp"
-#include "../../tool/study/space_page.hpp"
 
 namespace signum::study {
 namespace {
@@ -82,9 +79,9 @@ TEST(StudyRows, RefuseWhatIsNone) {
 /// Every cell once: a resumed study knows a cell by its setting.
 template <class Cells>
 void expect_distinct(const Cells& cells) {
-    std::set<std::string> seen;
+    std::set<Setting> seen;
     for (const auto& cell : cells)
-        EXPECT_TRUE(seen.insert(key_of(cell.setting)).second) << key_of(cell.setting);
+        EXPECT_TRUE(seen.insert(cell.setting).second) << csv_line({cell.setting, "", "", {}});
 }
 
 TEST(StudyPlan, HasEveryExperimentInBothForms) {
@@ -111,8 +108,8 @@ TEST(StudyPlan, KeepsToItsScope) {
     EXPECT_FALSE(cells.empty());
     for (const Cell& cell : cells) {
         EXPECT_EQ(cell.setting.metric, "supremum");
-        EXPECT_GE(cell.setting.sites, 200);
-        EXPECT_LE(cell.setting.sites, 1000);
+        EXPECT_GE(cell.setting.count, 200);
+        EXPECT_LE(cell.setting.count, 1000);
     }
 }
 
@@ -285,7 +282,7 @@ TEST(StudyReport, SaysWhatItIsAndWhatIsMissing) {
     account.machine = {{"processor", "A & B"}};
     account.measured = 3;
     account.planned = 5;
-    const std::string page = html_report(accuracy_page({}, {}), account);
+    const std::string page = html_report(page_of("plane", {}), account);
     EXPECT_NE(page.find("3 of 5"), std::string::npos);
     EXPECT_NE(page.find("A &amp; B"), std::string::npos);
     EXPECT_NE(page.find("<h1>What accuracy costs</h1>"), std::string::npos);
@@ -293,8 +290,8 @@ TEST(StudyReport, SaysWhatItIsAndWhatIsMissing) {
 }
 
 TEST(StudyReport, ExplainsTheSameWordsOfThePlaneAndOfSpace) {
-    const std::string plane = accuracy_page({}, {}).glossary;
-    const std::string space = space_page({}).glossary;
+    const std::string plane = page_of("plane", {}).glossary;
+    const std::string space = page_of("space", {}).glossary;
     for (const char* word : {"site", "plain, naive", "exact", "filter", "tie", "perturbation"}) {
         const std::string entry = "<dt>" + std::string(word) + "</dt>";
         EXPECT_NE(plane.find(entry), std::string::npos) << word;
@@ -309,8 +306,8 @@ TEST(StudyReport, ExplainsTheSameWordsOfThePlaneAndOfSpace) {
 }
 
 TEST(StudyFigures, NeedRows) {
-    EXPECT_TRUE(figures({}).empty());
-    EXPECT_TRUE(space_figures({}).empty());
+    EXPECT_TRUE(page_of("plane", {}).figures.empty());
+    EXPECT_TRUE(page_of("space", {}).figures.empty());
 }
 
 TEST(StudyFigures, OfSpaceComeFromItsRows) {
@@ -323,7 +320,7 @@ TEST(StudyFigures, OfSpaceComeFromItsRows) {
                                     {1e-9, 1e-9, 1e-9, 1}},
                                    {calls, "exact", "in_sphere", {8, 8, 8, 1}},
                                    {calls, "exact", "calls_exact", {2, 2, 2, 1}}};
-    const std::vector<Figure> drawn = space_figures(rows);
+    const std::vector<Figure> drawn = page_of("space", rows).figures;
     ASSERT_EQ(drawn.size(), 3U);
     EXPECT_EQ(drawn[0].plot.name, "space_first_error");
     EXPECT_EQ(drawn[0].plot.panels.at(0).series.at(3).points.at(0).y, 1e-9);
@@ -331,7 +328,6 @@ TEST(StudyFigures, OfSpaceComeFromItsRows) {
     EXPECT_EQ(drawn[1].plot.panels.at(0).series.at(3).points.at(0).y, 1.5);
     EXPECT_EQ(drawn[2].plot.name, "space_stages");
     EXPECT_EQ(drawn[2].plot.panels.at(0).series.at(2).points.at(3).y, 25.0);
-    EXPECT_EQ(space_page(rows).figures.size(), 3U);
     for (const Figure& figure : drawn)
         for (const Panel& panel : figure.plot.panels) EXPECT_NE(panel.title, "");
 }

@@ -18,36 +18,20 @@
 #include "../io/output_file.hpp"
 #include "../io/text_writer.hpp"
 #include "../study/margin.hpp"
-#include "../study/timing.hpp"
 
 #include "commands.hpp"
 #include "compare_call.hpp"
+#include "compare_report.hpp"
 #include "compare_space.hpp"
-#include "compare_table.hpp"
 #include "progress.hpp"
 
 namespace signum::cli {
 namespace {
 
-/// What became of the sites in one arithmetic.
-struct Run {
-    Arithmetic arithmetic;
-    std::optional<Tessellation> tessellation;  ///< nothing where the structure broke
-    std::string broken;                        ///< ... and this is where
-    EdgeComparison edges = {};
-    study::Interval seconds = {};  ///< without runs where the structure broke
-
-    [[nodiscard]] Counts counts() const {
-        return {edges.edges, edges.wrong.size(), edges.different.size()};
-    }
-};
-
-struct Report {
-    std::array<Run, 2> runs;               ///< the one judged, and the one against it
-    std::optional<study::Interval> ratio;  ///< of times, the second to the first
-    study::Margins margins;
-
-    [[nodiscard]] const Run& judged() const { return runs[0]; }
+/// The answer, and what the picture is drawn of: nothing where the structure broke.
+struct Report : ComparedReport {
+    std::array<std::optional<Tessellation>, 2> built = {};
+    std::array<EdgeComparison, 2> edges = {};
 };
 
 class Builder {
@@ -70,39 +54,23 @@ class Builder {
         }
     }
 
-    /// With counters.
-    [[nodiscard]] Run run(Arithmetic arithmetic, std::function<void(double)> progress) const {
-        Run run = {arithmetic, std::nullopt, ""};
-        try {
-            run.tessellation = build(arithmetic, true, std::move(progress));
-        } catch (const BrokenStructure& error) {
-            run.broken = error.what();
-        }
-        return run;
-    }
-
  private:
     const CompareCall& call_;
     const InputSites& sites_;
     Metric metric_;
 };
 
-/// Times of the runs that did not break, in turns.
-void measure(Report& report, const Builder& builder, double seconds) {
-    std::vector<study::Contestant> contestants;
-    std::vector<Run*> contesting;
-    for (Run& run : report.runs) {
-        if (!run.tessellation) continue;
-        contesting.push_back(&run);
-        contestants.push_back([&builder, arithmetic = run.arithmetic] {
-            return builder.build(arithmetic, false).statistics().seconds;
-        });
-    }
-    study::Budget budget;
-    budget.seconds = seconds;
-    const study::Race race = study::race(contestants, budget);
-    for (std::size_t i = 0; i < contesting.size(); ++i) contesting[i]->seconds = race.seconds[i];
-    if (contesting.size() == 2) report.ratio = race.ratios[1];
+/// How near the sites come to ties.
+std::string nearness(const study::Margins& margins) {
+    std::string near;
+    if (margins.least)
+        near = fmt::format(
+            "; the nearest that sites come to a tie without being one is {:.1e} of its terms",
+            *margins.least);
+    if (margins.ties > 0)
+        near += fmt::format("{} {} of {} edges are ties", margins.least ? ", and" : ";",
+                            margins.ties, margins.edges);
+    return near;
 }
 
 Report compare(const CompareCall& call, const InputSites& sites) {
@@ -119,114 +87,39 @@ Report compare(const CompareCall& call, const InputSites& sites) {
 
     const Builder builder(call, sites);
     Report report = {
-        {Run{arithmetic_of(call.arithmetic), {}, ""}, Run{arithmetic_of(call.against), {}, ""}},
-        {},
-        {}};
-    for (Run& run : report.runs) {
-        run = builder.run(run.arithmetic, show);
+        {"edge", {{{arithmetic_of(call.arithmetic)}, {arithmetic_of(call.against)}}}, true}};
+    for (std::size_t i = 0; i < 2; ++i) {
+        ComparedRun& run = report.runs[i];
+        try {
+            report.built[i] = builder.build(run.arithmetic, true, show);
+            run.statistics = report.built[i]->statistics();
+        } catch (const BrokenStructure& error) {
+            run.is_broken = true;
+            run.broken = error.what();
+        }
         finished();
     }
     std::optional<Tessellation> apart;
     const Tessellation* canonical = nullptr;
-    for (const Run& run : report.runs)
-        if (run.arithmetic == Arithmetic::exact) canonical = &*run.tessellation;
+    for (std::size_t i = 0; i < 2; ++i)
+        if (report.runs[i].arithmetic == Arithmetic::exact) canonical = &*report.built[i];
     if (canonical == nullptr)
         canonical = &apart.emplace(builder.build(Arithmetic::exact, false, show));
-    for (Run& run : report.runs)
-        if (run.tessellation) run.edges = compare_edges(*run.tessellation, *canonical);
-    report.margins = study::margins_of(*canonical);
-    finished();
-    measure(report, builder, call.seconds);
-    return report;
-}
-
-// ---- words -------------------------------------------------------------------------------------
-
-/// Whether these sites need exactness, in one sentence.
-std::string answer(const Report& report) {
-    const Run& run = report.judged();
-    const std::string_view name = name_of(run.arithmetic);
-    const auto& margins = report.margins;
-    std::string near = margins.least ? fmt::format(
-                                           "; the nearest that sites come to a tie "
-                                           "without being one is {:.1e} of its terms",
-                                           *margins.least)
-                                     : "";
-    if (margins.ties > 0)
-        near += fmt::format("{} {} of {} edges are ties", margins.least ? ", and" : ";",
-                            margins.ties, margins.edges);
-    return run.tessellation ? answer_by(run.counts(), name, "edge", near)
-                            : answer_of_broken(name, near);
-}
-
-}  // namespace
-
-std::string answer_by(const Counts& counts, std::string_view arithmetic, std::string_view kind,
-                      std::string_view near) {
-    if (counts.wrong > 0)
-        return fmt::format(
-            "These sites need exactness: {} arithmetic got {} of {} {}s wrong ({:.2g} %){}.",
-            arithmetic, counts.wrong, counts.all, kind, counts.percent(counts.wrong), near);
-    if (counts.different > 0)
-        return fmt::format(
-            "These sites need exactness only for a result that does not depend on their order: {} "
-            "arithmetic got no {} wrong, and {} of {} otherwise than the tie rule{}.",
-            arithmetic, kind, counts.different, counts.all, near);
-    return fmt::format("These sites do not need exactness: {} arithmetic got no {} of {} wrong{}.",
-                       arithmetic, kind, counts.all, near);
-}
-
-std::string answer_of_broken(std::string_view arithmetic, std::string_view near) {
-    return fmt::format("These sites need exactness: in {} arithmetic the structure broke{}.",
-                       arithmetic, near);
-}
-
-namespace {
-
-void put_edge_table(TextWriter& text, const Report& report) {
-    const auto compared = [](const Run& run) -> ComparedRun {
-        if (!run.tessellation) return {name_of(run.arithmetic), true, run.broken, {}, {}, {}};
-        return {name_of(run.arithmetic),       false, "", run.seconds, run.counts(),
-                run.tessellation->statistics()};
-    };
-    put_table(text, "edge", {compared(report.runs[0]), compared(report.runs[1])}, true,
-              report.ratio, answer(report));
-}
-
-// ---- JSON --------------------------------------------------------------------------------------
-
-std::string edge_counts(const Run& run) {
-    if (!run.tessellation) return "\"edges\": null, \"wrong\": null, \"different\": null";
-    return fmt::format("\"edges\": {}, \"wrong\": {}, \"different\": {}", run.edges.edges,
-                       run.edges.wrong.size(), run.edges.different.size());
-}
-
-void put_run(TextWriter& text, const Run& run) {
-    text.put(FMT_COMPILE(",\n\"{}\": {{{}, \"broken\": {}"), name_of(run.arithmetic),
-             edge_counts(run), quoted_or_null(run.broken));
-    if (run.tessellation) {
-        const Statistics& s = run.tessellation->statistics();
-        text.put(FMT_COMPILE(", \"seconds\": {}, \"seconds_low\": {}, \"seconds_high\": {}, "
-                             "\"rounds\": {}"),
-                 number_or_null(run.seconds.median), number_or_null(run.seconds.low),
-                 number_or_null(run.seconds.high), run.seconds.runs);
-        for (const Counter& counter : counters)
-            text.put(FMT_COMPILE(", \"{}\": {}"), counter.name, s.*counter.count);
+    for (std::size_t i = 0; i < 2; ++i) {
+        if (!report.built[i]) continue;
+        const EdgeComparison& edges = report.edges[i] = compare_edges(*report.built[i], *canonical);
+        report.runs[i].counts = {edges.edges, edges.wrong.size(), edges.different.size()};
     }
-    text.put("}");
-}
-
-void put_json(TextWriter& text, const Report& report) {
-    const Run& run = report.judged();
-    text.put(FMT_COMPILE("{{{}, \"broken\": {}, \"ratio\": {}"), edge_counts(run),
-             quoted_or_null(run.broken),
-             report.ratio ? number_or_null(report.ratio->median) : "null");
-    text.put(FMT_COMPILE(",\n\"margins\": {{\"edges\": {}, \"ties\": {}, \"least\": {}}}"),
-             report.margins.edges, report.margins.ties,
-             report.margins.least ? number_or_null(*report.margins.least) : "null");
-    text.put(FMT_COMPILE(",\n\"answer\": {}"), quoted_or_null(answer(report)));
-    for (const Run& each : report.runs) put_run(text, each);
-    text.put("}\n");
+    const study::Margins margins = study::margins_of(*canonical);
+    report.near = nearness(margins);
+    report.margins =
+        fmt::format("{{\"edges\": {}, \"ties\": {}, \"least\": {}}}", margins.edges, margins.ties,
+                    margins.least ? number_or_null(*margins.least) : "null");
+    finished();
+    time_runs(report, call.seconds, [&](Arithmetic arithmetic) {
+        return builder.build(arithmetic, false).statistics().seconds;
+    });
+    return report;
 }
 
 constexpr std::array<Format, 1> compare_formats = {
@@ -257,25 +150,21 @@ void run(const CompareCall& call) {
     DescriptorStream out(is_drawn_there ? 2 : 1,
                          is_drawn_there ? "standard error" : "standard output");
     TextWriter text(out);
-    if (call.json) {
-        put_json(text, report);
-    } else {
-        put_edge_table(text, report);
-    }
+    put_report(text, report, call.json);
     text.flush();
     out.flush();
     if (targets.empty()) return;
-    const Run& judged = report.judged();
-    if (!judged.tessellation)
+    const auto& [judged, other] = report.built;
+    if (!judged)
         throw CheckFailure(
             fmt::format("{} arithmetic broke the structure, so that there is "
                         "nothing to draw; nothing is written",
                         call.arithmetic));
-    outputs.write({{"svg", [&](std::ostream& picture) {
-                        write_svg(
-                            picture, *judged.tessellation,
-                            {.wrong = judged.edges.wrong, .different = judged.edges.different});
-                    }}});
+    outputs.write(
+        {{"svg", [&](std::ostream& picture) {
+              write_svg(picture, *judged,
+                        {.wrong = report.edges[0].wrong, .different = report.edges[0].different});
+          }}});
     if (!call.quiet) say("{}", written(targets));
 }
 

@@ -18,8 +18,7 @@ std::string with_unit(std::string number, const std::string& unit) {
 }
 
 template <int D>
-std::vector<std::pair<std::string, std::string>> table_of(const study::SceneDescription& scene,
-                                                          const Summary<D>& summary) {
+std::string table_of(const study::SceneDescription& scene, const Summary<D>& summary) {
     const auto energy = [&](const MotionState<D>& of) {
         return with_unit(
             fmt::format("{:.6g}", Energy<D>(of.state, of.effects, of.state.time).total),
@@ -46,7 +45,10 @@ std::vector<std::pair<std::string, std::string>> table_of(const study::SceneDesc
         rows.push_back({"time steps whose reactions stayed above the tolerance",
                         fmt::format("{}", summary.counts.unsolved)});
     }
-    return rows;
+    std::string lines;
+    for (const auto& [name, value] : rows)
+        lines += study::table_line({study::html_text(name), study::html_text(value)}, "th");
+    return lines;
 }
 
 }  // namespace
@@ -56,16 +58,17 @@ std::string page_of_run(const study::SceneDescription& scene, std::string film,
                         const RunRecord<D>& record, std::vector<PairCorrelation::Shell> pairs,
                         const Summary<D>& summary) {
     const motion::Effects<D>& effects = record.effects();
-    study::ScenePage page;
-    page.scene = scene;
-    page.film = std::move(film);
-    page.run = table_of(scene, summary);
-    if (!record.moments().empty()) page.checks = check_run(record);
+    std::vector<Check> checks;
+    if (!record.moments().empty()) checks = check_run(record);
+    study::Values values = {{"film", std::move(film)},
+                            {"run", table_of(scene, summary)},
+                            {"curves", ""},
+                            {"without_curves", ""}};
     if (!has_gnuplot()) {
-        page.without_curves =
+        values["without_curves"] =
             "gnuplot draws them, and was not there: install it (Debian: apt-get install "
             "gnuplot-nox) and run the scene again";
-        return study::html_of(page);
+        return study::scene_page(scene, checks, values);
     }
     study::SceneCurves curves;
     curves.moments = record.moments();
@@ -73,12 +76,14 @@ std::string page_of_run(const study::SceneDescription& scene, std::string film,
     curves.has_height = effects.gravity != motion::Vector<D>{};
     curves.has_growth = effects.growth.has_value();
     curves.pairs = std::move(pairs);
-    for (const study::Plot& plot : study::plots_of_scene(scene, curves))
-        page.curves.push_back(study::inline_svg(
+    for (const study::Plot& plot : study::plots_of_scene(scene, curves)) {
+        const std::string svg = study::inline_svg(
             drawn_by_gnuplot(study::gnuplot_script(plot)), plot.name,
-            fmt::format("{} over {}", plot.panels[0].title, plot.panels[0].x_label)));
-    if (page.curves.empty()) page.without_curves = "A curve needs two frames.";
-    return study::html_of(page);
+            fmt::format("{} over {}", plot.panels[0].title, plot.panels[0].x_label));
+        values["curves"] += fmt::format("<figure>\n{}\n</figure>\n", svg);
+    }
+    if (values["curves"].empty()) values["without_curves"] = "A curve needs two frames.";
+    return study::scene_page(scene, checks, values);
 }
 
 template std::string page_of_run(const study::SceneDescription&, std::string, const RunRecord<2>&,

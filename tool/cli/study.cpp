@@ -20,15 +20,9 @@
 #include "../io/errors.hpp"
 #include "../io/number.hpp"
 #include "../io/output_file.hpp"
-#include "../study/accuracy_page.hpp"
-#include "../study/machine.hpp"
 #include "../study/measure.hpp"
-#include "../study/motion/measure.hpp"
-#include "../study/motion/page.hpp"
-#include "../study/motion/plan.hpp"
+#include "../study/page.hpp"
 #include "../study/plan.hpp"
-#include "../study/report.hpp"
-#include "../study/space_page.hpp"
 
 #include "commands.hpp"
 #include "gnuplot.hpp"
@@ -128,10 +122,10 @@ void write_file(const fs::path& path, std::string_view text) {
 }
 
 /// The directory of a study: what was measured so far, and what comes to it, line by line.
-template <class At>
 class Measurements {
  public:
-    Measurements(const fs::path& directory, const std::string& identity, bool fresh) {
+    Measurements(const fs::path& directory, study::Of of, const std::string& identity, bool fresh)
+        : of_(of) {
         std::error_code error;
         if (fs::exists(directory, error) && !fs::is_directory(directory, error))
             throw CallError(
@@ -157,7 +151,7 @@ class Measurements {
                 directory.string(), mark.string()));
         if (fs::exists(table, error)) {
             try {
-                table_ = study::read_csv<At>(contents_of(table));
+                table_ = study::read_csv(contents_of(table), of_);
             } catch (const std::invalid_argument& wrong) {
                 throw CallError(
                     fmt::format("{}: {}; --fresh starts anew there", table.string(), wrong.what()));
@@ -168,30 +162,30 @@ class Measurements {
                     fmt::format("cannot write {}: {}", table.string(), error.message()));
         }
         if (old.empty()) write_file(mark, identity + "}\n");
-        for (const study::RowOf<At>& row : table_.rows) note(row);
+        for (const study::Row& row : table_.rows) note(row);
         descriptor_ = ::open(table.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
         if (descriptor_ < 0)
             throw MachineError(
                 fmt::format("cannot write {}: {}", table.string(), std::strerror(errno)));
         stream_.emplace(descriptor_, table.string());
-        if (table_.bytes == 0) *stream_ << study::csv_header<At>() << std::flush;
+        if (table_.bytes == 0) *stream_ << study::csv_header(of_) << std::flush;
     }
     Measurements(const Measurements&) = delete;
     Measurements& operator=(const Measurements&) = delete;
     ~Measurements() { ::close(descriptor_); }
 
-    [[nodiscard]] const std::vector<study::RowOf<At>>& rows() const { return table_.rows; }
+    [[nodiscard]] const std::vector<study::Row>& rows() const { return table_.rows; }
 
     /// The pass over the cell that is to come next.
-    [[nodiscard]] study::Pass next(const At& setting) const {
-        const auto found = done_.find(study::key_of(setting));
+    [[nodiscard]] study::Pass next(const study::Setting& setting) const {
+        const auto found = done_.find(setting);
         if (found == done_.end()) return {};
         return {found->second.passes + 1, found->second.breaks};
     }
 
-    void add(const std::vector<study::RowOf<At>>& rows) {
-        for (const study::RowOf<At>& row : rows) {
-            *stream_ << study::csv_line(row) << std::flush;
+    void add(const std::vector<study::Row>& rows) {
+        for (const study::Row& row : rows) {
+            *stream_ << study::csv_line(row, of_) << std::flush;
             table_.rows.push_back(row);
             note(row);
         }
@@ -203,45 +197,43 @@ class Measurements {
         bool breaks = false;
     };
 
-    void note(const study::RowOf<At>& row) {
+    void note(const study::Row& row) {
         if (row.quantity == study::end_of_cell)
-            ++done_[study::key_of(row.setting)].passes;
+            ++done_[row.setting].passes;
         else if (row.quantity == study::broken_percent && row.value.median > 0.0)
-            done_[study::key_of(row.setting)].breaks = true;
+            done_[row.setting].breaks = true;
     }
 
-    std::map<std::string, Done> done_;
-    study::TableOf<At> table_;
+    study::Of of_;
+    std::map<study::Setting, Done> done_;
+    study::Table table_;
     int descriptor_ = -1;
     std::optional<DescriptorStream> stream_;
 };
 
 void write_report(const fs::path& directory, study::Page page, const study::Account& account) {
-    for (study::DrawnFigure& drawn : page.figures) {
-        const study::Figure& figure = drawn.figure;
+    for (study::Figure& figure : page.figures) {
         if (figure.plot.panels.empty()) continue;
         const std::string& name = figure.plot.name;
         const fs::path script = directory / "figures" / (name + ".gnuplot");
         write_file(script, study::gnuplot_script(figure.plot));
         const std::string svg = run_gnuplot(script.string());
         write_file(directory / "figures" / (name + ".svg"), svg);
-        drawn.svg = study::inline_svg(svg, name, figure.description);
+        figure.svg = study::inline_svg(svg, name, figure.description);
     }
     write_file(directory / "report.html", study::html_report(page, account));
 }
 
-/// Measures what is not yet measured of a plan, and writes what all of it says; `page_of` makes the
-/// report's page of the rows.
-template <class Cell, class PageOf>
-void carry_out(const StudyCall& call, study::Account account, const std::vector<Cell>& cells,
-               const PageOf& page_of) {
-    using At = decltype(Cell::setting);
+/// Measures what is not yet measured of a plan, and writes what all of it says.
+void carry_out(const StudyCall& call, study::Account account,
+               const std::vector<study::Cell>& cells) {
+    const study::Of of = call.motion ? study::Of::balls : study::Of::sites;
     if (cells.empty())
         throw CallError(
             fmt::format("--sites {}: no experiment has so many; give a wider range", call.sites));
     const fs::path directory = call.directory;
     const std::string mark = identity(account);
-    Measurements<At> measurements(directory, mark, call.fresh);
+    Measurements measurements(directory, of, mark, call.fresh);
     const bool draws = !call.no_report && has_gnuplot();
     constexpr std::string_view missing =
         "gnuplot is missing, so that there will be no report: install it (Debian: apt-get install "
@@ -250,12 +242,12 @@ void carry_out(const StudyCall& call, study::Account account, const std::vector<
 
     // Pass after pass over all cells, so that what is cut off has something of every figure.
     std::size_t most_passes = 0;
-    for (const Cell& cell : cells) most_passes = std::max(most_passes, cell.passes);
+    for (const study::Cell& cell : cells) most_passes = std::max(most_passes, cell.passes);
     double all = 0.0;
     double done = 0.0;
-    std::vector<std::pair<const Cell*, std::size_t>> open;
+    std::vector<std::pair<const study::Cell*, std::size_t>> open;
     for (std::size_t pass = 1; pass <= most_passes; ++pass)
-        for (const Cell& cell : cells) {
+        for (const study::Cell& cell : cells) {
             if (pass > cell.passes) continue;
             ++account.planned;
             const double expected = study::expected_seconds(cell, pass);
@@ -282,15 +274,23 @@ void carry_out(const StudyCall& call, study::Account account, const std::vector<
             ++account.measured;
         }
     }
-    const std::vector<study::RowOf<At>> results = study::combined(measurements.rows());
-    std::string table = study::csv_header<At>();
-    for (const study::RowOf<At>& row : results) table += study::csv_line(row);
+    const std::vector<study::Row> results = study::combined(measurements.rows());
+    std::string table = study::csv_header(of);
+    for (const study::Row& row : results) table += study::csv_line(row, of);
     write_file(directory / "results.csv", table);
-    for (const study::RowOf<At>& row : results)
+    for (const study::Row& row : results)
         if (row.quantity == study::end_of_cell) account.seconds += row.value.median;
     write_file(directory / "results.json",
-               fmt::format("{},\n\"rows\": {}}}\n", mark, study::json_array(results)));
-    if (draws) write_report(directory, page_of(results), account);
+               fmt::format("{},\n\"rows\": {}}}\n", mark, study::json_array(results, of)));
+    if (draws) {
+        const bool is_plane = !call.motion && call.dimension == 2;
+        write_report(directory,
+                     study::page_of(call.motion ? "motion"
+                                    : is_plane  ? "plane"
+                                                : "space",
+                                    results, is_plane ? study::wrong_picture() : study::Values()),
+                     account);
+    }
     if (call.quiet) return;
     say("study    {} of {} measurements, {:.0f} s of measuring\n", account.measured,
         account.planned, account.seconds);
@@ -307,16 +307,10 @@ void run(const StudyCall& call) {
     account.version = SIGNUM_VERSION;
     account.command = command_of(call, scope);
     account.machine = study::describe_machine();
-    if (call.motion)
-        carry_out(call, account,
-                  study::plan_motion({scope.quick, scope.least_sites, scope.most_sites}),
-                  study::motion_page);
-    else if (call.dimension == 3)
-        carry_out(call, account, study::plan_in_space(scope), study::space_page);
-    else
-        carry_out(call, account, study::plan(scope), [](const std::vector<study::Row>& rows) {
-            return study::accuracy_page(rows, study::wrong_picture());
-        });
+    carry_out(call, account,
+              call.motion           ? study::plan_motion(scope)
+              : call.dimension == 3 ? study::plan_in_space(scope)
+                                    : study::plan(scope));
 }
 
 }  // namespace

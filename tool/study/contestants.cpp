@@ -19,7 +19,7 @@ auto named(const Values& values, const std::string& name) {
 
 GenerateOptions options_of(const Setting& setting, std::size_t seed) {
     GenerateOptions options;
-    options.count = setting.sites;
+    options.count = setting.count;
     options.radius_from = setting.radius_from;
     options.radius_to = setting.radius_to;
     options.perturb = setting.perturbation;

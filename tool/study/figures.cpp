@@ -1,592 +1,340 @@
 #include "figures.hpp"
 
 #include <algorithm>
-#include <array>
+#include <charconv>
 #include <cmath>
-#include <functional>
-#include <optional>
-#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "../../triangulation/metric.hpp"
-
-#include "results.hpp"
-
 namespace signum::study {
 namespace {
 
-const Names four = {"random", "circle", "square", "grid"};
-const Names eight = {"random", "circle", "square", "grid", "lattice", "rings", "offset", "tangent"};
-const Names hard = {"random", "circle", "rings", "lattice", "offset", "tangent"};
-const Names metrics = [] {
-    Names names;
-    for (const Metric metric : all_metrics) names.emplace_back(name_of(metric));
-    return names;
-}();
+using Names = std::vector<std::string>;
 
-/// A distribution, a metric and an arithmetic look the same in all figures.
-int style_of(const std::string& name) {
-    static const std::array<Names, 3> families = {
-        eight, metrics, Names{"exact", "naive", "single", "interval", "sum", "multiprecision"}};
-    for (const Names& family : families) {
-        const auto found = std::find(family.begin(), family.end(), name);
-        if (found != family.end()) return static_cast<int>(found - family.begin()) + 1;
+std::string text_of(const toml::table& table, std::string_view key,
+                    const std::string& otherwise = "") {
+    return table[key].value_or(otherwise);
+}
+
+/// The array in a table; an empty one where there is none.
+const toml::array& array_in(const toml::table& table, std::string_view key) {
+    static const toml::array none;
+    const toml::array* const found = table.at_path(key).as_array();
+    return found ? *found : none;
+}
+
+Names split(std::string_view text) {
+    Names parts;
+    while (!text.empty()) {
+        const std::string_view part = text.substr(0, text.find(' '));
+        if (!part.empty()) parts.emplace_back(part);
+        text.remove_prefix(std::min(part.size() + 1, text.size()));
     }
-    return 1;
+    return parts;
 }
 
-std::string capital(std::string name) {
-    if (!name.empty()) name[0] = static_cast<char>(std::toupper(name[0]));
-    return name;
+/// Of "column:list" the column.
+std::string column_of(const std::string& dimension) {
+    return dimension.substr(0, dimension.find(':'));
 }
 
-/// Two columns of panels, a metric a row: the same quantity of two contestants.
-struct Column {
-    std::string contestant;
-    std::string title;
-    std::vector<PlotPoint> thesis;  ///< in the power metric
-};
-
-struct Pair {
-    std::string name;
-    std::string experiment;
-    std::string quantity;
-    std::string x_label;
-    std::string y_label;
-    Where where;
-    Names distributions;
-    std::array<Column, 2> columns;
-    bool y_is_log = false;
-};
-
-Plot pairs_of_panels(const Results& results, const Pair& pair) {
-    Plot plot{pair.name, 2, {}};
-    for (const std::string& metric : results.present(pair.experiment, metrics))
-        for (const Column& column : pair.columns) {
-            Panel panel;
-            panel.title = capital(metric) + ": " + column.title;
-            panel.x_label = pair.x_label;
-            panel.y_label = pair.y_label;
-            panel.x_is_log = true;
-            panel.y_is_log = pair.y_is_log;
-            if (!pair.y_is_log) panel.y_least = 0.0;
-            for (const std::string& distribution : pair.distributions) {
-                const Query query = {pair.experiment, metric, distribution, column.contestant,
-                                     pair.quantity};
-                panel.series.push_back({distribution, style_of(distribution), true,
-                                        results.points(query, pair.where)});
-            }
-            // The thesis counts every edge that the exact result does not have.
-            if (pair.quantity == "wrong_percent")
-                panel.series.push_back(
-                    {"grid with ties", 8, true,
-                     results.points({pair.experiment, metric, "grid", column.contestant,
-                                     "wrong_or_different_percent"},
-                                    pair.where)});
-            if (metric == "power") panel.quoted = {"the thesis", column.thesis};
-            plot.panels.push_back(std::move(panel));
-        }
-    return plot;
+/// "{column}, {column}"
+std::string in_braces(const std::string& dimensions) {
+    std::string text;
+    for (const std::string& each : split(dimensions))
+        text += fmt::format("{}{{{}}}", text.empty() ? "" : ", ", column_of(each));
+    return text;
 }
 
-PlotPoint quoted(double x, double y) {
-    return {x, y, y, y};
-}
-
-Figure margin(const Results& results) {
-    Plot plot{"margin", 2, {}};
-    constexpr std::string_view prefix = "margin_1e";
-    constexpr double zero = 1e-23;
-    for (const std::string& metric : results.present("margin", metrics)) {
-        Panel panel;
-        panel.title = capital(metric);
-        panel.x_label = "distance from zero, relative";
-        panel.y_label = "% of the questions";
-        panel.x_is_log = true;
-        panel.y_is_log = true;
-        panel.place_of_zero = zero;
-        panel.uprights = {{1e-15, "doubles"}, {1e-6, "single"}};
-        for (const std::string& distribution : eight) {
-            Series series{distribution, style_of(distribution), true, {}};
-            for (const Row* row : results.all({"margin", metric, distribution, "", ""})) {
-                const double y = row->value.median;
-                double x = zero;
-                if (row->quantity.starts_with(prefix))
-                    x = std::pow(10.0, std::stod(row->quantity.substr(prefix.size())) - 0.5);
-                else if (row->quantity != "margin_ties")
-                    continue;
-                series.points.push_back({x, y, y, y});
-            }
-            std::sort(series.points.begin(), series.points.end(),
-                      [](const PlotPoint& a, const PlotPoint& b) { return a.x < b.x; });
-            panel.series.push_back(std::move(series));
-        }
-        plot.panels.push_back(std::move(panel));
+/// "a=1 b=2 a=3" as columns and values; of a column the last value is wanted.
+Values wanted_by(std::string_view filter) {
+    Values wanted;
+    for (const std::string& each : split(filter)) {
+        const std::size_t sign = each.find('=');
+        wanted[each.substr(0, sign)] = each.substr(sign + 1);
     }
-    return {std::move(plot), "The margin of truth: how near to zero?",
-            "<p>Every question about a circle is the sign of one number. For the edges of exact "
-            "tessellations it was computed without rounding, and divided by the size of its terms: "
-            "1 is as far "
-            "from zero as can be. What lies left of a dashed line can get the wrong sign in that "
-            "arithmetic: in doubles below about 10<sup>−15</sup>, in single precision below about "
-            "10<sup>−6</sup>. Exact zeros stand at the left end.</p>"
-            "<p><strong>Do you need exactness?</strong> If your input looks like <em>random</em>, "
-            "doubles mostly do. If it "
-            "looks like any other curve, they do not.</p>",
-            "Histograms of the determinants' relative distance from zero, by distribution"};
+    return wanted;
 }
 
-Figure first_error(const Results& results) {
-    Plot plot =
-        pairs_of_panels(results, {"first_error",
-                                  "first_error",
-                                  "first_error",
-                                  "sites",
-                                  "perturbation",
-                                  by_sites,
-                                  four,
-                                  {{{"naive", "doubles", {}}, {"single", "single precision", {}}}},
-                                  true});
-    return {
-        std::move(plot), "When does plain arithmetic first err?",
-        "<p>Sites in a perfect pattern are moved by chance, by up to the perturbation. The "
-        "larger it is, the farther from zero are the determinants. Drawn is the greatest "
-        "power of ten at which plain arithmetic still made a wrong edge: above the line it made "
-        "none on these sets. The square is 700 wide. No mark: no error at any "
-        "perturbation.</p>",
-        "The greatest perturbation at which rounded arithmetic errs, against the number of "
-        "sites"};
+/// An empty line begins a new line, another end of a line is a space.
+std::string folded(std::string text) {
+    for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 1))
+        if (text.substr(at, 2) == "\n\n")
+            text.erase(at, 1);
+        else
+            text[at] = ' ';
+    return text;
 }
 
-Figure wrong_by_sites(const Results& results) {
-    Plot plot = pairs_of_panels(
-        results, {"wrong_by_sites",
-                  "sites",
-                  "wrong_percent",
-                  "sites",
-                  "wrong edges, %",
-                  by_sites,
-                  four,
-                  {{{"single", "single precision", {quoted(1000, 1), quoted(1000, 30)}},
-                    {"naive", "doubles", {}}}}});
-    return {
-        std::move(plot), "Wrong edges against the number of sites (thesis: figure 4.7.3)",
-        "<p>How many edges of the tessellation are wrong when its signs are computed with "
-        "rounding. "
-        "Left in single precision, the arithmetic of the thesis’s time; right in doubles. The "
-        "thesis states about 1 % for random sites and 30 % for the circle. It computes with the "
-        "coordinates as they are; here differences to one of the sites are taken first, which "
-        "spares random sites nearly all errors.</p><p>On a grid "
-        "every square is a tie, and either of its diagonals is right. Only one is what the tie "
-        "rule chooses; the thesis counts the other one as wrong, and a line of its own does so "
-        "here. The bars reach from "
-        "the least to the greatest of several sets. Where arithmetic lost its way altogether, "
-        "nothing is drawn.</p>",
-        "Percentage of wrong edges against sites, circle above square and grid above random"};
+std::optional<double> number_in(std::string_view text) {
+    double number = 0.0;
+    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (fault != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    return number;
 }
 
-Figure wrong_by_perturbation(const Results& results) {
-    Plot plot = pairs_of_panels(
-        results,
-        {"wrong_by_perturbation",
-         "perturbation",
-         "wrong_percent",
-         "perturbation",
-         "wrong edges, %",
-         by_perturbation,
-         four,
-         {{{"single", "single precision", {quoted(1e-9, 50)}}, {"naive", "doubles", {}}}}});
-    return {
-        std::move(plot), "Wrong edges against the perturbation (thesis: figure 4.7.5)",
-        "<p>The same for 100 sites that were moved by chance. The thesis: almost "
-        "50 % on the circle at a perturbation of 10<sup>−9</sup>. What is moved farther than the "
-        "arithmetic rounds comes out right.</p>",
-        "Percentage of wrong edges against the perturbation of 100 sites"};
-}
-
-Figure ratio_by_sites(const Results& results) {
-    Plot plot = pairs_of_panels(
-        results,
-        {"ratio_by_sites",
-         "sites",
-         "ratio",
-         "sites",
-         "time, exact to plain",
-         by_sites,
-         four,
-         {{{"interval", "the thesis's scheme", {quoted(1000, 4)}}, {"exact", "signum", {}}}}});
-    return {
-        std::move(plot), "What exactness costs against the number of sites (figure 4.7.2)",
-        "<p>The time of the exact construction divided by that in plain doubles: 1 is no cost at "
-        "all. Left the scheme of the thesis, interval arithmetic and exact arithmetic behind it; "
-        "right "
-        "signum’s stages. The thesis states that the ratio tends to 4 for random sites, and is "
-        "much "
-        "higher for the circle than for all others. There a sum of up to 288 terms stood behind "
-        "the intervals; here "
-        "what stands behind them is cheap, so that on the left the intervals themselves are what "
-        "costs, and patterns differ less. Random discs keep radii of 1 to 10 in a square 700 wide: "
-        "of "
-        "100 000 most are hidden.</p>",
-        "Ratio of times against sites, for the thesis's scheme and for signum"};
-}
-
-Figure ratio_by_perturbation(const Results& results) {
-    Plot plot = pairs_of_panels(
-        results, {"ratio_by_perturbation",
-                  "perturbation",
-                  "ratio",
-                  "perturbation",
-                  "time, exact to plain",
-                  by_perturbation,
-                  four,
-                  {{{"interval", "the thesis's scheme", {}}, {"exact", "signum", {}}}}});
-    return {std::move(plot), "What exactness costs against the perturbation (figure 4.7.4)",
-            "<p>The same ratio for 100 sites that were moved by chance. The thesis: practically "
-            "constant once "
-            "the perturbation reaches 10<sup>−6</sup>, and the circle always dearest.</p>",
-            "Ratio of times against the perturbation of 100 sites"};
-}
-
-Figure radii(const Results& results) {
-    Plot plot{"radii", 2, {}};
-    Panel ratio;
-    ratio.title = "Cost";
-    ratio.x_label = "radii from 0 to";
-    ratio.y_label = "time, exact to plain";
-    ratio.y_least = 0.0;
-    Panel hidden = ratio;
-    hidden.title = "Hidden sites";
-    hidden.y_label = "hidden, % of the sites";
-    for (const std::string& metric : results.present("radii", metrics)) {
-        ratio.series.push_back(
-            {metric, style_of(metric), true,
-             results.points({"radii", metric, "", "exact", "ratio"}, by_radius)});
-        Series share{metric, style_of(metric), true,
-                     results.points({"radii", metric, "", "exact", "hidden"}, by_radius)};
-        for (PlotPoint& point : share.points) point.low = point.high = point.y /= 10.0;  // of 1000
-        hidden.series.push_back(std::move(share));
-    }
-    plot.panels = {std::move(ratio), std::move(hidden)};
-    return {std::move(plot), "Radii",
-            "<p>1000 random sites whose mean distance is 22. With radii of that size they "
-            "intersect, and many have no cell of their own: they are hidden. The cost of "
-            "exactness hardly depends on it.</p>",
-            "Ratio of times, and share of hidden sites, against the radii"};
-}
-
-/// The names of the stages in rows, and in words.
-const std::array<std::pair<std::string, std::string>, 5> stages = {
-    {{"filter", "filter"},
-     {"refine", "refined"},
-     {"exact", "exact"},
-     {"essa", "ESSA"},
-     {"multiprecision", "rationals"}}};
-
-Figure stage_shares(const Results& results) {
-    Plot plot{"stages", 2, {}};
-    for (const std::string& metric : results.present("stages", metrics)) {
-        Panel panel;
-        panel.title = capital(metric);
-        panel.y_label = "% of the calls";
-        panel.stacked = true;
-        panel.categories = eight;
-        panel.y_least = 0.0;
-        panel.y_most = 100.0;
-        const std::int64_t sites = results.most_sites({"stages", metric, "", "", ""});
-        std::array<double, 8> all{};
-        const auto calls = [&](std::size_t place, const std::string& stage) {
-            return results.at({"stages", metric, eight[place], "exact", "calls_" + stage}, sites)
-                .value_or(0.0);
-        };
-        for (std::size_t i = 0; i < eight.size(); ++i)
-            for (const auto& [stage, word] : stages) all[i] += calls(i, stage);
-        int style = 0;
-        for (const auto& [stage, word] : stages) {
-            constexpr std::array looks = {6, 4, 2, 3, 5};
-            Series series{word, looks[static_cast<std::size_t>(style++)], false, {}};
-            for (std::size_t i = 0; i < eight.size(); ++i) {
-                const double y = all[i] > 0.0 ? 100.0 * calls(i, stage) / all[i] : 0.0;
-                series.points.push_back({static_cast<double>(i), y, y, y});
-            }
-            panel.series.push_back(std::move(series));
-        }
-        plot.panels.push_back(std::move(panel));
-    }
-    return {
-        std::move(plot), "Who decides?",
-        "<p>signum asks cheap arithmetic first, and that says whether it is certain. The "
-        "<em>filter</em> is a "
-        "plain evaluation with a bound on its error; what it leaves goes to a <em>refined</em> "
-        "one, "
-        "then to <em>exact</em> arithmetic without rounding or to <em>ESSA</em>, the exact sign "
-        "of a sum, and in the extreme to <em>rationals</em>. "
-        "The share of the calls that each decided, while a tessellation was built.</p>",
-        "Stacked bars: the share of calls that each stage decided, by distribution"};
-}
-
-Figure stage_costs(const Results& results) {
-    Plot plot{"stage_cost", 2, {}};
-    for (const std::string& metric : results.present("stage_cost", metrics)) {
-        Panel panel;
-        panel.title = capital(metric);
-        panel.y_label = "nanoseconds a call";
-        panel.y_is_log = true;
-        std::vector<std::string> deciding;
-        for (const auto& [stage, word] : stages) {
-            if (results.all({"stage_cost", "", "", stage, ""}).empty()) continue;
-            deciding.push_back(stage);
-            panel.categories.push_back(word);
-        }
-        for (const std::string& distribution : eight) {
-            Series series{distribution, style_of(distribution), false, {}};
-            for (std::size_t s = 0; s < deciding.size(); ++s)
-                for (const char* quantity : {"ns_per_call", "ns_per_call_forced"})
-                    for (PlotPoint point :
-                         results.points({"stage_cost", metric, distribution, deciding[s], quantity},
-                                        by_sites)) {
-                        point.x = static_cast<double>(s);
-                        series.points.push_back(point);
-                    }
-            panel.series.push_back(std::move(series));
-        }
-        plot.panels.push_back(std::move(panel));
-    }
-    return {
-        std::move(plot), "What a call costs",
-        "<p>A call that the filter decides takes a few nanoseconds. What goes on to exact "
-        "arithmetic "
-        "takes ten to a thousand times as long, and so the shares above decide what a "
-        "tessellation costs. Circle questions of finished tessellations, by the stage that decides "
-        "them; a stage that decides fewer than 16 of a distribution is not drawn. Rationals are "
-        "there "
-        "for numbers so large or small that the other stages would overflow, which these are not: "
-        "drawn is what they take for the calls of the stage before.</p>",
-        "Nanoseconds a call by stage and distribution, on a logarithmic scale"};
-}
-
-Figure kernels(const Results& results) {
-    Plot plot{"kernels", 2, {}};
-    const Names arithmetics = {"exact", "naive", "single", "interval", "sum", "multiprecision"};
-    for (const std::string& metric : results.present("kernels", metrics)) {
-        Panel panel;
-        panel.title = capital(metric);
-        panel.y_label = "time, to plain doubles";
-        panel.y_is_log = true;
-        panel.categories = four;
-        const std::int64_t sites = results.most_sites({"kernels", metric, "", "", ""});
-        for (const std::string& arithmetic : arithmetics) {
-            Series series{arithmetic, style_of(arithmetic), false, {}};
-            for (std::size_t i = 0; i < four.size(); ++i)
-                for (const Row* row :
-                     results.all({"kernels", metric, four[i], arithmetic, "ratio"})) {
-                    if (row->setting.sites != sites) continue;
-                    series.points.push_back({static_cast<double>(i), row->value.median,
-                                             row->value.low, row->value.high});
-                }
-            panel.series.push_back(std::move(series));
-        }
-        plot.panels.push_back(std::move(panel));
-    }
-    return {
-        std::move(plot), "Six arithmetics side by side",
-        "<p>The same construction on six arithmetics. <em>naive</em> and <em>single</em> round, "
-        "and may be wrong; the others never are: <em>exact</em> is signum’s, "
-        "<em>interval</em> the scheme of the thesis, <em>sum</em> its exact sum without a filter, "
-        "<em>multiprecision</em> fractions of integers for every single question. "
-        "An arithmetic that lost its way is not drawn.</p>",
-        "Time of six arithmetics relative to plain doubles, on a logarithmic scale"};
-}
-
-Panel against_sites(const std::string& title, const std::string& y_label) {
-    Panel panel;
-    panel.title = title;
-    panel.x_label = "sites";
-    panel.y_label = y_label;
-    panel.x_is_log = true;
-    panel.y_is_log = true;
-    return panel;
-}
-
-Figure swaps(const Results& results) {
-    Panel panel = against_sites("", "swaps");
-    for (const std::string& distribution : four)
-        panel.series.push_back(
-            {distribution, style_of(distribution), true,
-             results.points({"flips", "power", distribution, "flips", "swaps"}, by_sites)});
-    panel.series.push_back(
-        {"random, shrinking radii", 7, true,
-         results.points({"flips_scaled", "power", "random", "flips", "swaps"}, by_sites)});
-    panel.quoted = {"the thesis", {quoted(100, 4), quoted(3000, 150)}};
-    return {
-        {"swaps", 1, {std::move(panel)}},
-        "Swaps from Delaunay to power (thesis: figure 6.7.1)",
-        "<p>A Delaunay triangulation becomes the power tessellation by swapping edges one by one. "
-        "Radii lie between 0.01 and 10, as in the thesis, in a square 700 wide: the more sites, "
-        "the "
-        "more of the discs intersect, and the more swaps a site takes. Grey: random sites whose "
-        "radii shrink as the distances do; there swaps are proportional to the sites, as "
-        "the thesis found. It states 4 swaps for 100 circles and 150 for 3000.</p>",
-        "Number of swaps against sites"};
-}
-
-Figure swap_times(const Results& results) {
-    Panel panel = against_sites("", "seconds");
-    for (const std::string& distribution : four)
-        panel.series.push_back(
-            {distribution, style_of(distribution), true,
-             results.points({"flips", "power", distribution, "flips", "seconds"}, by_sites)});
-    panel.series.push_back(
-        {"random, inserted", 7, true,
-         results.points({"flips", "power", "random", "incremental", "seconds"}, by_sites)});
-    return {{"swap_times", 1, {std::move(panel)}},
-            "The time that swapping takes (thesis: figure 6.7.2)",
-            "<p>The whole way: Delaunay triangulation, then swaps. Grey: the same result by "
-            "inserting site after site. Straight lines of slope 1 on these scales are times "
-            "proportional to the number of sites, which is what the thesis found.</p>",
-            "Seconds of construction by flips against sites"};
-}
-
-Figure sweep(const Results& results) {
-    Plot plot{"sweep", 2, {}};
-    for (const std::string& metric : results.present("sweep", metrics)) {
-        Panel panel = against_sites(capital(metric), "seconds");
-        for (const std::string& distribution : four)
-            panel.series.push_back(
-                {distribution, style_of(distribution), true,
-                 results.points({"sweep", metric, distribution, "sweep", "seconds"}, by_sites)});
-        panel.series.push_back(
-            {"random, inserted", 7, true,
-             results.points({"sweep", metric, "random", "incremental", "seconds"}, by_sites)});
-        panel.quoted = {"the thesis", {quoted(1000, 1), quoted(10000, 34), quoted(10000, 27)}};
-        plot.panels.push_back(std::move(panel));
-    }
-    return {
-        std::move(plot), "The sweep (thesis: figure 5.7.2)",
-        "<p>A line sweeps over the plane and leaves the finished tessellation behind. The thesis, "
-        "on a Pentium 166: 1 second for 1000 sites; for 10 000 sites 34 on random sites and "
-        "grid, 27 on circle and square. Grey: by insertion.</p>",
-        "Seconds of the sweep against sites, in two metrics"};
-}
-
-Figure deletion(const Results& results) {
-    Plot plot{"deletion", 2, {}};
-    const std::array<std::pair<std::string, std::string>, 3> works = {
-        {{"build", "all at once"}, {"insert", "one by one"}, {"erase", "taken out again"}}};
-    for (const std::string& metric : results.present("deletion", metrics)) {
-        Panel panel = against_sites(capital(metric), "nanoseconds a site");
-        int style = 0;
-        for (const auto& [work, words] : works)
-            panel.series.push_back(
-                {words, ++style, true,
-                 results.points({"deletion", metric, "", work, "ns_per_site"}, by_sites)});
-        plot.panels.push_back(std::move(panel));
-    }
-    return {std::move(plot), "Sites come and go",
-            "<p>A tessellation that changes: what a site costs when all are built at once, when "
-            "sites come one by one in no order, and when they are taken out again. All of "
-            "it is exact.</p>",
-            "Nanoseconds a site for building, inserting and deleting"};
-}
-
-Figure hard_inputs(const Results& results) {
-    Plot plot{"hard", 2, {}};
-    for (const std::string& metric : results.present("hard", metrics)) {
-        const std::array<std::array<std::string, 3>, 2> columns = {
-            {{"exact", "ratio", "time, exact to plain"},
-             {"naive", "wrong_percent", "wrong edges of plain doubles, %"}}};
-        for (const auto& [contestant, quantity, label] : columns) {
-            Panel panel = against_sites(capital(metric), label);
-            panel.y_is_log = false;
-            panel.y_least = 0.0;
-            for (const std::string& distribution : hard)
-                panel.series.push_back(
-                    {distribution == "circle" ? "circle (soon random)" : distribution,
-                     style_of(distribution), true,
-                     results.points({"hard", metric, distribution, contestant, quantity},
-                                    by_sites)});
-            plot.panels.push_back(std::move(panel));
-        }
-    }
-    return {
-        std::move(plot), "Inputs that stay hard at any size",
-        "<p>The more doubles lie on one circle, the nearer they are to each other, and the "
-        "rounding of "
-        "their own coordinates moves them off it by more than neighbours bend: a circle of a "
-        "million doubles is nearly random to a filter. These inputs stay hard: <em>lattice</em>, "
-        "integer points exactly on circles, 192 on each; <em>rings</em>, circles of a thousand "
-        "side by side; "
-        "<em>offset</em>, a fine grid far from the origin; <em>tangent</em>, discs that touch a "
-        "circle exactly.</p>",
-        "Ratio of times and wrong edges on inputs that stay hard, against sites"};
-}
-
-std::string percent(std::optional<double> value) {
-    return value ? fmt::format("{:.3g} %", *value) : std::string();
-}
-
-}  // namespace
-
-std::vector<Figure> figures(const std::vector<Row>& rows) {
-    const Results results(rows);
-    std::vector<Figure> all;
-    for (const auto make : {margin, first_error, wrong_by_sites, wrong_by_perturbation,
-                            ratio_by_sites, ratio_by_perturbation, radii, stage_shares, stage_costs,
-                            kernels, swaps, swap_times, sweep, deletion, hard_inputs}) {
-        Figure figure = make(results);
-        if (has_points(figure.plot)) all.push_back(std::move(figure));
-    }
+/// The tables of an array in a table, each within this one.
+std::vector<toml::table> all_within(const toml::table& outer, std::string_view array) {
+    std::vector<toml::table> all;
+    for (const toml::node& each : array_in(outer, array))
+        all.push_back(within(outer, *each.as_table()));
     return all;
 }
 
-std::vector<Beside> beside_the_thesis(const std::vector<Row>& rows) {
-    const Results results(rows);
-    std::vector<Beside> table;
-    const auto add = [&](const char* what, const char* thesis, const std::string& here) {
-        if (!here.empty()) table.push_back({what, thesis, here});
-    };
-    const auto wrong = [&](const char* distribution, const char* arithmetic) {
-        return results.at({"sites", "power", distribution, arithmetic, "wrong_percent"}, 1000);
-    };
-    const auto ratio = [&](const char* distribution, const char* arithmetic) {
-        const auto value = results.at({"sites", "power", distribution, arithmetic, "ratio"}, 1000);
-        return value ? fmt::format("{:.2f}", *value) : std::string();
-    };
-    const auto seconds = [&](const char* distribution, std::int64_t sites) {
-        const auto value =
-            results.at({"sweep", "supremum", distribution, "sweep", "seconds"}, sites);
-        return value ? fmt::format("{:.3g} s", *value) : std::string();
-    };
-    const auto count = [&](std::int64_t sites) {
-        const auto value = results.at({"flips", "power", "random", "flips", "swaps"}, sites);
-        return value ? fmt::format("{:.0f}", *value) : std::string();
-    };
-    add("wrong edges, 1000 random sites, single precision", "about 1 %",
-        percent(wrong("random", "single")));
-    add("wrong edges, 1000 random sites, doubles", "", percent(wrong("random", "naive")));
-    add("wrong edges, 1000 sites on a circle, single precision", "30 %",
-        percent(wrong("circle", "single")));
-    add("wrong edges, 1000 sites on a circle, doubles", "", percent(wrong("circle", "naive")));
-    add("wrong edges or ties decided otherwise, 1000 sites on a grid, single precision", "",
-        percent(
-            results.at({"sites", "power", "grid", "single", "wrong_or_different_percent"}, 1000)));
-    add("wrong edges, 100 sites on a circle, perturbation 1e-9, single precision", "almost 50 %",
-        percent(
-            results.at({"perturbation", "power", "circle", "single", "wrong_percent"}, 100, 1e-9)));
-    add("time ratio, 1000 random sites, the thesis's scheme", "tends to 4",
-        ratio("random", "interval"));
-    add("time ratio, 1000 random sites, signum", "", ratio("random", "exact"));
-    add("time ratio, 1000 sites on a circle, the thesis's scheme", "much higher",
-        ratio("circle", "interval"));
-    add("time ratio, 1000 sites on a circle, signum", "", ratio("circle", "exact"));
-    add("swaps, 100 random discs", "4", count(100));
-    add("swaps, 3000 random discs", "150", count(3000));
-    add("sweep, 1000 sites", "about 1 s", seconds("random", 1000));
-    add("sweep, 10 000 random sites", "34 s", seconds("random", 10000));
-    add("sweep, 10 000 sites on a circle", "27 s", seconds("circle", 10000));
-    return table;
+/// What a value of a column is called.
+std::string in_words(const toml::table& spec, const std::string& column, const std::string& value) {
+    if (column == "packing") return fmt::format("{:.3g} %", 100.0 * number_in(value).value());
+    if (column == "size_ratio") return value == "1" ? "one size" : "1 : " + value;
+    if (column == "time_step") return value == "0" ? "events" : value + " s";
+    return spec["words"][value].value_or(value);
+}
+
+/// A title with the values of cells in it.
+std::string title(const toml::table& spec, const std::string& words, const std::string& cells) {
+    Values values = wanted_by(cells);
+    for (auto& [column, value] : values) value = in_words(spec, column, value);
+    return filled(words, values).value();
+}
+
+class Drawing {
+ public:
+    Drawing(const toml::table& page, const Records& records) : page_(page), records_(records) {}
+
+    [[nodiscard]] std::vector<Panel> panels(const toml::table& figure) const {
+        std::vector<toml::table> specs = all_within(figure, "panel");
+        if (specs.empty()) specs = {figure};
+        std::vector<Panel> panels;
+        for (const std::string& some :
+             combinations(text_of(figure, "panels"), text_of(figure, "cells")))
+            for (const toml::table& spec : specs)
+                panels.push_back(panel(spec, text_of(spec, "cells") + some));
+        return panels;
+    }
+
+ private:
+    [[nodiscard]] Names list(const std::string& name) const {
+        Names names;
+        for (const toml::node& each : array_in(page_, "lists." + name))
+            names.push_back(each.value_or(""));
+        return names;
+    }
+
+    /// The place of a name in the list of its column.
+    [[nodiscard]] std::optional<std::size_t> place(const std::string& column,
+                                                   const std::string& name) const {
+        const Names names = list(column);
+        const auto found = std::ranges::find(names, name);
+        if (found == names.end()) return std::nullopt;
+        return static_cast<std::size_t>(found - names.begin());
+    }
+
+    /// Of "column:list" the list, of "column" the values that rows have: words in the order of the
+    /// list of the column's name, numbers by size.
+    [[nodiscard]] Names values_of(const std::string& dimension, const std::string& cells) const {
+        const std::string column = column_of(dimension);
+        if (column != dimension) return list(dimension.substr(column.size() + 1));
+        std::map<double, std::string> found;
+        for (const Record* record : that_fit(records_, cells)) {
+            const std::string value = record->columns.at(column);
+            if (const auto in_list = place(column, value))
+                found[static_cast<double>(*in_list)] = value;
+            else if (const auto number = number_in(value))
+                found[*number] = value;
+        }
+        Names values;
+        for (const auto& [order, value] : found) values.push_back(value);
+        return values;
+    }
+
+    /// A filter for each value of a column, with each of the next.
+    [[nodiscard]] Names combinations(const std::string& dimensions,
+                                     const std::string& cells) const {
+        Names result = {""};
+        for (const std::string& dimension : split(dimensions)) {
+            Names longer;
+            for (const std::string& some : result)
+                for (const std::string& value : values_of(dimension, cells + some))
+                    longer.push_back(fmt::format("{} {}={}", some, column_of(dimension), value));
+            result = std::move(longer);
+        }
+        return result;
+    }
+
+    [[nodiscard]] Panel panel(const toml::table& spec, std::string cells) const {
+        Panel panel;
+        const std::string x = text_of(spec, "x");
+        const bool has_categories = x.find(':') != std::string::npos;
+        panel.title =
+            title(spec, text_of(spec, "panel_title", in_braces(text_of(spec, "panels"))), cells);
+        if (!panel.title.empty()) panel.title[0] = static_cast<char>(std::toupper(panel.title[0]));
+        panel.x_label = text_of(spec, "x_label", has_categories ? "" : x);
+        panel.y_label = text_of(spec, "y_label");
+        const std::string log = text_of(spec, "log");
+        panel.x_is_log = log.find('x') != std::string::npos;
+        panel.y_is_log = log.find('y') != std::string::npos;
+        if (!panel.y_is_log) panel.y_least = spec["y_least"].value_or(0.0);
+        panel.stacked = spec["stacked"].value_or(false);
+        if (panel.stacked) panel.y_most = 100.0;
+        panel.place_of_zero = spec["zero"].value_or(0.0);
+        for (const toml::node& each : array_in(spec, "uprights"))
+            panel.uprights.push_back(
+                {each.at_path("[0]").value_or(0.0), each.at_path("[1]").value_or(std::string())});
+        Values wanted = wanted_by(cells);
+        if (text_of(spec, "thesis_of", wanted["metric"]) == wanted["metric"])
+            for (const toml::node& each : array_in(spec, "thesis")) {
+                const double y = each.at_path("[1]").value_or(0.0);
+                panel.quoted.title = "the thesis";
+                panel.quoted.points.push_back({each.at_path("[0]").value_or(0.0), y, y, y});
+            }
+
+        Names categories;
+        if (has_categories) categories = values_of(x, cells);
+        if (spec["present"].value_or(false))
+            std::erase_if(categories, [&](const std::string& name) {
+                const std::string cells_of_all = text_of(spec, "cells");
+                return that_fit(records_, fmt::format("{} {}={}", cells_of_all, column_of(x), name))
+                    .empty();
+            });
+        for (const std::string& category : categories)
+            panel.categories.push_back(in_words(spec, column_of(x), category));
+        if (panel.stacked) {
+            const Names sites = values_of("sites", cells);
+            if (sites.empty()) return panel;
+            cells += " sites=" + sites.back();
+        }
+        add_series(panel, spec, cells, categories);
+        if (panel.stacked)
+            make_shares(panel, points(spec,
+                                      fmt::format("{} {} quantity={}", cells, text_of(spec, "rows"),
+                                                  text_of(spec, "whole")),
+                                      categories));
+        return panel;
+    }
+
+    void add_series(Panel& panel, const toml::table& spec, const std::string& cells,
+                    const Names& categories) const {
+        const auto add = [&](const toml::table& of, const std::string& one, std::string name,
+                             std::optional<std::size_t> style) {
+            const int look = static_cast<int>(style.value_or(panel.series.size())) + 1;
+            panel.series.push_back(
+                {std::move(name), of["style"].value_or(look), categories.empty(),
+                 points(of, fmt::format("{} {}{}", cells, text_of(of, "rows"), one), categories)});
+        };
+        const std::string series = text_of(spec, "series");
+        if (!series.empty())
+            for (const std::string& one : combinations(series, cells)) {
+                const auto& [column, value] = *wanted_by(one).begin();
+                add(spec, one, title(spec, text_of(spec, "series_title", in_braces(series)), one),
+                    place(column, value));
+            }
+        for (const toml::table& more : all_within(spec, "more"))
+            add(more, "", text_of(more, "curve"), std::nullopt);
+    }
+
+    /// By rising x.
+    [[nodiscard]] std::vector<PlotPoint> points(const toml::table& spec, const std::string& filter,
+                                                const Names& categories) const {
+        const std::string column = column_of(text_of(spec, "x"));
+        const std::size_t prefix = wanted_by(filter)["quantity"].size() - 1;
+        const auto x_of = [&](const Record& record) -> std::optional<double> {
+            std::string text = record.columns.at(column);
+            if (!categories.empty()) {
+                const auto found = std::ranges::find(categories, text);
+                if (found == categories.end()) return std::nullopt;
+                return static_cast<double>(found - categories.begin());
+            }
+            if (column == "quantity") text.erase(0, prefix);
+            if (spec["zero"] && text == "ties") return spec["zero"].value<double>();
+            auto number = number_in(text);
+            if (number && spec["decades"])
+                number = std::pow(10.0, std::round(std::log10(*number)) - 0.5);
+            if (number) *number *= spec["x_times"].value_or(1.0);
+            return number;
+        };
+        std::vector<PlotPoint> result;
+        for (const Record* record : that_fit(records_, filter))
+            if (const auto x = x_of(*record))
+                result.push_back({*x, record->value.median, record->value.low, record->value.high});
+        std::ranges::stable_sort(result, {}, &PlotPoint::x);
+        double times = spec["times"].value_or(1.0);
+        if (spec["a_second"] && !result.empty())
+            times = static_cast<double>(result.size()) / result.back().x;
+        for (PlotPoint& point : result)
+            for (double PlotPoint::*y : {&PlotPoint::y, &PlotPoint::low, &PlotPoint::high})
+                point.*y = times * point.*y / spec["over"].value_or(1.0);
+        return result;
+    }
+
+    /// From numbers to their shares of a whole, or of all of a category where there is none.
+    static void make_shares(Panel& panel, const std::vector<PlotPoint>& whole) {
+        for (std::size_t i = 0; i < panel.categories.size(); ++i) {
+            const auto x = static_cast<double>(i);
+            const auto number = [&](const std::vector<PlotPoint>& points) {
+                const auto found = std::ranges::find(points, x, &PlotPoint::x);
+                return found == points.end() ? 0.0 : found->y;
+            };
+            double all = number(whole);
+            if (whole.empty())
+                for (const Series& series : panel.series) all += number(series.points);
+            for (Series& series : panel.series) {
+                const double y = all > 0.0 ? 100.0 * number(series.points) / all : 0.0;
+                std::erase_if(series.points, [&](const PlotPoint& point) { return point.x == x; });
+                series.points.insert(series.points.begin() + static_cast<std::ptrdiff_t>(i),
+                                     {x, y, y, y});
+            }
+        }
+    }
+
+    const toml::table& page_;
+    const Records& records_;
+};
+
+}  // namespace
+
+toml::table within(const toml::table& outer, const toml::table& inner) {
+    toml::table all = outer;
+    for (const auto& [key, value] : inner) all.insert_or_assign(key, value);
+    for (const char* key : {"cells", "rows"})
+        all.insert_or_assign(key, text_of(outer, key) + " " + text_of(inner, key));
+    return all;
+}
+
+std::vector<const Record*> that_fit(const Records& records, std::string_view filter) {
+    const Values wanted = wanted_by(filter);
+    std::vector<const Record*> found;
+    const auto there = records.find(wanted.at("experiment"));
+    if (there == records.end()) return found;
+    for (const Record& record : there->second)
+        if (std::ranges::all_of(wanted, [&](const auto& each) {
+                const std::string& text = record.columns.at(each.first);
+                const std::string& value = each.second;
+                return value.ends_with('*')
+                           ? text.compare(0, value.size() - 1, value, 0, value.size() - 1) == 0
+                           : text == value;
+            }))
+            found.push_back(&record);
+    return found;
+}
+
+std::optional<Figure> figure_of(const toml::table& page, const toml::table& figure,
+                                const Records& records, const Values& values) {
+    Values all = values;
+    for (const auto& [key, value] : figure)
+        if (value.is_string()) all.try_emplace(std::string(key.str()), value.value_or(""));
+    const auto text = filled(folded(text_of(figure, "text")), all);
+    if (!text) return std::nullopt;
+    Figure result = {{}, text_of(figure, "title"), *text, text_of(figure, "description"), ""};
+    result.plot = {
+        text_of(figure, "name"), figure.contains("panel") || figure.contains("panels") ? 2 : 1, {}};
+    if (!figure.contains("x") && !figure.contains("panel")) return result;
+    toml::table spec = figure;
+    spec.insert("cells", "experiment=" + result.plot.name);  // where nothing else is said
+    result.plot.panels = Drawing(page, records).panels(spec);
+    for (const Panel& panel : result.plot.panels)
+        for (const Series& series : panel.series)
+            if (!series.points.empty()) return result;
+    return std::nullopt;
 }
 
 }  // namespace signum::study

@@ -1,5 +1,3 @@
-#include "machine.hpp"
-
 #include <sys/sysinfo.h>
 #include <sys/utsname.h>
 
@@ -7,6 +5,8 @@
 #include <thread>
 
 #include <fmt/format.h>
+
+#include "page.hpp"
 
 namespace signum::study {
 namespace {
@@ -22,35 +22,26 @@ std::string processor() {
     return "unknown";
 }
 
-std::string memory() {
-    struct sysinfo info = {};
-    if (::sysinfo(&info) != 0) return "unknown";
-    const double bytes = static_cast<double>(info.totalram) * static_cast<double>(info.mem_unit);
-    return fmt::format("{:.1f} GiB", bytes / 0x1p30);
-}
-
-std::string system() {
-    struct utsname names = {};
-    if (::uname(&names) != 0) return "unknown";
-    return fmt::format("{} {}, {}", names.sysname, names.release, names.machine);
-}
-
-std::string compiler() {
-#if defined(__clang__)
-    return "clang " __clang_version__;
-#else
-    return "g++ " __VERSION__;
-#endif
-}
-
 }  // namespace
 
 std::vector<std::pair<std::string, std::string>> describe_machine() {
-    return {{"processor", processor()},
-            {"cores", std::to_string(std::thread::hardware_concurrency())},
-            {"memory", memory()},
-            {"system", system()},
-            {"compiler", compiler()}};
+    struct sysinfo info = {};
+    struct utsname names = {};
+    const bool has_info = ::sysinfo(&info) == 0;
+    const bool has_names = ::uname(&names) == 0;
+    const double bytes = static_cast<double>(info.totalram) * static_cast<double>(info.mem_unit);
+#if defined(__clang__)
+    const char* compiler = "clang " __clang_version__;
+#else
+    const char* compiler = "g++ " __VERSION__;
+#endif
+    return {
+        {"processor", processor()},
+        {"cores", std::to_string(std::thread::hardware_concurrency())},
+        {"memory", has_info ? fmt::format("{:.1f} GiB", bytes / 0x1p30) : "unknown"},
+        {"system", has_names ? fmt::format("{} {}, {}", names.sysname, names.release, names.machine)
+                             : "unknown"},
+        {"compiler", compiler}};
 }
 
 }  // namespace signum::study

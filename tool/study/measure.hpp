@@ -1,5 +1,5 @@
 #pragma once
-/// A cell of the plan, measured once.
+/// A cell of a plan, measured once.
 
 #include <vector>
 
@@ -28,9 +28,27 @@ struct Pass {
 ///   ns_per_call             by stage; in space with calls_STAGE and ties of the same calls, as a
 ///                           construction counts none
 ///   ns_per_call_forced      rationals, on calls that do not need them
-///   first_error             the greatest power of ten that errs as a perturbation; 0 where none
-///   does determinants_1eN        the share whose distance from zero, relative, is in [10^N,
-///   10^(N+1))
+///   first_error             the greatest power of ten that errs as a perturbation; 0: none does
+///   margin_1eN              the share whose distance from zero, relative, is in [10^N, 10^(N+1))
+/// Of balls:
+///   seconds                 of a run, with the making of the structure, whose share is
+///   start_seconds; of a run that ends after some number of strikes without it
+///   seconds_per_strike, ratio   the former by strikes; that to the first contestant's
+///   strikes, own, checks, predictions   see motion::Counts
+///   digest                  of all bits of the balls in the end
+///   chooses_NAME            by contestant auto: 1, the structure that it is
+///   first_other_strike, first_other_strike_time
+///                           of rounded arithmetic: before which strike, counted from 0, and when
+///                           its log tells another pair than the exact one; none where it does not
+///   first_other_bits        before which strike its log is another one in any bit
+///   overlap, wall_overlap   the deepest of ten times, in least radii
+///   lost                    balls whose centre was then outside the box, at most
+///   broken_percent          100 where arithmetic lost its way: the run ended by an error, or did
+///                           not end
+///   strikes_at_T, energy_at_T   means over seeds, low and high a standard deviation below and
+///                           above: strikes in the tenth of the time that ends at T; energy then,
+///                           height included, of a unit of mass
+///   all_strikes, mean_energy    the same of the whole time, low and high a standard error off
 [[nodiscard]] std::vector<Row> measure(const Cell& cell, const Pass& pass = {});
 
 }  // namespace signum::study

@@ -1,78 +1,140 @@
-/// Contestants build the tessellations of the same sites. In the first pass each builds every set
-/// once, and edges (in space cells) and calls are counted; in all they race.
+/// What is done with sites in the plane and in space alike: contestants build the tessellations of
+/// the same sites, and err, or do not. In the first pass each builds every set once, and edges (in
+/// space cells) and calls are counted; in all they race.
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 
-#include "worlds.hpp"
+#include "../../triangulation/space/compare.hpp"
+#include "../../triangulation/space/triangulate.hpp"
+#include "../../voronoi/compare.hpp"
+
+#include "contestants.hpp"
+#include "work.hpp"
 
 namespace signum::study {
 namespace {
+
+/// What compare_edges() and compare_cells() say, counted.
+struct Difference {
+    double all = 0.0;
+    double wrong = 0.0;
+    double different = 0.0;
+};
+
+/// Of an EdgeComparison `all` edges, of a CellComparison `all` cells.
+template <class Comparison>
+Difference difference_of(const Comparison& comparison, std::int64_t all) {
+    return {static_cast<double>(all), static_cast<double>(comparison.wrong.size()),
+            static_cast<double>(comparison.different.size())};
+}
+
+struct Plane {
+    using Sites = std::vector<Site>;
+    using Result = Tessellation;
+    static constexpr std::string_view parts = "edges";
+
+    static Sites sites(const Setting& setting, std::size_t seed) { return sites_of(setting, seed); }
+    static Result build(const Sites& sites, Metric metric, const Options& options = {}) {
+        return triangulate(sites, metric, options);
+    }
+    static double seconds(const Sites& sites, Metric metric, const Options& options) {
+        return triangulate(sites, metric, options).statistics().seconds;
+    }
+    static Difference difference(const Result& result, const Result& canonical, const Sites&) {
+        const EdgeComparison comparison = compare_edges(result, canonical);
+        return difference_of(comparison, comparison.edges);
+    }
+    static std::size_t hidden(const Result& result) { return result.hidden().size(); }
+    static const Statistics* calls(const Result& result) { return &result.statistics(); }
+};
+
+/// There is one metric yet, and calls are not counted.
+struct Space {
+    using Sites = std::vector<Site3>;
+    using Result = SpaceTessellation;
+    static constexpr std::string_view parts = "cells";
+
+    static Sites sites(const Setting& setting, std::size_t seed) {
+        return sites_in_space_of(setting, seed);
+    }
+    static Result build(const Sites& sites, Metric, const Options& options = {}) {
+        return triangulate(std::span<const Site3>(sites), Power{}, options);
+    }
+    static double seconds(const Sites& sites, Metric metric, const Options& options) {
+        return seconds_of([&] { static_cast<void>(build(sites, metric, options)); });
+    }
+    static Difference difference(const Result& result, const Result& canonical,
+                                 const Sites& sites) {
+        const CellComparison comparison =
+            compare_cells(result, canonical, std::span<const Site3>(sites));
+        return difference_of(comparison, comparison.cells);
+    }
+    static std::size_t hidden(const Result& result) { return result.hidden.size(); }
+    static const Statistics* calls(const Result&) { return nullptr; }
+};
+
+// ---- construction ------------------------------------------------------------------------------
+
+constexpr std::array shares = {"wrong_percent", "different_percent", "wrong_or_different_percent"};
 
 /// Sums over the sets.
 struct Counts {
     std::size_t sets = 0;
     std::size_t broken = 0;
     double parts = 0.0;  ///< edges, in space cells
-    double wrong = 0.0;
-    double different = 0.0;
-    Interval wrong_percent;
-    Interval different_percent;
-    Interval either_percent;
     double hidden = 0.0;
-    std::optional<Statistics> calls;  ///< where they are counted
+    std::array<double, shares.size()> sums = {};
+    std::array<Interval, shares.size()> percents = {};  ///< the least and greatest of a set
+    std::optional<Statistics> calls;                    ///< where they are counted
+
+    void add(const Difference& difference, std::size_t hidden_sites, const Statistics* statistics) {
+        const auto& [all, wrong, different] = difference;
+        const std::array found = {wrong, different, wrong + different};
+        for (std::size_t k = 0; k < shares.size(); ++k) {
+            const double percent = all > 0.0 ? 100.0 * found[k] / all : 0.0;
+            sums[k] += found[k];
+            percents[k].low = sets == 0 ? percent : std::min(percents[k].low, percent);
+            percents[k].high = std::max(percents[k].high, percent);
+            ++percents[k].runs;
+        }
+        ++sets;
+        parts += all;
+        hidden += static_cast<double>(hidden_sites);
+        if (!statistics) return;
+        if (!calls) calls.emplace();
+        for (const Counter& counter : counters) *calls.*counter.count += statistics->*counter.count;
+    }
 };
 
-/// The share of all sets together, and the least and greatest of a set.
-void add_share(Interval& interval, double part, double all) {
-    const double percent = all > 0.0 ? 100.0 * part / all : 0.0;
-    interval.low = interval.runs == 0 ? percent : std::min(interval.low, percent);
-    interval.high = std::max(interval.high, percent);
-    ++interval.runs;
-}
-
-void add(Counts& counts, const Difference& difference, std::size_t hidden,
-         const Statistics* calls) {
-    const auto& [parts, wrong, different] = difference;
-    counts.parts += parts;
-    counts.wrong += wrong;
-    counts.different += different;
-    add_share(counts.wrong_percent, wrong, parts);
-    add_share(counts.different_percent, different, parts);
-    add_share(counts.either_percent, wrong + different, parts);
-    counts.hidden += static_cast<double>(hidden);
-    if (!calls) return;
-    if (!counts.calls) counts.calls.emplace();
-    for (const Counter& counter : counters) *counts.calls.*counter.count += calls->*counter.count;
-}
-
 /// Of one contestant, without the times.
-std::vector<Row> rows_of(const Cell& cell, const std::string& name, std::string_view parts,
-                         Counts counts) {
-    std::vector<Row> rows;
-    const auto put = [&](const std::string& quantity, const Interval& value) {
-        rows.push_back({cell.setting, name, quantity, value});
+void put_counts(std::vector<Row>& rows, const Cell& cell, const std::string& name,
+                std::string_view parts, const Counts& counts) {
+    const auto put = [&](std::string_view quantity, const Interval& value) {
+        rows.push_back({cell.setting, name, std::string(quantity), value});
     };
-    put(std::string(broken_percent),
+    put(broken_percent,
         exactly(100.0 * static_cast<double>(counts.broken) / static_cast<double>(cell.sets)));
-    const auto whole = static_cast<double>(counts.sets);
-    if (whole == 0.0) return rows;
-    put(std::string(parts), exactly(counts.parts / whole));
-    const double percent = counts.parts > 0.0 ? 100.0 / counts.parts : 0.0;
-    counts.wrong_percent.median = percent * counts.wrong;
-    counts.different_percent.median = percent * counts.different;
-    counts.either_percent.median = percent * (counts.wrong + counts.different);
-    put("wrong_percent", counts.wrong_percent);
-    put("different_percent", counts.different_percent);
-    put("wrong_or_different_percent", counts.either_percent);
-    const auto put_mean = [&](const char* quantity, auto sum) {
-        put(quantity, exactly(static_cast<double>(sum) / whole));
+    if (counts.sets == 0) return;
+    const auto put_mean = [&](std::string_view quantity, auto sum) {
+        put(quantity, exactly(static_cast<double>(sum) / static_cast<double>(counts.sets)));
     };
+    put_mean(parts, counts.parts);
+    const double percent = counts.parts > 0.0 ? 100.0 / counts.parts : 0.0;
+    for (std::size_t k = 0; k < shares.size(); ++k) {
+        Interval share = counts.percents[k];
+        share.median = percent * counts.sums[k];
+        put(shares[k], share);
+    }
     put_mean("hidden", counts.hidden);
-    if (!counts.calls) return rows;
+    if (!counts.calls) return;
     const Statistics& calls = *counts.calls;
     put_mean("ccw", calls.ccw);
     put_mean("in_circle", calls.in_circle);
@@ -84,7 +146,6 @@ std::vector<Row> rows_of(const Cell& cell, const std::string& name, std::string_
     put_mean("ties", calls.ties);
     put_mean("swaps", calls.flips);
     put_mean("events", calls.events);
-    return rows;
 }
 
 template <class World>
@@ -110,9 +171,8 @@ std::vector<Row> constructions(const Cell& cell, const Pass& pass) {
             try {
                 const auto tessellation = World::build(sites, metric, options);
                 if (!counts_too) continue;
-                add(counts[i], World::difference(tessellation, *canonical, sites),
-                    World::hidden(tessellation), World::calls(tessellation));
-                ++counts[i].sets;
+                counts[i].add(World::difference(tessellation, *canonical, sites),
+                              World::hidden(tessellation), World::calls(tessellation));
             } catch (const BrokenStructure&) {
                 ++counts[i].broken;
                 if (i == 0) first_breaks = true;
@@ -129,10 +189,7 @@ std::vector<Row> constructions(const Cell& cell, const Pass& pass) {
     std::vector<Contestant> racing;
     std::vector<std::string> names;
     for (std::size_t i = 0; i < builders.size(); ++i) {
-        if (counts_too) {
-            const auto more = rows_of(cell, builders[i].first, World::parts, counts[i]);
-            rows.insert(rows.end(), more.begin(), more.end());
-        }
+        if (counts_too) put_counts(rows, cell, builders[i].first, World::parts, counts[i]);
         if ((is_alone ? counts[i].broken : broken_of_these[i]) > 0) continue;
         names.push_back(builders[i].first);
         racing.emplace_back([&sets, metric, options = builders[i].second] {
@@ -155,11 +212,60 @@ std::vector<Row> constructions(const Cell& cell, const Pass& pass) {
     return rows;
 }
 
+// ---- the first error ---------------------------------------------------------------------------
+
+/// Whether the arithmetic gives a wrong edge (cell), or breaks, on any of the sets.
+template <class World>
+bool errs(const Cell& cell, const Options& options, int exponent) {
+    Setting setting = cell.setting;
+    setting.perturbation = std::pow(10.0, exponent);
+    const Metric metric = metric_named(setting.metric).value();
+    for (std::size_t seed = 1; seed <= cell.sets; ++seed) {
+        const auto sites = World::sites(setting, seed);
+        try {
+            const auto tessellation = World::build(sites, metric, options);
+            const auto canonical = World::build(sites, metric);
+            if (World::difference(tessellation, canonical, sites).wrong > 0.0) return true;
+        } catch (const BrokenStructure&) {
+            return true;
+        }
+    }
+    return false;
+}
+
+constexpr int greatest = 2;
+constexpr int least = -17;  // moves no site that is not near an axis
+
+template <class World>
+std::vector<Row> first_errors(const Cell& cell) {
+    std::vector<Row> rows;
+    for (const std::string& name : cell.contestants) {
+        const auto options = options_named(name);
+        if (!options) continue;
+        int bad = least;
+        int good = greatest + 1;
+        if (!errs<World>(cell, *options, bad)) good = bad;
+        while (good - bad > 1) {
+            const int middle = bad + (good - bad) / 2;
+            (errs<World>(cell, *options, middle) ? bad : good) = middle;
+        }
+        Interval value = exactly(0.0);
+        if (good > bad) value = {std::pow(10.0, bad), std::pow(10.0, bad), std::pow(10.0, good), 1};
+        rows.push_back({cell.setting, name, "first_error", value});
+    }
+    return rows;
+}
+
 }  // namespace
 
 std::vector<Row> measure_construction(const Cell& cell, const Pass& pass) {
     return cell.dimension == 3 ? constructions<Space>(cell, pass)
                                : constructions<Plane>(cell, pass);
+}
+
+/// From which perturbation on inexact arithmetic errs: by bisection over the powers of ten.
+std::vector<Row> measure_first_error(const Cell& cell, const Pass& /*pass*/) {
+    return cell.dimension == 3 ? first_errors<Space>(cell) : first_errors<Plane>(cell);
 }
 
 }  // namespace signum::study

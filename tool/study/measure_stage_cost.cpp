@@ -13,7 +13,7 @@
 #include "../../triangulation/kernels/predicates_of.hpp"
 
 #include "contestants.hpp"
-#include "inner_edges.hpp"
+#include "margin.hpp"
 #include "work.hpp"
 
 namespace signum::study {

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "html.hpp"
+#include "template.hpp"
 
 namespace signum::study {
 namespace {

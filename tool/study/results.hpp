@@ -1,103 +1,52 @@
 #pragma once
-/// What was measured, to be asked and drawn. For the sources of study/.
+/// What was measured, to be asked. For the sources of study/.
 
 #include <algorithm>
-#include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
-#include "plot.hpp"
 #include "rows.hpp"
 
 namespace signum::study {
 
-using Names = std::vector<std::string>;
-
-/// What a figure draws of a row against what.
-using Where = std::function<double(const Row&)>;
-inline double by_sites(const Row& row) {
-    return static_cast<double>(row.setting.sites);
-}
-inline double by_perturbation(const Row& row) {
-    return row.setting.perturbation;
-}
-inline double by_radius(const Row& row) {
-    return row.setting.radius_to;
-}
-
-/// Which rows are asked for; an empty name is any.
-struct Query {
-    std::string experiment;
-    std::string metric;
-    std::string distribution;
-    std::string contestant;
-    std::string quantity;
-};
+using Cells = std::vector<Setting>;
 
 class Results {
  public:
-    explicit Results(const std::vector<Row>& rows) : rows_(rows) {}
+    explicit Results(const std::vector<Row>& rows) {
+        for (const Row& row : rows) {
+            values_.try_emplace({row.setting, row.contestant, row.quantity}, row.value);
+            if (std::ranges::find(cells_, row.setting) == cells_.end())
+                cells_.push_back(row.setting);
+        }
+    }
 
-    [[nodiscard]] std::vector<const Row*> all(const Query& query) const {
-        const auto fits = [](const std::string& wanted, const std::string& is) {
-            return wanted.empty() || wanted == is;
-        };
-        std::vector<const Row*> found;
-        for (const Row& row : rows_)
-            if (fits(query.experiment, row.setting.experiment) &&
-                fits(query.metric, row.setting.metric) &&
-                fits(query.distribution, row.setting.distribution) &&
-                fits(query.contestant, row.contestant) && fits(query.quantity, row.quantity))
-                found.push_back(&row);
+    /// The cells of which it holds, in the order of the plan.
+    [[nodiscard]] Cells cells(const std::function<bool(const Setting&)>& which) const {
+        Cells found;
+        std::ranges::copy_if(cells_, std::back_inserter(found), which);
         return found;
     }
-
-    [[nodiscard]] std::vector<PlotPoint> points(const Query& query, const Where& where) const {
-        std::vector<PlotPoint> result;
-        for (const Row* row : all(query))
-            result.push_back({where(*row), row->value.median, row->value.low, row->value.high});
-        std::sort(result.begin(), result.end(),
-                  [](const PlotPoint& a, const PlotPoint& b) { return a.x < b.x; });
-        return result;
+    [[nodiscard]] std::optional<Interval> interval(const Setting& cell,
+                                                   const std::string& contestant,
+                                                   const std::string& quantity) const {
+        const auto found = values_.find({cell, contestant, quantity});
+        if (found == values_.end()) return std::nullopt;
+        return found->second;
     }
-
-    /// The value at a number of sites (0: the only one).
-    [[nodiscard]] std::optional<double> at(const Query& query, std::int64_t sites = 0,
-                                           double perturbation = 0.0) const {
-        for (const Row* row : all(query))
-            if ((sites == 0 || row->setting.sites == sites) &&
-                (perturbation == 0.0 || row->setting.perturbation == perturbation))
-                return row->value.median;
-        return std::nullopt;
-    }
-
-    /// Of the names those that have rows.
-    [[nodiscard]] Names present(const std::string& experiment, const Names& metrics) const {
-        Names result;
-        for (const std::string& metric : metrics)
-            if (!all({experiment, metric, "", "", ""}).empty()) result.push_back(metric);
-        return result;
-    }
-
-    /// The greatest number of sites that all distributions of an experiment have.
-    [[nodiscard]] std::int64_t most_sites(const Query& query) const {
-        std::int64_t most = 0;
-        for (const Row* row : all(query)) most = std::max(most, row->setting.sites);
-        return most;
+    [[nodiscard]] std::optional<double> value(const Setting& cell, const std::string& contestant,
+                                              const std::string& quantity) const {
+        const auto found = interval(cell, contestant, quantity);
+        return found ? std::optional(found->median) : std::nullopt;
     }
 
  private:
-    const std::vector<Row>& rows_;
+    Cells cells_;
+    std::map<std::tuple<Setting, std::string, std::string>, Interval> values_;
 };
-
-/// Whether there is anything to draw.
-[[nodiscard]] inline bool has_points(const Plot& plot) {
-    for (const Panel& panel : plot.panels)
-        for (const Series& series : panel.series)
-            if (!series.points.empty()) return true;
-    return false;
-}
 
 }  // namespace signum::study

@@ -1,19 +1,48 @@
 #include "rows.hpp"
 
-#include <array>
 #include <charconv>
 #include <map>
 #include <numeric>
 #include <stdexcept>
-#include <type_traits>
+#include <tuple>
 #include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 
-#include "motion/setting.hpp"
-
 namespace signum::study {
 namespace {
+
+using Field = std::variant<std::string*, std::int64_t*, double*, std::size_t*>;
+
+/// The columns of a table, and where they are in a row. They stand here alone.
+std::vector<std::pair<std::string_view, Field>> fields_of(Row& row, Of of) {
+    Setting& at = row.setting;
+    std::vector<std::pair<std::string_view, Field>> fields = {{"experiment", &at.experiment}};
+    if (of == Of::sites)
+        fields.insert(fields.end(), {{"metric", &at.metric},
+                                     {"distribution", &at.distribution},
+                                     {"sites", &at.count},
+                                     {"perturbation", &at.perturbation},
+                                     {"radius_from", &at.radius_from},
+                                     {"radius_to", &at.radius_to}});
+    else
+        fields.insert(fields.end(), {{"balls", &at.count},
+                                     {"size_ratio", &at.size_ratio},
+                                     {"packing", &at.packing},
+                                     {"time_step", &at.time_step}});
+    fields.insert(fields.end(), {{"contestant", &row.contestant},
+                                 {"quantity", &row.quantity},
+                                 {"value", &row.value.median},
+                                 {"low", &row.value.low},
+                                 {"high", &row.value.high},
+                                 {"runs", &row.value.runs}});
+    return fields;
+}
+
+std::string text_of(const Field& field) {
+    return std::visit([](const auto* value) { return fmt::format("{}", *value); }, field);
+}
 
 /// Of a column, whose number it becomes or whose word it is.
 bool read_field(std::string_view text, std::string& word) {
@@ -27,53 +56,53 @@ bool read_field(std::string_view text, Number& number) {
     return result.ec == std::errc{} && result.ptr == end;
 }
 
-/// All columns of a row, in their order.
-template <class Row>
-auto all_fields(Row& row) {
-    return std::tuple_cat(std::remove_const_t<decltype(row.setting)>::fields(row.setting),
-                          std::tie(row.contestant, row.quantity, row.value.median, row.value.low,
-                                   row.value.high, row.value.runs));
+bool read_row(std::string_view line, Row& row, Of of) {
+    const auto fields = fields_of(row, of);
+    for (const auto& [name, field] : fields) {
+        const std::string_view text = line.substr(0, line.find(','));
+        if (!std::visit([&](auto* value) { return read_field(text, *value); }, field)) return false;
+        line.remove_prefix(text.size());
+        const bool is_last = name == fields.back().first;
+        if (line.empty() != is_last) return false;
+        if (!is_last) line.remove_prefix(1);
+    }
+    return true;
 }
 
-template <class At>
-bool read_row(std::string_view line, RowOf<At>& row) {
-    bool is_right = true;
-    std::size_t left = At::columns.size() + 6;
-    const auto read_next = [&](auto& field) {
-        const std::size_t comma = line.find(',');
-        --left;
-        is_right = is_right && (comma == std::string_view::npos) == (left == 0) &&
-                   read_field(line.substr(0, comma), field);
-        if (comma != std::string_view::npos) line.remove_prefix(comma + 1);
-    };
-    std::apply([&](auto&... field) { (read_next(field), ...); }, all_fields(row));
-    return is_right;
+/// What `write` makes of the columns of a row, with a comma between them.
+template <class Write>
+std::string line_of(Row row, Of of, std::string_view comma, const Write& write) {
+    std::string text;
+    for (const auto& [name, field] : fields_of(row, of))
+        text += fmt::format("{}{}", write(name, field), comma);
+    return text.substr(0, text.size() - comma.size());
 }
 
 }  // namespace
 
-template <class At>
-std::string csv_header() {
-    std::string text;
-    for (const std::string_view column : At::columns) text += fmt::format("{},", column);
-    return text + "contestant,quantity,value,low,high,runs\n";
+std::map<std::string, std::string> columns_of(const Row& row, Of of) {
+    Row copy = row;
+    std::map<std::string, std::string> columns;
+    for (const auto& [name, field] : fields_of(copy, of))
+        columns[std::string(name)] = text_of(field);
+    return columns;
 }
 
-template <class At>
-std::string csv_line(const RowOf<At>& row) {
-    std::string text;
-    std::apply([&](const auto&... field) { ((text += fmt::format("{},", field)), ...); },
-               all_fields(row));
-    text.back() = '\n';
-    return text;
+std::string csv_header(Of of) {
+    return line_of({}, of, ",", [](std::string_view name, const Field&) { return name; }) + "\n";
 }
 
-template <class At>
-TableOf<At> read_csv(std::string_view text) {
-    TableOf<At> table;
-    const std::string header = csv_header<At>();
+std::string csv_line(const Row& row, Of of) {
+    return line_of(row, of, ",",
+                   [](std::string_view, const Field& field) { return text_of(field); }) +
+           "\n";
+}
+
+Table read_csv(std::string_view text, Of of) {
+    Table table;
+    const std::string header = csv_header(of);
     if (!text.starts_with(header)) {
-        if (header.starts_with(text)) return table;  // cut off at once
+        if (std::string_view(header).starts_with(text)) return table;  // cut off at once
         throw std::invalid_argument("line 1 is not the header of a study");
     }
     table.bytes = header.size();
@@ -82,29 +111,25 @@ TableOf<At> read_csv(std::string_view text) {
     for (std::size_t number = 2;; ++number) {
         const std::size_t end = text.find('\n', place);
         if (end == std::string_view::npos) break;
-        RowOf<At> row;
-        if (!read_row(text.substr(place, end - place), row))
+        Row& row = table.rows.emplace_back();
+        if (!read_row(text.substr(place, end - place), row, of))
             throw std::invalid_argument(fmt::format("line {} is no row of a study", number));
         place = end + 1;
-        const bool ends = row.quantity == end_of_cell;
-        table.rows.push_back(std::move(row));
-        if (ends) {
-            complete = table.rows.size();
-            table.bytes = place;
-        }
+        if (row.quantity != end_of_cell) continue;
+        complete = table.rows.size();
+        table.bytes = place;
     }
     table.rows.resize(complete);
     return table;
 }
 
-template <class At>
-std::vector<RowOf<At>> combined(const std::vector<RowOf<At>>& passes) {
-    std::vector<RowOf<At>> rows;
+std::vector<Row> combined(const std::vector<Row>& passes) {
+    std::vector<Row> rows;
     std::vector<std::vector<double>> values;
-    std::map<std::string, std::size_t> places;
-    for (const RowOf<At>& row : passes) {
-        const auto [found, is_new] = places.try_emplace(
-            csv_line(RowOf<At>{row.setting, row.contestant, row.quantity, {}}), rows.size());
+    std::map<std::tuple<Setting, std::string, std::string>, std::size_t> places;
+    for (const Row& row : passes) {
+        const auto [found, is_new] =
+            places.try_emplace({row.setting, row.contestant, row.quantity}, rows.size());
         if (is_new) {
             rows.push_back(row);
             values.emplace_back();
@@ -123,42 +148,17 @@ std::vector<RowOf<At>> combined(const std::vector<RowOf<At>>& passes) {
     return rows;
 }
 
-template <class At>
-std::string json_array(const std::vector<RowOf<At>>& rows) {
-    const auto in_json = [](const auto& field) {
-        if constexpr (std::is_same_v<decltype(field), const std::string&>)
-            return fmt::format("\"{}\"", field);
-        else
-            return fmt::format("{}", field);
-    };
+std::string json_array(const std::vector<Row>& rows, Of of) {
     std::string text = "[";
-    for (const RowOf<At>& row : rows) {
+    for (const Row& row : rows) {
+        const auto write = [](std::string_view name, const Field& field) {
+            const char* quote = std::holds_alternative<std::string*>(field) ? "\"" : "";
+            return fmt::format("\"{0}\": {1}{2}{1}", name, quote, text_of(field));
+        };
         text += text.size() > 1 ? ",\n{" : "\n{";
-        std::size_t column = 0;
-        std::apply(
-            [&](const auto&... field) {
-                ((text += fmt::format("\"{}\": {}, ", At::columns[column++], in_json(field))), ...);
-            },
-            At::fields(row.setting));
-        text += fmt::format(
-            "\"contestant\": \"{}\", \"quantity\": \"{}\", \"value\": {}, \"low\": {}, \"high\": "
-            "{}, \"runs\": {}}}",
-            row.contestant, row.quantity, row.value.median, row.value.low, row.value.high,
-            row.value.runs);
+        text += line_of(row, of, ", ", write) + "}";
     }
     return text + "\n]";
 }
-
-template std::string csv_header<Setting>();
-template std::string csv_line(const Row&);
-template TableOf<Setting> read_csv(std::string_view);
-template std::vector<Row> combined(const std::vector<Row>&);
-template std::string json_array(const std::vector<Row>&);
-
-template std::string csv_header<MotionSetting>();
-template std::string csv_line(const MotionRow&);
-template TableOf<MotionSetting> read_csv(std::string_view);
-template std::vector<MotionRow> combined(const std::vector<MotionRow>&);
-template std::string json_array(const std::vector<MotionRow>&);
 
 }  // namespace signum::study

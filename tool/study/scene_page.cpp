@@ -1,12 +1,13 @@
 #include "scene_page.hpp"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <string_view>
 
 #include <fmt/format.h>
 
-#include "html.hpp"
+#include "template.hpp"
 
 namespace signum::study {
 namespace {
@@ -15,48 +16,15 @@ std::string with_unit(std::string_view name, const std::string& unit) {
     return unit.empty() ? std::string(name) : fmt::format("{} ({})", name, unit);
 }
 
-std::string_view in_words(Judgement judgement) {
-    switch (judgement) {
-        case Judgement::good:
-            return "good";
-        case Judgement::not_good:
-            return "not good";
-        case Judgement::not_told:
-            break;
-    }
-    return "not told: too few data";
-}
-std::string_view class_of(Judgement judgement) {
-    return judgement == Judgement::good       ? "good"
-           : judgement == Judgement::not_good ? "not_good"
-                                              : "not_told";
-}
-
-std::string table_of_checks(const std::vector<Check>& checks) {
-    std::string text =
-        "<table "
-        "class=\"run\">\n<tr><th>what</th><th>expected</th><th>found</th><th>deviation</th><th></"
-        "th>"
-        "</tr>\n";
-    for (const Check& check : checks)
-        text += fmt::format(
-            "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td class=\"{}\">{}</td></tr>\n",
-            html_text(check.what), html_text(check.expected), html_text(check.found),
-            html_text(check.deviation), class_of(check.judgement), in_words(check.judgement));
-    return text + "</table>\n";
-}
-
-std::string summary_of_checks(const std::vector<Check>& checks) {
-    const auto count = [&](Judgement judgement) {
-        return std::ranges::count(checks, judgement, &Check::judgement);
-    };
-    std::string text = fmt::format("{} of {} are good", count(Judgement::good), checks.size());
-    if (const auto bad = count(Judgement::not_good); bad > 0)
-        text += fmt::format(", <strong class=\"not_good\">{} not</strong>", bad);
-    if (const auto open = count(Judgement::not_told); open > 0)
-        text += fmt::format(", {} not told", open);
-    return text + ".";
-}
+struct JudgementWords {
+    Judgement judgement;
+    const char* name;
+    const char* words;
+};
+constexpr std::array<JudgementWords, 3> judgements = {
+    {{Judgement::good, "good", "good"},
+     {Judgement::not_good, "not_good", "not good"},
+     {Judgement::not_told, "not_told", "not told: too few data"}}};
 
 }  // namespace
 
@@ -72,19 +40,14 @@ std::vector<Plot> plots_of_scene(const SceneDescription& scene, const SceneCurve
     const std::string time = with_unit("time", scene.time);
 
     const auto plot = [&](std::string name, std::string x, std::string title) -> Panel& {
-        Panel panel;
+        Panel& panel = plots.emplace_back(Plot{std::move(name), 1, {Panel{}}}).panels.front();
         panel.x_label = std::move(x);
         panel.title = std::move(title);
-        plots.push_back({std::move(name), 1, {std::move(panel)}});
-        return plots.back().panels.front();
+        return panel;
     };
     const auto add = [](Panel& panel, std::string title, std::vector<PlotPoint> points) {
-        Series series;
-        series.title = std::move(title);
-        series.style = static_cast<int>(panel.series.size()) + 1;
-        series.marked = false;
-        series.points = std::move(points);
-        panel.series.push_back(std::move(series));
+        const int style = static_cast<int>(panel.series.size()) + 1;
+        panel.series.push_back({std::move(title), style, true, std::move(points), false});
     };
     const auto over_time = [&](const std::function<double(const Moment&)>& value) {
         std::vector<PlotPoint> points;
@@ -140,27 +103,28 @@ std::vector<Plot> plots_of_scene(const SceneDescription& scene, const SceneCurve
     return plots;
 }
 
-std::string html_of(const ScenePage& page) {
-    const std::string title =
-        html_text(page.scene.title.empty() ? "Balls that move and strike" : page.scene.title);
-    std::string text = fmt::format("{}<h1>{}</h1>\n", html_head(title), title);
-    text += fmt::format("<figure class=\"film\">\n{}\n</figure>\n", page.film);
-    text += fmt::format(
-        "<h2>Beside what is known</h2>\n<p>{} Each stands here only where what it expects "
-        "holds.</p>\n{}",
-        summary_of_checks(page.checks), table_of_checks(page.checks));
-    text += "<h2>The run</h2>\n<table class=\"run\">\n";
-    for (const auto& [name, value] : page.run)
-        text += fmt::format("<tr><th>{}</th><td>{}</td></tr>\n", html_text(name), html_text(value));
-    text += "</table>\n<h2>Curves</h2>\n";
-    if (!page.without_curves.empty())
-        text += fmt::format("<p class=\"soft\">{}</p>\n", html_text(page.without_curves));
-    for (const std::string& curve : page.curves)
-        text += fmt::format("<figure>\n{}\n</figure>\n", curve);
-    if (!page.scene.explanation.empty())
-        text +=
-            fmt::format("<h2>The scene</h2>\n<pre>{}</pre>\n", html_text(page.scene.explanation));
-    return text + "</body>\n</html>\n";
+std::string scene_page(const SceneDescription& scene, const std::vector<Check>& checks,
+                       Values values) {
+    values["all"] = std::to_string(checks.size());
+    for (const auto& [judgement, name, words] : judgements) {
+        const auto count = std::ranges::count(checks, judgement, &Check::judgement);
+        values[name] = count > 0 || judgement == Judgement::good ? std::to_string(count) : "";
+    }
+    std::string& lines = values["checks"];
+    for (const Check& check : checks) {
+        const auto* const judged =
+            std::ranges::find(judgements, check.judgement, &JudgementWords::judgement);
+        lines += html_of("check", {{"what", html_text(check.what)},
+                                   {"expected", html_text(check.expected)},
+                                   {"found", html_text(check.found)},
+                                   {"deviation", html_text(check.deviation)},
+                                   {"name", judged->name},
+                                   {"words", judged->words}});
+    }
+    values["title"] = html_text(scene.title.empty() ? "Balls that move and strike" : scene.title);
+    values["head"] = html_of("head", {{"title", values["title"]}});
+    values["explanation"] = html_text(scene.explanation);
+    return html_of("scene", values);
 }
 
 }  // namespace signum::study

@@ -4,13 +4,13 @@
 
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "../scenes/checks.hpp"
 #include "../scenes/pair_correlation.hpp"
 #include "../scenes/run_record.hpp"
 #include "plot.hpp"
+#include "template.hpp"
 
 namespace signum::study {
 
@@ -38,17 +38,9 @@ struct SceneCurves {
 [[nodiscard]] std::vector<Plot> plots_of_scene(const SceneDescription& scene,
                                                const SceneCurves& curves);
 
-struct ScenePage {
-    SceneDescription scene;
-    std::string film;                 ///< SVG
-    std::vector<std::string> curves;  ///< see inline_svg()
-    /// Why there are no curves, where there are none.
-    std::string without_curves;
-    std::vector<std::pair<std::string, std::string>> run;  ///< names and values
-    std::vector<Check> checks;
-};
-
-/// Texts may hold any characters; film and curves are taken as they are.
-[[nodiscard]] std::string html_of(const ScenePage& page);
+/// `values`: the film and the curves (see inline_svg()), or why there are none, `without_curves`,
+/// and the lines of the table of the run. Texts of the scene and of checks may hold any characters.
+[[nodiscard]] std::string scene_page(const SceneDescription& scene,
+                                     const std::vector<Check>& checks, Values values);
 
 }  // namespace signum::study

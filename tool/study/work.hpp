@@ -1,20 +1,17 @@
 #pragma once
-/// The kinds of work of a cell, a source each. For the sources of study/.
+/// The kinds of work of a cell, and what they share. For the sources of study/.
 
 #include <chrono>
+#include <string>
 #include <vector>
 
 #include "measure.hpp"
-#include "plan.hpp"
-#include "rows.hpp"
 
 namespace signum::study {
 
-[[nodiscard]] std::vector<Row> measure_construction(const Cell& cell, const Pass& pass);
-[[nodiscard]] std::vector<Row> measure_deletion(const Cell& cell, const Pass& pass);
-[[nodiscard]] std::vector<Row> measure_stage_cost(const Cell& cell, const Pass& pass);
-[[nodiscard]] std::vector<Row> measure_first_error(const Cell& cell);
-[[nodiscard]] std::vector<Row> measure_margin(const Cell& cell);
+using Measure = std::vector<Row>(const Cell& cell, const Pass& pass);
+Measure measure_construction, measure_deletion, measure_stage_cost, measure_first_error,
+    measure_margin, measure_structures, measure_rounding, measure_time_steps;
 
 /// A number that is not measured, but counted.
 [[nodiscard]] inline Interval exactly(double value) {
@@ -22,9 +19,8 @@ namespace signum::study {
 }
 
 /// The contestants take turns, from pass to pass in another order.
-template <class AnyCell>
-[[nodiscard]] Race race_of(const std::vector<Contestant>& contestants, const AnyCell& cell,
-                           const Pass& pass) {
+[[nodiscard]] inline Race race_of(const std::vector<Contestant>& contestants, const Cell& cell,
+                                  const Pass& pass) {
     return race(contestants, cell.budget, pass.number % 2 == 0);
 }
 

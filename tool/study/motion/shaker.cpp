@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <numbers>
 #include <random>
+#include <string>
 
 #include "../../scenes/arrangement.hpp"
 #include "../../scenes/normal.hpp"
@@ -15,9 +17,9 @@ double side_of_box(std::int64_t balls) {
     return 200.0 * std::sqrt(std::max(1.0, static_cast<double>(balls) / 100.0));
 }
 
-std::vector<double> radii_of(const MotionSetting& setting) {
-    const auto number = static_cast<double>(setting.balls);
-    std::vector<double> radii(static_cast<std::size_t>(setting.balls));
+std::vector<double> radii_of(const Setting& setting) {
+    const auto number = static_cast<double>(setting.count);
+    std::vector<double> radii(static_cast<std::size_t>(setting.count));
     double squares = 0.0;
     for (std::size_t i = 0; i < radii.size(); ++i) {
         const double share = (static_cast<double>(i) + 0.5) / number;
@@ -25,14 +27,14 @@ std::vector<double> radii_of(const MotionSetting& setting) {
         radii[i] = 1.0 / std::sqrt(1.0 / (ratio * ratio) + share * (1.0 - 1.0 / (ratio * ratio)));
         squares += radii[i] * radii[i];
     }
-    const double side = side_of_box(setting.balls);
+    const double side = side_of_box(setting.count);
     const double scale = side * std::sqrt(setting.packing / (std::numbers::pi * squares));
     for (double& radius : radii) radius *= scale;
     return radii;
 }
 
-Shaker shaker_of(const MotionSetting& setting, double speed, std::uint64_t seed) {
-    const double side = side_of_box(setting.balls);
+Shaker shaker_of(const Setting& setting, double speed, std::uint64_t seed) {
+    const double side = side_of_box(setting.count);
     const std::vector<double> radii = radii_of(setting);
     motion::Effects<2> effects;
     effects.gravity = {0.0, -9.81};
@@ -45,7 +47,7 @@ Shaker shaker_of(const MotionSetting& setting, double speed, std::uint64_t seed)
     const Region<2> region = {*effects.box, false, side * side};
     const auto places = setting.packing < 0.4 ? place_by_chance<2>(region, radii, {}, seed)
                                               : place_by_growth<2>(region, radii, {}, seed);
-    const double mean_mass = setting.packing * side * side / static_cast<double>(setting.balls);
+    const double mean_mass = setting.packing * side * side / static_cast<double>(setting.count);
     std::vector<motion::Body<2>> bodies;
     Normal normal(seed);
     for (std::size_t i = 0; i < radii.size(); ++i) {
@@ -56,6 +58,23 @@ Shaker shaker_of(const MotionSetting& setting, double speed, std::uint64_t seed)
         bodies.push_back(body);
     }
     return {motion::start<2>(bodies, effects), effects};
+}
+
+const Shaker& shaker_for(const Cell& cell) {
+    static std::map<Setting, Shaker> made;
+    Setting at = cell.setting;
+    at.experiment = std::to_string(cell.speed);  // one for all experiments
+    const auto [found, is_new] = made.try_emplace(at);
+    Shaker& shaker = found->second;
+    if (!is_new) return shaker;
+    shaker = shaker_of(cell.setting, cell.speed, 1);
+    if (cell.warming_up > 0.0) {
+        const double strikes = cell.warming_up * static_cast<double>(cell.setting.count);
+        motion::Simulation<2> simulation(shaker.state, shaker.effects);
+        simulation.run({.strikes = static_cast<std::uint64_t>(strikes)});
+        shaker.state = simulation.state();
+    }
+    return shaker;
 }
 
 }  // namespace signum::study

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "../../../motion/simulation.hpp"
-#include "setting.hpp"
+#include "../plan.hpp"
 
 namespace signum::study {
 
@@ -16,7 +16,7 @@ namespace signum::study {
 /// Radii, whose squares sum to the packing: discs of any size and of twice that size fill as much
 /// in all, so small ones are many. That is how nearly all pairs of packing and radii in the
 /// thesis's tables come out. Without chance, from the largest to the smallest.
-[[nodiscard]] std::vector<double> radii_of(const MotionSetting& setting);
+[[nodiscard]] std::vector<double> radii_of(const Setting& setting);
 
 struct Shaker {
     motion::State<2> state;
@@ -27,6 +27,9 @@ struct Shaker {
 /// a thousandth of a second 1), density 1. Places by chance below a packing of 0.4, by growth
 /// above. Discs are at rest, but for a `speed` above 0: then each component of their velocities is
 /// normal, that being the standard deviation for a disc of mean mass, and all have one temperature.
-[[nodiscard]] Shaker shaker_of(const MotionSetting& setting, double speed, std::uint64_t seed);
+[[nodiscard]] Shaker shaker_of(const Setting& setting, double speed, std::uint64_t seed);
+
+/// The shaker of a cell when measuring begins. Made once a program: what is dense takes minutes.
+[[nodiscard]] const Shaker& shaker_for(const Cell& cell);
 
 }  // namespace signum::study
