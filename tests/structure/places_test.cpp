@@ -29,16 +29,21 @@ std::string text_of(const fs::path& file) {
     return text.str();
 }
 
-/// The files that a section of CONTRIBUTING.md names, but for those with NAME in their names.
-Files named_under(const std::string& heading) {
+std::string section_under(const std::string& heading) {
     const std::string page = text_of(root / "CONTRIBUTING.md");
     const std::size_t from = page.find("\n## " + heading + "\n");
     if (from == std::string::npos) return {};
-    const std::string section = page.substr(from + 1, page.find("\n## ", from + 1) - from - 1);
-    static const std::regex path("`((tool|motion|bindings)/[a-z_/]+(/|\\.[a-z]+))`");
+    return page.substr(from + 1, page.find("\n## ", from + 1) - from - 1);
+}
+
+/// The files that a section of CONTRIBUTING.md names, but for those with NAME in their names; and
+/// the folders, which end in /.
+Files named_under(const std::string& heading, bool with_folders = false) {
+    const std::string section = section_under(heading);
+    static const std::regex path("`((tool|motion|bindings)/([a-z_/]+\\.[a-z]+|([a-z_]+/)*))`");
     Files files;
     for (std::sregex_iterator each(section.begin(), section.end(), path), end; each != end; ++each)
-        files.insert((*each)[1]);
+        if (with_folders || !(*each)[1].str().ends_with("/")) files.insert((*each)[1]);
     return files;
 }
 
@@ -122,7 +127,8 @@ void expect_named_at(const Files& places, const std::string& pattern) {
 }
 
 TEST(Places, OfAnEffect) {
-    const Files places = named_under("Add an effect");
+    const Files places = named_under("Add an effect", true);
+    EXPECT_EQ(section_under("Add an effect").find("\n7. "), std::string::npos);
     for (const std::string& place : places) EXPECT_TRUE(fs::exists(root / place)) << place;
     motion::Effects<2>::each_field([&](auto, const motion::Field& field) {
         const std::string name(field.name);
@@ -132,7 +138,8 @@ TEST(Places, OfAnEffect) {
 }
 
 TEST(Places, OfAStructure) {
-    const Files places = named_under("Add a structure");
+    const Files places = named_under("Add a structure", true);
+    EXPECT_EQ(section_under("Add a structure").find("\n4. "), std::string::npos);
     for (const motion::Structure each : motion::all_structures)
         if (each != motion::Structure::automatic)
             expect_named_at(places, "Structure::" + std::string(motion::name_of(each)) + "\\b");

@@ -10,7 +10,7 @@
 namespace signum {
 
 struct SectionKeys {
-    std::string section;  ///< "effects.friction"; empty for the file itself
+    std::string section;  ///< "balls.region"; empty for the file itself
     std::vector<std::string_view> keys;
 };
 
