@@ -59,7 +59,7 @@ struct Field {
     Dimension dimension = {};      ///< of each number
     Range range = any_number;      ///< of each number
     std::string_view advice = {};  ///< what to say where it is missing; empty: it may be
-    /// Of a person who writes the number there may be less to mean.
+    /// The range where a person writes the number, who would not mean all of the other one.
     Range written = range;
     /// Its default in space, where that is another one.
     std::optional<double> in_space = {};
@@ -68,7 +68,7 @@ struct Field {
     std::string_view section = "effects";  ///< in which section of a scene it stands
     bool is_always_kept = false;           ///< a state has it, on or off
     std::string_view stepped = {};         ///< what of it needs time steps, where it does
-    /// How it is told where it is on, each number at the place {}; what it costs; what is so where
+    /// How it is told where it is on, its members in place of {}; what it costs; what is so where
     /// it is off.
     std::string_view told = {};
     std::string_view costs = {};    ///< see told
