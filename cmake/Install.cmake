@@ -28,7 +28,7 @@ set(public_headers
 set(headers_behind
   core/contract.hpp core/handle.hpp
   triangulation/moving/moving_site.hpp
-  motion/ball.hpp motion/effects.hpp motion/meeting.hpp motion/obstacle.hpp motion/vector.hpp
+  motion/ball.hpp motion/effects.hpp motion/field.hpp motion/meeting.hpp motion/obstacle.hpp motion/vector.hpp
   filters/bounds.hpp filters/environment.hpp filters/interval.hpp filters/rounding_count.hpp
   filters/tally.hpp
   filters/verdict.hpp

@@ -8,11 +8,22 @@
 
 #include "effects/friction.hpp"
 #include "effects/speed_law.hpp"
-#include "known.hpp"
 #include "simulation.hpp"
 #include "strike.hpp"
 
 namespace signum::motion {
+
+/// Which effects a loop is compiled for. The library's loops know all of them, and ask once a
+/// strike whether any is on; a test compiles loops that do not know one, to see what asking costs.
+struct Known {
+    bool walls = true;  ///< but sides of a box at rest
+    bool speed_law = true;
+    bool contact_duration = true;
+    bool friction = true;
+    bool growth = true;
+    bool time_steps = true;
+    bool contacts = true;  ///< that stand; only where there are time steps
+};
 
 template <int D, Known known>
 class Laws {
@@ -63,8 +74,7 @@ class Laws {
             result.restitution = restitution_at(*effects_.speed_law, restitution, approach);
         if (has_duration()) {
             for (const Slot i : balls)
-                if (t - last_strikes_[i] <= effects_.contact_duration)
-                    result = {1.0, false, false};
+                if (t - last_strikes_[i] <= effects_.contact_duration) result = {1.0, false, false};
         }
         if (has_contacts() && result.restitution * approach < effects_.contacts->speed)
             result = {0.0, true, has_friction()};

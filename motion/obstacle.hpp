@@ -2,8 +2,10 @@
 /// What balls strike that is no ball and no side of the box. An obstacle has no mass: strikes leave
 /// it as it is.
 
+#include <string_view>
 #include <variant>
 
+#include "field.hpp"
 #include "vector.hpp"
 
 namespace signum::motion {
@@ -15,6 +17,14 @@ struct HalfSpace {
     Vector<D> normal{};   ///< not 0
     double offset = 0.0;  ///< of the wall at t = 0, times |n|
     double speed = 0.0;   ///< of the wall along n, times |n|
+
+    static constexpr std::string_view kind = "half-space";  ///< as files have it
+    /// Describes the members.
+    static constexpr void each_field(const auto& visit) {
+        visit(&HalfSpace::normal, {"normal"});
+        visit(&HalfSpace::offset, {"offset", dimensions::length});
+        visit(&HalfSpace::speed, {"speed", dimensions::speed});
+    }
 };
 
 /// A circle or sphere with its centre at centre + velocity · t. D is the difference of the centres.
@@ -31,6 +41,18 @@ struct Sphere {
     /// Where the balls are: F = |D|² - (radius + r + q t)² outside, (radius - r - q t)² - |D|²
     /// inside.
     Side side = Side::outside;
+
+    static constexpr std::string_view kind = "sphere";  ///< as files have it
+    /// Describes the members.
+    static constexpr void each_field(const auto& visit) {
+        visit(&Sphere::side, {"side"});
+        visit(&Sphere::radius, {.name = "radius",
+                                .dimension = dimensions::length,
+                                .range = from_0,
+                                .written = above_0});
+        visit(&Sphere::centre, {"centre", dimensions::length});
+        visit(&Sphere::velocity, {"velocity", dimensions::speed});
+    }
 };
 
 /// A thin wall at rest in the plane, struck from both sides and at its ends. A polyline is its
@@ -40,6 +62,13 @@ struct Sphere {
 struct Segment {
     Vector<2> from{};  ///< one end
     Vector<2> to{};    ///< the other one, another point
+
+    static constexpr std::string_view kind = "segment";  ///< as files have it
+    /// Describes the members.
+    static constexpr void each_field(const auto& visit) {
+        visit(&Segment::from, {"from", dimensions::length});
+        visit(&Segment::to, {"to", dimensions::length});
+    }
 };
 
 /// Which kinds of obstacles there are.

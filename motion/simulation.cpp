@@ -45,9 +45,6 @@ std::vector<Row<D>> rows() {
     return result;
 }
 
-constexpr std::array<std::string_view, 8> names = {"auto",     "pairs",  "cells", "tree",
-                                                   "segments", "levels", "lists", "delaunay"};
-
 constexpr const char* thin_box = "the periodic box is thin beside its coordinates";
 
 /// What the choice depends on.
@@ -124,7 +121,7 @@ std::vector<std::int32_t> along_a_curve(const State<D>& state, const Effects<D>&
 }  // namespace
 
 std::string_view name_of(Structure structure) noexcept {
-    return names[static_cast<std::size_t>(structure)];
+    return structure_table[static_cast<std::size_t>(structure)].name;
 }
 
 template <int D>

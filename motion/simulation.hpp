@@ -5,10 +5,12 @@
 /// proposes the pairs, nor the order in memory, nor the machine has a part in it.
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -212,12 +214,40 @@ struct Outcome {
     Strike last;                    ///< the last strike
 };
 
-/// The structures that propose pairs, in the order of their names; automatic chooses one.
+/// What proposes pairs; automatic chooses one of the others.
 enum class Structure { automatic, pairs, cells, tree, segments, levels, lists, delaunay };
-/// In the order of their enumerators.
-inline constexpr std::array all_structures = {
-    Structure::automatic, Structure::pairs,  Structure::cells, Structure::tree,
-    Structure::segments,  Structure::levels, Structure::lists, Structure::delaunay};
+/// What is known of a structure without using it.
+struct StructureTraits {
+    Structure structure;           ///< whose row this is
+    std::string_view name;         ///< in files and on the command line
+    std::string_view shapes = {};  ///< what the areas and rounds of a sketch are
+    std::string_view links = {};   ///< what its links are
+};
+/// A row for every structure, in the order of the enumerators.
+inline constexpr std::array<StructureTraits, 8> structure_table = {{
+    {Structure::automatic, "auto"},
+    {Structure::pairs, "pairs"},
+    {Structure::cells, "cells", "cells with balls in them"},
+    {Structure::tree, "tree", "cells with balls in them"},
+    {Structure::segments, "segments", "boxes", "partners, whose boxes overlap"},
+    {Structure::levels, "levels", "shells, and the cells in which they lie, a colour a size",
+     "pairs in the lists"},
+    {Structure::lists, "lists", "shells", "pairs in the lists"},
+    {Structure::delaunay, "delaunay", "", "neighbours"},
+}};
+/// In the order of the table.
+inline constexpr auto all_structures = [] {
+    std::array<Structure, structure_table.size()> structures{};
+    for (std::size_t i = 0; i < structures.size(); ++i)
+        structures[i] = structure_table[i].structure;
+    return structures;
+}();
+/// The one of that name, if there is one.
+[[nodiscard]] constexpr std::optional<Structure> structure_named(std::string_view name) noexcept {
+    for (const StructureTraits& row : structure_table)
+        if (row.name == name) return row.structure;
+    return std::nullopt;
+}
 /// The name by which files and the tool know it.
 [[nodiscard]] std::string_view name_of(Structure structure) noexcept;
 

@@ -8,7 +8,9 @@
 #include <set>
 #include <span>
 #include <string>
+#include <string_view>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -39,118 +41,75 @@ constexpr double farthest = 0x1p200;
 bool is_in_reach(double number) noexcept {
     return std::fabs(number) <= farthest;
 }
-bool is_restitution(double number) noexcept {
-    return number >= 0.0 && number <= 1.0;
-}
 
 [[noreturn]] void refuse(const std::string& what) {
     throw std::invalid_argument(what);
 }
-template <int D>
-bool are_within(const Vector<D>& v) noexcept {
-    return std::ranges::all_of(v, is_within);
+/// Whether each number is one that its field may be; `path` is in front of the field's name.
+template <class Value>
+void check_numbers(const Value& value, const Field& field, const std::string& path) {
+    if constexpr (std::is_arithmetic_v<Value>) {
+        const auto number = static_cast<double>(value);
+        std::string_view wanted;
+        if (!field.range.has(number))
+            wanted = field.range.words;
+        else if (!field.range.is_fine && !is_within(number))
+            wanted = "0 or a number of 2^-150 to 2^150";
+        if (!wanted.empty())
+            refuse(path + std::string(field.name) + ": give " + std::string(wanted));
+    } else if constexpr (Described<Value>) {
+        const std::string inner = path + std::string(field.name) + ".";
+        Value::each_field(
+            [&](auto member, const Field& each) { check_numbers(value.*member, each, inner); });
+    } else if constexpr (DescribedIfOn<Value>) {
+        if (value) check_numbers(*value, field, path);
+    } else if constexpr (requires { value.begin(); }) {
+        for (const auto& each : value) check_numbers(each, field, path);
+    }
 }
 
 template <int D>
 void check_obstacle(const HalfSpace<D>& wall) {
-    if (!are_within<D>(wall.normal) || wall.normal == Vector<D>{})
-        refuse("half space: give a normal other than 0, of numbers within 2^-150 and 2^150");
-    if (!is_within(wall.offset) || !is_within(wall.speed))
-        refuse("half space: an offset or a speed beyond 2^150, or below 2^-150 and not 0");
+    if (wall.normal == Vector<D>{}) refuse("half-space: give a normal other than 0");
 }
 template <int D>
-void check_obstacle(const Sphere<D>& wall) {
-    if (!are_within<D>(wall.centre) || !are_within<D>(wall.velocity) || !is_within(wall.radius) ||
-        !(wall.radius >= 0.0))
-        refuse(
-            "sphere: give a centre, a velocity and a radius from 0, each number within 2^-150 and "
-            "2^150");
-}
+void check_obstacle(const Sphere<D>&) {}
 void check_obstacle(const Segment& wall) {
-    if (!are_within<2>(wall.from) || !are_within<2>(wall.to))
-        refuse("segment: give numbers that are 0 or within 2^-150 and 2^150");
     if (wall.from == wall.to) refuse("segment: its two ends are the same; give two places");
 }
 
-/// Those that take two to make sense, or a number from some range.
+/// What takes two effects to make sense, or two numbers of one.
 template <int D>
-void check_extended(const Effects<D>& effects) {
-    const auto& [speed_law, friction, shake, growth, fluid, contacts] =
-        std::tie(effects.speed_law, effects.friction, effects.shake, effects.growth, effects.fluid,
-                 effects.contacts);
-    if (speed_law && !(speed_law->speed > 0.0 && is_within(speed_law->speed) &&
-                       speed_law->power > 0.0 && speed_law->power <= 8.0))
-        refuse("speed law: give a speed above 0 and a power above 0, at most 8");
-    if (!(effects.contact_duration >= 0.0) || !is_within(effects.contact_duration))
-        refuse("contact duration: give a time from 0");
-    if (friction) {
-        if (!(friction->coefficient >= 0.0 && friction->wall_coefficient >= 0.0) ||
-            !is_within(friction->coefficient) || !is_within(friction->wall_coefficient))
-            refuse("friction: give coefficients from 0");
-        if (!(std::fabs(friction->tangential_restitution) <= 1.0))
-            refuse("friction: give a tangential restitution from -1 to 1");
-        if (!(friction->inertia > 0.0 && friction->inertia <= 1.0) || !is_within(friction->inertia))
-            refuse("friction: give an inertia above 0, at most 1; 1/2 is that of discs");
-    }
-    if (shake) {
-        if (!effects.box || effects.periodic)
-            refuse("a box that shakes needs walls; give a box, and not a periodic one");
-        if (!are_within<D>(shake->amplitude) || !is_within(shake->frequency) ||
-            !is_within(shake->phase))
-            refuse("shake: give numbers that are 0 or within 2^-150 and 2^150");
-    }
+void check(const Effects<D>& effects) {
+    Effects<D>::each_field([&]<class Value>(Value Effects<D>::*member, const Field& field) {
+        check_numbers(effects.*member, field, "");
+        if constexpr (DescribedIfOn<Value>)
+            if (effects.*member && !field.stepped.empty() && effects.time_step == 0.0)
+                refuse(std::string(field.name) + ": " + std::string(field.stepped) +
+                       " is computed in steps of time; give a time step");
+    });
+    const auto& [box, shake, contacts] = std::tie(effects.box, effects.shake, effects.contacts);
+    if (effects.periodic && !box) refuse("a periodic world needs a box");
+    if (shake && (!box || effects.periodic))
+        refuse("a box that shakes needs walls; give a box, and not a periodic one");
     for (const Obstacle<D>& obstacle : effects.obstacles)
-        std::visit([](const auto& wall) { check_obstacle(wall); }, obstacle);
+        std::visit(
+            [](const auto& wall) {
+                check_numbers(wall, {wall.kind}, "");
+                check_obstacle(wall);
+            },
+            obstacle);
     if (effects.obstacles.size() > 100'000) refuse("more than 100000 obstacles; give fewer");
     if (!effects.obstacles.empty() && effects.periodic)
         refuse("obstacles are for a world that is not periodic; leave one of the two out");
-    if (growth) {
-        if (!(growth->rate > 0.0 && growth->until > 0.0) || !is_within(growth->rate) ||
-            !is_within(growth->until))
-            refuse("growth: give a rate above 0, and a time above 0 until when radii grow");
-        if (contacts) refuse("growth and contacts that stand do not go together; leave one out");
-    }
-    if (fluid) {
-        if (!are_within<D>(fluid->velocity) || !std::ranges::all_of(fluid->gradient, are_within<D>))
-            refuse("fluid: a velocity or a gradient beyond 2^150, or below 2^-150 and not 0");
-        if (!(fluid->linear >= 0.0 && fluid->quadratic >= 0.0) || !is_within(fluid->linear) ||
-            !is_within(fluid->quadratic))
-            refuse("fluid: give drags from 0");
-    }
-    if (!(effects.time_step >= 0.0) || !is_within(effects.time_step))
-        refuse("time step: give a time from 0, which stands for none");
-    if (effects.time_step == 0.0 && fluid) refuse("a fluid's drag needs time steps; give one");
-    if (effects.time_step == 0.0 && contacts)
-        refuse("contacts that stand need time steps; give one");
-    if (contacts && effects.box && effects.shake &&
-        std::fabs(effects.shake->frequency) * effects.time_step > 1.0)
+    if (contacts && effects.growth)
+        refuse("growth and contacts that stand do not go together; leave one out");
+    if (contacts && shake && std::fabs(shake->frequency) * effects.time_step > 1.0)
         refuse(
             "contacts that stand in a box that shakes: give a time step of a radian of it at most, "
             "a sixth of its period");
-    if (contacts &&
-        (!(contacts->speed > 0.0) || !is_within(contacts->speed) ||
-         !(contacts->tolerance > 0.0 && contacts->tolerance < 1.0) || contacts->sweeps < 2))
-        refuse("contacts: give a speed above 0, a tolerance between 0 and 1, and sweeps from 2");
-}
-
-template <int D>
-void check(const Effects<D>& effects) {
-    for (const double g : effects.gravity)
-        if (!is_within(g)) refuse("gravity: give 0 or finite numbers of 2^-150 to 2^150");
-    if (!is_restitution(effects.restitution) || !is_restitution(effects.wall_restitution))
-        refuse("restitution: give a number from 0 to 1");
-    if (effects.periodic && !effects.box) refuse("a periodic world needs a box");
-    check_extended(effects);
-    if (!effects.box) return;
-    for (int k = 0; k < D; ++k) {
-        const double low = effects.box->low[k];
-        const double high = effects.box->high[k];
-        if (!is_within(low) || !is_within(high) || !(low < high)) {
-            refuse(
-                "box: give the lower corner, then the upper one, each 0 or a finite number of "
-                "2^-150 to 2^150");
-        }
-    }
+    for (int k = 0; box && k < D; ++k)
+        if (!(box->low[k] < box->high[k])) refuse("box: give the lower corner, then the upper one");
 }
 
 void check_radius_and_mass(double radius, double mass, std::int64_t number) {

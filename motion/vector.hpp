@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "../core/contract.hpp"
+#include "field.hpp"
 
 SIGNUM_IEEE_BEGIN
 
@@ -80,6 +81,12 @@ template <int D>
 struct Box {
     Vector<D> low{};   ///< the corner of least coordinates
     Vector<D> high{};  ///< the opposite corner
+
+    /// Describes the members.
+    static constexpr void each_field(const auto& visit) {
+        visit(&Box::low, {"low", dimensions::length});
+        visit(&Box::high, {"high", dimensions::length});
+    }
 };
 
 }  // namespace signum::motion

@@ -1,6 +1,7 @@
 /// Balls that move and strike, in the plane and in space.
 
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -29,30 +30,6 @@ motion::Vector<D> vector_of(const py::object& object, const char* what) {
     for (int k = 0; k < D; ++k) result[k] = numbers(k);
     return result;
 }
-/// Of an object that is to be of a class of signum.effects.
-py::object field_of(const py::object& from, const char* name) {
-    if (!py::hasattr(from, name))
-        throw py::type_error(std::string(name) + ": a '" +
-                             std::string(py::str(py::type::of(from).attr("__name__"))) +
-                             "' has none; an object of a class of signum.effects is needed");
-    return from.attr(name);
-}
-double number(const py::object& from, const char* name) {
-    return number_of(field_of(from, name), name);
-}
-bool truth(const py::object& from, const char* name) {
-    const int truth = PyObject_IsTrue(field_of(from, name).ptr());
-    if (truth < 0) throw py::error_already_set();
-    return truth != 0;
-}
-int sweeps_of(const py::object& object) {
-    try {
-        return object.cast<int>();
-    } catch (const py::cast_error&) {
-        throw py::type_error("sweeps: a whole number of 32 bits is needed");
-    }
-}
-
 template <int D>
 motion::Box<D> box_of_corners(const py::object& object) {
     const Rows rows(object, "box", D, D);
@@ -65,26 +42,76 @@ motion::Box<D> box_of_corners(const py::object& object) {
     return box;
 }
 
+/// Names of a field that a keyword of Python forbids, or that says it by true and false.
+const char* python_name(const std::string& name) {
+    return name == "from"   ? "start"
+           : name == "to"   ? "end"
+           : name == "side" ? "inside"
+                            : name.c_str();
+}
+
+template <int D>
+motion::Obstacle<D> obstacle_of(const py::object& object);
+
+/// Gives a value what an object of a class of signum.effects has by the field's name. None leaves
+/// it as it is, where the class has None by default.
+template <int D, class Value>
+void read(const py::object& object, const motion::Field& field, Value& value) {
+    const std::string field_name(field.name);
+    const char* const name = python_name(field_name);
+    const py::type type = py::type::of(object);
+    if (!py::hasattr(object, name))
+        throw py::type_error(std::string(name) + ": a '" +
+                             std::string(py::str(type.attr("__name__"))) +
+                             "' has none; an object of a class of signum.effects is needed");
+    const py::object given = object.attr(name);
+    if (given.is_none() && py::getattr(type, name, py::str()).is_none()) return;
+    if constexpr (std::is_same_v<Value, bool> || std::is_enum_v<Value>) {
+        const int truth = PyObject_IsTrue(given.ptr());
+        if (truth < 0) throw py::error_already_set();
+        value = static_cast<Value>(truth != 0);
+    } else if constexpr (std::is_same_v<Value, double>) {
+        value = number_of(given, name);
+    } else if constexpr (std::is_same_v<Value, int>) {
+        try {
+            value = given.cast<int>();
+        } catch (const py::cast_error&) {
+            throw py::type_error(std::string(name) + ": a whole number of 32 bits is needed");
+        }
+    } else if constexpr (std::is_same_v<Value, motion::Vector<D>>) {
+        value = vector_of<D>(given, name);
+    } else if constexpr (std::is_same_v<Value, motion::PerAxis<motion::Vector<D>, D>>) {
+        const Rows rows(given, name, D, D);
+        if (rows.size() != D)
+            throw py::value_error(std::string(name) + ": a row an axis is needed");
+        for (int i = 0; i < D; ++i)
+            for (int k = 0; k < D; ++k) value[i][k] = rows.at(static_cast<std::size_t>(i), k);
+    } else if constexpr (std::is_same_v<Value, std::optional<motion::Box<D>>>) {
+        value = box_of_corners<D>(given);
+    } else if constexpr (motion::DescribedIfOn<Value>) {
+        value = motion::by_default<typename Value::value_type, D>();
+        Value::value_type::each_field([&](auto member, const motion::Field& each) {
+            read<D>(given, each, (*value).*member);
+        });
+    } else {
+        for (const py::handle each : given)
+            value.push_back(obstacle_of<D>(py::reinterpret_borrow<py::object>(each)));
+    }
+}
+
 /// An obstacle by the class of signum.effects that it is of.
 template <int D>
 motion::Obstacle<D> obstacle_of(const py::object& object) {
     const std::string kind = py::str(py::type::of(object).attr("__name__"));
-    if (kind == "HalfSpace")
-        return motion::HalfSpace<D>{vector_of<D>(field_of(object, "normal"), "normal"),
-                                    number(object, "offset"), number(object, "speed")};
-    if (kind == "Sphere") {
-        const py::object velocity = field_of(object, "velocity");
-        return motion::Sphere<D>{
-            vector_of<D>(field_of(object, "centre"), "centre"),
-            velocity.is_none() ? motion::Vector<D>{} : vector_of<D>(velocity, "velocity"),
-            number(object, "radius"),
-            truth(object, "inside") ? motion::Sphere<D>::Side::inside
-                                    : motion::Sphere<D>::Side::outside};
-    }
+    const auto of = [&]<class Wall>(Wall wall) {
+        Wall::each_field(
+            [&](auto member, const motion::Field& field) { read<D>(object, field, wall.*member); });
+        return wall;
+    };
+    if (kind == "HalfSpace") return of(motion::HalfSpace<D>{});
+    if (kind == "Sphere") return of(motion::Sphere<D>{});
     if constexpr (D == 2)
-        if (kind == "Segment")
-            return motion::Segment{vector_of<2>(field_of(object, "start"), "start"),
-                                   vector_of<2>(field_of(object, "end"), "end")};
+        if (kind == "Segment") return of(motion::Segment{});
     throw py::value_error("obstacles: " + kind + " is none of the classes of signum.effects" +
                           (D == 3 ? " for space" : ""));
 }
@@ -93,55 +120,8 @@ motion::Obstacle<D> obstacle_of(const py::object& object) {
 template <int D>
 motion::Effects<D> effects_of(const py::object& given) {
     motion::Effects<D> effects;
-    const auto with = [&given](const char* name, auto&& then) {
-        const py::object field = given.attr(name);
-        if (!field.is_none()) then(field);
-    };
-    with("gravity", [&](const py::object& g) { effects.gravity = vector_of<D>(g, "gravity"); });
-    effects.restitution = number(given, "restitution");
-    effects.wall_restitution = number(given, "wall_restitution");
-    effects.contact_duration = number(given, "contact_duration");
-    effects.time_step = number(given, "time_step");
-    effects.periodic = truth(given, "periodic");
-    with("box", [&](const py::object& box) { effects.box = box_of_corners<D>(box); });
-    with("speed_law", [&](const py::object& law) {
-        effects.speed_law = motion::SpeedLaw{number(law, "speed"), number(law, "power")};
-    });
-    with("friction", [&](const py::object& f) {
-        const py::object inertia = field_of(f, "inertia");
-        effects.friction = motion::Friction{
-            number(f, "coefficient"), number(f, "wall_coefficient"),
-            number(f, "tangential_restitution"),
-            inertia.is_none() ? (D == 2 ? 0.5 : 0.4) : number_of(inertia, "inertia")};
-    });
-    with("shake", [&](const py::object& s) {
-        effects.shake = motion::Shake<D>{vector_of<D>(field_of(s, "amplitude"), "amplitude"),
-                                         number(s, "frequency"), number(s, "phase")};
-    });
-    with("growth", [&](const py::object& g) {
-        effects.growth = motion::Growth{number(g, "rate"), number(g, "until")};
-    });
-    with("fluid", [&](const py::object& f) {
-        motion::Fluid<D> fluid;
-        fluid.linear = number(f, "linear");
-        fluid.quadratic = number(f, "quadratic");
-        if (const py::object v = field_of(f, "velocity"); !v.is_none())
-            fluid.velocity = vector_of<D>(v, "velocity");
-        if (const py::object g = field_of(f, "gradient"); !g.is_none()) {
-            const Rows rows(g, "gradient", D, D);
-            if (rows.size() != D) throw py::value_error("gradient: a row an axis is needed");
-            for (int i = 0; i < D; ++i)
-                for (int k = 0; k < D; ++k)
-                    fluid.gradient[i][k] = rows.at(static_cast<std::size_t>(i), k);
-        }
-        effects.fluid = fluid;
-    });
-    with("contacts", [&](const py::object& c) {
-        effects.contacts = motion::LastingContacts{number(c, "speed"), number(c, "tolerance"),
-                                                   sweeps_of(field_of(c, "sweeps"))};
-    });
-    for (const py::handle obstacle : given.attr("obstacles"))
-        effects.obstacles.push_back(obstacle_of<D>(py::reinterpret_borrow<py::object>(obstacle)));
+    motion::Effects<D>::each_field(
+        [&](auto member, const motion::Field& field) { read<D>(given, field, effects.*member); });
     return effects;
 }
 
@@ -175,11 +155,6 @@ struct Running {
 using State = std::variant<StateAndEffects<2>, StateAndEffects<3>>;
 using Simulation = Exclusive<std::variant<Running<2>, Running<3>>>;
 
-motion::Structure structure_of(const std::string& name) {
-    if (name == "auto") return motion::Structure::automatic;
-    return named(name, "structure", motion::all_structures);
-}
-
 template <int D>
 Running<D> started(const Rows& rows, const py::object& effects, const motion::Options& options) {
     const motion::Effects<D> acting = effects_of<D>(effects);
@@ -201,7 +176,7 @@ std::unique_ptr<Simulation> simulation(const py::object& balls, const py::object
     const exact::IeeeEnvironment environment;
     const Rows rows(balls, "balls", 5, 8);
     motion::Options options;
-    options.structure = structure_of(structure);
+    options.structure = named(structure, "structure", motion::all_structures);
     if (arithmetic != "exact" && arithmetic != "naive")
         throw py::value_error("arithmetic '" + arithmetic + "' is none of exact, naive");
     options.kernel = arithmetic == "naive" ? motion::Kernel::naive : motion::Kernel::exact;
@@ -220,21 +195,9 @@ auto with_running(Simulation& simulation, Visit visit) {
     });
 }
 
-const char* name_of(motion::Ending ending) noexcept {
-    switch (ending) {
-        case motion::Ending::until:
-            return "until";
-        case motion::Ending::strikes:
-            return "strikes";
-        case motion::Ending::nothing:
-            return "nothing";
-        case motion::Ending::stopped:
-            return "stopped";
-        case motion::Ending::collapse:
-            break;
-    }
-    return "collapse";
-}
+/// In the order of motion::Ending.
+constexpr const char* names_of_endings[] = {"until", "strikes", "nothing", "stopped", "collapse"};
+static_assert(std::size(names_of_endings) == static_cast<int>(motion::Ending::collapse) + 1);
 
 /// How it ended, and its log; where a signal ended it that is raised, and the log is lost.
 py::tuple run(Simulation& simulation, double until, const py::object& strikes, bool log,
@@ -258,7 +221,8 @@ py::tuple run(Simulation& simulation, double until, const py::object& strikes, b
                               either);
         });
     });
-    return py::make_tuple(name_of(outcome.ending), column(std::move(all)));
+    return py::make_tuple(names_of_endings[static_cast<int>(outcome.ending)],
+                          column(std::move(all)));
 }
 
 State state_of(Simulation& simulation) {

@@ -64,54 +64,54 @@ TEST(Start, RefusesEffectsThatMakeNoSense) {
          {"gravity:", [](E& e, B&) { e.gravity[0] = nan; }},
          {"restitution:", [](E& e, B&) { e.restitution = 1.5; }},
          {"restitution:", [](E& e, B&) { e.restitution = nan; }},
-         {"restitution:", [](E& e, B&) { e.wall_restitution = -0.1; }},
+         {"wall_restitution:", [](E& e, B&) { e.wall_restitution = -0.1; }},
          {"a periodic world needs a box",
           [](E& e, B&) {
               e.box.reset();
               e.periodic = true;
           }},
          {"box:", [](E& e, B&) { e.box->high[0] = -4.0; }},
-         {"box:", [](E& e, B&) { e.box->low[1] = -huge; }},
-         {"speed law:",
+         {"box.low:", [](E& e, B&) { e.box->low[1] = -huge; }},
+         {"speed_law.speed: give a number above 0",
           [](E& e, B&) {
               e.speed_law = SpeedLaw{0.0, 0.2};
           }},
-         {"speed law:",
+         {"speed_law.power: give a number above 0, at most 8",
           [](E& e, B&) {
               e.speed_law = SpeedLaw{1.0, 0.0};
           }},
-         {"speed law:",
+         {"speed_law.power: give a number above 0, at most 8",
           [](E& e, B&) {
               e.speed_law = SpeedLaw{1.0, 9.0};
           }},
-         {"speed law:",
+         {"speed_law.speed:",
           [](E& e, B&) {
               e.speed_law = SpeedLaw{nan, 0.2};
           }},
-         {"contact duration:", [](E& e, B&) { e.contact_duration = -1.0; }},
-         {"contact duration:", [](E& e, B&) { e.contact_duration = huge; }},
-         {"friction: give coefficients", [](E& e, B&) { e.friction = Friction{-0.5}; }},
-         {"friction: give coefficients",
+         {"contact_duration:", [](E& e, B&) { e.contact_duration = -1.0; }},
+         {"contact_duration:", [](E& e, B&) { e.contact_duration = huge; }},
+         {"friction.coefficient: give 0 or more", [](E& e, B&) { e.friction = Friction{-0.5}; }},
+         {"friction.wall_coefficient: give 0 or more",
           [](E& e, B&) {
               e.friction = Friction{0.5, nan};
           }},
-         {"friction: give a tangential",
+         {"friction.tangential_restitution: give a number from -1 to 1",
           [](E& e, B&) {
               e.friction = Friction{0, 0, 1.5};
           }},
-         {"friction: give a tangential",
+         {"friction.tangential_restitution: give a number from -1 to 1",
           [](E& e, B&) {
               e.friction = Friction{0, 0, nan};
           }},
-         {"friction: give an inertia",
+         {"friction.inertia: give a number above 0, at most 1",
           [](E& e, B&) {
               e.friction = Friction{0, 0, 0, 0.0};
           }},
-         {"friction: give an inertia",
+         {"friction.inertia: give a number above 0, at most 1",
           [](E& e, B&) {
               e.friction = Friction{0, 0, 0, 1.5};
           }},
-         {"friction: give an inertia",
+         {"friction.inertia: give 0 or a number of 2^-150 to 2^150",
           [](E& e, B&) {
               e.friction = Friction{0, 0, 0, 1e-300};
           }},
@@ -125,26 +125,27 @@ TEST(Start, RefusesEffectsThatMakeNoSense) {
               e.periodic = true;
               e.shake.emplace();
           }},
-         {"shake:",
+         {"shake.amplitude:",
           [](E& e, B&) {
               e.shake = Shake<2>{{0.0, huge}, 1.0, 0.0};
           }},
-         {"shake:",
+         {"shake.frequency:",
           [](E& e, B&) {
               e.shake = Shake<2>{{0.0, 1.0}, nan, 0.0};
           }},
-         {"shake:",
+         {"shake.phase:",
           [](E& e, B&) {
               e.shake = Shake<2>{{0.0, 1.0}, 1.0, 1e-300};
           }},
-         {"half space: give a normal", obstacle(HalfSpace<2>{})},
-         {"half space: give a normal", obstacle(HalfSpace<2>{{1.0, nan}})},
-         {"half space: an offset", obstacle(HalfSpace<2>{{1.0, 0.0}, -huge})},
-         {"half space: an offset", obstacle(HalfSpace<2>{{1.0, 0.0}, -9.0, 1e-300})},
-         {"sphere:", obstacle(Sphere<2>{.centre = {9.0, 9.0}, .radius = -1.0})},
-         {"sphere:", obstacle(Sphere<2>{.centre = {9.0, nan}, .radius = 1.0})},
-         {"sphere:", obstacle(Sphere<2>{.centre = {9.0, 9.0}, .velocity = {0.0, huge}})},
-         {"segment: give numbers", obstacle(Segment{{9.0, 9.0}, {9.0, huge}})},
+         {"half-space: give a normal", obstacle(HalfSpace<2>{})},
+         {"half-space.normal: give a finite", obstacle(HalfSpace<2>{{1.0, nan}})},
+         {"half-space.offset:", obstacle(HalfSpace<2>{{1.0, 0.0}, -huge})},
+         {"half-space.speed:", obstacle(HalfSpace<2>{{1.0, 0.0}, -9.0, 1e-300})},
+         {"sphere.radius: give 0 or more",
+          obstacle(Sphere<2>{.centre = {9.0, 9.0}, .radius = -1.0})},
+         {"sphere.centre:", obstacle(Sphere<2>{.centre = {9.0, nan}, .radius = 1.0})},
+         {"sphere.velocity:", obstacle(Sphere<2>{.centre = {9.0, 9.0}, .velocity = {0.0, huge}})},
+         {"segment.to:", obstacle(Segment{{9.0, 9.0}, {9.0, huge}})},
          {"segment: its two ends", obstacle(Segment{{9.0, 9.0}, {9.0, 9.0}})},
          {"more than 100000 obstacles",
           [](E& e, B&) {
@@ -155,15 +156,15 @@ TEST(Start, RefusesEffectsThatMakeNoSense) {
               e.periodic = true;
               e.obstacles.emplace_back(HalfSpace<2>{{1.0, 0.0}, -9.0});
           }},
-         {"growth:",
+         {"growth.rate:",
           [](E& e, B&) {
               e.growth = Growth{0.0, 1.0};
           }},
-         {"growth:",
+         {"growth.until:",
           [](E& e, B&) {
               e.growth = Growth{1.0, 0.0};
           }},
-         {"growth:",
+         {"growth.until:",
           [](E& e, B&) {
               e.growth = Growth{1.0, INFINITY};
           }},
@@ -172,30 +173,30 @@ TEST(Start, RefusesEffectsThatMakeNoSense) {
               e.growth = Growth{1.0, 1.0};
               e.contacts = LastingContacts{1.0};
           }},
-         {"fluid: a velocity",
+         {"fluid.velocity:",
           [](E& e, B&) {
               e.fluid = Fluid<2>{{nan, 0.0}};
           }},
-         {"fluid: a velocity",
+         {"fluid.gradient:",
           [](E& e, B&) {
               e.fluid = Fluid<2>{{}, {{{huge, 0.0}, {}}}};
           }},
-         {"fluid: give drags",
+         {"fluid.linear: give 0 or more",
           [](E& e, B&) {
               e.fluid = Fluid<2>{{}, {}, -1.0};
           }},
-         {"fluid: give drags",
+         {"fluid.quadratic: give 0 or more",
           [](E& e, B&) {
               e.fluid = Fluid<2>{{}, {}, 0.0, nan};
           }},
-         {"time step:", [](E& e, B&) { e.time_step = -0.125; }},
-         {"time step:", [](E& e, B&) { e.time_step = INFINITY; }},
-         {"a fluid's drag needs time steps",
+         {"time_step:", [](E& e, B&) { e.time_step = -0.125; }},
+         {"time_step:", [](E& e, B&) { e.time_step = INFINITY; }},
+         {"fluid: what a fluid does is computed in steps of time",
           [](E& e, B&) {
               e.fluid.emplace();
               e.time_step = 0.0;
           }},
-         {"contacts that stand need time steps",
+         {"contacts: contact that lasts is computed in steps of time",
           [](E& e, B&) {
               e.contacts = LastingContacts{1.0};
               e.time_step = 0.0;
@@ -209,12 +210,13 @@ TEST(Start, RefusesEffectsThatMakeNoSense) {
           [](E& e, B&) {
               e.growth = Growth{3.0, 2.0};
           }},
-         {"contacts: give a speed", [](E& e, B&) { e.contacts = LastingContacts{0.0}; }},
-         {"contacts: give a speed",
+         {"contacts.speed: give a number above 0",
+          [](E& e, B&) { e.contacts = LastingContacts{0.0}; }},
+         {"contacts.tolerance: give a number above 0, below 1",
           [](E& e, B&) {
               e.contacts = LastingContacts{1.0, 1.0};
           }},
-         {"contacts: give a speed",
+         {"contacts.sweeps: give 2 or more",
           [](E& e, B&) {
               e.contacts = LastingContacts{1.0, 0.5, 0};
           }}},

@@ -1,5 +1,7 @@
-/// At how many places a format or a subcommand is known: at those that CONTRIBUTING.md names.
+/// At how many places a format, a subcommand, an effect or a structure is known: at those that
+/// CONTRIBUTING.md names.
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <regex>
@@ -9,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../../motion/simulation.hpp"
 #include "../../tool/cli/formats.hpp"
 #include "../../tool/io/read_sites.hpp"
 
@@ -26,26 +29,32 @@ std::string text_of(const fs::path& file) {
     return text.str();
 }
 
-/// The files that a section of CONTRIBUTING.md names, but for those with NAME in their names.
-Files named_under(const std::string& heading) {
+std::string section_under(const std::string& heading) {
     const std::string page = text_of(root / "CONTRIBUTING.md");
     const std::size_t from = page.find("\n## " + heading + "\n");
     if (from == std::string::npos) return {};
-    const std::string section = page.substr(from + 1, page.find("\n## ", from + 1) - from - 1);
-    static const std::regex path("`(tool/[a-z_/]+\\.[ch]pp)`");
+    return page.substr(from + 1, page.find("\n## ", from + 1) - from - 1);
+}
+
+/// The files that a section of CONTRIBUTING.md names, but for those with NAME in their names; and
+/// the folders, which end in /.
+Files named_under(const std::string& heading, bool with_folders = false) {
+    const std::string section = section_under(heading);
+    static const std::regex path("`((tool|motion|bindings)/([a-z_/]+\\.[a-z]+|([a-z_]+/)*))`");
     Files files;
     for (std::sregex_iterator each(section.begin(), section.end(), path), end; each != end; ++each)
-        files.insert((*each)[1]);
+        if (with_folders || !(*each)[1].str().ends_with("/")) files.insert((*each)[1]);
     return files;
 }
 
-/// Those of the tool whose text matches, but for those that match `own`.
-Files that_match(const std::string& pattern, const std::string& own) {
+/// Those of a folder whose text matches, but for those that match `own`.
+Files that_match(const std::string& pattern, const std::string& own = "^$",
+                 const std::string& folder = "tool") {
     const std::regex wanted(pattern), left_out(own);
     Files files;
-    for (const auto& entry : fs::recursive_directory_iterator(root / "tool")) {
-        const std::string ending = entry.path().extension().string();
-        if (ending != ".hpp" && ending != ".cpp") continue;
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+        static const std::set<std::string> endings = {".hpp", ".cpp", ".h", ".py"};
+        if (!endings.contains(entry.path().extension().string())) continue;
         const std::string text = text_of(entry.path());
         if (std::regex_search(text, wanted) && !std::regex_search(text, left_out))
             files.insert(entry.path().lexically_relative(root).string());
@@ -72,7 +81,7 @@ TEST(Places, OfAnOutputFormat) {
     // And the subcommands that write it.
     Files places = named_under("Add an output format");
     EXPECT_EQ(places.size(), 1U);
-    places.merge(that_match("outputs\\.write\\(", "^$"));
+    places.merge(that_match("outputs\\.write\\("));
     std::size_t seen = 0;
     const auto expect_places = [&](const auto& formats) {
         for (const cli::Format& format : formats) {
@@ -80,7 +89,7 @@ TEST(Places, OfAnOutputFormat) {
             if (std::set<std::string_view>{"json", "csv", "svg", "png", "pdf"}.contains(
                     format.name))
                 continue;
-            for (const std::string& file : that_match('"' + std::string(format.name) + '"', "^$")) {
+            for (const std::string& file : that_match('"' + std::string(format.name) + '"')) {
                 if (file.ends_with("_sites.cpp")) continue;  // readers
                 EXPECT_TRUE(places.contains(file)) << format.name << ' ' << file;
                 ++seen;
@@ -100,6 +109,40 @@ TEST(Places, OfASubcommand) {
             that_match("\\badd_" + name + "\\(", "void add_" + name + "\\(CLI::App& tool\\) \\{"),
             places)
             << name;
+}
+
+/// Nothing else names them; a path that ends in / is a folder whose files may.
+void expect_named_at(const Files& places, const std::string& pattern) {
+    std::size_t seen = 0;
+    for (const std::string folder : {"motion", "tool", "bindings"})
+        for (const std::string& file : that_match(pattern, "^$", folder)) {
+            if (file.starts_with("bindings/python/tests/")) continue;
+            const bool is_place = std::any_of(places.begin(), places.end(), [&](const auto& each) {
+                return file == each || (each.ends_with("/") && file.starts_with(each));
+            });
+            EXPECT_TRUE(is_place) << pattern << ' ' << file;
+            ++seen;
+        }
+    EXPECT_GT(seen, 1U) << pattern;
+}
+
+TEST(Places, OfAnEffect) {
+    const Files places = named_under("Add an effect", true);
+    EXPECT_EQ(section_under("Add an effect").find("\n7. "), std::string::npos);
+    for (const std::string& place : places) EXPECT_TRUE(fs::exists(root / place)) << place;
+    motion::Effects<2>::each_field([&](auto, const motion::Field& field) {
+        const std::string name(field.name);
+        if (field.without.empty()) return;  // gravity, restitution and boxes are everywhere
+        expect_named_at(places, "\\b(effects_?|e)(\\.|->)" + name + "\\b|\"" + name + "\"");
+    });
+}
+
+TEST(Places, OfAStructure) {
+    const Files places = named_under("Add a structure", true);
+    EXPECT_EQ(section_under("Add a structure").find("\n4. "), std::string::npos);
+    for (const motion::Structure each : motion::all_structures)
+        if (each != motion::Structure::automatic)
+            expect_named_at(places, "Structure::" + std::string(motion::name_of(each)) + "\\b");
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "motion_summary.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 
 #include <fmt/format.h>
@@ -38,19 +39,10 @@ std::string statistics_of(const Summary<D>& summary) {
 }
 
 std::string_view in_words(motion::Ending ending) {
-    switch (ending) {
-        case motion::Ending::until:
-            return "the time came";
-        case motion::Ending::strikes:
-            return "the strikes are done";
-        case motion::Ending::nothing:
-            return "nothing meets any more";
-        case motion::Ending::stopped:
-            return "interrupted";
-        case motion::Ending::collapse:
-            break;
-    }
-    return "a collapse";
+    constexpr std::string_view words[] = {"the time came", "the strikes are done",
+                                          "nothing meets any more", "interrupted", "a collapse"};
+    static_assert(std::size(words) == static_cast<int>(motion::Ending::collapse) + 1);
+    return words[static_cast<int>(ending)];
 }
 
 template <int D>

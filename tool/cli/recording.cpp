@@ -24,28 +24,6 @@ Movie::Shapes shapes_of(const motion::Sketch<D>& sketch) {
     return shapes;
 }
 
-Movie::Meaning meaning_of(motion::Structure structure) {
-    const std::string expected = "whom a ball expects to strike next";
-    switch (structure) {
-        case motion::Structure::cells:
-        case motion::Structure::tree:
-            return {"cells with balls in them", "", expected};
-        case motion::Structure::levels:
-            return {"shells, and the cells in which they lie, a colour a size",
-                    "pairs in the lists", expected};
-        case motion::Structure::segments:
-            return {"boxes", "partners, whose boxes overlap", expected};
-        case motion::Structure::lists:
-            return {"shells", "pairs in the lists", expected};
-        case motion::Structure::delaunay:
-            return {"", "neighbours", expected};
-        case motion::Structure::automatic:
-        case motion::Structure::pairs:
-            break;
-    }
-    return {"", "", expected};
-}
-
 template Movie::Shapes shapes_of(const motion::Sketch<2>&);
 template Movie::Shapes shapes_of(const motion::Sketch<3>&);
 

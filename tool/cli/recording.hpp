@@ -41,8 +41,6 @@ namespace signum::cli {
 /// What a movie shows of a structure.
 template <int D>
 [[nodiscard]] Movie::Shapes shapes_of(const motion::Sketch<D>& sketch);
-/// What the legend says of it.
-[[nodiscard]] Movie::Meaning meaning_of(motion::Structure structure);
 
 /// Where everything goes while the simulation runs.
 template <int D>
@@ -178,7 +176,11 @@ class Recording {
 
     [[nodiscard]] bool shows_cells() const noexcept { return show_ == "cells"; }
     [[nodiscard]] Movie::Meaning meaning() const {
-        if (shows_structure()) return meaning_of(structure_);
+        if (shows_structure()) {
+            const auto& row = motion::structure_table[static_cast<std::size_t>(structure_)];
+            return {std::string(row.shapes), std::string(row.links),
+                    "whom a ball expects to strike next"};
+        }
         if (shows_cells())
             return {.borders = "borders of cells (power diagram)", .new_borders = "new neighbours"};
         return {};

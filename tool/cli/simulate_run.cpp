@@ -26,12 +26,6 @@
 namespace signum::cli {
 namespace {
 
-motion::Structure structure_of(const std::string& name) {
-    return *std::ranges::find_if(motion::all_structures, [&](motion::Structure each) {
-        return motion::name_of(each) == name;
-    });
-}
-
 /// Runs from one frame to the next, or to the end.
 template <int D>
 motion::Outcome run_all(motion::Simulation<D>& simulation, const SimulateCall& call,
@@ -209,7 +203,7 @@ std::vector<Target> checked_targets(const SimulateCall& call, const MotionState<
 
 motion::Options options_of(const SimulateCall& call) {
     motion::Options options;
-    options.structure = structure_of(call.structure);
+    options.structure = *motion::structure_named(call.structure);
     options.kernel = call.arithmetic == "naive" ? motion::Kernel::naive : motion::Kernel::exact;
     return options;
 }

@@ -1,13 +1,17 @@
 #include "motion_state.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <initializer_list>
 #include <limits>
+#include <optional>
 #include <ostream>
+#include <string_view>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -24,7 +28,7 @@ struct OutOfPlace : json::exception {
     OutOfPlace() : json::exception(501, "out of place") {}
 };
 
-/// No true, which the library's get() takes for 1; and no integer that does not fit, which it
+/// No true, which the library's get_value() takes for 1; and no integer that does not fit, which it
 /// leaves to chance.
 template <class Number>
 Number number_of(const json& value) {
@@ -51,7 +55,7 @@ struct UnknownKey : json::exception {
     explicit UnknownKey(const std::string& key) : json::exception(501, "unknown key"), name(key) {}
     std::string name;
 };
-void refuse_others(const json& table, std::initializer_list<std::string_view> keys) {
+void refuse_others(const json& table, const std::vector<std::string_view>& keys) {
     if (!table.is_object()) throw OutOfPlace();
     for (const auto& [key, value] : table.items())
         if (std::ranges::find(keys, key) == keys.end()) throw UnknownKey(key);
@@ -79,201 +83,183 @@ json parsed(const std::string& path) {
     }
 }
 
-template <int D>
-void put_vector(TextWriter& text, const motion::Vector<D>& v) {
-    text.put("[");
-    for (int k = 0; k < D; ++k) text.put(FMT_COMPILE("{}{}"), k > 0 ? ", " : "", JsonNumber{v[k]});
+/// A meeting, a contact, a ball: what each of its places in a list holds.
+template <class Each>
+auto row_of(Each& each) {
+    if constexpr (requires { each.rub; })
+        return std::tie(each.a, each.b, each.push, each.rub);
+    else if constexpr (requires { each.by_wall; })
+        return std::tie(each.ball, each.strikes, each.by_wall, each.half, each.quarter, each.last);
+    else
+        return std::tie(each.a, each.b, each.time);
+}
+template <class Ball, class Mass, class InPlace>
+auto row_of(Ball& ball, Mass& mass, InPlace& in_place) {
+    return std::tie(ball.x, ball.v, ball.radius, ball.time, mass, in_place);
+}
+
+/// Names of 0 and 1: on which side of a sphere balls are.
+constexpr std::array<std::string_view, 2> sides = {"outside", "inside"};
+
+// ---- written
+
+template <class Value>
+void put_members(TextWriter& text, const Value& value);
+
+template <class Value>
+void put_value(TextWriter& text, const Value& value) {
+    if constexpr (std::is_same_v<Value, double>) {
+        text.put(FMT_COMPILE("{}"), JsonNumber{value});
+    } else if constexpr (std::is_arithmetic_v<Value>) {
+        text.put(FMT_COMPILE("{}"), value);
+    } else if constexpr (std::is_enum_v<Value>) {
+        text.put(FMT_COMPILE("\"{}\""), sides[static_cast<std::size_t>(value)]);
+    } else if constexpr (motion::Described<Value>) {
+        text.put("{");
+        put_members(text, value);
+        text.put("}");
+    } else {
+        std::string_view before = "[";
+        for (const auto& each : value) {
+            text.put(std::exchange(before, ", "));
+            put_value(text, each);
+        }
+        text.put("]");
+    }
+}
+template <class Value>
+void put_members(TextWriter& text, const Value& value) {
+    std::string_view before = "";
+    Value::each_field([&](auto member, const motion::Field& field) {
+        text.put(FMT_COMPILE("{}\"{}\": "), std::exchange(before, ", "), field.name);
+        put_value(text, value.*member);
+    });
+}
+template <class... Values>
+void put_row(TextWriter& text, const std::tuple<Values...>& row) {
+    std::string_view before = "[";
+    const auto put_next = [&](const auto& value) {
+        text.put(std::exchange(before, ", "));
+        put_value(text, value);
+    };
+    std::apply([&](const auto&... values) { (put_next(values), ...); }, row);
     text.put("]");
 }
 
-/// What of an effect is numbers, by name; of an effect that is off nothing is written.
-void put_numbers(TextWriter& text, std::initializer_list<std::pair<std::string_view, double>> all) {
-    bool first = true;
-    for (const auto& [name, value] : all) {
-        text.put(FMT_COMPILE("{}\"{}\": {}"), first ? "" : ", ", name, JsonNumber{value});
-        first = false;
-    }
-}
-
-template <int D>
-void put_named(TextWriter& text, std::string_view name, const motion::Vector<D>& v) {
-    text.put(FMT_COMPILE("\"{}\": "), name);
-    put_vector<D>(text, v);
-}
-
-template <int D>
-void put_obstacle(TextWriter& text, const motion::HalfSpace<D>& wall) {
-    text.put("{\"kind\": \"half-space\", ");
-    put_named<D>(text, "normal", wall.normal);
-    text.put(", ");
-    put_numbers(text, {{"offset", wall.offset}, {"speed", wall.speed}});
-    text.put("}");
-}
-template <int D>
-void put_obstacle(TextWriter& text, const motion::Sphere<D>& wall) {
-    const bool is_inside = wall.side == motion::Sphere<D>::Side::inside;
-    text.put(FMT_COMPILE("{{\"kind\": \"sphere\", \"side\": \"{}\", \"radius\": {}, "),
-             is_inside ? "inside" : "outside", JsonNumber{wall.radius});
-    put_named<D>(text, "centre", wall.centre);
-    text.put(", ");
-    put_named<D>(text, "velocity", wall.velocity);
-    text.put("}");
-}
-void put_obstacle(TextWriter& text, const motion::Segment& wall) {
-    text.put("{\"kind\": \"segment\", ");
-    put_named<2>(text, "from", wall.from);
-    text.put(", ");
-    put_named<2>(text, "to", wall.to);
-    text.put("}");
-}
-
+/// Of an effect that is off nothing is written.
 template <int D>
 void put_effects(TextWriter& text, const motion::Effects<D>& effects) {
-    if (effects.speed_law) {
-        text.put(", \"speed_law\": {");
-        put_numbers(text,
-                    {{"speed", effects.speed_law->speed}, {"power", effects.speed_law->power}});
-        text.put("}");
-    }
-    if (effects.contact_duration != 0.0)
-        text.put(FMT_COMPILE(", \"contact_duration\": {}"), JsonNumber{effects.contact_duration});
-    if (effects.friction) {
-        text.put(", \"friction\": {");
-        put_numbers(text, {{"coefficient", effects.friction->coefficient},
-                           {"wall_coefficient", effects.friction->wall_coefficient},
-                           {"tangential_restitution", effects.friction->tangential_restitution},
-                           {"inertia", effects.friction->inertia}});
-        text.put("}");
-    }
-    if (effects.shake) {
-        text.put(", \"shake\": {");
-        put_named<D>(text, "amplitude", effects.shake->amplitude);
-        text.put(", ");
-        put_numbers(text,
-                    {{"frequency", effects.shake->frequency}, {"phase", effects.shake->phase}});
-        text.put("}");
-    }
-    if (effects.growth) {
-        text.put(", \"growth\": {");
-        put_numbers(text, {{"rate", effects.growth->rate}, {"until", effects.growth->until}});
-        text.put("}");
-    }
-    if (effects.fluid) {
-        text.put(", \"fluid\": {");
-        put_named<D>(text, "velocity", effects.fluid->velocity);
-        text.put(", \"gradient\": [");
-        for (int k = 0; k < D; ++k) {
-            if (k > 0) text.put(", ");
-            put_vector<D>(text, effects.fluid->gradient[k]);
-        }
-        text.put("], ");
-        put_numbers(text,
-                    {{"linear", effects.fluid->linear}, {"quadratic", effects.fluid->quadratic}});
-        text.put("}");
-    }
-    if (effects.contacts) {
-        text.put(", \"contacts\": {");
-        put_numbers(
-            text, {{"speed", effects.contacts->speed}, {"tolerance", effects.contacts->tolerance}});
-        text.put(FMT_COMPILE(", \"sweeps\": {}}}"), effects.contacts->sweeps);
-    }
-    if (effects.time_step != 0.0) text.put(FMT_COMPILE(", \"time_step\": {}"), effects.time_step);
-    if (effects.obstacles.empty()) return;
-    text.put_array("obstacles", effects.obstacles, [&](const motion::Obstacle<D>& obstacle) {
-        std::visit(
-            [&]<class Wall>(const Wall& wall) {
-                if constexpr (std::is_same_v<Wall, motion::Segment>)
-                    put_obstacle(text, wall);
-                else
-                    put_obstacle<D>(text, wall);
-            },
-            obstacle);
+    std::string_view before = ",\n";
+    motion::Effects<D>::each_field(
+        [&]<class Value>(Value motion::Effects<D>::*member, const motion::Field& field) {
+            const Value& value = effects.*member;
+            if constexpr (std::is_same_v<Value, std::vector<motion::Obstacle<D>>>) {
+                if (value.empty()) return;
+                text.put_array(field.name, value, [&](const motion::Obstacle<D>& obstacle) {
+                    std::visit(
+                        [&](const auto& wall) {
+                            text.put(FMT_COMPILE("{{\"kind\": \"{}\", "), wall.kind);
+                            put_members(text, wall);
+                            text.put("}");
+                        },
+                        obstacle);
+                });
+            } else if constexpr (std::is_same_v<Value, std::optional<motion::Box<D>>>) {
+                if (!value) return;
+                text.put(", ");
+                put_members(text, *value);
+            } else if constexpr (motion::DescribedIfOn<Value>) {
+                if (!value) return;
+                text.put(FMT_COMPILE(", \"{}\": "), field.name);
+                put_value(text, *value);
+            } else if (field.is_always_kept || value != Value{}) {
+                text.put(FMT_COMPILE("{}\"{}\": "), std::exchange(before, ", "), field.name);
+                put_value(text, value);
+            }
+        });
+}
+
+// ---- read
+
+template <class Value>
+void get_value(const json& given, Value& value);
+
+/// The names of what describes itself.
+template <class Value>
+void add_names(std::vector<std::string_view>& names) {
+    Value::each_field([&](auto, const motion::Field& field) { names.push_back(field.name); });
+}
+template <class Value>
+void get_members(const json& table, Value& value) {
+    Value::each_field([&](auto member, const motion::Field& field) {
+        get_value(table.at(field.name), value.*member);
     });
 }
 
-template <int D>
-motion::Vector<D> vector_of(const json& numbers) {
-    motion::Vector<D> v{};
-    if (numbers.size() != D) throw OutOfPlace();
-    for (int k = 0; k < D; ++k) v[k] = number_of<double>(numbers.at(static_cast<std::size_t>(k)));
-    return v;
+template <class Value>
+void get_value(const json& given, Value& value) {
+    if constexpr (std::is_same_v<Value, bool>) {
+        value = given.get<bool>();
+    } else if constexpr (std::is_arithmetic_v<Value>) {
+        value = number_of<Value>(given);
+    } else if constexpr (std::is_enum_v<Value>) {
+        const auto* const side = std::ranges::find(sides, given.get<std::string>());
+        if (side == sides.end()) throw OutOfPlace();
+        value = static_cast<Value>(side - sides.begin());
+    } else if constexpr (motion::DescribedIfOn<Value>) {
+        std::vector<std::string_view> names;
+        add_names<typename Value::value_type>(names);
+        refuse_others(given, names);
+        get_members(given, value.emplace());
+    } else {
+        if (given.size() != static_cast<std::size_t>(value.end() - value.begin()))
+            throw OutOfPlace();
+        std::size_t k = 0;
+        for (auto& each : value) get_value(given.at(k++), each);
+    }
+}
+template <class... Values>
+void get_row(const json& list, const std::tuple<Values&...>& row) {
+    std::size_t k = 0;
+    std::apply([&](auto&... values) { (get_value(list.at(k++), values), ...); }, row);
 }
 
 template <int D>
 motion::Obstacle<D> obstacle_of(const json& wall) {
     const std::string kind = wall.at("kind").get<std::string>();
-    refuse_others(wall, {"kind", "normal", "offset", "speed", "centre", "velocity", "radius",
-                         "side", "from", "to"});
-    if (kind == "half-space")
-        return motion::HalfSpace<D>{vector_of<D>(wall.at("normal")),
-                                    number_of<double>(wall.at("offset")),
-                                    number_of<double>(wall.at("speed"))};
-    if (kind == "sphere") {
-        using Side = typename motion::Sphere<D>::Side;
-        const std::string side = wall.at("side").get<std::string>();
-        if (side != "inside" && side != "outside") throw OutOfPlace();
-        return motion::Sphere<D>{vector_of<D>(wall.at("centre")), vector_of<D>(wall.at("velocity")),
-                                 number_of<double>(wall.at("radius")),
-                                 side == "inside" ? Side::inside : Side::outside};
-    }
-    if constexpr (D == 2) {
-        if (kind == "segment")
-            return motion::Segment{vector_of<2>(wall.at("from")), vector_of<2>(wall.at("to"))};
-    }
-    throw OutOfPlace();
+    std::optional<motion::Obstacle<D>> found;
+    const auto try_kind = [&]<class Wall>(Wall result) {
+        if (kind != Wall::kind) return;
+        std::vector<std::string_view> names = {"kind"};
+        add_names<Wall>(names);
+        refuse_others(wall, names);
+        get_members(wall, result);
+        found = result;
+    };
+    try_kind(motion::HalfSpace<D>{});
+    try_kind(motion::Sphere<D>{});
+    if constexpr (D == 2) try_kind(motion::Segment{});
+    if (!found) throw OutOfPlace();
+    return *found;
 }
 
-/// Those that version 1 did not have.
+/// Version 1 had those that are kept always, and a box.
 template <int D>
-void read_effects_of_state(const json& file, motion::Effects<D>& effects) {
-    const auto with = [&](const char* name, const auto& use) {
-        if (file.contains(name)) use(file.at(name));
-    };
-    const auto number = [](const json& table, const char* name) {
-        return number_of<double>(table.at(name));
-    };
-    with("speed_law", [&](const json& law) {
-        refuse_others(law, {"speed", "power"});
-        effects.speed_law = motion::SpeedLaw{number(law, "speed"), number(law, "power")};
-    });
-    with("contact_duration",
-         [&](const json& value) { effects.contact_duration = number_of<double>(value); });
-    with("friction", [&](const json& friction) {
-        refuse_others(friction,
-                      {"coefficient", "wall_coefficient", "tangential_restitution", "inertia"});
-        effects.friction = motion::Friction{
-            number(friction, "coefficient"), number(friction, "wall_coefficient"),
-            number(friction, "tangential_restitution"), number(friction, "inertia")};
-    });
-    with("shake", [&](const json& shake) {
-        refuse_others(shake, {"amplitude", "frequency", "phase"});
-        effects.shake = motion::Shake<D>{vector_of<D>(shake.at("amplitude")),
-                                         number(shake, "frequency"), number(shake, "phase")};
-    });
-    with("growth", [&](const json& growth) {
-        refuse_others(growth, {"rate", "until"});
-        effects.growth = motion::Growth{number(growth, "rate"), number(growth, "until")};
-    });
-    with("fluid", [&](const json& fluid) {
-        refuse_others(fluid, {"velocity", "gradient", "linear", "quadratic"});
-        motion::Fluid<D> result;
-        result.velocity = vector_of<D>(fluid.at("velocity"));
-        for (int k = 0; k < D; ++k)
-            result.gradient[k] = vector_of<D>(fluid.at("gradient").at(static_cast<std::size_t>(k)));
-        result.linear = number(fluid, "linear");
-        result.quadratic = number(fluid, "quadratic");
-        effects.fluid = result;
-    });
-    with("contacts", [&](const json& contacts) {
-        refuse_others(contacts, {"speed", "tolerance", "sweeps"});
-        effects.contacts =
-            motion::LastingContacts{number(contacts, "speed"), number(contacts, "tolerance"),
-                                    number_of<int>(contacts.at("sweeps"))};
-    });
-    with("time_step", [&](const json& value) { effects.time_step = number_of<double>(value); });
-    with("obstacles", [&](const json& walls) {
-        for (const json& wall : list_of(walls)) effects.obstacles.push_back(obstacle_of<D>(wall));
-    });
+void get_effects(const json& file, motion::Effects<D>& effects) {
+    motion::Effects<D>::each_field(
+        [&]<class Value>(Value motion::Effects<D>::*member, const motion::Field& field) {
+            Value& value = effects.*member;
+            if constexpr (std::is_same_v<Value, std::optional<motion::Box<D>>>) {
+                if (file.contains("low") || file.contains("high"))
+                    get_members(file, value.emplace());
+            } else if (field.is_always_kept || file.contains(field.name)) {
+                const json& given = file.at(field.name);
+                if constexpr (std::is_same_v<Value, std::vector<motion::Obstacle<D>>>)
+                    for (const json& wall : list_of(given)) value.push_back(obstacle_of<D>(wall));
+                else
+                    get_value(given, value);
+            }
+        });
 }
 
 /// What effects keep of balls; check() says whether it is what they need.
@@ -284,28 +270,14 @@ void read_rest_of_state(const json& file, motion::State<D>& state) {
     const auto list = [&](const char* name) -> const json& {
         return file.contains(name) ? list_of(file.at(name)) : none;
     };
-    for (const json& spin : list("spins")) {
-        motion::Spin<D> result;
-        if (spin.size() != static_cast<std::size_t>(result.end() - result.begin()))
-            throw OutOfPlace();
-        std::size_t k = 0;
-        for (double& each : result) each = number_of<double>(spin.at(k++));
-        state.spins.push_back(result);
-    }
+    for (const json& spin : list("spins")) get_value(spin, state.spins.emplace_back());
     for (const json& time : list("last_strikes"))
         state.last_strikes.push_back(time.is_null() ? -std::numeric_limits<double>::infinity()
                                                     : number_of<double>(time));
     for (const json& contact : list("standing"))
-        state.contacts.push_back({number_of<std::int32_t>(contact.at(0)),
-                                  number_of<std::int32_t>(contact.at(1)),
-                                  number_of<double>(contact.at(2)), vector_of<D>(contact.at(3))});
-    for (const json& ball : list("pressed"))
-        state.pressed.push_back({number_of<std::int32_t>(ball.at(0)),
-                                 number_of<std::uint32_t>(ball.at(1)), ball.at(2).get<bool>(),
-                                 number_of<double>(ball.at(3)), number_of<double>(ball.at(4)),
-                                 number_of<double>(ball.at(5))});
-    if (file.contains("half_steps"))
-        state.half_steps = number_of<std::uint64_t>(file.at("half_steps"));
+        get_row(contact, row_of(state.contacts.emplace_back()));
+    for (const json& ball : list("pressed")) get_row(ball, row_of(state.pressed.emplace_back()));
+    if (file.contains("half_steps")) get_value(file.at("half_steps"), state.half_steps);
 }
 
 }  // namespace
@@ -313,42 +285,21 @@ void read_rest_of_state(const json& file, motion::State<D>& state) {
 template <int D>
 void write_motion_state(std::ostream& out, const MotionState<D>& state) {
     const motion::State<D>& balls_state = state.state;
-    const motion::Effects<D>& effects = state.effects;
     TextWriter text(out);
     text.put(FMT_COMPILE("{{\"format\": \"signum.simulation\", \"version\": 2, \"dimension\": {}, "
-                         "\"time\": {},\n\"restitution\": {}, \"wall_restitution\": {}, "
-                         "\"periodic\": {}, \"gravity\": "),
-             D, JsonNumber{balls_state.time}, JsonNumber{effects.restitution},
-             JsonNumber{effects.wall_restitution}, effects.periodic);
-    put_vector<D>(text, effects.gravity);
-    if (effects.box) {
-        text.put(", \"low\": ");
-        put_vector<D>(text, effects.box->low);
-        text.put(", \"high\": ");
-        put_vector<D>(text, effects.box->high);
-    }
-    put_effects(text, effects);
+                         "\"time\": {}"),
+             D, JsonNumber{balls_state.time});
+    put_effects(text, state.effects);
     std::size_t i = 0;
     text.put_array("balls", balls_state.balls, [&](const motion::Ball<D>& ball) {
-        text.put("[");
-        put_vector<D>(text, ball.x);
-        text.put(", ");
-        put_vector<D>(text, ball.v);
-        text.put(FMT_COMPILE(", {}, {}, {}, {}]"), JsonNumber{ball.radius}, JsonNumber{ball.time},
-                 JsonNumber{balls_state.masses[i]}, balls_state.in_place[i]);
+        put_row(text, row_of(ball, balls_state.masses[i], balls_state.in_place[i]));
         ++i;
     });
-    text.put_array("passed", balls_state.passed, [&](const motion::Passed& passed) {
-        text.put(FMT_COMPILE("[{}, {}, {}]"), passed.a, passed.b, JsonNumber{passed.time});
-    });
-    if (!balls_state.spins.empty()) {
-        text.put_array("spins", balls_state.spins, [&](const motion::Spin<D>& spin) {
-            text.put("[");
-            for (const double& each : spin)
-                text.put(FMT_COMPILE("{}{}"), &each == spin.begin() ? "" : ", ", JsonNumber{each});
-            text.put("]");
-        });
-    }
+    const auto put_rows = [&](const auto& each) { put_row(text, row_of(each)); };
+    text.put_array("passed", balls_state.passed, put_rows);
+    if (!balls_state.spins.empty())
+        text.put_array("spins", balls_state.spins,
+                       [&](const motion::Spin<D>& spin) { put_value(text, spin); });
     // Who has never struck has null: JSON has no infinity.
     if (!balls_state.last_strikes.empty())
         text.put_array("last_strikes", balls_state.last_strikes, [&](double time) {
@@ -357,20 +308,8 @@ void write_motion_state(std::ostream& out, const MotionState<D>& state) {
             else
                 text.put("null");
         });
-    if (!balls_state.contacts.empty()) {
-        text.put_array("standing", balls_state.contacts,
-                       [&](const motion::StandingContact<D>& contact) {
-                           text.put(FMT_COMPILE("[{}, {}, {}, "), contact.a, contact.b,
-                                    JsonNumber{contact.push});
-                           put_vector<D>(text, contact.rub);
-                           text.put("]");
-                       });
-    }
-    if (!balls_state.pressed.empty())
-        text.put_array("pressed", balls_state.pressed, [&](const motion::Pressed& ball) {
-            text.put(FMT_COMPILE("[{}, {}, {}, {}, {}, {}]"), ball.ball, ball.strikes, ball.by_wall,
-                     JsonNumber{ball.half}, JsonNumber{ball.quarter}, JsonNumber{ball.last});
-        });
+    if (!balls_state.contacts.empty()) text.put_array("standing", balls_state.contacts, put_rows);
+    if (!balls_state.pressed.empty()) text.put_array("pressed", balls_state.pressed, put_rows);
     if (balls_state.half_steps != 0)
         text.put(FMT_COMPILE(",\n\"half_steps\": {}"), balls_state.half_steps);
     text.put("}\n");
@@ -392,37 +331,25 @@ MotionState<D> read_motion_state(const std::string& path) {
     MotionState<D> result;
     try {
         auto& [state, effects] = result;
-        refuse_others(
-            file,
-            {"format",     "version", "dimension", "time",  "restitution",  "wall_restitution",
-             "periodic",   "gravity", "low",       "high",  "speed_law",    "contact_duration",
-             "friction",   "shake",   "growth",    "fluid", "contacts",     "time_step",
-             "obstacles",  "balls",   "passed",    "spins", "last_strikes", "standing",
-             "half_steps", "pressed"});
-        state.time = number_of<double>(file.at("time"));
-        effects.restitution = number_of<double>(file.at("restitution"));
-        effects.wall_restitution = number_of<double>(file.at("wall_restitution"));
-        effects.periodic = file.at("periodic").get<bool>();
-        effects.gravity = vector_of<D>(file.at("gravity"));
-        if (file.contains("low") || file.contains("high"))
-            effects.box =
-                motion::Box<D>{vector_of<D>(file.at("low")), vector_of<D>(file.at("high"))};
-        read_effects_of_state(file, effects);
-        for (const json& ball : list_of(file.at("balls"))) {
-            state.balls.push_back({vector_of<D>(ball.at(0)), vector_of<D>(ball.at(1)),
-                                   number_of<double>(ball.at(2)), number_of<double>(ball.at(3))});
-            state.masses.push_back(number_of<double>(ball.at(4)));
-            state.in_place.push_back(number_of<std::uint32_t>(ball.at(5)));
-        }
+        std::vector<std::string_view> names = {
+            "format", "version",      "dimension", "time",       "balls",  "passed",
+            "spins",  "last_strikes", "standing",  "half_steps", "pressed"};
+        add_names<motion::Effects<D>>(names);
+        std::erase(names, "box");
+        add_names<motion::Box<D>>(names);
+        refuse_others(file, names);
+        get_value(file.at("time"), state.time);
+        get_effects(file, effects);
+        for (const json& ball : list_of(file.at("balls")))
+            get_row(ball, row_of(state.balls.emplace_back(), state.masses.emplace_back(),
+                                 state.in_place.emplace_back()));
         const auto balls = static_cast<std::int32_t>(state.balls.size());
         const auto walls = static_cast<std::int32_t>(2 * D + effects.obstacles.size());
         for (const json& passed : list_of(file.at("passed"))) {
-            const motion::Passed each{number_of<std::int32_t>(passed.at(0)),
-                                      number_of<std::int32_t>(passed.at(1)),
-                                      number_of<double>(passed.at(2))};
+            motion::Passed& each = state.passed.emplace_back();
+            get_row(passed, row_of(each));
             if (each.a < 0 || each.a >= balls || each.b < -walls || each.b >= balls)
                 throw InputError(path, "a state of a simulation that names a ball it has not");
-            state.passed.push_back(each);
         }
         read_rest_of_state(file, state);
     } catch (const UnknownKey& key) {

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include <fmt/args.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -70,13 +72,16 @@ class Explanation {
         text_ += fmt::format("{:<11}{}\n", name, value);
     }
 
-    [[nodiscard]] std::string quantity(double value, const Dimension& dimension) const {
+    /// A number or a vector; of a matrix nothing.
+    template <class Value>
+    [[nodiscard]] std::string quantity(const Value& value, const Dimension& dimension) const {
         const std::string unit = scene_.units.name_of(dimension);
-        return unit.empty() ? fmt::format("{}", value) : fmt::format("{} {}", value, unit);
-    }
-    [[nodiscard]] std::string vector(const motion::Vector<D>& v, const Dimension& dimension) const {
-        return fmt::format("({}) {}", fmt::join(v.begin(), v.end(), ", "),
-                           scene_.units.name_of(dimension));
+        if constexpr (std::is_same_v<Value, motion::Vector<D>>)
+            return fmt::format("({}) {}", fmt::join(value.begin(), value.end(), ", "), unit);
+        else if constexpr (std::is_arithmetic_v<Value>)
+            return unit.empty() ? fmt::format("{}", value) : fmt::format("{} {}", value, unit);
+        else
+            return "";
     }
 
     [[nodiscard]] std::string balls() const {
@@ -150,9 +155,9 @@ class Explanation {
         const motion::Effects<D>& e = effects_;
         const bool loses = e.restitution < 1.0 || e.wall_restitution < 1.0;
         const bool has_walls = (e.box && !e.periodic) || !e.obstacles.empty();
-        return {
+        std::vector<Row> rows = {
             {"gravity", e.gravity != motion::Vector<D>{},
-             vector(e.gravity, dimensions::acceleration),
+             quantity(e.gravity, dimensions::acceleration),
              e.time_step > 0.0 ? "acts once a step"
                                : "parabolas; all fall alike, so that two balls still meet on lines",
              "flights are straight lines; no term is added"},
@@ -161,53 +166,29 @@ class Explanation {
                        : fmt::format("{}", e.restitution),
              "the law of a strike stays rational, and is rounded once",
              "strikes are elastic, and energy stays as it is"},
-            {"speed_law", e.speed_law.has_value(),
-             e.speed_law
-                 ? fmt::format("that restitution at {}; 1 - e goes as speed^{}",
-                               quantity(e.speed_law->speed, dimensions::speed), e.speed_law->power)
-                 : "",
-             "a power a strike, in doubles in a fixed order",
-             "restitution is the same at all speeds; slow strikes would lose less"},
-            {"contact_duration", e.contact_duration > 0.0,
-             fmt::format("elastic within {} of the last strike",
-                         quantity(e.contact_duration, dimensions::time)),
-             "the time of each ball's last strike",
-             loses ? "a ball that comes to rest strikes ever faster, and that collapse ends the run"
-                   : "elastic balls come to no rest"},
-            {"friction", e.friction.has_value(),
-             e.friction ? fmt::format("{}, at walls {}; tangential restitution {}, inertia {} m r²",
-                                      e.friction->coefficient, e.friction->wall_coefficient,
-                                      e.friction->tangential_restitution, e.friction->inertia)
-                        : "",
-             "a spin a ball; strikes exchange momentum along surfaces, too",
-             "balls are smooth and have no spin; what slides would be slowed, and roll"},
-            {"shake", e.shake.has_value(),
-             e.shake ? fmt::format("by {}, {}", vector(e.shake->amplitude, dimensions::length),
-                                   quantity(e.shake->frequency, dimensions::angular_speed))
-                     : "",
-             "meetings with sides are roots of a sine, each told exactly",
-             "the box stands still; meetings with its sides are roots of polynomials"},
-            {"growth", e.growth.has_value(),
-             e.growth ? fmt::format("radii grow by {} until {}",
-                                    quantity(e.growth->rate, dimensions::rate),
-                                    quantity(e.growth->until, dimensions::time))
-                      : "",
-             "a radius is a line in time; pairs still meet at roots of quadratics",
-             "radii are as given"},
-            {"fluid", e.fluid.has_value(),
-             e.fluid ? fmt::format("flows by {}; linear {}, quadratic {}",
-                                   vector(e.fluid->velocity, dimensions::speed), e.fluid->linear,
-                                   e.fluid->quadratic)
-                     : "",
-             "time steps: velocities change at each",
-             "nothing drags; a flight has a formula and needs no steps"},
-            {"contacts", e.contacts.has_value(),
-             e.contacts ? fmt::format("below {} after a strike",
-                                      quantity(e.contacts->speed, dimensions::speed))
-                        : "",
-             "time steps: at each the reactions of all who touch are solved for",
-             "strikes are instants; nothing rests on anything"},
         };
+        motion::Effects<D>::each_field([&]<class Value>(Value motion::Effects<D>::*member,
+                                                        const motion::Field& field) {
+            if (field.told.empty()) return;
+            const Value& value = e.*member;
+            Row& row = rows.emplace_back(Row{field.name, false, "", field.costs, field.without});
+            fmt::dynamic_format_arg_store<fmt::format_context> numbers;
+            if constexpr (motion::DescribedIfOn<Value>) {
+                row.is_on = value.has_value();
+                if (!value) return;
+                Value::value_type::each_field([&](auto inner, const motion::Field& each) {
+                    numbers.push_back(quantity((*value).*inner, each.dimension));
+                });
+            } else if constexpr (std::is_same_v<Value, double>) {
+                row.is_on = value != 0.0;
+                numbers.push_back(quantity(value, field.dimension));
+            }
+            row.value = fmt::vformat(field.told, numbers);
+        });
+        if (loses)
+            std::ranges::find(rows, "contact_duration", &Row::name)->without =
+                "a ball that comes to rest strikes ever faster, and that collapse ends the run";
+        return rows;
     }
 
     const Scene<D>& scene_;

@@ -1,15 +1,20 @@
 #include "keys.hpp"
 
 #include <algorithm>
+#include <string>
+#include <type_traits>
+
+#include "../../motion/effects.hpp"
 
 namespace signum {
+namespace {
 
-std::span<const SectionKeys> all_sections() {
-    static const std::vector<SectionKeys> sections = {
+/// Those of the effects are as these describe themselves.
+std::vector<SectionKeys> sections_of_scenes() {
+    std::vector<SectionKeys> sections = {
         {"", {"title", "dimension", "units", "box", "wall", "balls", "effects", "run", "record"}},
         {"units", {"length", "time", "mass"}},
-        {"box", {"low", "high", "periodic", "shake"}},
-        {"box.shake", {"amplitude", "frequency", "phase"}},
+        {"box", {"low", "high"}},
         {"wall",
          {"kind", "normal", "offset", "point", "speed", "centre", "radius", "side", "velocity",
           "points", "closed"}},
@@ -17,20 +22,31 @@ std::span<const SectionKeys> all_sections() {
          {"file", "list", "number", "radius", "sizes", "packing", "density", "speed", "temperature",
           "seed", "arrangement", "region"}},
         {"balls.region", {"low", "high"}},
-        {"effects",
-         {"gravity", "restitution", "wall_restitution", "contact_duration", "speed_law", "friction",
-          "growth", "fluid", "contacts"}},
-        {"effects.speed_law", {"speed", "power"}},
-        {"effects.friction",
-         {"coefficient", "wall_coefficient", "tangential_restitution", "inertia"}},
-        {"effects.growth", {"rate", "until"}},
-        {"effects.fluid", {"velocity", "gradient", "linear", "quadratic"}},
-        {"effects.contacts", {"speed", "tolerance", "sweeps"}},
-        {"run", {"until", "events", "time_step", "structure", "arithmetic"}},
+        {"effects", {}},
+        {"run", {"until", "events", "structure", "arithmetic"}},
         {"record",
          {"every", "log", "frames", "film", "energies", "pair_correlation", "images", "video",
           "page", "state"}},
     };
+    using Effects = motion::Effects<2>;
+    Effects::each_field([&]<class Value>(Value Effects::*, const motion::Field& effect) {
+        if (effect.section.empty()) return;
+        std::ranges::find(sections, effect.section, &SectionKeys::section)
+            ->keys.push_back(effect.name);
+        if constexpr (motion::DescribedIfOn<Value>) {
+            SectionKeys& inner = sections.emplace_back(
+                SectionKeys{std::string(effect.section) + "." + std::string(effect.name), {}});
+            Value::value_type::each_field(
+                [&](auto, const motion::Field& field) { inner.keys.push_back(field.name); });
+        }
+    });
+    return sections;
+}
+
+}  // namespace
+
+std::span<const SectionKeys> all_sections() {
+    static const std::vector<SectionKeys> sections = sections_of_scenes();
     return sections;
 }
 

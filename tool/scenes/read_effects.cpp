@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <type_traits>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -13,25 +14,66 @@ namespace {
 template <int D>
 const std::string_view example_of_vector = D == 2 ? "[0, 0]" : "[0, 0, 0]";
 
+/// Refuses effects that would change nothing, and fills in what one number says of another.
 template <int D>
-motion::Shake<D> read_shake(const Section& shake) {
-    motion::Shake<D> result;
-    result.amplitude =
-        shake.vector<D>("amplitude", {dimensions::length},
-                        "say how far the box goes along each axis, as in amplitude = [0, 5]");
-    if (result.amplitude == motion::Vector<D>{})
-        shake.fail_at("amplitude",
-                      "all 0, and the box would stand still; give one that is not 0, "
-                      "or leave [box.shake] out");
-    result.frequency = shake.quantity("frequency",
-                                      {dimensions::angular_speed,
-                                       {.least = 0.0,
-                                        .is_open = true,
-                                        .words = "a frequency above 0, as in "
-                                                 "\"20 Hz\""}},
-                                      "say how often, as in frequency = \"20 Hz\"");
-    result.phase = shake.optional_quantity("phase", {dimensions::angle}).value_or(0.0);
-    return result;
+void complete(const Section& section, const motion::Shake<D>& shake) {
+    if (shake.amplitude == motion::Vector<D>{})
+        section.fail_at("amplitude",
+                        "all 0, and the box would stand still; give one that is not 0, "
+                        "or leave [box.shake] out");
+}
+void complete(const Section& section, motion::Friction& friction) {
+    if (!section.has("coefficient") && !section.has("wall_coefficient"))
+        section.fail("neither coefficient nor wall_coefficient; give one, or leave the table out");
+    if (!section.has("wall_coefficient")) friction.wall_coefficient = friction.coefficient;
+    if (friction.coefficient == 0.0 && friction.wall_coefficient == 0.0)
+        section.fail("no coefficient above 0; give one, or leave the table out");
+}
+template <int D>
+void complete(const Section& section, const motion::Fluid<D>& fluid) {
+    if (fluid.linear == 0.0 && fluid.quadratic == 0.0)
+        section.fail(
+            "a fluid that pulls at nothing; give linear or quadratic above 0, or leave the "
+            "table out");
+}
+template <class Effect>
+void complete(const Section&, const Effect&) {}
+
+/// What a key says, or what is there already where there is no such key and need not be.
+template <int D, class Value>
+void read(const Section& section, const motion::Field& field, Value& value) {
+    const std::string_view key = field.name;
+    if (field.advice.empty() && !section.has(key)) return;
+    const Quantity quantity{field.dimension, field.written};
+    if constexpr (std::is_same_v<Value, bool>) {
+        value = section.flag(key, value);
+    } else if constexpr (std::is_same_v<Value, int>) {
+        const auto least = static_cast<std::uint64_t>(field.written.least);
+        const auto most = static_cast<std::uint64_t>(field.written.most);
+        value = static_cast<int>(*section.optional_whole(key, least, most));
+    } else if constexpr (std::is_same_v<Value, double>) {
+        value = section.quantity(key, quantity, field.advice);
+    } else if constexpr (std::is_same_v<Value, motion::Vector<D>>) {
+        value = section.vector<D>(key, quantity, field.advice);
+    } else if constexpr (std::is_same_v<Value, motion::PerAxis<motion::Vector<D>, D>>) {
+        const toml::array* const rows = section.find(key)->as_array();
+        if (rows == nullptr || rows->size() != D)
+            section.fail_at(
+                key,
+                fmt::format("no matrix of {} rows; write a row an axis, as in {}", D,
+                            D == 2 ? "[[0, 1], [0, 0]]" : "[[0, 1, 0], [0, 0, 0], [0, 0, 0]]"));
+        for (int k = 0; k < D; ++k)
+            value[k] = read_vector<D>(section.document(), (*rows)[static_cast<std::size_t>(k)], key,
+                                      quantity);
+    } else if constexpr (motion::DescribedIfOn<Value>) {
+        using Effect = typename Value::value_type;
+        const Section table = *section.optional_section(key);
+        value = motion::by_default<Effect, D>();
+        Effect::each_field([&](auto member, const motion::Field& each) {
+            read<D>(table, each, (*value).*member);
+        });
+        complete(table, *value);
+    }
 }
 
 /// Refuses keys that the kind of wall does not have.
@@ -138,105 +180,6 @@ void add_wall(const Section& wall, std::vector<motion::Obstacle<D>>& walls) {
     }
 }
 
-template <int D>
-motion::Friction read_friction(const Section& friction) {
-    if (!friction.has("coefficient") && !friction.has("wall_coefficient"))
-        friction.fail("neither coefficient nor wall_coefficient; give one, or leave the table out");
-    motion::Friction result;
-    const auto between = friction.optional_quantity("coefficient", {dimensions::number, from_0});
-    const auto at_walls =
-        friction.optional_quantity("wall_coefficient", {dimensions::number, from_0});
-    result.coefficient = between.value_or(0.0);
-    result.wall_coefficient = at_walls.value_or(result.coefficient);
-    if (result.coefficient == 0.0 && result.wall_coefficient == 0.0)
-        friction.fail("no coefficient above 0; give one, or leave the table out");
-    result.tangential_restitution =
-        friction
-            .optional_quantity("tangential_restitution",
-                               {dimensions::number, {-1.0, 1.0, false, "a number from -1 to 1"}})
-            .value_or(0.0);
-    result.inertia =
-        friction
-            .optional_quantity(
-                "inertia", {dimensions::number, {0.0, 1.0, true, "a number above 0, at most 1"}})
-            .value_or(D == 2 ? 0.5 : 0.4);
-    return result;
-}
-
-motion::SpeedLaw read_speed_law(const Section& law, const Section& effects, double restitution,
-                                double wall_restitution) {
-    if (restitution == 1.0 && wall_restitution == 1.0)
-        effects.fail_at("speed_law",
-                        "with a restitution of 1 it would change nothing; give a "
-                        "restitution below 1, which is that at speed_law.speed");
-    motion::SpeedLaw result;
-    result.speed = law.quantity("speed", {dimensions::speed, above_0},
-                                "give the speed at which restitution is as given");
-    result.power = law.optional_quantity("power", {dimensions::number,
-                                                   {0.0, 8.0, true, "a number above 0, at most 8"}})
-                       .value_or(result.power);
-    return result;
-}
-
-template <int D>
-motion::Fluid<D> read_fluid(const Section& fluid) {
-    motion::Fluid<D> result;
-    result.velocity =
-        fluid.optional_vector<D>("velocity", {dimensions::speed}).value_or(motion::Vector<D>{});
-    if (const toml::node* const gradient = fluid.find("gradient")) {
-        const toml::array* const rows = gradient->as_array();
-        if (rows == nullptr || rows->size() != D)
-            fluid.fail_at(
-                "gradient",
-                fmt::format("no matrix of {0} rows; write a row an axis, as "
-                            "in {1}",
-                            D, D == 2 ? "[[0, 1], [0, 0]]" : "[[0, 1, 0], [0, 0, 0], [0, 0, 0]]"));
-        for (int k = 0; k < D; ++k)
-            result.gradient[k] =
-                read_vector<D>(fluid.document(), (*rows)[static_cast<std::size_t>(k)], "gradient",
-                               {dimensions::rate});
-    }
-    constexpr Dimension linear{.length = -1, .time = -1, .mass = 1};
-    constexpr Dimension quadratic{.length = -D, .mass = 1};
-    result.linear = fluid.optional_quantity("linear", {linear, from_0}).value_or(0.0);
-    result.quadratic = fluid.optional_quantity("quadratic", {quadratic, from_0}).value_or(0.0);
-    if (result.linear == 0.0 && result.quadratic == 0.0)
-        fluid.fail(
-            "a fluid that pulls at nothing; give linear or quadratic above 0, or leave the "
-            "table out");
-    return result;
-}
-
-motion::LastingContacts read_contacts(const Section& contacts) {
-    motion::LastingContacts result;
-    result.speed = contacts.quantity("speed", {dimensions::speed, above_0},
-                                     "give the speed below which balls stay in contact");
-    result.tolerance =
-        contacts
-            .optional_quantity(
-                "tolerance",
-                {dimensions::number, {0.0, 1.0 - 0x1p-53, true, "a number above 0, below 1"}})
-            .value_or(result.tolerance);
-    result.sweeps = static_cast<int>(contacts.optional_whole("sweeps", 2, 1'000'000)
-                                         .value_or(static_cast<std::uint64_t>(result.sweeps)));
-    return result;
-}
-
-template <int D>
-void read_box_of_scene(const Section& file, motion::Effects<D>& effects) {
-    const auto box = file.optional_section("box");
-    if (!box) return;
-    effects.box = read_box<D>(*box);
-    effects.periodic = box->flag("periodic", false);
-    const auto shake = box->optional_section("shake");
-    if (!shake) return;
-    if (effects.periodic)
-        box->fail_at("shake",
-                     "a periodic box has no sides that could shake; leave shake out, or "
-                     "periodic");
-    effects.shake = read_shake<D>(*shake);
-}
-
 }  // namespace
 
 template <int D>
@@ -259,55 +202,40 @@ motion::Box<D> read_box(const Section& section) {
 template <int D>
 motion::Effects<D> read_effects(const Section& file) {
     motion::Effects<D> result;
-    read_box_of_scene<D>(file, result);
+    const auto box = file.optional_section("box");
+    if (box) result.box = read_box<D>(*box);
+    const auto effects = file.optional_section("effects");
+    motion::Effects<D>::each_field([&](auto member, const motion::Field& field) {
+        if (field.section.empty()) return;
+        const auto section = file.optional_section(field.section);
+        if (section) read<D>(*section, field, result.*member);
+    });
+    if (result.periodic && result.shake)
+        box->fail_at("shake",
+                     "a periodic box has no sides that could shake; leave shake out, or "
+                     "periodic");
     for (const Section& wall : file.sections("wall")) {
         if (result.periodic)
             wall.fail("a periodic box has no walls beside; leave the wall out, or periodic");
         add_wall<D>(wall, result.obstacles);
     }
-    if (const auto run = file.optional_section("run"))
-        result.time_step =
-            run->optional_quantity("time_step", {dimensions::time, above_0}).value_or(0.0);
-    const auto effects = file.optional_section("effects");
     if (!effects) return result;
-    result.gravity = effects->optional_vector<D>("gravity", {dimensions::acceleration})
-                         .value_or(motion::Vector<D>{});
-    result.restitution =
-        effects->optional_quantity("restitution", {dimensions::number, from_0_to_1}).value_or(1.0);
-    result.wall_restitution =
-        effects->optional_quantity("wall_restitution", {dimensions::number, from_0_to_1})
-            .value_or(result.restitution);
-    result.contact_duration =
-        effects->optional_quantity("contact_duration", {dimensions::time, from_0}).value_or(0.0);
-    if (const auto law = effects->optional_section("speed_law"))
-        result.speed_law =
-            read_speed_law(*law, *effects, result.restitution, result.wall_restitution);
-    if (const auto friction = effects->optional_section("friction"))
-        result.friction = read_friction<D>(*friction);
-    if (const auto growth = effects->optional_section("growth"))
-        result.growth = motion::Growth{growth->quantity("rate", {dimensions::rate, above_0},
-                                                        "give the share of its radius by which a "
-                                                        "ball grows in a unit of time"),
-                                       growth->quantity("until", {dimensions::time, above_0},
-                                                        "give the time at which radii stay")};
-    const auto needs_steps = [&](std::string_view key, std::string_view what) {
-        if (result.time_step == 0.0)
-            effects->fail_at(key, fmt::format("{} is computed in steps of time; add time_step to "
-                                              "[run], or leave {} out",
-                                              what, key));
-    };
-    if (const auto fluid = effects->optional_section("fluid")) {
-        needs_steps("fluid", "what a fluid does");
-        result.fluid = read_fluid<D>(*fluid);
-    }
-    if (const auto contacts = effects->optional_section("contacts")) {
-        needs_steps("contacts", "contact that lasts");
-        if (result.growth)
-            effects->fail_at("contacts",
-                             "balls that grow do not rest on one another; leave "
-                             "contacts out, or growth");
-        result.contacts = read_contacts(*contacts);
-    }
+    if (!effects->has("wall_restitution")) result.wall_restitution = result.restitution;
+    if (result.speed_law && result.restitution == 1.0 && result.wall_restitution == 1.0)
+        effects->fail_at("speed_law",
+                         "with a restitution of 1 it would change nothing; give a "
+                         "restitution below 1, which is that at speed_law.speed");
+    motion::Effects<D>::each_field([&](auto, const motion::Field& field) {
+        if (result.time_step == 0.0 && !field.stepped.empty() && effects->has(field.name))
+            effects->fail_at(field.name,
+                             fmt::format("{} is computed in steps of time; add time_step to [run], "
+                                         "or leave {} out",
+                                         field.stepped, field.name));
+    });
+    if (result.growth && result.contacts)
+        effects->fail_at("contacts",
+                         "balls that grow do not rest on one another; leave "
+                         "contacts out, or growth");
     return result;
 }
 

@@ -72,9 +72,7 @@ SceneRun read_run(const Section& file) {
         for (const motion::Structure each : motion::all_structures)
             structures.emplace_back(motion::name_of(each));
         if (const auto name = run->optional_word("structure", structures))
-            result.structure = *std::ranges::find_if(
-                motion::all_structures,
-                [&](motion::Structure each) { return motion::name_of(each) == *name; });
+            result.structure = *motion::structure_named(*name);
         const std::array<std::string, 2> kernels = {"exact", "naive"};
         if (const auto name = run->optional_word("arithmetic", kernels))
             result.kernel = *name == "naive" ? motion::Kernel::naive : motion::Kernel::exact;

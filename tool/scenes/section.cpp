@@ -98,12 +98,9 @@ double read_quantity(const Document& document, const toml::node& node, std::stri
                         in_words(quantity.dimension),
                         unit.empty() ? "" : fmt::format(", or a text like \"1 {}\"", unit)));
     }
-    const Range& range = quantity.range;
-    const bool is_in_range =
-        value >= range.least && value <= range.most && !(range.is_open && value == range.least);
-    if (!std::isfinite(value) || !is_in_range)
+    if (!quantity.range.has(value))
         fail_at_node(document, node, name,
-                     fmt::format("{} is not allowed; give {}", shown(node), range.words));
+                     fmt::format("{} is not allowed; give {}", shown(node), quantity.range.words));
     const double magnitude = std::fabs(value);
     const bool is_time = quantity.dimension == dimensions::time;
     if (!is_time && magnitude != 0.0 &&

@@ -3,7 +3,6 @@
 /// place and what would be right.
 
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -18,17 +17,11 @@
 
 namespace signum {
 
-/// Which numbers are allowed, and how that is said.
-struct Range {
-    double least = -std::numeric_limits<double>::infinity();
-    double most = std::numeric_limits<double>::infinity();
-    bool is_open = false;  ///< the least itself is not allowed
-    std::string_view words = "a finite number";
-};
-inline constexpr Range any_number{};
-inline constexpr Range from_0{.least = 0.0, .words = "0 or more"};
-inline constexpr Range above_0{.least = 0.0, .is_open = true, .words = "a number above 0"};
-inline constexpr Range from_0_to_1{.least = 0.0, .most = 1.0, .words = "a number from 0 to 1"};
+using motion::above_0;
+using motion::any_number;
+using motion::from_0;
+using motion::from_0_to_1;
+using motion::Range;
 
 struct Quantity {
     Dimension dimension;

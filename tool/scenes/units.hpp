@@ -13,29 +13,12 @@
 #include <string_view>
 #include <variant>
 
+#include "../../motion/field.hpp"
+
 namespace signum {
 
-/// The powers of what is measured.
-struct Dimension {
-    int length = 0;
-    int time = 0;
-    int mass = 0;
-    int angle = 0;
-    friend bool operator==(const Dimension&, const Dimension&) = default;
-};
-
-namespace dimensions {
-inline constexpr Dimension number{};
-inline constexpr Dimension length{.length = 1};
-inline constexpr Dimension time{.time = 1};
-inline constexpr Dimension mass{.mass = 1};
-inline constexpr Dimension angle{.angle = 1};
-inline constexpr Dimension speed{.length = 1, .time = -1};
-inline constexpr Dimension acceleration{.length = 1, .time = -2};
-inline constexpr Dimension rate{.time = -1};
-inline constexpr Dimension angular_speed{.time = -1, .angle = 1};
-inline constexpr Dimension energy{.length = 2, .time = -2, .mass = 1};
-}  // namespace dimensions
+using motion::Dimension;
+namespace dimensions = motion::dimensions;
 
 /// How many metres, seconds, kilograms and radians: numerator / denominator · 10^tens · π^pis.
 struct Unit {

@@ -104,7 +104,7 @@ def simulated(**acting):
         (lambda: simulated(restitution="x"), "restitution: a float"),
         (lambda: simulated(time_step=None), "time_step: a float"),
         (lambda: simulated(wall_restitution=10**400), "wall_restitution: a float"),
-        (lambda: simulated(friction=0.1), "inertia: a 'float' has none"),
+        (lambda: simulated(friction=0.1), "coefficient: a 'float' has none"),
         (lambda: simulated(speed_law="x"), "speed: a 'str' has none"),
         (lambda: simulated(friction=effects.Friction(inertia="x")), "inertia: a float"),
         (lambda: simulated(contacts=effects.LastingContacts(0.1, sweeps=2**40)), "sweeps: a whole number"),

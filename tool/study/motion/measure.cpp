@@ -26,11 +26,6 @@ namespace {
 
 using motion::Structure;
 
-Structure structure_named(const std::string& name) {
-    return *std::find_if(motion::all_structures.begin(), motion::all_structures.end(),
-                         [&](Structure each) { return name_of(each) == name; });
-}
-
 /// Those that take some ten, or some hundred, times as long as the others are stopped earlier.
 std::uint64_t most_strikes_of(Structure structure, const Cell& cell) {
     if (cell.setting.count < 1000 || cell.setting.time_step > 0.0) return cell.most_strikes;
@@ -185,7 +180,7 @@ std::vector<Row> measure_structures(const Cell& cell, const Pass& pass) {
     std::vector<Contestant> racing;
     std::vector<Row> rows;
     for (const std::string& name : cell.contestants) {
-        const Structure wish = structure_named(name);
+        const Structure wish = *motion::structure_named(name);
         const Structure chosen = choose(wish, shaker.state, shaker.effects).structure;
         if (wish == Structure::automatic && pass.number == 1)
             rows.push_back(
