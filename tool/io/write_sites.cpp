@@ -46,6 +46,15 @@ void write(std::ostream& out, std::span<const S> sites, SitesFormat format,
     text.flush();
 }
 
+template <class S>
+void write_node_of(std::ostream& out, std::span<const S> sites, int dimension) {
+    TextWriter text(out);
+    text.put(FMT_COMPILE("{} {} 1 0\n"), sites.size(), dimension);
+    for (std::size_t i = 0; i < sites.size(); ++i)
+        text.put(FMT_COMPILE("{} {}\n"), i, fmt::join(numbers_of<double>(sites[i]), " "));
+    text.flush();
+}
+
 }  // namespace
 
 void write_sites(std::ostream& out, std::span<const Site> sites, SitesFormat format) {
@@ -54,6 +63,13 @@ void write_sites(std::ostream& out, std::span<const Site> sites, SitesFormat for
 
 void write_sites(std::ostream& out, std::span<const Site3> sites, SitesFormat format) {
     write(out, sites, format, "x,y,z,r\n");
+}
+
+void write_node(std::ostream& out, std::span<const Site> sites) {
+    write_node_of(out, sites, 2);
+}
+void write_node(std::ostream& out, std::span<const Site3> sites) {
+    write_node_of(out, sites, 3);
 }
 
 }  // namespace signum
