@@ -46,15 +46,6 @@ void write(std::ostream& out, std::span<const S> sites, SitesFormat format,
     text.flush();
 }
 
-template <class S>
-void write_node_of(std::ostream& out, std::span<const S> sites, int dimension) {
-    TextWriter text(out);
-    text.put(FMT_COMPILE("{} {} 1 0\n"), sites.size(), dimension);
-    for (std::size_t i = 0; i < sites.size(); ++i)
-        text.put(FMT_COMPILE("{} {}\n"), i, fmt::join(numbers_of<double>(sites[i]), " "));
-    text.flush();
-}
-
 }  // namespace
 
 void write_sites(std::ostream& out, std::span<const Site> sites, SitesFormat format) {
@@ -66,10 +57,20 @@ void write_sites(std::ostream& out, std::span<const Site3> sites, SitesFormat fo
 }
 
 void write_node(std::ostream& out, std::span<const Site> sites) {
-    write_node_of(out, sites, 2);
+    TextWriter text(out);
+    text.put(FMT_COMPILE("{} 2 1 0\n"), sites.size());
+    for (std::size_t i = 0; i < sites.size(); ++i)
+        text.put(FMT_COMPILE("{} {} {} {}\n"), i, sites[i].x, sites[i].y, sites[i].r);
+    text.flush();
 }
+
 void write_node(std::ostream& out, std::span<const Site3> sites) {
-    write_node_of(out, sites, 3);
+    TextWriter text(out);
+    text.put(FMT_COMPILE("{} 3 1 0\n"), sites.size());
+    for (std::size_t i = 0; i < sites.size(); ++i)
+        text.put(FMT_COMPILE("{} {} {} {} {}\n"), i, sites[i].x, sites[i].y, sites[i].z,
+                 sites[i].r);
+    text.flush();
 }
 
 }  // namespace signum
