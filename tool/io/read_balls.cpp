@@ -77,7 +77,7 @@ class TextBalls {
  private:
     /// What a column holds, in the order of a line in space.
     enum : std::size_t { x, y, z, radius, vx, vy, vz, mass, count };
-    static constexpr std::array<Quantity, count> quantities = {
+    static constexpr std::array<ColumnNames, count> quantities = {
         {{{"x"}},
          {{"y"}},
          {{"z"}},

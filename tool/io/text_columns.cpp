@@ -264,11 +264,11 @@ void TextColumns::fail_at_end_of_file(std::string_view message) const {
                fmt::format("{}; {}", message, advice_));
 }
 
-NamedColumns named_columns(const TextColumns& header, std::span<const Quantity> quantities) {
+NamedColumns named_columns(const TextColumns& header, std::span<const ColumnNames> quantities) {
     NamedColumns result = {std::vector(quantities.size(), no_column), {}};
     for (std::size_t column = 0; column < header.size(); ++column) {
         const std::string name = header.name(column);
-        const auto quantity = std::ranges::find_if(quantities, [&](const Quantity& each) {
+        const auto quantity = std::ranges::find_if(quantities, [&](const ColumnNames& each) {
             return !name.empty() && std::ranges::count(each.names, name) > 0;
         });
         if (quantity == quantities.end()) {

@@ -103,22 +103,20 @@ class TextColumns {
     char separator_ = any_separator;         ///< the only one of the others, or any_separator
 };
 
-/// What a column may hold.
-struct Quantity {
-    std::array<std::string_view, 3>
-        names;                     ///< in a header, in small letters; not all need be there
-    std::string_view second = {};  ///< what to say of a second column of it
+/// What a header may call a column, in small letters.
+struct ColumnNames {
+    std::array<std::string_view, 3> names;  ///< some may be empty
+    std::string_view second = {};           ///< what to say of a second such column
 };
 
 /// The columns of a header.
 struct NamedColumns {
-    std::vector<std::size_t>
-        places;  ///< one a quantity; no_column of what the header does not name
-    std::vector<std::string> others;  ///< those of other names, in quotes
+    std::vector<std::size_t> places;  ///< by their names; no_column where there is none
+    std::vector<std::string> others;  ///< columns of other names, in quotes
 };
 
-/// Fails where two columns hold the same.
+/// Fails where two columns have names of the same.
 [[nodiscard]] NamedColumns named_columns(const TextColumns& header,
-                                         std::span<const Quantity> quantities);
+                                         std::span<const ColumnNames> quantities);
 
 }  // namespace signum

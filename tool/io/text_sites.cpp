@@ -21,9 +21,9 @@ namespace {
 
 constexpr std::string_view second_third =
     "a second column of radii or weights; name one column r, radius or weight";
-constexpr std::array<Quantity, 4> quantities_in_space = {
+constexpr std::array<ColumnNames, 4> quantities_in_space = {
     {{{"x"}}, {{"y"}}, {{"z"}}, {{"r", "radius", "weight"}, second_third}}};
-constexpr std::array<Quantity, 3> quantities_in_plane = {
+constexpr std::array<ColumnNames, 3> quantities_in_plane = {
     {{{"x"}}, {{"y"}}, {{"r", "radius", "weight"}, second_third}}};
 
 /// What messages say of a site of the plane, and of one of space.
@@ -143,7 +143,7 @@ class TextSites {
     }
 
     /// What the columns are by their names; gives those of other names.
-    std::vector<std::string> take_named(std::span<const Quantity> quantities) {
+    std::vector<std::string> take_named(std::span<const ColumnNames> quantities) {
         NamedColumns named = named_columns(lines_, quantities);
         std::ranges::copy(named.places, places_.begin());
         is_told_ = is_named_ = true;
