@@ -6,7 +6,6 @@
 #include "../../tool/draw/frame.hpp"
 #include "../../tool/draw/lines.hpp"
 #include "../../tool/draw/shapes.hpp"
-#include "../../tool/draw/lines.hpp"
 #include "../../tool/generate/generate.hpp"
 #include "../../triangulation/triangulate.hpp"
 
