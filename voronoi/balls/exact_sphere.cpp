@@ -4,7 +4,7 @@
 #include <numeric>
 #include <utility>
 
-#include "../../predicates/euclidean/polynomials.hpp"
+#include "../../predicates/formulas/apollonius.hpp"
 
 namespace signum::spatial {
 namespace {
