@@ -15,7 +15,7 @@ inline bool CellSearch::may_reach(const BallTree::Node& node, const Patch& patch
         const double far = std::max(-low[k], high[k]);
         farthest += far * far;
     }
-    const double least_r = node.least_radius - i.r, greatest_r = node.greatest_radius - i.r;
+    const double least_r = node.low[3] - i.r, greatest_r = node.high[3] - i.r;
     const double square_r = std::max(least_r * least_r, greatest_r * greatest_r);
     if (!(farthest > 0x1p-900)) return true;
     const double far = std::sqrt(farthest);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "../../predicates/space/ccw.hpp"
 #include "../../predicates/space/euclidean.hpp"
@@ -21,13 +20,6 @@ BallSet::BallSet(std::span<const Site3> balls) : balls_(balls) {
     for (const Site3& b : balls_)
         scaled_.push_back({std::ldexp(b.x, -exponent), std::ldexp(b.y, -exponent),
                            std::ldexp(b.z, -exponent), std::ldexp(b.r, -exponent)});
-}
-
-BallTree BallSet::tree_of(std::vector<Index> names) const {
-    std::vector<Site3> balls;
-    balls.reserve(names.size());
-    for (const Index i : names) balls.push_back(scaled(i));
-    return {std::move(balls), std::move(names)};
 }
 
 bool BallSet::touch_along_a_curve(const Quadruple& four) const {

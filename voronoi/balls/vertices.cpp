@@ -72,7 +72,7 @@ class VertexSearch {
         result_.may_be_unbounded.assign(balls_.size(), 0);
         if (visible.empty()) return std::move(result_);
         equal_.emplace(balls_, visible, options_);
-        const BallTree tree = balls_.tree_of(std::move(visible));
+        const BallTree tree = balls_.tree_of(visible);
         std::vector<EqualRadii::Kind> kinds;
         for (std::size_t place = 0; place < tree.size(); ++place)
             kinds.push_back(equal_->kind(tree.name(place)));
