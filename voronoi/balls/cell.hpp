@@ -69,7 +69,7 @@
 #include "patch.hpp"
 #include "tree.hpp"
 
-namespace signum::spatial {
+namespace signum::balls {
 
 class CellSearch {
  public:
@@ -631,7 +631,7 @@ class CellSearch {
     std::vector<std::vector<Member>> members_;
 };
 
-}  // namespace signum::spatial
+}  // namespace signum::balls
 
 #include "cell_finely.hpp"
 #include "cell_tree.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 /// Which nodes of the tree may matter to the cell of a ball. Part of cell.hpp, which includes it.
 
-namespace signum::spatial {
+namespace signum::balls {
 
 inline bool CellSearch::may_reach(const BallTree::Node& node, const Patch& patch,
                                   const Gathered& gathered) const {
@@ -86,4 +86,4 @@ inline bool CellSearch::may_reach(const BallTree::Node& node, const Patch& patch
     return !(top + patch.delta * (change * (1.0 + 0x1p-46) + 0x1p-46 * far) < 0.0);
 }
 
-}  // namespace signum::spatial
+}  // namespace signum::balls

@@ -10,7 +10,7 @@
 #include "../../predicates/space/euclidean.hpp"
 #include "tree.hpp"
 
-namespace signum::spatial {
+namespace signum::balls {
 namespace {
 
 [[nodiscard]] bool hides(const BallSet& balls, Index i, Index q) noexcept {
@@ -145,4 +145,4 @@ std::vector<Hidden> hidden_balls(const BallSet& balls) {
     return result;
 }
 
-}  // namespace signum::spatial
+}  // namespace signum::balls

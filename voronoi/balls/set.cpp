@@ -7,7 +7,7 @@
 #include "../../predicates/space/euclidean.hpp"
 #include "exact_sphere.hpp"
 
-namespace signum::spatial {
+namespace signum::balls {
 
 BallSet::BallSet(std::span<const Site3> balls) : balls_(balls) {
     double largest = 0.0;
@@ -28,7 +28,7 @@ bool BallSet::touch_along_a_curve(const Quadruple& four) const {
         return ccw_decision(centre3(a), centre3(b), centre3(c), centre3(d)).sign == 0;
     if (euclidean::exists_decision(a, b, c, d).sign > 0) return false;
     if (euclidean::exists_decision(a, c, b, d).sign > 0) return false;
-    return spatial::touch_along_a_curve({a, b, c, d});
+    return balls::touch_along_a_curve({a, b, c, d});
 }
 
-}  // namespace signum::spatial
+}  // namespace signum::balls

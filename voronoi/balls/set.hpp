@@ -14,7 +14,7 @@
 #include "../../filters/bounds.hpp"
 #include "tree.hpp"
 
-namespace signum::spatial {
+namespace signum::balls {
 
 using Triple = std::array<Index, 3>;
 using Quadruple = std::array<Index, 4>;
@@ -53,4 +53,4 @@ class BallSet {
     std::vector<Site3> scaled_;
 };
 
-}  // namespace signum::spatial
+}  // namespace signum::balls

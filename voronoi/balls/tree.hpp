@@ -11,7 +11,7 @@
 #include "../../core/index.hpp"
 #include "../../core/site.hpp"
 
-namespace signum::spatial {
+namespace signum::balls {
 
 /// The fourth number of a box is the radius.
 class BallTree : public BoxTree<4> {
@@ -37,4 +37,4 @@ class BallTree : public BoxTree<4> {
     std::vector<Index> names_;
 };
 
-}  // namespace signum::spatial
+}  // namespace signum::balls

@@ -23,7 +23,7 @@
 #include "touching_spheres.hpp"
 #include "tree.hpp"
 
-namespace signum::spatial {
+namespace signum::balls {
 namespace {
 
 /// Whether Γ (ball_polynomials.hpp) is certainly not 0: then no sphere touches the four balls in
@@ -335,4 +335,4 @@ BallVertices find_vertices(const BallSet& balls, std::span<const Hidden> hidden,
     return VertexSearch(balls, options).run(hidden);
 }
 
-}  // namespace signum::spatial
+}  // namespace signum::balls
