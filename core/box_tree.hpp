@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -47,12 +48,28 @@ class BoxTree {
             const BoundsOf& bounds_of)
         : order_(items) {
         if (items == 0) return;
+        std::iota(order_.begin(), order_.end(), 0U);
         nodes_.reserve(4 * items / most_in_a_leaf + 1);
-        std::vector<Keyed> keyed(items);
-        for (std::size_t i = 0; i < items; ++i) keyed[i].item = static_cast<std::uint32_t>(i);
-        const Building<BoundsOf> building{keyed, most_in_a_leaf, axes, bounds_of};
-        build(building, 0, static_cast<std::uint32_t>(items));
-        for (std::size_t place = 0; place < items; ++place) order_[place] = keyed[place].item;
+        std::vector<Keyed> keyed(axes > 0 ? items : 0);
+        const auto build = [&](const auto& self, std::uint32_t first, std::uint32_t last) -> void {
+            const std::size_t number = nodes_.size();
+            const bool is_leaf = last - first <= most_in_a_leaf;
+            Node node{bounds_of(order_[first]), first, last, 0};
+            if (is_leaf || axes > 0)
+                for (std::uint32_t place = first + 1; place < last; ++place)
+                    node.include(bounds_of(order_[place]));
+            nodes_.push_back(node);
+            if (is_leaf) return;
+            const std::uint32_t middle = first + (last - first) / 2;
+            if (axes > 0) halve(node, middle, axes, bounds_of, keyed);
+            self(self, first, middle);
+            nodes_[number].second = static_cast<std::uint32_t>(nodes_.size());
+            self(self, middle, last);
+            if (axes > 0) return;
+            nodes_[number].include(nodes_[number + 1]);
+            nodes_[number].include(nodes_[nodes_[number].second]);
+        };
+        build(build, 0, static_cast<std::uint32_t>(items));
     }
 
     [[nodiscard]] const std::vector<Node>& nodes() const noexcept { return nodes_; }
@@ -83,48 +100,24 @@ class BoxTree {
         double key;
         std::uint32_t item;
     };
+    /// Halves of numbers, which do not overflow, are compared.
     template <class BoundsOf>
-    struct Building {
-        std::vector<Keyed>& keyed;
-        std::uint32_t most_in_a_leaf;
-        std::size_t axes;
-        const BoundsOf& bounds_of;
-    };
-
-    template <class Building>
-    void build(const Building& b, std::uint32_t first, std::uint32_t last) {
-        const std::size_t number = nodes_.size();
-        const bool is_leaf = last - first <= b.most_in_a_leaf;
-        Node node{b.bounds_of(b.keyed[first].item), first, last, 0};
-        if (is_leaf || b.axes > 0)
-            for (std::uint32_t place = first + 1; place < last; ++place)
-                node.include(b.bounds_of(b.keyed[place].item));
-        nodes_.push_back(node);
-        if (is_leaf) return;
-        const std::uint32_t middle = first + (last - first) / 2;
-        if (b.axes > 0) halve(b, node, middle);
-        build(b, first, middle);
-        nodes_[number].second = static_cast<std::uint32_t>(nodes_.size());
-        build(b, middle, last);
-        if (b.axes > 0) return;
-        nodes_[number].include(nodes_[number + 1]);
-        nodes_[number].include(nodes_[nodes_[number].second]);
-    }
-    template <class Building>
-    static void halve(const Building& b, const Node& node, std::uint32_t middle) {
-        // Halves of numbers, which do not overflow.
+    void halve(const Node& node, std::uint32_t middle, std::size_t axes, const BoundsOf& bounds_of,
+               std::vector<Keyed>& keyed) {
         const auto extent = [&](std::size_t k) { return 0.5 * node.high[k] - 0.5 * node.low[k]; };
         std::size_t axis = 0;
-        for (std::size_t k = 1; k < b.axes; ++k)
+        for (std::size_t k = 1; k < axes; ++k)
             if (extent(k) > extent(axis)) axis = k;
-        const auto begin = b.keyed.begin();
         for (std::uint32_t place = node.first; place < node.last; ++place) {
-            const Bounds bounds = b.bounds_of(b.keyed[place].item);
+            const Bounds bounds = bounds_of(order_[place]);
             const double key = 0.5 * bounds.low[axis] + 0.5 * bounds.high[axis];
-            b.keyed[place].key = std::isfinite(key) ? key : 0.0;
+            keyed[place] = {std::isfinite(key) ? key : 0.0, order_[place]};
         }
+        const auto begin = keyed.begin();
         std::nth_element(begin + node.first, begin + middle, begin + node.last,
                          [](const Keyed& a, const Keyed& b) { return a.key < b.key; });
+        for (std::uint32_t place = node.first; place < node.last; ++place)
+            order_[place] = keyed[place].item;
     }
 
     template <class Enter, class IsLater, class Leaf>

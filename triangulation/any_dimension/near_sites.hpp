@@ -44,9 +44,9 @@ class NearSites {
         const auto may_be_near = [&](const Bounds<numbers>& bounds) {
             Box box;
             for (std::size_t k = 0; k < numbers; ++k) box[k] = {bounds.low[k], bounds.high[k]};
-            const bool is_far = (distance(centre, box) - limit).low > 0.0;
-            passed += is_far;
-            return !is_far;
+            if (!((distance(centre, box) - limit).low > 0.0)) return true;
+            ++passed;
+            return false;
         };
         tree_.visit(may_be_near,
                     [&](std::uint32_t place) { visit(members_[tree_.order()[place]]); });

@@ -89,9 +89,9 @@ class NearSites {
         };
         const Interval limit = distance(only(other));
         const auto may_be_near = [&](const Bounds<3>& site) {
-            const bool is_far = (distance(site) - limit).low > 0.0;
-            passed += is_far;
-            return !is_far;
+            if (!((distance(site) - limit).low > 0.0)) return true;
+            ++passed;
+            return false;
         };
         tree_.visit(may_be_near, [&](std::uint32_t place) {
             if (may_be_near(only(members_[place].site))) visit(members_[place].number);

@@ -28,7 +28,7 @@ class NearestSite {
         : sites_(sites),
           numbers_(numbers),
           members_(std::move(members)),
-          tree_(members_.size(), 8, 0, [&](std::size_t m) {
+          tree_(members_.size(), 12, 0, [&](std::size_t m) {
               const S& s = site(members_[m]);
               return Bounds<4>::point({s.x, s.y, s.z, power::weight_key(s)});
           }) {}
