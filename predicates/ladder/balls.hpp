@@ -27,6 +27,7 @@
 #include "../../filters/tally.hpp"
 #include "../../filters/wide.hpp"
 #include "../formulas/balls.hpp"
+#include "doubted.hpp"
 #include "exact_number.hpp"
 
 namespace signum::euclidean::balls {
@@ -68,35 +69,6 @@ template <std::size_t d, std::size_t n>
         for (auto& number : ball) number >>= zeros;
     return static_cast<int>(std::bit_width(bits)) - zeros <= narrow_bits;
 }
-
-/// A long double that carries a bound and is asked for its sign. Where it cannot tell it says 0,
-/// and that the answer is in doubt.
-class Doubtful {
- public:
-    Doubtful() = default;
-    Doubtful(double number, bool& doubt) noexcept : number_(number), doubt_(&doubt) {}
-
-    friend Doubtful operator+(const Doubtful& a, const Doubtful& b) noexcept {
-        return {a.number_ + b.number_, a.doubt_};
-    }
-    friend Doubtful operator-(const Doubtful& a, const Doubtful& b) noexcept {
-        return {a.number_ - b.number_, a.doubt_};
-    }
-    friend Doubtful operator*(const Doubtful& a, const Doubtful& b) noexcept {
-        return {a.number_ * b.number_, a.doubt_};
-    }
-    [[nodiscard]] Sign sign() const noexcept {
-        const filters::Verdict verdict = number_.sign();
-        *doubt_ |= !verdict.is_certain();
-        return verdict.is_certain() ? verdict.sign() : 0;
-    }
-
- private:
-    Doubtful(const filters::Wide& number, bool* doubt) noexcept : number_(number), doubt_(doubt) {}
-
-    filters::Wide number_{0.0};
-    bool* doubt_ = nullptr;
-};
 
 /// Each number by the function.
 template <std::size_t d, std::size_t n, class Make>
@@ -177,9 +149,9 @@ template <class Question, Arithmetic arithmetic, std::size_t d, std::size_t n>
 template <class Question, std::size_t d, std::size_t n>
 [[nodiscard]] filters::Verdict ask_bounded(const std::array<Ball<d, double>, n>& balls) noexcept {
     bool doubt = false;
-    const Sign sign = Question::template ask<d, Numbers<Doubtful>>(
+    const Sign sign = Question::template ask<d, Numbers<Doubted<filters::Wide>>>(
         made<d>(n > 2 ? based_on_least<d>(balls) : balls,
-                [&](double number) { return Doubtful(number, doubt); }));
+                [&](double number) { return Doubted<filters::Wide>(number, doubt); }));
     return doubt ? filters::Verdict::uncertain() : filters::Verdict::certain(sign);
 }
 

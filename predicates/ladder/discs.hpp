@@ -29,6 +29,7 @@
 #include "../../exact/sum.hpp"
 #include "../../filters/interval.hpp"
 #include "../formulas/discs.hpp"
+#include "doubted.hpp"
 #include "exact_number.hpp"
 
 namespace signum::euclidean {
@@ -129,43 +130,10 @@ template <class Number, std::size_t n>
     return result;
 }
 
-/// An interval that compares as a number does, for polynomials that ask. Where it cannot tell it
-/// says anything, and that the answer is in doubt.
-class Enclosed : public exact::ComparedBySign<Enclosed> {
- public:
-    Enclosed() = default;
-    Enclosed(double number, bool& doubt) noexcept : interval_(number), doubt_(&doubt) {}
-
-    friend Enclosed operator+(const Enclosed& a, const Enclosed& b) noexcept {
-        return {a.interval_ + b.interval_, a.doubt_};
-    }
-    friend Enclosed operator-(const Enclosed& a, const Enclosed& b) noexcept {
-        return {a.interval_ - b.interval_, a.doubt_};
-    }
-    friend Enclosed operator*(const Enclosed& a, const Enclosed& b) noexcept {
-        return {a.interval_ * b.interval_, a.doubt_};
-    }
-    friend Enclosed operator*(int a, const Enclosed& b) noexcept {
-        return {a * b.interval_, b.doubt_};
-    }
-    [[nodiscard]] Sign sign() const noexcept {
-        const Sign least = sign_of(interval_.low);
-        *doubt_ |= least != sign_of(interval_.high);
-        return least;
-    }
-
- private:
-    Enclosed(const filters::Interval& interval, bool* doubt) noexcept
-        : interval_(interval), doubt_(doubt) {}
-
-    filters::Interval interval_;
-    bool* doubt_;
-};
-
 template <std::size_t n>
-[[nodiscard]] std::array<Disc<Uniform<Enclosed>>, n> enclosed_discs(
+[[nodiscard]] std::array<Disc<Uniform<Doubted<filters::Interval>>>, n> enclosed_discs(
     const std::array<Site, n>& sites, bool& doubt) {
-    std::array<Disc<Uniform<Enclosed>>, n> result;
+    std::array<Disc<Uniform<Doubted<filters::Interval>>>, n> result;
     for (std::size_t m = 0; m < n; ++m)
         result[m] = {{sites[m].x, doubt}, {sites[m].y, doubt}, {sites[m].r, doubt}};
     return result;

@@ -65,10 +65,11 @@ std::set<std::string> included_by(const std::string& file) {
 /// What takes no part in a decision: formulas, names of arithmetics and of stages, kinds of sites,
 /// ties, and the lists of names that users include.
 bool is_beside(const std::string& file) {
-    static const std::set<std::string> beside = {
-        "arithmetic.hpp", "ladder/decision.hpp", "ladder/exact_number.hpp",
-        "additive.hpp",   "power/weight.hpp",    "power/ties.hpp",
-        "euclidean.hpp",  "space/euclidean.hpp", "space/rectangular.hpp"};
+    static const std::set<std::string> beside = {"arithmetic.hpp",      "ladder/decision.hpp",
+                                                 "ladder/doubted.hpp",  "ladder/exact_number.hpp",
+                                                 "additive.hpp",        "power/weight.hpp",
+                                                 "power/ties.hpp",      "euclidean.hpp",
+                                                 "space/euclidean.hpp", "space/rectangular.hpp"};
     return file.starts_with("formulas/") || beside.contains(file);
 }
 
