@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "../../tool/io/motion_state.hpp"
-#include "../../tool/io/scratch_folder.hpp"
+#include "../../tool/io/program.hpp"
 #include "../../tool/scenes/document.hpp"
 #include "../../tool/scenes/explain.hpp"
 #include "../../tool/scenes/read_scene.hpp"

@@ -4,7 +4,7 @@
 
 #include "../../tool/io/read_sites.hpp"
 #include "../../tool/io/read_tessellation.hpp"
-#include "../../tool/io/write_json.hpp"
+#include "../../tool/io/write_tessellation.hpp"
 #include "../../triangulation/space/validate.hpp"
 #include "../../triangulation/validate.hpp"
 

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "../../tool/io/write_ball_diagram.hpp"
+#include "../../tool/io/write_space_cells.hpp"
 
 namespace signum {
 namespace {

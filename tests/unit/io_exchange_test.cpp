@@ -10,11 +10,10 @@
 #include <nlohmann/json.hpp>
 
 #include "../../tool/io/read_sites.hpp"
-#include "../../tool/io/write_nodes.hpp"
-#include "../../tool/io/write_ply.hpp"
+#include "../../tool/io/write_sites.hpp"
 #include "../../tool/io/write_space_cells.hpp"
+#include "../../tool/io/write_tessellation.hpp"
 #include "../../tool/io/write_voronoi.hpp"
-#include "../../tool/io/write_vtk.hpp"
 #include "../../triangulation/space/triangulate.hpp"
 #include "../../triangulation/triangulate.hpp"
 #include "../../voronoi/space/cells.hpp"

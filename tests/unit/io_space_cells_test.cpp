@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../../tool/draw/space_cells_svg.hpp"
+#include "../../tool/draw/svg.hpp"
 #include "../../tool/io/write_space_cells.hpp"
 
 namespace signum {

@@ -20,11 +20,8 @@
 #include "../../tool/io/errors.hpp"
 #include "../../tool/io/read_sites.hpp"
 #include "../../tool/io/read_tessellation.hpp"
-#include "../../tool/io/write_csv.hpp"
-#include "../../tool/io/write_json.hpp"
-#include "../../tool/io/write_obj.hpp"
 #include "../../tool/io/write_sites.hpp"
-#include "../../tool/io/write_vtk.hpp"
+#include "../../tool/io/write_tessellation.hpp"
 #include "../../triangulation/space/triangulate.hpp"
 
 #include "io_refusal.hpp"

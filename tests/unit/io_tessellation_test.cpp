@@ -11,10 +11,8 @@
 #include "../../tool/io/errors.hpp"
 #include "../../tool/io/read_sites.hpp"
 #include "../../tool/io/read_tessellation.hpp"
-#include "../../tool/io/write_csv.hpp"
-#include "../../tool/io/write_json.hpp"
-#include "../../tool/io/write_obj.hpp"
 #include "../../tool/io/write_sites.hpp"
+#include "../../tool/io/write_tessellation.hpp"
 
 #include "io_refusal.hpp"
 #include "io_scratch.hpp"

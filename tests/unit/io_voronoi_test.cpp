@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "../../tool/draw/voronoi_svg.hpp"
+#include "../../tool/draw/svg.hpp"
 #include "../../tool/generate/generate.hpp"
 #include "../../tool/io/write_voronoi.hpp"
 #include "../../triangulation/triangulate.hpp"

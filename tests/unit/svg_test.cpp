@@ -5,10 +5,8 @@
 #include "../../tool/draw/svg.hpp"
 #include "../../tool/draw/frame.hpp"
 #include "../../tool/draw/lines.hpp"
-#include "../../tool/draw/outline.hpp"
 #include "../../tool/draw/shapes.hpp"
-#include "../../tool/draw/space_svg.hpp"
-#include "../../tool/draw/thinning.hpp"
+#include "../../tool/draw/lines.hpp"
 #include "../../tool/generate/generate.hpp"
 #include "../../triangulation/triangulate.hpp"
 

@@ -8,21 +8,12 @@
 
 namespace signum::cli {
 
-void add_clip(CLI::App& command, std::vector<double>& clip, const std::string& description) {
-    command.add_option("--clip", clip, description)
-        ->check(finite_number())
-        ->type_name("X0 Y0 X1 Y1")
-        ->option_text("X0 Y0 X1 Y1")
-        ->expected(4);
-}
-
-void add_clip_in_space(CLI::App& command, std::vector<double>& clip,
-                       const std::string& description) {
-    command.add_option("--clip", clip, description)
-        ->check(finite_number())
-        ->type_name("X0 Y0 [Z0] X1 Y1 [Z1]")
-        ->option_text("X0 Y0 [Z0] X1 Y1 [Z1]")
-        ->expected(4, 6);
+void add_clip(CLI::App& command, std::vector<double>& clip, const std::string& description,
+              bool in_space) {
+    const char* const numbers = in_space ? "X0 Y0 [Z0] X1 Y1 [Z1]" : "X0 Y0 X1 Y1";
+    add_checked(command, "--clip", clip, numbers, finite_number(), description)
+        ->option_text(numbers)
+        ->expected(4, in_space ? 6 : 4);
 }
 
 void require_numbers(const std::vector<double>& clip, std::size_t count, const std::string& input) {

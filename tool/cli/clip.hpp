@@ -15,12 +15,10 @@
 
 namespace signum::cli {
 
-/// Adds the option, which is empty when it is not given.
-void add_clip(CLI::App& command, std::vector<double>& clip, const std::string& description);
-
-/// The same for a subcommand that takes sites of space, too: four numbers or six.
-void add_clip_in_space(CLI::App& command, std::vector<double>& clip,
-                       const std::string& description);
+/// Adds the option, which is empty when it is not given; `in_space`: for a subcommand that takes
+/// sites of space, too: four numbers or six.
+void add_clip(CLI::App& command, std::vector<double>& clip, const std::string& description,
+              bool in_space = false);
 
 /// Throws CallError where numbers are given and there are not `count` of them, those of a box
 /// around the sites of `input`.

@@ -46,6 +46,11 @@ void add_validate(CLI::App& tool);
 void add_study(CLI::App& tool);
 void add_simulate(CLI::App& tool);
 
+/// What is wrong with a call that could not be parsed, in words of our own: what would be right,
+/// and where help is. `first_word` is the word after the tool's name.
+std::string explain_parse_error(const CLI::App& tool, const CLI::ParseError& error,
+                                const std::string& first_word);
+
 /// Accepts these words in any case and no others; as a transform() it turns them into the spelling
 /// that is given here.
 CLI::Validator one_of(std::vector<std::string> words);
@@ -60,6 +65,15 @@ CLI::Validator finite_number();
 
 /// Accepts names of files, which are not empty; whether one is there is not looked at.
 CLI::Validator name_of_file();
+
+/// Adds an option whose value the help calls `type`, and `check` accepts or turns into its
+/// spelling.
+template <class Value>
+CLI::Option* add_checked(CLI::App& command, const std::string& name, Value& value,
+                         const std::string& type, const CLI::Validator& check,
+                         const std::string& description) {
+    return command.add_option(name, value, description)->transform(check)->type_name(type);
+}
 
 /// Accepts the names and aliases of metrics, in any case; as a transform() it turns them into the
 /// name.

@@ -77,9 +77,7 @@ CLI::Option* add_metric(CLI::App& command, std::string& metric) {
     std::string distances = "The distance of a point p from a site (c, r):";
     for (const MetricTraits& traits : metric_table)
         distances += fmt::format("\n{:<9}  {}: {}s", traits.name, traits.distance, traits.site);
-    return command.add_option("--metric", metric, distances)
-        ->transform(name_of_metric())
-        ->type_name("NAME")
+    return add_checked(command, "--metric", metric, "NAME", name_of_metric(), distances)
         ->capture_default_str();
 }
 

@@ -20,9 +20,7 @@
 #include "../study/margin.hpp"
 
 #include "commands.hpp"
-#include "compare_call.hpp"
 #include "compare_report.hpp"
-#include "compare_space.hpp"
 #include "progress.hpp"
 
 namespace signum::cli {

@@ -1,5 +1,5 @@
 #pragma once
-/// What signum compare answers, of the plane and of space: a table or JSON.
+/// A call of signum compare, and what it answers, of the plane and of space: a table or JSON.
 
 #include <array>
 #include <functional>
@@ -11,9 +11,17 @@
 #include "../io/text_writer.hpp"
 #include "../study/timing.hpp"
 
-#include "compare_call.hpp"
+#include "outputs.hpp"
+#include "sites_call.hpp"
 
 namespace signum::cli {
+
+/// As it was typed. SitesCall::arithmetic is the one that is judged.
+struct CompareCall : SitesCall, OutputsCall {
+    std::string against = "exact";
+    double seconds = 1.0;
+    bool json = false;
+};
 
 /// How many edges (in space cells) of a tessellation there are, and how they were judged.
 struct Counts {
@@ -49,5 +57,9 @@ void time_runs(ComparedReport& report, double seconds, const TimedBuild& build);
 
 /// The table, whose last line says whether these sites need exactness; JSON where it is asked for.
 void put_report(TextWriter& text, const ComparedReport& report, bool as_json);
+
+/// In space, cells in place of edges: writes table or JSON to standard output. Throws CallError
+/// where the call asks for what there is in the plane alone.
+void compare_in_space(const CompareCall& call, const InputSites& sites);
 
 }  // namespace signum::cli

@@ -1,4 +1,4 @@
-#include "compare_space.hpp"
+#include "compare_report.hpp"
 
 #include <array>
 #include <chrono>
@@ -10,9 +10,8 @@
 #include "../io/text_writer.hpp"
 
 #include "commands.hpp"
-#include "compare_report.hpp"
 #include "progress.hpp"
-#include "space_sites.hpp"
+#include "sites_call.hpp"
 
 namespace signum::cli {
 namespace {

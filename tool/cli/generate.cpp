@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <memory>
-#include <optional>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "../../core/index.hpp"
 #include "../generate/generate.hpp"
 #include "../io/number.hpp"
-#include "../io/output_file.hpp"
 #include "../io/write_sites.hpp"
 
 #include "commands.hpp"
@@ -81,22 +81,15 @@ SitesFormat format_of(const GenerateCall& call) {
 /// The file is opened before the work.
 template <class Make>
 void generate_to_output(const GenerateCall& call, Make make, SitesFormat format) {
-    std::optional<OutputFile> file;
-    if (call.output != standard_output) file.emplace(call.output);
+    const std::vector<Target> targets = {{call.output, "sites"}};
+    const Outputs outputs(targets);
     decltype(make()) sites;
     try {
         sites = make();
     } catch (const std::invalid_argument& error) {
         throw CallError(error.what());
     }
-    if (file) {
-        write_sites(file->stream(), sites, format);
-        file->publish();
-    } else {
-        DescriptorStream out(1, "standard output");
-        write_sites(out, sites, format);
-        out.flush();
-    }
+    outputs.write({{"sites", [&](std::ostream& out) { write_sites(out, sites, format); }}});
 }
 
 void run(const GenerateCall& call) {
@@ -139,36 +132,29 @@ void add_generate(CLI::App& tool) {
     auto call = std::make_shared<GenerateCall>();
     CLI::App* command =
         tool.add_subcommand("generate", "Makes sites; the same options make the same sites");
-    command
-        ->add_option("DISTRIBUTION", call->distribution,
-                     "random   in the square [0, 700] x [0, 700]\n"
-                     "circle   on the largest circle in it, radius 350\n"
-                     "square   on its boundary\n"
-                     "grid     on a grid of square cells filling it\n"
-                     "lattice  integers on circles, 192 on each, exactly\n"
-                     "rings    on circles side by side, 1000 on each\n"
-                     "offset   on a fine grid far away: sums round\n"
-                     "tangent  discs that touch circles, 192 on each,\n"
-                     "         exactly\n"
-                     "hard     patterns of sixteen: tangent, nested, collinear,\n"
-                     "         mirrored, exactly or but for a few ulps\n"
-                     "With --dimension 3:\n"
-                     "random   in the cube [0, 700] x [0, 700] x [0, 700]\n"
-                     "sphere   on the largest sphere in it, radius 350\n"
-                     "cube     on its boundary\n"
-                     "grid     on a grid of cubes filling it\n"
-                     "hard     as in the plane")
-        ->required()
-        ->transform(one_of(names_of_distributions()))
-        ->type_name("");
-    command->add_option("--dimension", call->dimension, "2: in the plane; 3: in space")
-        ->check(one_of({"2", "3"}))
-        ->type_name("2|3")
+    add_checked(*command, "DISTRIBUTION", call->distribution, "", one_of(names_of_distributions()),
+                "random   in the square [0, 700] x [0, 700]\n"
+                "circle   on the largest circle in it, radius 350\n"
+                "square   on its boundary\n"
+                "grid     on a grid of square cells filling it\n"
+                "lattice  integers on circles, 192 on each, exactly\n"
+                "rings    on circles side by side, 1000 on each\n"
+                "offset   on a fine grid far away: sums round\n"
+                "tangent  discs that touch circles, 192 on each,\n"
+                "         exactly\n"
+                "hard     patterns of sixteen: tangent, nested, collinear,\n"
+                "         mirrored, exactly or but for a few ulps\n"
+                "With --dimension 3:\n"
+                "random   in the cube [0, 700] x [0, 700] x [0, 700]\n"
+                "sphere   on the largest sphere in it, radius 350\n"
+                "cube     on its boundary\n"
+                "grid     on a grid of cubes filling it\n"
+                "hard     as in the plane")
+        ->required();
+    add_checked(*command, "--dimension", call->dimension, "2|3", one_of({"2", "3"}),
+                "2: in the plane; 3: in space")
         ->capture_default_str();
-    command->add_option("-n", call->count, "How many sites")
-        ->required()
-        ->check(whole_number())
-        ->type_name("N");
+    add_checked(*command, "-n", call->count, "N", whole_number(), "How many sites")->required();
     command->add_option("--radius", call->radius, "The radius of all, or uniform from A to B")
         ->type_name("A[:B]")
         ->capture_default_str();
@@ -177,9 +163,7 @@ void add_generate(CLI::App& tool) {
                      "Adds to each coordinate a number, uniform from\n0 to P")
         ->type_name("P")
         ->capture_default_str();
-    command->add_option("--seed", call->seed, "Other seeds, other sites")
-        ->check(whole_number())
-        ->type_name("N")
+    add_checked(*command, "--seed", call->seed, "N", whole_number(), "Other seeds, other sites")
         ->capture_default_str();
     command
         ->add_option("-o,--output", call->output,
@@ -189,11 +173,8 @@ void add_generate(CLI::App& tool) {
                      "- is standard output")
         ->type_name("FILE")
         ->capture_default_str();
-    command
-        ->add_option("--format", call->format,
-                     "What is written, whatever the ending: text, csv,\njson")
-        ->transform(one_of({"text", "csv", "json"}))
-        ->type_name("NAME");
+    add_checked(*command, "--format", call->format, "NAME", one_of({"text", "csv", "json"}),
+                "What is written, whatever the ending: text, csv,\njson");
     command->footer(
         "Examples:\n"
         "  signum generate random -n 1000 --radius 1:20 --seed 7 -o sites.txt\n"

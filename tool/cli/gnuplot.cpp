@@ -7,7 +7,6 @@
 
 #include "../io/errors.hpp"
 #include "../io/program.hpp"
-#include "../io/scratch_folder.hpp"
 
 namespace signum::cli {
 

@@ -18,7 +18,7 @@
 #include "../io/output_file.hpp"
 
 #include "commands.hpp"
-#include "parse_errors.hpp"
+#include "outputs.hpp"
 
 namespace signum::cli {
 namespace {
@@ -64,11 +64,9 @@ int report(const char* message, ExitCode code) noexcept {
 /// Help and version are no errors.
 int report_parse_error(const CLI::App& tool, const CLI::ParseError& error, const char* first_word) {
     if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
-        DescriptorStream out(1, "standard output");
         const bool is_version = error.get_name() == "CallForVersion";
-        out << (is_version ? error.what() : tool.help().c_str());
-        out << (is_version || !tool.help().ends_with('\n') ? "\n" : "");
-        out.flush();
+        const std::string text = is_version ? error.what() : tool.help();
+        print(is_version || !text.ends_with('\n') ? text + "\n" : text);
         return done;
     }
     if (first_word == nullptr) {

@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <iterator>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "../scenes/checks.hpp"
 #include "../scenes/energy.hpp"
+
+#include "gnuplot.hpp"
 
 namespace signum::cli {
 template <int D>
@@ -72,5 +76,85 @@ template std::optional<double> compressibility(const Summary<2>&);
 template std::optional<double> compressibility(const Summary<3>&);
 template std::string statistics_of(const Summary<2>&);
 template std::string statistics_of(const Summary<3>&);
+
+namespace {
+
+std::string with_unit(std::string number, const std::string& unit) {
+    return unit.empty() ? number : fmt::format("{} {}", number, unit);
+}
+
+template <int D>
+std::string table_of(const study::SceneDescription& scene, const Summary<D>& summary) {
+    const auto energy = [&](const MotionState<D>& of) {
+        return with_unit(
+            fmt::format("{:.6g}", Energy<D>(of.state, of.effects, of.state.time).total),
+            scene.energy);
+    };
+    std::vector<std::pair<std::string, std::string>> rows = {
+        {"balls", fmt::format("{}", summary.end.state.balls.size())},
+        {"strikes", fmt::format("{}", summary.counts.strikes)},
+        {"structure",
+         fmt::format("{}: {}", motion::name_of(summary.choice.structure), summary.choice.why)},
+        {"time at the end", with_unit(fmt::format("{:.6g}", summary.end.state.time), scene.time)},
+        {"seconds of computing", fmt::format("{:.3g}", summary.seconds)},
+        {"energy at the start", energy(summary.start)},
+        {"energy at the end", energy(summary.end)}};
+    // Elsewhere strikes are not all that presses, or T is not one number.
+    if (const auto z = compressibility(summary);
+        z && summary.start.effects.periodic && summary.start.effects.restitution == 1.0)
+        rows.push_back({"pressure, Z = pV/NkT", fmt::format("{:.4f}", *z)});
+    if (summary.start.effects.contacts) {
+        rows.push_back({"contacts that stand at the end",
+                        fmt::format("{}", summary.end.state.contacts.size())});
+        rows.push_back({"contacts that began to stand, and that ended",
+                        fmt::format("{}, {}", summary.counts.joins, summary.counts.breaks)});
+        rows.push_back({"time steps whose reactions stayed above the tolerance",
+                        fmt::format("{}", summary.counts.unsolved)});
+    }
+    std::string lines;
+    for (const auto& [name, value] : rows)
+        lines += study::table_line({study::html_text(name), study::html_text(value)}, "th");
+    return lines;
+}
+
+}  // namespace
+
+template <int D>
+std::string page_of_run(const study::SceneDescription& scene, std::string film,
+                        const RunRecord<D>& record, std::vector<PairCorrelation::Shell> pairs,
+                        const Summary<D>& summary) {
+    const motion::Effects<D>& effects = record.effects();
+    std::vector<Check> checks;
+    if (!record.moments().empty()) checks = check_run(record);
+    study::Values values = {{"film", std::move(film)},
+                            {"run", table_of(scene, summary)},
+                            {"curves", ""},
+                            {"without_curves", ""}};
+    if (!has_gnuplot()) {
+        values["without_curves"] =
+            "gnuplot draws them, and was not there: install it (Debian: apt-get install "
+            "gnuplot-nox) and run the scene again";
+        return study::scene_page(scene, checks, values);
+    }
+    study::SceneCurves curves;
+    curves.moments = record.moments();
+    curves.has_spin = effects.friction.has_value();
+    curves.has_height = effects.gravity != motion::Vector<D>{};
+    curves.has_growth = effects.growth.has_value();
+    curves.pairs = std::move(pairs);
+    for (const study::Plot& plot : study::plots_of_scene(scene, curves)) {
+        const std::string svg = study::inline_svg(
+            drawn_by_gnuplot(study::gnuplot_script(plot)), plot.name,
+            fmt::format("{} over {}", plot.panels[0].title, plot.panels[0].x_label));
+        values["curves"] += fmt::format("<figure>\n{}\n</figure>\n", svg);
+    }
+    if (values["curves"].empty()) values["without_curves"] = "A curve needs two frames.";
+    return study::scene_page(scene, checks, values);
+}
+
+template std::string page_of_run(const study::SceneDescription&, std::string, const RunRecord<2>&,
+                                 std::vector<PairCorrelation::Shell>, const Summary<2>&);
+template std::string page_of_run(const study::SceneDescription&, std::string, const RunRecord<3>&,
+                                 std::vector<PairCorrelation::Shell>, const Summary<3>&);
 
 }  // namespace signum::cli

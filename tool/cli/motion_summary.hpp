@@ -1,12 +1,16 @@
 #pragma once
-/// What is said of a simulation when it is over.
+/// What is said of a simulation when it is over: statistics, and a page.
 
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "../../motion/simulation.hpp"
 #include "../io/motion_state.hpp"
+#include "../scenes/pair_correlation.hpp"
+#include "../scenes/run_record.hpp"
+#include "../study/scene_page.hpp"
 
 namespace signum::cli {
 
@@ -35,5 +39,13 @@ template <int D>
 template <int D>
 [[nodiscard]] std::string describe_collapse(const motion::Strike& last,
                                             const motion::Effects<D>& effects);
+
+/// The page of a run, as HTML; without curves where gnuplot is not there, which the page says.
+/// Throws MachineError where it fails.
+template <int D>
+[[nodiscard]] std::string page_of_run(const study::SceneDescription& scene, std::string film,
+                                      const RunRecord<D>& record,
+                                      std::vector<PairCorrelation::Shell> pairs,
+                                      const Summary<D>& summary);
 
 }  // namespace signum::cli

@@ -171,6 +171,12 @@ std::string written(std::span<const Target> targets) {
     return text.empty() ? text : text + "\n";
 }
 
+void print(std::string_view text) {
+    DescriptorStream out(1, "standard output");
+    out << text;
+    out.flush();
+}
+
 Outputs::Outputs(std::span<const Target> targets) : targets_(targets) {
     for (const Target& target : targets) {
         if (converted(target.format) && !converter_) converter_.emplace();

@@ -80,6 +80,9 @@ bool is_written(std::span<const Target> targets, std::string_view format);
 /// "written  a.json, b.svg\n" for the summary; empty where everything goes to standard output.
 std::string written(std::span<const Target> targets);
 
+/// Writes a result to standard output.
+void print(std::string_view text);
+
 /// What writes a format.
 struct Writer {
     std::string_view format;

@@ -1,5 +1,3 @@
-#include "parse_errors.hpp"
-
 #include <algorithm>
 #include <cctype>
 #include <optional>

@@ -32,12 +32,4 @@ void Progress::show(double share) noexcept {
     std::fflush(stderr);
 }
 
-Validation validate_with_progress(const TessellationArrays& arrays, StridedSites sites,
-                                  bool quiet) {
-    if (quiet) return validate(arrays, sites);
-    Progress progress;
-    return validate(arrays, sites,
-                    {.progress = [&progress](double share) { progress.show(share); }});
-}
-
 }  // namespace signum::cli

@@ -2,7 +2,10 @@
 /// A progress bar on standard error: on a terminal alone, and after one second of work.
 
 #include <chrono>
+#include <functional>
+#include <optional>
 
+#include "../../triangulation/space/validate.hpp"
 #include "../../triangulation/validate.hpp"
 
 namespace signum::cli {
@@ -24,8 +27,22 @@ class Progress {
     int shown_ = -1;  ///< per cent on the screen; -1 while there is no bar
 };
 
+/// What `work` makes, given what shows the share of it that is done: nothing where it is quiet.
+template <class Work>
+auto with_progress(bool quiet, const Work& work) {
+    std::optional<Progress> bar;
+    std::function<void(double)> show;
+    if (!quiet) show = [&progress = bar.emplace()](double share) { progress.show(share); };
+    return work(show);
+}
+
 /// validate() with a bar unless quiet.
-[[nodiscard]] Validation validate_with_progress(const TessellationArrays& arrays,
-                                                StridedSites sites, bool quiet);
+template <class Tessellation, class Sites>
+[[nodiscard]] Validation validate_with_progress(const Tessellation& tessellation,
+                                                const Sites& sites, bool quiet) {
+    return with_progress(quiet, [&](const std::function<void(double)>& show) {
+        return validate(tessellation, sites, {.progress = show});
+    });
+}
 
 }  // namespace signum::cli

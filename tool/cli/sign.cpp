@@ -1,25 +1,60 @@
-/// signum sign: one predicate on numbers from the command line.
+/// signum sign: one predicate on numbers from the command line, in the plane or in space.
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <span>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "../../core/index.hpp"
 #include "../../predicates/ccw.hpp"
+#include "../../predicates/space.hpp"
+#include "../../predicates/space/ties.hpp"
 #include "../../triangulation/kernels/predicates_of.hpp"
+#include "../../voronoi/balls/touching_rectangular.hpp"
 #include "../io/number.hpp"
-#include "../io/output_file.hpp"
 
 #include "commands.hpp"
-#include "sign_call.hpp"
+#include "outputs.hpp"
 
 namespace signum::cli {
+namespace {
 
+/// The call as it was typed.
+struct SignCall {
+    std::string predicate;
+    std::string metric;
+    std::string weight_is;
+    std::optional<int> dimension;
+    std::optional<int> sphere;  ///< which of several, from 0
+    bool json = false;
+    std::vector<std::string> numbers;
+};
+
+/// What the tie rule makes of a sign that is 0.
+struct Tie {
+    char last;  ///< of the sites i, j, k, in space l, and q, in the rule's order
+    bool conflict;
+};
+
+struct Answer {
+    Decision decision;
+    std::optional<Tie> tie;
+    /// What there is to say about it, a line each.
+    std::vector<std::string> words;
+};
+
+/// The numbers of the call. Throws CallError where there are not as many as needed, and says what
+/// they mean.
 std::vector<double> numbers_of(const SignCall& call, std::size_t needed, std::string_view meaning) {
     if (call.numbers.size() != needed) {
         throw CallError(fmt::format("sign {} needs {} numbers after --, {}; {} {} given",
@@ -38,6 +73,7 @@ std::vector<double> numbers_of(const SignCall& call, std::size_t needed, std::st
     return values;
 }
 
+/// Adds who decided, where it was not the filter.
 void explain_stage(Answer& answer) {
     const auto decided_by = [&](std::string_view what) {
         answer.words.push_back(fmt::format("decided  not by the filter, but by {}", what));
@@ -56,6 +92,8 @@ void explain_stage(Answer& answer) {
     }
 }
 
+/// Adds what the tie rule makes of a 0: of the sites, q among them, that called `last` is the last
+/// one. `what` is what q touches, "circle of i, j and k"; `order` the rule's.
 void explain_tie(Answer& answer, std::string_view what, std::string_view order, char last,
                  bool conflict) {
     answer.tie = {last, conflict};
@@ -65,7 +103,81 @@ void explain_tie(Answer& answer, std::string_view what, std::string_view order, 
                     conflict ? "conflicts" : "does not conflict"));
 }
 
-namespace {
+// ---- what plane and space share ----------------------------------------------------------------
+
+constexpr std::size_t numbers_of_four_points = 12;
+
+Answer decide_ccw(const SignCall& call, bool in_space) {
+    const std::vector<double> v =
+        in_space ? numbers_of(call, numbers_of_four_points, "x y z of each of four points")
+                 : numbers_of(call, 6, "x y of each of three points");
+    Answer answer;
+    if (in_space) {
+        std::array<Point3, 4> p;
+        for (std::size_t m = 0; m < 4; ++m) p[m] = {v[3 * m], v[3 * m + 1], v[3 * m + 2]};
+        answer.decision = ccw_decision(p[0], p[1], p[2], p[3]);
+    } else {
+        answer.decision = ccw_decision({v[0], v[1]}, {v[2], v[3]}, {v[4], v[5]});
+    }
+    if (answer.decision.sign == 0)
+        answer.words.push_back(fmt::format("tie      the points lie {}; ccw has no tie rule",
+                                           in_space ? "in a plane" : "on a line"));
+    explain_stage(answer);
+    return answer;
+}
+
+/// i, j, k, in space l, and q: by how many they are, their names, ...
+template <std::size_t N>
+constexpr std::string_view names = N == 4 ? "ijkq" : "ijklq";
+/// ... those of all but q, and what is asked.
+template <std::size_t N>
+constexpr std::string_view touched = N == 4 ? "i, j and k" : "i, j, k and l";
+template <std::size_t N>
+constexpr std::string_view predicate = N == 4 ? "in_circle" : "in_sphere";
+
+template <class S, std::size_t N>
+std::array<S, N> sites_of(const SignCall& call) {
+    const std::vector<double> v =
+        numbers_of(call, N * (N - 1),
+                   N == 4 ? "x y r of each of the sites i, j, k and of the query"
+                          : "x y z r of each of the sites i, j, k, l and of the query");
+    std::array<S, N> sites;
+    for (std::size_t m = 0; m < N; ++m) {
+        const double* const numbers = &v[(N - 1) * m];
+        if constexpr (N == 4)
+            sites[m] = {numbers[0], numbers[1], numbers[2]};
+        else
+            sites[m] = {numbers[0], numbers[1], numbers[2], numbers[3]};
+    }
+    return sites;
+}
+
+/// Throws CallError where one of the sites but q hides another one; `hides` takes the places of
+/// two.
+template <std::size_t N, class Hides>
+void refuse_hidden(const Hides& hides, std::string_view shape) {
+    for (std::size_t a = 0; a + 1 < N; ++a) {
+        for (std::size_t b = 0; b + 1 < N; ++b) {
+            if (a == b || hides(a, b) < 0) continue;
+            throw CallError(
+                fmt::format("sign {3}: {0} hides {1}, so that no {2} touches {4}; leave {1} out",
+                            names<N>[a], names<N>[b], shape, predicate<N>, touched<N>));
+        }
+    }
+}
+
+/// Adds which of them hides q, or is hidden by it.
+template <std::size_t N, class Hides>
+void explain_hidden(Answer& answer, const Hides& hides) {
+    for (std::size_t m = 0; m + 1 < N; ++m) {
+        if (hides(m, N - 1) > 0)
+            answer.words.push_back(fmt::format("hidden   {} hides q", names<N>[m]));
+        if (hides(N - 1, m) > 0)
+            answer.words.push_back(fmt::format("hidden   q hides {}", names<N>[m]));
+    }
+}
+
+// ---- in the plane ------------------------------------------------------------------------------
 
 /// What a metric with additive weights is asked. All but in_circle follow the tie rule and are
 /// never 0; `ranks` are places in its order.
@@ -110,44 +222,18 @@ Predicates predicates_in(M metric) {
     return rectangular_predicates<Directions>(metric.traits.circle);
 }
 
-/// The names of the four sites of in_circle.
-constexpr std::string_view names = "ijkq";
-
 /// `ranks` are the places of i, j, k and q in the rule's order.
 void explain_tie_on_circle(Answer& answer, std::string_view circle, std::string_view third,
                            const std::array<Index, 4>& ranks, Sign perturbed) {
     const auto last =
         static_cast<std::size_t>(std::max_element(ranks.begin(), ranks.end()) - ranks.begin());
     explain_tie(answer, fmt::format("{} of i, j and k", circle),
-                fmt::format("{}, rising x, y", third), names[last], perturbed > 0);
-}
-
-Answer decide_ccw(const SignCall& call) {
-    const std::vector<double> v = numbers_of(call, 6, "x y of each of three points");
-    Answer answer = {ccw_decision({v[0], v[1]}, {v[2], v[3]}, {v[4], v[5]}), {}, {}};
-    if (answer.decision.sign == 0) {
-        answer.words.emplace_back("tie      the points lie on a line; ccw has no tie rule");
-    }
-    explain_stage(answer);
-    return answer;
-}
-
-/// i, j, k and q.
-template <class S>
-using Sites = std::array<S, 4>;
-
-template <class S>
-Sites<S> sites_of(const SignCall& call) {
-    const std::vector<double> v =
-        numbers_of(call, 12, "x y r of each of the sites i, j, k and of the query");
-    Sites<S> sites;
-    for (std::size_t m = 0; m < 4; ++m) sites[m] = {v[3 * m], v[3 * m + 1], v[3 * m + 2]};
-    return sites;
+                fmt::format("{}, rising x, y", third), names<4>[last], perturbed > 0);
 }
 
 template <class S>
 Answer decide_in_power(const SignCall& call) {
-    const auto sites = sites_of<S>(call);
+    const auto sites = sites_of<S, 4>(call);
     const auto& [i, j, k, q] = sites;
     const Sign turn = ccw_decision(i, j, k).sign;
     if (turn < 0) {
@@ -177,17 +263,8 @@ Answer decide_in_power(const SignCall& call) {
 }
 
 /// Throws CallError where nothing touches i, j and k counterclockwise, and says why.
-void check_existence(const Predicates& metric, const Sites<Site>& sites,
+void check_existence(const Predicates& metric, const std::array<Site, 4>& sites,
                      const std::array<Index, 4>& ranks) {
-    for (std::size_t a = 0; a < 3; ++a) {
-        for (std::size_t b = 0; b < 3; ++b) {
-            if (a == b || metric.hides(sites[a], sites[b], {ranks[a], ranks[b]}).sign < 0) continue;
-            throw CallError(
-                fmt::format("sign in_circle: {0} hides {1}, so that no {2} touches i, j and k; "
-                            "leave {1} out",
-                            names[a], names[b], metric.circle));
-        }
-    }
     const auto& [i, j, k, q] = sites;
     const Decision forth = metric.exists(i, j, k, {ranks[0], ranks[1], ranks[2]});
     if (forth.sign > 0) return;
@@ -200,17 +277,16 @@ void check_existence(const Predicates& metric, const Sites<Site>& sites,
 }
 
 Answer decide_additively(const SignCall& call, const Predicates& metric) {
-    const auto sites = sites_of<Site>(call);
+    const auto sites = sites_of<Site, 4>(call);
     const auto& [i, j, k, q] = sites;
     const auto ranks = additive::ranks_of<4>({&i, &j, &k, &q});
+    const auto hides = [&](std::size_t a, std::size_t b) {
+        return metric.hides(sites[a], sites[b], {ranks[a], ranks[b]}).sign;
+    };
+    refuse_hidden<4>(hides, metric.circle);
     check_existence(metric, sites, ranks);
     Answer answer = {metric.in_circle(i, j, k, q, ranks), {}, {}};
-    for (std::size_t m = 0; m < 3; ++m) {
-        if (metric.hides(sites[m], q, {ranks[m], ranks[3]}).sign > 0)
-            answer.words.push_back(fmt::format("hidden   {} hides q", names[m]));
-        if (metric.hides(q, sites[m], {ranks[3], ranks[m]}).sign > 0)
-            answer.words.push_back(fmt::format("hidden   q hides {}", names[m]));
-    }
+    explain_hidden<4>(answer, hides);
     if (answer.decision.sign == 0) {
         explain_tie_on_circle(answer, metric.circle, "radius", ranks,
                               metric.in_circle_perturbed(i, j, k, q, ranks).sign);
@@ -219,16 +295,191 @@ Answer decide_additively(const SignCall& call, const Predicates& metric) {
     return answer;
 }
 
+// ---- in space ----------------------------------------------------------------------------------
+
+template <class S>
+Answer decide_in_sphere_of(const SignCall& call) {
+    const auto sites = sites_of<S, 5>(call);
+    const auto& [i, j, k, l, q] = sites;
+    const Sign turn = ccw_decision(i, j, k, l).sign;
+    if (turn < 0) {
+        throw CallError(
+            "sign in_sphere: i, j, k, l must turn positively, as sign ccw --dimension 3 says, and "
+            "turn negatively; exchange two of them");
+    }
+    if (turn == 0) {
+        throw CallError(
+            "sign in_sphere: i, j, k, l must turn positively and lie in a plane: no sphere touches "
+            "them; give four centres that do not");
+    }
+    Answer answer = {power::in_sphere_decision(i, j, k, l, q), {}, {}};
+    if (answer.decision.sign == 0) {
+        constexpr std::array<Index, 5> indices = {0, 1, 2, 3, 4};
+        const auto last = std::ranges::max_element(indices, [&](Index a, Index b) {
+            return power::precedes(sites[static_cast<std::size_t>(a)], a,
+                                   sites[static_cast<std::size_t>(b)], b);
+        });
+        explain_tie(answer, "sphere of i, j, k and l", "weight, rising x, y, z",
+                    names<5>[static_cast<std::size_t>(last - indices.begin())],
+                    power::in_sphere_tie(sites, indices) > 0);
+    }
+    explain_stage(answer);
+    return answer;
+}
+
+/// Throws CallError where the call says which sphere is meant, and need not.
+void refuse_number(const SignCall& call, std::string_view spheres) {
+    if (!call.sphere) return;
+    throw CallError(fmt::format("--sphere: in the {} metric four sites have {}; leave it out",
+                                call.metric, spheres));
+}
+
+Answer decide_in_sphere(const SignCall& call, Power) {
+    refuse_number(call, "one sphere");
+    return call.weight_is == name_of(WeightIs::weight) ? decide_in_sphere_of<power::Site3>(call)
+                                                       : decide_in_sphere_of<Site3>(call);
+}
+
+using Sites3 = std::array<Site3, 5>;
+using Hides = Decision (*)(const Site3& i, const Site3& q) noexcept;
+
+/// Whether one of the sites, by their places, hides another one.
+auto hiding(const Sites3& sites, Hides hides) {
+    return [&sites, hides](std::size_t a, std::size_t b) { return hides(sites[a], sites[b]).sign; };
+}
+
+/// The answer of a metric with additive weights, which has no tie rule in space.
+Answer explained(const Decision& decision, const Sites3& sites, Hides hides,
+                 std::string_view shape) {
+    Answer answer = {decision, {}, {}};
+    explain_hidden<5>(answer, hiding(sites, hides));
+    if (decision.sign == 0) {
+        answer.words.push_back(fmt::format(
+            "tie      q touches the {} of i, j, k and l; the metric has no tie rule in space",
+            shape));
+    }
+    explain_stage(answer);
+    return answer;
+}
+
+/// Throws CallError where no sphere touches i, j, k and l with points of contact that turn
+/// positively, and says why.
+void check_sphere_exists(const Sites3& sites) {
+    const auto& [i, j, k, l, q] = sites;
+    if (euclidean::exists(i, j, k, l)) return;
+    refuse_hidden<5>(hiding(sites, euclidean::hides_decision), "sphere");
+    throw CallError(
+        fmt::format("sign in_sphere: no sphere touches i, j, k and l in points that turn "
+                    "positively; {}",
+                    euclidean::exists(j, i, k, l)
+                        ? "one touches them in points that turn negatively: exchange two of them"
+                        : "none touches them in points that turn negatively either: give four "
+                          "other sites"));
+}
+
+Answer decide_in_sphere(const SignCall& call, Euclidean) {
+    refuse_number(call, "two spheres at most, which their order tells apart");
+    const auto sites = sites_of<Site3, 5>(call);
+    const auto& [i, j, k, l, q] = sites;
+    check_sphere_exists(sites);
+    return explained(euclidean::in_sphere_decision(i, j, k, l, q), sites, euclidean::hides_decision,
+                     "sphere");
+}
+
+/// What the spheres of a metric are called.
+struct ShapeWords {
+    std::string_view one;
+    std::string_view several;
+};
+
+/// Of several spheres, what to say for each.
+template <class M>
+std::string choices(const Sites3& sites, M metric) {
+    std::string text;
+    std::size_t number = 0;
+    for (const auto& [x, y, z, r] :
+         touching_spheres(std::span<const Site3>(sites).first(4), metric).spheres) {
+        text += fmt::format("{}--sphere {} is that around {} {} {} with radius {}",
+                            number > 0 ? ", " : "", number, x, y, z, r);
+        ++number;
+    }
+    return text;
+}
+
+/// The number of the sphere that is meant. Throws CallError where there is none.
+template <class M>
+std::uint8_t sphere_of(const SignCall& call, const rectangular::Spheres& all, const Sites3& sites,
+                       Hides hides, const ShapeWords& shape, M metric) {
+    if (all.infinitely_many) {
+        throw CallError(
+            fmt::format("sign in_sphere: infinitely many {} touch i, j, k and l; give four other "
+                        "sites",
+                        shape.several));
+    }
+    if (all.count == 0) {
+        refuse_hidden<5>(hiding(sites, hides), shape.one);
+        throw CallError(fmt::format(
+            "sign in_sphere: no {} touches i, j, k and l; give four other sites", shape.one));
+    }
+    const int number = call.sphere.value_or(0);
+    const bool is_said = call.sphere || all.count == 1;
+    if (is_said && number < all.count) return static_cast<std::uint8_t>(number);
+    if (all.count == 1) {
+        throw CallError(
+            fmt::format("--sphere {}: one {} alone touches i, j, k and l; leave --sphere out",
+                        number, shape.one));
+    }
+    throw CallError(fmt::format("{}: {} {} touch i, j, k and l; say which is meant: {}",
+                                is_said ? fmt::format("--sphere {}", number) : "sign in_sphere",
+                                int{all.count}, shape.several, choices(sites, metric)));
+}
+
+template <class Shape, class M>
+Answer decide_by_facets(const SignCall& call, M metric, const ShapeWords& shape) {
+    constexpr Hides hides = rectangular::hides_decision<Shape>;
+    const auto sites = sites_of<Site3, 5>(call);
+    const auto& [i, j, k, l, q] = sites;
+    const rectangular::Spheres all = rectangular::spheres<Shape>(i, j, k, l);
+    const std::uint8_t number = sphere_of(call, all, sites, hides, shape, metric);
+    return explained(rectangular::in_sphere_decision<Shape>(i, j, k, l, all.spheres[number], q),
+                     sites, hides, shape.one);
+}
+Answer decide_in_sphere(const SignCall& call, Supremum metric) {
+    return decide_by_facets<rectangular::Cube>(call, metric, {"cube", "cubes"});
+}
+Answer decide_in_sphere(const SignCall& call, Manhattan metric) {
+    return decide_by_facets<rectangular::Octahedron>(call, metric, {"octahedron", "octahedra"});
+}
+
+// ---- the call ----------------------------------------------------------------------------------
+
+/// Whether the call is one of space: in_sphere, and ccw with --dimension 3 or twelve numbers.
+/// Throws CallError where predicate and dimension do not fit.
+bool is_in_space(const SignCall& call) {
+    if (call.predicate == "ccw")
+        return call.dimension ? *call.dimension == 3
+                              : call.numbers.size() == numbers_of_four_points;
+    const int dimension = call.predicate == "in_sphere" ? 3 : 2;
+    if (call.dimension.value_or(dimension) != dimension) {
+        throw CallError(
+            fmt::format("sign {}: it is asked in {}; leave --dimension {} out, or ask {}",
+                        call.predicate, dimension == 3 ? "space" : "the plane", *call.dimension,
+                        dimension == 3 ? "in_circle" : "in_sphere"));
+    }
+    return dimension == 3;
+}
+
 Answer decide(const SignCall& call) {
     if (call.sphere && call.predicate != "in_sphere")
         throw CallError(fmt::format("--sphere is of in_sphere alone, and this is {}; leave it out",
                                     call.predicate));
-    if (is_in_space(call)) return decide_in_space(call);
+    const bool in_space = is_in_space(call);
     // ccw is the same in every metric.
-    if (call.predicate == "ccw") return decide_ccw(call);
+    if (call.predicate == "ccw") return decide_ccw(call, in_space);
     const Metric metric = metric_of(call.metric);
     check_weight_is(call.weight_is, metric);
     return with_metric(metric, [&]<class M>(M each) {
+        if (in_space) return decide_in_sphere(call, each);
         if constexpr (M::traits.edges_are_straight) {
             return call.weight_is == name_of(WeightIs::weight) ? decide_in_power<power::Site>(call)
                                                                : decide_in_power<Site>(call);
@@ -239,22 +490,17 @@ Answer decide(const SignCall& call) {
 }
 
 /// The sign and the stage to standard output, words about them to standard error.
-void print(const Answer& answer, bool json) {
-    DescriptorStream out(1, "standard output");
+void print_answer(const Answer& answer, bool json) {
     const auto& [decision, tie, words] = answer;
-    if (!json) {
-        out << fmt::format("{} {}\n", decision.sign, name_of(decision.stage));
-        out.flush();
-        for (const std::string& line : words) std::fprintf(stderr, "%s\n", line.c_str());
-        return;
+    if (json) {
+        return print(fmt::format(
+            "{{\"sign\": {}, \"stage\": \"{}\"{}}}\n", decision.sign, name_of(decision.stage),
+            tie ? fmt::format(", \"tie\": {{\"last\": \"{}\", \"conflict\": {}}}", tie->last,
+                              tie->conflict)
+                : ""));
     }
-    out << fmt::format("{{\"sign\": {}, \"stage\": \"{}\"", decision.sign, name_of(decision.stage));
-    if (tie) {
-        out << fmt::format(", \"tie\": {{\"last\": \"{}\", \"conflict\": {}}}", tie->last,
-                           tie->conflict);
-    }
-    out << "}\n";
-    out.flush();
+    print(fmt::format("{} {}\n", decision.sign, name_of(decision.stage)));
+    for (const std::string& line : words) std::fprintf(stderr, "%s\n", line.c_str());
 }
 
 }  // namespace
@@ -263,23 +509,21 @@ void add_sign(CLI::App& tool) {
     auto call = std::make_shared<SignCall>();
     CLI::App* command = tool.add_subcommand(
         "sign", "Prints the exact sign of a predicate, and the stage that decided it");
-    command
-        ->add_option("PREDICATE", call->predicate,
-                     "ccw        three points turn left (1), right (-1)\n"
-                     "           or lie on a line (0)\n"
-                     "           in space: the fourth lies on the side from\n"
-                     "           which the others turn counterclockwise (1)\n"
-                     "in_circle  the last site is inside (1), outside (-1)\n"
-                     "           or on (0) the circle (diamond, square) that\n"
-                     "           touches the others counterclockwise\n"
-                     "in_sphere  the same of a sphere in space that touches\n"
-                     "           four others, in the power metric centres\n"
-                     "           that turn positively, in the Euclidean one\n"
-                     "           in points that do; in the supremum and the\n"
-                     "           Manhattan metric of a cube or an octahedron")
-        ->required()
-        ->transform(one_of({"ccw", "in_circle", "in_sphere"}))
-        ->type_name("");
+    add_checked(*command, "PREDICATE", call->predicate, "",
+                one_of({"ccw", "in_circle", "in_sphere"}),
+                "ccw        three points turn left (1), right (-1)\n"
+                "           or lie on a line (0)\n"
+                "           in space: the fourth lies on the side from\n"
+                "           which the others turn counterclockwise (1)\n"
+                "in_circle  the last site is inside (1), outside (-1)\n"
+                "           or on (0) the circle (diamond, square) that\n"
+                "           touches the others counterclockwise\n"
+                "in_sphere  the same of a sphere in space that touches\n"
+                "           four others, in the power metric centres\n"
+                "           that turn positively, in the Euclidean one\n"
+                "           in points that do; in the supremum and the\n"
+                "           Manhattan metric of a cube or an octahedron")
+        ->required();
     command
         ->add_option("NUMBER", call->numbers,
                      "After --: x y of each point for ccw, in space x y z;\n"
@@ -316,7 +560,7 @@ void add_sign(CLI::App& tool) {
         "  signum sign in_sphere --metric power -- 0 0 0 1  1 0 0 1  0 1 0 1  0 0 1 1  1 1 1 1\n"
         "  signum sign in_sphere -- 0 0 0 1  4 0 0 1  0 4 0 1  0 0 4 0.5  1 1 1 0\n"
         "  signum sign in_sphere --metric supremum -- 0 0 0 1  6 1 2 1  1 7 3 1  2 3 8 1  4 4 4 0");
-    command->callback([call] { print(decide(*call), call->json); });
+    command->callback([call] { print_answer(decide(*call), call->json); });
 }
 
 }  // namespace signum::cli

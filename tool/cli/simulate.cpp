@@ -21,7 +21,6 @@
 #include "commands.hpp"
 #include "interrupt.hpp"
 #include "outputs.hpp"
-#include "simulate_call.hpp"
 #include "simulate_run.hpp"
 #include "sites_call.hpp"
 
@@ -182,10 +181,7 @@ void simulate_scene(const SimulateCall& call) {
                 const SimulateCall whole = completed(call, scene);
                 if (call.explain) {
                     check_simulation<D>(whole, {scene.start, scene.effects});
-                    DescriptorStream out(1, "standard output");
-                    out << whole.scene.explanation;
-                    out.flush();
-                    return;
+                    return print(whole.scene.explanation);
                 }
                 for (const std::string& note : scene.notes) say("{}\n", note);
                 run_simulation<D>(whole, {scene.start, scene.effects});
@@ -251,77 +247,49 @@ void add_simulate(CLI::App& tool) {
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->allow_extra_args(false);
-    command->add_option("--until", call->until, "The time to stop at; strikes then are included")
-        ->check(number_from(0.0, 1e150))
-        ->type_name("T");
-    command->add_option("--events", call->events, "Stop after so many strikes")
-        ->check(whole_number())
-        ->type_name("N");
-    command
-        ->add_option("--box", call->box,
-                     "Walls: the lower corner, then the upper one;\nX0 Y0 Z0 X1 Y1 Z1 in space. A "
-                     "movie without it\nshows the place where the balls are at the start")
-        ->check(finite_number())
-        ->type_name("X0 Y0 [Z0] X1 Y1 [Z1]")
+    add_checked(*command, "--until", call->until, "T", number_from(0.0, 1e150),
+                "The time to stop at; strikes then are included");
+    add_checked(*command, "--events", call->events, "N", whole_number(),
+                "Stop after so many strikes");
+    add_checked(*command, "--box", call->box, "X0 Y0 [Z0] X1 Y1 [Z1]", finite_number(),
+                "Walls: the lower corner, then the upper one;\nX0 Y0 Z0 X1 Y1 Z1 in space. A "
+                "movie without it\nshows the place where the balls are at the start")
         ->option_text("X0 Y0 X1 Y1")
         ->expected(4, 6);
     command->add_flag("--periodic", call->periodic,
                       "No walls: who leaves the box comes in on the other\nside");
-    command->add_option("--gravity", call->gravity, "The acceleration of all balls")
-        ->check(finite_number())
-        ->type_name("GX GY [GZ]")
+    add_checked(*command, "--gravity", call->gravity, "GX GY [GZ]", finite_number(),
+                "The acceleration of all balls")
         ->option_text("GX GY [GZ]")
         ->expected(2, 3);
-    command
-        ->add_option("--restitution", call->restitution,
-                     "The ratio of speeds after and before a strike; 1,\nelastic, without it")
-        ->check(number_from(0.0, 1.0))
-        ->type_name("E");
-    command
-        ->add_option("--wall-restitution", call->wall_restitution,
-                     "The same against walls; that of balls without it")
-        ->check(number_from(0.0, 1.0))
-        ->type_name("E");
-    command
-        ->add_option("--structure", call->structure,
-                     fmt::format("What proposes the pairs; the log is the same: {},\n{};\nthe "
-                                 "last one in the plane alone",
-                                 structures.front(),
-                                 fmt::join(structures.begin() + 1, structures.end(), ", ")))
-        ->transform(one_of(structures))
-        ->type_name("NAME")
+    add_checked(*command, "--restitution", call->restitution, "E", number_from(0.0, 1.0),
+                "The ratio of speeds after and before a strike; 1,\nelastic, without it");
+    add_checked(*command, "--wall-restitution", call->wall_restitution, "E", number_from(0.0, 1.0),
+                "The same against walls; that of balls without it");
+    add_checked(
+        *command, "--structure", call->structure, "NAME", one_of(structures),
+        fmt::format("What proposes the pairs; the log is the same: {},\n{};\nthe "
+                    "last one in the plane alone",
+                    structures.front(), fmt::join(structures.begin() + 1, structures.end(), ", ")))
         ->default_str("auto");
-    command
-        ->add_option("--arithmetic", call->arithmetic,
-                     "exact, or naive: plain doubles, for comparison")
-        ->transform(one_of({"exact", "naive"}))
-        ->type_name("NAME")
+    add_checked(*command, "--arithmetic", call->arithmetic, "NAME", one_of({"exact", "naive"}),
+                "exact, or naive: plain doubles, for comparison")
         ->default_str("exact");
     add_outputs(*command, *call, simulate_formats, "without it the log goes to standard output");
-    command
-        ->add_option("--every", call->every, "The time between frames; a hundredth of all without")
-        ->check(number_from(std::numeric_limits<double>::min(), 1e150))
-        ->type_name("DT");
-    command
-        ->add_option(
-            "--show", call->show,
-            "In a movie of the plane. structure: what proposes the\npairs, and whom each ball "
-            "expects to strike next;\ncells: those of the power diagram, and who has become\na "
-            "neighbour of whom")
-        ->transform(one_of({"structure", "cells"}))
-        ->type_name("WHAT");
-    command
-        ->add_option("--closest", call->closest,
-                     "Where the list of closest pairs goes: CSV, a line from\n"
-                     "each time on at which another pair is the closest one")
-        ->check(name_of_file())
-        ->type_name("LIST");
-    command->add_option("--save", call->save, "Where the state at the end goes")
-        ->check(name_of_file())
-        ->type_name("STATE");
-    command->add_option("--resume", call->resume, "Goes on from a state, instead of FILE")
-        ->check(name_of_file())
-        ->type_name("STATE");
+    add_checked(*command, "--every", call->every, "DT",
+                number_from(std::numeric_limits<double>::min(), 1e150),
+                "The time between frames; a hundredth of all without");
+    add_checked(*command, "--show", call->show, "WHAT", one_of({"structure", "cells"}),
+                "In a movie of the plane. structure: what proposes the\npairs, and whom each ball "
+                "expects to strike next;\ncells: those of the power diagram, and who has become\na "
+                "neighbour of whom");
+    add_checked(*command, "--closest", call->closest, "LIST", name_of_file(),
+                "Where the list of closest pairs goes: CSV, a line from\n"
+                "each time on at which another pair is the closest one");
+    add_checked(*command, "--save", call->save, "STATE", name_of_file(),
+                "Where the state at the end goes");
+    add_checked(*command, "--resume", call->resume, "STATE", name_of_file(),
+                "Goes on from a state, instead of FILE");
     command->add_flag("--explain", call->explain,
                       "Says what a scene computes and what it leaves out, and\ndoes not run it");
     command->add_flag("--stats", call->statistics,

@@ -266,9 +266,7 @@ void run_simulation(const SimulateCall& call, const MotionState<D>& start) {
         if (log_is_there) {
             std::fputs(statistics_of(summary).c_str(), stderr);
         } else {
-            DescriptorStream out(1, "standard output");
-            out << statistics_of(summary);
-            out.flush();
+            print(statistics_of(summary));
         }
     }
     if (outcome->ending == motion::Ending::collapse) {

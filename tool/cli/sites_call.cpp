@@ -1,6 +1,7 @@
 #include "sites_call.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
@@ -62,7 +63,7 @@ void add_read_as(CLI::App& command, std::string& read_as) {
             holds.insert(at + 1, "      ");
         help += fmt::format("\n{:<6}{}", kind.name, holds);
     }
-    command.add_option("--read-as", read_as, help)->transform(one_of(names))->type_name("NAME");
+    add_checked(command, "--read-as", read_as, "NAME", one_of(names), help);
 }
 
 CLI::Validator name_of_arithmetic() {
@@ -161,38 +162,67 @@ void check_reach(const std::string& path, const SitesFile& file, const std::stri
                      "single, or write smaller numbers");
 }
 
-std::string words_of_failed_check(const Validation& result) {
-    return fmt::format("--check: {}: {}; nothing is written, without --check it would be",
-                       result.valid ? "valid, not canonical" : "not valid", result.message);
+namespace {
+
+/// What `build` makes of the options of a call.
+template <class Build>
+auto built(const SitesCall& call, const Build& build) {
+    Options options;
+    options.arithmetic = arithmetic_of(call.arithmetic);
+    options.seed = call.seed;
+    return with_progress(call.quiet, [&](const std::function<void(double)>& show) {
+        options.progress = show;
+        try {
+            return build(options);
+        } catch (const BrokenStructure& error) {
+            throw CheckFailure(fmt::format(
+                "the structure broke, because {} arithmetic rounds its signs: {}; nothing is "
+                "written, --arithmetic exact cannot break",
+                call.arithmetic, error.what()));
+        } catch (const std::invalid_argument& error) {
+            throw CallError(error.what());
+        }
+    });
 }
 
-std::string broken_words(const std::string& arithmetic, const BrokenStructure& error) {
-    return fmt::format(
-        "the structure broke, because {} arithmetic rounds its signs: {}; nothing is written, "
-        "--arithmetic exact cannot break",
-        arithmetic, error.what());
-}
+}  // namespace
 
 Tessellation construct(const SitesCall& call, const InputSites& sites, Method method) {
     check_reach(call.input, sites.file, call.arithmetic);
-    std::optional<Progress> progress;
-    Options options;
-    options.arithmetic = arithmetic_of(call.arithmetic);
-    options.method = method;
-    options.seed = call.seed;
-    options.count = call.statistics;
-    if (!call.quiet) {
-        progress.emplace();
-        options.progress = [&progress](double share) { progress->show(share); };
-    }
-    try {
+    return built(call, [&](Options& options) {
+        options.method = method;
+        options.count = call.statistics;
         return triangulate(strided_view(sites.file.sites, sites.third), metric_of(call.metric),
                            options);
-    } catch (const BrokenStructure& error) {
-        throw CheckFailure(broken_words(call.arithmetic, error));
-    } catch (const std::invalid_argument& error) {
-        throw CallError(error.what());
-    }
+    });
+}
+
+SpaceTessellation construct_in_space(const SitesCall& call, const InputSites& sites) {
+    return built(call, [&](const Options& options) {
+        return with_sites_in_space(
+            sites, [&](auto those) { return triangulate(those, Power{}, options); });
+    });
+}
+
+void refuse_option(const SitesCall& call, std::string_view option, std::string_view what,
+                   std::string_view has) {
+    throw CallError(fmt::format("{}: {}, as those of {} are, {}; leave {} out", option, what,
+                                call.input, has, option.substr(0, option.find(' '))));
+}
+
+void check_arithmetic_in_space(const SitesCall& call, std::string_view option,
+                               const std::string& arithmetic) {
+    const Arithmetic asked = arithmetic_of(arithmetic);
+    if (asked == Arithmetic::exact || asked == Arithmetic::naive) return;
+    throw CallError(
+        fmt::format("{} {}: sites in space, as those of {} are, have the arithmetics exact and "
+                    "naive alone; leave {} out, or name one of them",
+                    option, arithmetic, call.input, option));
+}
+
+void say_sites_in_space(std::int64_t sites, WeightIs third) {
+    say("sites    {}, in space{}\n", sites,
+        third == WeightIs::weight ? ", the fourth number a weight" : "");
 }
 
 }  // namespace signum::cli

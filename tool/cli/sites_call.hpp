@@ -5,15 +5,17 @@
 #include <cstdint>
 #include <cstdio>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "../../triangulation/space/triangulate.hpp"
 #include "../../triangulation/triangulate.hpp"
-#include "../../triangulation/validate.hpp"
 #include "../io/read_sites.hpp"
 
 namespace signum::cli {
@@ -78,12 +80,28 @@ void check_reach(const std::string& path, const SitesFile& file, const std::stri
 /// structure.
 Tessellation construct(const SitesCall& call, const InputSites& sites,
                        Method method = Method::incremental);
+/// The same of sites in space.
+SpaceTessellation construct_in_space(const SitesCall& call, const InputSites& sites);
 
-/// What to say where the result of --check is not what it must be.
-std::string words_of_failed_check(const Validation& result);
+/// What `call` makes of sites in space: of balls, or of sites that carry a weight.
+template <class Call>
+auto with_sites_in_space(const InputSites& sites, const Call& call) {
+    const std::vector<Site3>& balls = sites.file.in_space;
+    if (sites.third == WeightIs::radius) return call(std::span<const Site3>(balls));
+    std::vector<power::Site3> weighted;
+    weighted.reserve(balls.size());
+    for (const auto& [x, y, z, w] : balls) weighted.push_back({x, y, z, w});
+    return call(std::span<const power::Site3>(weighted));
+}
 
-/// What to say where rounded signs broke the structure, so that nothing is written.
-std::string broken_words(const std::string& arithmetic, const BrokenStructure& error);
+/// Throws CallError for an option that `what`, such as "sites in space", does not heed, for it
+/// `has` something else: "have no arcs". Of an option with its value, the message leaves out both.
+[[noreturn]] void refuse_option(const SitesCall& call, std::string_view option,
+                                std::string_view what, std::string_view has);
+
+/// Throws CallError for an arithmetic that space has not, given to `option`.
+void check_arithmetic_in_space(const SitesCall& call, std::string_view option,
+                               const std::string& arithmetic);
 
 /// A line of a summary, to standard error. Nobody loses a result because nobody reads its summary:
 /// failures to write are ignored.
@@ -91,5 +109,8 @@ template <typename... Arguments>
 void say(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
     std::fputs(fmt::format(format, std::forward<Arguments>(arguments)...).c_str(), stderr);
 }
+
+/// The line of a summary that says how many sites in space there are.
+void say_sites_in_space(std::int64_t sites, WeightIs third);
 
 }  // namespace signum::cli

@@ -321,12 +321,9 @@ void add_study(CLI::App& tool) {
         "study", "Measures what accuracy costs, and what goes wrong without it: a report");
     CLI::Option* motion = command->add_flag("--motion", call->motion,
                                             "Of balls that move: structures, accuracy, time steps");
-    command
-        ->add_option("--dimension", call->dimension,
-                     "2: of sites in the plane; 3: in space, in the power\nmetric")
-        ->check(one_of({"2", "3"}))
+    add_checked(*command, "--dimension", call->dimension, "2|3", one_of({"2", "3"}),
+                "2: of sites in the plane; 3: in space, in the power\nmetric")
         ->excludes(motion)
-        ->type_name("2|3")
         ->capture_default_str();
     command
         ->add_option("-o,--output", call->directory,
@@ -334,19 +331,15 @@ void add_study(CLI::App& tool) {
         ->type_name("DIR")
         ->capture_default_str();
     command->add_flag("--quick", call->quick, "Every figure with fewer points: minutes");
-    command->add_option("--metric", call->metrics, "These metrics alone; all without it")
-        ->transform(name_of_metric())
-        ->excludes(motion)
-        ->type_name("NAME ...");
+    add_checked(*command, "--metric", call->metrics, "NAME ...", name_of_metric(),
+                "These metrics alone; all without it")
+        ->excludes(motion);
     command
         ->add_option("--sites", call->sites,
                      "Leaves out experiments on fewer or more sites, or\nballs")
         ->type_name("A:B");
-    command
-        ->add_option("--seconds", call->seconds,
-                     "Begins nothing new after so long; the same\ncommand goes on later")
-        ->check(number_from(0.0, 1e9))
-        ->type_name("N");
+    add_checked(*command, "--seconds", call->seconds, "N", number_from(0.0, 1e9),
+                "Begins nothing new after so long; the same\ncommand goes on later");
     command->add_flag("--fresh", call->fresh, "Throws away the results that DIR holds");
     command->add_flag("--no-report", call->no_report, "Numbers alone; the report needs gnuplot");
     command->add_flag("--quiet", call->quiet, "No summary and no progress on standard error");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <iterator>
 #include <memory>
 #include <optional>
@@ -12,26 +13,31 @@
 
 #include <fmt/format.h>
 
+#include "../../triangulation/space/triangulate.hpp"
+#include "../../triangulation/space/vertices.hpp"
 #include "../../triangulation/triangulate.hpp"
 #include "../../triangulation/validate.hpp"
 #include "../draw/svg.hpp"
-#include "../io/write_csv.hpp"
-#include "../io/write_json.hpp"
-#include "../io/write_nodes.hpp"
-#include "../io/write_obj.hpp"
-#include "../io/write_ply.hpp"
-#include "../io/write_vtk.hpp"
+#include "../io/write_sites.hpp"
+#include "../io/write_tessellation.hpp"
 
 #include "clip.hpp"
 #include "commands.hpp"
 #include "formats.hpp"
 #include "outputs.hpp"
 #include "progress.hpp"
-#include "triangulate_call.hpp"
-#include "triangulate_space.hpp"
+#include "sites_call.hpp"
 
 namespace signum::cli {
 namespace {
+
+/// The call as it was typed.
+struct TriangulateCall : SitesCall, OutputsCall {
+    std::string method = "incremental";
+    std::vector<double> clip;
+    bool vertices = false;
+    bool check = false;
+};
 
 Method method_of(const std::string& name, Metric metric) {
     const Method method =
@@ -66,21 +72,49 @@ std::vector<Edge> flipped_edges(const Tessellation& tessellation) {
     return flipped;
 }
 
-void summarize(const Tessellation& tessellation, std::span<const Target> targets) {
-    const auto faces = tessellation.faces();
-    const std::size_t sites = tessellation.sites().size();
-    const std::size_t hidden = tessellation.hidden().size();
-    const auto infinite_faces = std::count_if(faces.begin(), faces.end(),
-                                              [](const Face& face) { return face[0] == infinite; });
-    const bool weighted = tessellation.weight_is() == WeightIs::weight;
-    say("sites    {}{}\n", sites, weighted ? ", the third number a weight" : "");
+/// Throws where a tessellation that was judged from scratch is not what it must be: an exact one
+/// must be the canonical one, too.
+Validation checked(const TriangulateCall& call, Validation result) {
+    if (result.valid && (result.canonical || !is_exact(arithmetic_of(call.arithmetic))))
+        return result;
+    throw CheckFailure(
+        fmt::format("--check: {}: {}; nothing is written, without --check it would be",
+                    result.valid ? "valid, not canonical" : "not valid", result.message));
+}
+
+/// `cells` are faces or, in space, cells; `kind` is what they are called, as wide as other lines.
+template <class Cells>
+void say_counts(std::size_t sites, std::size_t hidden, std::string_view kind, const Cells& cells) {
     say("visible  {}\n", sites - hidden);
     say("hidden   {}\n", hidden);
-    say("faces    {}, {} of them infinite\n", faces.size(), infinite_faces);
-    if (tessellation.statistics().flips > 0) say("flips    {}\n", tessellation.statistics().flips);
-    if (tessellation.statistics().events > 0)
-        say("events   {}\n", tessellation.statistics().events);
-    say("seconds  {:.3g}\n", tessellation.statistics().seconds);
+    say("{}    {}, {} of them infinite\n", kind, cells.size(),
+        std::ranges::count_if(cells, [](const auto& each) { return each[0] == infinite; }));
+}
+
+void say_check(const std::optional<Validation>& checked) {
+    if (checked) say("check    valid, {}canonical\n", checked->canonical ? "" : "not ");
+}
+
+void summarize(const Tessellation& tessellation, std::span<const Target> targets) {
+    const Statistics& statistics = tessellation.statistics();
+    const std::size_t sites = tessellation.sites().size();
+    const bool weighted = tessellation.weight_is() == WeightIs::weight;
+    say("sites    {}{}\n", sites, weighted ? ", the third number a weight" : "");
+    say_counts(sites, tessellation.hidden().size(), "faces", tessellation.faces());
+    if (statistics.flips > 0) say("flips    {}\n", statistics.flips);
+    if (statistics.events > 0) say("events   {}\n", statistics.events);
+    say("seconds  {:.3g}\n", statistics.seconds);
+    say("{}", written(targets));
+}
+
+void summarize(const SpaceTessellation& tessellation, double seconds, WeightIs third,
+               std::span<const Target> targets) {
+    say_sites_in_space(tessellation.sites, third);
+    constexpr std::string_view spans[] = {"in one place", "on a line", "in a plane"};
+    if (tessellation.dimension < 3) say("flat     all lie {}\n", spans[tessellation.dimension]);
+    say_counts(static_cast<std::size_t>(tessellation.sites), tessellation.hidden.size(), "cells",
+               tessellation.cells);
+    say("seconds  {:.3g}\n", seconds);
     say("{}", written(targets));
 }
 
@@ -92,15 +126,57 @@ void summarize_statistics(const Statistics& s) {
     say("ties     {}, decided by the tie rule\n", s.ties);
 }
 
-/// Judges the tessellation from scratch. An exact one must be the canonical one, too.
-Validation check(const TriangulateCall& call, const Tessellation& tessellation) {
-    const Validation result = validate_with_progress(
-        tessellation.arrays(), strided_view(tessellation.sites(), tessellation.weight_is()),
-        call.quiet);
-    if (!result.valid || (!result.canonical && is_exact(arithmetic_of(call.arithmetic)))) {
-        throw CheckFailure(words_of_failed_check(result));
+/// Options that are heeded in the plane alone.
+void refuse_options_of_the_plane(const TriangulateCall& call) {
+    constexpr std::string_view what = "sites in space";
+    if (call.method != name_of(Method::incremental))
+        refuse_option(call, "--method " + call.method, what, "have the method incremental alone");
+    check_arithmetic_in_space(call, "--arithmetic", call.arithmetic);
+    if (!call.clip.empty())
+        refuse_option(call, "--clip", what, "have pictures of all of them alone");
+}
+
+void triangulate_in_space(const TriangulateCall& call, const InputSites& sites,
+                          std::span<const Target> targets) {
+    using Clock = std::chrono::steady_clock;
+    refuse_options_of_the_plane(call);
+    require_formats_of(Dimension::three, targets, triangulate_formats, call.input);
+    const Outputs outputs(targets);
+    const Clock::time_point start = Clock::now();
+    const SpaceTessellation tessellation = construct_in_space(call, sites);
+    Statistics statistics;  // of the time alone: nothing is counted
+    statistics.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    const std::vector<Site3>& balls = sites.file.in_space;
+    std::vector<SpaceVertex> diagram;
+    if (call.vertices) {
+        diagram =
+            with_sites_in_space(sites, [&](auto those) { return vertices(tessellation, those); });
     }
-    return result;
+    // Before anything is written: what fails its check is not left under the name asked for.
+    std::optional<Validation> validation;
+    if (call.check) {
+        validation = checked(call, with_sites_in_space(sites, [&](auto those) {
+                                 return validate_with_progress(tessellation, those, call.quiet);
+                             }));
+    }
+    const auto grid = [&] { return vtk_grid(tessellation, balls, sites.third); };
+    outputs.write(
+        {{"svg", [&](std::ostream& out) { write_svg(out, tessellation, balls, sites.third); }},
+         {"csv", [&](std::ostream& out) { write_csv(out, tessellation); }},
+         {"obj", [&](std::ostream& out) { write_obj(out, tessellation, balls); }},
+         {"vtk", [&](std::ostream& out) { write_vtk(out, grid()); }},
+         {"vtu", [&](std::ostream& out) { write_vtu(out, grid()); }},
+         {"ply", [&](std::ostream& out) { write_ply(out, balls, sites.third); }},
+         {"node", [&](std::ostream& out) { write_node(out, balls); }},
+         {"ele", [&](std::ostream& out) { write_ele(out, tessellation); }},
+         {"neigh", [&](std::ostream& out) { write_neigh(out, tessellation); }},
+         {"json", [&](std::ostream& out) {
+              write_json(out, tessellation, metric_of(call.metric), sites.third,
+                         call.statistics ? std::optional(statistics) : std::nullopt, diagram);
+          }}});
+    if (call.quiet) return;
+    summarize(tessellation, statistics.seconds, sites.third, targets);
+    say_check(validation);
 }
 
 void run(const TriangulateCall& call) {
@@ -120,8 +196,13 @@ void run(const TriangulateCall& call) {
     const Tessellation tessellation = construct(call, sites, method);
     if (clip) require_fit(*clip, Voronoi(tessellation));
     // Before anything is written: what fails its check is not left under the name asked for.
-    std::optional<Validation> checked;
-    if (call.check) checked = check(call, tessellation);
+    std::optional<Validation> validation;
+    if (call.check) {
+        validation = checked(
+            call, validate_with_progress(
+                      tessellation.arrays(),
+                      strided_view(tessellation.sites(), tessellation.weight_is()), call.quiet));
+    }
     outputs.write({{"svg",
                     [&](std::ostream& out) {
                         const std::vector<Edge> flipped = method == Method::flips
@@ -140,12 +221,11 @@ void run(const TriangulateCall& call) {
                    {"json", [&](std::ostream& out) {
                         write_json(out, tessellation, {call.vertices, call.statistics});
                     }}});
-    if (!call.quiet) {
-        summarize(tessellation, targets);
-        hint_at_space(call, sites.file, tessellation.hidden().size());
-        if (call.statistics) summarize_statistics(tessellation.statistics());
-        if (checked) say("check    valid, {}canonical\n", checked->canonical ? "" : "not ");
-    }
+    if (call.quiet) return;
+    summarize(tessellation, targets);
+    hint_at_space(call, sites.file, tessellation.hidden().size());
+    if (call.statistics) summarize_statistics(tessellation.statistics());
+    say_check(validation);
 }
 
 }  // namespace
@@ -155,26 +235,21 @@ void add_triangulate(CLI::App& tool) {
     CLI::App* command = tool.add_subcommand("triangulate", "Computes the tessellation of sites");
     add_sites(*command, *call);
     add_space(*command, *call);
-    command
-        ->add_option("--method", call->method,
-                     "incremental: site by site; flips: from Delaunay's\n"
-                     "triangulation, power metric only; sweep: a line\n"
-                     "over the plane, manhattan and supremum only; the\nresult is the same")
-        ->transform(one_of({"incremental", "flips", "sweep"}))
-        ->type_name("NAME")
+    add_checked(*command, "--method", call->method, "NAME",
+                one_of({"incremental", "flips", "sweep"}),
+                "incremental: site by site; flips: from Delaunay's\n"
+                "triangulation, power metric only; sweep: a line\n"
+                "over the plane, manhattan and supremum only; the\nresult is the same")
         ->capture_default_str();
-    command
-        ->add_option("--arithmetic", call->arithmetic,
-                     "What decides signs. The first four never err:\n"
-                     "exact           a filter, then ever dearer stages\n"
-                     "interval        intervals, then the exact sign of a sum\n"
-                     "sum             the exact sign of a sum alone (ESSA)\n"
-                     "multiprecision  rationals alone\n"
-                     "naive           doubles, which round\n"
-                     "single          floats, which round\n"
-                     "In space exact and naive alone.")
-        ->transform(name_of_arithmetic())
-        ->type_name("NAME")
+    add_checked(*command, "--arithmetic", call->arithmetic, "NAME", name_of_arithmetic(),
+                "What decides signs. The first four never err:\n"
+                "exact           a filter, then ever dearer stages\n"
+                "interval        intervals, then the exact sign of a sum\n"
+                "sum             the exact sign of a sum alone (ESSA)\n"
+                "multiprecision  rationals alone\n"
+                "naive           doubles, which round\n"
+                "single          floats, which round\n"
+                "In space exact and naive alone.")
         ->capture_default_str();
     add_outputs(*command, *call, triangulate_formats, "without it the result goes there, as JSON");
     add_clip(*command, call->clip,

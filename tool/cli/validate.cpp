@@ -4,12 +4,12 @@
 
 #include <fmt/format.h>
 
-#include "../io/output_file.hpp"
 #include "../io/read_tessellation.hpp"
 
 #include "commands.hpp"
+#include "outputs.hpp"
 #include "progress.hpp"
-#include "space_sites.hpp"
+#include "sites_call.hpp"
 
 namespace signum::cli {
 namespace {
@@ -32,7 +32,9 @@ Validation judged_in_space(const ValidateCall& call, const ReadTessellation& rea
     const InputSites sites = {
         read_sites_by_columns(call.sites, call.columns, 3, input_of(call.sites, call.read_as)),
         read.arrays.weight_is};
-    return validate_in_space(*read.in_space, sites, call.quiet);
+    return with_sites_in_space(sites, [&](auto those) {
+        return validate_with_progress(*read.in_space, those, call.quiet);
+    });
 }
 
 Validation judged_in_plane(const ValidateCall& call, const TessellationArrays& arrays) {
@@ -56,15 +58,9 @@ void run(const ValidateCall& call) {
     if (!read.note.empty()) say("signum: {}\n", read.note);
     const Validation result =
         read.in_space ? judged_in_space(call, read) : judged_in_plane(call, read.arrays);
-    DescriptorStream out(1, "standard output");
-    if (!result.valid) {
-        out << fmt::format("not valid: {}\n", result.message);
-    } else if (!result.canonical) {
-        out << fmt::format("valid, not canonical: {}\n", result.message);
-    } else {
-        out << "valid, canonical\n";
-    }
-    out.flush();
+    print(!result.valid       ? fmt::format("not valid: {}\n", result.message)
+          : !result.canonical ? fmt::format("valid, not canonical: {}\n", result.message)
+                              : "valid, canonical\n");
     if (!result.valid) {
         throw CheckFailure(
             fmt::format("{} is not a valid tessellation of {}", call.tessellation, call.sites));

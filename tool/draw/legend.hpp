@@ -1,7 +1,7 @@
 #pragma once
 /// The legend below a picture: samples in a row, then notes; in more rows where they do not fit.
 
-#include "outline.hpp"
+#include "shapes.hpp"
 #include "svg_text.hpp"
 
 #include <fmt/format.h>

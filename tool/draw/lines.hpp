@@ -42,4 +42,9 @@ void write_stretch(SvgText& text, const Conic& conic);
 void write_lines(SvgText& text, Legend& legend, std::string_view kind, std::string_view label,
                  std::span<const Conic> lines, const Frame& frame, std::size_t limit);
 
+/// Thinning out, what is least goes first: the size, a multiple of `step`, from which on things are
+/// drawn so that at most `limit` of them are; 0 where all are. Equal sizes stay or go together.
+/// Precondition: no size is negative.
+[[nodiscard]] double smallest_drawn(std::span<const double> sizes, std::size_t limit, double step);
+
 }  // namespace signum

@@ -32,6 +32,16 @@ constexpr std::array<Pen, 8> pens = {
      {R"(fill="none" stroke="#666" stroke-width="1")", "#666"},
      {R"(fill="none" stroke="#d0007f" stroke-width="1.8")", "#d0007f"}}};
 
+/// An element that moves something all the time; `value_of` gives what holds in a frame.
+template <class ValueOf>
+void animate(std::ostream& out, std::string_view element, bool jumps, std::size_t frames,
+             const ValueOf& value_of) {
+    out << fmt::format("<{} dur=\"{}s\" repeatCount=\"indefinite\" calcMode=\"{}\" values=\"",
+                       element, seconds, jumps ? "discrete" : "linear");
+    for (std::size_t f = 0; f < frames; ++f) out << (f > 0 ? ";" : "") << value_of(f);
+    out << "\"/>";
+}
+
 }  // namespace
 
 Movie::Movie(std::vector<double> radii, std::array<double, 2> low, std::array<double, 2> high,
@@ -284,15 +294,13 @@ void Movie::write_walls(std::ostream& out) const {
             out << "/>\n";
             continue;
         }
-        out << fmt::format(
-            "><animateTransform attributeName=\"transform\" type=\"translate\" dur=\"{}s\" "
-            "repeatCount=\"indefinite\" calcMode=\"linear\" values=\"",
-            seconds);
-        for (std::size_t f = 0; f < times_.size(); ++f) {
-            const auto [x, y] = shift(times_[f]);
-            out << (f > 0 ? ";" : "") << fmt::format("{:.2f} {:.2f}", x, y);
-        }
-        out << (wall.points.empty() ? "\"/></circle>\n" : "\"/></path>\n");
+        out << ">";
+        animate(out, R"(animateTransform attributeName="transform" type="translate")", false,
+                times_.size(), [&](std::size_t f) {
+                    const auto [x, y] = shift(times_[f]);
+                    return fmt::format("{:.2f} {:.2f}", x, y);
+                });
+        out << (wall.points.empty() ? "</circle>\n" : "</path>\n");
     }
     out << "</g>\n";
 }
@@ -358,29 +366,17 @@ void Movie::write(std::ostream& out, const std::string& title, const Meaning& me
             copies.empty() ? "" : fmt::format(" id=\"ball{}\"", number), x_of(first.x),
             y_of(first.y), drawn_radius(number), ball_colour(number), number);
         if (frames_.size() > 1) {
-            const char* const mode = periodic_ ? "discrete" : "linear";
-            for (const bool of_x : {true, false}) {
-                out << fmt::format(
-                    "<animate attributeName=\"{}\" dur=\"{}s\" repeatCount=\"indefinite\" "
-                    "calcMode=\"{}\" values=\"",
-                    of_x ? "cx" : "cy", seconds, mode);
-                for (std::size_t f = 0; f < frames_.size(); ++f) {
-                    const Ball& ball = frames_[f][k];
-                    out << (f > 0 ? ";" : "")
-                        << fmt::format("{:.1f}", of_x ? x_of(ball.x) : y_of(ball.y));
-                }
-                out << "\"/>";
-            }
+            animate(out, R"(animate attributeName="cx")", periodic_, frames_.size(),
+                    [&](std::size_t f) { return fmt::format("{:.1f}", x_of(frames_[f][k].x)); });
+            animate(out, R"(animate attributeName="cy")", periodic_, frames_.size(),
+                    [&](std::size_t f) { return fmt::format("{:.1f}", y_of(frames_[f][k].y)); });
         }
         if (grows && growths_.size() > 1) {
-            out << fmt::format(
-                "<animate attributeName=\"r\" dur=\"{}s\" repeatCount=\"indefinite\" "
-                "calcMode=\"{}\" values=\"",
-                seconds, periodic_ ? "discrete" : "linear");
-            for (std::size_t f = 0; f < growths_.size(); ++f)
-                out << (f > 0 ? ";" : "")
-                    << fmt::format("{:.2f}", std::max(scale() * radii_[number] * growths_[f], 1.0));
-            out << "\"/>";
+            animate(out, R"(animate attributeName="r")", periodic_, growths_.size(),
+                    [&](std::size_t f) {
+                        const double radius = scale() * radii_[number] * growths_[f];
+                        return fmt::format("{:.2f}", std::max(radius, 1.0));
+                    });
         }
         out << "</circle>\n";
         for (const auto& [x, y] : copies)

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <functional>
 
+#include "lines.hpp"
 #include "paths.hpp"
-#include "thinning.hpp"
 
 namespace signum {
 namespace {

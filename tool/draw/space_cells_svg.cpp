@@ -1,4 +1,4 @@
-#include "space_cells_svg.hpp"
+#include "svg.hpp"
 
 #include <algorithm>
 #include <array>

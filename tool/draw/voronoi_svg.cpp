@@ -1,9 +1,9 @@
-#include "voronoi_svg.hpp"
 #include "document.hpp"
 #include "lines.hpp"
 #include "numbers.hpp"
 #include "shapes.hpp"
 #include "sites.hpp"
+#include "svg.hpp"
 
 #include <algorithm>
 #include <array>

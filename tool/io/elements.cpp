@@ -11,29 +11,18 @@ struct ElementRadius {
     double radius;
 };
 
-constexpr std::array bondi = std::to_array<ElementRadius>(
+/// By Bondi, then by Mantina and others, last by Alvarez.
+constexpr std::array known_radii = std::to_array<ElementRadius>(
     {{"H", 1.20},  {"D", 1.20},  {"He", 1.40}, {"Li", 1.82}, {"C", 1.70},  {"N", 1.55},
      {"O", 1.52},  {"F", 1.47},  {"Ne", 1.54}, {"Na", 2.27}, {"Mg", 1.73}, {"Si", 2.10},
      {"P", 1.80},  {"S", 1.80},  {"Cl", 1.75}, {"Ar", 1.88}, {"K", 2.75},  {"Ni", 1.63},
      {"Cu", 1.40}, {"Zn", 1.39}, {"Ga", 1.87}, {"As", 1.85}, {"Se", 1.90}, {"Br", 1.85},
      {"Kr", 2.02}, {"Pd", 1.63}, {"Ag", 1.72}, {"Cd", 1.58}, {"In", 1.93}, {"Sn", 2.17},
      {"Te", 2.06}, {"I", 1.98},  {"Xe", 2.16}, {"Pt", 1.75}, {"Au", 1.66}, {"Hg", 1.55},
-     {"Tl", 1.96}, {"Pb", 2.02}, {"U", 1.86}});
-
-constexpr std::array mantina = std::to_array<ElementRadius>({{"Be", 1.53},
-                                                             {"B", 1.92},
-                                                             {"Al", 1.84},
-                                                             {"Ca", 2.31},
-                                                             {"Ge", 2.11},
-                                                             {"Rb", 3.03},
-                                                             {"Sr", 2.49},
-                                                             {"Sb", 2.06},
-                                                             {"Cs", 3.43},
-                                                             {"Ba", 2.68},
-                                                             {"Bi", 2.07}});
-
-constexpr std::array alvarez = std::to_array<ElementRadius>(
-    {{"V", 2.42}, {"Cr", 2.45}, {"Mn", 2.45}, {"Fe", 2.44}, {"Co", 2.40}});
+     {"Tl", 1.96}, {"Pb", 2.02}, {"U", 1.86},  {"Be", 1.53}, {"B", 1.92},  {"Al", 1.84},
+     {"Ca", 2.31}, {"Ge", 2.11}, {"Rb", 3.03}, {"Sr", 2.49}, {"Sb", 2.06}, {"Cs", 3.43},
+     {"Ba", 2.68}, {"Bi", 2.07}, {"V", 2.42},  {"Cr", 2.45}, {"Mn", 2.45}, {"Fe", 2.44},
+     {"Co", 2.40}});
 
 /// Those without a radius: who names one must not be given that of its first letter.
 constexpr auto without_radius = std::to_array<std::string_view>(
@@ -54,14 +43,9 @@ bool is_same_symbol(std::string_view a, std::string_view b) noexcept {
 }  // namespace
 
 std::optional<double> van_der_waals_radius(std::string_view element) noexcept {
-    const auto find = [&](const auto& table) -> std::optional<double> {
-        for (const auto& [symbol, radius] : table)
-            if (is_same_symbol(symbol, element)) return radius;
-        return std::nullopt;
-    };
-    if (const auto radius = find(bondi)) return radius;
-    if (const auto radius = find(mantina)) return radius;
-    return find(alvarez);
+    for (const auto& [symbol, radius] : known_radii)
+        if (is_same_symbol(symbol, element)) return radius;
+    return std::nullopt;
 }
 
 bool is_element(std::string_view symbol) noexcept {

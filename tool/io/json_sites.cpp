@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "json_events.hpp"
-#include "json_sites.hpp"
 #include "number.hpp"
+#include "sites_readers.hpp"
 
 namespace signum {
 namespace {
@@ -26,7 +26,6 @@ class JsonSites final : public JsonEvents {
         parse();
         if (!dimension_ || result_.sites.size() + result_.in_space.size() == 0)
             fail({}, "no site in this file");
-        result_.dimension = *dimension_;
         return std::move(result_);
     }
 
@@ -123,13 +122,8 @@ class JsonSites final : public JsonEvents {
                          : in_space   ? "a site that ends before x, y and z"
                                       : "a site that ends before x and y");
         }
-        const auto& [x, y, third, fourth] = numbers_;
-        if (numbers_[coordinates] < 0.0 && !result_.first_negative)
-            result_.first_negative = positions_[coordinates];
-        if (in_space)
-            result_.in_space.push_back({x, y, third, fourth});
-        else
-            result_.sites.push_back({x, y, third});
+        result_.dimension = *dimension_;
+        result_.add(numbers_, [&](std::size_t which) { return positions_[which]; });
     }
 
     /// What is no number may stand where nobody chose it.
@@ -157,8 +151,8 @@ class JsonSites final : public JsonEvents {
 
 }  // namespace
 
-SitesFile read_json_sites(InputFile& file, const Columns& columns, std::optional<int> dimension) {
-    return JsonSites(file, columns, dimension).read();
+SitesFile read_json_sites(InputFile& file, const ReadOptions& options) {
+    return JsonSites(file, options.columns, options.dimension).read();
 }
 
 }  // namespace signum

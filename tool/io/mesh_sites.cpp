@@ -1,5 +1,3 @@
-#include "mesh_sites.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -10,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "line_words.hpp"
 #include "number.hpp"
+#include "sites_readers.hpp"
 
 namespace signum {
 namespace {
@@ -109,9 +107,9 @@ class PlySites {
                                   : name == "y"                          ? 1
                                   : name == "z"                          ? 2
                                   : name == "radius" || name == "weight" ? radius
-                                                                         : none;
-        if (which == none) return;
-        if (places_[which] != none)
+                                                                         : no_word;
+        if (which == no_word) return;
+        if (places_[which] != no_word)
             lines_.fail_at(lines_.size() - 1,
                            which == radius
                                ? "a second property of radii or weights; leave one of them out"
@@ -123,7 +121,7 @@ class PlySites {
     void check_header() {
         if (!has_format_) lines_.fail_at_end("the header has no line format ascii 1.0");
         for (std::size_t which = 0; which < radius; ++which)
-            if (places_[which] == none) lines_.fail_at_end("no vertices with x, y and z");
+            if (places_[which] == no_word) lines_.fail_at_end("no vertices with x, y and z");
     }
 
     void read_vertex() {
@@ -132,20 +130,12 @@ class PlySites {
                            fmt::format("{} numbers, but the header names {} properties of a vertex",
                                        lines_.size(), properties_));
         }
-        Site3 site = {lines_.number(places_[0]), lines_.number(places_[1]),
-                      lines_.number(places_[2]), 0.0};
-        if (places_[radius] != none) {
-            site.r = lines_.number(places_[radius]);
-            if (site.r < 0.0 && !result_.first_negative)
-                result_.first_negative = lines_.position_of(places_[radius]);
-        }
-        result_.in_space.push_back(site);
+        add_site(result_, lines_, places_);
     }
 
     static constexpr std::array<std::string_view, 16> types = {
         "char", "uchar", "short", "ushort", "int",   "uint",   "float",   "double",
         "int8", "uint8", "int16", "uint16", "int32", "uint32", "float32", "float64"};
-    static constexpr std::size_t none = static_cast<std::size_t>(-1);
     static constexpr std::size_t radius = 3;
     static constexpr std::size_t most_elements = 1000;  ///< a file may name more than it has
 
@@ -153,8 +143,9 @@ class PlySites {
     bool has_format_ = false;
     bool has_vertices_ = false;
     std::vector<Element> elements_;
-    std::size_t properties_ = 0;                                    ///< of a vertex
-    std::array<std::size_t, 4> places_ = {none, none, none, none};  ///< of x, y, z and r among them
+    std::size_t properties_ = 0;  ///< of a vertex
+    /// Of x, y, z and r among them.
+    std::array<std::size_t, 4> places_ = {no_word, no_word, no_word, no_word};
     SitesFile result_;
 };
 

@@ -1,5 +1,3 @@
-#include "node_sites.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -8,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "line_words.hpp"
 #include "number.hpp"
+#include "sites_readers.hpp"
 
 namespace signum {
 namespace {
@@ -91,7 +89,7 @@ class NodeSites {
             const std::size_t place = *number - 1;
             if (std::ranges::count(std::span(places_).first(which), place) > 0)
                 lines_.fail_at(0, fmt::format("column {} is chosen twice", *number));
-            places_.at(which < dimension_ ? which : radius) = place;
+            places_.at(which) = place;
         }
         if (!options_.attributes) return;
         for (std::size_t i = 0; i < attributes_; ++i)
@@ -118,27 +116,7 @@ class NodeSites {
                                        "other",
                                        in_quotes(lines_[0]), index + first_));
         }
-        std::array<double, 4> values = {};
-        for (std::size_t which = 0; which < values.size(); ++which)
-            if (places_.at(which) != none) values.at(which) = lines_.number(places_.at(which));
-        note_of_range(values);
-        const auto& [x, y, z, r] = values;
-        if (dimension_ == 2)
-            result_.sites.push_back({x, y, r});
-        else
-            result_.in_space.push_back({x, y, z, r});
-        keep_attributes();
-    }
-
-    void note_of_range(const std::array<double, 4>& values) {
-        if (values[radius] < 0.0 && !result_.first_negative)
-            result_.first_negative = lines_.position_of(places_[radius]);
-        for (std::size_t which = 0; which < values.size(); ++which)
-            if (is_beyond_single(values.at(which)) && !result_.first_beyond_single)
-                result_.first_beyond_single = lines_.position_of(places_.at(which));
-    }
-
-    void keep_attributes() {
+        add_site(result_, lines_, places_);
         for (std::size_t i = 0; i < result_.attributes.size(); ++i) {
             Attribute& attribute = result_.attributes[i];
             const std::string_view value = lines_[1 + dimension_ + i];
@@ -169,8 +147,6 @@ class NodeSites {
 
     [[nodiscard]] std::size_t width() const { return 1 + dimension_ + attributes_ + markers_; }
 
-    static constexpr std::size_t none = static_cast<std::size_t>(-1);
-    static constexpr std::size_t radius = 3;
     static constexpr std::uint64_t most_attributes = 1000;
     inline static const std::string of_head =
         "the first line is the number of points, their dimension, the number of attributes, and 0 "
@@ -182,8 +158,9 @@ class NodeSites {
     std::size_t dimension_ = 2;
     std::size_t attributes_ = 0;
     std::size_t markers_ = 0;
-    std::uint64_t first_ = 0;                                       ///< number of the first point
-    std::array<std::size_t, 4> places_ = {none, none, none, none};  ///< of x, y, z and r in a line
+    std::uint64_t first_ = 0;  ///< number of the first point
+    /// Of x, y, in space z, and r in a line.
+    std::array<std::size_t, 4> places_ = {no_word, no_word, no_word, no_word};
     SitesFile result_;
 };
 

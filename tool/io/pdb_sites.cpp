@@ -10,10 +10,9 @@
 
 #include <fmt/format.h>
 
-#include "atoms.hpp"
 #include "elements.hpp"
-#include "line_words.hpp"
 #include "number.hpp"
+#include "sites_readers.hpp"
 
 namespace signum {
 namespace {
@@ -151,60 +150,30 @@ bool is_number_of_residue(std::string_view word) {
            });
 }
 
-class PqrSites {
- public:
-    explicit PqrSites(InputFile& file)
-        : lines_(
-              file,
-              "an atom of a PQR file is a line ATOM or HETATM that ends in x y z charge radius") {
-        result_.dimension = 3;
-        result_.third = WeightIs::radius;
+void read_pqr_atom(const LineWords& lines, SitesFile& result) {
+    constexpr std::size_t least = 10;  // record, number, name, residue, its number, 5 numbers
+    constexpr std::size_t most = 11;   // and a chain
+    const std::size_t size = lines.size();
+    if (size < least) {
+        lines.fail_at(size, fmt::format("{} words; an atom is record, number, name, residue, "
+                                        "[chain,] number, x, y, z, charge, radius",
+                                        size));
     }
-
-    SitesFile read() {
-        FirstModel model;
-        while (lines_.next_with_words())
-            if (model.takes(lines_, lines_[0], !result_.in_space.empty())) read_atom();
-        if (result_.in_space.empty()) lines_.fail_at_end("no atom in this file");
-        if (model.others() > 0)
-            result_.note = fmt::format("{}: {} {} left out", lines_.path(), model.note(),
-                                       model.others() == 1 ? "is" : "are");
-        return std::move(result_);
+    if (size > most) {
+        lines.fail_at(most, fmt::format("{} words; an atom has no more than {}: record, number, "
+                                        "name, residue, chain, number, x, y, z, charge, radius",
+                                        size, most));
     }
-
- private:
-    void read_atom() {
-        constexpr std::size_t least = 10;  // record, number, name, residue, its number, 5 numbers
-        constexpr std::size_t most = 11;   // and a chain
-        const std::size_t size = lines_.size();
-        if (size < least) {
-            lines_.fail_at(size, fmt::format("{} words; an atom is record, number, name, residue, "
-                                             "[chain,] number, x, y, z, charge, radius",
-                                             size));
-        }
-        if (size > most) {
-            lines_.fail_at(most,
-                           fmt::format("{} words; an atom has no more than {}: record, number, "
-                                       "name, residue, chain, number, x, y, z, charge, radius",
-                                       size, most));
-        }
-        // A line that was cut off after the charge may still have ten words.
-        if (!is_number_of_residue(lines_[size - 6])) {
-            lines_.fail_at(size - 6,
-                           fmt::format("{} is no residue's number, which stands before the "
-                                       "last five words: x, y, z, charge, radius",
-                                       in_quotes(lines_[size - 6])));
-        }
-        static_cast<void>(lines_.number(size - 2));  // the charge
-        const Site3 site = {lines_.number(size - 5), lines_.number(size - 4),
-                            lines_.number(size - 3), lines_.number(size - 1)};
-        if (site.r < 0.0) lines_.fail_at(size - 1, "a negative radius; write 0 or more");
-        result_.in_space.push_back(site);
+    // A line that was cut off after the charge may still have ten words.
+    if (!is_number_of_residue(lines[size - 6])) {
+        lines.fail_at(size - 6, fmt::format("{} is no residue's number, which stands before the "
+                                            "last five words: x, y, z, charge, radius",
+                                            in_quotes(lines[size - 6])));
     }
-
-    LineWords lines_;
-    SitesFile result_;
-};
+    static_cast<void>(lines.number(size - 2));  // the charge
+    add_site(result, lines, {size - 5, size - 4, size - 3, size - 1});
+    if (result.first_negative) lines.fail_at(size - 1, "a negative radius; write 0 or more");
+}
 
 }  // namespace
 
@@ -213,7 +182,19 @@ SitesFile read_pdb_sites(InputFile& file) {
 }
 
 SitesFile read_pqr_sites(InputFile& file) {
-    return PqrSites(file).read();
+    LineWords lines(
+        file, "an atom of a PQR file is a line ATOM or HETATM that ends in x y z charge radius");
+    SitesFile result;
+    result.dimension = 3;
+    result.third = WeightIs::radius;
+    FirstModel model;
+    while (lines.next_with_words())
+        if (model.takes(lines, lines[0], !result.in_space.empty())) read_pqr_atom(lines, result);
+    if (result.in_space.empty()) lines.fail_at_end("no atom in this file");
+    if (model.others() > 0)
+        result.note = fmt::format("{}: {} {} left out", lines.path(), model.note(),
+                                  model.others() == 1 ? "is" : "are");
+    return result;
 }
 
 }  // namespace signum

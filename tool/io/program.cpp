@@ -6,7 +6,10 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
+#include <filesystem>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -15,6 +18,8 @@
 extern char** environ;
 
 namespace signum {
+
+namespace fs = std::filesystem;
 
 ProgramEnd run_program(const std::string& name, std::vector<std::string> arguments) {
     int ends[2];
@@ -54,6 +59,22 @@ bool has_program(const std::string& name, const std::string& argument) {
     } catch (const MachineError&) {
         return false;
     }
+}
+
+ScratchFolder::ScratchFolder(std::string_view purpose) {
+    const fs::path name = fmt::format("signum-{}-XXXXXX", purpose);
+    path_ = (fs::temp_directory_path() / name).string();
+    if (::mkdtemp(path_.data()) == nullptr)
+        throw MachineError(fmt::format("cannot make a directory {}", path_));
+}
+
+ScratchFolder::~ScratchFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+}
+
+std::string ScratchFolder::file(std::string_view name) const {
+    return fmt::format("{}/{}", path_, name);
 }
 
 }  // namespace signum

@@ -76,18 +76,19 @@ class TextBalls {
 
  private:
     /// What a column holds, in the order of a line in space.
-    enum Quantity : std::size_t { x, y, z, radius, vx, vy, vz, mass, quantities };
-    static constexpr std::array<std::string_view, quantities> names = {"x",  "y",  "z",  "r",
-                                                                       "vx", "vy", "vz", "m"};
+    enum : std::size_t { x, y, z, radius, vx, vy, vz, mass, count };
+    static constexpr std::array<Quantity, count> quantities = {
+        {{{"x"}},
+         {{"y"}},
+         {{"z"}},
+         {{"r", "radius"}, "a second column of radii; name one column r or radius"},
+         {{"vx"}},
+         {{"vy"}},
+         {{"vz"}},
+         {{"m", "mass"}, "a second column of masses; name one column m or mass"}}};
 
     static constexpr std::string_view all_but_mass =
         "x, y, r (or radius), vx and vy, in space also z and vz";
-
-    static std::size_t quantity_called(std::string_view name) {
-        if (name == "radius") return radius;
-        if (name == "mass") return mass;
-        return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
-    }
 
     /// Tells from the first line, which is no header, where the balls lie. Where it has no number
     /// of columns that any ball has, read_ball() says so.
@@ -100,33 +101,17 @@ class TextBalls {
     }
 
     void read_header() {
-        places_.fill(no_column);
-        std::vector<std::string> left_out;
-        for (std::size_t column = 0; column < columns_.size(); ++column) {
-            const std::size_t which = quantity_called(columns_.name(column));
-            if (which == quantities) {
-                left_out.push_back(in_quotes(columns_.text(column)));
-                continue;
-            }
-            if (places_[which] != no_column) fail_at_second(column, which);
-            places_[which] = column;
-        }
+        const auto [places, others] = named_columns(columns_, quantities);
+        std::ranges::copy(places, places_.begin());
         if (places_[z] != no_column || places_[vz] != no_column) result_.dimension = 3;
         refuse_missing();
         named_ = true;
         least_ = most_ = columns_.size();
-        if (left_out.empty()) return;
+        if (others.empty()) return;
         columns_.keep_separator();
         result_.note = fmt::format("{}: {} {} left out: a ball has {}, and m (or mass)",
-                                   columns_.place_of_line(), enumerated(left_out),
-                                   left_out.size() == 1 ? "is" : "are", all_but_mass);
-    }
-
-    [[noreturn]] void fail_at_second(std::size_t column, std::size_t which) const {
-        columns_.fail_at(
-            column, which == radius ? "a second column of radii; name one column r or radius"
-                    : which == mass ? "a second column of masses; name one column m or mass"
-                                    : fmt::format("a second column {}; name one", names[which]));
+                                   columns_.place_of_line(), enumerated(others),
+                                   others.size() == 1 ? "is" : "are", all_but_mass);
     }
 
     /// A header must name all but the mass, which the radius can tell.
@@ -134,7 +119,8 @@ class TextBalls {
         std::vector<std::string> missing;
         for (const std::size_t which : {x, y, z, radius, vx, vy, vz}) {
             const bool wanted = result_.dimension == 3 || (which != z && which != vz);
-            if (wanted && places_[which] == no_column) missing.emplace_back(names[which]);
+            if (wanted && places_[which] == no_column)
+                missing.emplace_back(quantities[which].names[0]);
         }
         if (missing.empty()) return;
         columns_.fail_at(0, fmt::format("the header does not name {}; name the columns {}",
@@ -143,8 +129,8 @@ class TextBalls {
 
     void read_ball() {
         if (columns_.size() < least_ || columns_.size() > most_) fail_at_size();
-        std::array<double, quantities> numbers = {};
-        for (std::size_t which = 0; which < quantities; ++which)
+        std::array<double, count> numbers = {};
+        for (std::size_t which = 0; which < count; ++which)
             if (has(which)) numbers[which] = columns_.number(places_[which]);
         if (numbers[radius] < 0.0) {
             columns_.fail_at(places_[radius],
@@ -212,7 +198,7 @@ class TextBalls {
     BallsFile result_;
     /// The columns of the quantities, in the plane and without a header; no_column where there is
     /// none.
-    std::array<std::size_t, quantities> places_ = {0, 1, no_column, 2, 3, 4, no_column, 5};
+    std::array<std::size_t, count> places_ = {0, 1, no_column, 2, 3, 4, no_column, 5};
     std::size_t least_ = 5;  ///< columns in a line
     std::size_t most_ = 6;
     bool named_ = false;  ///< the columns, by a header

@@ -3,13 +3,9 @@
 #include <fmt/format.h>
 
 #include "../../core/index.hpp"
-#include "atoms.hpp"
 #include "input_file.hpp"
-#include "json_sites.hpp"
-#include "mesh_sites.hpp"
-#include "node_sites.hpp"
 #include "read_sites.hpp"
-#include "text_sites.hpp"
+#include "sites_readers.hpp"
 
 namespace signum {
 namespace {
@@ -20,7 +16,7 @@ SitesFile as_it_is(InputFile& file, const ReadOptions&) {
 }
 SitesFile read_text_or_json(InputFile& file, const ReadOptions& options) {
     const char first = file.first_character();
-    return first == '[' || first == '{' ? read_json_sites(file, options.columns, options.dimension)
+    return first == '[' || first == '{' ? read_json_sites(file, options)
                                         : read_text_sites(file, options);
 }
 
@@ -50,6 +46,13 @@ const SitesInputKind& kind_of(SitesInput input) noexcept {
 }
 
 }  // namespace
+
+void add_site(SitesFile& file, const LineWords& line, const std::array<std::size_t, 4>& words) {
+    std::array<double, 4> numbers = {};
+    for (std::size_t which = 0; which < words.size(); ++which)
+        if (words[which] < line.size()) numbers[which] = line.number(words[which]);
+    file.add(numbers, [&](std::size_t which) { return line.position_of(words[which]); });
+}
 
 std::span<const SitesInputKind> sites_input_kinds() noexcept {
     return kinds;

@@ -9,6 +9,8 @@
 ///  3. Memory beyond the sites themselves, and the attributes that were asked for, is bounded,
 ///     whatever the file holds.
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -21,6 +23,7 @@
 #include "../../triangulation/tessellation.hpp"
 #include "attributes.hpp"
 #include "errors.hpp"
+#include "number.hpp"
 
 namespace signum {
 
@@ -87,6 +90,21 @@ struct SitesFile {
     /// What was left out, in a sentence, where a file has what may have been meant, such as a third
     /// column of another name, and nobody had said so; else empty.
     std::string note;
+
+    /// A further site: x, y, in space z, and r. `place_of` says where the one of a number stands.
+    template <class Place>
+    void add(const std::array<double, 4>& numbers, const Place& place_of) {
+        const std::size_t last = dimension == 3 ? 3 : 2;
+        for (std::size_t which = 0; which <= last; ++which)
+            if (is_beyond_single(numbers[which]) && !first_beyond_single)
+                first_beyond_single = place_of(which);
+        if (numbers[last] < 0.0 && !first_negative) first_negative = place_of(last);
+        const auto& [x, y, third, fourth] = numbers;
+        if (dimension == 3)
+            in_space.push_back({x, y, third, fourth});
+        else
+            sites.push_back({x, y, third});
+    }
 };
 
 /// Reads the file `path`, or standard input for "-", as sites of the plane. Throws InputError, and

@@ -9,7 +9,6 @@
 #include "errors.hpp"
 #include "output_file.hpp"
 #include "program.hpp"
-#include "scratch_folder.hpp"
 
 namespace signum {
 namespace {

@@ -264,4 +264,25 @@ void TextColumns::fail_at_end_of_file(std::string_view message) const {
                fmt::format("{}; {}", message, advice_));
 }
 
+NamedColumns named_columns(const TextColumns& header, std::span<const Quantity> quantities) {
+    NamedColumns result = {std::vector(quantities.size(), no_column), {}};
+    for (std::size_t column = 0; column < header.size(); ++column) {
+        const std::string name = header.name(column);
+        const auto quantity = std::ranges::find_if(quantities, [&](const Quantity& each) {
+            return !name.empty() && std::ranges::count(each.names, name) > 0;
+        });
+        if (quantity == quantities.end()) {
+            result.others.push_back(in_quotes(header.text(column)));
+            continue;
+        }
+        std::size_t& place = result.places[static_cast<std::size_t>(quantity - quantities.begin())];
+        if (place != no_column)
+            header.fail_at(column, quantity->second.empty()
+                                       ? fmt::format("a second column {}; name one", name)
+                                       : std::string(quantity->second));
+        place = column;
+    }
+    return result;
+}
+
 }  // namespace signum

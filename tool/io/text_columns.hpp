@@ -10,8 +10,10 @@
 ///     not within double quotes.
 ///  4. Whatever is wrong is an InputError at its place.
 
+#include <array>
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -100,5 +102,23 @@ class TextColumns {
     char first_separator_ = any_separator;   ///< of the first line
     char separator_ = any_separator;         ///< the only one of the others, or any_separator
 };
+
+/// What a column may hold.
+struct Quantity {
+    std::array<std::string_view, 3>
+        names;                     ///< in a header, in small letters; not all need be there
+    std::string_view second = {};  ///< what to say of a second column of it
+};
+
+/// The columns of a header.
+struct NamedColumns {
+    std::vector<std::size_t>
+        places;  ///< one a quantity; no_column of what the header does not name
+    std::vector<std::string> others;  ///< those of other names, in quotes
+};
+
+/// Fails where two columns hold the same.
+[[nodiscard]] NamedColumns named_columns(const TextColumns& header,
+                                         std::span<const Quantity> quantities);
 
 }  // namespace signum

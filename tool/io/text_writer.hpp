@@ -2,6 +2,7 @@
 /// Formatted text to a stream in large pieces. Doubles come out in the fewest digits that read back
 /// as the same double, in any locale.
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
@@ -55,6 +56,11 @@ class TextWriter {
         if (text_.size() > piece) flush();
     }
     void put(std::string_view text) { put(FMT_COMPILE("{}"), text); }
+    /// In JSON, [x, y, ...]: null for what is no number there.
+    template <typename... Numbers>
+    void put_numbers(Numbers... numbers) {
+        put(FMT_COMPILE("[{}]"), fmt::join(std::array{number_or_null(numbers)...}, ", "));
+    }
 
     /// In JSON, a further member of an object: "name": [entry, entry, ...], an entry a line.
     template <typename Entries, typename PutEntry>

@@ -56,4 +56,21 @@ void write_sites(std::ostream& out, std::span<const Site3> sites, SitesFormat fo
     write(out, sites, format, "x,y,z,r\n");
 }
 
+void write_node(std::ostream& out, std::span<const Site> sites) {
+    TextWriter text(out);
+    text.put(FMT_COMPILE("{} 2 1 0\n"), sites.size());
+    for (std::size_t i = 0; i < sites.size(); ++i)
+        text.put(FMT_COMPILE("{} {} {} {}\n"), i, sites[i].x, sites[i].y, sites[i].r);
+    text.flush();
+}
+
+void write_node(std::ostream& out, std::span<const Site3> sites) {
+    TextWriter text(out);
+    text.put(FMT_COMPILE("{} 3 1 0\n"), sites.size());
+    for (std::size_t i = 0; i < sites.size(); ++i)
+        text.put(FMT_COMPILE("{} {} {} {} {}\n"), i, sites[i].x, sites[i].y, sites[i].z,
+                 sites[i].r);
+    text.flush();
+}
+
 }  // namespace signum

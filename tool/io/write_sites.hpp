@@ -18,4 +18,9 @@ enum class SitesFormat : std::uint8_t {
 void write_sites(std::ostream& out, std::span<const Site> sites, SitesFormat format);
 void write_sites(std::ostream& out, std::span<const Site3> sites, SitesFormat format);
 
+/// A .node file of Triangle, in space TetGen: all sites with their radius or weight as the only
+/// attribute and without boundary markers, numbered from 0.
+void write_node(std::ostream& out, std::span<const Site> sites);
+void write_node(std::ostream& out, std::span<const Site3> sites);
+
 }  // namespace signum

@@ -11,6 +11,7 @@
 #include "../../triangulation/space/cells.hpp"
 
 #include "text_writer.hpp"
+#include "write_tessellation.hpp"
 
 namespace signum {
 namespace {
@@ -79,6 +80,12 @@ void put_cell(TextWriter& text, const SpaceCells& cells, Index site, bool is_unb
     text.put("]}");
 }
 
+std::vector<std::size_t> numbers_below(std::size_t count) {
+    std::vector<std::size_t> numbers(count);
+    std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+    return numbers;
+}
+
 }  // namespace
 
 void write_space_cells_json(std::ostream& out, const SpaceCells& cells,
@@ -98,10 +105,8 @@ void write_space_cells_json(std::ostream& out, const SpaceCells& cells,
             number_of[c] = static_cast<Index>(finite.size());
             finite.push_back(vertices[c]);
         }
-    text.put_array("vertices", finite, [&](const SpaceVertex& v) {
-        text.put(FMT_COMPILE("[{}, {}, {}, {}]"), number_or_null(v.x), number_or_null(v.y),
-                 number_or_null(v.z), number_or_null(v.rho));
-    });
+    text.put_array("vertices", finite,
+                   [&](const SpaceVertex& v) { text.put_numbers(v.x, v.y, v.z, v.rho); });
     text.put_array("edges", edges_of(tessellation, number_of), [&](const DualEdge& edge) {
         text.put(FMT_COMPILE(R"({{"sites": [{}], "vertices": [{}]}})"), fmt::join(edge.sites, ", "),
                  fmt::join(edge.vertices, ", "));
@@ -110,9 +115,7 @@ void write_space_cells_json(std::ostream& out, const SpaceCells& cells,
     text.put_array("cells", visible_sites(tessellation), [&](Index site) {
         put_cell(text, cells, site, unbounded[static_cast<std::size_t>(site)]);
     });
-    text.put_array("hidden", tessellation.hidden, [&](const Hidden& hidden) {
-        text.put(FMT_COMPILE("[{}, {}]"), hidden.site, hidden.by);
-    });
+    put_hidden(text, tessellation.hidden);
     text.put("}\n");
     text.flush();
 }
@@ -123,21 +126,16 @@ void write_space_cells_csv(std::ostream& out, const SpaceCells& cells) {
     for (std::size_t i = 0; i < cells.measures.size(); ++i) {
         const auto& [volume, area, centroid] = cells.measures[i];
         const auto faces = cells.faces_of(static_cast<Index>(i));
-        text.put(FMT_COMPILE("{},{},{},{},{},{},{},"), i, number_or_blank(volume),
+        std::vector<Index> beyond;
+        std::vector<std::string> areas;
+        for (const SpaceFace& face : faces) {
+            beyond.push_back(face.beyond);
+            areas.push_back(number_or_blank(face.area));
+        }
+        text.put(FMT_COMPILE("{},{},{},{},{},{},{},{},{}\n"), i, number_or_blank(volume),
                  number_or_blank(area), number_or_blank(centroid.x), number_or_blank(centroid.y),
-                 number_or_blank(centroid.z), faces.size());
-        const char* blank = "";
-        for (const SpaceFace& face : faces) {
-            text.put(FMT_COMPILE("{}{}"), blank, face.beyond);
-            blank = " ";
-        }
-        text.put(",");
-        blank = "";
-        for (const SpaceFace& face : faces) {
-            text.put(FMT_COMPILE("{}{}"), blank, number_or_blank(face.area));
-            blank = " ";
-        }
-        text.put("\n");
+                 number_or_blank(centroid.z), faces.size(), fmt::join(beyond, " "),
+                 fmt::join(areas, " "));
     }
     text.flush();
 }
@@ -166,6 +164,43 @@ VtkGrid vtk_grid(const SpaceCells& cells, std::span<const SpacePolyhedron> polyh
         grid.of_cells[2].values.push_back(static_cast<double>(each.beyond.size()));
     }
     return grid;
+}
+
+void write_json(std::ostream& out, const BallDiagram& diagram) {
+    TextWriter text(out);
+    text.put(FMT_COMPILE(R"({{"format": "signum.voronoi", "version": 1, "dimension": 3, )"
+                         R"("metric": "euclidean", "weight_is": "radius", "sites": {}, )"
+                         R"("clip": null)"),
+             diagram.balls);
+    text.put_array("vertices", diagram.spheres, [&](const Site3& sphere) {
+        text.put_numbers(sphere.x, sphere.y, sphere.z, sphere.r);
+    });
+    text.put_array("touching", numbers_below(diagram.vertices.size()), [&](std::size_t v) {
+        text.put(FMT_COMPILE("[{}]"), fmt::join(diagram.vertices[v], ", "));
+    });
+    text.put_array("turns", diagram.turns, [&](Sign turn) { text.put(FMT_COMPILE("{}"), turn); });
+    text.put_array("edges", numbers_below(diagram.edges.size()), [&](std::size_t e) {
+        const std::array<Index, 2>& ends = diagram.ends[e];
+        const std::size_t count = ends[0] == no_end ? 0 : ends.size();
+        text.put(FMT_COMPILE(R"({{"sites": [{}], "vertices": [{}]}})"),
+                 fmt::join(diagram.edges[e], ", "), fmt::join(std::span(ends).first(count), ", "));
+    });
+    put_hidden(text, diagram.hidden);
+    text.put("}\n");
+    text.flush();
+}
+
+void write_csv(std::ostream& out, const BallDiagram& diagram) {
+    TextWriter text(out);
+    text.put("a,b,c,d,x,y,z,r,turn,others\n");
+    for (std::size_t v = 0; v < diagram.vertices.size(); ++v) {
+        const std::span<const Index> balls = diagram.vertices[v];
+        const Site3& sphere = diagram.spheres[v];
+        text.put(FMT_COMPILE("{},{},{},{},{},{},{}\n"), fmt::join(balls.first(4), ","),
+                 number_or_blank(sphere.x), number_or_blank(sphere.y), number_or_blank(sphere.z),
+                 number_or_blank(sphere.r), diagram.turns[v], fmt::join(balls.subspan(4), " "));
+    }
+    text.flush();
 }
 
 }  // namespace signum

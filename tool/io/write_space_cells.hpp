@@ -1,13 +1,16 @@
 #pragma once
-/// Cells of space as JSON, as a table, and as polyhedra of VTK.
+/// Diagrams of space: power cells as JSON, as a table and as polyhedra of VTK, and the Voronoi
+/// diagram of balls as JSON and as a table of its vertices.
 ///
-/// Law: numbers are written so that reading them gives the same double; in JSON those beyond a
-/// double's range, and the centroid of a cell without volume, are null.
+/// Law: numbers are written so that reading them gives the same double; those beyond a double's
+/// range are null in JSON and empty in tables, and in JSON the centroid of a cell without volume is
+/// null.
 
 #include <ostream>
 #include <span>
 
 #include "../../triangulation/space/vertices.hpp"
+#include "../../voronoi/balls/diagram.hpp"
 #include "../../voronoi/space/cells.hpp"
 #include "../../voronoi/space/polyhedra.hpp"
 #include "vtk_grid.hpp"
@@ -31,5 +34,15 @@ void write_space_cells_csv(std::ostream& out, const SpaceCells& cells);
 /// The polyhedra that have corners, with site, volume and number of faces of each. `cells` are
 /// those of the same sites in the same box.
 [[nodiscard]] VtkGrid vtk_grid(const SpaceCells& cells, std::span<const SpacePolyhedron> polyhedra);
+
+/// Everything. The spheres of "vertices" are [x, y, z, r], "touching" has the balls that touch each
+/// and "turns" how the points of contact turn. An edge has the balls that touch along it and its
+/// two ends: vertices, -1 for infinity; a closed one has none. "hidden": a ball, and one that hides
+/// it.
+void write_json(std::ostream& out, const BallDiagram& diagram);
+
+/// A vertex a line: the four balls of the smallest numbers that touch there, the sphere, the turn,
+/// and the other balls, of which there are none in general.
+void write_csv(std::ostream& out, const BallDiagram& diagram);
 
 }  // namespace signum

@@ -12,6 +12,7 @@
 
 #include "../../voronoi/polygon.hpp"
 #include "text_writer.hpp"
+#include "write_tessellation.hpp"
 #include "write_voronoi.hpp"
 
 namespace signum {
@@ -196,9 +197,7 @@ void write_voronoi_json(std::ostream& out, const ClippedVoronoi& diagram, const 
             site, fmt::join(edges_of(voronoi, site), ", "), shape.unbounded, shape.clipped,
             measures_of(shape));
     });
-    text.put_array("hidden", tessellation.hidden(), [&](const Hidden& hidden) {
-        text.put(FMT_COMPILE("[{}, {}]"), hidden.site, hidden.by);
-    });
+    put_hidden(text, tessellation.hidden());
     text.put("}\n");
     text.flush();
 }

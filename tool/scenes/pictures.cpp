@@ -7,7 +7,6 @@
 
 #include "../io/errors.hpp"
 #include "../io/output_file.hpp"
-#include "../io/program.hpp"
 
 namespace signum {
 namespace {

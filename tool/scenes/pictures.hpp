@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "../io/scratch_folder.hpp"
+#include "../io/program.hpp"
 #include "../io/svg_converter.hpp"
 
 namespace signum {

@@ -1,0 +1,56 @@
+#pragma once
+/// The readers of sites, one a format. Each reads all sites of an open file and throws InputError.
+///
+/// Laws: as of read_sites().
+
+#include <array>
+#include <cstddef>
+
+#include "input_file.hpp"
+#include "line_words.hpp"
+#include "read_sites.hpp"
+
+namespace signum {
+
+/// Lines x y [r], in space x y z [r]: of 2 or 3 dimensions, or of those that a header or the
+/// columns tell.
+[[nodiscard]] SitesFile read_text_sites(InputFile& file, const ReadOptions& options);
+
+/// JSON [[x, y, r], [x, y], ...], in space [[x, y, z, r], [x, y, z], ...]: of 2 or 3 dimensions or
+/// of those that the first site tells: it lies in space where it has four numbers.
+[[nodiscard]] SitesFile read_json_sites(InputFile& file, const ReadOptions& options);
+
+/// The number of atoms, a comment, and a line each: element x y z [radius]; a radius that is
+/// missing is 0, and the note says so. Where the comment has Properties (extended XYZ, such as the
+/// frames of signum simulate), these say where pos and radius stand. Of several frames the last one
+/// is read, and the note says so.
+[[nodiscard]] SitesFile read_xyz_sites(InputFile& file);
+
+/// The records ATOM and HETATM of the Protein Data Bank, each with the van der Waals radius of its
+/// element (io/elements.hpp); an element without one is an error, too. Of a residue with alternate
+/// places those with the letter that comes first are read, of several models, which ENDMDL, MODEL
+/// or END end, the first one; the note says so.
+[[nodiscard]] SitesFile read_pdb_sites(InputFile& file);
+
+/// The same records, whose last five words are x y z charge radius; of several models the first
+/// one, and the note says so.
+[[nodiscard]] SitesFile read_pqr_sites(InputFile& file);
+
+/// The vertices of a PLY file in ASCII: their properties x, y, z and, where there is one, radius or
+/// weight; others, and other elements, are left out.
+[[nodiscard]] SitesFile read_ply_sites(InputFile& file);
+
+/// The .node files of Triangle, whose points lie in the plane, and of TetGen, in space: the number
+/// of points, their dimension, the numbers of attributes and of boundary markers, then a line each:
+/// number x y [z] attributes marker. Numbers count from 0 or from 1, as the first one says. What is
+/// an attribute and what a radius the file does not say: attributes and markers are left out, and
+/// the note says so, unless options.columns choose one of the columns, numbered from 1, for the
+/// radius, or options.attributes asks for all.
+[[nodiscard]] SitesFile read_node_sites(InputFile& file, const ReadOptions& options);
+
+inline constexpr std::size_t no_word = static_cast<std::size_t>(-1);
+
+/// A further site from the words of a line: x, y, in space z, and r. What stands at no word is 0.
+void add_site(SitesFile& file, const LineWords& line, const std::array<std::size_t, 4>& words);
+
+}  // namespace signum
