@@ -1,10 +1,8 @@
-/// CGAL's triangulations, to be timed here or in processes of their own, and CGAL's predicates as a
-/// judge.
-
 #include "cgal_constructions.hpp"
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <tuple>
 #include <unordered_map>
 
@@ -19,8 +17,6 @@
 #include <CGAL/Segment_Delaunay_graph_Linf_hierarchy_2.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/version.h>
-
-#include "peer.hpp"
 
 namespace signum::benchmarks::cgal {
 namespace {
@@ -84,17 +80,46 @@ std::vector<typename Kind::Input> inputs(const std::vector<S>& sites) {
     return result;
 }
 
+template <class Kind>
+void write(const typename Kind::Graph& graph, const std::vector<typename Kind::Input>& input,
+           std::vector<Face>& faces, std::vector<Face>& neighbours) {
+    std::map<std::array<double, 3>, Index> numbers;
+    for (std::size_t i = 0; i < input.size(); ++i)
+        numbers.try_emplace(Kind::numbers(input[i]), static_cast<Index>(i));
+    std::unordered_map<const void*, Index> places;
+    for (auto f = graph.all_faces_begin(); f != graph.all_faces_end(); ++f)
+        places.emplace(&*f, static_cast<Index>(places.size()));
+    for (auto f = graph.all_faces_begin(); f != graph.all_faces_end(); ++f) {
+        Face face;
+        Face across;
+        for (int k = 0; k < 3; ++k) {
+            const auto vertex = f->vertex(k);
+            const auto place = static_cast<std::size_t>(k);
+            face[place] = graph.is_infinite(vertex)
+                              ? infinite
+                              : numbers.at(Kind::numbers(Kind::input(*vertex)));
+            across[place] = places.at(&*f->neighbor(k));
+        }
+        faces.push_back(face);
+        neighbours.push_back(across);
+    }
+}
+
 template <class Kind, class S>
 Construction construction(const std::vector<S>& sites) {
     return [points = inputs<Kind>(sites)] {
         const auto graph = std::make_shared<typename Kind::Graph>(points.begin(), points.end());
-        const auto visible = [&] {
-            if constexpr (requires { Kind::visible(*graph); })
-                return Kind::visible(*graph);
-            else
-                return graph->number_of_vertices();
-        };
-        return Built{static_cast<std::int64_t>(visible()), graph};
+        Built built{0, graph, {}};
+        if constexpr (requires { Kind::visible(*graph); })
+            built.visible = static_cast<std::int64_t>(Kind::visible(*graph));
+        else
+            built.visible = static_cast<std::int64_t>(graph->number_of_vertices());
+        if constexpr (std::is_same_v<S, Site>)
+            built.write = [&of = *graph, &points](std::vector<Face>& faces,
+                                                  std::vector<Face>& neighbours) {
+                write<Kind>(of, points, faces, neighbours);
+            };
+        return built;
     };
 }
 
@@ -116,42 +141,6 @@ std::vector<std::array<Index, 4>> cells_of(const std::vector<Site3>& sites) {
     return result;
 }
 
-template <class Kind>
-class InProcess : public Attempt {
- public:
-    explicit InProcess(const std::vector<Site>& sites) : input_(inputs<Kind>(sites)) {}
-    void build() override {
-        graph_ = std::make_unique<typename Kind::Graph>(input_.begin(), input_.end());
-    }
-    void write(std::vector<Face>& faces, std::vector<Face>& neighbours) const override {
-        std::map<std::array<double, 3>, Index> numbers;
-        for (std::size_t i = 0; i < input_.size(); ++i)
-            numbers.try_emplace(Kind::numbers(input_[i]), static_cast<Index>(i));
-        const auto& graph = *graph_;
-        std::unordered_map<const void*, Index> places;
-        for (auto f = graph.all_faces_begin(); f != graph.all_faces_end(); ++f)
-            places.emplace(&*f, static_cast<Index>(places.size()));
-        for (auto f = graph.all_faces_begin(); f != graph.all_faces_end(); ++f) {
-            Face face;
-            Face across;
-            for (int k = 0; k < 3; ++k) {
-                const auto vertex = f->vertex(k);
-                const auto place = static_cast<std::size_t>(k);
-                face[place] = graph.is_infinite(vertex)
-                                  ? infinite
-                                  : numbers.at(Kind::numbers(Kind::input(*vertex)));
-                across[place] = places.at(&*f->neighbor(k));
-            }
-            faces.push_back(face);
-            neighbours.push_back(across);
-        }
-    }
-
- private:
-    std::vector<typename Kind::Input> input_;
-    std::unique_ptr<typename Kind::Graph> graph_;
-};
-
 /// A face and the vertex opposite each of its edges, by directed edge.
 using Opposite = std::map<std::pair<Index, Index>, Index>;
 
@@ -160,26 +149,14 @@ using Opposite = std::map<std::pair<Index, Index>, Index>;
 Construction delaunay(const std::vector<Site>& sites) {
     return construction<Delaunay>(sites);
 }
-std::unique_ptr<Attempt> prepare_delaunay(const std::vector<Site>& sites) {
-    return std::make_unique<InProcess<Delaunay>>(sites);
-}
 Construction regular(const std::vector<Site>& sites) {
     return construction<Regular>(sites);
-}
-std::unique_ptr<Attempt> prepare_regular(const std::vector<Site>& sites) {
-    return std::make_unique<InProcess<Regular>>(sites);
 }
 Construction apollonius(const std::vector<Site>& sites) {
     return construction<Apollonius>(sites);
 }
-std::unique_ptr<Attempt> prepare_apollonius(const std::vector<Site>& sites) {
-    return std::make_unique<InProcess<Apollonius>>(sites);
-}
 Construction linf(const std::vector<Site>& sites) {
     return construction<Linf>(sites);
-}
-std::unique_ptr<Attempt> prepare_linf(const std::vector<Site>& sites) {
-    return std::make_unique<InProcess<Linf>>(sites);
 }
 
 Construction in_space(const std::vector<Site3>& sites, bool is_regular) {

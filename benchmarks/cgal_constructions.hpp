@@ -32,6 +32,12 @@ inline constexpr bool is_there = true;
 /// equal centres CGAL keeps one, and so does this, the last.
 [[nodiscard]] std::vector<std::array<Index, 4>> cells(const std::vector<Site3>& sites,
                                                       bool is_regular);
+
+/// CGAL's exact predicates on the faces of a Delaunay triangulation or, where `weighted`, a regular
+/// one with weights r² rounded: every finite face counterclockwise, every edge locally regular, no
+/// hull edge reflex. Not whether a site is missing.
+[[nodiscard]] bool are_regular(const std::vector<Face>& faces, const std::vector<Site>& sites,
+                               bool weighted);
 #else
 inline constexpr bool is_there = false;
 inline std::string version() {

@@ -69,7 +69,7 @@ Construction construction(std::shared_ptr<const Sites> sites, bool is_regular,
         options.arithmetic = arithmetic;
         const auto result =
             std::make_shared<SpaceTessellation>(tessellate(*sites, is_regular, options));
-        return Built{result->sites - static_cast<std::int64_t>(result->hidden.size()), result};
+        return Built{result->sites - static_cast<std::int64_t>(result->hidden.size()), result, {}};
     };
 }
 

@@ -18,6 +18,7 @@
 
 #include "cgal_constructions.hpp"
 #include "interleaved.hpp"
+#include "peer.hpp"
 
 namespace signum::benchmarks {
 namespace {
@@ -51,8 +52,6 @@ constexpr Kind kinds[] = {
     {"diamonds", "Manhattan tessellation of diamonds", Metric::manhattan, 1, "", nullptr},
 };
 
-enum class Contestant { exact, naive, cgal };
-
 /// How far a site is from the next one, roughly.
 double spacing(Distribution distribution, std::int64_t n) {
     constexpr double side = 700.0;
@@ -62,18 +61,14 @@ double spacing(Distribution distribution, std::int64_t n) {
     return side / std::sqrt(count);
 }
 
-std::string name_of(const Kind& kind, const char* distribution, Contestant contestant) {
-    constexpr const char* contestant_names[] = {"exact", "naive", "CGAL"};
-    return fmt::format("{} {} {}", kind.name, distribution,
-                       contestant_names[static_cast<int>(contestant)]);
+std::string name_of(const Kind& kind, const char* distribution, const char* contestant) {
+    return fmt::format("{} {} {}", kind.name, distribution, contestant);
 }
 
 Construction construction(std::shared_ptr<const std::vector<Site>> sites, Metric metric,
                           Arithmetic arithmetic) {
     return [sites = std::move(sites), metric, arithmetic] {
-        const auto result =
-            std::make_shared<Tessellation>(triangulate(*sites, metric, {.arithmetic = arithmetic}));
-        return Built{static_cast<std::int64_t>(sites->size() - result->hidden().size()), result};
+        return built(triangulate(*sites, metric, {.arithmetic = arithmetic}));
     };
 }
 
@@ -89,12 +84,11 @@ void add_all(std::int64_t all, Visible& visible) {
             const double radius = kind.radius * spacing(distribution, n);
             const auto sites = std::make_shared<const std::vector<Site>>(
                 generate(distribution, {.count = n, .radius_to = radius, .seed = 1}));
-            add(name_of(kind, name, Contestant::exact),
-                construction(sites, kind.metric, Arithmetic::exact), visible);
-            add(name_of(kind, name, Contestant::naive),
-                construction(sites, kind.metric, Arithmetic::naive), visible);
-            if (kind.cgal != nullptr)
-                add(name_of(kind, name, Contestant::cgal), kind.cgal(*sites), visible);
+            add(name_of(kind, name, "exact"), construction(sites, kind.metric, Arithmetic::exact),
+                visible);
+            add(name_of(kind, name, "naive"), construction(sites, kind.metric, Arithmetic::naive),
+                visible);
+            if (kind.cgal != nullptr) add(name_of(kind, name, "CGAL"), kind.cgal(*sites), visible);
         }
 }
 
@@ -113,9 +107,9 @@ bool print_table(const Kind& kind, std::int64_t n, const Measurements& measured,
 
     bool all_agree = true;
     for (const auto& [name, distribution] : distributions) {
-        const std::string exact = name_of(kind, name, Contestant::exact);
-        const std::string naive = name_of(kind, name, Contestant::naive);
-        const std::string cgal = name_of(kind, name, Contestant::cgal);
+        const std::string exact = name_of(kind, name, "exact");
+        const std::string naive = name_of(kind, name, "naive");
+        const std::string cgal = name_of(kind, name, "CGAL");
         std::vector<std::string> row = {name, measured.cell(exact, second)};
         if (kind.radius > 0.0) {
             const auto found = visible.find(exact);
