@@ -26,28 +26,24 @@
 #include <signum/predicates/space.hpp>
 #include <signum/voronoi/balls/diagram.hpp>
 
+#include "measuring.hpp"
+
 namespace {
 
 using signum::BallDiagram;
 using signum::Index;
 using signum::Site3;
 using Quadruple = std::array<Index, 4>;
+using signum::benchmarks::seconds_of;
 using Spheres = std::map<Quadruple, std::vector<Site3>>;
 
-/// Of the processor, by this process or by those it has called: other work on the machine counts
+/// Of the processor, by the programs that this process has called: other work on the machine counts
 /// less than it does on the clock.
-double processor_seconds(int whose) {
+double seconds_of_children() {
     rusage usage{};
-    getrusage(whose, &usage);
-    const auto seconds = [](const timeval& t) {
-        return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-    };
-    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
-double seconds_of(const auto& work, int whose = RUSAGE_SELF) {
-    const double start = processor_seconds(whose);
-    work();
-    return processor_seconds(whose) - start;
+    getrusage(RUSAGE_CHILDREN, &usage);
+    return static_cast<double>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
+           1e-6 * static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
 }
 
 std::vector<Site3> random_balls(std::size_t n, std::uint64_t seed, double side) {
@@ -130,9 +126,9 @@ int main(int argc, char** argv) {
         std::fclose(file);
     }
     const std::string command = "voronota calculate-vertices < " + input + " > " + output;
-    int status = 0;
-    const double theirs =
-        seconds_of([&] { status = std::system(command.c_str()); }, RUSAGE_CHILDREN);
+    const double before = seconds_of_children();
+    const int status = std::system(command.c_str());
+    const double theirs = seconds_of_children() - before;
     std::printf("voronota  %8.3f s   %.1f times as long%s\n", theirs, theirs / ours,
                 status == 0 ? "" : ", failed");
 

@@ -2,8 +2,16 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
+
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
 
 #include <fmt/format.h>
+
+#include "../core/index.hpp"
+#include "../triangulation/options.hpp"
 
 namespace signum::benchmarks {
 
@@ -59,6 +67,58 @@ std::string Measurements::footnote() const {
         "CPU time: median of {} interleaved repetitions (least–greatest); {:.1f} % of it was spent "
         "waiting for the processor.",
         repetitions, 100.0 * waiting);
+}
+
+bool Visible::agree(const std::string& kind, const std::string& exact,
+                    const std::string& cgal) const {
+    const auto ours = find(exact);
+    const auto theirs = find(cgal);
+    if (ours == end() || theirs == end() || ours->second == theirs->second) return true;
+    fmt::print(stderr, "{}: CGAL finds another number of visible sites\n", kind);
+    return false;
+}
+
+void add(const std::string& name, Construction construct, Visible& visible) {
+    if (!construct) return;
+#if defined(__GLIBC__)
+    mallopt(M_MMAP_THRESHOLD, 128 * 1024);  // once set, it no longer grows with what is freed
+#endif
+    benchmark::RegisterBenchmark(
+        name.c_str(),
+        [name, construct = std::move(construct), &visible](benchmark::State& state) {
+#if defined(__GLIBC__)
+            malloc_trim(0);
+#endif
+            Built built;
+            try {
+                for (auto _ : state) built = construct();
+                visible[name] = built.visible;
+            } catch (const BrokenStructure&) {
+                state.SkipWithError("breaks");
+            }
+        })
+        ->Iterations(1)
+        ->Unit(benchmark::kMillisecond);
+}
+
+std::string take(std::string_view option, int& argc, char** argv) {
+    std::string value;
+    const auto is_ours = [&](const char* argument) {
+        if (!std::string_view(argument).starts_with(option)) return false;
+        value = argument;
+        return true;
+    };
+    argc = static_cast<int>(std::remove_if(argv + 1, argv + argc, is_ours) - argv);
+    return value;
+}
+std::int64_t take_sites(int& argc, char** argv, std::int64_t otherwise) {
+    constexpr std::string_view option = "--sites=";
+    const std::string sites = take(option, argc, argv);
+    const std::int64_t n =
+        sites.empty() ? otherwise : std::strtoll(sites.c_str() + option.size(), nullptr, 10);
+    if (n > 0 && n <= max_sites) return n;
+    fmt::print(stderr, "--sites needs a positive number\n");
+    std::exit(2);
 }
 
 Measurements run_interleaved(int argc, char** argv, int repetitions) {

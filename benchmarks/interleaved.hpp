@@ -2,12 +2,15 @@
 /// Runs Google Benchmark with all contestants interleaved and hands back the repetitions of each,
 /// for tables that put contestants side by side.
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <benchmark/benchmark.h>
+
+#include "construction.hpp"
 
 namespace signum::benchmarks {
 
@@ -42,6 +45,24 @@ class Measurements : public benchmark::BenchmarkReporter {
     double wall_seconds_ = 0.0;
     double cpu_seconds_ = 0.0;
 };
+
+/// Numbers of visible sites, by name of the benchmark.
+class Visible : public std::map<std::string, std::int64_t> {
+ public:
+    /// Whether both found as many, or one of them has not run; says so where they differ.
+    [[nodiscard]] bool agree(const std::string& kind, const std::string& exact,
+                             const std::string& cgal) const;
+};
+
+/// Registers a construction, if there is one: one each time, in milliseconds. It begins as in a new
+/// process: no memory is left over from the one before. (What it takes from the system it pays for,
+/// by page faults.)
+void add(const std::string& name, Construction construct, Visible& visible);
+
+/// Takes an option of ours, --NAME=VALUE, out of the arguments; empty where it is not there.
+[[nodiscard]] std::string take(std::string_view option, int& argc, char** argv);
+/// The number of --sites=N, taken out of them. Ends the program where it is none.
+[[nodiscard]] std::int64_t take_sites(int& argc, char** argv, std::int64_t otherwise);
 
 /// Runs everything registered, repetitions in random order. Arguments of the command line come last
 /// and win (--benchmark_repetitions=..., --benchmark_filter=...). Ends the program for an unknown

@@ -18,7 +18,6 @@
 #include <numbers>
 #include <random>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -33,6 +32,8 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Traits = cgal::Traits<Kernel>;
 
+using P2 = Kernel::Point_2;
+using P3 = Kernel::Point_3;
 using Random = std::mt19937_64;
 double uniform(Random& random) {
     return std::uniform_real_distribution<double>(0.0, 1.0)(random);
@@ -41,84 +42,77 @@ double normal(Random& random) {
     return std::normal_distribution<double>()(random);
 }
 
-std::vector<Kernel::Point_2> square(std::int64_t n) {
+/// As many as make(random) gives.
+auto many(std::int64_t n, auto make) {
     Random random(1);
-    std::vector<Kernel::Point_2> points;
-    while (std::ssize(points) < n) {
-        const double x = uniform(random);
-        points.emplace_back(x, uniform(random));
-    }
+    std::vector<decltype(make(random))> points;
+    while (std::ssize(points) < n) points.push_back(make(random));
     return points;
 }
-std::vector<Kernel::Point_2> grid(std::int64_t n) {
+std::vector<P2> square(std::int64_t n) {
+    return many(n, [](Random& random) {
+        const double x = uniform(random);
+        return P2(x, uniform(random));
+    });
+}
+std::vector<P2> grid(std::int64_t n) {
     const auto side = std::llround(std::sqrt(static_cast<double>(n)));
-    std::vector<Kernel::Point_2> points;
+    std::vector<P2> points;
     for (std::int64_t i = 0; i < side * side; ++i)
         points.emplace_back(static_cast<double>(i % side), static_cast<double>(i / side));
     return points;
 }
 /// The same turned by half a radian: nearly tied.
-std::vector<Kernel::Point_2> turned_grid(std::int64_t n) {
-    std::vector<Kernel::Point_2> points = grid(n);
-    const double c = std::cos(0.5);
-    const double s = std::sin(0.5);
-    for (auto& p : points) p = {c * p.x() - s * p.y(), s * p.x() + c * p.y()};
+const double cosine = std::cos(0.5);
+const double sine = std::sin(0.5);
+std::vector<P2> turned_grid(std::int64_t n) {
+    std::vector<P2> points = grid(n);
+    for (P2& p : points) p = {cosine * p.x() - sine * p.y(), sine * p.x() + cosine * p.y()};
     return points;
 }
-std::vector<Kernel::Point_2> circle(std::int64_t n) {
-    Random random(1);
-    std::vector<Kernel::Point_2> points;
-    while (std::ssize(points) < n) {
+std::vector<P2> circle(std::int64_t n) {
+    return many(n, [](Random& random) {
         const double angle = 2.0 * std::numbers::pi * uniform(random);
-        points.emplace_back(std::cos(angle), std::sin(angle));
-    }
-    return points;
+        return P2(std::cos(angle), std::sin(angle));
+    });
 }
-std::vector<Kernel::Point_3> cube(std::int64_t n) {
-    Random random(1);
-    std::vector<Kernel::Point_3> points;
-    while (std::ssize(points) < n) {
+std::vector<P3> cube(std::int64_t n) {
+    return many(n, [](Random& random) {
         const double x = uniform(random);
         const double y = uniform(random);
-        points.emplace_back(x, y, uniform(random));
-    }
-    return points;
+        return P3(x, y, uniform(random));
+    });
 }
-std::vector<Kernel::Point_3> lattice(std::int64_t n) {
+std::vector<P3> lattice(std::int64_t n) {
     const auto side = std::llround(std::cbrt(static_cast<double>(n)));
-    std::vector<Kernel::Point_3> points;
+    std::vector<P3> points;
     for (std::int64_t i = 0; i < side * side * side; ++i)
         points.emplace_back(static_cast<double>(i % side), static_cast<double>(i / side % side),
                             static_cast<double>(i / side / side));
     return points;
 }
-std::vector<Kernel::Point_3> turned_lattice(std::int64_t n) {
-    std::vector<Kernel::Point_3> points = lattice(n);
-    const double c = std::cos(0.5);
-    const double s = std::sin(0.5);
-    for (auto& p : points) {
-        p = {c * p.x() - s * p.y(), s * p.x() + c * p.y(), p.z()};
-        p = {p.x(), c * p.y() - s * p.z(), s * p.y() + c * p.z()};
+std::vector<P3> turned_lattice(std::int64_t n) {
+    std::vector<P3> points = lattice(n);
+    for (P3& p : points) {
+        p = {cosine * p.x() - sine * p.y(), sine * p.x() + cosine * p.y(), p.z()};
+        p = {p.x(), cosine * p.y() - sine * p.z(), sine * p.y() + cosine * p.z()};
     }
     return points;
 }
-std::vector<Kernel::Point_3> sphere(std::int64_t n) {
-    Random random(1);
-    std::vector<Kernel::Point_3> points;
-    while (std::ssize(points) < n) {
+std::vector<P3> sphere(std::int64_t n) {
+    return many(n, [](Random& random) {
         const double x = normal(random);
         const double y = normal(random);
         const double z = normal(random);
         const double r = std::sqrt(x * x + y * y + z * z);
-        points.emplace_back(x / r, y / r, z / r);
-    }
-    return points;
+        return P3(x / r, y / r, z / r);
+    });
 }
 /// Points that weigh up to `largest`, or all the same.
 template <class P>
 auto weighted(const std::vector<P>& points, double largest) {
-    using Weighted = std::conditional_t<std::same_as<P, Kernel::Point_2>, Kernel::Weighted_point_2,
-                                        Kernel::Weighted_point_3>;
+    using Weighted =
+        std::conditional_t<std::same_as<P, P2>, Kernel::Weighted_point_2, Kernel::Weighted_point_3>;
     Random random(2);
     std::vector<Weighted> result;
     for (const P& p : points) result.emplace_back(p, largest * uniform(random));
@@ -211,19 +205,7 @@ class Contest {
 
 int main(int argc, char** argv) {
     using namespace signum::benchmarks;
-    std::int64_t n = 100'000;
-    constexpr std::string_view option = "--sites=";
-    for (int i = 1; i < argc; ++i)
-        if (const std::string_view argument = argv[i]; argument.starts_with(option)) {
-            n = std::strtoll(argument.data() + option.size(), nullptr, 10);
-            std::copy(argv + i + 1, argv + argc, argv + i);
-            --argc;
-            break;
-        }
-    if (n <= 0) {
-        fmt::print(stderr, "--sites needs a positive number\n");
-        return 2;
-    }
+    const std::int64_t n = take_sites(argc, argv, 100'000);
     const double in_plane = 1.0 / static_cast<double>(n);
     const double in_space = std::pow(static_cast<double>(n), -2.0 / 3.0);
     Contest contest;

@@ -195,22 +195,16 @@ void measure(std::size_t number, double radius) {
     kinetic::Work work;
     for (int round = 0; round < 5; ++round) {
         const double before = bytes_taken();
-        double begin = seconds();
         kinetic::MovingTriangulation exact(0.0, {});
-        exact.insert(moving);
-        start = seconds() - begin;
+        start = seconds_of([&] { exact.insert(moving); });
         std::optional<Naive> naive;
         if (radius == 0.0) naive.emplace(moving, exact.topology());
-        begin = seconds();
-        exact.advance(until);
-        const double time = seconds() - begin;
+        const double time = seconds_of([&] { exact.advance(until); });
         memory = bytes_taken() - before;
         work = exact.work();
         rates.push_back(static_cast<double>(work.events) / time);
         if (!naive) continue;
-        begin = seconds();
-        naive->advance(until);
-        const double naive_time = seconds() - begin;
+        const double naive_time = seconds_of([&] { naive->advance(until); });
         naive_rates.push_back(static_cast<double>(naive->flips()) / naive_time);
         // Per flip, for where rounding errs their numbers differ.
         ratios.push_back(naive_rates.back() / rates.back());

@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <ctime>
 #include <fstream>
+#include <string>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include <malloc.h>
 #include <unistd.h>
@@ -14,6 +17,14 @@ namespace signum::benchmarks {
 /// That this process has computed up to now.
 inline double seconds() {
     return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+/// Those that the work takes.
+template <class Work>
+double seconds_of(const Work& work) {
+    const double begin = seconds();
+    work();
+    return seconds() - begin;
 }
 
 /// What this process takes of the machine's memory; of arrays that lie on pages of their own the
@@ -31,5 +42,24 @@ inline double median(std::vector<double> values) {
     std::ranges::sort(values);
     return values[values.size() / 2];
 }
+
+/// In two decimals, with the least and the greatest.
+inline std::string median_and_range(const std::vector<double>& values) {
+    const auto [least, greatest] = std::ranges::minmax(values);
+    return fmt::format("{:.2f} ({:.2f}–{:.2f})", median(values), least, greatest);
+}
+
+/// How long two take in turn, and the second's time over the first's.
+struct Turns {
+    std::vector<double> first;
+    std::vector<double> second;
+    std::vector<double> ratios;
+
+    void add(double one, double other) {
+        first.push_back(one);
+        second.push_back(other);
+        ratios.push_back(other / one);
+    }
+};
 
 }  // namespace signum::benchmarks

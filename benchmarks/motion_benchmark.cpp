@@ -91,22 +91,18 @@ void measure(std::size_t number, double packing, Structure structure) {
     motion::Simulation<D> naive(exact.state(), gas.effects, {structure, Kernel::naive});
     naive.run({.strikes = number});
     const auto rate_of = [strikes](motion::Simulation<D>& simulation) {
-        const double begin = seconds();
-        simulation.run({.strikes = strikes});
-        return static_cast<double>(strikes) / (seconds() - begin) * 1e-6;
+        return static_cast<double>(strikes) /
+               seconds_of([&] { simulation.run({.strikes = strikes}); }) * 1e-6;
     };
-    std::vector<double> exact_rates;
-    std::vector<double> naive_rates;
-    std::vector<double> ratios;
+    Turns rates;
     for (int round = 0; round < rounds; ++round) {
-        exact_rates.push_back(rate_of(exact));
-        naive_rates.push_back(rate_of(naive));
-        ratios.push_back(naive_rates.back() / exact_rates.back());
+        const double rate = rate_of(exact);
+        rates.add(rate, rate_of(naive));
     }
     const motion::Counts& counts = exact.counts();
     fmt::print("| {} | {} | {} | {:.2f} | {:.2f} | {:.2f} | {:.0f} | {:.1f} | {:.2f} |\n",
-               D == 2 ? "discs" : "spheres", packing, number, median(exact_rates),
-               median(naive_rates), median(ratios), bytes,
+               D == 2 ? "discs" : "spheres", packing, number, median(rates.first),
+               median(rates.second), median(rates.ratios), bytes,
                static_cast<double>(counts.checks) / static_cast<double>(counts.strikes),
                static_cast<double>(counts.own) / static_cast<double>(counts.strikes));
     std::fflush(stdout);
@@ -152,6 +148,8 @@ double ratio_from_start(const Gas<D>& gas, std::uint64_t strikes, Structure stru
 
 int main(int count, char** words) {
     using namespace signum;
+    using benchmarks::Gas;
+    using benchmarks::ratio_from_start;
     const std::size_t most = count > 1 ? std::strtoul(words[1], nullptr, 10) : 1'000'000;
     const std::string_view name = count > 2 ? words[2] : "lists";
     const auto* const structure =
@@ -159,10 +157,8 @@ int main(int count, char** words) {
                              [&](motion::Structure each) { return motion::name_of(each) == name; });
     if (structure == motion::all_structures.end()) return 2;
     // So that the program itself lies in memory.
-    static_cast<void>(
-        benchmarks::ratio_from_start(benchmarks::Gas<3>(500, 0.25), 1000, *structure));
-    static_cast<void>(
-        benchmarks::ratio_from_start(benchmarks::Gas<2>(500, 0.25), 1000, *structure));
+    static_cast<void>(ratio_from_start(Gas<3>(500, 0.25), 1000, *structure));
+    static_cast<void>(ratio_from_start(Gas<2>(500, 0.25), 1000, *structure));
     fmt::print(
         "| balls | packing | number | million strikes a second | in doubles | exact / "
         "doubles, time | bytes a ball | pairs asked a strike | structure's events a strike "
@@ -173,8 +169,6 @@ int main(int count, char** words) {
     for (const std::size_t number : {1000UL, 4096UL, 10'000UL, 100'000UL, 1'000'000UL})
         for (const double packing : {0.25, 0.5})
             if (number <= most) benchmarks::measure<2>(number, packing, *structure);
-    using benchmarks::Gas;
-    using benchmarks::ratio_from_start;
     fmt::print("\nfrom the start on, exact / doubles, time:\n");
     fmt::print("spheres on a face-centred lattice: {:.2f}\n",
                ratio_from_start(Gas<3>(4000, 0.49), 100'000, *structure));

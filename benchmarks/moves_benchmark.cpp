@@ -5,7 +5,6 @@
 /// A displacement is the farthest that a coordinate changes, in mean distances of neighbours; the
 /// sites come in no order, and their first move, which builds all anew, is not counted.
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -33,13 +32,6 @@ constexpr Kind kinds[] = {
     {"Euclidean, radii", Metric::euclidean, 0.3}, {"Euclidean, one radius", Metric::euclidean, 0.0},
     {"Manhattan, radii", Metric::manhattan, 0.3}, {"supremum, radii", Metric::supremum, 0.3}};
 
-template <class Work>
-double seconds_of(const Work& work) {
-    const double begin = seconds();
-    work();
-    return seconds() - begin;
-}
-
 /// Whether the two agree.
 bool measure(const Kind& kind, std::int64_t count) {
     constexpr int rounds = 7;
@@ -62,21 +54,17 @@ bool measure(const Kind& kind, std::int64_t count) {
     dynamic.move_all(centres);
 
     for (const double displacement : {0.0, 0.001, 0.01, 0.02, 0.05, 0.1}) {
-        std::vector<double> moving;
-        std::vector<double> building;
-        std::vector<double> ratios;
+        Turns turns;
         const Moves before = dynamic.moves();
         for (int round = 0; round < rounds; ++round) {
             displace(displacement * spacing);
-            moving.push_back(seconds_of([&] { dynamic.move_all(centres); }));
-            building.push_back(
-                seconds_of([&] { static_cast<void>(triangulate(sites, kind.metric)); }));
-            ratios.push_back(building.back() / moving.back());
+            const double moving = seconds_of([&] { dynamic.move_all(centres); });
+            turns.add(moving,
+                      seconds_of([&] { static_cast<void>(triangulate(sites, kind.metric)); }));
         }
         const Moves after = dynamic.moves();
-        fmt::print("| {} | {} | {:.3f} | {:.3f} | {:.2f} ({:.2f}–{:.2f}) | {} | {} | {} |\n",
-                   kind.name, displacement, median(moving), median(building), median(ratios),
-                   *std::ranges::min_element(ratios), *std::ranges::max_element(ratios),
+        fmt::print("| {} | {} | {:.3f} | {:.3f} | {} | {} | {} | {} |\n", kind.name, displacement,
+                   median(turns.first), median(turns.second), median_and_range(turns.ratios),
                    after.kept - before.kept, after.mended - before.mended,
                    after.built - before.built);
         std::fflush(stdout);

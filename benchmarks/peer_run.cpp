@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <exception>
 #include <fstream>
 #include <set>
@@ -41,33 +42,18 @@ double peak_resident_bytes() {
     return 1024.0 * kilobytes;
 }
 
-/// A pipe's end, with what is left of a transfer after interruptions.
-bool put(int end, const void* data, std::size_t size) {
-    const char* at = static_cast<const char*>(data);
-    while (size > 0) {
-        const ssize_t sent = ::write(end, at, size);
-        if (sent <= 0) return false;
-        at += sent;
-        size -= static_cast<std::size_t>(sent);
-    }
-    return true;
+/// All of it, through a pipe.
+bool put(std::FILE* end, const void* data, std::size_t size) {
+    return std::fwrite(data, 1, size, end) == size;
 }
-bool take(int end, void* data, std::size_t size) {
-    char* at = static_cast<char*>(data);
-    while (size > 0) {
-        const ssize_t got = ::read(end, at, size);
-        if (got <= 0) return false;
-        at += got;
-        size -= static_cast<std::size_t>(got);
-    }
-    return true;
+bool take(std::FILE* end, void* data, std::size_t size) {
+    return std::fread(data, 1, size, end) == size;
 }
-
-bool put_faces(int end, const std::vector<Face>& faces) {
+bool put_faces(std::FILE* end, const std::vector<Face>& faces) {
     const auto count = static_cast<double>(faces.size());
     return put(end, &count, sizeof count) && put(end, faces.data(), faces.size() * sizeof(Face));
 }
-bool take_faces(int end, std::vector<Face>& faces) {
+bool take_faces(std::FILE* end, std::vector<Face>& faces) {
     double count = 0.0;
     if (!take(end, &count, sizeof count) || !(count >= 0.0 && count < 1e9)) return false;
     faces.resize(static_cast<std::size_t>(count));
@@ -78,20 +64,21 @@ bool take_faces(int end, std::vector<Face>& faces) {
 
 int attempt(const Prepare& prepare) {
     std::vector<Site> sites;
-    for (Site site; take(0, &site, sizeof site);) sites.push_back(site);
+    for (Site site; take(stdin, &site, sizeof site);) sites.push_back(site);
     try {
-        const std::unique_ptr<Attempt> attempt = prepare(sites);
+        const Construction construct = prepare(sites);
         const double before = peak_resident_bytes();
         const auto start = std::chrono::steady_clock::now();
-        attempt->build();
+        const Built built = construct();
         const double seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         const double peak = peak_resident_bytes() - before;
         std::vector<Face> faces;
         std::vector<Face> neighbours;
-        attempt->write(faces, neighbours);
-        const bool sent = put(1, &seconds, sizeof seconds) && put(1, &peak, sizeof peak) &&
-                          put_faces(1, faces) && put_faces(1, neighbours);
+        built.write(faces, neighbours);
+        const bool sent = put(stdout, &seconds, sizeof seconds) &&
+                          put(stdout, &peak, sizeof peak) && put_faces(stdout, faces) &&
+                          put_faces(stdout, neighbours) && std::fflush(stdout) == 0;
         return sent ? 0 : 1;
     } catch (const std::exception& failure) {
         fmt::print(stderr, "{}\n", failure.what());
@@ -122,13 +109,15 @@ std::optional<Outcome> run(const std::vector<std::string>& command,
     close(input[0]);
     close(output[1]);
     static_assert(sizeof(Site) == 3 * sizeof(double));
-    bool complete = put(input[1], sites.data(), sites.size() * sizeof(Site));
-    close(input[1]);
+    std::FILE* const to = fdopen(input[1], "w");
+    std::FILE* const from = fdopen(output[0], "r");
+    bool complete = put(to, sites.data(), sites.size() * sizeof(Site));
+    complete &= std::fclose(to) == 0;
     Outcome outcome;
-    complete = complete && take(output[0], &outcome.seconds, sizeof outcome.seconds) &&
-               take(output[0], &outcome.peak_bytes, sizeof outcome.peak_bytes) &&
-               take_faces(output[0], outcome.faces) && take_faces(output[0], outcome.neighbours);
-    close(output[0]);
+    complete = complete && take(from, &outcome.seconds, sizeof outcome.seconds) &&
+               take(from, &outcome.peak_bytes, sizeof outcome.peak_bytes) &&
+               take_faces(from, outcome.faces) && take_faces(from, outcome.neighbours);
+    std::fclose(from);
     waitpid(child, nullptr, 0);
     if (!complete) return std::nullopt;
     const bool has_infinite =

@@ -56,12 +56,12 @@ class ShewchukKernel : public PowerKernel<triangulation::PowerSigns<Point>, filt
 
 }  // namespace
 
-std::unique_ptr<Attempt> prepare_shewchuk(const std::vector<Site>& sites) {
+Construction prepare_shewchuk(const std::vector<Site>& sites) {
     exactinit(0, 0, 0, 1.0, 1.0, 1.0);  // the largest coordinates count in space alone
-    return std::make_unique<Triangulation>(sites, [](const std::vector<Site>& given) {
-        return triangulation::construct_with_kernel<ShewchukKernel>(
-            Metric::power, given, Options{}, triangulation::PowerSigns<Point>{});
-    });
+    return [sites] {
+        return built(triangulation::construct_with_kernel<ShewchukKernel>(
+            Metric::power, sites, Options{}, triangulation::PowerSigns<Point>{}));
+    };
 }
 
 }  // namespace signum::benchmarks

@@ -24,6 +24,7 @@
 #include "../triangulation/triangulate.hpp"
 #include "../voronoi/contacts.hpp"
 
+#include "cgal_constructions.hpp"
 #include "interleaved.hpp"
 #include "peer_judge.hpp"
 #include "peer_run.hpp"
@@ -33,8 +34,7 @@ namespace {
 
 Prepare prepare_signum(Metric metric) {
     return [metric](const std::vector<Site>& sites) {
-        return std::make_unique<Triangulation>(
-            sites, [metric](const std::vector<Site>& given) { return triangulate(given, metric); });
+        return [metric, sites] { return built(triangulate(sites, metric)); };
     };
 }
 
@@ -75,14 +75,8 @@ void print_rows(const Kind& kind, Distribution distribution, std::int64_t n, int
     const Contacts contact = contacts_of(known);
     for (std::size_t i = 0; i < kind.peers.size(); ++i) {
         if (static_cast<int>(outcomes[i].size()) < rounds) {
-            print_row({kind.name,
-                       kind.peers[i].name,
-                       std::to_string(n),
-                       "",
-                       "",
-                       "",
-                       fmt::format("failed, or not within {} s", most_seconds),
-                       {}});
+            print_row({kind.name, kind.peers[i].name, std::to_string(n), "", "", "",
+                       fmt::format("failed, or not within {} s", most_seconds), ""});
             continue;
         }
         std::vector<double> seconds;
@@ -111,30 +105,19 @@ void print_rows(const Kind& kind, Distribution distribution, std::int64_t n, int
 }
 
 std::vector<Kind> kinds(const std::string& delaunator) {
-    std::vector<Kind> all = {
-        {"Delaunay", Metric::power, 0.0, 1, true, {{"signum", prepare_signum(Metric::power), {}}}},
-        {"power", Metric::power, 1.0, 1, true, {{"signum", prepare_signum(Metric::power), {}}}},
-        {"Euclidean",
-         Metric::euclidean,
-         1.0,
-         5,
-         false,
-         {{"signum", prepare_signum(Metric::euclidean), {}}}},
-        {"supremum, points",
-         Metric::supremum,
-         0.0,
-         5,
-         false,
-         {{"signum", prepare_signum(Metric::supremum), {}}}}};
+    std::vector<Kind> all = {{"Delaunay", Metric::power, 0.0, 1, true, {}},
+                             {"power", Metric::power, 1.0, 1, true, {}},
+                             {"Euclidean", Metric::euclidean, 1.0, 5, false, {}},
+                             {"supremum, points", Metric::supremum, 0.0, 5, false, {}}};
+    for (Kind& kind : all) kind.peers.push_back({"signum", prepare_signum(kind.metric), {}});
 #if defined(SIGNUM_WITH_TETGEN)
     all[0].peers.push_back({"signum on Shewchuk's predicates (TetGen)", prepare_shewchuk, {}});
 #endif
 #if defined(SIGNUM_WITH_CGAL)
-    all[0].peers.push_back({"CGAL, Delaunay_triangulation_2", cgal::prepare_delaunay, {}});
-    all[1].peers.push_back({"CGAL, Regular_triangulation_2", cgal::prepare_regular, {}});
-    all[2].peers.push_back({"CGAL, Apollonius_graph_hierarchy_2", cgal::prepare_apollonius, {}});
-    all[3].peers.push_back(
-        {"CGAL, Segment_Delaunay_graph_Linf_hierarchy_2", cgal::prepare_linf, {}});
+    all[0].peers.push_back({"CGAL, Delaunay_triangulation_2", cgal::delaunay, {}});
+    all[1].peers.push_back({"CGAL, Regular_triangulation_2", cgal::regular, {}});
+    all[2].peers.push_back({"CGAL, Apollonius_graph_hierarchy_2", cgal::apollonius, {}});
+    all[3].peers.push_back({"CGAL, Segment_Delaunay_graph_Linf_hierarchy_2", cgal::linf, {}});
 #endif
 #if defined(SIGNUM_WITH_QHULL)
     all[0].peers.push_back({"Qhull", prepare_qhull, {}});

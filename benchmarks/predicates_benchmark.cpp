@@ -98,13 +98,10 @@ constexpr const char* name_of_type<Site> = "Site";
 /// A site of any kind; where the kind has a weight, r is its radius.
 template <class S>
 S make_site(double x, double y, double r) {
-    if constexpr (std::same_as<S, Point>) {
+    if constexpr (std::same_as<S, Point>)
         return {x, y};
-    } else if constexpr (std::same_as<S, power::Site>) {
-        return {x, y, r * r};
-    } else {
-        return {x, y, r};
-    }
+    else
+        return {x, y, std::same_as<S, power::Site> ? r * r : r};
 }
 
 /// Uniform centres and radii, triples counterclockwise.
@@ -130,19 +127,11 @@ Operands<S, n> random_operands() {
 /// Which near tie: what the operands of a colder stage look like.
 enum class Tie { ulp, grid, exact, tiny };
 constexpr Tie ties[] = {Tie::ulp, Tie::grid, Tie::exact, Tie::tiny};
-
 const char* name_of(Tie tie) {
-    switch (tie) {
-        case Tie::ulp:
-            return "a rounding away from a tie";
-        case Tie::grid:
-            return "exact tie on a grid";
-        case Tie::exact:
-            return "exact tie of random doubles";
-        case Tie::tiny:
-            return "exact tie at 2^-600: rationals";
-    }
-    return "";
+    constexpr const char* names[] = {"a rounding away from a tie", "exact tie on a grid",
+                                     "exact tie of random doubles",
+                                     "exact tie at 2^-600: rationals"};
+    return names[static_cast<int>(tie)];
 }
 
 /// A number to build ties from: with the bits of a grid, or with more than a product holds.

@@ -8,29 +8,18 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
-#include <map>
 #include <memory>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
-
-#if defined(__GLIBC__)
-#include <malloc.h>
-#endif
 
 #include <fmt/format.h>
 
 #include "../tool/generate/generate.hpp"
 #include "../triangulation/space/triangulate.hpp"
 
-#include "construction.hpp"
-#include "interleaved.hpp"
-#if defined(SIGNUM_WITH_CGAL)
 #include "cgal_constructions.hpp"
-#include "cgal_space_constructions.hpp"
-#endif
+#include "interleaved.hpp"
 
 namespace signum::benchmarks {
 namespace {
@@ -80,34 +69,12 @@ Construction construction(std::shared_ptr<const Sites> sites, bool is_regular,
         options.arithmetic = arithmetic;
         const auto result =
             std::make_shared<SpaceTessellation>(tessellate(*sites, is_regular, options));
-        return Built{result->sites - static_cast<std::int64_t>(result->hidden.size()), result};
+        return Built{result->sites - static_cast<std::int64_t>(result->hidden.size()), result, {}};
     };
 }
 
 std::string name_of(const Kind& kind, const char* contestant) {
     return fmt::format("{} {}", kind.name, contestant);
-}
-
-using Visible = std::map<std::string, std::int64_t>;
-
-/// Every construction begins as in a new process: no memory is left over from the one before.
-void add(const std::string& name, Construction construct, Visible& visible) {
-    benchmark::RegisterBenchmark(
-        name.c_str(),
-        [name, construct = std::move(construct), &visible](benchmark::State& state) {
-#if defined(__GLIBC__)
-            malloc_trim(0);
-#endif
-            Built built;
-            try {
-                for (auto _ : state) built = construct();
-                visible[name] = built.visible;
-            } catch (const BrokenStructure&) {
-                state.SkipWithError("breaks");
-            }
-        })
-        ->Iterations(1)
-        ->Unit(benchmark::kMillisecond);
 }
 
 bool measure(std::int64_t n, int argc, char** argv) {
@@ -118,10 +85,7 @@ bool measure(std::int64_t n, int argc, char** argv) {
             visible);
         add(name_of(kind, "naive"), construction(sites, kind.is_regular, Arithmetic::naive),
             visible);
-#if defined(SIGNUM_WITH_CGAL)
-        add(name_of(kind, "CGAL"), kind.is_regular ? cgal::regular(*sites) : cgal::delaunay(*sites),
-            visible);
-#endif
+        add(name_of(kind, "CGAL"), cgal::in_space(*sites, kind.is_regular), visible);
     }
     const Measurements measured = run_interleaved(argc, argv, 7);
     constexpr double second = 1.0;
@@ -129,9 +93,8 @@ bool measure(std::int64_t n, int argc, char** argv) {
                SIGNUM_FLAGS);
     std::vector<std::string> header = {"sites", "signum", "signum, naive arithmetic",
                                        "exact / naive"};
-#if defined(SIGNUM_WITH_CGAL)
-    header.insert(header.end(), {fmt::format("CGAL {}", cgal::version()), "CGAL / signum"});
-#endif
+    if (cgal::is_there)
+        header.insert(header.end(), {fmt::format("CGAL {}", cgal::version()), "CGAL / signum"});
     print_header(header);
     bool all_agree = true;
     for (const Kind& kind : kinds) {
@@ -140,14 +103,9 @@ bool measure(std::int64_t n, int argc, char** argv) {
         const std::string other = name_of(kind, "CGAL");
         std::vector<std::string> row = {kind.name, measured.cell(exact, second),
                                         measured.cell(naive, second), measured.ratio(exact, naive)};
-#if defined(SIGNUM_WITH_CGAL)
-        row.insert(row.end(), {measured.cell(other, second), measured.ratio(other, exact)});
-        if (visible.contains(exact) && visible.contains(other) &&
-            visible[exact] != visible[other]) {
-            fmt::print(stderr, "{}: CGAL finds another number of visible sites\n", kind.name);
-            all_agree = false;
-        }
-#endif
+        if (cgal::is_there)
+            row.insert(row.end(), {measured.cell(other, second), measured.ratio(other, exact)});
+        all_agree &= visible.agree(kind.name, exact, other);
         print_row(row);
     }
     fmt::print("\n{} Radii of regular ones: uniform from 0 to the mean distance of neighbours.\n",
@@ -155,7 +113,6 @@ bool measure(std::int64_t n, int argc, char** argv) {
     return all_agree;
 }
 
-#if defined(SIGNUM_WITH_CGAL)
 /// Finite cells beside CGAL's, of sets up to n sites. Equal weights with all ties; untied others.
 bool compare(std::int64_t n) {
     bool all_agree = true;
@@ -169,26 +126,12 @@ bool compare(std::int64_t n) {
                 ours.push_back(cell);
             }
             std::ranges::sort(ours);
-            const auto theirs =
-                kind.is_regular ? cgal::regular_cells(sites) : cgal::delaunay_cells(sites);
+            const auto theirs = cgal::cells(sites, kind.is_regular);
             fmt::print("{}, {} sites: {} cells, {}\n", kind.name, sites.size(), ours.size(),
                        ours == theirs ? "CGAL's" : "not CGAL's");
             all_agree &= ours == theirs;
         }
     return all_agree;
-}
-#endif
-
-/// Takes an option of ours out of the arguments; empty where it is not there.
-std::string take(std::string_view option, int& argc, char** argv) {
-    std::string value;
-    const auto is_ours = [&](const char* argument) {
-        if (!std::string_view(argument).starts_with(option)) return false;
-        value = argument;
-        return true;
-    };
-    argc = static_cast<int>(std::remove_if(argv + 1, argv + argc, is_ours) - argv);
-    return value;
 }
 
 }  // namespace
@@ -196,24 +139,9 @@ std::string take(std::string_view option, int& argc, char** argv) {
 
 int main(int argc, char** argv) {
     using namespace signum::benchmarks;
-    constexpr std::string_view option = "--sites=";
-    const std::string sites = take(option, argc, argv);
-    const std::int64_t n =
-        sites.empty() ? 1'000'000 : std::strtoll(sites.c_str() + option.size(), nullptr, 10);
-    if (n <= 0) {
-        fmt::print(stderr, "--sites needs a positive number\n");
-        return 2;
-    }
-    if (!take("--compare", argc, argv).empty()) {
-#if defined(SIGNUM_WITH_CGAL)
-        return compare(n) ? 0 : 1;
-#else
-        fmt::print(stderr, "there is no CGAL to compare with\n");
-        return 2;
-#endif
-    }
-#if defined(__GLIBC__)
-    mallopt(M_MMAP_THRESHOLD, 128 * 1024);  // once set, it no longer grows with what is freed
-#endif
-    return measure(n, argc, argv) ? 0 : 1;
+    const std::int64_t n = take_sites(argc, argv, 1'000'000);
+    if (take("--compare", argc, argv).empty()) return measure(n, argc, argv) ? 0 : 1;
+    if (cgal::is_there) return compare(n) ? 0 : 1;
+    fmt::print(stderr, "there is no CGAL to compare with\n");
+    return 2;
 }

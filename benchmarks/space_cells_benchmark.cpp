@@ -120,11 +120,10 @@ void measure(const Kind& kind, std::int64_t count) {
         if (round + 1 < rounds) continue;
         const Differences d(cells, others);
         fmt::print(
-            "| {} | {:.3f} | {:.3f} | {:.3f} | {:.2f} ({:.2f}–{:.2f}) | {:.1e} | {:.1e} | "
+            "| {} | {:.3f} | {:.3f} | {:.3f} | {} | {:.1e} | {:.1e} | "
             "{:.1e} | {:.1e} | {} | {:.1e} |\n",
-            kind.name, median(building), median(cutting), median(theirs), median(ratios),
-            *std::ranges::min_element(ratios), *std::ranges::max_element(ratios), d.volume,
-            d.volume_of_mean, d.area, d.face_of_mean, d.lists, d.only_one_has);
+            kind.name, median(building), median(cutting), median(theirs), median_and_range(ratios),
+            d.volume, d.volume_of_mean, d.area, d.face_of_mean, d.lists, d.only_one_has);
 #endif
     }
     if (theirs.empty())

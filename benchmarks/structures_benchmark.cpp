@@ -131,16 +131,14 @@ Measured measure(const motion::State<D>& state, const motion::Effects<D>& effect
     std::optional<motion::Simulation<D>> simulation;
     for (int round = 0; round < rounds; ++round) {
         simulation.reset();
-        const double begin = seconds();
-        simulation.emplace(state, effects, motion::Options{structure});
-        starts.push_back(seconds() - begin);
+        starts.push_back(
+            seconds_of([&] { simulation.emplace(state, effects, motion::Options{structure}); }));
     }
     simulation->run({.strikes = strikes});
     measured.before = simulation->counts();
     for (int round = 0; round < rounds; ++round) {
-        const double begin = seconds();
-        simulation->run({.strikes = strikes});
-        runs.push_back((seconds() - begin) / static_cast<double>(strikes));
+        runs.push_back(seconds_of([&] { simulation->run({.strikes = strikes}); }) /
+                       static_cast<double>(strikes));
     }
     measured.after = simulation->counts();
     measured.bytes = bytes_taken() - before;

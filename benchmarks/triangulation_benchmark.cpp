@@ -7,40 +7,26 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
-#include <map>
 #include <memory>
-#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
-
-#if defined(__GLIBC__)
-#include <malloc.h>
-#endif
 
 #include <fmt/format.h>
 
 #include "../tool/generate/generate.hpp"
 #include "../triangulation/triangulate.hpp"
 
-#include "construction.hpp"
-#include "interleaved.hpp"
-#if defined(SIGNUM_WITH_CGAL)
 #include "cgal_constructions.hpp"
-#endif
+#include "interleaved.hpp"
+#include "peer.hpp"
 
 namespace signum::benchmarks {
 namespace {
 
-struct NamedDistribution {
-    const char* name;
-    Distribution distribution;
-};
-constexpr NamedDistribution distributions[] = {{"random", Distribution::random},
-                                               {"grid", Distribution::grid},
-                                               {"circle", Distribution::circle},
-                                               {"square", Distribution::square}};
+constexpr std::pair<const char*, Distribution> distributions[] = {{"random", Distribution::random},
+                                                                  {"grid", Distribution::grid},
+                                                                  {"circle", Distribution::circle},
+                                                                  {"square", Distribution::square}};
 
 /// What is built: a metric, radii, and CGAL's counterpart where there is one.
 struct Kind {
@@ -49,96 +35,41 @@ struct Kind {
     Metric metric;
     double radius;           ///< the largest, in mean distances of neighbours
     const char* cgal_class;  ///< empty where CGAL has none
-#if defined(SIGNUM_WITH_CGAL)
     Construction (*cgal)(const std::vector<Site>&);
-#endif
 };
-#if defined(SIGNUM_WITH_CGAL)
-#define SIGNUM_CGAL(construction) , construction
-#else
-#define SIGNUM_CGAL(construction)
-#endif
 constexpr Kind kinds[] = {
-    {"Delaunay", "Delaunay triangulation", Metric::power, 0,
-     "Delaunay_triangulation_2" SIGNUM_CGAL(cgal::delaunay)},
-    {"regular", "Regular triangulation", Metric::power, 1,
-     "Regular_triangulation_2" SIGNUM_CGAL(cgal::regular)},
+    {"Delaunay", "Delaunay triangulation", Metric::power, 0, "Delaunay_triangulation_2",
+     cgal::delaunay},
+    {"regular", "Regular triangulation", Metric::power, 1, "Regular_triangulation_2",
+     cgal::regular},
     {"Euclidean", "Euclidean tessellation of discs", Metric::euclidean, 1,
-     "Apollonius_graph_hierarchy_2" SIGNUM_CGAL(cgal::apollonius)},
+     "Apollonius_graph_hierarchy_2", cgal::apollonius},
     {"small", "Euclidean tessellation of small discs", Metric::euclidean, 0.1,
-     "Apollonius_graph_hierarchy_2" SIGNUM_CGAL(cgal::apollonius)},
+     "Apollonius_graph_hierarchy_2", cgal::apollonius},
     {"supremum", "Supremum tessellation of points", Metric::supremum, 0,
-     "Segment_Delaunay_graph_Linf_hierarchy_2" SIGNUM_CGAL(cgal::linf)},
-    {"squares", "Supremum tessellation of squares", Metric::supremum, 1, "" SIGNUM_CGAL(nullptr)},
-    {"diamonds", "Manhattan tessellation of diamonds", Metric::manhattan, 1,
-     "" SIGNUM_CGAL(nullptr)},
+     "Segment_Delaunay_graph_Linf_hierarchy_2", cgal::linf},
+    {"squares", "Supremum tessellation of squares", Metric::supremum, 1, "", nullptr},
+    {"diamonds", "Manhattan tessellation of diamonds", Metric::manhattan, 1, "", nullptr},
 };
-#undef SIGNUM_CGAL
-
-enum class Contestant { exact, naive, cgal };
 
 /// How far a site is from the next one, roughly.
 double spacing(Distribution distribution, std::int64_t n) {
     constexpr double side = 700.0;
     const auto count = static_cast<double>(n);
-    switch (distribution) {
-        case Distribution::random:
-        case Distribution::grid:
-            return side / std::sqrt(count);
-        case Distribution::circle:
-            return 3.14159 * side / count;
-        case Distribution::square:
-            return 4.0 * side / count;
-    }
-    return 0.0;
+    if (distribution == Distribution::circle) return 3.14159 * side / count;
+    if (distribution == Distribution::square) return 4.0 * side / count;
+    return side / std::sqrt(count);
 }
 
-std::string name_of(const Kind& kind, const char* distribution, Contestant contestant) {
-    constexpr const char* contestant_names[] = {"exact", "naive", "CGAL"};
-    return fmt::format("{} {} {}", kind.name, distribution,
-                       contestant_names[static_cast<int>(contestant)]);
+std::string name_of(const Kind& kind, const char* distribution, const char* contestant) {
+    return fmt::format("{} {} {}", kind.name, distribution, contestant);
 }
 
 Construction construction(std::shared_ptr<const std::vector<Site>> sites, Metric metric,
                           Arithmetic arithmetic) {
     return [sites = std::move(sites), metric, arithmetic] {
-        const auto result =
-            std::make_shared<Tessellation>(triangulate(*sites, metric, {.arithmetic = arithmetic}));
-        return Built{static_cast<std::int64_t>(sites->size() - result->hidden().size()), result};
+        return built(triangulate(*sites, metric, {.arithmetic = arithmetic}));
     };
-}
-
-/// Every construction begins as in a new process: no memory is left over from the one before. (What
-/// it takes from the system it pays for, by page faults.)
-void give_memory_back() {
-#if defined(__GLIBC__)
-    malloc_trim(0);
-#endif
-}
-void keep_no_memory() {
-#if defined(__GLIBC__)
-    mallopt(M_MMAP_THRESHOLD, 128 * 1024);  // once set, it no longer grows with what is freed
-#endif
-}
-
-/// Numbers of visible sites, by name of the benchmark.
-using Visible = std::map<std::string, std::int64_t>;
-
-void add(const std::string& name, Construction construct, Visible& visible) {
-    benchmark::RegisterBenchmark(
-        name.c_str(),
-        [name, construct = std::move(construct), &visible](benchmark::State& state) {
-            give_memory_back();
-            Built built;
-            try {
-                for (auto _ : state) built = construct();
-                visible[name] = built.visible;
-            } catch (const BrokenStructure&) {
-                state.SkipWithError("breaks");
-            }
-        })
-        ->Iterations(1)
-        ->Unit(benchmark::kMillisecond);
 }
 
 /// Sites of a kind: CGAL's graphs of curved metrics take their time.
@@ -153,49 +84,32 @@ void add_all(std::int64_t all, Visible& visible) {
             const double radius = kind.radius * spacing(distribution, n);
             const auto sites = std::make_shared<const std::vector<Site>>(
                 generate(distribution, {.count = n, .radius_to = radius, .seed = 1}));
-            add(name_of(kind, name, Contestant::exact),
-                construction(sites, kind.metric, Arithmetic::exact), visible);
-            add(name_of(kind, name, Contestant::naive),
-                construction(sites, kind.metric, Arithmetic::naive), visible);
-#if defined(SIGNUM_WITH_CGAL)
-            if (kind.cgal != nullptr)
-                add(name_of(kind, name, Contestant::cgal), kind.cgal(*sites), visible);
-#endif
+            add(name_of(kind, name, "exact"), construction(sites, kind.metric, Arithmetic::exact),
+                visible);
+            add(name_of(kind, name, "naive"), construction(sites, kind.metric, Arithmetic::naive),
+                visible);
+            if (kind.cgal != nullptr) add(name_of(kind, name, "CGAL"), kind.cgal(*sites), visible);
         }
-}
-
-std::string cgal_name(const Kind& kind) {
-#if defined(SIGNUM_WITH_CGAL)
-    if (kind.cgal != nullptr) return fmt::format("CGAL {} `{}`", cgal::version(), kind.cgal_class);
-#else
-    static_cast<void>(kind);
-#endif
-    return {};
-}
-
-/// Whether CGAL found as many visible sites; true without CGAL.
-bool agrees(const Kind& kind, const char* distribution, const Visible& visible) {
-    const auto exact = visible.find(name_of(kind, distribution, Contestant::exact));
-    const auto other = visible.find(name_of(kind, distribution, Contestant::cgal));
-    return exact == visible.end() || other == visible.end() || exact->second == other->second;
 }
 
 bool print_table(const Kind& kind, std::int64_t n, const Measurements& measured,
                  const Visible& visible) {
     constexpr double second = 1.0;
-    const bool with_cgal = !cgal_name(kind).empty();
+    const bool with_cgal = kind.cgal != nullptr;
     fmt::print("{}, {} sites, seconds ({}, one thread):\n\n", kind.title, n, SIGNUM_FLAGS);
     std::vector<std::string> header = {"sites", "signum"};
     if (kind.radius > 0.0) header.insert(header.begin() + 1, "hidden");
-    if (with_cgal) header.insert(header.end(), {cgal_name(kind), "CGAL / signum"});
+    if (with_cgal)
+        header.insert(header.end(), {fmt::format("CGAL {} `{}`", cgal::version(), kind.cgal_class),
+                                     "CGAL / signum"});
     header.insert(header.end(), {"signum, naive arithmetic", "exact / naive"});
     print_header(header);
 
     bool all_agree = true;
     for (const auto& [name, distribution] : distributions) {
-        const std::string exact = name_of(kind, name, Contestant::exact);
-        const std::string naive = name_of(kind, name, Contestant::naive);
-        const std::string cgal = name_of(kind, name, Contestant::cgal);
+        const std::string exact = name_of(kind, name, "exact");
+        const std::string naive = name_of(kind, name, "naive");
+        const std::string cgal = name_of(kind, name, "CGAL");
         std::vector<std::string> row = {name, measured.cell(exact, second)};
         if (kind.radius > 0.0) {
             const auto found = visible.find(exact);
@@ -208,27 +122,10 @@ bool print_table(const Kind& kind, std::int64_t n, const Measurements& measured,
             row.insert(row.end(), {measured.cell(cgal, second), measured.ratio(cgal, exact)});
         row.insert(row.end(), {measured.cell(naive, second), measured.ratio(exact, naive)});
         print_row(row);
-        if (!agrees(kind, name, visible)) {
-            fmt::print(stderr, "{} {}: CGAL finds another number of visible sites\n", kind.name,
-                       name);
-            all_agree = false;
-        }
+        all_agree &= visible.agree(fmt::format("{} {}", kind.name, name), exact, cgal);
     }
     fmt::print("\n");
     return all_agree;
-}
-
-/// Takes --sites=N out of the arguments; 0 where N is no number of sites.
-std::int64_t take_sites(int& argc, char** argv) {
-    constexpr std::string_view option = "--sites=";
-    std::int64_t sites = 1'000'000;
-    const auto is_ours = [&](const char* argument) {
-        if (!std::string_view(argument).starts_with(option)) return false;
-        sites = std::strtoll(argument + option.size(), nullptr, 10);
-        return true;
-    };
-    argc = static_cast<int>(std::remove_if(argv + 1, argv + argc, is_ours) - argv);
-    return sites > 0 && sites <= max_sites ? sites : 0;
 }
 
 }  // namespace
@@ -236,12 +133,7 @@ std::int64_t take_sites(int& argc, char** argv) {
 
 int main(int argc, char** argv) {
     using namespace signum::benchmarks;
-    const std::int64_t n = take_sites(argc, argv);
-    if (n == 0) {
-        fmt::print(stderr, "--sites needs a positive number\n");
-        return 2;
-    }
-    keep_no_memory();
+    const std::int64_t n = take_sites(argc, argv, 1'000'000);
     Visible visible;
     add_all(n, visible);
     const Measurements measured = run_interleaved(argc, argv, 7);

@@ -40,7 +40,7 @@ set(headers_behind
   predicates/power/ties.hpp predicates/power/weight.hpp
   predicates/space/ccw.hpp predicates/space/euclidean.hpp predicates/space/in_sphere.hpp
   predicates/space/nearer.hpp predicates/space/rectangular.hpp
-  predicates/rectangular/forms.hpp predicates/rectangular/squares.hpp
+  predicates/ladder/forms.hpp predicates/rectangular/squares.hpp
   triangulation/structure/corners.hpp triangulation/structure/cycle.hpp)
 # What needs a library of the user's own, which is no dependency of the package.
 file(GLOB interop_headers RELATIVE "${PROJECT_SOURCE_DIR}" CONFIGURE_DEPENDS bindings/interop/*.hpp bindings/interop/cgal/*.hpp)

@@ -23,9 +23,9 @@
 #include <vector>
 
 #include "../filters/interval.hpp"
-#include "box_tree.hpp"
 #include "gap.hpp"
 #include "meeting.hpp"
+#include "pair_tree.hpp"
 #include "stop.hpp"
 
 namespace signum::motion {
@@ -99,10 +99,10 @@ class NearPairs {
     /// images (most_images). Throws std::range_error for the latter without a limit.
     [[nodiscard]] std::optional<std::vector<NearPair<D>>> closest(std::size_t limit,
                                                                   Stop& stop) const {
-        std::vector<typename BoxTree<D>::Node> boxes;
+        std::vector<typename PairTree<D>::Place> boxes;
         boxes.reserve(balls_.size());
         for (const Ball<D>& ball : balls_) boxes.push_back(box_of(ball));
-        const BoxTree<D> tree(boxes, length_);
+        const PairTree<D> tree(boxes, length_);
         Found found{infinity, limit, {}};
         const bool all = tree.visit_pairs(
             [&] { return found.bound; },
@@ -163,10 +163,10 @@ class NearPairs {
         return Interval(ball(a).radius) + Interval(ball(b).radius);
     }
 
-    typename BoxTree<D>::Node box_of(const Ball<D>& ball) const {
+    typename PairTree<D>::Place box_of(const Ball<D>& ball) const {
         constexpr Interval half(0.5);
         const Interval since = Interval(from_) - Interval(ball.time);
-        typename BoxTree<D>::Node node;
+        typename PairTree<D>::Place node;
         node.radius = ball.radius;
         for (int k = 0; k < D; ++k) {
             Interval v(ball.v[k]);

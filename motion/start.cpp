@@ -16,8 +16,8 @@
 
 #include "../exact/floating_environment.hpp"
 #include "apart.hpp"
-#include "box_tree.hpp"
 #include "check_parts.hpp"
+#include "pair_tree.hpp"
 #include "partner.hpp"
 #include "simulation.hpp"
 #include "time_steps.hpp"
@@ -312,7 +312,7 @@ template <int D>
 std::optional<std::pair<std::uint32_t, std::uint32_t>> any_overlap(
     const State<D>& state, const Effects<D>& effects, std::span<const std::uint32_t> numbers) {
     if (numbers.empty()) return std::nullopt;
-    std::vector<typename BoxTree<D>::Node> places;
+    std::vector<typename PairTree<D>::Place> places;
     places.reserve(numbers.size());
     for (const std::uint32_t number : numbers) {
         const Ball<D>& ball = state.balls[number];
@@ -322,7 +322,7 @@ std::optional<std::pair<std::uint32_t, std::uint32_t>> any_overlap(
     for (int k = 0; k < D; ++k)
         length[k] = effects.periodic ? effects.box->high[k] - effects.box->low[k] : infinity;
     std::optional<std::pair<std::uint32_t, std::uint32_t>> found;
-    BoxTree<D>(places, length)
+    PairTree<D>(places, length)
         .visit_pairs([] { return 0.0; },
                      [&](std::uint32_t i, std::uint32_t j) {
                          const std::pair pair(numbers[std::max(i, j)], numbers[std::min(i, j)]);

@@ -8,7 +8,7 @@
 /// Each predicate asks a filter first (euclidean/filter.hpp). Behind it stand exact numbers and
 /// polynomials without a square root (euclidean/exact.cpp). Sites of the same radius the metric
 /// orders as Delaunay does: under the tie rule their in_circle is that of points, of lower degree.
-/// Source: the identities of euclidean/polynomials.hpp; the tie rule is decided at first order.
+/// Source: the identities of formulas/apollonius.hpp; the tie rule is decided at first order.
 
 #include <array>
 

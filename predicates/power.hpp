@@ -21,6 +21,31 @@ template <PowerSite S>
     return ccw(i, j, k) > 0;
 }
 
+/// +1 where q conflicts with the vertex of i, j, k (is nearer than they are), 0 where it touches,
+/// -1 otherwise. Preconditions: exists(i,j,k), finite numbers. Thesis: Theorem 4.4.1.
+template <PowerSite S>
+[[nodiscard]] inline Sign in_circle(const S& i, const S& j, const S& k, const S& q) noexcept {
+    SIGNUM_EXPECTS(are_finite(i, j, k, q));
+    return in_circle_decision(i, j, k, q).sign;
+}
+
+/// The same at the hull edge a -> b, all other sites on its left or on its line: +1 where q
+/// conflicts with the vertex at infinity, 0 where it touches, -1 otherwise. Preconditions: centres
+/// of a and b differ, finite numbers.
+template <PowerSite S>
+[[nodiscard]] inline Sign in_circle_infinite(const S& a, const S& b, const S& q) noexcept {
+    SIGNUM_EXPECTS(are_finite(a, b, q));
+    const Sign side = ccw(a, b, q);
+    return side != 0 ? -side : in_segment_decision(a, b, q).sign;
+}
+
+/// +1 where the point p is nearer to a than to b, 0 where both are as near, -1 otherwise.
+template <PowerSite S>
+[[nodiscard]] inline Sign nearer(Point p, const S& a, const S& b) noexcept {
+    SIGNUM_EXPECTS(are_finite(p, a, b));
+    return nearer_decision(p, a, b).sign;
+}
+
 /// Whether i alone hides q: in this metric only where the centres agree and i weighs no less.
 template <PowerSite S>
 [[nodiscard]] inline bool hidden(const S& q, const S& i) noexcept {

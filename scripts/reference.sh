@@ -12,7 +12,7 @@ command -v doxygen >/dev/null || { echo "signum: this needs doxygen (apt-get ins
 # Users' headers, and those behind them that hold names of theirs.
 mapfile -t headers < <(sed -n '/^set(public_headers/,/)/p; /^set(headers_behind/,/)/p' "$root/cmake/Install.cmake" |
   sed 's/set([a-z_]*//; s/)//' | tr -s ' \n' '\n' | grep -E '\.hpp$|\.h$' |
-  grep -vE '^(filters|core/contract|core/handle|motion/meeting.hpp|predicates/(additive|power/|euclidean/|rectangular/)|triangulation/structure)')
+  grep -vE '^(filters|core/contract|core/handle|motion/meeting.hpp|predicates/(additive|power/|euclidean/|rectangular/|formulas/|ladder/)|triangulation/structure)')
 [ ${#headers[@]} -gt 30 ] || { echo "signum: found only ${#headers[@]} headers in cmake/Install.cmake" >&2; exit 1; }
 rm -rf "$place"
 mkdir -p "$place"
@@ -31,7 +31,8 @@ FULL_PATH_NAMES = YES
 JAVADOC_AUTOBRIEF = YES
 MARKDOWN_SUPPORT = YES
 EXCLUDE_SYMBOLS = *::cold *::additive *::balls operator== signum::predicates signum::filters signum::triangulation \
-  signum::centre3 *_cold *lifted_row signum::power::LiftedRow
+  signum::centre3 *lifted_row signum::power::InSphere signum::power::Nearer3 \
+  signum::euclidean::multiprecision
 EXTRACT_ALL = NO
 HIDE_UNDOC_MEMBERS = NO
 SORT_MEMBER_DOCS = NO

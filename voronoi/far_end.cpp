@@ -2,7 +2,7 @@
 
 #include "../exact/floating_environment.hpp"
 #include "../exact/multiprecision.hpp"
-#include "../predicates/euclidean/polynomials.hpp"
+#include "../predicates/formulas/apollonius.hpp"
 #include "../triangulation/kernels/predicates_of.hpp"
 
 namespace signum {

@@ -1,5 +1,5 @@
 /// Contacts in the supremum and Manhattan metrics, in the forms g and numbers G of
-/// predicates/rectangular/forms.hpp: a square touches m where the greatest of g_d(m) - G_d is 0,
+/// predicates/ladder/forms.hpp: a square touches m where the greatest of g_d(m) - G_d is 0,
 /// and m is strictly inside where it is negative.
 ///
 /// A square that i and j touch has G_d >= h_d, the greater of their two forms. A smaller one within

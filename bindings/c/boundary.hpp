@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -115,6 +116,13 @@ inline void expect_room(const void* first, std::int64_t count, std::size_t neede
     expect_array(first, count, name);
 }
 
+/// Sites are nothing but their numbers, as many as the type has.
+template <class S>
+[[nodiscard]] S as(const double* numbers) noexcept {
+    std::array<double, sizeof(S) / sizeof(double)> copy;
+    std::copy_n(numbers, copy.size(), copy.begin());
+    return std::bit_cast<S>(copy);
+}
 template <std::size_t n>
 [[nodiscard]] bool finite(const double* numbers) noexcept {
     return numbers != nullptr &&

@@ -8,12 +8,13 @@
 #include "handles.hpp"
 
 struct signum_dynamic {
+    static constexpr const char* name = "dynamic";
     signum::DynamicTessellation sites;
 };
 
 using namespace signum;
 using c::expect;
-using c::guarded;
+using c::with;
 
 signum_status signum_dynamic_create(signum_metric metric, signum_weight_is weight_is,
                                     signum_dynamic** dynamic, signum_error* error) {
@@ -28,8 +29,7 @@ void signum_dynamic_free(signum_dynamic* dynamic) {
 
 signum_status signum_dynamic_insert(signum_dynamic* dynamic, const double* site, int32_t* handle,
                                     signum_error* error) {
-    return guarded(error, [&] {
-        expect(dynamic, "dynamic");
+    return with(dynamic, error, [&] {
         expect(site, "site");
         const Index given = dynamic->sites.insert({site[0], site[1], site[2]});
         if (handle != nullptr) *handle = given;
@@ -37,24 +37,17 @@ signum_status signum_dynamic_insert(signum_dynamic* dynamic, const double* site,
 }
 
 signum_status signum_dynamic_erase(signum_dynamic* dynamic, int32_t handle, signum_error* error) {
-    return guarded(error, handle, [&] {
-        expect(dynamic, "dynamic");
-        dynamic->sites.erase(handle);
-    });
+    return with(dynamic, error, handle, [&] { dynamic->sites.erase(handle); });
 }
 
 signum_status signum_dynamic_change(signum_dynamic* dynamic, int32_t handle, double third,
                                     signum_error* error) {
-    return guarded(error, handle, [&] {
-        expect(dynamic, "dynamic");
-        dynamic->sites.change(handle, third);
-    });
+    return with(dynamic, error, handle, [&] { dynamic->sites.change(handle, third); });
 }
 
 signum_status signum_dynamic_move(signum_dynamic* dynamic, int32_t handle, const double* centre,
                                   signum_error* error) {
-    return guarded(error, handle, [&] {
-        expect(dynamic, "dynamic");
+    return with(dynamic, error, handle, [&] {
         expect(centre, "centre");
         dynamic->sites.move(handle, {centre[0], centre[1]});
     });
@@ -62,8 +55,7 @@ signum_status signum_dynamic_move(signum_dynamic* dynamic, int32_t handle, const
 
 signum_status signum_dynamic_move_all(signum_dynamic* dynamic, const double* centres, int64_t count,
                                       signum_error* error) {
-    return guarded(error, [&] {
-        expect(dynamic, "dynamic");
+    return with(dynamic, error, [&] {
         c::expect_array(centres, count, "centres");
         std::vector<Point> points;
         points.reserve(static_cast<std::size_t>(count));
@@ -83,8 +75,7 @@ int64_t signum_dynamic_size(const signum_dynamic* dynamic) {
 
 signum_status signum_dynamic_site(const signum_dynamic* dynamic, int32_t handle, double* site,
                                   signum_error* error) {
-    return guarded(error, handle, [&] {
-        expect(dynamic, "dynamic");
+    return with(dynamic, error, handle, [&] {
         expect(site, "site");
         const Site found = dynamic->sites.site(handle);
         site[0] = found.x;
@@ -96,7 +87,7 @@ signum_status signum_dynamic_site(const signum_dynamic* dynamic, int32_t handle,
 signum_status signum_dynamic_tessellation(const signum_dynamic* dynamic,
                                           signum_tessellation** tessellation, signum_error* error) {
     return c::create(tessellation, "tessellation", error, [&] {
-        expect(dynamic, "dynamic");
+        expect(dynamic);
         return dynamic->sites.tessellation();
     });
 }

@@ -2,14 +2,17 @@
 /// What stands behind the handles that several files share.
 
 #include <cstdint>
+#include <cstring>
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "../../triangulation/tessellation.hpp"
 #include "boundary.hpp"
 
 struct signum_tessellation {
+    static constexpr const char* name = "tessellation";
     signum::Tessellation tessellation;
 };
 
@@ -29,10 +32,24 @@ signum_status create(Handle** place, const char* name, signum_error* error, Make
 /// Refuses null, and a handle from the callback that its work is calling: what it would show is
 /// half done.
 template <class Handle>
-void expect_at_rest(const Handle* handle, const char* name) {
-    expect(handle, name);
-    if (handle->is_calling)
-        throw Refused("the " + std::string(name) + " is at work: this is its callback");
+void expect(const Handle* handle) {
+    expect(handle, Handle::name);
+    if constexpr (requires { handle->is_calling; })
+        if (handle->is_calling)
+            throw Refused("the " + std::string(Handle::name) + " is at work: this is its callback");
+}
+/// guarded(), with a handle to be expected first.
+template <class Handle, class Work>
+signum_status with(const Handle* handle, signum_error* error, std::int64_t about,
+                   Work&& work) noexcept {
+    return guarded(error, about, [&] {
+        expect(handle);
+        work();
+    });
+}
+template <class Handle, class Work>
+signum_status with(const Handle* handle, signum_error* error, Work&& work) noexcept {
+    return with(handle, error, -1, std::forward<Work>(work));
 }
 /// Frees a handle; one at work stays.
 template <class Handle>
@@ -51,5 +68,19 @@ class Calling {
  private:
     bool& flag_;
 };
+
+/// Rows of 32-bit integers as they come, each of as many as a Row has.
+template <class Row>
+[[nodiscard]] std::vector<Row> rows_from(const std::int32_t* numbers, std::int64_t count) {
+    std::vector<Row> rows(static_cast<std::size_t>(count));
+    if (count > 0) std::memcpy(rows.data(), numbers, rows.size() * sizeof(Row));
+    return rows;
+}
+/// The other way: how many there are, and where.
+template <class Rows, class Number>
+void show(const Rows& rows, const Number*& first, std::int64_t& count) noexcept {
+    first = reinterpret_cast<const Number*>(rows.data());
+    count = static_cast<std::int64_t>(rows.size());
+}
 
 }  // namespace signum::c

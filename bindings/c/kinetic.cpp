@@ -10,6 +10,7 @@
 #include "handles.hpp"
 
 struct signum_kinetic {
+    static constexpr const char* name = "kinetic";
     signum::KineticTessellation sites;
     std::vector<signum::Face> faces{};  ///< those that were shown last
     bool is_calling = false;            ///< on_edge
@@ -27,8 +28,7 @@ namespace {
 
 using namespace signum;
 using c::expect;
-using c::expect_at_rest;
-using c::guarded;
+using c::with;
 
 signum_status signum_kinetic_create(const signum_moving_site* sites, int64_t count, double start,
                                     const double* fall, signum_kinetic** kinetic,
@@ -54,8 +54,7 @@ void signum_kinetic_free(signum_kinetic* kinetic) {
 
 signum_status signum_kinetic_insert(signum_kinetic* kinetic, const signum_moving_site* site,
                                     int32_t* handle, signum_error* error) {
-    return guarded(error, [&] {
-        expect_at_rest(kinetic, "kinetic");
+    return with(kinetic, error, [&] {
         expect(site, "site");
         const Index given = kinetic->sites.insert(c::moving(*site));
         if (handle != nullptr) *handle = given;
@@ -63,16 +62,12 @@ signum_status signum_kinetic_insert(signum_kinetic* kinetic, const signum_moving
 }
 
 signum_status signum_kinetic_erase(signum_kinetic* kinetic, int32_t handle, signum_error* error) {
-    return guarded(error, handle, [&] {
-        expect_at_rest(kinetic, "kinetic");
-        kinetic->sites.erase(handle);
-    });
+    return with(kinetic, error, handle, [&] { kinetic->sites.erase(handle); });
 }
 
 signum_status signum_kinetic_change(signum_kinetic* kinetic, int32_t handle,
                                     const signum_moving_site* site, signum_error* error) {
-    return guarded(error, handle, [&] {
-        expect_at_rest(kinetic, "kinetic");
+    return with(kinetic, error, handle, [&] {
         expect(site, "site");
         kinetic->sites.change(handle, c::moving(*site));
     });
@@ -88,8 +83,7 @@ int64_t signum_kinetic_size(const signum_kinetic* kinetic) {
 
 signum_status signum_kinetic_site(const signum_kinetic* kinetic, int32_t handle,
                                   signum_moving_site* site, signum_error* error) {
-    return guarded(error, handle, [&] {
-        expect_at_rest(kinetic, "kinetic");
+    return with(kinetic, error, handle, [&] {
         expect(site, "site");
         const MovingSite found = kinetic->sites.site(handle);
         *site = {found.x, found.y, found.vx, found.vy, found.r, found.time};
@@ -98,8 +92,7 @@ signum_status signum_kinetic_site(const signum_kinetic* kinetic, int32_t handle,
 
 signum_status signum_kinetic_time(const signum_kinetic* kinetic, double* time,
                                   signum_error* error) {
-    return guarded(error, [&] {
-        expect_at_rest(kinetic, "kinetic");
+    return with(kinetic, error, [&] {
         expect(time, "time");
         *time = kinetic->sites.time();
     });
@@ -107,36 +100,30 @@ signum_status signum_kinetic_time(const signum_kinetic* kinetic, double* time,
 
 signum_status signum_kinetic_next_event(const signum_kinetic* kinetic, double* time,
                                         signum_error* error) {
-    return guarded(error, [&] {
-        expect_at_rest(kinetic, "kinetic");
+    return with(kinetic, error, [&] {
         expect(time, "time");
         *time = kinetic->sites.next_event().value_or(std::numeric_limits<double>::infinity());
     });
 }
 
 signum_status signum_kinetic_advance(signum_kinetic* kinetic, double time, signum_error* error) {
-    return guarded(error, [&] {
-        expect_at_rest(kinetic, "kinetic");
-        kinetic->sites.advance(time);
-    });
+    return with(kinetic, error, [&] { kinetic->sites.advance(time); });
 }
 
 signum_status signum_kinetic_faces(signum_kinetic* kinetic, const int32_t** faces, int64_t* count,
                                    signum_error* error) {
-    return guarded(error, [&] {
-        expect_at_rest(kinetic, "kinetic");
+    return with(kinetic, error, [&] {
         expect(faces, "faces");
         expect(count, "count");
         kinetic->faces = kinetic->sites.faces();
-        *faces = reinterpret_cast<const std::int32_t*>(kinetic->faces.data());
-        *count = static_cast<std::int64_t>(kinetic->faces.size());
+        c::show(kinetic->faces, *faces, *count);
     });
 }
 
 signum_status signum_kinetic_tessellation(const signum_kinetic* kinetic,
                                           signum_tessellation** tessellation, signum_error* error) {
     return c::create(tessellation, "tessellation", error, [&] {
-        expect_at_rest(kinetic, "kinetic");
+        expect(kinetic);
         return kinetic->sites.tessellation();
     });
 }
@@ -144,12 +131,8 @@ signum_status signum_kinetic_tessellation(const signum_kinetic* kinetic,
 signum_status signum_kinetic_watch(signum_kinetic* kinetic,
                                    void (*on_edge)(int32_t, int32_t, int, void*), void* user,
                                    signum_error* error) {
-    return guarded(error, [&] {
-        expect_at_rest(kinetic, "kinetic");
-        if (on_edge == nullptr) {
-            kinetic->sites.watch({});
-            return;
-        }
+    return with(kinetic, error, [&] {
+        if (on_edge == nullptr) return kinetic->sites.watch({});
         kinetic->sites.watch([=](Index a, Index b, bool comes) {
             const c::Calling calling(kinetic->is_calling);
             on_edge(a, b, static_cast<int>(comes), user);

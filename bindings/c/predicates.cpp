@@ -19,42 +19,36 @@ namespace {
     return metric >= SIGNUM_POWER && metric <= SIGNUM_SUPREMUM;
 }
 
-// What three or four numbers are, by the name of the type that is asked for.
-void take(const double* numbers, Point& point) noexcept {
-    point = {numbers[0], numbers[1]};
-}
-void take(const double* numbers, Point3& point) noexcept {
-    point = {numbers[0], numbers[1], numbers[2]};
-}
-void take(const double* numbers, Site& site) noexcept {
-    site = {numbers[0], numbers[1], numbers[2]};
-}
-void take(const double* numbers, Site3& site) noexcept {
-    site = {numbers[0], numbers[1], numbers[2], numbers[3]};
-}
-void take(const double* numbers, power::Site& site) noexcept {
-    site = {numbers[0], numbers[1], numbers[2]};
-}
-void take(const double* numbers, power::Site3& site) noexcept {
-    site = {numbers[0], numbers[1], numbers[2], numbers[3]};
-}
-template <class S>
-[[nodiscard]] S as(const double* numbers) noexcept {
-    S site;
-    take(numbers, site);
-    return site;
-}
-/// Sites are nothing but their numbers.
-template <class S, class... Numbers>
-[[nodiscard]] bool are(const Numbers*... numbers) noexcept {
-    return (finite<sizeof(S) / sizeof(double)>(numbers) && ...);
-}
+/// A parameter of a predicate, made of what C has in its place: sites of their numbers, ranks of
+/// as many integers; a place that is null, or a number that is not finite, is not to be asked.
+template <class Parameter>
+struct Taken {
+    using S = std::remove_cvref_t<Parameter>;
+    static bool is_there(const double* numbers) noexcept {
+        return finite<sizeof(S) / sizeof(double)>(numbers);
+    }
+    static S from(const double* numbers) noexcept { return as<S>(numbers); }
+};
+template <std::size_t n>
+struct Taken<const std::array<Index, n>&> {
+    static bool is_there(const std::int32_t* ranks) noexcept { return ranks != nullptr; }
+    static std::array<Index, n> from(const std::int32_t* ranks) noexcept {
+        return std::to_array(*reinterpret_cast<const Index(*)[n]>(ranks));
+    }
+};
 
-/// Asks predicate(as<S>(numbers)...), if they are finite.
-template <class S, class Predicate, class... Numbers>
-[[nodiscard]] int answer(Predicate&& predicate, const Numbers*... numbers) noexcept {
-    if (!are<S>(numbers...)) return SIGNUM_NO_SIGN;
-    return static_cast<int>(predicate(as<S>(numbers)...));
+/// What the predicate answers, or no sign where one cannot ask it.
+template <class Answer, class... Parameters, class... Given>
+[[nodiscard]] int answer(Answer (*predicate)(Parameters...) noexcept,
+                         const Given*... given) noexcept {
+    if (predicate == nullptr || !(Taken<Parameters>::is_there(given) && ...)) return SIGNUM_NO_SIGN;
+    return static_cast<int>(predicate(Taken<Parameters>::from(given)...));
+}
+/// That of a metric in a table; null where there is no such metric.
+template <class Row, class Predicate>
+[[nodiscard]] Predicate of(const Row (&table)[4], signum_metric metric,
+                           Predicate Row::*column) noexcept {
+    return is_metric(metric) ? table[metric].*column : nullptr;
 }
 
 /// The predicates of the plane, a row for every metric, in the order of the enumerators.
@@ -121,108 +115,103 @@ constexpr OfSpace of_space[] = {
     {count_of<supremum::spheres>, supremum::in_sphere, supremum::hidden<Site3>},
 };
 
-template <std::size_t n>
-[[nodiscard]] std::array<Index, n> ranks_from(const std::int32_t* ranks) noexcept {
-    std::array<Index, n> copy{};
-    std::copy(ranks, ranks + n, copy.begin());
-    return copy;
-}
+constexpr auto ccw_of_the_plane = [](const Point& a, const Point& b, const Point& c) noexcept {
+    return ccw(a, b, c);
+};
+constexpr auto ccw_of_space = [](const Point3& a, const Point3& b, const Point3& c,
+                                 const Point3& d) noexcept { return ccw(a, b, c, d); };
+constexpr auto nearer_in_space = [](const Point3& p, const Site3& a, const Site3& b) noexcept {
+    return power::nearer_decision(p, a, b).sign;
+};
 
 }  // namespace
 }  // namespace signum::c
 
 using namespace signum;
 using c::answer;
-using c::are;
-using c::as;
-using c::is_metric;
+using c::of;
 using c::of_space;
 using c::of_the_plane;
+using c::OfSpace;
+using c::OfThePlane;
 
 int signum_ccw(const double* a, const double* b, const double* c) {
-    return answer<Point>([](auto... s) { return ccw(s...); }, a, b, c);
+    return answer(+c::ccw_of_the_plane, a, b, c);
 }
 int signum_exists(signum_metric metric, const double* i, const double* j, const double* k) {
-    return is_metric(metric) ? answer<Site>(of_the_plane[metric].exists, i, j, k) : SIGNUM_NO_SIGN;
+    return answer(of(of_the_plane, metric, &OfThePlane::exists), i, j, k);
 }
 int signum_in_circle(signum_metric metric, const double* i, const double* j, const double* k,
                      const double* q) {
-    return is_metric(metric) ? answer<Site>(of_the_plane[metric].in_circle, i, j, k, q)
-                             : SIGNUM_NO_SIGN;
+    return answer(of(of_the_plane, metric, &OfThePlane::in_circle), i, j, k, q);
 }
 int signum_in_circle_points(const double* i, const double* j, const double* k, const double* q) {
-    return answer<Point>(power::in_circle<Point>, i, j, k, q);
+    return answer(power::in_circle<Point>, i, j, k, q);
 }
 int signum_in_circle_weights(const double* i, const double* j, const double* k, const double* q) {
-    return answer<power::Site>(power::in_circle<power::Site>, i, j, k, q);
+    return answer(power::in_circle<power::Site>, i, j, k, q);
 }
 int signum_in_circle_infinite(signum_metric metric, const double* a, const double* b,
                               const double* q) {
-    return is_metric(metric) ? answer<Site>(of_the_plane[metric].in_circle_infinite, a, b, q)
-                             : SIGNUM_NO_SIGN;
+    return answer(of(of_the_plane, metric, &OfThePlane::in_circle_infinite), a, b, q);
 }
 int signum_in_circle_infinite_points(const double* a, const double* b, const double* q) {
-    return answer<Point>(power::in_circle_infinite<Point>, a, b, q);
+    return answer(power::in_circle_infinite<Point>, a, b, q);
 }
 int signum_in_circle_infinite_weights(const double* a, const double* b, const double* q) {
-    return answer<power::Site>(power::in_circle_infinite<power::Site>, a, b, q);
+    return answer(power::in_circle_infinite<power::Site>, a, b, q);
 }
 int signum_in_circle_perturbed(signum_metric metric, const double* i, const double* j,
                                const double* k, const double* q, const int32_t* ranks) {
-    if (!is_metric(metric) || ranks == nullptr || !are<Site>(i, j, k, q)) return SIGNUM_NO_SIGN;
-    return of_the_plane[metric].in_circle_perturbed(as<Site>(i), as<Site>(j), as<Site>(k),
-                                                    as<Site>(q), c::ranks_from<4>(ranks));
+    return answer(of(of_the_plane, metric, &OfThePlane::in_circle_perturbed), i, j, k, q, ranks);
 }
 int signum_in_circle_infinite_perturbed(signum_metric metric, const double* a, const double* b,
                                         const double* q, const int32_t* ranks) {
-    if (!is_metric(metric) || ranks == nullptr || !are<Site>(a, b, q)) return SIGNUM_NO_SIGN;
-    return of_the_plane[metric].in_circle_infinite_perturbed(as<Site>(a), as<Site>(b), as<Site>(q),
-                                                             c::ranks_from<3>(ranks));
+    return answer(of(of_the_plane, metric, &OfThePlane::in_circle_infinite_perturbed), a, b, q,
+                  ranks);
 }
 int signum_hidden(signum_metric metric, const double* q, const double* i) {
-    return is_metric(metric) ? answer<Site>(of_the_plane[metric].hidden, q, i) : SIGNUM_NO_SIGN;
+    return answer(of(of_the_plane, metric, &OfThePlane::hidden), q, i);
 }
 int signum_hidden_weights(const double* q, const double* i) {
-    return answer<power::Site>(power::hidden<power::Site>, q, i);
+    return answer(power::hidden<power::Site>, q, i);
 }
 int signum_nearer(signum_metric metric, const double* p, const double* a, const double* b) {
-    if (!is_metric(metric) || !are<Point>(p) || !are<Site>(a, b)) return SIGNUM_NO_SIGN;
-    return of_the_plane[metric].nearer(as<Point>(p), as<Site>(a), as<Site>(b));
+    return answer(of(of_the_plane, metric, &OfThePlane::nearer), p, a, b);
 }
 int signum_nearer_weights(const double* p, const double* a, const double* b) {
-    if (!are<Point>(p) || !are<power::Site>(a, b)) return SIGNUM_NO_SIGN;
-    return power::nearer(as<Point>(p), as<power::Site>(a), as<power::Site>(b));
+    return answer(power::nearer<power::Site>, p, a, b);
 }
 
 int signum_ccw_space(const double* a, const double* b, const double* c, const double* d) {
-    return answer<Point3>([](auto... s) { return ccw(s...); }, a, b, c, d);
+    return answer(+c::ccw_of_space, a, b, c, d);
 }
 int signum_spheres(signum_metric metric, const double* i, const double* j, const double* k,
                    const double* l) {
-    return is_metric(metric) ? answer<Site3>(of_space[metric].spheres, i, j, k, l) : SIGNUM_NO_SIGN;
+    return answer(of(of_space, metric, &OfSpace::spheres), i, j, k, l);
 }
 int signum_in_sphere(signum_metric metric, const double* i, const double* j, const double* k,
                      const double* l, const double* q, int n) {
     const int spheres = signum_spheres(metric, i, j, k, l);
-    if (spheres == SIGNUM_INFINITELY_MANY || n < 0 || n >= spheres || !are<Site3>(q))
+    if (spheres == SIGNUM_INFINITELY_MANY || n < 0 || n >= spheres || !c::finite<4>(q))
         return SIGNUM_NO_SIGN;
-    return of_space[metric].in_sphere(as<Site3>(i), as<Site3>(j), as<Site3>(k), as<Site3>(l),
-                                      as<Site3>(q), static_cast<std::uint8_t>(n));
+    return of_space[metric].in_sphere(c::as<Site3>(i), c::as<Site3>(j), c::as<Site3>(k),
+                                      c::as<Site3>(l), c::as<Site3>(q),
+                                      static_cast<std::uint8_t>(n));
 }
 int signum_in_sphere_points(const double* i, const double* j, const double* k, const double* l,
                             const double* q) {
-    return answer<Point3>(power::in_sphere<Point3>, i, j, k, l, q);
+    return answer(power::in_sphere<Point3>, i, j, k, l, q);
 }
 int signum_in_sphere_weights(const double* i, const double* j, const double* k, const double* l,
                              const double* q) {
-    return answer<power::Site3>(power::in_sphere<power::Site3>, i, j, k, l, q);
+    return answer(power::in_sphere<power::Site3>, i, j, k, l, q);
 }
 int signum_hidden_space(signum_metric metric, const double* q, const double* i) {
-    return is_metric(metric) ? answer<Site3>(of_space[metric].hidden, q, i) : SIGNUM_NO_SIGN;
+    return answer(of(of_space, metric, &OfSpace::hidden), q, i);
 }
 int signum_nearer_space(const double* p, const double* a, const double* b) {
-    if (!are<Point3>(p) || !are<Site3>(a, b)) return SIGNUM_NO_SIGN;
-    return power::nearer_decision(as<Point3>(p), as<Site3>(a), as<Site3>(b)).sign;
+    return answer(+c::nearer_in_space, p, a, b);
 }
 
 int signum_sign_of_sum(const double* terms, size_t count) {

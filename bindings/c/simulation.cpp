@@ -3,6 +3,7 @@
 #include "../../motion/simulation.hpp"
 
 #include <cstdint>
+#include <initializer_list>
 #include <limits>
 #include <optional>
 #include <string>
@@ -166,6 +167,7 @@ template <int D>
 }  // namespace signum::c
 
 struct signum_simulation {
+    static constexpr const char* name = "simulation";
     signum::c::AnyWorld world;
     bool is_calling = false;  ///< record or stop, or may do so
 };
@@ -176,11 +178,17 @@ using c::guarded;
 
 namespace {
 
-/// Gives `ask` the world of a simulation that is not at work.
+/// Gives `ask` the world of a simulation that is not at work, where there is a place for every
+/// answer.
 template <class Simulation, class Ask>
-void with_world(Simulation* simulation, Ask&& ask) {
-    c::expect_at_rest(simulation, "simulation");
-    std::visit(ask, simulation->world);
+signum_status with_world(Simulation* simulation, signum_error* error, std::int64_t about,
+                         std::initializer_list<std::pair<const void*, const char*>> places,
+                         Ask&& ask) noexcept {
+    return guarded(error, about, [&] {
+        for (const auto& [place, name] : places) expect(place, name);
+        c::expect(simulation);
+        std::visit(ask, simulation->world);
+    });
 }
 
 }  // namespace
@@ -225,51 +233,45 @@ signum_status signum_simulation_run(signum_simulation* simulation, const signum_
                                     signum_error* error) {
     return guarded(error, [&] {
         const signum_limits far = c::read(limits, signum_limits SIGNUM_LIMITS, "limits");
-        with_world(simulation, [&](auto& world) {
-            const c::Calling calling(simulation->is_calling);
-            const motion::Outcome outcome = c::run(world.simulation, far);
-            if (ending != nullptr) *ending = static_cast<signum_ending>(outcome.ending);
-            if (last != nullptr) *last = c::told(outcome.last);
-        });
+        c::expect(simulation);
+        const c::Calling calling(simulation->is_calling);
+        const motion::Outcome outcome = std::visit(
+            [&](auto& world) { return c::run(world.simulation, far); }, simulation->world);
+        if (ending != nullptr) *ending = static_cast<signum_ending>(outcome.ending);
+        if (last != nullptr) *last = c::told(outcome.last);
     });
 }
 
 signum_status signum_simulation_time(const signum_simulation* simulation, double* time,
                                      signum_error* error) {
-    return guarded(error, [&] {
-        expect(time, "time");
-        with_world(simulation, [&](const auto& world) { *time = world.simulation.state().time; });
-    });
+    return with_world(simulation, error, -1, {{time, "time"}},
+                      [&](const auto& world) { *time = world.simulation.state().time; });
 }
 
 signum_status signum_simulation_balls(const signum_simulation* simulation, signum_ball* balls,
                                       int64_t count, signum_error* error) {
-    return guarded(error, [&] {
-        with_world(simulation, [&]<int D>(const c::World<D>& world) {
-            c::expect_room(balls, count, world.size, "balls");
-            const motion::State<D> state = world.simulation.state();
-            for (std::size_t i = 0; i < state.balls.size(); ++i) {
-                const motion::Ball<D>& ball = state.balls[i];
-                signum_ball told = {{}, {}, ball.radius, ball.time, state.masses[i]};
-                std::copy(ball.x.begin(), ball.x.end(), told.x);
-                std::copy(ball.v.begin(), ball.v.end(), told.v);
-                balls[i] = told;
-            }
-        });
+    return with_world(simulation, error, -1, {}, [&]<int D>(const c::World<D>& world) {
+        c::expect_room(balls, count, world.size, "balls");
+        const motion::State<D> state = world.simulation.state();
+        for (std::size_t i = 0; i < state.balls.size(); ++i) {
+            const motion::Ball<D>& ball = state.balls[i];
+            signum_ball told = {{}, {}, ball.radius, ball.time, state.masses[i]};
+            std::copy(ball.x.begin(), ball.x.end(), told.x);
+            std::copy(ball.v.begin(), ball.v.end(), told.v);
+            balls[i] = told;
+        }
     });
 }
 
 signum_status signum_simulation_spins(const signum_simulation* simulation, double* spins,
                                       int64_t count, signum_error* error) {
-    return guarded(error, [&] {
-        with_world(simulation, [&]<int D>(const c::World<D>& world) {
-            c::expect_room(spins, count, world.size, "balls");
-            std::fill(spins, spins + 3 * count, 0.0);
-            const motion::State<D> state = world.simulation.state();
-            for (std::size_t i = 0; i < state.spins.size(); ++i)
-                std::copy(state.spins[i].begin(), state.spins[i].end(),
-                          spins + 3 * i + (D == 2 ? 2 : 0));
-        });
+    return with_world(simulation, error, -1, {}, [&]<int D>(const c::World<D>& world) {
+        c::expect_room(spins, count, world.size, "balls");
+        std::fill(spins, spins + 3 * count, 0.0);
+        const motion::State<D> state = world.simulation.state();
+        for (std::size_t i = 0; i < state.spins.size(); ++i)
+            std::copy(state.spins[i].begin(), state.spins[i].end(),
+                      spins + 3 * i + (D == 2 ? 2 : 0));
     });
 }
 
@@ -288,44 +290,34 @@ uint64_t signum_simulation_strikes(const signum_simulation* simulation) {
 signum_status signum_simulation_next_strike(const signum_simulation* simulation, double time,
                                             double until, int32_t* found, signum_strike* strike,
                                             signum_error* error) {
-    return guarded(error, [&] {
-        expect(found, "found");
-        expect(strike, "strike");
-        with_world(simulation, [&](const auto& world) {
-            const std::optional<motion::Strike> next =
-                motion::next_strike(world.simulation.state(), world.effects, time, until);
-            *found = next.has_value();
-            if (next) *strike = c::told(*next);
-        });
-    });
+    const auto ask = [&](const auto& world) {
+        const std::optional<motion::Strike> next =
+            motion::next_strike(world.simulation.state(), world.effects, time, until);
+        *found = next.has_value();
+        if (next) *strike = c::told(*next);
+    };
+    return with_world(simulation, error, -1, {{found, "found"}, {strike, "strike"}}, ask);
 }
 
 signum_status signum_simulation_nearest(const signum_simulation* simulation, int32_t ball,
                                         int32_t* neighbour, double* gap, signum_error* error) {
-    return guarded(error, ball, [&] {
-        expect(neighbour, "neighbour");
-        expect(gap, "gap");
-        with_world(simulation, [&](const auto& world) {
-            const auto near = motion::nearest(world.simulation.state(), world.effects, ball)
-                                  .value_or(motion::Neighbour{-1, c::without_end});
-            *neighbour = near.ball;
-            *gap = near.gap;
-        });
-    });
+    const auto ask = [&](const auto& world) {
+        const auto near = motion::nearest(world.simulation.state(), world.effects, ball)
+                              .value_or(motion::Neighbour{-1, c::without_end});
+        *neighbour = near.ball;
+        *gap = near.gap;
+    };
+    return with_world(simulation, error, ball, {{neighbour, "neighbour"}, {gap, "gap"}}, ask);
 }
 
 signum_status signum_simulation_closest_pair(const signum_simulation* simulation, int32_t* a,
                                              int32_t* b, double* gap, signum_error* error) {
-    return guarded(error, [&] {
-        expect(a, "a");
-        expect(b, "b");
-        expect(gap, "gap");
-        with_world(simulation, [&](const auto& world) {
-            const auto pair = motion::closest_pair(world.simulation.state(), world.effects)
-                                  .value_or(motion::ClosestPair{0.0, -1, -1, c::without_end});
-            *a = pair.a;
-            *b = pair.b;
-            *gap = pair.gap;
-        });
-    });
+    const auto ask = [&](const auto& world) {
+        const auto pair = motion::closest_pair(world.simulation.state(), world.effects)
+                              .value_or(motion::ClosestPair{0.0, -1, -1, c::without_end});
+        *a = pair.a;
+        *b = pair.b;
+        *gap = pair.gap;
+    };
+    return with_world(simulation, error, -1, {{a, "a"}, {b, "b"}, {gap, "gap"}}, ask);
 }

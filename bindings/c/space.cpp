@@ -21,15 +21,9 @@ using SpaceSites = std::variant<std::vector<Point3>, std::vector<Site3>, std::ve
 
 template <class S>
 [[nodiscard]] SpaceSites copied(const double* sites, std::int64_t count, std::int64_t stride) {
-    std::vector<S> copy;
-    copy.reserve(static_cast<std::size_t>(count));
-    for (std::int64_t i = 0; i < count; ++i) {
-        const double* s = sites + i * stride;
-        if constexpr (std::is_same_v<S, Point3>)
-            copy.push_back({s[0], s[1], s[2]});
-        else
-            copy.push_back({s[0], s[1], s[2], s[3]});
-    }
+    std::vector<S> copy(static_cast<std::size_t>(count));
+    for (std::size_t i = 0; i < copy.size(); ++i)
+        copy[i] = as<S>(sites + static_cast<std::int64_t>(i) * stride);
     return copy;
 }
 /// In the type that says what their numbers mean. Throws Refused for such that cannot be.
@@ -39,13 +33,6 @@ template <class S>
     if (stride == 3) return copied<Point3>(sites, count, stride);
     return weight_is == WeightIs::weight ? copied<power::Site3>(sites, count, stride)
                                          : copied<Site3>(sites, count, stride);
-}
-
-[[nodiscard]] std::vector<SpaceCell> cells_from(const std::int32_t* numbers, std::int64_t count) {
-    std::vector<SpaceCell> cells(static_cast<std::size_t>(count));
-    for (std::size_t k = 0; k < cells.size(); ++k)
-        std::copy(numbers + 4 * k, numbers + 4 * k + 4, cells[k].begin());
-    return cells;
 }
 
 /// The sites are kept: vertices are asked of both.
@@ -64,12 +51,14 @@ decltype(auto) with_sites(const SpaceSites& sites, Visit&& visit) {
 }  // namespace signum::c
 
 struct signum_space_tessellation {
+    static constexpr const char* name = "tessellation";
     signum::c::SpaceResult result;
 };
 
 using namespace signum;
 using c::expect;
 using c::guarded;
+using c::with;
 
 signum_status signum_triangulate_space(const double* sites, int64_t count, int64_t stride,
                                        const signum_options* options,
@@ -90,17 +79,14 @@ void signum_space_tessellation_free(signum_space_tessellation* tessellation) {
 
 signum_status signum_space_tessellation_arrays(const signum_space_tessellation* tessellation,
                                                signum_space_arrays* arrays, signum_error* error) {
-    return guarded(error, [&] {
-        expect(tessellation, "tessellation");
+    return with(tessellation, error, [&] {
         const SpaceTessellation& all = tessellation->result.tessellation;
         signum_space_arrays shown = SIGNUM_SPACE_ARRAYS;
         shown.dimension = all.dimension;
         shown.sites = all.sites;
-        shown.cell_count = static_cast<std::int64_t>(all.cells.size());
-        shown.cells = reinterpret_cast<const std::int32_t*>(all.cells.data());
-        shown.neighbours = reinterpret_cast<const std::int32_t*>(all.neighbours.data());
-        shown.hidden_count = static_cast<std::int64_t>(all.hidden.size());
-        shown.hidden = reinterpret_cast<const std::int32_t*>(all.hidden.data());
+        c::show(all.neighbours, shown.neighbours, shown.cell_count);
+        c::show(all.cells, shown.cells, shown.cell_count);
+        c::show(all.hidden, shown.hidden, shown.hidden_count);
         c::give(arrays, shown, "arrays");
     });
 }
@@ -108,8 +94,7 @@ signum_status signum_space_tessellation_arrays(const signum_space_tessellation* 
 signum_status signum_space_tessellation_vertices(const signum_space_tessellation* tessellation,
                                                  double* vertices, int64_t count,
                                                  signum_error* error) {
-    return guarded(error, [&] {
-        expect(tessellation, "tessellation");
+    return with(tessellation, error, [&] {
         const auto& [sites, made] = tessellation->result;
         c::expect_room(vertices, count, 4 * made.cells.size(), "numbers of vertices");
         const std::vector<SpaceVertex> all = c::with_sites(
@@ -131,13 +116,12 @@ signum_status signum_validate_space(const signum_space_arrays* arrays, const dou
         c::expect_array(given.cells, given.cell_count, "cells");
         c::expect_array(given.neighbours, given.cell_count, "neighbours");
         c::expect_array(given.hidden, given.hidden_count, "hidden sites");
-        SpaceTessellation all{.dimension = given.dimension,
-                              .sites = given.sites,
-                              .cells = c::cells_from(given.cells, given.cell_count),
-                              .neighbours = c::cells_from(given.neighbours, given.cell_count),
-                              .hidden = {}};
-        for (std::int64_t h = 0; h < given.hidden_count; ++h)
-            all.hidden.push_back({given.hidden[2 * h], given.hidden[2 * h + 1]});
+        SpaceTessellation all{
+            .dimension = given.dimension,
+            .sites = given.sites,
+            .cells = c::rows_from<SpaceCell>(given.cells, given.cell_count),
+            .neighbours = c::rows_from<SpaceCell>(given.neighbours, given.cell_count),
+            .hidden = c::rows_from<Hidden>(given.hidden, given.hidden_count)};
         const c::Asked asked = c::asked(options);
         const ValidationOptions watched{.stop = {}, .progress = asked.options.progress};
         const c::SpaceSites copy = c::space_sites(sites, count, stride, asked.weight_is);

@@ -16,6 +16,7 @@
 #include "handles.hpp"
 
 struct signum_voronoi {
+    static constexpr const char* name = "voronoi";
     signum::Voronoi voronoi;
 };
 
@@ -42,13 +43,6 @@ static_assert(infinite == SIGNUM_INFINITE && at_infinity == SIGNUM_INFINITE);
                         stride > 2 ? sites + 2 : nullptr, weight_is == WeightIs::weight);
 }
 
-[[nodiscard]] std::vector<Face> faces_from(const std::int32_t* numbers, std::int64_t count) {
-    std::vector<Face> faces(static_cast<std::size_t>(count));
-    for (std::size_t f = 0; f < faces.size(); ++f)
-        std::copy(numbers + 3 * f, numbers + 3 * f + 3, faces[f].begin());
-    return faces;
-}
-
 [[nodiscard]] Point point_of(const double* numbers) {
     if (!finite<2>(numbers)) throw Refused("the point is null or not finite");
     return {numbers[0], numbers[1]};
@@ -61,6 +55,7 @@ using namespace signum;
 using c::create;
 using c::expect;
 using c::guarded;
+using c::with;
 
 signum_status signum_triangulate(const double* sites, int64_t count, int64_t stride,
                                  signum_metric metric, const signum_options* options,
@@ -79,26 +74,22 @@ void signum_tessellation_free(signum_tessellation* tessellation) {
 
 signum_status signum_tessellation_arrays(const signum_tessellation* tessellation,
                                          signum_arrays* arrays, signum_error* error) {
-    return guarded(error, [&] {
-        expect(tessellation, "tessellation");
+    return with(tessellation, error, [&] {
         const TessellationArrays& all = tessellation->tessellation.arrays();
         signum_arrays shown = SIGNUM_ARRAYS;
         shown.metric = static_cast<signum_metric>(all.metric);
         shown.weight_is = static_cast<signum_weight_is>(all.weight_is);
         shown.sites = all.sites;
-        shown.face_count = static_cast<std::int64_t>(all.faces.size());
-        shown.faces = reinterpret_cast<const std::int32_t*>(all.faces.data());
-        shown.neighbours = reinterpret_cast<const std::int32_t*>(all.neighbours.data());
-        shown.hidden_count = static_cast<std::int64_t>(all.hidden.size());
-        shown.hidden = reinterpret_cast<const std::int32_t*>(all.hidden.data());
+        c::show(all.neighbours, shown.neighbours, shown.face_count);
+        c::show(all.faces, shown.faces, shown.face_count);
+        c::show(all.hidden, shown.hidden, shown.hidden_count);
         c::give(arrays, shown, "arrays");
     });
 }
 
 signum_status signum_tessellation_vertices(const signum_tessellation* tessellation,
                                            double* vertices, int64_t count, signum_error* error) {
-    return guarded(error, [&] {
-        expect(tessellation, "tessellation");
+    return with(tessellation, error, [&] {
         c::expect_room(vertices, count, 3 * tessellation->tessellation.faces().size(),
                        "numbers of vertices");
         for (const DiagramVertex& vertex : signum::vertices(tessellation->tessellation)) {
@@ -111,8 +102,7 @@ signum_status signum_tessellation_vertices(const signum_tessellation* tessellati
 
 signum_status signum_tessellation_locate(const signum_tessellation* tessellation,
                                          const double* point, int32_t* face, signum_error* error) {
-    return guarded(error, [&] {
-        expect(tessellation, "tessellation");
+    return with(tessellation, error, [&] {
         expect(face, "face");
         *face = tessellation->tessellation.locate(c::point_of(point));
     });
@@ -120,8 +110,7 @@ signum_status signum_tessellation_locate(const signum_tessellation* tessellation
 
 signum_status signum_tessellation_nearest(const signum_tessellation* tessellation,
                                           const double* point, int32_t* site, signum_error* error) {
-    return guarded(error, [&] {
-        expect(tessellation, "tessellation");
+    return with(tessellation, error, [&] {
         expect(site, "site");
         *site = tessellation->tessellation.nearest(c::point_of(point));
     });
@@ -139,13 +128,11 @@ signum_status signum_validate(const signum_arrays* arrays, const double* sites, 
         TessellationArrays all{.metric = c::metric_of(given.metric),
                                .weight_is = c::weight_of(given.weight_is),
                                .sites = given.sites,
-                               .faces = c::faces_from(given.faces, given.face_count),
+                               .faces = c::rows_from<Face>(given.faces, given.face_count),
                                .neighbours = {},
-                               .hidden = {}};
+                               .hidden = c::rows_from<Hidden>(given.hidden, given.hidden_count)};
         if (given.neighbours != nullptr)
-            all.neighbours = c::faces_from(given.neighbours, given.face_count);
-        for (std::int64_t h = 0; h < given.hidden_count; ++h)
-            all.hidden.push_back({given.hidden[2 * h], given.hidden[2 * h + 1]});
+            all.neighbours = c::rows_from<Face>(given.neighbours, given.face_count);
         const Validation judgement =
             validate(all, c::view(sites, count, stride, all.weight_is),
                      {.stop = {}, .progress = c::asked(options).options.progress});
@@ -158,7 +145,7 @@ signum_status signum_validate(const signum_arrays* arrays, const double* sites, 
 signum_status signum_voronoi_create(const signum_tessellation* tessellation, int32_t merge,
                                     signum_voronoi** voronoi, signum_error* error) {
     return create(voronoi, "voronoi", error, [&] {
-        expect(tessellation, "tessellation");
+        expect(tessellation);
         return signum::voronoi(tessellation->tessellation, {.merge = merge != 0});
     });
 }
@@ -169,23 +156,17 @@ void signum_voronoi_free(signum_voronoi* voronoi) {
 
 signum_status signum_voronoi_arrays(const signum_voronoi* voronoi, signum_diagram_arrays* arrays,
                                     signum_error* error) {
-    return guarded(error, [&] {
-        expect(voronoi, "voronoi");
-        const auto vertices = voronoi->voronoi.vertices();
-        const auto edges = voronoi->voronoi.edges();
+    return with(voronoi, error, [&] {
         signum_diagram_arrays shown = SIGNUM_DIAGRAM_ARRAYS;
-        shown.vertex_count = static_cast<std::int64_t>(vertices.size());
-        shown.vertices = reinterpret_cast<const double*>(vertices.data());
-        shown.edge_count = static_cast<std::int64_t>(edges.size());
-        shown.edges = reinterpret_cast<const std::int32_t*>(edges.data());
+        c::show(voronoi->voronoi.vertices(), shown.vertices, shown.vertex_count);
+        c::show(voronoi->voronoi.edges(), shown.edges, shown.edge_count);
         c::give(arrays, shown, "arrays");
     });
 }
 
 signum_status signum_voronoi_areas(const signum_voronoi* voronoi, const double* box, double* areas,
                                    int64_t count, signum_error* error) {
-    return guarded(error, [&] {
-        expect(voronoi, "voronoi");
+    return with(voronoi, error, [&] {
         const Voronoi& diagram = voronoi->voronoi;
         const auto sites = diagram.tessellation().sites();
         c::expect_room(areas, count, sites.size(), "areas");

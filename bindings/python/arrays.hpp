@@ -82,6 +82,14 @@ template <class Number, class Element>
         base);
 }
 
+/// What an object's method tells of its own memory, as a read-only property: a table.
+template <class Number, class Class, class Element>
+[[nodiscard]] auto shown(std::span<const Element> (Class::*elements)() const) {
+    return [elements](const py::object& self) {
+        return table<Number>((self.cast<const Class&>().*elements)(), self);
+    };
+}
+
 /// A vector that Python owns from now on.
 template <class Element>
 struct Owned {

@@ -34,10 +34,18 @@ struct Row {
 
 /// What to call an operand, and how many numbers its rows may have.
 struct Operand {
-    const char* name;
+    std::string name;
     int least;
     int most;
 };
+/// Those whose names are letters.
+template <std::size_t size>
+[[nodiscard]] std::array<Operand, size - 1> operands(const char (&letters)[size], int least,
+                                                     int most) {
+    std::array<Operand, size - 1> result;
+    for (std::size_t i = 0; i + 1 < size; ++i) result[i] = {{letters[i]}, least, most};
+    return result;
+}
 
 template <std::size_t n>
 class Broadcast {
@@ -50,7 +58,7 @@ class Broadcast {
             const Operand& operand = operands[i];
             if (last < 0 || array.shape(last) < operand.least || array.shape(last) > operand.most)
                 throw py::value_error(
-                    std::string(operand.name) + ": " + std::to_string(operand.least) +
+                    operand.name + ": " + std::to_string(operand.least) +
                     (operand.least == operand.most ? "" : " to " + std::to_string(operand.most)) +
                     " numbers are needed along the last axis");
             arrays_[i] = array;
@@ -88,21 +96,19 @@ class Broadcast {
                 next[i] = static_cast<Stored>(checked_call(function, rows, place));
                 advance(place, rows);
             }
-            return true;
         });
         if (shape_.empty()) return result.attr("item")();
         return result;
     }
 
  private:
-    void match(const char* name, const py::array& array) {
+    void match(const std::string& name, const py::array& array) {
         const auto own = static_cast<std::size_t>(array.ndim() - 1);
         for (std::size_t k = 0; k < own; ++k) {
             py::ssize_t& length = shape_[shape_.size() - own + k];
             const py::ssize_t other = array.shape(static_cast<py::ssize_t>(k));
             if (other == length || other == 1) continue;
-            if (length != 1)
-                throw py::value_error(std::string(name) + ": its shape does not match the others'");
+            if (length != 1) throw py::value_error(name + ": its shape does not match the others'");
             length = other;
         }
     }

@@ -18,6 +18,7 @@
 namespace signum::python {
 namespace {
 
+using namespace py::literals;
 using Dynamic = Exclusive<DynamicTessellation>;
 
 Site site_of(const Rows& rows, std::size_t i) {
@@ -41,7 +42,6 @@ py::object inserted(Dynamic& dynamic, const py::object& sites) {
                 watch.at(i, rows.size());
                 handles.push_back(all.insert(site_of(rows, i)));
             }
-            return true;
         });
     });
     if (is_one) return py::int_(handles[0]);
@@ -62,15 +62,8 @@ void erased(Dynamic& dynamic, const py::object& handles) {
                 watch.at(i, all_handles.size());
                 all.erase(all_handles[i]);
             }
-            return true;
         });
     });
-}
-
-/// One call of it, with the interpreter free.
-template <class Use>
-auto used(Dynamic& dynamic, Use use) {
-    return watched([&](Watch&) { return dynamic.use(use); });
 }
 
 void moved_all(Dynamic& dynamic, const py::object& centres) {
@@ -81,10 +74,7 @@ void moved_all(Dynamic& dynamic, const py::object& centres) {
         if (!are_finite(points[i]))
             throw py::value_error("centres: row " + std::to_string(i) + " is not finite");
     }
-    used(dynamic, [&](DynamicTessellation& all) {
-        all.move_all(points);
-        return true;
-    });
+    used(dynamic, &DynamicTessellation::move_all, points);
 }
 
 void bind_changing(py::module_& module) {
@@ -117,20 +107,13 @@ a curve up to O(n), where each new one is a neighbour of most.)")
         .def(
             "change",
             [](Dynamic& dynamic, Index handle, double third) {
-                used(dynamic, [&](DynamicTessellation& all) {
-                    all.change(handle, third);
-                    return true;
-                });
+                used(dynamic, &DynamicTessellation::change, handle, third);
             },
             py::arg("handle"), py::arg("third"), "Gives a site another radius, or weight.")
         .def(
             "move",
             [](Dynamic& dynamic, Index handle, const py::object& centre) {
-                const Point point = point_of(centre, "centre");
-                used(dynamic, [&](DynamicTessellation& all) {
-                    all.move(handle, point);
-                    return true;
-                });
+                used(dynamic, &DynamicTessellation::move, handle, point_of(centre, "centre"));
             },
             py::arg("handle"), py::arg("centre"), "Gives a site another centre, (x, y).")
         .def("move_all", &moved_all, py::arg("centres"),
@@ -140,47 +123,35 @@ Raises ValueError unless there is one for each, all finite; then nothing has cha
         .def(
             "site",
             [](Dynamic& dynamic, Index handle) {
-                const Site site =
-                    dynamic.use([&](DynamicTessellation& all) { return all.site(handle); });
+                const Site site = dynamic.use([&](auto& all) { return all.site(handle); });
                 return py::make_tuple(site.x, site.y, site.r);
             },
             py::arg("handle"),
             "(x, y, r) of a site. Raises IndexError where there is no such handle.")
         .def(
             "tessellation",
-            [](Dynamic& dynamic) {
-                return used(dynamic, [](DynamicTessellation& all) { return all.tessellation(); });
-            },
+            [](Dynamic& dynamic) { return used(dynamic, &DynamicTessellation::tessellation); },
             R"(The Tessellation of the sites, numbered from 0 in the order of their handles. O(n log n).)")
         .def_property_readonly(
             "insertions",
-            [](Dynamic& dynamic) {
-                return dynamic.use([](DynamicTessellation& all) { return all.insertions(); });
-            },
+            [](Dynamic& dynamic) { return dynamic.use(&DynamicTessellation::insertions); },
             "How many insertions all changes took up to now.")
         .def_property_readonly(
             "moves",
             [](Dynamic& dynamic) {
-                const Moves moves =
-                    dynamic.use([](DynamicTessellation& all) { return all.moves(); });
-                py::dict result;
-                result["kept"] = moves.kept;
-                result["mended"] = moves.mended;
-                result["built"] = moves.built;
-                return result;
+                const Moves moves = dynamic.use(&DynamicTessellation::moves);
+                return py::dict("kept"_a = moves.kept, "mended"_a = moves.mended,
+                                "built"_a = moves.built);
             },
             "How many moves left all as it was, were mended, or had all built anew.")
         .def(
             "__contains__",
             [](Dynamic& dynamic, Index handle) {
-                return dynamic.use([&](DynamicTessellation& all) { return all.contains(handle); });
+                return dynamic.use([&](auto& all) { return all.contains(handle); });
             },
             py::arg("handle"), "Whether a site has that handle.")
         .def(
-            "__len__",
-            [](Dynamic& dynamic) {
-                return dynamic.use([](DynamicTessellation& all) { return all.size(); });
-            },
+            "__len__", [](Dynamic& dynamic) { return dynamic.use(&DynamicTessellation::size); },
             "How many sites there are.");
 }
 
@@ -193,16 +164,13 @@ struct Change {
 };
 
 /// Tells the edges of one call of advance(), where that is asked for.
-class Moving {
+class Moving : public KineticTessellation {
  public:
-    Moving(std::span<const MovingSite> sites, double start, Fall fall)
-        : tessellation(sites, start, fall) {}
+    using KineticTessellation::KineticTessellation;
 
-    KineticTessellation tessellation;
-
-    void advance(double time, Watch& watch, std::vector<Change>* changes) {
+    void advance(double time, Watch& looked_after, std::vector<Change>* changes) {
         if (changes != nullptr && !watches_) {
-            tessellation.watch([this](Index a, Index b, bool comes) {
+            watch([this](Index a, Index b, bool comes) {
                 if (changes_ != nullptr) changes_->push_back({time_, a, b, comes});
             });
             watches_ = true;
@@ -212,19 +180,19 @@ class Moving {
             std::vector<Change>*& changes;
             ~Forget() { changes = nullptr; }
         } forget{changes_};
-        if (!std::isfinite(time)) tessellation.advance(time);  // which throws
+        if (!std::isfinite(time)) KineticTessellation::advance(time);  // which throws
         // From event to event, which leads to the same faces, so that it can be stopped between.
         for (;;) {
-            const std::optional<double> next = tessellation.next_event();
+            const std::optional<double> next = next_event();
             if (!next || !(*next <= time)) break;
-            watch.look(0.0);
-            if (watch.stops()) break;
+            looked_after.look(0.0);
+            if (looked_after.stops()) break;
             time_ = *next;
-            tessellation.advance(*next);
+            KineticTessellation::advance(*next);
         }
-        if (!watch.stops()) {
+        if (!looked_after.stops()) {
             time_ = time;
-            tessellation.advance(time);
+            KineticTessellation::advance(time);
         }
     }
 
@@ -266,29 +234,16 @@ py::object advanced(Kinetic& kinetic, double time, bool log) {
     std::vector<Change> changes;
     watched([&](Watch& watch) {
         kinetic.use([&](Moving& all) { all.advance(time, watch, log ? &changes : nullptr); });
-        return true;
     });
     if (!log) return py::none();
     return column(std::move(changes));
 }
 
-py::dict dictionary(const KineticStatistics& statistics) {
-    py::dict result;
-    result["times"] = statistics.times;
-    result["events"] = statistics.events;
-    result["flips"] = statistics.flips;
-    result["hidden"] = statistics.hidden;
-    result["appeared"] = statistics.appeared;
-    result["rebuilds"] = statistics.rebuilds;
-    result["filtered"] = statistics.filtered;
-    result["exact"] = statistics.exact;
-    return result;
-}
-
-template <class Use>
-auto asked(Kinetic& kinetic, Use use) {
-    return watched(
-        [&](Watch&) { return kinetic.use([&](Moving& all) { return use(all.tessellation); }); });
+py::dict dictionary(const KineticStatistics& all) {
+    return py::dict("times"_a = all.times, "events"_a = all.events, "flips"_a = all.flips,
+                    "hidden"_a = all.hidden, "appeared"_a = all.appeared,
+                    "rebuilds"_a = all.rebuilds, "filtered"_a = all.filtered,
+                    "exact"_a = all.exact);
 }
 
 void bind_moving(py::module_& module) {
@@ -307,49 +262,36 @@ a DynamicTessellation.)");
         .def(
             "insert",
             [](Kinetic& kinetic, const py::object& site) {
-                const MovingSite one = one_moving_site(site);
-                return asked(kinetic, [&](KineticTessellation& all) { return all.insert(one); });
+                return used(kinetic, &KineticTessellation::insert, one_moving_site(site));
             },
             py::arg("site"), "Adds a site at the present time, and gives its handle.")
         .def(
             "erase",
             [](Kinetic& kinetic, Index handle) {
-                asked(kinetic, [&](KineticTessellation& all) {
-                    all.erase(handle);
-                    return true;
-                });
+                used(kinetic, &KineticTessellation::erase, handle);
             },
             py::arg("handle"),
             "Takes a site away. Raises IndexError where there is no such handle.")
         .def(
             "change",
             [](Kinetic& kinetic, Index handle, const py::object& site) {
-                const MovingSite one = one_moving_site(site);
-                asked(kinetic, [&](KineticTessellation& all) {
-                    all.change(handle, one);
-                    return true;
-                });
+                used(kinetic, &KineticTessellation::change, handle, one_moving_site(site));
             },
             py::arg("handle"), py::arg("site"), "From now on a site moves otherwise.")
         .def(
             "site",
             [](Kinetic& kinetic, Index handle) {
-                const MovingSite site =
-                    asked(kinetic, [&](KineticTessellation& all) { return all.site(handle); });
+                const MovingSite site = used(kinetic, &KineticTessellation::site, handle);
                 return py::make_tuple(site.x, site.y, site.r, site.vx, site.vy, site.time);
             },
             py::arg("handle"), "(x, y, r, vx, vy, time) of a site.")
         .def_property_readonly(
-            "time",
-            [](Kinetic& kinetic) {
-                return asked(kinetic, [](KineticTessellation& all) { return all.time(); });
-            },
+            "time", [](Kinetic& kinetic) { return used(kinetic, &KineticTessellation::time); },
             "The present time.")
         .def(
             "next_event",
             [](Kinetic& kinetic) -> py::object {
-                const auto time =
-                    asked(kinetic, [](KineticTessellation& all) { return all.next_event(); });
+                const auto time = used(kinetic, &KineticTessellation::next_event);
                 return time ? py::object(py::float_(*time)) : py::none();
             },
             "A time at which faces may change next: the least double not before it; None for "
@@ -363,38 +305,30 @@ the time is then that of the last one.)")
         .def(
             "faces",
             [](Kinetic& kinetic) {
-                return table<Index>(
-                    asked(kinetic, [](KineticTessellation& all) { return all.faces(); }));
+                return table<Index>(used(kinetic, &KineticTessellation::faces));
             },
             "The finite faces right after the present time: triples of handles, int32 (f, 3), "
             "sorted.")
         .def(
             "tessellation",
-            [](Kinetic& kinetic) {
-                return asked(kinetic, [](KineticTessellation& all) { return all.tessellation(); });
-            },
+            [](Kinetic& kinetic) { return used(kinetic, &KineticTessellation::tessellation); },
             R"(The Tessellation of the sites as they are now, at the doubles nearest to their places.
 
 Raises OverflowError where a site is beyond the doubles. O(n log n).)")
         .def_property_readonly(
             "statistics",
             [](Kinetic& kinetic) {
-                return dictionary(
-                    asked(kinetic, [](KineticTessellation& all) { return all.statistics(); }));
+                return dictionary(used(kinetic, &KineticTessellation::statistics));
             },
             "What keeping it up took, by name.")
         .def(
             "__contains__",
             [](Kinetic& kinetic, Index handle) {
-                return asked(kinetic,
-                             [&](KineticTessellation& all) { return all.contains(handle); });
+                return used(kinetic, &KineticTessellation::contains, handle);
             },
             py::arg("handle"), "Whether a site has that handle.")
         .def(
-            "__len__",
-            [](Kinetic& kinetic) {
-                return asked(kinetic, [](KineticTessellation& all) { return all.size(); });
-            },
+            "__len__", [](Kinetic& kinetic) { return used(kinetic, &KineticTessellation::size); },
             "How many sites there are.");
 }
 

@@ -20,6 +20,8 @@
 namespace signum::python {
 namespace {
 
+using namespace py::literals;
+
 template <int D>
 motion::Vector<D> vector_of(const py::object& object, const char* what) {
     const py::array array = doubles(object);
@@ -187,8 +189,8 @@ std::unique_ptr<Simulation> simulation(const py::object& balls, const py::object
 
 /// visit(running) of the simulation, with the interpreter free.
 template <class Visit>
-auto with_running(Simulation& simulation, Visit visit) {
-    return watched([&](Watch& watch) {
+auto with_running(Simulation& simulation, const py::object& progress, Visit visit) {
+    return watched(progress, [&](Watch& watch) {
         return simulation.use([&](auto& either) {
             return std::visit([&](auto& running) { return visit(running, watch); }, either);
         });
@@ -214,37 +216,27 @@ py::tuple run(Simulation& simulation, double until, const py::object& strikes, b
     std::vector<motion::Strike> all;
     motion::Simulation<2>::Record record;
     if (log) record = [&all](const motion::Strike& strike) { all.push_back(strike); };
-    const motion::Outcome outcome = watched(progress, [&](Watch& watch) {
-        limits.stop = watch.stop();
-        return simulation.use([&](auto& either) {
-            return std::visit([&](auto& running) { return running.simulation.run(limits, record); },
-                              either);
+    const motion::Outcome outcome =
+        with_running(simulation, progress, [&](auto& running, Watch& watch) {
+            limits.stop = watch.stop();
+            return running.simulation.run(limits, record);
         });
-    });
     return py::make_tuple(names_of_endings[static_cast<int>(outcome.ending)],
                           column(std::move(all)));
 }
 
 State state_of(Simulation& simulation) {
-    return with_running(simulation, [](auto& running, Watch&) -> State {
+    return with_running(simulation, py::none(), [](auto& running, Watch&) -> State {
         return StateAndEffects{running.simulation.state(), running.effects};
     });
 }
 
 py::dict counts(Simulation& simulation) {
-    const motion::Counts all =
-        with_running(simulation, [](auto& running, Watch&) { return running.simulation.counts(); });
-    py::dict result;
-    result["strikes"] = all.strikes;
-    result["checks"] = all.checks;
-    result["own"] = all.own;
-    result["stale"] = all.stale;
-    result["refined"] = all.refined;
-    result["exact"] = all.exact;
-    result["joins"] = all.joins;
-    result["breaks"] = all.breaks;
-    result["virial"] = all.virial;
-    return result;
+    const motion::Counts all = with_running(
+        simulation, py::none(), [](auto& running, Watch&) { return running.simulation.counts(); });
+    return py::dict("strikes"_a = all.strikes, "checks"_a = all.checks, "own"_a = all.own,
+                    "stale"_a = all.stale, "refined"_a = all.refined, "exact"_a = all.exact,
+                    "joins"_a = all.joins, "breaks"_a = all.breaks, "virial"_a = all.virial);
 }
 
 /// Numbers of the balls in place: from `offset` numbers on.

@@ -104,7 +104,6 @@ py::array_t<bool> may_share_edge(const Tessellation& tessellation, const py::obj
             watch.at(i, numbers.size() / 2);
             answer[i] = contacts(numbers[2 * i], numbers[2 * i + 1]);
         }
-        return true;
     });
     return result;
 }
@@ -124,30 +123,18 @@ be asked from several threads at once.)");
             "weight_is", [](const Tessellation& t) { return text(name_of(t.weight_is())); },
             "What the third number of a site is: 'radius' or 'weight'.")
         .def_property_readonly(
-            "sites",
-            [](const py::object& self) {
-                return table<double>(self.cast<const Tessellation&>().sites(), self);
-            },
+            "sites", shown<double>(&Tessellation::sites),
             "All sites in the order given, hidden ones included: float64 (n, 3), x, y, r.")
         .def_property_readonly(
-            "faces",
-            [](const py::object& self) {
-                return table<Index>(self.cast<const Tessellation&>().faces(), self);
-            },
+            "faces", shown<Index>(&Tessellation::faces),
             R"(Counterclockwise triples of sites, int32 (2n-2, 3), -1 being infinity.
 
 The smallest number comes first, and faces are sorted, so that the same sites have the same array.)")
         .def_property_readonly(
-            "neighbours",
-            [](const py::object& self) {
-                return table<Index>(self.cast<const Tessellation&>().neighbours(), self);
-            },
+            "neighbours", shown<Index>(&Tessellation::neighbours),
             "int32 (2n-2, 3): neighbours[f, k] is the face across from corner k of face f.")
         .def_property_readonly(
-            "hidden",
-            [](const py::object& self) {
-                return table<Index>(self.cast<const Tessellation&>().hidden(), self);
-            },
+            "hidden", shown<Index>(&Tessellation::hidden),
             "int32 (m, 2): sites whose cells are empty, and the visible site nearest to each "
             "centre.")
         .def_property_readonly(

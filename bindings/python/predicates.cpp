@@ -1,9 +1,13 @@
 /// The predicates, for arrays of any shape.
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <tuple>
+#include <type_traits>
 #include <vector>
 
 #include "../../exact/sign_of_sum.hpp"
@@ -21,23 +25,12 @@
 namespace signum::python {
 namespace {
 
-Point point(const Row& row) {
-    return {row[0], row[1]};
-}
-Site site(const Row& row) {
-    return {row[0], row[1], row[2]};
-}
-power::Site weighted(const Row& row) {
-    return {row[0], row[1], row[2]};
-}
-Point3 point3(const Row& row) {
-    return {row[0], row[1], row[2]};
-}
-Site3 ball(const Row& row) {
-    return {row[0], row[1], row[2], row[3]};
-}
-power::Site3 weighted_ball(const Row& row) {
-    return {row[0], row[1], row[2], row[3]};
+/// A point or a site, which is nothing but its numbers.
+template <class S>
+S as(const Row& row) {
+    std::array<double, sizeof(S) / sizeof(double)> numbers;
+    for (std::size_t k = 0; k < numbers.size(); ++k) numbers[k] = row[static_cast<int>(k)];
+    return std::bit_cast<S>(numbers);
 }
 
 // Where a predicate says nothing, Python says so.
@@ -47,8 +40,11 @@ void require(bool holds, const char* otherwise) {
 constexpr const char* no_circle = "no circle touches i, j and k counterclockwise (exists)";
 constexpr const char* no_sphere = "no sphere touches i, j, k and l, turned positively (exists)";
 
-// The same names in four namespaces, by a type.
-struct PowerSigns {
+// The same names in four namespaces, by a type. A metric that has none does not compile.
+template <class MetricType>
+struct SignsOf;
+template <>
+struct SignsOf<Power> {
     static bool exists(const auto& i, const auto& j, const auto& k) {
         return power::exists(i, j, k);
     }
@@ -64,13 +60,26 @@ struct PowerSigns {
     static int nearer(const Point& p, const auto& a, const auto& b) {
         return power::nearer(p, a, b);
     }
+    static int in_sphere(const auto& i, const auto& j, const auto& k, const auto& l, const auto& q,
+                         int /*number*/) {
+        require(ccw(i, j, k, l) > 0, no_sphere);
+        return power::in_sphere(i, j, k, l, q);
+    }
 };
-/// Those of a metric; one that has none does not compile.
-template <class MetricType>
-struct SignsOf;
-template <>
-struct SignsOf<Power> : PowerSigns {};
-#define SIGNUM_ADDITIVE_SIGNS(Metric, space)                                                      \
+int in_euclidean_sphere(const Site3& i, const Site3& j, const Site3& k, const Site3& l,
+                        const Site3& q, int /*number*/) {
+    require(euclidean::exists(i, j, k, l), no_sphere);
+    return euclidean::in_sphere(i, j, k, l, q);
+}
+template <class Shape>
+int in_sphere_of_facets(const Site3& i, const Site3& j, const Site3& k, const Site3& l,
+                        const Site3& q, int number) {
+    const auto found = rectangular::spheres<Shape>(i, j, k, l);
+    require(!found.infinitely_many, "infinitely many spheres touch i, j, k and l");
+    require(number >= 0 && number < found.count, "so many spheres do not touch i, j, k and l");
+    return rectangular::in_sphere<Shape>(i, j, k, l, q, static_cast<std::uint8_t>(number));
+}
+#define SIGNUM_ADDITIVE_SIGNS(Metric, space, in_some_sphere)                                      \
     template <>                                                                                   \
     struct SignsOf<Metric> {                                                                      \
         static bool exists(const Site& i, const Site& j, const Site& k) {                         \
@@ -89,142 +98,87 @@ struct SignsOf<Power> : PowerSigns {};
         static int nearer(const Point& p, const Site& a, const Site& b) {                         \
             return space::nearer(p, a, b);                                                        \
         }                                                                                         \
+        static constexpr auto in_sphere = in_some_sphere;                                         \
     };
-SIGNUM_ADDITIVE_SIGNS(Euclidean, euclidean)
-SIGNUM_ADDITIVE_SIGNS(Manhattan, manhattan)
-SIGNUM_ADDITIVE_SIGNS(Supremum, supremum)
+SIGNUM_ADDITIVE_SIGNS(Euclidean, euclidean, in_euclidean_sphere)
+SIGNUM_ADDITIVE_SIGNS(Manhattan, manhattan, in_sphere_of_facets<rectangular::Octahedron>)
+SIGNUM_ADDITIVE_SIGNS(Supremum, supremum, in_sphere_of_facets<rectangular::Cube>)
 #undef SIGNUM_ADDITIVE_SIGNS
 
-/// ask(signs, site_of) with the predicates of the metric, and what makes a site of a row.
-template <class Ask>
-py::object in_metric(const std::string& name, const std::string& weight_is, Ask ask) {
+/// Of all rows ask(signs, sites...), with the predicates of the metric and a site of each row.
+template <class S, class Weighted, std::size_t n, class Ask>
+py::object in_metric(const std::string& name, const std::string& weight_is, const Broadcast<n>& all,
+                     Ask ask) {
+    const auto answers = [&]<class Signs, class Of>(Signs signs, std::type_identity<Of>) {
+        return all([&](const auto& rows) {
+            return std::apply([&](const auto&... row) { return ask(signs, as<Of>(row)...); }, rows);
+        });
+    };
     const Metric metric = metric_of(name);
     if (weight_of(weight_is) == WeightIs::weight) {
         if (!traits_of(metric).has_weights) throw std::invalid_argument(no_weights(metric));
-        return ask(PowerSigns{}, weighted);
+        return answers(SignsOf<Power>{}, std::type_identity<Weighted>{});
     }
-    return with_metric(
-        metric, [&](auto type) -> py::object { return ask(SignsOf<decltype(type)>{}, site); });
+    return with_metric(metric, [&](auto type) -> py::object {
+        return answers(SignsOf<decltype(type)>{}, std::type_identity<S>{});
+    });
+}
+template <std::size_t n, class Ask>
+py::object in_plane(const std::string& metric, const std::string& weight_is,
+                    const Broadcast<n>& all, Ask ask) {
+    return in_metric<Site, power::Site>(metric, weight_is, all, ask);
 }
 
 py::object ccw_of(const py::object& a, const py::object& b, const py::object& c,
                   const py::object& d) {
-    if (d.is_none()) {
-        const Broadcast<3> all({a, b, c}, {{{"a", 2, 2}, {"b", 2, 2}, {"c", 2, 2}}});
-        return all([](const auto& r) { return ccw(point(r[0]), point(r[1]), point(r[2])); });
-    }
-    const Broadcast<4> all({a, b, c, d}, {{{"a", 3, 3}, {"b", 3, 3}, {"c", 3, 3}, {"d", 3, 3}}});
-    return all(
-        [](const auto& r) { return ccw(point3(r[0]), point3(r[1]), point3(r[2]), point3(r[3])); });
+    if (d.is_none())
+        return Broadcast<3>({a, b, c}, operands("abc", 2, 2))(
+            [](const auto& r) { return ccw(as<Point>(r[0]), as<Point>(r[1]), as<Point>(r[2])); });
+    return Broadcast<4>({a, b, c, d}, operands("abcd", 3, 3))([](const auto& r) {
+        return ccw(as<Point3>(r[0]), as<Point3>(r[1]), as<Point3>(r[2]), as<Point3>(r[3]));
+    });
 }
 
 py::object exists(const py::object& i, const py::object& j, const py::object& k,
                   const std::string& metric, const std::string& weight_is) {
-    const Broadcast<3> all({i, j, k}, {{{"i", 2, 3}, {"j", 2, 3}, {"k", 2, 3}}});
-    return in_metric(metric, weight_is, [&](auto signs, auto of) {
-        return all(
-            [of](const auto& r) { return decltype(signs)::exists(of(r[0]), of(r[1]), of(r[2])); });
-    });
+    return in_plane(metric, weight_is, Broadcast<3>({i, j, k}, operands("ijk", 2, 3)),
+                    [](auto signs, const auto&... s) { return signs.exists(s...); });
 }
 
 py::object in_circle(const py::object& i, const py::object& j, const py::object& k,
                      const py::object& q, const std::string& metric, const std::string& weight_is) {
-    const Broadcast<4> all({i, j, k, q}, {{{"i", 2, 3}, {"j", 2, 3}, {"k", 2, 3}, {"q", 2, 3}}});
-    return in_metric(metric, weight_is, [&](auto signs, auto of) {
-        return all([of](const auto& r) {
-            return decltype(signs)::in_circle(of(r[0]), of(r[1]), of(r[2]), of(r[3]));
-        });
-    });
+    return in_plane(metric, weight_is, Broadcast<4>({i, j, k, q}, operands("ijkq", 2, 3)),
+                    [](auto signs, const auto&... s) { return signs.in_circle(s...); });
 }
 
 py::object in_circle_infinite(const py::object& a, const py::object& b, const py::object& q,
                               const std::string& metric, const std::string& weight_is) {
-    const Broadcast<3> all({a, b, q}, {{{"a", 2, 3}, {"b", 2, 3}, {"q", 2, 3}}});
-    return in_metric(metric, weight_is, [&](auto signs, auto of) {
-        return all([of](const auto& r) {
-            return decltype(signs)::in_circle_infinite(of(r[0]), of(r[1]), of(r[2]));
-        });
-    });
+    return in_plane(metric, weight_is, Broadcast<3>({a, b, q}, operands("abq", 2, 3)),
+                    [](auto signs, const auto&... s) { return signs.in_circle_infinite(s...); });
 }
 
 py::object hidden(const py::object& q, const py::object& i, const std::string& metric,
                   const std::string& weight_is) {
-    const Broadcast<2> all({q, i}, {{{"q", 2, 3}, {"i", 2, 3}}});
-    return in_metric(metric, weight_is, [&](auto signs, auto of) {
-        return all([of](const auto& r) { return decltype(signs)::hidden(of(r[0]), of(r[1])); });
-    });
+    return in_plane(metric, weight_is, Broadcast<2>({q, i}, operands("qi", 2, 3)),
+                    [](auto signs, const auto&... s) { return signs.hidden(s...); });
 }
 
 py::object nearer(const py::object& p, const py::object& a, const py::object& b,
                   const std::string& metric, const std::string& weight_is) {
-    const Broadcast<3> all({p, a, b}, {{{"p", 2, 2}, {"a", 2, 3}, {"b", 2, 3}}});
-    return in_metric(metric, weight_is, [&](auto signs, auto of) {
-        return all([of](const auto& r) {
-            return decltype(signs)::nearer(point(r[0]), of(r[1]), of(r[2]));
-        });
-    });
+    auto names = operands("pab", 2, 3);
+    names[0].most = 2;
+    return in_plane(metric, weight_is, Broadcast<3>({p, a, b}, names),
+                    [](auto signs, const auto& at, const auto&... s) {
+                        return signs.nearer(Point{at.x, at.y}, s...);
+                    });
 }
-
-template <class S>
-int in_power_sphere(const S& i, const S& j, const S& k, const S& l, const S& q) {
-    require(ccw(i, j, k, l) > 0, no_sphere);
-    return power::in_sphere(i, j, k, l, q);
-}
-template <class Shape>
-int in_sphere_of_facets(const std::array<Row, 5>& r, int number) {
-    const auto found = rectangular::spheres<Shape>(ball(r[0]), ball(r[1]), ball(r[2]), ball(r[3]));
-    require(!found.infinitely_many, "infinitely many spheres touch i, j, k and l");
-    require(number >= 0 && number < found.count, "so many spheres do not touch i, j, k and l");
-    return rectangular::in_sphere<Shape>(ball(r[0]), ball(r[1]), ball(r[2]), ball(r[3]), ball(r[4]),
-                                         static_cast<std::uint8_t>(number));
-}
-
-/// Sphere number `number` of four rows, and a fifth one, in a metric; one that has none does not
-/// compile.
-template <class MetricType>
-struct InSphereOf;
-template <>
-struct InSphereOf<Power> {
-    static int sign(const std::array<Row, 5>& r, int /*number*/) {
-        return in_power_sphere(ball(r[0]), ball(r[1]), ball(r[2]), ball(r[3]), ball(r[4]));
-    }
-};
-template <>
-struct InSphereOf<Euclidean> {
-    static int sign(const std::array<Row, 5>& r, int /*number*/) {
-        require(euclidean::exists(ball(r[0]), ball(r[1]), ball(r[2]), ball(r[3])), no_sphere);
-        return euclidean::in_sphere(ball(r[0]), ball(r[1]), ball(r[2]), ball(r[3]), ball(r[4]));
-    }
-};
-template <>
-struct InSphereOf<Manhattan> {
-    static int sign(const std::array<Row, 5>& r, int number) {
-        return in_sphere_of_facets<rectangular::Octahedron>(r, number);
-    }
-};
-template <>
-struct InSphereOf<Supremum> {
-    static int sign(const std::array<Row, 5>& r, int number) {
-        return in_sphere_of_facets<rectangular::Cube>(r, number);
-    }
-};
 
 py::object in_sphere(const py::object& i, const py::object& j, const py::object& k,
-                     const py::object& l, const py::object& q, const std::string& name,
+                     const py::object& l, const py::object& q, const std::string& metric,
                      const std::string& weight_is, int number) {
-    const Broadcast<5> all({i, j, k, l, q},
-                           {{{"i", 3, 4}, {"j", 3, 4}, {"k", 3, 4}, {"l", 3, 4}, {"q", 3, 4}}});
-    const Metric metric = metric_of(name);
-    if (weight_of(weight_is) == WeightIs::weight) {
-        if (!traits_of(metric).has_weights) throw std::invalid_argument(no_weights(metric));
-        return all([](const auto& r) {
-            return in_power_sphere(weighted_ball(r[0]), weighted_ball(r[1]), weighted_ball(r[2]),
-                                   weighted_ball(r[3]), weighted_ball(r[4]));
-        });
-    }
-    return with_metric(metric, [&](auto type) {
-        return all([number](const auto& r) { return InSphereOf<decltype(type)>::sign(r, number); });
-    });
+    return in_metric<Site3, power::Site3>(
+        metric, weight_is, Broadcast<5>({i, j, k, l, q}, operands("ijklq", 3, 4)),
+        [number](auto signs, const auto&... s) { return signs.in_sphere(s..., number); });
 }
 
 py::object sign_of_sum_along(const py::object& terms, int axis) {
@@ -313,7 +267,7 @@ py::object meetings(const py::object& a, const py::object& b, double until,
         }
     }
     if (std::isnan(until)) throw py::value_error("until: a time is needed, not NaN");
-    const Broadcast<2> all({a, b}, {{{"a", columns, columns}, {"b", columns, columns}}});
+    const Broadcast<2> all({a, b}, operands("ab", columns, columns));
     return all([&](const auto& r) {
         const motion::GrowingBall<D> first = flying<D>(r[0]);
         const motion::GrowingBall<D> second = flying<D>(r[1]);

@@ -32,6 +32,12 @@ struct Space {
     SpaceTessellation tessellation;
 };
 
+/// ask() of the sites in their own type.
+template <class Ask>
+auto with_sites(const Sites& sites, Ask ask) {
+    return std::visit([&](const auto& all) { return ask(std::span(all)); }, sites);
+}
+
 struct SpaceClip {
     std::shared_ptr<const Space> space;
     SpaceCells cells;
@@ -66,9 +72,8 @@ std::shared_ptr<Space> triangulated_space(const py::object& sites, const std::st
     return watched(progress, [&](Watch& watch) {
         options.stop = watch.token();
         options.progress = watch.progress();
-        space->tessellation = std::visit(
-            [&](const auto& all) { return triangulate(std::span(all), Power{}, options); },
-            space->sites);
+        space->tessellation =
+            with_sites(space->sites, [&](auto all) { return triangulate(all, Power{}, options); });
         return space;
     });
 }
@@ -88,8 +93,7 @@ std::vector<Edge> edges_of(const SpaceTessellation& tessellation) {
 }
 
 Box3 box_of(const py::object& object, const Sites& sites) {
-    if (object.is_none())
-        return std::visit([](const auto& all) { return default_box(std::span(all)); }, sites);
+    if (object.is_none()) return with_sites(sites, [](auto all) { return default_box(all); });
     const Rows rows(object, "box", 3, 3);
     if (rows.size() != 2) throw py::value_error("box: two corners are needed");
     return {{rows.at(0, 0), rows.at(0, 1), rows.at(0, 2)},
@@ -102,11 +106,8 @@ std::shared_ptr<SpaceClip> clipped_space(const std::shared_ptr<Space>& space,
     result->space = space;
     const Box3 in_box = box_of(box, space->sites);
     return watched([&](Watch&) {
-        result->cells = std::visit(
-            [&](const auto& all) {
-                return space_cells(space->tessellation, std::span(all), in_box);
-            },
-            space->sites);
+        result->cells = with_sites(
+            space->sites, [&](auto all) { return space_cells(space->tessellation, all, in_box); });
         return result;
     });
 }
@@ -115,12 +116,10 @@ std::shared_ptr<SpaceClip> clipped_space(const std::shared_ptr<Space>& space,
 py::tuple polyhedron(const SpaceClip& clip, Index site) {
     const std::array<Index, 1> which = {site};
     SpacePolyhedron shape = watched([&](Watch&) {
-        return std::visit(
-            [&](const auto& all) {
-                return std::move(space_polyhedra(clip.space->tessellation, std::span(all),
-                                                 clip.cells.box, which)[0]);
-            },
-            clip.space->sites);
+        return with_sites(clip.space->sites, [&](auto all) {
+            return std::move(
+                space_polyhedra(clip.space->tessellation, all, clip.cells.box, which)[0]);
+        });
     });
     py::list faces;
     for (std::size_t f = 0; f < shape.beyond.size(); ++f) {
@@ -152,9 +151,8 @@ can be asked from several threads at once.)");
         .def_property_readonly(
             "sites",
             [](const py::object& self) {
-                return std::visit(
-                    [&](const auto& all) { return table<double>(std::span(all), self); },
-                    self.cast<const Space&>().sites);
+                return with_sites(self.cast<const Space&>().sites,
+                                  [&](auto all) { return table<double>(all, self); });
             },
             "All sites in the order given: float64 (n, 3), or (n, 4) with radii or weights.")
         .def_property_readonly(
@@ -200,11 +198,8 @@ O(m log m) for m cells.)")
             "vertices",
             [](const Space& space) {
                 return table<double>(watched([&](Watch&) {
-                    return std::visit(
-                        [&](const auto& all) {
-                            return vertices(space.tessellation, std::span(all));
-                        },
-                        space.sites);
+                    return with_sites(space.sites,
+                                      [&](auto all) { return vertices(space.tessellation, all); });
                 }));
             },
             R"(The vertex of the power diagram of every cell: float64 (m, 4), x, y, z, rho.
@@ -215,12 +210,9 @@ double nearest to the exact value; NaN for a cell with infinity, and of flat sit
             "validate",
             [](const Space& space, const py::object& progress) {
                 return watched(progress, [&](Watch& watch) {
-                    const ValidationOptions options = {watch.token(), watch.progress()};
-                    return std::visit(
-                        [&](const auto& all) {
-                            return validate(space.tessellation, std::span(all), options);
-                        },
-                        space.sites);
+                    return with_sites(space.sites, [&](auto all) {
+                        return validate(space.tessellation, all, {watch.token(), watch.progress()});
+                    });
                 });
             },
             py::arg("progress") = py::none(),
@@ -242,9 +234,12 @@ ValueError unless the first corner is below the second, and where a number is be
 }
 
 void bind_space_cells(py::module_& module) {
-    const auto measures = [](const py::object& self, std::size_t offset, std::size_t columns) {
-        const SpaceCells& cells = self.cast<const SpaceClip&>().cells;
-        return part<double>(std::span<const SpaceMeasure>(cells.measures), offset, columns, self);
+    const auto cells = [](const py::object& self) -> const SpaceCells& {
+        return self.cast<const SpaceClip&>().cells;
+    };
+    const auto measures = [=](const py::object& self, std::size_t offset, std::size_t columns) {
+        return part<double>(std::span<const SpaceMeasure>(cells(self).measures), offset, columns,
+                            self);
     };
     py::class_<SpaceClip, std::shared_ptr<SpaceClip>> bound(
         module, "SpaceCells",
@@ -277,25 +272,22 @@ those of a cell as large as the distance of its corners from its site.)");
             "float64 (n, 3); of a cell without volume the point of the box nearest to its site.")
         .def_property_readonly(
             "first_face",
-            [](const py::object& self) {
-                const SpaceCells& cells = self.cast<const SpaceClip&>().cells;
-                return column(std::span<const std::int64_t>(cells.first_face), self);
+            [=](const py::object& self) {
+                return column(std::span<const std::int64_t>(cells(self).first_face), self);
             },
             "int64 (n + 1,): the faces of site s are those from first_face[s] to first_face[s + "
             "1].")
         .def_property_readonly(
             "face_beyond",
-            [](const py::object& self) {
-                const SpaceCells& cells = self.cast<const SpaceClip&>().cells;
-                return part<Index>(std::span<const SpaceFace>(cells.faces), 0, 1, self);
+            [=](const py::object& self) {
+                return part<Index>(std::span<const SpaceFace>(cells(self).faces), 0, 1, self);
             },
             "int32: the site beyond each face, or -1 to -6 for a side of the box, x first, low "
             "first.")
         .def_property_readonly(
             "face_areas",
-            [](const py::object& self) {
-                const SpaceCells& cells = self.cast<const SpaceClip&>().cells;
-                return part<double>(std::span<const SpaceFace>(cells.faces), 1, 1, self);
+            [=](const py::object& self) {
+                return part<double>(std::span<const SpaceFace>(cells(self).faces), 1, 1, self);
             },
             "float64: the area of each face, the same seen from both sides.")
         .def(

@@ -72,7 +72,6 @@ py::tuple all_polygons(const Clip& clip, const py::object& tolerance) {
                 sites.push_back(static_cast<Index>(s));
             }
         }
-        return true;
     });
     return py::make_tuple(table<double>(std::move(points)), column(std::move(first)),
                           column(std::move(sites)));
@@ -114,10 +113,7 @@ read-only views of its memory.)");
             "tessellation", &Voronoi::tessellation, py::return_value_policy::reference_internal,
             "The Tessellation whose diagram it is; a copy of that it was made of.")
         .def_property_readonly(
-            "vertices",
-            [](const py::object& self) {
-                return table<double>(self.cast<const Voronoi&>().vertices(), self);
-            },
+            "vertices", shown<double>(&Voronoi::vertices),
             "float64 (v, 3), x, y, rho: each number the double nearest to the exact value.")
         .def_property_readonly(
             "vertex_of_face",
@@ -126,10 +122,7 @@ read-only views of its memory.)");
             },
             "int32, by face of the tessellation: its vertex, -1 where it has none.")
         .def_property_readonly(
-            "edges",
-            [](const py::object& self) {
-                return table<Index>(self.cast<const Voronoi&>().edges(), self);
-            },
+            "edges", shown<Index>(&Voronoi::edges),
             R"(int32 (e, 6): the sites to the left and right, the vertices from and to, their faces.
 
 An edge runs with its first site on the left; a vertex of -1 lies at infinity.)")

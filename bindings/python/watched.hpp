@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <stop_token>
 #include <thread>
+#include <type_traits>
 #include <utility>
 
 #include <pybind11/pybind11.h>
@@ -111,19 +112,25 @@ class Watch {
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-/// What work(watch) gives, in the default floating-point environment. Throws what a signal or the
-/// progress callback threw.
+/// What work(watch) gives, if anything, in the default floating-point environment. Throws what a
+/// signal or the progress callback threw.
 template <class Work>
 auto watched(const py::object& progress, Work&& work) {
     Watch watch(progress);
+    const auto released = [&] {
+        const Released while_it_works;
+        const exact::IeeeEnvironment environment;
+        return std::forward<Work>(work)(watch);
+    };
     try {
-        auto result = [&] {
-            const Released released;
-            const exact::IeeeEnvironment environment;
-            return std::forward<Work>(work)(watch);
-        }();
-        watch.rethrow();
-        return result;
+        if constexpr (std::is_void_v<decltype(released())>) {
+            released();
+            watch.rethrow();
+        } else {
+            auto result = released();
+            watch.rethrow();
+            return result;
+        }
     } catch (const Stopped&) {
         watch.rethrow();
         throw;
@@ -150,12 +157,20 @@ class Exclusive {
             std::atomic_flag& flag;
             ~Release() { flag.clear(); }
         } const release{busy_};
-        return std::forward<Use>(with)(value_);
+        return std::invoke(std::forward<Use>(with), value_);
     }
 
  private:
     Value value_;
     std::atomic_flag busy_;
 };
+
+/// What a method, or a function, makes of it, with the interpreter free.
+template <class Value, class Method, class... Arguments>
+auto used(Exclusive<Value>& object, Method method, const Arguments&... arguments) {
+    return watched([&](Watch&) {
+        return object.use([&](Value& value) { return std::invoke(method, value, arguments...); });
+    });
+}
 
 }  // namespace signum::python

@@ -56,13 +56,6 @@ template <PowerSite S>
     return predicates::decide<Arithmetic::exact, Nearer>(p, a, b);
 }
 
-/// +1 where the point p is nearer to a than to b, 0 where both are as near, -1 otherwise.
-template <PowerSite S>
-[[nodiscard]] inline Sign nearer(Point p, const S& a, const S& b) noexcept {
-    SIGNUM_EXPECTS(are_finite(p, a, b));
-    return nearer_decision(p, a, b).sign;
-}
-
 }  // namespace signum::power
 
 SIGNUM_IEEE_END

@@ -1,6 +1,6 @@
 #include "in_circle.hpp"
 
-#include "../ladder/integers.hpp"
+#include "../../exact/integer_rows.hpp"
 #include "../ladder/ladder.hpp"
 
 namespace signum::power {
@@ -18,18 +18,18 @@ struct InIntegers {
 
     template <PowerSite S>
     [[nodiscard]] static Verdict ask(const S& i, const S& j, const S& k, const S& q) noexcept {
-        ladder::IntegerRows<2> rows({&i, &j, &k}, q);
+        exact::IntegerRows<2> rows({&i, &j, &k}, q);
         if (!rows.are_exact()) return Verdict::uncertain();
         if (!rows.divide_by_power_of_two(30))
-            return Verdict::certain(determinant<ladder::Factor>(rows).sign());
-        const ladder::Integer128 narrow = determinant<ladder::Integer128>(rows);
+            return Verdict::certain(determinant<exact::Factor>(rows).sign());
+        const exact::Integer128 narrow = determinant<exact::Integer128>(rows);
         return Verdict::certain((narrow > 0) - (narrow < 0));
     }
 
  private:
     template <class Square>
-    [[nodiscard]] static auto determinant(const ladder::IntegerRows<2>& rows) noexcept {
-        const auto row = [&](std::size_t m) -> Row<ladder::Word<Square>, Square> {
+    [[nodiscard]] static auto determinant(const exact::IntegerRows<2>& rows) noexcept {
+        const auto row = [&](std::size_t m) -> Row<exact::Word<Square>, Square> {
             return {{rows[m].offset[0]}, {rows[m].offset[1]}, Square{rows[m].weight}};
         };
         return in_circle_determinant(row(0), row(1), row(2));

@@ -123,14 +123,6 @@ template <PowerSite S>
     return predicates::decide<Arithmetic::exact, InCircle>(i, j, k, q);
 }
 
-/// +1 where q conflicts with the vertex of i, j, k (is nearer than they are), 0 where it touches,
-/// -1 otherwise. Preconditions: exists(i,j,k), finite numbers. Thesis: Theorem 4.4.1.
-template <PowerSite S>
-[[nodiscard]] inline Sign in_circle(const S& i, const S& j, const S& k, const S& q) noexcept {
-    SIGNUM_EXPECTS(are_finite(i, j, k, q));
-    return in_circle_decision(i, j, k, q).sign;
-}
-
 }  // namespace signum::power
 
 SIGNUM_IEEE_END

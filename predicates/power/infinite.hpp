@@ -71,16 +71,6 @@ template <PowerSite S>
     return predicates::decide<Arithmetic::exact, InSegment>(a, b, q);
 }
 
-/// The same at the hull edge a -> b, all other sites on its left or on its line: +1 where q
-/// conflicts with the vertex at infinity, 0 where it touches, -1 otherwise. Preconditions: centres
-/// of a and b differ, finite numbers.
-template <PowerSite S>
-[[nodiscard]] inline Sign in_circle_infinite(const S& a, const S& b, const S& q) noexcept {
-    SIGNUM_EXPECTS(are_finite(a, b, q));
-    const Sign side = ccw(a, b, q);
-    return side != 0 ? -side : in_segment_decision(a, b, q).sign;
-}
-
 }  // namespace signum::power
 
 SIGNUM_IEEE_END

@@ -25,7 +25,7 @@
 #include "../../core/strided_sites.hpp"
 #include "../../filters/bounds.hpp"
 #include "../../filters/tally.hpp"
-#include "forms.hpp"
+#include "../ladder/forms.hpp"
 
 namespace signum::rectangular {
 

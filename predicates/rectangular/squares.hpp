@@ -16,7 +16,7 @@
 #include "../../core/site.hpp"
 #include "../../filters/tally.hpp"
 #include "../additive.hpp"
-#include "forms.hpp"
+#include "../ladder/forms.hpp"
 
 SIGNUM_IEEE_BEGIN
 

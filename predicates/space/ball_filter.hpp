@@ -1,5 +1,5 @@
 #pragma once
-/// The filters of the predicates of balls: the polynomials of ball_polynomials.hpp in plain
+/// The filters of the predicates of balls: the polynomials of formulas/balls.hpp in plain
 /// doubles, each with a bound on its error. For sources only.
 ///
 /// The bounds. For two balls let l be the sum of the magnitudes of their rounded differences in
@@ -32,7 +32,7 @@
 #include "../../filters/rounding_count.hpp"
 #include "../../filters/verdict.hpp"
 #include "../euclidean/filter.hpp"
-#include "ball_polynomials.hpp"
+#include "../formulas/balls.hpp"
 
 SIGNUM_IEEE_BEGIN
 

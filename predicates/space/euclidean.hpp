@@ -13,7 +13,7 @@
 ///     degenerate ones. The points of contact of the one turn as i, j, k, l do in ccw(i,j,k,l) > 0,
 ///     those of the other the other way. Of equal radii the first one exists where ccw(i,j,k,l) >
 ///     0, and in_sphere is that of points.
-/// Source: Gavrilova 1998, 4.5; the identities of ball_polynomials.hpp.
+/// Source: Gavrilova 1998, 4.5; the identities of formulas/balls.hpp.
 
 #include <concepts>
 

@@ -3,9 +3,8 @@
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include "../../core/processor.hpp"
-#include "../ladder/integers.hpp"
+#include "../../exact/integer_rows.hpp"
 #include "../ladder/ladder.hpp"
-#include "refined.hpp"
 
 namespace signum::power {
 namespace {
@@ -49,6 +48,8 @@ struct CornersOfABox {
     }
 };
 
+static_assert(refined_in_sphere_error >= 2 * 12 * filters::double_double_epsilon);
+
 /// Integers and double-doubles. Differences to q are below 2^60: heights are below 2^123, minors of
 /// two rows below 2^121 and of three below 2^183, and the sum of four products below 2^308. Divided
 /// by 2^40 all is below 2^108: such integers are faster than double-doubles, and these than wide
@@ -59,10 +60,9 @@ struct Closely {
                                                                    const S& k, const S& l,
                                                                    const S& q) noexcept {
         const double bound = refined_in_sphere_error * InSphere::magnitude(i, j, k, l, q);
-        ladder::IntegerRows<3> rows({&i, &j, &k, &l}, q);
+        exact::IntegerRows<3> rows({&i, &j, &k, &l}, q);
         if (rows.are_exact() && rows.divide_by_power_of_two(40)) {
-            const auto value =
-                determinant<ladder::Word<ladder::Integer128>, ladder::Integer128>(rows);
+            const auto value = determinant<exact::Word<exact::Integer128>, exact::Integer128>(rows);
             return {(value > 0) - (value < 0), Stage::exact};
         }
         filters::DoubleDouble refined;
@@ -79,7 +79,7 @@ struct Closely {
 
  private:
     template <class Offset, class Weight>
-    [[nodiscard]] static auto determinant(const ladder::IntegerRows<3>& rows) noexcept {
+    [[nodiscard]] static auto determinant(const exact::IntegerRows<3>& rows) noexcept {
         const auto row = [&](std::size_t m) -> LiftedRow<Offset, Weight> {
             const auto& [x, y, z] = rows[m].offset;
             return {{Offset{x}, Offset{y}, Offset{z}}, Weight{rows[m].weight}};

@@ -29,6 +29,16 @@ static_assert(in_sphere_determinant(rounded_lifted_row, rounded_lifted_row, roun
                                     rounded_lifted_row)
                   .roundings <= 17);
 
+/// The same in double-doubles, whose epsilon is 2^-102; twice that covers the magnitude, rounded in
+/// doubles.
+inline constexpr double refined_in_sphere_error = 24 * 0x1p-102;
+inline constexpr LiftedRow<filters::RoundingCount> refined_lifted_row{
+    {filters::RoundingCount(), filters::RoundingCount(), filters::RoundingCount()},
+    filters::RoundingCount::of(1)};
+static_assert(in_sphere_determinant(refined_lifted_row, refined_lifted_row, refined_lifted_row,
+                                    refined_lifted_row)
+                  .roundings <= 12);
+
 /// The bound on the error of the determinant, from the largest coordinates and weight.
 template <class Number>
 [[nodiscard, gnu::always_inline]] constexpr Number bound_of_in_sphere(

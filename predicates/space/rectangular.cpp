@@ -6,7 +6,7 @@
 
 #include "../../exact/floating_environment.hpp"
 #include "../../filters/environment.hpp"
-#include "facets.hpp"
+#include "../formulas/facets.hpp"
 #include "rectangular_forms.hpp"
 
 SIGNUM_IEEE_BEGIN

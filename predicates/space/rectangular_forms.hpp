@@ -18,7 +18,7 @@
 #include "../../filters/rounding_count.hpp"
 #include "../../filters/tally.hpp"
 #include "../../filters/verdict.hpp"
-#include "facets.hpp"
+#include "../formulas/facets.hpp"
 
 SIGNUM_IEEE_BEGIN
 

@@ -10,7 +10,7 @@
 
 #include "../../predicates/euclidean.hpp"
 #include "../../predicates/space.hpp"
-#include "../../predicates/space/ball_polynomials.hpp"
+#include "../../predicates/formulas/balls.hpp"
 #include "../../predicates/space/euclidean.hpp"
 #include "../../predicates/space/in_sphere.hpp"
 #include "../../voronoi/balls/touching_spheres.hpp"

@@ -11,7 +11,7 @@
 
 #include "../../voronoi/balls/bands.hpp"
 
-namespace signum::spatial {
+namespace signum::balls {
 namespace {
 
 using Vector = std::array<double, 3>;
@@ -126,4 +126,4 @@ TEST(BallBands, FormsAreThoseOfTheDefinition) {
 }
 
 }  // namespace
-}  // namespace signum::spatial
+}  // namespace signum::balls

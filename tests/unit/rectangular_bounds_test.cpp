@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "../../predicates/additive.hpp"
-#include "../../predicates/rectangular/forms.hpp"
+#include "../../predicates/ladder/forms.hpp"
 #include "../../predicates/rectangular/front.hpp"
 
 #include "threshold.hpp"

@@ -16,7 +16,7 @@
 #include "../../predicates/manhattan.hpp"
 #include "../../predicates/power.hpp"
 #include "../../predicates/space.hpp"
-#include "../../predicates/space/facets.hpp"
+#include "../../predicates/formulas/facets.hpp"
 #include "../../predicates/supremum.hpp"
 #include "constructions.hpp"
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "../../motion/box_tree.hpp"
+#include "../../motion/pair_tree.hpp"
 #include "beside_wall.hpp"
 
 namespace signum {
@@ -32,7 +32,7 @@ void visit_pairs(const Places<D>& places, const motion::Effects<D>& effects, dou
     const auto& radii = places.radii;
     if (centres.empty()) return;
     const auto side = [&](int k) { return effects.box->high[k] - effects.box->low[k]; };
-    std::vector<typename motion::BoxTree<D>::Node> boxes;
+    std::vector<typename motion::PairTree<D>::Place> boxes;
     boxes.reserve(centres.size());
     for (std::size_t i = 0; i < centres.size(); ++i)
         boxes.push_back({.box = {centres[i], centres[i]}, .radius = radii[i] * (1.0 + share)});
@@ -40,7 +40,7 @@ void visit_pairs(const Places<D>& places, const motion::Effects<D>& effects, dou
     for (int k = 0; k < D; ++k) length[k] = effects.periodic ? side(k) : motion::infinity;
     // Just below 0, so that points in one place are no pairs.
     const auto bound = [] { return -std::numeric_limits<double>::denorm_min(); };
-    motion::BoxTree<D>(boxes, length).visit_pairs(bound, [&](std::uint32_t i, std::uint32_t j) {
+    motion::PairTree<D>(boxes, length).visit_pairs(bound, [&](std::uint32_t i, std::uint32_t j) {
         double square = 0.0;
         for (int k = 0; k < D; ++k) {
             double d = centres[j][k] - centres[i][k];

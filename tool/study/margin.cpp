@@ -6,7 +6,7 @@
 
 #include "../../exact/multiprecision.hpp"
 #include "../../predicates/additive.hpp"
-#include "../../predicates/euclidean/polynomials.hpp"
+#include "../../predicates/formulas/apollonius.hpp"
 #include "../../predicates/power.hpp"
 #include "../../predicates/rectangular/squares.hpp"
 #include "../../triangulation/kernels/predicates_of.hpp"
@@ -105,7 +105,7 @@ struct Term {
     }
 };
 
-/// The terms A, L and Γ of predicates/euclidean/polynomials.hpp.
+/// The terms A, L and Γ of predicates/formulas/apollonius.hpp.
 template <class Number>
 struct Apollonius {
     Term<Number> a;

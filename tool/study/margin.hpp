@@ -40,7 +40,7 @@ struct Margins {
 ///
 /// Magnitudes: in the power metric, with rows relative to the site across, the sum over the three
 /// of (x² + y² + |w|)(|x'y''| + |x''y'|). In the Euclidean metric that of A - L √Γ
-/// (predicates/euclidean/polynomials.hpp), multiplied out, all terms positive. In the Manhattan and
+/// (predicates/formulas/apollonius.hpp), multiplied out, all terms positive. In the Manhattan and
 /// supremum metrics, where nothing is multiplied, a margin is how far the site stays outside the
 /// square over the sum of |x| + |y| + |r| of the four.
 [[nodiscard]] Margins margins_of(const Tessellation& canonical);

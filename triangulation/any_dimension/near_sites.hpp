@@ -10,9 +10,12 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "../../core/box_tree.hpp"
 #include "../../core/index.hpp"
 #include "../../filters/interval.hpp"
 #include "sites.hpp"
@@ -25,36 +28,28 @@ class NearSites {
  public:
     /// Of the sites that `members` names.
     NearSites(std::span<const S> sites, std::vector<Index> members)
-        : sites_(sites), members_(std::move(members)) {
-        double largest = 0.0;
-        for (std::size_t m = 0; m < members_.size(); ++m)
-            for (std::size_t which = 0; which <= coordinates; ++which)
-                largest = std::max(largest, length(member(m), which));
-        if (largest > 0.0) scale_ = std::ldexp(1.0, -std::clamp(std::ilogb(largest), -1000, 1000));
-        if (!members_.empty()) build(0, members_.size());
+        : members_(std::move(members)), scale_(scale(sites, members_)) {
+        tree_ = {members_.size(), 4, numbers, [&](std::size_t m) {
+                     return scaled(sites[static_cast<std::size_t>(members_[m])]);
+                 }};
     }
 
     /// Calls visit(i) for each site that is not certainly farther from the centre of q than `other`
     /// is. Returns how often something was passed over.
     template <class Visit>
-    std::size_t visit_near(const S& q, const S& other, Visit visit) {
+    std::size_t visit_near(const S& q, const S& other, Visit visit) const {
         std::size_t passed = 0;
-        const Box centre = box_of(q);
-        const Interval limit = distance(centre, box_of(other));
-        pending_.assign(nodes_.empty() ? 0 : 1, 0);
-        while (!pending_.empty()) {
-            const std::size_t place = pending_.back();
-            const Node& node = nodes_[place];
-            pending_.pop_back();
-            if ((distance(centre, node.box) - limit).low > 0.0) {
-                ++passed;
-            } else if (node.right != 0) {
-                pending_.push_back(node.right);
-                pending_.push_back(place + 1);
-            } else {
-                for (std::size_t m = node.first; m < node.last; ++m) visit(members_[m]);
-            }
-        }
+        const Box centre = around(scaled(q));
+        const Interval limit = distance(centre, around(scaled(other)));
+        const auto may_be_near = [&](const Bounds<numbers>& bounds) {
+            Box box;
+            for (std::size_t k = 0; k < numbers; ++k) box[k] = {bounds.low[k], bounds.high[k]};
+            if (!((distance(centre, box) - limit).low > 0.0)) return true;
+            ++passed;
+            return false;
+        };
+        tree_.visit(may_be_near,
+                    [&](std::uint32_t place) { visit(members_[tree_.order()[place]]); });
         return passed;
     }
 
@@ -62,37 +57,36 @@ class NearSites {
     using Interval = filters::Interval;
     static constexpr auto coordinates = static_cast<std::size_t>(dimension_of<S>);
     /// The coordinates, and what orders sites by weight.
-    using Box = std::array<Interval, coordinates + 1>;
-    /// The left child follows; a leaf has no right one.
-    struct Node {
-        Box box;
-        std::size_t first;
-        std::size_t last;
-        std::size_t right;
-    };
-    static constexpr std::size_t leaf_size = 4;
+    static constexpr std::size_t numbers = coordinates + 1;
+    using Box = std::array<Interval, numbers>;
     static constexpr bool has_radius = requires(const S& s) { s.r; };
 
-    [[nodiscard]] static constexpr bool is_length(std::size_t which) noexcept {
-        return which < coordinates || has_radius;
+    [[nodiscard]] static double scale(std::span<const S> sites, std::span<const Index> members) {
+        double largest = 0.0;
+        for (const Index m : members) {
+            const S& s = sites[static_cast<std::size_t>(m)];
+            for (std::size_t axis = 0; axis < coordinates; ++axis)
+                largest = std::max(largest, std::fabs(coordinate(s, axis)));
+            // Of a weight the radius that it is the square of.
+            const double weight = std::fabs(power::weight_key(s));
+            largest = std::max(largest, has_radius ? weight : std::sqrt(weight));
+        }
+        if (!(largest > 0.0)) return 1.0;
+        return std::ldexp(1.0, -std::clamp(std::ilogb(largest), -1000, 1000));
     }
-
-    [[nodiscard]] static double number(const S& s, std::size_t which) noexcept {
-        return which < coordinates ? coordinate(s, which) : power::weight_key(s);
+    /// But for what underflows.
+    [[nodiscard]] Bounds<numbers> scaled(const S& s) const noexcept {
+        Bounds<numbers> at;
+        for (std::size_t axis = 0; axis < coordinates; ++axis)
+            at.low[axis] = coordinate(s, axis) * scale_;
+        at.low[coordinates] = power::weight_key(s) * scale_ * (has_radius ? 1.0 : scale_);
+        at.high = at.low;
+        return at;
     }
-    /// Of a number its magnitude, of a weight the radius that it is the square of.
-    [[nodiscard]] static double length(const S& s, std::size_t which) noexcept {
-        const double x = filters::magnitude(number(s, which));
-        return is_length(which) ? x : std::sqrt(x);
-    }
-    [[nodiscard]] Interval scaled(const Interval& x, std::size_t which) const noexcept {
-        const Interval once = x * Interval(scale_);
-        return is_length(which) ? once : once * Interval(scale_);
-    }
-    [[nodiscard]] Box box_of(const S& s) const noexcept {
+    /// As much wider as underflow may take of a number and of another one that is compared with it.
+    [[nodiscard]] static Box around(const Bounds<numbers>& at) noexcept {
         Box box;
-        for (std::size_t which = 0; which <= coordinates; ++which)
-            box[which] = scaled(Interval(number(s, which)), which);
+        for (std::size_t k = 0; k < numbers; ++k) box[k] = Interval(at.low[k]) * Interval(1.0);
         return box;
     }
     /// From the centre of a site, of which the weight does not matter.
@@ -106,47 +100,10 @@ class NearSites {
         }
         return sum;
     }
-    [[nodiscard]] const S& member(std::size_t m) const noexcept {
-        return sites_[static_cast<std::size_t>(members_[m])];
-    }
 
-    void build(std::size_t first, std::size_t last) {
-        Box box;
-        for (std::size_t which = 0; which <= coordinates; ++which) {
-            double low = number(member(first), which);
-            double high = low;
-            for (std::size_t m = first + 1; m < last; ++m) {
-                low = std::min(low, number(member(m), which));
-                high = std::max(high, number(member(m), which));
-            }
-            box[which] = scaled({low, high}, which);
-        }
-        const std::size_t place = nodes_.size();
-        nodes_.push_back({box, first, last, 0});
-        if (last - first <= leaf_size) return;
-        // Halved by the number in which they differ most.
-        std::size_t widest = 0;
-        for (std::size_t which = 1; which <= coordinates; ++which)
-            if (box[which].high - box[which].low > box[widest].high - box[widest].low)
-                widest = which;
-        const std::size_t middle = first + (last - first) / 2;
-        const auto at = [&](std::size_t m) {
-            return members_.begin() + static_cast<std::ptrdiff_t>(m);
-        };
-        std::nth_element(at(first), at(middle), at(last), [&](Index a, Index b) {
-            return number(sites_[static_cast<std::size_t>(a)], widest) <
-                   number(sites_[static_cast<std::size_t>(b)], widest);
-        });
-        build(first, middle);
-        nodes_[place].right = nodes_.size();
-        build(middle, last);
-    }
-
-    std::span<const S> sites_;
     std::vector<Index> members_;
-    std::vector<Node> nodes_;
-    std::vector<std::size_t> pending_;
-    double scale_ = 1.0;
+    double scale_;
+    BoxTree<numbers> tree_;
 };
 
 }  // namespace signum::any_dimension

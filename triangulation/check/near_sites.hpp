@@ -9,10 +9,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
+#include "../../core/box_tree.hpp"
 #include "../../core/index.hpp"
 #include "../../core/site.hpp"
 #include "../../filters/interval.hpp"
@@ -70,41 +71,31 @@ class NearSites {
  public:
     /// Of the sites that `members` names.
     template <class SiteOf>
-    NearSites(std::vector<Index> members, const SiteOf& site_of) {
-        for (const Index i : members) members_.push_back({site_of(i), i});
-        if (!members_.empty()) build(0, members_.size());
+    NearSites(const std::vector<Index>& members, const SiteOf& site_of)
+        : tree_(members.size(), 8, 3, [&](std::size_t m) { return only(site_of(members[m])); }) {
+        for (const std::uint32_t m : tree_.order())
+            members_.push_back({site_of(members[m]), members[m]});
     }
 
     /// Calls visit(i) for each site that is not certainly farther from p than `other` is. Returns
     /// how often something was passed over.
     template <class Visit>
-    std::size_t visit_near(const Point& p, const Site& other, Visit visit) {
+    std::size_t visit_near(const Point& p, const Site& other, Visit visit) const {
         std::size_t passed = 0;
-        const Interval limit = distance(p, Interval(other.x), Interval(other.y), Interval(other.r));
-        pending_.assign(nodes_.empty() ? 0 : 1, 0);
-        while (!pending_.empty()) {
-            const std::size_t place = pending_.back();
-            const Node& node = nodes_[place];
-            pending_.pop_back();
-            if ((distance(p, node.x, node.y, node.third) - limit).low > 0.0) {
-                ++passed;
-                continue;
-            }
-            if (node.right != 0) {
-                pending_.push_back(node.right);
-                pending_.push_back(place + 1);
-                continue;
-            }
-            for (std::size_t m = node.first; m < node.last; ++m) {
-                const Site& site = members_[m].site;
-                if ((distance(p, Interval(site.x), Interval(site.y), Interval(site.r)) - limit)
-                        .low > 0.0) {
-                    ++passed;
-                } else {
-                    visit(members_[m].number);
-                }
-            }
-        }
+        const auto distance = [&](const Bounds<3>& site) {
+            const auto number = [&](std::size_t k) { return Interval(site.low[k], site.high[k]); };
+            return Distance()(Reach{filters::magnitude(number(0) - Interval(p.x)),
+                                    filters::magnitude(number(1) - Interval(p.y)), number(2)});
+        };
+        const Interval limit = distance(only(other));
+        const auto may_be_near = [&](const Bounds<3>& site) {
+            if (!((distance(site) - limit).low > 0.0)) return true;
+            ++passed;
+            return false;
+        };
+        tree_.visit(may_be_near, [&](std::uint32_t place) {
+            if (may_be_near(only(members_[place].site))) visit(members_[place].number);
+        });
         return passed;
     }
 
@@ -113,54 +104,12 @@ class NearSites {
         Site site;
         Index number;
     };
-    /// The left child follows; a leaf has no right one.
-    struct Node {
-        Interval x;
-        Interval y;
-        Interval third;
-        std::size_t first;
-        std::size_t last;
-        std::size_t right;
-    };
-    static constexpr std::size_t leaf_size = 8;
-
-    [[nodiscard]] static Interval distance(const Point& p, const Interval& x, const Interval& y,
-                                           const Interval& third) {
-        return Distance()(Reach{filters::magnitude(x - Interval(p.x)),
-                                filters::magnitude(y - Interval(p.y)), third});
+    [[nodiscard]] static Bounds<3> only(const Site& s) noexcept {
+        return Bounds<3>::point({s.x, s.y, s.r});
     }
 
-    void build(std::size_t first, std::size_t last) {
-        const auto extent = [&](double Site::*number) {
-            Interval all(members_[first].site.*number);
-            for (std::size_t m = first; m < last; ++m)
-                all = {std::min(all.low, members_[m].site.*number),
-                       std::max(all.high, members_[m].site.*number)};
-            return all;
-        };
-        const std::size_t place = nodes_.size();
-        nodes_.push_back({extent(&Site::x), extent(&Site::y), extent(&Site::r), first, last, 0});
-        if (last - first <= leaf_size) return;
-        // Halved by the number in which they differ most.
-        const auto width = [](const Interval& all) { return all.high - all.low; };
-        const Node& node = nodes_[place];
-        auto number = width(node.x) < width(node.y) ? &Site::y : &Site::x;
-        if (std::max(width(node.x), width(node.y)) < width(node.third)) number = &Site::r;
-        const std::size_t middle = first + (last - first) / 2;
-        const auto at = [&](std::size_t m) {
-            return members_.begin() + static_cast<std::ptrdiff_t>(m);
-        };
-        std::nth_element(
-            at(first), at(middle), at(last),
-            [number](const Member& a, const Member& b) { return a.site.*number < b.site.*number; });
-        build(first, middle);
-        nodes_[place].right = nodes_.size();
-        build(middle, last);
-    }
-
+    BoxTree<3> tree_;
     std::vector<Member> members_;
-    std::vector<Node> nodes_;
-    std::vector<std::size_t> pending_;
 };
 
 }  // namespace signum::triangulation

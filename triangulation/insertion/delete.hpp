@@ -24,7 +24,7 @@
 #include <vector>
 
 #include "../../core/index.hpp"
-#include "../structure/insertion_rounds.hpp"
+#include "../../core/insertion_rounds.hpp"
 #include "../structure/topology.hpp"
 #include "insert.hpp"
 

@@ -2,13 +2,14 @@
 /// Who hides whom, settled at the end: the visible site nearest to each hidden site's centre.
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "../../core/box_tree.hpp"
 #include "../../core/index.hpp"
 #include "../../core/site.hpp"
 #include "../options.hpp"
@@ -31,68 +32,31 @@ class Boxes {
     Boxes(Kernel& kernel, std::span<const Index> face_of) : kernel_(kernel) {
         for (std::size_t i = 0; i < face_of.size(); ++i)
             if (face_of[i] >= 0) sites_.push_back(static_cast<Index>(i));
-        enclose(1, sites_);
+        tree_ = {sites_.size(), 8, 2, [&](std::size_t k) {
+                     const Point centre = kernel_.centre(sites_[k]);
+                     return Bounds<3>::point({centre.x, centre.y, kernel_.weight(sites_[k])});
+                 }};
     }
 
     /// The site nearest to the centre of q, given any.
     [[nodiscard]] Index nearest(Index q, Index known) {
-        search(1, sites_, q, known);
+        const Point point = kernel_.centre(q);
+        const auto may_be_nearer = [&](const Bounds<3>& box) {
+            const Site best = {std::clamp(point.x, box.low[0], box.high[0]),
+                               std::clamp(point.y, box.low[1], box.high[1]), box.high[2]};
+            return kernel_.would_be_nearer(q, best, known);
+        };
+        tree_.visit(may_be_nearer, [&](std::uint32_t place) {
+            const Index i = sites_[tree_.order()[place]];
+            if (i != known && kernel_.is_nearer(q, i, known)) known = i;
+        });
         return known;
     }
 
  private:
-    static constexpr std::size_t few = 8;
-    struct Box {
-        double left = HUGE_VAL, right = -HUGE_VAL, bottom = HUGE_VAL, top = -HUGE_VAL;
-        double weight = -HUGE_VAL;
-    };
-
-    /// The boxes of a part of the sites, which are put in order: box 2b and 2b+1 hold the halves of
-    /// what box b holds.
-    void enclose(std::size_t b, std::span<Index> part) {
-        if (b >= boxes_.size()) boxes_.resize(2 * b);
-        Box box;
-        for (const Index i : part) {
-            const Point centre = kernel_.centre(i);
-            box.left = std::min(box.left, centre.x);
-            box.right = std::max(box.right, centre.x);
-            box.bottom = std::min(box.bottom, centre.y);
-            box.top = std::max(box.top, centre.y);
-            box.weight = std::max(box.weight, kernel_.weight(i));
-        }
-        boxes_[b] = box;
-        if (part.size() <= few) return;
-        const bool is_wide = 0.5 * box.right - 0.5 * box.left > 0.5 * box.top - 0.5 * box.bottom;
-        const auto place = [&](Index i) {
-            const Point centre = kernel_.centre(i);
-            return is_wide ? centre.x : centre.y;
-        };
-        const std::size_t half = part.size() / 2;
-        std::nth_element(part.begin(), part.begin() + static_cast<std::ptrdiff_t>(half), part.end(),
-                         [&](Index i, Index j) { return place(i) < place(j); });
-        enclose(2 * b, part.first(half));
-        enclose(2 * b + 1, part.subspan(half));
-    }
-
-    void search(std::size_t b, std::span<const Index> part, Index q, Index& nearest) {
-        const Box& box = boxes_[b];
-        const Point point = kernel_.centre(q);
-        const Site best = {std::clamp(point.x, box.left, box.right),
-                           std::clamp(point.y, box.bottom, box.top), box.weight};
-        if (!kernel_.would_be_nearer(q, best, nearest)) return;
-        if (part.size() <= few) {
-            for (const Index i : part)
-                if (i != nearest && kernel_.is_nearer(q, i, nearest)) nearest = i;
-            return;
-        }
-        const std::size_t half = part.size() / 2;
-        search(2 * b, part.first(half), q, nearest);
-        search(2 * b + 1, part.subspan(half), q, nearest);
-    }
-
     Kernel& kernel_;
     std::vector<Index> sites_;
-    std::vector<Box> boxes_;
+    BoxTree<3> tree_;
 };
 
 /// Finds the visible sites nearest to the centres of hidden ones.

@@ -6,7 +6,7 @@
 #include "../../core/processor.hpp"
 #include "../../filters/four.hpp"
 #include "../../predicates/ladder/ladder.hpp"
-#include "../../predicates/space/refined.hpp"
+#include "../../predicates/space/in_sphere.hpp"
 
 namespace signum::spatial {
 namespace {

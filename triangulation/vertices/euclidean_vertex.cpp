@@ -3,7 +3,7 @@
 #include "../../exact/multiprecision.hpp"
 #include "../../exact/surd.hpp"
 #include "../../filters/bounded.hpp"
-#include "../../predicates/euclidean/polynomials.hpp"
+#include "../../predicates/formulas/apollonius.hpp"
 #include "vertex_of_face.hpp"
 
 namespace signum::triangulation {

@@ -19,7 +19,7 @@ template <class S>
 [[nodiscard]] DiagramVertex euclidean_vertex(const Site& i, const Site& j, const Site& k);
 
 /// The square (diamond) that i, j and k touch counterclockwise under the tie rule, without its
-/// infinitesimals. Directions are those of predicates/rectangular/forms.hpp, `ranks` the places of
+/// infinitesimals. Directions are those of predicates/ladder/forms.hpp, `ranks` the places of
 /// the sites in the tie rule's order; only their order counts.
 template <class Directions>
 [[nodiscard]] DiagramVertex rectangular_vertex(const Site& i, const Site& j, const Site& k,

@@ -43,7 +43,7 @@
 #include "../../core/site.hpp"
 #include "../../filters/double_double.hpp"
 
-namespace signum::spatial {
+namespace signum::balls {
 
 using filters::DoubleDouble;
 
@@ -290,4 +290,4 @@ class Chart {
     double of_length_in_s_ = 0.0, of_length_in_t_ = 0.0;  // how much it may change
 };
 
-}  // namespace signum::spatial
+}  // namespace signum::balls

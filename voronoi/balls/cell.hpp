@@ -69,7 +69,7 @@
 #include "patch.hpp"
 #include "tree.hpp"
 
-namespace signum::spatial {
+namespace signum::balls {
 
 class CellSearch {
  public:
@@ -140,7 +140,7 @@ class CellSearch {
             std::nth_element(distances_.begin(), middle, distances_.end());
             reach_ = *middle;
         }
-        take_near(0);
+        take_near();
     }
     /// |X| - R
     [[nodiscard]] double distance(const Site3& j) const {
@@ -148,31 +148,29 @@ class CellSearch {
         const double x = j.x - i.x, y = j.y - i.y, z = j.z - i.z;
         return std::sqrt(x * x + y * y + z * z) - (j.r - i.r);
     }
+    /// How far a box is from the ball's centre along an axis.
+    [[nodiscard]] static double away(const BallTree::Node& node, const std::array<double, 3>& from,
+                                     std::size_t axis) {
+        return std::max({node.low[axis] - from[axis], from[axis] - node.high[axis], 0.0});
+    }
     /// All that are not certainly farther than the reach. So the f of all others is less than 2 /
     /// reach: its greatest value is 2 / (|X| - R).
-    void take_near(std::uint32_t number) {
-        const BallTree::Node& node = tree_.nodes()[number];
+    void take_near() {
         const Site3& i = tree_.ball(ball_);
         const std::array<double, 3> from{i.x, i.y, i.z};
-        double square = 0.0;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const double away = std::max({node.low[k] - from[k], from[k] - node.high[k], 0.0});
-            square += away * away;
-        }
-        const double length = std::sqrt(square), more = node.greatest_radius - i.r;
-        if (length - more > reach_ + 0x1p-46 * (length + std::fabs(more)) + 0x1p-530) return;
-        if (node.second != 0) {
-            take_near(number + 1);
-            take_near(node.second);
-            return;
-        }
-        for (Place place = node.first; place < node.last; ++place) {
-            if (place == ball_) continue;
+        const auto is_near = [&](const BallTree::Node& node) {
+            double square = 0.0;
+            for (std::size_t k = 0; k < 3; ++k) square += away(node, from, k) * away(node, from, k);
+            const double length = std::sqrt(square), more = node.high[3] - i.r;
+            return !(length - more > reach_ + 0x1p-46 * (length + std::fabs(more)) + 0x1p-530);
+        };
+        tree_.visit(is_near, [&](Place place) {
+            if (place == ball_) return;
             const Site3& j = tree_.ball(place);
             const double gap = distance(j);
             const double error = 0x1p-46 * (std::fabs(gap) + 2.0 * std::fabs(j.r - i.r)) + 0x1p-530;
             if (!(gap > reach_ + error)) near_.push_back(slot(place));
-        }
+        });
     }
     /// |X| + |R|, or more.
     [[nodiscard]] static double size_from(const Site3& j, const Site3& i) {
@@ -370,7 +368,7 @@ class CellSearch {
         // many as large ones: so more are allowed, the smaller the patch.
         const std::size_t most =
             depth < most_depth ? most_gathered << (depth + depth / 2) : tree_.size();
-        if (descend(0, patch, gathered, most))
+        if (descend(patch, gathered, most))
             return divide(patch, gathered.list, depth, 0, true, leaf);
         for (int quarter = 0; quarter < 4; ++quarter)
             gather(patch.quarter(quarter), depth + 1, gathered.list, leaf);
@@ -388,38 +386,33 @@ class CellSearch {
         return false;
     }
     /// False where too many balls are found.
-    bool descend(std::uint32_t number, const Patch& patch, Gathered& gathered, std::size_t most) {
-        const BallTree::Node& node = tree_.nodes()[number];
-        if (!may_reach(node, patch, gathered)) return true;
-        if (node.second != 0) {
-            // First the half in whose direction the patch lies.
-            const BallTree::Node& one = tree_.nodes()[number + 1];
-            const BallTree::Node& other = tree_.nodes()[node.second];
-            const Site3& i = tree_.ball(ball_);
-            const std::array<double, 3> from{i.x, i.y, i.z};
+    bool descend(const Patch& patch, Gathered& gathered, std::size_t most) {
+        const Site3& i = tree_.ball(ball_);
+        const std::array<double, 3> from{i.x, i.y, i.z};
+        // First the half that is nearer.
+        const auto is_later = [&](const BallTree::Node& one, const BallTree::Node& other) {
             double nearness = 0.0;
-            for (std::size_t k = 0; k < 3; ++k) {
-                const auto away = [&](const BallTree::Node& half) {
-                    return std::max({half.low[k] - from[k], from[k] - half.high[k], 0.0});
-                };
-                nearness += away(other) - away(one);
+            for (std::size_t k = 0; k < 3; ++k)
+                nearness += away(other, from, k) - away(one, from, k);
+            return !(nearness >= 0.0);
+        };
+        const auto take = [&](const BallTree::Node& node) {
+            for (Place place = node.first; place < node.last; ++place) {
+                if (place == ball_) continue;
+                const Slot found = slot(place);
+                know(gathered, found, patch);
+                if (is_below_infinity(seen_[found], patch)) continue;
+                if (gathered.best != no_slot && found != gathered.best &&
+                    is_below(seen_[found], seen_[gathered.best], patch))
+                    continue;
+                if (is_below_any(found, gathered, patch)) continue;
+                gathered.list.push_back(found);
             }
-            const std::uint32_t first = nearness >= 0.0 ? number + 1 : node.second;
-            const std::uint32_t second = nearness >= 0.0 ? node.second : number + 1;
-            return descend(first, patch, gathered, most) && descend(second, patch, gathered, most);
-        }
-        for (std::uint32_t place = node.first; place < node.last; ++place) {
-            if (place == ball_) continue;
-            const Slot found = slot(place);
-            know(gathered, found, patch);
-            if (is_below_infinity(seen_[found], patch)) continue;
-            if (gathered.best != no_slot && found != gathered.best &&
-                is_below(seen_[found], seen_[gathered.best], patch))
-                continue;
-            if (is_below_any(found, gathered, patch)) continue;
-            gathered.list.push_back(found);
-        }
-        return gathered.list.size() <= most;
+            return gathered.list.size() <= most;
+        };
+        return tree_.visit(
+            [&](const BallTree::Node& node) { return may_reach(node, patch, gathered); }, is_later,
+            take);
     }
 
     // ---- lists ----------------------------------------------------------------------------------
@@ -638,7 +631,7 @@ class CellSearch {
     std::vector<std::vector<Member>> members_;
 };
 
-}  // namespace signum::spatial
+}  // namespace signum::balls
 
 #include "cell_finely.hpp"
 #include "cell_tree.hpp"

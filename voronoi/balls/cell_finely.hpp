@@ -1,7 +1,7 @@
 #pragma once
 /// The cell of a ball where patches are divided finely. Part of cell.hpp, which includes it.
 
-namespace signum::spatial {
+namespace signum::balls {
 
 template <class Leaf>
 [[gnu::noinline]] bool CellSearch::divide_finely(const Patch& patch, const std::vector<Slot>& list,
@@ -172,4 +172,4 @@ template <class Region>
     list.resize(kept);
 }
 
-}  // namespace signum::spatial
+}  // namespace signum::balls

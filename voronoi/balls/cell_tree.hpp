@@ -1,7 +1,7 @@
 #pragma once
 /// Which nodes of the tree may matter to the cell of a ball. Part of cell.hpp, which includes it.
 
-namespace signum::spatial {
+namespace signum::balls {
 
 inline bool CellSearch::may_reach(const BallTree::Node& node, const Patch& patch,
                                   const Gathered& gathered) const {
@@ -15,7 +15,7 @@ inline bool CellSearch::may_reach(const BallTree::Node& node, const Patch& patch
         const double far = std::max(-low[k], high[k]);
         farthest += far * far;
     }
-    const double least_r = node.least_radius - i.r, greatest_r = node.greatest_radius - i.r;
+    const double least_r = node.low[3] - i.r, greatest_r = node.high[3] - i.r;
     const double square_r = std::max(least_r * least_r, greatest_r * greatest_r);
     if (!(farthest > 0x1p-900)) return true;
     const double far = std::sqrt(farthest);
@@ -86,4 +86,4 @@ inline bool CellSearch::may_reach(const BallTree::Node& node, const Patch& patch
     return !(top + patch.delta * (change * (1.0 + 0x1p-46) + 0x1p-46 * far) < 0.0);
 }
 
-}  // namespace signum::spatial
+}  // namespace signum::balls

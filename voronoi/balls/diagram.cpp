@@ -18,17 +18,17 @@ namespace {
 /// Out of line, so that no arithmetic leaves the guard around the call.
 [[nodiscard, gnu::noinline]] BallDiagram construct_diagram(std::span<const Site3> balls,
                                                            const Options& options) {
-    const spatial::BallSet set(balls);
+    const balls::BallSet set(balls);
     BallDiagram result;
     result.balls = static_cast<std::int64_t>(balls.size());
-    result.hidden = spatial::hidden_balls(set);
-    const spatial::BallVertices found = spatial::find_vertices(set, result.hidden, options);
-    for (const spatial::BallVertex& vertex : found.vertices) {
+    result.hidden = balls::hidden_balls(set);
+    const balls::BallVertices found = balls::find_vertices(set, result.hidden, options);
+    for (const balls::BallVertex& vertex : found.vertices) {
         result.vertices.add(vertex.all());
         result.spheres.push_back(vertex.sphere);
         result.turns.push_back(vertex.turn);
     }
-    spatial::BallEdges edges = spatial::find_edges(set, found);
+    balls::BallEdges edges = balls::find_edges(set, found);
     result.edges = std::move(edges.balls);
     result.ends = std::move(edges.ends);
     return result;

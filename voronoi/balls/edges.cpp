@@ -11,7 +11,7 @@
 #include "rounded_order.hpp"
 #include "vertex_curves.hpp"
 
-namespace signum::spatial {
+namespace signum::balls {
 namespace {
 
 class EdgeSearch {
@@ -177,4 +177,4 @@ BallEdges find_edges(const BallSet& balls, const BallVertices& found) {
     return EdgeSearch(balls, found).run();
 }
 
-}  // namespace signum::spatial
+}  // namespace signum::balls

@@ -9,7 +9,7 @@
 #include "set.hpp"
 #include "vertices.hpp"
 
-namespace signum::spatial {
+namespace signum::balls {
 
 /// In the order of the arrays of BallDiagram.
 struct BallEdges {
@@ -19,4 +19,4 @@ struct BallEdges {
 
 [[nodiscard]] BallEdges find_edges(const BallSet& balls, const BallVertices& found);
 
-}  // namespace signum::spatial
+}  // namespace signum::balls

@@ -12,7 +12,7 @@
 #include "../../triangulation/space/triangulate.hpp"
 #include "exact_sphere.hpp"
 
-namespace signum::spatial {
+namespace signum::balls {
 namespace {
 
 /// Fewer are tried one by one.
@@ -126,4 +126,4 @@ void EqualRadii::tessellate(const BallSet& balls, std::span<const Index> names,
     }
 }
 
-}  // namespace signum::spatial
+}  // namespace signum::balls

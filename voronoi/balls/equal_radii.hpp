@@ -30,7 +30,7 @@
 #include "../../triangulation/options.hpp"
 #include "set.hpp"
 
-namespace signum::spatial {
+namespace signum::balls {
 
 class EqualRadii {
  public:
@@ -69,4 +69,4 @@ class EqualRadii {
     std::vector<std::vector<Index>> curves_;
 };
 
-}  // namespace signum::spatial
+}  // namespace signum::balls

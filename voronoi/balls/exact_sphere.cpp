@@ -4,9 +4,9 @@
 #include <numeric>
 #include <utility>
 
-#include "../../predicates/euclidean/polynomials.hpp"
+#include "../../predicates/formulas/apollonius.hpp"
 
-namespace signum::spatial {
+namespace signum::balls {
 namespace {
 
 [[nodiscard]] Vector4 vector_of(const Site3& s) {
@@ -290,4 +290,4 @@ std::vector<std::size_t> forward_order(const std::array<Site3, 3>& balls,
     return order;
 }
 
-}  // namespace signum::spatial
+}  // namespace signum::balls

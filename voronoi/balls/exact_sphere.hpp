@@ -32,7 +32,7 @@
 #include "../../core/site.hpp"
 #include "../../exact/multiprecision.hpp"
 
-namespace signum::spatial {
+namespace signum::balls {
 
 using exact::Rational;
 using Vector4 = std::array<Rational, 4>;
@@ -84,4 +84,4 @@ class ExactSphere {
 [[nodiscard]] std::vector<std::size_t> forward_order(const std::array<Site3, 3>& curve,
                                                      std::span<const ExactSphere> spheres);
 
-}  // namespace signum::spatial
+}  // namespace signum::balls

@@ -10,7 +10,7 @@
 #include "../../predicates/space/euclidean.hpp"
 #include "tree.hpp"
 
-namespace signum::spatial {
+namespace signum::balls {
 namespace {
 
 [[nodiscard]] bool hides(const BallSet& balls, Index i, Index q) noexcept {
@@ -34,34 +34,43 @@ class Hiders {
 
     /// One for which `hides` holds, or none. Of these the largest are asked first.
     template <class Hides>
-    [[nodiscard]] Index any(const Site3& q, const Hides& hides, std::size_t number = 0) const {
-        const BallTree::Node& node = tree_.nodes()[number];
-        if (!may_hide(node, q)) return none;
-        if (node.second != 0) {
-            std::size_t first = number + 1, second = node.second;
-            if (tree_.nodes()[first].greatest_radius < tree_.nodes()[second].greatest_radius)
-                std::swap(first, second);
-            const Index found = any(q, hides, first);
-            return found != none ? found : any(q, hides, second);
-        }
-        for (std::size_t place = node.first; place < node.last; ++place)
-            if (tree_.ball(place).r >= q.r && hides(tree_.name(place))) return tree_.name(place);
-        return none;
+    [[nodiscard]] Index any(const Site3& q, const Hides& hides) const {
+        Index found = none;
+        tree_.visit([&](const BallTree::Node& node) { return may_hide(node, q); },
+                    [](const BallTree::Node& one, const BallTree::Node& other) {
+                        return one.high[3] < other.high[3];
+                    },
+                    [&](const BallTree::Node& node) {
+                        for (std::size_t place = node.first; place < node.last; ++place)
+                            if (tree_.ball(place).r >= q.r && hides(tree_.name(place))) {
+                                found = tree_.name(place);
+                                return false;
+                            }
+                        return true;
+                    });
+        return found;
     }
-    /// The least for which `hides` holds, if that is less than `least`; otherwise `least`.
+    /// The least for which `hides` holds, or none.
     template <class Hides>
-    [[nodiscard]] Index least(const Site3& q, const Hides& hides, Index least = none,
-                              std::size_t number = 0) const {
-        const BallTree::Node& node = tree_.nodes()[number];
-        if (least_names_[number] >= least || !may_hide(node, q)) return least;
-        if (node.second != 0) {
-            std::size_t first = number + 1, second = node.second;
-            if (least_names_[second] < least_names_[first]) std::swap(first, second);
-            return this->least(q, hides, this->least(q, hides, least, first), second);
-        }
-        for (std::size_t place = node.first; place < node.last; ++place)
-            if (tree_.name(place) < least && tree_.ball(place).r >= q.r && hides(tree_.name(place)))
-                least = tree_.name(place);
+    [[nodiscard]] Index least(const Site3& q, const Hides& hides) const {
+        Index least = none;
+        const auto least_name = [&](const BallTree::Node& node) {
+            return least_names_[tree_.number_of(node)];
+        };
+        tree_.visit(
+            [&](const BallTree::Node& node) {
+                return least_name(node) < least && may_hide(node, q);
+            },
+            [&](const BallTree::Node& one, const BallTree::Node& other) {
+                return least_name(other) < least_name(one);
+            },
+            [&](const BallTree::Node& node) {
+                for (std::size_t place = node.first; place < node.last; ++place)
+                    if (tree_.name(place) < least && tree_.ball(place).r >= q.r &&
+                        hides(tree_.name(place)))
+                        least = tree_.name(place);
+                return true;
+            });
         return least;
     }
 
@@ -69,7 +78,7 @@ class Hiders {
 
  private:
     [[nodiscard]] static bool may_hide(const BallTree::Node& node, const Site3& q) {
-        const double more = node.greatest_radius - q.r;
+        const double more = node.high[3] - q.r;
         if (more < 0.0) return false;
         const std::array<double, 3> centre{q.x, q.y, q.z};
         double square = 0.0;
@@ -136,4 +145,4 @@ std::vector<Hidden> hidden_balls(const BallSet& balls) {
     return result;
 }
 
-}  // namespace signum::spatial
+}  // namespace signum::balls

@@ -6,10 +6,10 @@
 #include "../../triangulation/arrays.hpp"
 #include "set.hpp"
 
-namespace signum::spatial {
+namespace signum::balls {
 
 /// Those that are hidden, rising, each with the visible ball of the smallest number that hides it;
 /// of equal balls the first is visible.
 [[nodiscard]] std::vector<Hidden> hidden_balls(const BallSet& balls);
 
-}  // namespace signum::spatial
+}  // namespace signum::balls

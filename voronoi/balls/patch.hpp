@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace signum::spatial {
+namespace signum::balls {
 
 /// The directions through a rectangle on a face of the cube: a convex piece of the unit sphere. So
 /// the farthest of them from the one through the rectangle's middle are corners.
@@ -62,4 +62,4 @@ struct Patch {
     }
 };
 
-}  // namespace signum::spatial
+}  // namespace signum::balls

@@ -8,7 +8,7 @@
 
 #include "../../core/site.hpp"
 
-namespace signum::spatial {
+namespace signum::balls {
 
 /// A sphere that touches three balls, roughly: where the greatest distance along their curve is
 /// least. Seen from the first ball it is the direction u with f_b(u) = f_c(u) (cell.hpp).
@@ -73,4 +73,4 @@ class RoughSphere {
     bool is_known_ = false;
 };
 
-}  // namespace signum::spatial
+}  // namespace signum::balls

@@ -12,7 +12,7 @@
 #include "../../filters/bounds.hpp"
 #include "../../predicates/space/ball_filter.hpp"
 
-namespace signum::spatial {
+namespace signum::balls {
 
 /// What forward_order() says (exact_sphere.hpp), from spheres whose numbers are rounded: nothing
 /// where that is not certain.
@@ -115,4 +115,4 @@ class RoundedOrder {
     double size_of_rise_ = 0.0;
 };
 
-}  // namespace signum::spatial
+}  // namespace signum::balls

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "../../predicates/space/ccw.hpp"
 #include "../../predicates/space/euclidean.hpp"
 #include "exact_sphere.hpp"
 
-namespace signum::spatial {
+namespace signum::balls {
 
 BallSet::BallSet(std::span<const Site3> balls) : balls_(balls) {
     double largest = 0.0;
@@ -23,20 +22,13 @@ BallSet::BallSet(std::span<const Site3> balls) : balls_(balls) {
                            std::ldexp(b.z, -exponent), std::ldexp(b.r, -exponent)});
 }
 
-BallTree BallSet::tree_of(std::vector<Index> names) const {
-    std::vector<Site3> balls;
-    balls.reserve(names.size());
-    for (const Index i : names) balls.push_back(scaled(i));
-    return {std::move(balls), std::move(names)};
-}
-
 bool BallSet::touch_along_a_curve(const Quadruple& four) const {
     const auto [a, b, c, d] = of(four);
     if (same_radius(a, b, c, d))
         return ccw_decision(centre3(a), centre3(b), centre3(c), centre3(d)).sign == 0;
     if (euclidean::exists_decision(a, b, c, d).sign > 0) return false;
     if (euclidean::exists_decision(a, c, b, d).sign > 0) return false;
-    return spatial::touch_along_a_curve({a, b, c, d});
+    return balls::touch_along_a_curve({a, b, c, d});
 }
 
-}  // namespace signum::spatial
+}  // namespace signum::balls

@@ -14,7 +14,7 @@
 #include "../../filters/bounds.hpp"
 #include "tree.hpp"
 
-namespace signum::spatial {
+namespace signum::balls {
 
 using Triple = std::array<Index, 3>;
 using Quadruple = std::array<Index, 4>;
@@ -43,7 +43,7 @@ class BallSet {
         return scaled_[static_cast<std::size_t>(i)];
     }
     /// Of some of them, scaled.
-    [[nodiscard]] BallTree tree_of(std::vector<Index> names) const;
+    [[nodiscard]] BallTree tree_of(std::span<const Index> names) const { return {scaled_, names}; }
 
     /// Whether infinitely many spheres touch four balls, of which one sphere touches all.
     [[nodiscard]] bool touch_along_a_curve(const Quadruple& four) const;
@@ -53,4 +53,4 @@ class BallSet {
     std::vector<Site3> scaled_;
 };
 
-}  // namespace signum::spatial
+}  // namespace signum::balls

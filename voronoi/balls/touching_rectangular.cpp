@@ -10,7 +10,7 @@
 #include "../../exact/floating_environment.hpp"
 #include "../../exact/multiprecision.hpp"
 #include "../../filters/bounded.hpp"
-#include "../../predicates/space/facets.hpp"
+#include "../../predicates/formulas/facets.hpp"
 #include "../../predicates/space/rectangular.hpp"
 
 namespace signum {

@@ -11,7 +11,7 @@
 #include "../../exact/multiprecision.hpp"
 #include "../../exact/surd.hpp"
 #include "../../filters/bounded.hpp"
-#include "../../predicates/space/ball_polynomials.hpp"
+#include "../../predicates/formulas/balls.hpp"
 
 namespace signum {
 namespace {

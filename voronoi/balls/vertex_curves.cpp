@@ -12,7 +12,7 @@
 #include "../../predicates/space/ccw.hpp"
 #include "../../predicates/space/euclidean.hpp"
 
-namespace signum::spatial {
+namespace signum::balls {
 namespace {
 
 class CurveSearch {
@@ -160,4 +160,4 @@ ExactSphere exact_sphere_of(const BallSet& balls, const BallVertex& vertex) {
     throw std::logic_error("a vertex of four balls without a sphere");
 }
 
-}  // namespace signum::spatial
+}  // namespace signum::balls

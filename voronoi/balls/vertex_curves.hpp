@@ -16,7 +16,7 @@
 #include "set.hpp"
 #include "vertices.hpp"
 
-namespace signum::spatial {
+namespace signum::balls {
 
 struct VertexCurve {
     /// All balls that touch along it, rising.
@@ -32,4 +32,4 @@ struct VertexCurve {
 
 [[nodiscard]] ExactSphere exact_sphere_of(const BallSet& balls, const BallVertex& vertex);
 
-}  // namespace signum::spatial
+}  // namespace signum::balls

@@ -23,7 +23,7 @@
 #include "touching_spheres.hpp"
 #include "tree.hpp"
 
-namespace signum::spatial {
+namespace signum::balls {
 namespace {
 
 /// Whether Γ (ball_polynomials.hpp) is certainly not 0: then no sphere touches the four balls in
@@ -72,7 +72,7 @@ class VertexSearch {
         result_.may_be_unbounded.assign(balls_.size(), 0);
         if (visible.empty()) return std::move(result_);
         equal_.emplace(balls_, visible, options_);
-        const BallTree tree = balls_.tree_of(std::move(visible));
+        const BallTree tree = balls_.tree_of(visible);
         std::vector<EqualRadii::Kind> kinds;
         for (std::size_t place = 0; place < tree.size(); ++place)
             kinds.push_back(equal_->kind(tree.name(place)));
@@ -335,4 +335,4 @@ BallVertices find_vertices(const BallSet& balls, std::span<const Hidden> hidden,
     return VertexSearch(balls, options).run(hidden);
 }
 
-}  // namespace signum::spatial
+}  // namespace signum::balls

@@ -11,7 +11,7 @@
 #include "../../triangulation/options.hpp"
 #include "set.hpp"
 
-namespace signum::spatial {
+namespace signum::balls {
 
 /// A sphere that touches four balls. The positive one of b0, b1, b2, b3 where turn is 1, of b0, b2,
 /// b1, b3 where it is -1; where it is 0, `flat`.
@@ -43,4 +43,4 @@ struct BallVertices {
 [[nodiscard]] BallVertices find_vertices(const BallSet& balls, std::span<const Hidden> hidden,
                                          const Options& options);
 
-}  // namespace signum::spatial
+}  // namespace signum::balls

@@ -6,7 +6,7 @@
 #include "../../../predicates/ccw.hpp"
 #include "../../../predicates/euclidean/filter.hpp"
 #include "../../../predicates/power.hpp"
-#include "../../../predicates/rectangular/forms.hpp"
+#include "../../../predicates/ladder/forms.hpp"
 #include "../../../predicates/space/in_sphere.hpp"
 #include "../../../predicates/space/nearer.hpp"
 #include "filter.hpp"

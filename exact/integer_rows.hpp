@@ -6,14 +6,14 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
-#include "../../core/error_free.hpp"
-#include "../../core/sign.hpp"
-#include "../../filters/bounds.hpp"
+#include "../core/error_free.hpp"
+#include "../core/sign.hpp"
 
-namespace signum::predicates::ladder {
+namespace signum::exact {
 
 using Integer128 = __int128;
 
@@ -91,7 +91,6 @@ class IntegerRows {
 
     template <class S>
     IntegerRows(const std::array<const S*, d + 1>& sites, const S& q) noexcept {
-        using filters::magnitude;
         TwoTerms offsets[d + 1][d];
         double largest = 0.0;
         for (std::size_t m = 0; m <= d; ++m) {
@@ -100,13 +99,13 @@ class IntegerRows {
             if constexpr (d == 3) offsets[m][2] = two_difference(sites[m]->z, q.z);
             for (const TwoTerms& each : offsets[m]) {
                 are_exact_ &= each.low == 0.0;
-                largest = std::max(largest, magnitude(each.high));
+                largest = std::max(largest, std::fabs(each.high));
             }
         }
         if (!are_exact_) return;
         if constexpr (requires { q.r; }) {
-            largest = std::max(largest, magnitude(q.r));
-            for (const S* site : sites) largest = std::max(largest, magnitude(site->r));
+            largest = std::max(largest, std::fabs(q.r));
+            for (const S* site : sites) largest = std::max(largest, std::fabs(site->r));
         }
         // 1/g, which brings the largest below 2^60. Inside the window it is below 2^320.
         constexpr std::uint64_t exponent_bits = 0x7FF0'0000'0000'0000;
@@ -144,7 +143,7 @@ class IntegerRows {
 
  private:
     [[nodiscard]] std::int64_t integer(double value) noexcept {
-        if (!(filters::magnitude(value) < 0x1p60)) {
+        if (!(std::fabs(value) < 0x1p60)) {
             are_exact_ = false;
             return 0;
         }
@@ -159,7 +158,7 @@ class IntegerRows {
         if constexpr (requires { m.w; }) {
             const TwoTerms difference = two_difference(m.w, q.w);
             const double value = difference.high * scale * scale;
-            if (difference.low != 0.0 || !(filters::magnitude(value) < 0x1p122)) {
+            if (difference.low != 0.0 || !(std::fabs(value) < 0x1p122)) {
                 are_exact_ = false;
                 return 0;
             }
@@ -179,4 +178,4 @@ class IntegerRows {
     std::array<IntegerRow, d + 1> rows_;
 };
 
-}  // namespace signum::predicates::ladder
+}  // namespace signum::exact

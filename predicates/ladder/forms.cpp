@@ -7,7 +7,7 @@
 #include "../../core/error_free.hpp"
 #include "../../exact/floating_environment.hpp"
 #include "../../exact/sign_of_sum.hpp"
-#include "../ladder/exact_number.hpp"
+#include "exact_number.hpp"
 
 namespace signum::rectangular {
 namespace {

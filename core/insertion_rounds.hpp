@@ -1,13 +1,12 @@
 #pragma once
-/// What the orders of insertion of the plane and of space share: random rounds, and places along an
-/// axis by their cells.
+/// Random rounds: which of many items come before which in an order of insertion.
 
 #include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
 
-namespace signum::triangulation {
+namespace signum {
 
 /// A well-mixed function of 64 bits (the finalizer of SplitMix64, Steele, Lea and Flood 2014).
 [[nodiscard]] inline std::uint64_t mix(std::uint64_t bits) noexcept {
@@ -36,25 +35,4 @@ class InsertionRounds {
     int last_ = 0;
 };
 
-/// A range of one coordinate, halved so that its extent cannot overflow.
-class AxisRange {
- public:
-    void include(double value) noexcept {
-        least_ = std::min(least_, 0.5 * value);
-        greatest_ = std::max(greatest_, 0.5 * value);
-    }
-    [[nodiscard]] bool is_point() const noexcept { return !(greatest_ > least_); }
-    /// The cell of a value among 2^bits.
-    [[nodiscard]] std::uint32_t cell(double value, int bits) const noexcept {
-        if (is_point()) return 0;
-        const auto cells = static_cast<double>(std::uint32_t{1} << bits);
-        const double place = (0.5 * value - least_) / (greatest_ - least_) * cells;
-        return static_cast<std::uint32_t>(std::min(place, cells - 1.0));
-    }
-
- private:
-    double least_ = 0x1p1023;
-    double greatest_ = -0x1p1023;
-};
-
-}  // namespace signum::triangulation
+}  // namespace signum

@@ -1,6 +1,6 @@
 #pragma once
 /// The polynomials that decide about balls in the metric |x-c| - r, for any dimension d and numbers
-/// of any type: the plane's (predicates/euclidean/polynomials.hpp) said once for all d.
+/// of any type: the plane's (predicates/formulas/apollonius.hpp) said once for all d.
 ///
 /// Relative to the first of d+1 balls each of the others, and q, is a row (X, R, p) of d+2 numbers:
 /// its centre, its radius and p = X·X - R². Of the d rows of the others E_k is the minor without
@@ -40,7 +40,7 @@
 #include <utility>
 
 #include "../../core/sign.hpp"
-#include "../euclidean/polynomials.hpp"
+#include "apollonius.hpp"
 
 namespace signum::euclidean::balls {
 

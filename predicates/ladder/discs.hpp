@@ -24,11 +24,13 @@
 #include "../../core/site.hpp"
 #include "../../exact/apart.hpp"
 #include "../../exact/fixed_integer.hpp"
+#include "../../exact/floating_environment.hpp"
 #include "../../exact/multiprecision.hpp"
 #include "../../exact/sum.hpp"
 #include "../../filters/interval.hpp"
-#include "../ladder/exact_number.hpp"
-#include "polynomials.hpp"
+#include "../formulas/discs.hpp"
+#include "doubted.hpp"
+#include "exact_number.hpp"
 
 namespace signum::euclidean {
 
@@ -128,46 +130,105 @@ template <class Number, std::size_t n>
     return result;
 }
 
-/// An interval that compares as a number does, for polynomials that ask. Where it cannot tell it
-/// says anything, and that the answer is in doubt.
-class Enclosed : public exact::ComparedBySign<Enclosed> {
- public:
-    Enclosed() = default;
-    Enclosed(double number, bool& doubt) noexcept : interval_(number), doubt_(&doubt) {}
-
-    friend Enclosed operator+(const Enclosed& a, const Enclosed& b) noexcept {
-        return {a.interval_ + b.interval_, a.doubt_};
-    }
-    friend Enclosed operator-(const Enclosed& a, const Enclosed& b) noexcept {
-        return {a.interval_ - b.interval_, a.doubt_};
-    }
-    friend Enclosed operator*(const Enclosed& a, const Enclosed& b) noexcept {
-        return {a.interval_ * b.interval_, a.doubt_};
-    }
-    friend Enclosed operator*(int a, const Enclosed& b) noexcept {
-        return {a * b.interval_, b.doubt_};
-    }
-    [[nodiscard]] Sign sign() const noexcept {
-        const Sign least = sign_of(interval_.low);
-        *doubt_ |= least != sign_of(interval_.high);
-        return least;
-    }
-
- private:
-    Enclosed(const filters::Interval& interval, bool* doubt) noexcept
-        : interval_(interval), doubt_(doubt) {}
-
-    filters::Interval interval_;
-    bool* doubt_;
-};
-
 template <std::size_t n>
-[[nodiscard]] std::array<Disc<Uniform<Enclosed>>, n> enclosed_discs(
+[[nodiscard]] std::array<Disc<Uniform<Doubted<filters::Interval>>>, n> enclosed_discs(
     const std::array<Site, n>& sites, bool& doubt) {
-    std::array<Disc<Uniform<Enclosed>>, n> result;
+    std::array<Disc<Uniform<Doubted<filters::Interval>>>, n> result;
     for (std::size_t m = 0; m < n; ++m)
         result[m] = {{sites[m].x, doubt}, {sites[m].y, doubt}, {sites[m].r, doubt}};
     return result;
+}
+
+// ---- the ladder ---------------------------------------------------------------------------------
+
+using polynomials::Answer;
+
+/// A question's answer with its stage.
+[[nodiscard]] inline Decision at(Stage stage, const Answer& answer) noexcept {
+    return {answer.sign, stage, answer.tied};
+}
+[[nodiscard]] inline Decision at(Stage stage, Sign sign) noexcept {
+    return {sign, stage};
+}
+
+/// The answer to a question about sites, any of those of formulas/discs.hpp, in the narrowest
+/// numbers that hold them.
+template <std::size_t n, class Question>
+[[nodiscard]] Decision decide_exactly(const std::array<Site, n>& sites, const Question& question) {
+    const numbers::Apart<n> parts = numbers::apart(sites);
+    if (parts.span() > numbers::integer_bits)
+        return at(Stage::multiprecision, question(exact_discs(sites)));
+    if (parts.span() <= 62) {
+        const numbers::SmallDiscs<n> small(parts);
+        if (small.narrow()) return at(Stage::exact, question(small.discs()));
+    }
+    const auto ask = [&]<class D>(std::array<Disc<D>, n> discs) -> Decision {
+        using Integer = typename D::Linear;
+        for (std::size_t m = 0; m < n; ++m)
+            discs[m] = {parts.template value<Integer>(m, 0), parts.template value<Integer>(m, 1),
+                        parts.template value<Integer>(m, 2)};
+        return at(Stage::exact, question(discs));
+    };
+    if (parts.span() <= numbers::wide_bits) return ask(std::array<Disc<Wide>, n>());
+    return ask(std::array<Disc<Widest>, n>());
+}
+
+/// The same by the exact sign of a sum (ESSA), as far as doubles hold all terms.
+template <std::size_t n, class Question>
+[[nodiscard]] Decision decide_by_essa(const std::array<Site, n>& sites, const Question& question) {
+    const numbers::Apart<n> parts = numbers::apart(sites);
+    if (parts.span() > numbers::sum_bits) return decide_exactly(sites, question);
+    std::array<Site, n> centred;
+    for (std::size_t m = 0; m < n; ++m)
+        centred[m] = {parts.centred(m, 0, numbers::sum_bits),
+                      parts.centred(m, 1, numbers::sum_bits),
+                      parts.centred(m, 2, numbers::sum_bits)};
+    return exact::in_ieee_environment(
+        [&](const std::array<Site, n>& given) {
+            std::array<Disc<Uniform<exact::Sum>>, n> discs;
+            for (std::size_t m = 0; m < n; ++m)
+                discs[m] = {exact::Sum(given[m].x), exact::Sum(given[m].y), exact::Sum(given[m].r)};
+            return at(Stage::essa, question(discs));
+        },
+        centred);
+}
+
+/// The answer to a question of formulas/discs.hpp in intervals, or by ESSA.
+template <std::size_t n, class Question>
+[[nodiscard]] Decision decide_in_intervals(const std::array<Site, n>& sites,
+                                           const Question& question) {
+    bool doubt = !filters::environment_is_default();
+    const Decision decision = at(Stage::filter, question(enclosed_discs(sites, doubt)));
+    return doubt ? decide_by_essa(sites, question) : decision;
+}
+
+/// The answer to a question of formulas/discs.hpp behind a filter that takes the sites one by one.
+/// In an environment in which the filter declined it is asked again in the default one.
+template <class Filter, class Question, class... Sites>
+[[nodiscard]] Decision decide(Arithmetic arithmetic, Filter filter, Question question,
+                              const Sites&... sites) noexcept {
+    const std::array array{sites...};
+    if (arithmetic == predicates::judging)
+        return at(Stage::multiprecision, question(exact_discs<predicates::judging>(array)));
+    switch (arithmetic) {
+        case Arithmetic::multiprecision:
+            return at(Stage::multiprecision, question(exact_discs(array)));
+        case Arithmetic::naive:
+            return at(Stage::filter, question(rounded_discs<double>(array)));
+        case Arithmetic::single:
+            return at(Stage::filter, question(rounded_discs<float>(array)));
+        case Arithmetic::interval:
+            return decide_in_intervals(array, question);
+        case Arithmetic::exact:
+            if (!filters::environment_is_default()) {
+                const filters::Verdict verdict = exact::in_ieee_environment(filter, sites...);
+                if (verdict.is_certain()) return {verdict.sign(), Stage::filter};
+            }
+            break;
+        case Arithmetic::sum:
+            return decide_by_essa(array, question);
+    }
+    return decide_exactly(array, question);
 }
 
 }  // namespace signum::euclidean

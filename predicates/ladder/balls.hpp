@@ -19,12 +19,16 @@
 
 #include <boost/multiprecision/cpp_int.hpp>
 
+#include "../../core/site.hpp"
 #include "../../exact/apart.hpp"
 #include "../../exact/fixed_integer.hpp"
+#include "../../exact/floating_environment.hpp"
 #include "../../exact/multiprecision.hpp"
+#include "../../filters/tally.hpp"
 #include "../../filters/wide.hpp"
-#include "../ladder/exact_number.hpp"
-#include "ball_polynomials.hpp"
+#include "../formulas/balls.hpp"
+#include "doubted.hpp"
+#include "exact_number.hpp"
 
 namespace signum::euclidean::balls {
 
@@ -66,35 +70,6 @@ template <std::size_t d, std::size_t n>
     return static_cast<int>(std::bit_width(bits)) - zeros <= narrow_bits;
 }
 
-/// A long double that carries a bound and is asked for its sign. Where it cannot tell it says 0,
-/// and that the answer is in doubt.
-class Doubtful {
- public:
-    Doubtful() = default;
-    Doubtful(double number, bool& doubt) noexcept : number_(number), doubt_(&doubt) {}
-
-    friend Doubtful operator+(const Doubtful& a, const Doubtful& b) noexcept {
-        return {a.number_ + b.number_, a.doubt_};
-    }
-    friend Doubtful operator-(const Doubtful& a, const Doubtful& b) noexcept {
-        return {a.number_ - b.number_, a.doubt_};
-    }
-    friend Doubtful operator*(const Doubtful& a, const Doubtful& b) noexcept {
-        return {a.number_ * b.number_, a.doubt_};
-    }
-    [[nodiscard]] Sign sign() const noexcept {
-        const filters::Verdict verdict = number_.sign();
-        *doubt_ |= !verdict.is_certain();
-        return verdict.is_certain() ? verdict.sign() : 0;
-    }
-
- private:
-    Doubtful(const filters::Wide& number, bool* doubt) noexcept : number_(number), doubt_(doubt) {}
-
-    filters::Wide number_{0.0};
-    bool* doubt_ = nullptr;
-};
-
 /// Each number by the function.
 template <std::size_t d, std::size_t n, class Make>
 [[nodiscard]] auto made(const std::array<Ball<d, double>, n>& balls, const Make& make) {
@@ -128,6 +103,95 @@ template <std::size_t d, std::size_t n>
     std::swap(balls[0], balls[least]);
     std::swap(balls[least], balls[third]);
     return balls;
+}
+
+// ---- the ladder ---------------------------------------------------------------------------------
+
+[[nodiscard]] inline Ball<2, double> ball(const Site& s) noexcept {
+    return {s.x, s.y, s.r};
+}
+[[nodiscard]] inline Ball<3, double> ball(const Site3& s) noexcept {
+    return {s.x, s.y, s.z, s.r};
+}
+template <class... S>
+[[nodiscard]] auto balls_of(const S&... sites) noexcept {
+    return std::array{ball(sites)...};
+}
+
+/// A question of formulas/balls.hpp in numbers of one kind.
+struct Hides {
+    template <std::size_t d, class Numbers>
+    [[nodiscard]] static Sign ask(const std::array<Ball<d, typename Numbers::Number>, 2>& b) {
+        return hides<d>(row<d, typename Numbers::Number>(b[1], b[0]));
+    }
+};
+struct Exists {
+    template <std::size_t d, class Numbers>
+    [[nodiscard]] static Sign ask(const std::array<Ball<d, typename Numbers::Number>, d + 1>& b) {
+        return exists<d, typename Numbers::Product>(b);
+    }
+};
+struct InSphere {
+    template <std::size_t d, class Numbers>
+    [[nodiscard]] static Sign ask(const std::array<Ball<d, typename Numbers::Number>, d + 2>& b) {
+        return in_sphere<d, typename Numbers::Product>(b);
+    }
+};
+
+/// In rationals, or a judge's dyadic numbers.
+template <class Question, Arithmetic arithmetic, std::size_t d, std::size_t n>
+[[nodiscard]] Sign ask_exactly(const std::array<Ball<d, double>, n>& balls) noexcept {
+    return Question::template ask<d, Numbers<predicates::ExactNumber<arithmetic>>>(
+        exact_balls<arithmetic, d>(balls));
+}
+
+/// In long doubles that carry a bound; in the default environment.
+template <class Question, std::size_t d, std::size_t n>
+[[nodiscard]] filters::Verdict ask_bounded(const std::array<Ball<d, double>, n>& balls) noexcept {
+    bool doubt = false;
+    const Sign sign = Question::template ask<d, Numbers<Doubted<filters::Wide>>>(
+        made<d>(n > 2 ? based_on_least<d>(balls) : balls,
+                [&](double number) { return Doubted<filters::Wide>(number, doubt); }));
+    return doubt ? filters::Verdict::uncertain() : filters::Verdict::certain(sign);
+}
+
+/// In the narrowest numbers that hold the balls.
+template <class Question, std::size_t d, std::size_t n>
+[[nodiscard]] Decision decide(const std::array<Ball<d, double>, n>& balls) noexcept {
+    const exact::Apart<n, d + 1> apart(balls);
+    if (apart.span() <= 62) {
+        auto small = apart.template values<__int128>();
+        if (narrowed<d>(small)) return {Question::template ask<d, Narrow>(small), Stage::exact};
+    }
+    if (apart.span() <= wide_bits)
+        return {Question::template ask<d, Wide>(apart.template values<Wide::Number>()),
+                Stage::exact};
+    const filters::Verdict verdict = exact::in_ieee_environment(ask_bounded<Question, d, n>, balls);
+    if (verdict.is_certain()) return {verdict.sign(), Stage::filter};
+    if (apart.span() <= integer_bits)
+        return {Question::template ask<d, Widest>(apart.template values<Widest::Number>()),
+                Stage::exact};
+    return {ask_exactly<Question, Arithmetic::multiprecision, d>(balls), Stage::multiprecision};
+}
+
+/// Behind a filter: in an environment in which it declined it is asked again in the default one.
+template <class Question, std::size_t d, class Filter, class... S>
+[[nodiscard, gnu::cold, gnu::noinline]] Decision decide_cold(Filter filter,
+                                                             const S&... sites) noexcept {
+    if (!filters::environment_is_default()) {
+        const filters::Verdict verdict = exact::in_ieee_environment(filter, sites...);
+        if (verdict.is_certain()) return {verdict.sign(), Stage::filter};
+    }
+    return decide<Question, d>(balls_of(sites...));
+}
+
+template <class Question, std::size_t d, class Filter, class... S>
+[[nodiscard, gnu::always_inline]] inline Decision filtered(Filter filter,
+                                                           const S&... sites) noexcept {
+    const filters::Verdict verdict = filter(sites...);
+    if (verdict.is_certain()) [[likely]]
+        return {verdict.sign(), Stage::filter};
+    return decide_cold<Question, d>(filter, sites...);
 }
 
 }  // namespace signum::euclidean::balls
