@@ -50,15 +50,6 @@ template <class Number>
     return sum;
 }
 
-/// Whether it holds for all coordinates of the points.
-template <class Predicate, class... Points>
-[[nodiscard]] bool all_of(const Predicate& hold, int dimension, Points... points) noexcept {
-    for (const double* p : {points...})
-        for (int k = 0; k < dimension; ++k)
-            if (!hold(p[k])) return false;
-    return true;
-}
-
 /// Where operands are before they are told, to count roundings.
 inline constexpr double origin[3] = {};
 
@@ -77,7 +68,9 @@ struct Orient2d {
     }
     template <class Predicate>
     [[nodiscard]] bool all_coordinates(const Predicate& hold) const noexcept {
-        return all_of(hold, 2, a, b, c);
+        for (const double* p : {a, b, c})
+            if (!hold(p[0]) || !hold(p[1])) return false;
+        return true;
     }
 };
 
@@ -95,7 +88,9 @@ struct Orient3d {
     }
     template <class Predicate>
     [[nodiscard]] bool all_coordinates(const Predicate& hold) const noexcept {
-        return all_of(hold, 3, a, b, c, d);
+        for (const double* p : {a, b, c, d})
+            if (!hold(p[0]) || !hold(p[1]) || !hold(p[2])) return false;
+        return true;
     }
 };
 
@@ -120,7 +115,9 @@ struct Incircle {
     }
     template <class Predicate>
     [[nodiscard]] bool all_coordinates(const Predicate& hold) const noexcept {
-        return all_of(hold, 2, a, b, c, d);
+        for (const double* p : {a, b, c, d})
+            if (!hold(p[0]) || !hold(p[1])) return false;
+        return true;
     }
 };
 
@@ -150,7 +147,9 @@ struct Insphere {
     }
     template <class Predicate>
     [[nodiscard]] bool all_coordinates(const Predicate& hold) const noexcept {
-        return all_of(hold, 3, a, b, c, d, e);
+        for (const double* p : {a, b, c, d, e})
+            if (!hold(p[0]) || !hold(p[1]) || !hold(p[2])) return false;
+        return true;
     }
 };
 
@@ -175,7 +174,9 @@ struct Orient4d {
     }
     template <class Predicate>
     [[nodiscard]] bool all_coordinates(const Predicate& hold) const noexcept {
-        return all_of(hold, 5, heights.data()) && all_of(hold, 3, a, b, c, d, e);
+        for (const double height : heights)
+            if (!hold(height)) return false;
+        return Insphere{a, b, c, d, e}.all_coordinates(hold);
     }
 };
 

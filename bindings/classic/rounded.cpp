@@ -86,24 +86,26 @@ template <int capacity>
     return nearest(exact::difference(a[0], c[0]) * exact::difference(b[1], c[1]) -
                    exact::difference(a[1], c[1]) * exact::difference(b[0], c[0]));
 }
-/// Three rows, which are p - d and a third column.
-template <class Determinant, class Third>
-[[nodiscard]] double of_three_rows(const Determinant& d, const Third& third) noexcept {
+[[nodiscard]] double exactly(const Orient3d& d) noexcept {
     const auto minor = [&d](const double* p, const double* q) {
         return exact::difference(p[0], d.d[0]) * exact::difference(q[1], d.d[1]) -
                exact::difference(p[1], d.d[1]) * exact::difference(q[0], d.d[0]);
     };
-    return nearest(minor(d.b, d.c) * third(d.a) + minor(d.c, d.a) * third(d.b) +
-                   minor(d.a, d.b) * third(d.c));
-}
-[[nodiscard]] double exactly(const Orient3d& d) noexcept {
-    return of_three_rows(d, [&d](const double* p) { return exact::difference(p[2], d.d[2]); });
+    return nearest(minor(d.b, d.c) * exact::difference(d.a[2], d.d[2]) +
+                   minor(d.c, d.a) * exact::difference(d.b[2], d.d[2]) +
+                   minor(d.a, d.b) * exact::difference(d.c[2], d.d[2]));
 }
 [[nodiscard]] double exactly(const Incircle& d) noexcept {
-    return of_three_rows(d, [&d](const double* p) {
+    const auto minor = [&d](const double* p, const double* q) {
+        return exact::difference(p[0], d.d[0]) * exact::difference(q[1], d.d[1]) -
+               exact::difference(p[1], d.d[1]) * exact::difference(q[0], d.d[0]);
+    };
+    const auto lift = [&d](const double* p) {
         return exact::square(exact::difference(p[0], d.d[0])) +
                exact::square(exact::difference(p[1], d.d[1]));
-    });
+    };
+    return nearest(minor(d.b, d.c) * lift(d.a) + minor(d.c, d.a) * lift(d.b) +
+                   minor(d.a, d.b) * lift(d.c));
 }
 /// The library's predicate is fast where the five are cospherical, as all of a grid may be.
 [[nodiscard]] double exactly(const Insphere& d) noexcept {

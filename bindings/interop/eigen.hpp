@@ -75,15 +75,6 @@ concept SpaceSite =
 template <class Number, int columns>
 using Rows = Eigen::Map<const Eigen::Matrix<Number, Eigen::Dynamic, columns, Eigen::RowMajor>>;
 
-/// Elements that are numbers and nothing else, a row each.
-template <class Number, class Element>
-[[nodiscard]] auto view(std::span<const Element> elements) {
-    constexpr auto width = static_cast<int>(sizeof(Element) / sizeof(Number));
-    static_assert(sizeof(Element) == width * sizeof(Number));
-    return Rows<Number, width>(reinterpret_cast<const Number*>(elements.data()),
-                               static_cast<Eigen::Index>(elements.size()), width);
-}
-
 }  // namespace details
 
 /// An N×2 or N×3 matrix as the sites of triangulate(), not copied. Throws std::invalid_argument for
@@ -146,18 +137,23 @@ template <details::SpaceSite S, class Derived>
 
 /// Faces or their neighbours as an N×3 matrix of 32-bit integers, a view.
 [[nodiscard]] inline details::Rows<Index, 3> matrix(std::span<const Face> faces) {
-    return details::view<Index>(faces);
+    return {faces.empty() ? nullptr : faces.front().data(), static_cast<Eigen::Index>(faces.size()),
+            3};
 }
 /// Cells of space or their neighbours as an N×4 matrix, a view.
 [[nodiscard]] inline details::Rows<Index, 4> matrix(std::span<const SpaceCell> cells) {
-    return details::view<Index>(cells);
+    return {cells.empty() ? nullptr : cells.front().data(), static_cast<Eigen::Index>(cells.size()),
+            4};
 }
 /// Edges, or hidden sites and who hides them, as an N×2 matrix, a view.
 [[nodiscard]] inline details::Rows<Index, 2> matrix(std::span<const Edge> edges) {
-    return details::view<Index>(edges);
+    return {edges.empty() ? nullptr : edges.front().data(), static_cast<Eigen::Index>(edges.size()),
+            2};
 }
 [[nodiscard]] inline details::Rows<Index, 2> matrix(std::span<const Hidden> hidden) {
-    return details::view<Index>(hidden);
+    static_assert(sizeof(Hidden) == 2 * sizeof(Index));
+    return {hidden.empty() ? nullptr : &hidden.front().site,
+            static_cast<Eigen::Index>(hidden.size()), 2};
 }
 
 /// Points and sites as the rows of a matrix, a view: N×2 of Point, N×3 of Site, power::Site and
@@ -166,7 +162,9 @@ template <class S>
 requires std::same_as<S, Point> || std::same_as<S, Site> || std::same_as<S, power::Site> ||
     details::SpaceSite<S>
 [[nodiscard]] auto matrix(std::span<const S> sites) {
-    return details::view<double>(sites);
+    return details::Rows<double, static_cast<int>(details::numbers_of<S>)>(
+        sites.empty() ? nullptr : &sites.front().x, static_cast<Eigen::Index>(sites.size()),
+        details::numbers_of<S>);
 }
 
 /// The other way: rows of a matrix of 32-bit integers as faces, neighbours (N×3) or cells (N×4),

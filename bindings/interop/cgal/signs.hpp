@@ -8,7 +8,6 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <tuple>
 #include <utility>
 
 #include <signum/core/contract.hpp>
@@ -123,33 +122,13 @@ template <class... P>
     return turn_uncertain(points...);
 }
 
-/// The sign of the determinant changes with every exchange of two sites; so the last one is
-/// exchanged until the others turn, and turned positively. Where none do, all sites are in one line
-/// or plane, and it is 0.
-template <class Predicate, class S, std::size_t number>
-[[nodiscard]] Sign side_by_exchange(std::array<S, number>& m) noexcept {
-    for (std::size_t last = number; last-- > 0;) {
-        std::swap(m[last], m[number - 1]);
-        const Sign exchanged = last == number - 1 ? 1 : -1;
-        const Sign around = [&] {
-            if constexpr (number == 4)
-                return turn(m[0], m[1], m[2]);
-            else
-                return turn(m[0], m[1], m[2], m[3]);
-        }();
-        if (around < 0) std::swap(m[0], m[1]);
-        const auto behind = [](const auto&... sites) {
-            return Predicate::template behind<Arithmetic::exact>(sites...).sign;
-        };
-        if (around != 0) return around * exchanged * std::apply(behind, m);
-        std::swap(m[last], m[number - 1]);
-    }
-    return 0;
-}
-/// Where the filter leaves it open.
+/// The sign of the determinant where the filter leaves it open. It changes with every exchange of
+/// two sites; so the last one is exchanged until the others turn, and turned positively. Where none
+/// do, all sites are in one line or plane, and it is 0.
 template <class P>
-[[nodiscard, gnu::cold, gnu::noinline]] Sign side_uncertain(const P& p, const P& q, const P& r,
-                                                            const P& t) noexcept {
+[[nodiscard, gnu::cold, gnu::noinline]] Sign side_of_circle_uncertain(const P& p, const P& q,
+                                                                      const P& r,
+                                                                      const P& t) noexcept {
     std::array m = {ours(p), ours(q), ours(r), ours(t)};
     if (weigh_the_same(m)) {
         // Twelve products of 48 bits: two squares, two products of a minor, three rows.
@@ -161,11 +140,22 @@ template <class P>
             return sign_of(power::in_circle_determinant(row(0), row(1), row(2)));
         }
     }
-    return side_by_exchange<power::InCircle>(m);
+    for (std::size_t last = 4; last-- > 0;) {
+        std::swap(m[last], m[3]);
+        const Sign exchanged = last == 3 ? 1 : -1;
+        const Sign around = turn(m[0], m[1], m[2]);
+        if (around < 0) std::swap(m[0], m[1]);
+        if (around != 0)
+            return around * exchanged *
+                   power::InCircle::behind<Arithmetic::exact>(m[0], m[1], m[2], m[3]).sign;
+        std::swap(m[last], m[3]);
+    }
+    return 0;
 }
 template <class P>
-[[nodiscard, gnu::cold, gnu::noinline]] Sign side_uncertain(const P& p, const P& q, const P& r,
-                                                            const P& s, const P& t) noexcept {
+[[nodiscard, gnu::cold, gnu::noinline]] Sign side_of_sphere_uncertain(const P& p, const P& q,
+                                                                      const P& r, const P& s,
+                                                                      const P& t) noexcept {
     std::array m = {ours(p), ours(q), ours(r), ours(s), ours(t)};
     if (weigh_the_same(m)) {
         // 72 products of 45 bits: three squares, six products of a minor, four rows.
@@ -175,7 +165,17 @@ template <class P>
             return sign_of(power::in_sphere_determinant(row(0), row(1), row(2), row(3)));
         }
     }
-    return side_by_exchange<power::InSphere>(m);
+    for (std::size_t last = 5; last-- > 0;) {
+        std::swap(m[last], m[4]);
+        const Sign exchanged = last == 4 ? 1 : -1;
+        const Sign around = turn(m[0], m[1], m[2], m[3]);
+        if (around < 0) std::swap(m[0], m[1]);
+        if (around != 0)
+            return around * exchanged *
+                   power::InSphere::behind<Arithmetic::exact>(m[0], m[1], m[2], m[3], m[4]).sign;
+        std::swap(m[last], m[4]);
+    }
+    return 0;
 }
 /// +1 where t conflicts with p, q, r, which turn counterclockwise; -1 where these turn clockwise.
 template <class P>
@@ -184,7 +184,7 @@ template <class P>
     const filters::Verdict verdict = power::in_circle_filter(ours(p), ours(q), ours(r), ours(t));
     if (verdict.is_certain()) [[likely]]
         return verdict.sign();
-    return side_uncertain(p, q, r, t);
+    return side_of_circle_uncertain(p, q, r, t);
 }
 template <class P>
 [[nodiscard, gnu::flatten]] inline Sign side_of_sphere(const P& p, const P& q, const P& r,
@@ -193,7 +193,7 @@ template <class P>
         power::in_sphere_filter(ours(p), ours(q), ours(r), ours(s), ours(t));
     if (verdict.is_certain()) [[likely]]
         return verdict.sign();
-    return side_uncertain(p, q, r, s, t);
+    return side_of_sphere_uncertain(p, q, r, s, t);
 }
 
 // ---- circles in a plane of space ----------------------------------------------------------------
