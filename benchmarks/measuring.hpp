@@ -19,7 +19,7 @@ inline double seconds() {
     return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/// Those that the work takes.
+/// How many of them the work takes.
 template <class Work>
 double seconds_of(const Work& work) {
     const double begin = seconds();

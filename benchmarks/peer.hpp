@@ -12,7 +12,7 @@
 
 namespace signum::benchmarks {
 
-/// By who makes a Tessellation.
+/// A Tessellation as what a construction has built.
 [[nodiscard]] inline Built built(Tessellation tessellation) {
     const auto made = std::make_shared<Tessellation>(std::move(tessellation));
     return {static_cast<std::int64_t>(made->sites().size() - made->hidden().size()), made,

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -15,6 +14,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 
 #include "../../core/contract.hpp"
 #include "../../core/index.hpp"
@@ -119,9 +119,10 @@ inline void expect_room(const void* first, std::int64_t count, std::size_t neede
 /// Sites are nothing but their numbers, as many as the type has.
 template <class S>
 [[nodiscard]] S as(const double* numbers) noexcept {
-    std::array<double, sizeof(S) / sizeof(double)> copy;
-    std::copy_n(numbers, copy.size(), copy.begin());
-    return std::bit_cast<S>(copy);
+    return [&]<std::size_t... k>(std::index_sequence<k...>) {
+        return S{numbers[k]...};
+    }
+    (std::make_index_sequence<sizeof(S) / sizeof(double)>{});
 }
 template <std::size_t n>
 [[nodiscard]] bool finite(const double* numbers) noexcept {

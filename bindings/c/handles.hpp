@@ -38,7 +38,7 @@ void expect(const Handle* handle) {
         if (handle->is_calling)
             throw Refused("the " + std::string(Handle::name) + " is at work: this is its callback");
 }
-/// guarded(), with a handle to be expected first.
+/// guarded(), where the work begins with a handle.
 template <class Handle, class Work>
 signum_status with(const Handle* handle, signum_error* error, std::int64_t about,
                    Work&& work) noexcept {
@@ -69,14 +69,14 @@ class Calling {
     bool& flag_;
 };
 
-/// Rows of 32-bit integers as they come, each of as many as a Row has.
+/// Copies rows of 32-bit integers; a Row is nothing but its numbers.
 template <class Row>
 [[nodiscard]] std::vector<Row> rows_from(const std::int32_t* numbers, std::int64_t count) {
     std::vector<Row> rows(static_cast<std::size_t>(count));
     if (count > 0) std::memcpy(rows.data(), numbers, rows.size() * sizeof(Row));
     return rows;
 }
-/// The other way: how many there are, and where.
+/// Shows rows where they lie, and says how many there are.
 template <class Rows, class Number>
 void show(const Rows& rows, const Number*& first, std::int64_t& count) noexcept {
     first = reinterpret_cast<const Number*>(rows.data());

@@ -99,9 +99,7 @@ signum_status signum_space_tessellation_vertices(const signum_space_tessellation
         c::expect_room(vertices, count, 4 * made.cells.size(), "numbers of vertices");
         const std::vector<SpaceVertex> all = c::with_sites(
             sites, [&made = made](auto of_type) { return signum::vertices(made, of_type); });
-        for (const SpaceVertex& vertex : all)
-            for (const double number : {vertex.x, vertex.y, vertex.z, vertex.rho})
-                *vertices++ = number;
+        std::copy_n(reinterpret_cast<const double*>(all.data()), count, vertices);
     });
 }
 

@@ -92,11 +92,8 @@ signum_status signum_tessellation_vertices(const signum_tessellation* tessellati
     return with(tessellation, error, [&] {
         c::expect_room(vertices, count, 3 * tessellation->tessellation.faces().size(),
                        "numbers of vertices");
-        for (const DiagramVertex& vertex : signum::vertices(tessellation->tessellation)) {
-            *vertices++ = vertex.x;
-            *vertices++ = vertex.y;
-            *vertices++ = vertex.rho;
-        }
+        const auto all = signum::vertices(tessellation->tessellation);
+        std::copy_n(reinterpret_cast<const double*>(all.data()), count, vertices);
     });
 }
 

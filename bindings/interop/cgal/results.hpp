@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -62,20 +63,9 @@ class Numbers {
 
  private:
     [[nodiscard]] const S& at(Index i) const { return sites_[static_cast<std::size_t>(i)]; }
+    /// Its numbers: what it is made of, and nothing else.
     [[nodiscard]] static auto key(const S& s) {
-        const double third = [&] {
-            if constexpr (requires { s.z; })
-                return s.z;
-            else
-                return 0.0;
-        }();
-        const double weight = [&] {
-            if constexpr (requires { s.w; })
-                return s.w;
-            else
-                return 0.0;
-        }();
-        return std::array{s.x, s.y, third, weight};
+        return std::bit_cast<std::array<double, sizeof(S) / sizeof(double)>>(s);
     }
 
     std::span<const S> sites_;

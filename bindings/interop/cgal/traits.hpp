@@ -17,31 +17,31 @@ namespace signum::cgal {
 
 namespace details {
 
-template <class K>
-struct Orientation_2 : K::Orientation_2 {
-    using K::Orientation_2::operator();
-    using Point_2 = typename K::Point_2;
-    CGAL::Orientation operator()(const Point_2& p, const Point_2& q, const Point_2& r) const {
-        return sign_cast<CGAL::Orientation>(turn(p, q, r));
+/// A predicate of the kernel's that takes some P..., answered as one of ours; its others stay.
+template <class Theirs, class... P>
+struct Orientation : Theirs {
+    using Theirs::operator();
+    CGAL::Orientation operator()(const P&... points) const {
+        return sign_cast<CGAL::Orientation>(turn(points...));
     }
 };
-
-template <class K>
-struct Side_of_oriented_circle_2 : K::Side_of_oriented_circle_2 {
-    using Point_2 = typename K::Point_2;
-    CGAL::Oriented_side operator()(const Point_2& p, const Point_2& q, const Point_2& r,
-                                   const Point_2& t) const {
-        return sign_cast<CGAL::Oriented_side>(side_of_circle(p, q, r, t));
+template <class Theirs, class... P>
+struct Compare_distance : Theirs {
+    using Theirs::operator();
+    CGAL::Comparison_result operator()(const P&... points) const {
+        return sign_cast<CGAL::Comparison_result>(-power::nearer_decision(ours(points)...).sign);
     }
 };
-
-template <class K>
-struct Compare_distance_2 : K::Compare_distance_2 {
-    using K::Compare_distance_2::operator();
-    using Point_2 = typename K::Point_2;
-    CGAL::Comparison_result operator()(const Point_2& p, const Point_2& q, const Point_2& r) const {
-        return sign_cast<CGAL::Comparison_result>(
-            -power::nearer_decision(ours(p), ours(q), ours(r)).sign);
+template <class Theirs, class... P>
+struct Side_of_circle : Theirs {
+    CGAL::Oriented_side operator()(const P&... points) const {
+        return sign_cast<CGAL::Oriented_side>(side_of_circle(points...));
+    }
+};
+template <class Theirs, class... P>
+struct Side_of_sphere : Theirs {
+    CGAL::Oriented_side operator()(const P&... points) const {
+        return sign_cast<CGAL::Oriented_side>(side_of_sphere(points...));
     }
 };
 
@@ -58,26 +58,6 @@ struct Power_side_of_oriented_power_circle_2 : K::Power_side_of_oriented_power_c
     }
     CGAL::Oriented_side operator()(const Site_2& p, const Site_2& t) const {
         return sign_cast<CGAL::Oriented_side>(conflict_at_place(ours(p), ours(t)));
-    }
-};
-
-template <class K>
-struct Compare_power_distance_2 : K::Compare_power_distance_2 {
-    using Site_2 = typename K::Weighted_point_2;
-    CGAL::Comparison_result operator()(const typename K::Point_2& p, const Site_2& q,
-                                       const Site_2& r) const {
-        return sign_cast<CGAL::Comparison_result>(
-            -power::nearer_decision(ours(p), ours(q), ours(r)).sign);
-    }
-};
-
-template <class K>
-struct Orientation_3 : K::Orientation_3 {
-    using K::Orientation_3::operator();
-    using Point_3 = typename K::Point_3;
-    CGAL::Orientation operator()(const Point_3& p, const Point_3& q, const Point_3& r,
-                                 const Point_3& s) const {
-        return sign_cast<CGAL::Orientation>(turn(p, q, r, s));
     }
 };
 
@@ -99,30 +79,11 @@ struct Coplanar_orientation_3 : K::Coplanar_orientation_3 {
 };
 
 template <class K>
-struct Side_of_oriented_sphere_3 : K::Side_of_oriented_sphere_3 {
-    using Point_3 = typename K::Point_3;
-    CGAL::Oriented_side operator()(const Point_3& p, const Point_3& q, const Point_3& r,
-                                   const Point_3& s, const Point_3& t) const {
-        return sign_cast<CGAL::Oriented_side>(side_of_sphere(p, q, r, s, t));
-    }
-};
-
-template <class K>
 struct Coplanar_side_of_bounded_circle_3 : K::Coplanar_side_of_bounded_circle_3 {
     using Point_3 = typename K::Point_3;
     CGAL::Bounded_side operator()(const Point_3& p, const Point_3& q, const Point_3& r,
                                   const Point_3& t) const {
         return sign_cast<CGAL::Bounded_side>(conflict_in_plane(ours(p), ours(q), ours(r), ours(t)));
-    }
-};
-
-template <class K>
-struct Compare_distance_3 : K::Compare_distance_3 {
-    using K::Compare_distance_3::operator();
-    using Point_3 = typename K::Point_3;
-    CGAL::Comparison_result operator()(const Point_3& p, const Point_3& q, const Point_3& r) const {
-        return sign_cast<CGAL::Comparison_result>(
-            -power::nearer_decision(ours(p), ours(q), ours(r)).sign);
     }
 };
 
@@ -146,17 +107,6 @@ struct Power_side_of_oriented_power_sphere_3 : K::Power_side_of_oriented_power_s
     }
 };
 
-template <class K>
-struct Compare_power_distance_3 : K::Compare_power_distance_3 {
-    using Site_3 = typename K::Weighted_point_3;
-    CGAL::Comparison_result operator()(const typename K::Point_3& p, const Site_3& q,
-                                       const Site_3& r) const {
-        const auto [x, y, z] = ours(p);
-        return sign_cast<CGAL::Comparison_result>(
-            -power::nearer_decision(Point3{x, y, z}, ours(q), ours(r)).sign);
-    }
-};
-
 }  // namespace details
 
 /// The traits: CGAL::Delaunay_triangulation_2<signum::cgal::Traits<>>, and so on. Points are those
@@ -167,21 +117,32 @@ class Traits : public Kernel {
         std::same_as<typename Kernel::FT, double>,
         "signum's predicates take doubles: Exact_predicates_inexact_constructions_kernel");
 
+    using P2 = typename Kernel::Point_2;
+    using W2 = typename Kernel::Weighted_point_2;
+    using P3 = typename Kernel::Point_3;
+    using W3 = typename Kernel::Weighted_point_3;
+
  public:
-    using Orientation_2 = details::Orientation_2<Kernel>;
-    using Side_of_oriented_circle_2 = details::Side_of_oriented_circle_2<Kernel>;
-    using Compare_distance_2 = details::Compare_distance_2<Kernel>;
+    using Orientation_2 = details::Orientation<typename Kernel::Orientation_2, P2, P2, P2>;
+    using Side_of_oriented_circle_2 =
+        details::Side_of_circle<typename Kernel::Side_of_oriented_circle_2, P2, P2, P2, P2>;
+    using Compare_distance_2 =
+        details::Compare_distance<typename Kernel::Compare_distance_2, P2, P2, P2>;
     using Power_side_of_oriented_power_circle_2 =
         details::Power_side_of_oriented_power_circle_2<Kernel>;
-    using Compare_power_distance_2 = details::Compare_power_distance_2<Kernel>;
-    using Orientation_3 = details::Orientation_3<Kernel>;
+    using Compare_power_distance_2 =
+        details::Compare_distance<typename Kernel::Compare_power_distance_2, P2, W2, W2>;
+    using Orientation_3 = details::Orientation<typename Kernel::Orientation_3, P3, P3, P3, P3>;
     using Coplanar_orientation_3 = details::Coplanar_orientation_3<Kernel>;
-    using Side_of_oriented_sphere_3 = details::Side_of_oriented_sphere_3<Kernel>;
+    using Side_of_oriented_sphere_3 =
+        details::Side_of_sphere<typename Kernel::Side_of_oriented_sphere_3, P3, P3, P3, P3, P3>;
     using Coplanar_side_of_bounded_circle_3 = details::Coplanar_side_of_bounded_circle_3<Kernel>;
-    using Compare_distance_3 = details::Compare_distance_3<Kernel>;
+    using Compare_distance_3 =
+        details::Compare_distance<typename Kernel::Compare_distance_3, P3, P3, P3>;
     using Power_side_of_oriented_power_sphere_3 =
         details::Power_side_of_oriented_power_sphere_3<Kernel>;
-    using Compare_power_distance_3 = details::Compare_power_distance_3<Kernel>;
+    using Compare_power_distance_3 =
+        details::Compare_distance<typename Kernel::Compare_power_distance_3, P3, W3, W3>;
 
     Orientation_2 orientation_2_object() const { return {}; }
     Side_of_oriented_circle_2 side_of_oriented_circle_2_object() const { return {}; }

@@ -9,32 +9,8 @@ imported by who wants them.
 """
 
 from . import effects
-from ._signum import (
-    BrokenStructure,
-    Cells,
-    DynamicTessellation,
-    KineticTessellation,
-    SpaceCells,
-    SpaceTessellation,
-    State,
-    Tessellation,
-    Validation,
-    Voronoi,
-    __version__,
-    ccw,
-    exists,
-    hidden,
-    in_circle,
-    in_circle_infinite,
-    in_sphere,
-    meeting_time,
-    nearer,
-    sign_of_sum,
-    triangulate,
-    triangulate_space,
-    validate,
-    voronoi,
-)
+from ._signum import *
+from ._signum import __version__
 from .simulation import Run, Simulation
 
 __all__ = [

@@ -54,7 +54,7 @@ def animate(moving: Any, times: Iterable[float], ax: Any = None, **options: Any)
     if not isinstance(moving, (Simulation, _signum.KineticTessellation)):
         raise TypeError(f"a {type(moving).__name__} does not move")
     ax = _axes(ax)
-    limits = _limits(moving)
+    limits: Any = moving.effects.box if isinstance(moving, Simulation) else None
 
     def frame(time: float) -> list[Any]:
         ax.clear()
@@ -72,10 +72,6 @@ def animate(moving: Any, times: Iterable[float], ax: Any = None, **options: Any)
 
     options.setdefault("repeat", False)
     return FuncAnimation(ax.figure, frame, frames=list(times), init_func=lambda: [], **options)
-
-
-def _limits(moving: Any) -> Any:
-    return moving.effects.box if isinstance(moving, Simulation) else None
 
 
 def _axes(ax: Any, in_space: bool = False) -> Any:
