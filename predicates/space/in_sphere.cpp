@@ -40,36 +40,37 @@ template <PowerSite3 S>
     return are_two(&S::x) && are_two(&S::y) && are_two(&S::z);
 }
 
-struct CornersOfABox {
-    static constexpr Stage stage = Stage::exact;
-    template <PowerSite3... S>
-    [[nodiscard]] static Verdict ask(const S&... sites) noexcept {
-        return are_corners_of_a_box(sites...) ? Verdict::certain(0) : Verdict::uncertain();
-    }
-};
-
 static_assert(refined_in_sphere_error >= 2 * 12 * filters::double_double_epsilon);
 
-/// Integers and double-doubles. Differences to q are below 2^60: heights are below 2^123, minors of
-/// two rows below 2^121 and of three below 2^183, and the sum of four products below 2^308. Divided
-/// by 2^40 all is below 2^108: such integers are faster than double-doubles, and these than wide
-/// ones.
+/// All stages, which share rows and magnitude. Differences to q are below 2^60: heights are below
+/// 2^123, minors of two rows below 2^121 and of three below 2^183, and the sum of four products
+/// below 2^308. Divided by 2^40 all is below 2^108: such integers are faster than double-doubles,
+/// and these than wide ones.
 struct Closely {
     template <PowerSite3 S>
     [[nodiscard, gnu::always_inline]] static inline Decision climb(const S& i, const S& j,
                                                                    const S& k, const S& l,
                                                                    const S& q) noexcept {
-        const double bound = refined_in_sphere_error * InSphere::magnitude(i, j, k, l, q);
+        const LiftedRow<double> rounded[4] = {lifted_row(i, q), lifted_row(j, q), lifted_row(k, q),
+                                              lifted_row(l, q)};
+        const double value = in_sphere_determinant(rounded[0], rounded[1], rounded[2], rounded[3]);
+        const double size = determinant_magnitude(rounded);
+        if (const Verdict verdict = ladder::judged(value, in_sphere_error * size);
+            verdict.is_certain())
+            return {verdict.sign(), Stage::filter};
+        if (are_corners_of_a_box(i, j, k, l, q)) return {0, Stage::exact};
         exact::IntegerRows<3> rows({&i, &j, &k, &l}, q);
         if (rows.are_exact() && rows.divide_by_power_of_two(40)) {
-            const auto value = determinant<exact::Word<exact::Integer128>, exact::Integer128>(rows);
-            return {(value > 0) - (value < 0), Stage::exact};
+            using exact::Integer128;
+            const auto narrow = determinant<exact::Word<Integer128>, Integer128>(rows);
+            return {(narrow > 0) - (narrow < 0), Stage::exact};
         }
         filters::DoubleDouble refined;
         as_wide_as_possible([&]() __attribute__((always_inline)) {
             refined = InSphere::value<ladder::Refined>(i, j, k, l, q);
         });
-        if (const Verdict verdict = ladder::judged(refined.high, bound); verdict.is_certain())
+        if (const Verdict verdict = ladder::judged(refined.high, refined_in_sphere_error * size);
+            verdict.is_certain())
             return {verdict.sign(), Stage::refine};
         using Integer = boost::multiprecision::int512_t;
         if (rows.are_exact())
@@ -92,7 +93,7 @@ struct Closely {
 
 template <Arithmetic arithmetic, PowerSite3 S>
 Decision InSphere::behind(const S& i, const S& j, const S& k, const S& l, const S& q) noexcept {
-    using Within = ladder::Steps<ladder::Bounded<InSphere>, CornersOfABox, Closely>;
+    using Within = ladder::Steps<Closely>;
     return ladder::climb<arithmetic, InSphere, Within, ladder::Beyond<InSphere>>(i, j, k, l, q);
 }
 

@@ -149,19 +149,6 @@ struct InSphere {
                                                  const S& q) noexcept {
         return in_sphere_filter(i, j, k, l, q);
     }
-    template <PowerSite3 S>
-    [[nodiscard]] static filters::Compared<double> bounded(const S& i, const S& j, const S& k,
-                                                           const S& l, const S& q) noexcept {
-        return {value<double>(i, j, k, l, q), in_sphere_error * magnitude(i, j, k, l, q)};
-    }
-    template <PowerSite3 S>
-    [[nodiscard, gnu::always_inline]] static inline double magnitude(const S& i, const S& j,
-                                                                     const S& k, const S& l,
-                                                                     const S& q) noexcept {
-        const LiftedRow<double> rows[4] = {lifted_row(i, q), lifted_row(j, q), lifted_row(k, q),
-                                           lifted_row(l, q)};
-        return determinant_magnitude(rows);
-    }
     template <Arithmetic arithmetic, PowerSite3 S>
     [[nodiscard, gnu::cold, gnu::pure]] static Decision behind(const S& i, const S& j, const S& k,
                                                                const S& l, const S& q) noexcept;
