@@ -2,6 +2,7 @@
 
 #include "../../exact/sign_of_sum.hpp"
 #include "../ladder/discs.hpp"
+#include "../ladder/with_arithmetic.hpp"
 
 namespace signum::euclidean {
 namespace {
@@ -101,21 +102,10 @@ Decision reaches_farther(Arithmetic arithmetic, const Site& a, const Site& b,
 
 Decision turn(Arithmetic arithmetic, const Site& a, const Site& b, const Site& c) noexcept {
     using predicates::Ccw;
-    switch (arithmetic) {
-        case Arithmetic::exact:
-            return predicates::decide<Arithmetic::exact, Ccw>(a, b, c);
-        case Arithmetic::naive:
-            return predicates::decide<Arithmetic::naive, Ccw>(a, b, c);
-        case Arithmetic::single:
-            return predicates::decide<Arithmetic::single, Ccw>(a, b, c);
-        case Arithmetic::interval:
-            return predicates::decide<Arithmetic::interval, Ccw>(a, b, c);
-        case Arithmetic::sum:
-            return predicates::decide<Arithmetic::sum, Ccw>(a, b, c);
-        case Arithmetic::multiprecision:
-            return predicates::decide<Arithmetic::multiprecision, Ccw>(a, b, c);
-    }
-    return predicates::decide<predicates::judging, Ccw>(a, b, c);
+    if (arithmetic == predicates::judging)
+        return predicates::decide<predicates::judging, Ccw>(a, b, c);
+    return predicates::with_arithmetic(
+        arithmetic, [&]<Arithmetic known>() { return predicates::decide<known, Ccw>(a, b, c); });
 }
 
 }  // namespace cold

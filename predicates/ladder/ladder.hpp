@@ -3,10 +3,10 @@
 /// by sources only, for exact numbers pull in Boost and GMP.
 ///
 /// A stage is asked for a verdict, and says what stage it is. A ladder is a list of them, the last
-/// of which is always certain. Two ladders stand behind a filter: where expansions and
-/// double-doubles hold all that the formula consists of, and beyond that window. The arithmetics
-/// that have but one stage take that: sums in the window, and exact numbers everywhere, those of a
-/// judge being of his own.
+/// of which is always certain, or a struct of a predicate's own whose stages share what they
+/// compute. Two ladders stand behind a filter: where expansions and double-doubles hold all that
+/// the formula consists of, and beyond that window. The arithmetics that have but one stage take
+/// that: sums in the window, and exact numbers everywhere, those of a judge being of his own.
 
 #include <array>
 #include <cstddef>
@@ -29,8 +29,7 @@ namespace ladder {
 
 using filters::Verdict;
 
-// ---- what the formulas compute in (formulas/difference.hpp)
-// --------------------------------------
+// ---- what the formulas compute in (formulas/difference.hpp) -------------------------------------
 
 /// Double-doubles.
 struct Refined {
@@ -73,8 +72,7 @@ struct Exactly {
     [[nodiscard]] static Number zero() { return {}; }
 };
 
-// ---- the stages
-// ----------------------------------------------------------------------------------
+// ---- the stages ---------------------------------------------------------------------------------
 
 /// The sign of a rounded number with a bound on its error.
 [[nodiscard]] inline Verdict judged(double value, double bound) noexcept {
@@ -154,24 +152,17 @@ struct InWideNumbers {
     }
 };
 
-// ---- the ladders
-// ---------------------------------------------------------------------------------
+// ---- the ladders --------------------------------------------------------------------------------
 
-/// One after the other. The last may be a ladder of its own, whose stages share what they compute.
-template <class... Stages>
-struct Steps;
+/// One after the other.
 template <class First, class... Others>
-struct Steps<First, Others...> {
+struct Steps {
     template <class... Sites>
     [[nodiscard, gnu::always_inline]] static inline Decision climb(const Sites&... sites) noexcept {
-        if constexpr (requires { First::climb(sites...); }) {
-            return First::climb(sites...);
-        } else {
-            const Verdict verdict = First::ask(sites...);
-            if constexpr (sizeof...(Others) > 0)
-                if (!verdict.is_certain()) return Steps<Others...>::climb(sites...);
-            return {verdict.sign(), First::stage};
-        }
+        const Verdict verdict = First::ask(sites...);
+        if constexpr (sizeof...(Others) > 0)
+            if (!verdict.is_certain()) return Steps<Others...>::climb(sites...);
+        return {verdict.sign(), First::stage};
     }
 };
 

@@ -44,25 +44,36 @@ struct InSegment {
     template <class Number, PowerSite S>
     [[nodiscard, gnu::always_inline]] static constexpr auto value(const S& a, const S& b,
                                                                   const S& q) noexcept {
-        const Sign by_x = filters::compare_numbers(b.x, a.x);
-        const auto row_a = row<Number>(a, q);
-        const auto row_b = row<Number>(b, q);
-        const auto determinant = by_x != 0 ? in_segment_determinant(row_a, row_b, row_a.x, row_b.x)
-                                           : in_segment_determinant(row_a, row_b, row_a.y, row_b.y);
-        const bool rises = (by_x != 0 ? by_x : filters::compare_numbers(b.y, a.y)) > 0;
-        return rises ? determinant : -determinant;
+        const auto determinant = along<Number>(
+            a, b, q, [](const auto&... numbers) { return in_segment_determinant(numbers...); });
+        return rises(a, b) ? determinant : -determinant;
     }
     template <PowerSite S>
     [[nodiscard]] static filters::Compared<double> bounded(const S& a, const S& b,
                                                            const S& q) noexcept {
-        const Row<double> row_a = row(a, q);
-        const Row<double> row_b = row(b, q);
-        return {value<double>(a, b, q),
-                a.x != b.x ? compared_in_segment(row_a, row_b, row_a.x, row_b.x).bound
-                           : compared_in_segment(row_a, row_b, row_a.y, row_b.y).bound};
+        const auto [determinant, bound] = along<double>(
+            a, b, q, [](const auto&... numbers) { return compared_in_segment(numbers...); });
+        return {rises(a, b) ? determinant : -determinant, bound};
     }
     template <Arithmetic arithmetic, PowerSite S>
     [[nodiscard, gnu::pure]] static Decision behind(const S& a, const S& b, const S& q) noexcept;
+
+ private:
+    /// Of the rows of a and b, and of where they are along the line.
+    template <class Number, PowerSite S, class Of>
+    [[nodiscard, gnu::always_inline]] static constexpr auto along(const S& a, const S& b,
+                                                                  const S& q, Of of) noexcept {
+        const auto row_a = row<Number>(a, q);
+        const auto row_b = row<Number>(b, q);
+        return filters::same_number(a.x, b.x) ? of(row_a, row_b, row_a.y, row_b.y)
+                                              : of(row_a, row_b, row_a.x, row_b.x);
+    }
+    /// Whether that rises from a to b.
+    template <PowerSite S>
+    [[nodiscard, gnu::always_inline]] static bool rises(const S& a, const S& b) noexcept {
+        const Sign by_x = filters::compare_numbers(b.x, a.x);
+        return (by_x != 0 ? by_x : filters::compare_numbers(b.y, a.y)) > 0;
+    }
 };
 
 /// The one-dimensional in_circle on the line through a and b.

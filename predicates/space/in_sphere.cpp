@@ -46,7 +46,7 @@ static_assert(refined_in_sphere_error >= 2 * 12 * filters::double_double_epsilon
 /// 2^123, minors of two rows below 2^121 and of three below 2^183, and the sum of four products
 /// below 2^308. Divided by 2^40 all is below 2^108: such integers are faster than double-doubles,
 /// and these than wide ones.
-struct Closely {
+struct Within {
     template <PowerSite3 S>
     [[nodiscard, gnu::always_inline]] static inline Decision climb(const S& i, const S& j,
                                                                    const S& k, const S& l,
@@ -93,7 +93,6 @@ struct Closely {
 
 template <Arithmetic arithmetic, PowerSite3 S>
 Decision InSphere::behind(const S& i, const S& j, const S& k, const S& l, const S& q) noexcept {
-    using Within = ladder::Steps<Closely>;
     return ladder::climb<arithmetic, InSphere, Within, ladder::Beyond<InSphere>>(i, j, k, l, q);
 }
 

@@ -7,7 +7,8 @@ namespace signum::power {
 template <Arithmetic arithmetic, PowerSite3 S>
 Decision Nearer3::behind(const Point3& p, const S& a, const S& b) noexcept {
     namespace ladder = predicates::ladder;
-    return ladder::climb<arithmetic, Nearer3, ladder::Steps<>, ladder::Beyond<Nearer3>>(p, a, b);
+    using Beyond = ladder::Beyond<Nearer3>;
+    return ladder::climb<arithmetic, Nearer3, Beyond, Beyond>(p, a, b);
 }
 
 #define SIGNUM_INSTANTIATE(arithmetic, S) \

@@ -1,13 +1,12 @@
 /// The table of metrics, and the names under which it is found.
 
 #include "../../triangulation/metric.hpp"
+#include "sources.hpp"
 
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <regex>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -15,16 +14,6 @@
 
 namespace signum {
 namespace {
-
-namespace fs = std::filesystem;
-
-const fs::path root = SIGNUM_SOURCES;
-
-std::string text_of(const fs::path& file) {
-    std::ostringstream text;
-    text << std::ifstream(file).rdbuf();
-    return text.str();
-}
 
 /// Of the sources above the predicates, by path from the root, what is neither comment nor string.
 std::map<std::string, std::string> code() {

@@ -11,19 +11,12 @@
 
 #include <gtest/gtest.h>
 
+#include "sources.hpp"
+
 namespace signum {
 namespace {
 
-namespace fs = std::filesystem;
-
-const fs::path root = SIGNUM_SOURCES;
 const fs::path predicates = root / "predicates";
-
-std::string text_of(const fs::path& file) {
-    std::ostringstream text;
-    text << std::ifstream(file).rdbuf();
-    return text.str();
-}
 
 /// A row of the table: what its first column says, and its files.
 struct Path {
@@ -65,11 +58,17 @@ std::set<std::string> included_by(const std::string& file) {
 /// What takes no part in a decision: formulas, names of arithmetics and of stages, kinds of sites,
 /// ties, and the lists of names that users include.
 bool is_beside(const std::string& file) {
-    static const std::set<std::string> beside = {"arithmetic.hpp",      "ladder/decision.hpp",
-                                                 "ladder/doubted.hpp",  "ladder/exact_number.hpp",
-                                                 "additive.hpp",        "power/weight.hpp",
-                                                 "power/ties.hpp",      "euclidean.hpp",
-                                                 "space/euclidean.hpp", "space/rectangular.hpp"};
+    static const std::set<std::string> beside = {"arithmetic.hpp",
+                                                 "ladder/decision.hpp",
+                                                 "ladder/doubted.hpp",
+                                                 "ladder/exact_number.hpp",
+                                                 "ladder/with_arithmetic.hpp",
+                                                 "additive.hpp",
+                                                 "power/weight.hpp",
+                                                 "power/ties.hpp",
+                                                 "euclidean.hpp",
+                                                 "space/euclidean.hpp",
+                                                 "space/rectangular.hpp"};
     return file.starts_with("formulas/") || beside.contains(file);
 }
 

@@ -3,10 +3,8 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <regex>
 #include <set>
-#include <sstream>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -14,20 +12,12 @@
 #include "../../motion/simulation.hpp"
 #include "../../tool/cli/formats.hpp"
 #include "../../tool/io/read_sites.hpp"
+#include "sources.hpp"
 
 namespace signum {
 namespace {
 
-namespace fs = std::filesystem;
 using Files = std::set<std::string>;
-
-const fs::path root = SIGNUM_SOURCES;
-
-std::string text_of(const fs::path& file) {
-    std::ostringstream text;
-    text << std::ifstream(file).rdbuf();
-    return text.str();
-}
 
 std::string section_under(const std::string& heading) {
     const std::string page = text_of(root / "CONTRIBUTING.md");

@@ -1,6 +1,7 @@
 /// Constructions that ask through pointers, so that each algorithm is compiled once for all
 /// arithmetics: in those that are so slow that it is not felt, and where somebody counts.
 
+#include "../../predicates/ladder/with_arithmetic.hpp"
 #include "constructions.hpp"
 
 namespace signum::triangulation {
@@ -61,26 +62,6 @@ constexpr PointedPredicates pointed_predicates = {&Predicates::hides,
                                                   &Predicates::nearer,
                                                   &Predicates::distance};
 
-/// Calls visit<arithmetic>().
-template <class Visit>
-auto with_arithmetic(Arithmetic arithmetic, Visit visit) {
-    switch (arithmetic) {
-        case Arithmetic::exact:
-            return visit.template operator()<Arithmetic::exact>();
-        case Arithmetic::naive:
-            return visit.template operator()<Arithmetic::naive>();
-        case Arithmetic::single:
-            return visit.template operator()<Arithmetic::single>();
-        case Arithmetic::interval:
-            return visit.template operator()<Arithmetic::interval>();
-        case Arithmetic::sum:
-            return visit.template operator()<Arithmetic::sum>();
-        case Arithmetic::multiprecision:
-            return visit.template operator()<Arithmetic::multiprecision>();
-    }
-    throw std::invalid_argument("no such arithmetic");
-}
-
 }  // namespace
 
 Tessellation construct_in_any_arithmetic(Metric metric, const StridedSites& input,
@@ -89,19 +70,19 @@ Tessellation construct_in_any_arithmetic(Metric metric, const StridedSites& inpu
     return construct_by_metric(
         metric, input,
         [&]<class S>() {
-            const PointedSigns<S> signs = with_arithmetic(
+            const PointedSigns<S> signs = predicates::with_arithmetic(
                 options.arithmetic, []<Arithmetic a>() { return pointed_signs<PowerSigns<S, a>>; });
             return construct_with_kernel<PowerKernel<PointedSigns<S>, filters::Tally>>(
                 metric, input, options, signs);
         },
         [&]<class M>() {
             const PointedPredicates predicates =
-                with_arithmetic(options.arithmetic, []<Arithmetic a>() {
+                predicates::with_arithmetic(options.arithmetic, []<Arithmetic a>() {
                     return pointed_predicates<typename PredicatesOf<M>::template Perturbed<a>>;
                 });
             if constexpr (M::traits.has_sweep)
                 if (options.method == Method::sweep)
-                    return with_arithmetic(options.arithmetic, [&]<Arithmetic a>() {
+                    return predicates::with_arithmetic(options.arithmetic, [&]<Arithmetic a>() {
                         return construct_by_sweep_with_kernel<typename PredicatesOf<M>::Directions,
                                                               a, AnyKernel>(metric, input, options,
                                                                             predicates);
