@@ -1,7 +1,7 @@
 #pragma once
 /// All of the library: the predicates of the four metrics, the sign of a sum, tessellations and
 /// what is asked of them, Voronoi diagrams, those of space. Who wants a predicate alone includes
-/// its header.
+/// its header. These are the headers for users: cmake/Install.cmake goes by this list.
 
 #include "core/index.hpp"
 #include "core/sign.hpp"

@@ -3,55 +3,35 @@
 include(CMakePackageConfigHelpers)
 set(package_directory "${CMAKE_INSTALL_LIBDIR}/cmake/signum")
 
-# What a user's program may include; tests/structure/consumer.cmake checks that each stands alone,
+# What a user's program may include is signum.hpp and what it includes by name; what these include in their turn, the
+# filters, which are inline, is installed with it. tests/structure/consumer.cmake checks that each header stands alone,
 # without Boost and GMP.
-set(public_headers
-  signum.hpp
-  core/index.hpp core/sign.hpp core/site.hpp core/strided_sites.hpp
-  exact/sign_of_sum.hpp
-  predicates/ccw.hpp predicates/power.hpp predicates/euclidean.hpp predicates/manhattan.hpp
-  predicates/supremum.hpp predicates/arithmetic.hpp predicates/space.hpp
-  triangulation/metric.hpp triangulation/arrays.hpp triangulation/options.hpp
-  triangulation/tessellation.hpp triangulation/triangulate.hpp
-  triangulation/validate.hpp triangulation/vertices.hpp triangulation/dynamic.hpp
-  triangulation/edge_list.hpp triangulation/flip_graph.hpp
-  triangulation/moving/kinetic_tessellation.hpp
-  triangulation/space/compare.hpp triangulation/space/triangulate.hpp
-  triangulation/space/validate.hpp triangulation/space/vertices.hpp
-  triangulation/any_dimension/triangulate.hpp triangulation/any_dimension/validate.hpp
-  voronoi/balls/diagram.hpp voronoi/balls/touching_rectangular.hpp
-  voronoi/balls/touching_spheres.hpp
-  voronoi/voronoi.hpp voronoi/curve.hpp voronoi/conic.hpp voronoi/clip.hpp voronoi/polygon.hpp
-  voronoi/contacts.hpp voronoi/compare.hpp voronoi/space/cells.hpp voronoi/space/polyhedra.hpp
-  motion/simulation.hpp motion/queries.hpp motion/meeting_time.hpp motion/shaking_wall.hpp)
-# What these include in their turn: the filters, which are inline. Nobody includes them by name.
-set(headers_behind
-  core/contract.hpp core/handle.hpp
-  triangulation/moving/moving_site.hpp
-  motion/ball.hpp motion/effects.hpp motion/field.hpp motion/meeting.hpp motion/obstacle.hpp motion/vector.hpp
-  filters/bounds.hpp filters/environment.hpp filters/interval.hpp filters/rounding_count.hpp
-  filters/tally.hpp
-  filters/verdict.hpp
-  predicates/additive.hpp
-  predicates/formulas/difference.hpp predicates/formulas/lifted.hpp
-  predicates/formulas/orientation.hpp predicates/ladder/decision.hpp
-  predicates/euclidean/filter.hpp
-  predicates/power/edge.hpp predicates/power/in_circle.hpp predicates/power/infinite.hpp
-  predicates/power/ties.hpp predicates/power/weight.hpp
-  predicates/space/ccw.hpp predicates/space/euclidean.hpp predicates/space/in_sphere.hpp
-  predicates/space/nearer.hpp predicates/space/rectangular.hpp
-  predicates/ladder/forms.hpp predicates/rectangular/squares.hpp
-  triangulation/structure/corners.hpp triangulation/structure/cycle.hpp)
+set(headers signum.hpp)
+set(unread signum.hpp)
+while(unread)
+  list(POP_FRONT unread header)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${header}")
+  cmake_path(GET header PARENT_PATH folder)
+  file(STRINGS "${header}" includes REGEX "^#include \"")
+  foreach(line IN LISTS includes)
+    string(REGEX REPLACE "^#include \"(.*)\"$" "\\1" included "${line}")
+    cmake_path(APPEND folder "${included}" OUTPUT_VARIABLE included)
+    cmake_path(NORMAL_PATH included)
+    if(NOT included IN_LIST headers)
+      list(APPEND headers "${included}")
+      list(APPEND unread "${included}")
+    endif()
+  endforeach()
+endwhile()
 # What needs a library of the user's own, which is no dependency of the package.
 file(GLOB interop_headers RELATIVE "${PROJECT_SOURCE_DIR}" CONFIGURE_DEPENDS bindings/interop/*.hpp bindings/interop/cgal/*.hpp)
 set(c_headers bindings/c/signum.h)
 if(SIGNUM_ONLY_PREDICATES)
-  list(FILTER public_headers INCLUDE REGEX "^(core|exact|predicates)/")
-  list(FILTER headers_behind INCLUDE REGEX "^(core|filters|predicates)/")
+  list(FILTER headers INCLUDE REGEX "^(core|exact|filters|predicates)/")
   set(interop_headers)
   set(c_headers)
 endif()
-foreach(header IN LISTS public_headers headers_behind interop_headers)
+foreach(header IN LISTS headers interop_headers)
   cmake_path(GET header PARENT_PATH folder)
   string(REGEX REPLACE "^bindings/" "" folder "${folder}")
   install(FILES "${header}" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/signum/${folder}" COMPONENT development)

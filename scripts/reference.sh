@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The reference of the public headers, by Doxygen: those that cmake/Install.cmake installs for users.
+# The reference of the public headers, by Doxygen: signum.hpp and those that it includes.
 #
 #   scripts/reference.sh [DIRECTORY]     build/reference by default; open DIRECTORY/html/index.html
 #
@@ -10,10 +10,9 @@ place=${1:-$root/build/reference}
 command -v doxygen >/dev/null || { echo "signum: this needs doxygen (apt-get install doxygen)" >&2; exit 3; }
 
 # Users' headers, and those behind them that hold names of theirs.
-mapfile -t headers < <(sed -n '/^set(public_headers/,/)/p; /^set(headers_behind/,/)/p' "$root/cmake/Install.cmake" |
-  sed 's/set([a-z_]*//; s/)//' | tr -s ' \n' '\n' | grep -E '\.hpp$|\.h$' |
+mapfile -t headers < <(cd "$root" && "${CXX:-c++}" -std=c++20 -MM signum.hpp | grep -o '[^ ]*\.hpp' | xargs realpath --relative-to=. |
   grep -vE '^(filters|core/contract|core/handle|motion/meeting.hpp|predicates/(additive|power/|euclidean/|rectangular/|formulas/|ladder/)|triangulation/structure)')
-[ ${#headers[@]} -gt 30 ] || { echo "signum: found only ${#headers[@]} headers in cmake/Install.cmake" >&2; exit 1; }
+[ ${#headers[@]} -gt 30 ] || { echo "signum: found only ${#headers[@]} headers behind signum.hpp" >&2; exit 1; }
 rm -rf "$place"
 mkdir -p "$place"
 cd "$root"

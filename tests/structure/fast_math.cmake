@@ -3,8 +3,8 @@
 set(our_words "signum needs IEEE arithmetic")
 set(scratch "${BUILD}/Testing/fast_math")
 file(MAKE_DIRECTORY "${scratch}")
-set(headers core/contract.hpp core/error_free.hpp predicates/ccw.hpp predicates/power.hpp
-    predicates/euclidean.hpp predicates/supremum.hpp predicates/manhattan.hpp)
+file(GLOB headers RELATIVE "${SOURCES}" "${SOURCES}/predicates/*.hpp")
+list(APPEND headers core/contract.hpp core/error_free.hpp)
 set(hostile -ffast-math -Ofast -ffinite-math-only -funsafe-math-optimizations
     "-fassociative-math -fno-signed-zeros -fno-trapping-math")
 
