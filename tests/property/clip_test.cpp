@@ -17,6 +17,7 @@
 #include "../../voronoi/clip.hpp"
 #include "../../voronoi/polygon.hpp"
 
+#include "../by_metric.hpp"
 #include "../thoroughness.hpp"
 
 namespace signum {
@@ -123,20 +124,14 @@ constexpr std::int64_t grid = 1024;
 
 /// Times 1024, or the square of that in the power metric; of the Euclidean metric rounded.
 long double distance(Metric metric, const Sample& p, const Site& s) {
-    const auto x = p.x - grid * static_cast<std::int64_t>(s.x);
-    const auto y = p.y - grid * static_cast<std::int64_t>(s.y);
+    const std::int64_t x = std::abs(p.x - grid * static_cast<std::int64_t>(s.x));
+    const std::int64_t y = std::abs(p.y - grid * static_cast<std::int64_t>(s.y));
     const auto r = grid * static_cast<std::int64_t>(s.r);
-    switch (metric) {
-        case Metric::power:
-            return static_cast<long double>(x * x + y * y - r * r);
-        case Metric::manhattan:
-            return static_cast<long double>(std::abs(x) + std::abs(y) - r);
-        case Metric::supremum:
-            return static_cast<long double>(std::max(std::abs(x), std::abs(y)) - r);
-        case Metric::euclidean:
-            break;
-    }
-    return std::sqrt(static_cast<long double>(x * x + y * y)) - static_cast<long double>(r);
+    const std::int64_t length = by_metric::length_or_square(metric, x, y);
+    if (metric == Metric::power) return static_cast<long double>(length - r * r);
+    if (metric == Metric::euclidean)
+        return std::sqrt(static_cast<long double>(length)) - static_cast<long double>(r);
+    return static_cast<long double>(length - r);
 }
 
 /// Of equally near sites the largest has the point, then the one on the left, then the lower one,

@@ -11,9 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../oracle/euclidean.hpp"
-#include "../oracle/power.hpp"
-#include "../oracle/rectangular.hpp"
+#include "../by_metric.hpp"
 #include "../oracle/valid_edges.hpp"
 #include "../thoroughness.hpp"
 #include "degenerate_sites.hpp"
@@ -38,21 +36,6 @@ std::vector<std::int64_t> powers_of(const oracle::Ranks& ranks, bool pair_first)
                                      : (rank == 0 ? 16 : 4) * n);
     }
     return powers;
-}
-
-oracle::Tessellation oracle_of(Metric metric, const Sites& sites, const oracle::Ranks& ranks,
-                               bool pair_first) {
-    switch (metric) {
-        case Metric::power:
-            return oracle::power(sites, ranks);
-        case Metric::euclidean:
-            return oracle::euclidean(sites, powers_of(ranks, pair_first));
-        case Metric::manhattan:
-            return oracle::manhattan(sites, ranks);
-        case Metric::supremum:
-            break;
-    }
-    return oracle::supremum(sites, ranks);
 }
 
 std::string text(const Sites& sites) {
@@ -90,7 +73,7 @@ class Compare : public testing::TestWithParam<Metric> {
     /// Compares all pairs of sites with the oracle's word.
     void expect_oracle(const Sites& sites, bool all_orders) {
         const auto of = [&](const oracle::Ranks& ranks) {
-            return oracle_of(GetParam(), sites, ranks, !all_orders);
+            return by_metric::tessellation(GetParam(), sites, ranks, powers_of(ranks, !all_orders));
         };
         const oracle::Edges valid = all_orders ? oracle::valid_edges(of, sites.size())
                                                : oracle::valid_edges_of_pairs(of, sites.size());

@@ -22,6 +22,7 @@
 
 #include "../../triangulation/triangulate.hpp"
 #include "../../triangulation/vertices.hpp"
+#include "../by_metric.hpp"
 #include "../thoroughness.hpp"
 
 namespace signum {
@@ -444,9 +445,9 @@ class Sets {
         const double turn = between(0, 2 * std::numbers::pi);
         double x = std::cos(turn);
         double y = std::sin(turn);
-        const double norm = metric_ == Metric::manhattan  ? std::fabs(x) + std::fabs(y)
-                            : metric_ == Metric::supremum ? std::max(std::fabs(x), std::fabs(y))
-                                                          : 1.0;
+        const double norm = traits_of(metric_).site == "disc"
+                                ? 1.0
+                                : by_metric::length_or_square(metric_, std::fabs(x), std::fabs(y));
         const double away = (power() ? std::sqrt(1.0 + r * r) : 1.0 + r) / norm + noise_of(noise);
         x *= away;
         y *= away;

@@ -19,6 +19,7 @@
 #include "../../voronoi/clip.hpp"
 #include "../../voronoi/polygon.hpp"
 
+#include "../by_metric.hpp"
 #include "../thoroughness.hpp"
 #include "degenerate_sites.hpp"
 
@@ -28,14 +29,9 @@ namespace {
 const int thoroughness = is_fast ? 10 : 1;
 
 double norm(Metric metric, double x, double y) {
-    switch (metric) {
-        case Metric::manhattan:
-            return std::abs(x) + std::abs(y);
-        case Metric::supremum:
-            return std::max(std::abs(x), std::abs(y));
-        default:
-            return std::hypot(x, y);
-    }
+    return traits_of(metric).site == "disc"
+               ? std::hypot(x, y)
+               : by_metric::length_or_square(metric, std::abs(x), std::abs(y));
 }
 
 double distance(Metric metric, Point p, const Site& s) {
@@ -45,20 +41,12 @@ double distance(Metric metric, Point p, const Site& s) {
 
 /// The same with hundreds of bits.
 mpf_class precise_distance(Metric metric, Point p, const Site& s) {
-    const mpf_class x = mpf_class(p.x, 400) - s.x;
-    const mpf_class y = mpf_class(p.y, 400) - s.y;
+    const mpf_class x = abs(mpf_class(p.x, 400) - s.x);
+    const mpf_class y = abs(mpf_class(p.y, 400) - s.y);
     const mpf_class r(s.r, 400);
-    switch (metric) {
-        case Metric::power:
-            return mpf_class(x * x + y * y - r * r);
-        case Metric::euclidean:
-            return mpf_class(sqrt(mpf_class(x * x + y * y)) - r);
-        case Metric::manhattan:
-            return mpf_class(abs(x) + abs(y) - r);
-        case Metric::supremum:
-            break;
-    }
-    return mpf_class((abs(x) > abs(y) ? abs(x) : abs(y)) - r);
+    const mpf_class length = by_metric::length_or_square(metric, x, y);
+    if (metric == Metric::power) return mpf_class(length - r * r);
+    return mpf_class((metric == Metric::euclidean ? mpf_class(sqrt(length)) : length) - r);
 }
 
 struct Nearest {

@@ -839,9 +839,7 @@ TEST_P(ToolInMetric, ExplainsTies) {
 
 TEST_P(ToolInMetric, RefusesWhatHasNoCircle) {
     if (GetParam() == Metric::power) return;  // see RefusesSignsThatDoNotExist
-    const std::string circle = GetParam() == Metric::manhattan  ? "diamond"
-                               : GetParam() == Metric::supremum ? "square"
-                                                                : "circle";
+    const std::string circle(traits_of(GetParam()).circle);
     const auto refused = [&](const Words& numbers, const std::string& why) {
         const Outcome outcome = in_circle(numbers);
         EXPECT_EQ(outcome.code, 2);

@@ -13,6 +13,7 @@
 #include "../../tool/io/write_voronoi.hpp"
 #include "../../triangulation/triangulate.hpp"
 #include "../../voronoi/polygon.hpp"
+#include "../by_metric.hpp"
 
 namespace signum {
 namespace {
@@ -117,10 +118,10 @@ TEST_P(VoronoiFiles, RaysRunAlongTheBisector) {
                 const Site& s = diagram.tessellation().sites()[static_cast<std::size_t>(i)];
                 const double x = std::abs(p.x - s.x);
                 const double y = std::abs(p.y - s.y);
-                return GetParam() == Metric::power       ? x * x + y * y - s.r * s.r
-                       : GetParam() == Metric::manhattan ? x + y - s.r
-                       : GetParam() == Metric::supremum  ? std::max(x, y) - s.r
-                                                         : std::hypot(x, y) - s.r;
+                const double length = by_metric::length_or_square(GetParam(), x, y);
+                return GetParam() == Metric::power       ? length - s.r * s.r
+                       : GetParam() == Metric::euclidean ? std::sqrt(length) - s.r
+                                                         : length - s.r;
             };
             EXPECT_NEAR(distance(edge["sites"][0]), distance(edge["sites"][1]), 1e-7);
             ++rays;

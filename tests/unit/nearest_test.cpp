@@ -2,6 +2,7 @@
 // hidden sites, grids, few sites; triangulate() for a metric known at run time.
 
 #include "../../triangulation/triangulate.hpp"
+#include "../by_metric.hpp"
 #include "../thoroughness.hpp"
 
 #include <algorithm>
@@ -37,29 +38,18 @@ int sign_of_roots(const mpq_class& a, const mpq_class& b, const mpq_class& d) {
 
 /// The sign of b's distance from p less that of a: +1 where p is nearer to a.
 int nearer(Metric metric, Point p, const Site& a, const Site& b) {
-    struct Offset {
-        mpq_class x, y, square, sum, largest;
-    };
-    const auto offset = [&](const Site& s) {
+    const auto length = [&](const Site& s) {
         const mpq_class x = abs(mpq_class(mpq_class(p.x) - mpq_class(s.x)));
         const mpq_class y = abs(mpq_class(mpq_class(p.y) - mpq_class(s.y)));
-        return Offset{x, y, x * x + y * y, x + y, x < y ? y : x};
+        return by_metric::length_or_square(metric, x, y);
     };
-    const Offset to_a = offset(a);
-    const Offset to_b = offset(b);
+    const mpq_class to_a = length(a);
+    const mpq_class to_b = length(b);
     const mpq_class ra(a.r);
     const mpq_class rb(b.r);
-    switch (metric) {
-        case Metric::power:
-            return sgn(mpq_class(to_b.square - rb * rb - to_a.square + ra * ra));
-        case Metric::manhattan:
-            return sgn(mpq_class(to_b.sum - rb - to_a.sum + ra));
-        case Metric::supremum:
-            return sgn(mpq_class(to_b.largest - rb - to_a.largest + ra));
-        case Metric::euclidean:
-            break;
-    }
-    return sign_of_roots(to_b.square, to_a.square, rb - ra);
+    if (metric == Metric::power) return sgn(mpq_class(to_b - rb * rb - to_a + ra * ra));
+    if (metric == Metric::euclidean) return sign_of_roots(to_b, to_a, rb - ra);
+    return sgn(mpq_class(to_b - rb - to_a + ra));
 }
 
 /// Of all sites the nearest; of several the first by falling radius (weight), rising x, y, index.
@@ -178,13 +168,8 @@ TEST_P(Nearest, IsTheSameMetricAtRunTime) {
     for (Site& s : sites) s = {integer(0, 12), integer(0, 12), integer(0, 2)};
     const Tessellation t = triangulate(sites, GetParam());
     EXPECT_EQ(t.metric(), GetParam());
-    const auto expect = [&](auto metric) {
-        EXPECT_EQ(t.arrays(), triangulate(sites, metric).arrays());
-    };
-    if (GetParam() == Metric::power) expect(Power{});
-    if (GetParam() == Metric::euclidean) expect(Euclidean{});
-    if (GetParam() == Metric::manhattan) expect(Manhattan{});
-    if (GetParam() == Metric::supremum) expect(Supremum{});
+    with_metric(GetParam(),
+                [&](auto metric) { EXPECT_EQ(t.arrays(), triangulate(sites, metric).arrays()); });
     // Every edge is seen from both of its ends, as often as there are edges.
     std::vector<Edge> edges;
     for (std::size_t i = 0; i < sites.size(); ++i)
