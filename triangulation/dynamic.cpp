@@ -7,9 +7,6 @@
 #include <variant>
 
 #include "../exact/floating_environment.hpp"
-#include "../predicates/euclidean.hpp"
-#include "../predicates/manhattan.hpp"
-#include "../predicates/supremum.hpp"
 #include "dynamic/live.hpp"
 #include "kernels/additive_kernel.hpp"
 #include "kernels/power_kernel.hpp"
@@ -20,10 +17,24 @@ namespace signum {
 namespace triangulation {
 namespace {
 
-template <template <Arithmetic> class Predicates>
-using LiveAdditive = Live<AdditiveKernel<Predicates<Arithmetic::exact>, filters::NoTally>>;
-template <class S>
-using LivePower = Live<PowerKernel<PowerSigns<S>, filters::NoTally>>;
+template <class Predicates>
+struct KernelOf {
+    using Type = PowerKernel<PowerSigns<typename Predicates::SiteType>, filters::NoTally>;
+};
+template <Additive Predicates>
+struct KernelOf<Predicates> {
+    using Type = AdditiveKernel<typename Predicates::template Perturbed<>, filters::NoTally>;
+};
+
+/// A tessellation, by the predicates of its metric and sites.
+template <class Predicates>
+using LiveOf = Live<typename KernelOf<Predicates>::Type>;
+
+/// One of them, in any metric.
+template <class... M>
+std::variant<std::unique_ptr<LiveOf<PredicatesOf<M>>>...,
+             std::unique_ptr<LiveOf<PredicatesOf<Power, WeightIs::weight>>>>
+    any_live(MetricTypes<M...>);
 
 }  // namespace
 }  // namespace triangulation
@@ -31,14 +42,8 @@ using LivePower = Live<PowerKernel<PowerSigns<S>, filters::NoTally>>;
 class DynamicTessellation::State {
  public:
     State(Metric metric, WeightIs weight_is) {
-        using namespace triangulation;
-        with_metric(metric, [&]<class M>(M) {
-            if constexpr (!M::traits.edges_are_straight)
-                live_ = std::make_unique<LiveAdditive<PredicatesOf<M>::template Perturbed>>(metric);
-            else if (weight_is == WeightIs::weight)
-                live_ = std::make_unique<LivePower<power::Site>>(metric);
-            else
-                live_ = std::make_unique<LivePower<signum::Site>>(metric);
+        triangulation::with_predicates(metric, weight_is, [&]<class Predicates>(Predicates) {
+            live_ = std::make_unique<triangulation::LiveOf<Predicates>>(metric);
         });
     }
 
@@ -48,14 +53,7 @@ class DynamicTessellation::State {
     }
 
  private:
-    template <class One>
-    using Pointer = std::unique_ptr<One>;
-    std::variant<Pointer<triangulation::LivePower<signum::Site>>,
-                 Pointer<triangulation::LivePower<power::Site>>,
-                 Pointer<triangulation::LiveAdditive<euclidean::Perturbed>>,
-                 Pointer<triangulation::LiveAdditive<manhattan::Perturbed>>,
-                 Pointer<triangulation::LiveAdditive<supremum::Perturbed>>>
-        live_;
+    decltype(triangulation::any_live(AllMetrics{})) live_;
 };
 
 namespace {

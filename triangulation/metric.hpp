@@ -1,7 +1,8 @@
 #pragma once
 /// The metrics: one table of what they are called, what their sites look like and what can be asked
 /// of them. Whatever differs from metric to metric stands here or, where it is code, hangs on the
-/// types by which with_metric() names them; nothing else tells metrics apart.
+/// types by which with_metric() names them: kernels/predicates_of.hpp says which predicates a
+/// metric has, and templates without a text of their own are specialized in a metric's own sources.
 
 #include <array>
 #include <cstddef>
@@ -29,6 +30,8 @@ struct MetricTraits {
     std::string_view distance;                ///< of a point p from a site with centre c, radius r
     std::string_view site;                    ///< what a site looks like
     std::string_view circle;                  ///< what touches three of them
+    std::string_view sphere;                  ///< in space: what touches four
+    std::string_view spheres;                 ///< several of those
     /// Whether the edges of a tessellation are straight, and its faces triangles that cover the
     /// convex hull.
     bool edges_are_straight = false;
@@ -48,6 +51,8 @@ inline constexpr std::array<MetricTraits, 4> metric_table = {{
      .distance = "|p - c|^2 - r^2",
      .site = "disc",
      .circle = "circle",
+     .sphere = "sphere",
+     .spheres = "spheres",
      .edges_are_straight = true,
      .has_weights = true,
      .is_delaunay_for_equal_radii = true,
@@ -59,6 +64,8 @@ inline constexpr std::array<MetricTraits, 4> metric_table = {{
      .distance = "|p - c| - r",
      .site = "disc",
      .circle = "circle",
+     .sphere = "sphere",
+     .spheres = "spheres",
      .is_delaunay_for_equal_radii = true},
     {.metric = Metric::manhattan,
      .name = "manhattan",
@@ -67,6 +74,8 @@ inline constexpr std::array<MetricTraits, 4> metric_table = {{
      .distance = "|p - c| - r in the norm |x| + |y|",
      .site = "diamond",
      .circle = "diamond",
+     .sphere = "octahedron",
+     .spheres = "octahedra",
      .has_sweep = true},
     {.metric = Metric::supremum,
      .name = "supremum",
@@ -75,6 +84,8 @@ inline constexpr std::array<MetricTraits, 4> metric_table = {{
      .distance = "|p - c| - r in the norm max(|x|, |y|)",
      .site = "square",
      .circle = "square",
+     .sphere = "cube",
+     .spheres = "cubes",
      .has_sweep = true},
 }};
 
@@ -107,22 +118,29 @@ struct Euclidean : MetricType<Metric::euclidean> {};
 struct Manhattan : MetricType<Metric::manhattan> {};
 struct Supremum : MetricType<Metric::supremum> {};
 
-/// Calls visit with the metric as a type: where a metric lacks the code that visit wants of it,
-/// nothing compiles. The only switch over metrics. Throws std::invalid_argument for what is no
-/// enumerator.
+/// Several metrics, as types.
+template <class... M>
+struct MetricTypes {};
+
+/// All of them, in the order of the table.
+using AllMetrics = MetricTypes<Power, Euclidean, Manhattan, Supremum>;
+static_assert([]<class... M>(MetricTypes<M...>) {
+    return std::array{M::metric...} == all_metrics;
+}(AllMetrics{}));
+
+/// Calls visit with the metric as a type, one of those listed: where a metric lacks the code that
+/// visit wants of it, nothing compiles. Throws std::invalid_argument for what is none of them.
+template <class Visit, class M, class... Others>
+decltype(auto) with_metric(Metric metric, Visit&& visit, MetricTypes<M, Others...> /*listed*/) {
+    if (metric == M::metric) return std::forward<Visit>(visit)(M{});
+    if constexpr (sizeof...(Others) > 0)
+        return with_metric(metric, std::forward<Visit>(visit), MetricTypes<Others...>{});
+    throw std::invalid_argument("no such metric");
+}
+/// The same with any metric. Nothing else tells metrics apart.
 template <class Visit>
 decltype(auto) with_metric(Metric metric, Visit&& visit) {
-    switch (metric) {
-        case Metric::power:
-            return std::forward<Visit>(visit)(Power{});
-        case Metric::euclidean:
-            return std::forward<Visit>(visit)(Euclidean{});
-        case Metric::manhattan:
-            return std::forward<Visit>(visit)(Manhattan{});
-        case Metric::supremum:
-            return std::forward<Visit>(visit)(Supremum{});
-    }
-    throw std::invalid_argument("no such metric");
+    return with_metric(metric, std::forward<Visit>(visit), AllMetrics{});
 }
 
 /// The name by which files and the tool know it.

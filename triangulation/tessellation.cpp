@@ -153,8 +153,8 @@ Index Tessellation::nearest(Point point) const {
             visible += static_cast<Index>(hidden.site == visible);
         return visible;
     }
-    const auto nearer = triangulation::with_predicates(
-        metric(), weight_is(), []<class Predicates>(Predicates) { return &Predicates::nearer; });
+    const auto is_nearer = triangulation::with_predicates(
+        metric(), weight_is(), []<class Predicates>(Predicates) { return &Predicates::is_nearer; });
     const auto site = [&](Index i) -> const Site& { return sites_[at(i)]; };
     Index nearest = traits_of(metric()).edges_are_straight
                         ? arrays_.faces[at(locate_straight(point))][1]
@@ -165,7 +165,7 @@ Index Tessellation::nearest(Point point) const {
         start = nearest;
         for (const auto corner : triangulation::fan(arrays_, face_of_site_[at(start)], start)) {
             const Index v = arrays_.faces[at(corner.face)][corner.next()];
-            if (v != infinite && nearer(point, site(v), v, site(nearest), nearest)) nearest = v;
+            if (v != infinite && is_nearer(point, site(v), v, site(nearest), nearest)) nearest = v;
         }
     }
     return nearest;

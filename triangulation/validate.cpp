@@ -10,29 +10,21 @@ namespace {
 
 using namespace triangulation;
 
-/// Discs of one radius are ordered about every point as equal weights are, ties too: predicates of
-/// half the degree tell.
-Validation check(Euclidean, const TessellationArrays& arrays, const StridedSites& sites,
+/// Where sites of one radius are ordered about every point as equal weights are, ties too,
+/// predicates of half the degree tell.
+template <class M>
+Validation check(M, const TessellationArrays& arrays, const StridedSites& sites,
                  const ValidationOptions& options) {
-    if (equal_radii(sites)) {
-        using Weighted = power::Site;
-        return PowerCheck<Weighted, JudgingPower, PowerDistance<Weighted>>(arrays, sites, options)
-            .run();
-    }
-    return AdditiveCheck<euclidean::Perturbed<predicates::judging>, EuclideanDistance>(
-               arrays, sites, options)
-        .run();
-}
-Validation check(Manhattan, const TessellationArrays& arrays, const StridedSites& sites,
-                 const ValidationOptions& options) {
-    return AdditiveCheck<manhattan::Perturbed<predicates::judging>, ManhattanDistance>(
-               arrays, sites, options)
-        .run();
-}
-Validation check(Supremum, const TessellationArrays& arrays, const StridedSites& sites,
-                 const ValidationOptions& options) {
-    return AdditiveCheck<supremum::Perturbed<predicates::judging>, SupremumDistance>(arrays, sites,
-                                                                                     options)
+    if constexpr (M::traits.is_delaunay_for_equal_radii)
+        if (equal_radii(sites)) {
+            using Weighted = power::Site;
+            return PowerCheck<Weighted, JudgingPower, PowerDistance<Weighted>>(arrays, sites,
+                                                                               options)
+                .run();
+        }
+    using Predicates = PredicatesOf<M>;
+    return AdditiveCheck<typename Predicates::template Perturbed<predicates::judging>,
+                         AdditiveDistance<Predicates>>(arrays, sites, options)
         .run();
 }
 Validation check(Power, const TessellationArrays& arrays, const StridedSites& sites,

@@ -1,4 +1,4 @@
-#include "contacts.hpp"
+#include "of_metric.hpp"
 
 namespace signum {
 
@@ -20,8 +20,11 @@ Canonical::Canonical(const Tessellation& tessellation)
 }
 
 Contacts contacts_of(const Canonical& canonical) {
-    return with_metric(canonical.tessellation().metric(),
-                       [&](auto metric) { return contacts_in(metric, canonical); });
+    return contacts_in(canonical.tessellation().metric(), canonical);
+}
+
+Contacts contacts_in(Metric metric, const Canonical& canonical) {
+    return with_metric(metric, [&]<class M>(M) { return contacts_in<M>(canonical); });
 }
 
 }  // namespace signum

@@ -73,13 +73,7 @@ using Contacts = std::function<bool(Index, Index)>;
 /// In the metric of the tessellation.
 [[nodiscard]] Contacts contacts_of(const Canonical& canonical);
 
-/// The same where the metric is known.
-[[nodiscard]] Contacts contacts_in(Power metric, const Canonical& canonical);
-/// Of discs.
-[[nodiscard]] Contacts contacts_in(Euclidean metric, const Canonical& canonical);
-/// Of diamonds.
-[[nodiscard]] Contacts contacts_in(Manhattan metric, const Canonical& canonical);
-/// Of squares.
-[[nodiscard]] Contacts contacts_in(Supremum metric, const Canonical& canonical);
+/// In a given one.
+[[nodiscard]] Contacts contacts_in(Metric metric, const Canonical& canonical);
 
 }  // namespace signum

@@ -4,188 +4,12 @@
 #include <cmath>
 
 #include "../exact/floating_environment.hpp"
-#include "../exact/surd.hpp"
-#include "../predicates/additive.hpp"
-#include "../predicates/formulas/apollonius.hpp"
-#include "../predicates/ladder/forms.hpp"
-#include "../triangulation/kernels/predicates_of.hpp"
 #include "in_ieee.hpp"
+#include "of_metric.hpp"
 #include "vector.hpp"
 
 namespace signum {
 namespace {
-
-Point turned_left(Point p) noexcept {
-    return {-p.y, p.x};
-}
-
-/// What bisector() is asked for.
-struct Pair {
-    const NumberedSite& first;
-    const NumberedSite& second;
-    Site a;  ///< the first, divided by 2^exponent
-    Site b;  ///< the second, likewise
-    WeightIs weight_is;
-    int exponent;
-    Point focus;
-};
-
-/// The way from a to b: 2^exponent times a distance, in a direction.
-struct Way {
-    explicit Way(const Pair& pair) {
-        Point to_b = {pair.b.x - pair.a.x, pair.b.y - pair.a.y};
-        is_close = std::hypot(to_b.x, to_b.y) < 0x1p-960;
-        if (is_close) {
-            // Among or below the denormals, which have few bits: as it is given, and by its own
-            // power of two.
-            const Site& first = pair.first.site;
-            const Site& second = pair.second.site;
-            to_b = {second.x - first.x, second.y - first.y};
-            const double longest = std::max(std::abs(to_b.x), std::abs(to_b.y));
-            if (longest > 0) exponent = std::ilogb(longest);
-            to_b = {std::ldexp(to_b.x, -exponent), std::ldexp(to_b.y, -exponent)};
-        }
-        distance = std::hypot(to_b.x, to_b.y);
-        right = {to_b.x / distance, to_b.y / distance};
-    }
-    bool is_close;     ///< too close for what they have been divided by
-    int exponent = 0;  ///< of two, and not divided where they are close
-    double distance;
-    Point right;  ///< not finite where they are at one place
-};
-
-/// The points with |x - a|² - w(a) = |x - b|² - w(b), where the excess w(a) - w(b) is `shift` times
-/// twice the distance.
-std::optional<Curve> straight_bisector(const Pair& pair, const Way& way, double shift) {
-    const Site& a = pair.a;
-    const Site& b = pair.b;
-    const Point& right = way.right;
-    const Point& focus = pair.focus;
-    // The difference of both sides at the focus, which grows by twice the distance per unit.
-    const Point from_a = {focus.x - a.x, focus.y - a.y};
-    const Point from_b = {focus.x - b.x, focus.y - b.y};
-    const double along = dot(right, from_a) + dot(right, from_b);
-    const Point origin = plus(focus, right, shift - along / 2);
-    if (!std::isfinite(origin.x + origin.y + right.x + right.y)) return std::nullopt;
-    return StraightCurve{origin, right, turned_left(right)};
-}
-
-/// √(1 - s²), s the difference of the radii over the distance: of two discs that all but touch from
-/// inside nothing is left of it in doubles. 0 where they do, and below the doubles.
-double exact_rise(const Site& a, const Site& b) {
-    using Exact = euclidean::Uniform<exact::Rational>;
-    const auto disc = [](const Site& s) -> euclidean::Disc<Exact> {
-        return {exact::to_rational(s.x), exact::to_rational(s.y), exact::to_rational(s.r)};
-    };
-    const auto row = euclidean::polynomials::row(disc(b), disc(a));
-    if (row.p <= 0) return 0.0;
-    return exact::round_surd(0, 1, exact::Rational(row.p / (row.x * row.x + row.y * row.y)));
-}
-
-std::optional<Curve> hyperbola(const Pair& pair, const Way& way) {
-    const Site& a = pair.a;
-    const Site& b = pair.b;
-    const Point to_b = {b.x - a.x, b.y - a.y};
-    const Point middle = plus({a.x, a.y}, to_b, 0.5);
-    const double excess = way.is_close
-                              ? std::ldexp(pair.first.site.r - pair.second.site.r, -way.exponent)
-                              : a.r - b.r;
-    const double slant = std::clamp(excess / way.distance, -1.0, 1.0);
-    const double rise = std::abs(slant) < 1 - 0x1p-20
-                            ? std::sqrt((1 - slant) * (1 + slant))
-                            : exact_rise(pair.first.site, pair.second.site);
-    if (!std::isfinite(way.right.x + way.right.y + slant)) return std::nullopt;
-    if (way.is_close) {
-        // From where it can be seen it is its asymptotes.
-        const double slope = slant / rise;
-        if (!std::isfinite(slope)) return std::nullopt;
-        return StraightCurve{middle, way.right, turned_left(way.right), {0, 0}, 0, {slope, slope}};
-    }
-    return HyperbolaCurve{middle, way.right, turned_left(way.right), slant * (way.distance / 2),
-                          rise * (way.distance / 2)};
-}
-
-/// For each side of a square (diamond) whether b touches it first, and not a, as squares shrink
-/// onto the two. Exact, by the tie rule where both do.
-template <class Directions>
-std::array<bool, 4> sides_touched_by_second(const NumberedSite& a, const NumberedSite& b) {
-    const std::array<const Site*, 2> sites = {&a.site, &b.site};
-    rectangular::Forms<Directions, Arithmetic::exact, 2> forms(
-        sites, additive::ranks_of<2>(sites, {a.index, b.index}));
-    std::array<bool, 4> second{};
-    for (int side = 0; side < 4; ++side)
-        second[static_cast<std::size_t>(side)] = forms.compare(side, 1, 0) > 0;
-    return second;
-}
-
-/// The centres of the squares that touch a and b: while a touches the left side and b the right
-/// one, a line upwards, and beyond it, where the one that is in the way above or below holds the
-/// corner of growing squares, a diagonal ray on either side. "Right" is the direction from a to b
-/// in which they lie farther apart.
-template <class Directions>
-StraightCurve rectangular_bisector(const Site& a, const Site& b,
-                                   const std::array<bool, 4>& b_touches) {
-    const auto at = [](int side) { return static_cast<std::size_t>(side & 3); };
-    const auto direction = [&](int side) -> Point {
-        return {Directions::x[at(side)], Directions::y[at(side)]};
-    };
-
-    const Point to_b = {b.x - a.x, b.y - a.y};
-    double farthest = -1.0;
-    int right = 0;
-    for (int side = 0; side < 4; ++side)
-        if (b_touches[at(side)] && !b_touches[at(side + 2)] &&
-            dot(direction(side), to_b) > farthest) {
-            farthest = dot(direction(side), to_b);
-            right = side;
-        }
-
-    // The forms relative to a, whose own are 0: only differences of radii count.
-    const double r_b = b.r - a.r;
-    const auto form = [&](int side) {
-        return b_touches[at(side)] ? dot(direction(side), to_b) - r_b : 0.0;
-    };
-    const double rho = form(right) / 2;  // of the squares that a and b touch left and right
-    const double lowest = form(right + 1) - rho;
-    const double highest = std::max(lowest, rho - form(right + 3));
-    return {{a.x, a.y},
-            direction(right),
-            direction(right + 1),
-            {lowest, highest},
-            rho,
-            {b_touches[at(right + 1)] ? 1.0 : -1.0, b_touches[at(right + 3)] ? 1.0 : -1.0}};
-}
-
-std::optional<Curve> bisector_in(Power /*metric*/, const Pair& pair) {
-    const Way way(pair);
-    const bool is_weight = pair.weight_is == WeightIs::weight;
-    const double excess = pair.first.site.r - pair.second.site.r;
-    const double sum = pair.a.r + pair.b.r;
-    if (way.is_close) {
-        // Of radii the product of excess and sum, whose exponents may be far apart.
-        int exponent = -pair.exponent;
-        const double product = is_weight ? excess : std::frexp(excess, &exponent) * sum;
-        return straight_bisector(pair, way,
-                                 std::ldexp(product / way.distance / 2, exponent - way.exponent));
-    }
-    const double divided = pair.a.r - pair.b.r;
-    return straight_bisector(
-        pair, way,
-        (is_weight ? std::ldexp(divided, -pair.exponent) : divided * sum) / way.distance / 2);
-}
-
-std::optional<Curve> bisector_in(Euclidean /*metric*/, const Pair& pair) {
-    const Way way(pair);
-    if (pair.first.site.r == pair.second.site.r) return straight_bisector(pair, way, 0);
-    return hyperbola(pair, way);
-}
-
-template <triangulation::Rectangular M>
-std::optional<Curve> bisector_in(M /*metric*/, const Pair& pair) {
-    using Directions = typename triangulation::PredicatesOf<M>::Directions;
-    return rectangular_bisector<Directions>(
-        pair.a, pair.b, sides_touched_by_second<Directions>(pair.first, pair.second));
-}
 
 /// Half the range of the parameter of an arc: its weight is at most cosh 3, about 10.
 constexpr double widest_arc = 3.0;
@@ -318,8 +142,8 @@ std::optional<Curve> in_ieee::bisector(Metric metric, WeightIs weight_is, const 
     const auto divided = [exponent](const Site& s) -> Site {
         return {std::ldexp(s.x, -exponent), std::ldexp(s.y, -exponent), std::ldexp(s.r, -exponent)};
     };
-    const Pair pair = {a, b, divided(a.site), divided(b.site), weight_is, exponent, focus};
-    return with_metric(metric, [&](auto each) { return bisector_in(each, pair); });
+    const PairOfSites pair = {a, b, divided(a.site), divided(b.site), weight_is, exponent, focus};
+    return with_metric(metric, [&]<class M>(M) { return bisector_in<M>(pair); });
 }
 std::optional<Curve> bisector(Metric metric, WeightIs weight_is, const NumberedSite& a,
                               const NumberedSite& b, int exponent, Point focus) {

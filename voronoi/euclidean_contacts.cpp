@@ -7,8 +7,7 @@
 
 #include "../exact/multiprecision.hpp"
 #include "../predicates/euclidean.hpp"
-#include "contacts.hpp"
-#include "in_any_environment.hpp"
+#include "of_metric.hpp"
 
 namespace signum {
 namespace {
@@ -142,7 +141,8 @@ class EuclideanContacts {
 
 }  // namespace
 
-Contacts contacts_in(Euclidean /*metric*/, const Canonical& canonical) {
+template <>
+Contacts contacts_in<Euclidean>(const Canonical& canonical) {
     return in_any_environment(EuclideanContacts(canonical));
 }
 

@@ -5,8 +5,7 @@
 #include <algorithm>
 
 #include "../predicates/power.hpp"
-#include "contacts.hpp"
-#include "in_any_environment.hpp"
+#include "of_metric.hpp"
 
 namespace signum {
 namespace {
@@ -64,7 +63,8 @@ class PowerContacts {
 
 }  // namespace
 
-Contacts contacts_in(Power /*metric*/, const Canonical& canonical) {
+template <>
+Contacts contacts_in<Power>(const Canonical& canonical) {
     if (canonical.tessellation().weight_is() == WeightIs::weight)
         return in_any_environment(PowerContacts<power::Site>(canonical));
     return in_any_environment(PowerContacts<Site>(canonical));

@@ -22,8 +22,7 @@
 #include "../exact/multiprecision.hpp"
 #include "../predicates/manhattan.hpp"
 #include "../predicates/supremum.hpp"
-#include "contacts.hpp"
-#include "in_any_environment.hpp"
+#include "of_metric.hpp"
 
 namespace signum {
 namespace {
@@ -177,10 +176,12 @@ Contacts contacts_along(const Canonical& canonical) {
 
 }  // namespace
 
-Contacts contacts_in(Manhattan /*metric*/, const Canonical& canonical) {
+template <>
+Contacts contacts_in<Manhattan>(const Canonical& canonical) {
     return contacts_along<rectangular::Manhattan>(canonical);
 }
-Contacts contacts_in(Supremum /*metric*/, const Canonical& canonical) {
+template <>
+Contacts contacts_in<Supremum>(const Canonical& canonical) {
     return contacts_along<rectangular::Supremum>(canonical);
 }
 

@@ -4,20 +4,11 @@
 #include <span>
 
 #include "../../exact/sign_of_sum.hpp"
-#include "../../predicates/ccw.hpp"
-#include "../../predicates/euclidean.hpp"
-#include "../../predicates/manhattan.hpp"
-#include "../../predicates/power.hpp"
-#include "../../predicates/space.hpp"
-#include "../../predicates/supremum.hpp"
+#include "../../triangulation/kernels/predicates_of.hpp"
 #include "boundary.hpp"
 
 namespace signum::c {
 namespace {
-
-[[nodiscard]] bool is_metric(signum_metric metric) noexcept {
-    return metric >= SIGNUM_POWER && metric <= SIGNUM_SUPREMUM;
-}
 
 /// A parameter of a predicate, made of what C has in its place: sites of their numbers, ranks of
 /// as many integers; a place that is null, or a number that is not finite, is not to be asked.
@@ -41,79 +32,18 @@ struct Taken<const std::array<Index, n>&> {
 template <class Answer, class... Parameters, class... Given>
 [[nodiscard]] int answer(Answer (*predicate)(Parameters...) noexcept,
                          const Given*... given) noexcept {
-    if (predicate == nullptr || !(Taken<Parameters>::is_there(given) && ...)) return SIGNUM_NO_SIGN;
+    if (!(Taken<Parameters>::is_there(given) && ...)) return SIGNUM_NO_SIGN;
     return static_cast<int>(predicate(Taken<Parameters>::from(given)...));
 }
-/// That of a metric in a table; null where there is no such metric.
-template <class Row, class Predicate>
-[[nodiscard]] Predicate of(const Row (&table)[4], signum_metric metric,
-                           Predicate Row::*column) noexcept {
-    return is_metric(metric) ? table[metric].*column : nullptr;
+
+/// What ask(predicates) answers of a metric's, or no sign where there is no such metric.
+template <class Ask>
+[[nodiscard]] int in_metric(signum_metric metric, const Ask& ask) noexcept {
+    if (static_cast<std::size_t>(metric) >= all_metrics.size()) return SIGNUM_NO_SIGN;
+    return with_metric(static_cast<Metric>(metric),
+                       [&]<class M>(M) -> int { return ask(triangulation::PredicatesOf<M>{}); });
 }
-
-/// The predicates of the plane, a row for every metric, in the order of the enumerators.
-struct OfThePlane {
-    bool (*exists)(const Site&, const Site&, const Site&) noexcept;
-    Sign (*in_circle)(const Site&, const Site&, const Site&, const Site&) noexcept;
-    Sign (*in_circle_infinite)(const Site&, const Site&, const Site&) noexcept;
-    Sign (*in_circle_perturbed)(const Site&, const Site&, const Site&, const Site&,
-                                const std::array<Index, 4>&) noexcept;
-    Sign (*in_circle_infinite_perturbed)(const Site&, const Site&, const Site&,
-                                         const std::array<Index, 3>&) noexcept;
-    bool (*hidden)(const Site&, const Site&) noexcept;
-    Sign (*nearer)(Point, const Site&, const Site&) noexcept;
-};
-constexpr OfThePlane of_the_plane[] = {
-    {power::exists<Site>, power::in_circle<Site>, power::in_circle_infinite<Site>,
-     power::in_circle_perturbed<Site>, power::in_circle_infinite_perturbed<Site>,
-     power::hidden<Site>, power::nearer<Site>},
-    {euclidean::exists, euclidean::in_circle, euclidean::in_circle_infinite,
-     euclidean::in_circle_perturbed, euclidean::in_circle_infinite_perturbed, euclidean::hidden,
-     euclidean::nearer},
-    {manhattan::exists, manhattan::in_circle, manhattan::in_circle_infinite,
-     manhattan::in_circle_perturbed, manhattan::in_circle_infinite_perturbed, manhattan::hidden,
-     manhattan::nearer},
-    {supremum::exists, supremum::in_circle, supremum::in_circle_infinite,
-     supremum::in_circle_perturbed, supremum::in_circle_infinite_perturbed, supremum::hidden,
-     supremum::nearer},
-};
-
-static_assert(std::size(of_the_plane) == all_metrics.size());
-
-/// Those of space. Spheres that touch i, j, k, l; the sign of q in number n of them, which is
-/// there; whether i hides q.
-struct OfSpace {
-    int (*spheres)(const Site3&, const Site3&, const Site3&, const Site3&) noexcept;
-    Sign (*in_sphere)(const Site3&, const Site3&, const Site3&, const Site3&, const Site3&,
-                      std::uint8_t n) noexcept;
-    bool (*hidden)(const Site3& q, const Site3& i) noexcept;
-};
-template <auto spheres>
-int count_of(const Site3& i, const Site3& j, const Site3& k, const Site3& l) noexcept {
-    const rectangular::Spheres all = spheres(i, j, k, l);
-    return all.infinitely_many ? SIGNUM_INFINITELY_MANY : all.count;
-}
-constexpr OfSpace of_space[] = {
-    {[](const Site3& i, const Site3& j, const Site3& k, const Site3& l) noexcept -> int {
-         return ccw(i, j, k, l) > 0;
-     },
-     [](const Site3& i, const Site3& j, const Site3& k, const Site3& l, const Site3& q,
-        std::uint8_t) noexcept { return power::in_sphere(i, j, k, l, q); },
-     // Only where the centres agree and i weighs no less.
-     [](const Site3& q, const Site3& i) noexcept {
-         return filters::same_number(q.x, i.x) && filters::same_number(q.y, i.y) &&
-                filters::same_number(q.z, i.z) &&
-                power::nearer_decision(Point3{q.x, q.y, q.z}, q, i).sign <= 0;
-     }},
-    {[](const Site3& i, const Site3& j, const Site3& k, const Site3& l) noexcept -> int {
-         return euclidean::exists(i, j, k, l);
-     },
-     [](const Site3& i, const Site3& j, const Site3& k, const Site3& l, const Site3& q,
-        std::uint8_t) noexcept { return euclidean::in_sphere(i, j, k, l, q); },
-     euclidean::hidden<Site3>},
-    {count_of<manhattan::spheres>, manhattan::in_sphere, manhattan::hidden<Site3>},
-    {count_of<supremum::spheres>, supremum::in_sphere, supremum::hidden<Site3>},
-};
+static_assert(triangulation::infinitely_many == SIGNUM_INFINITELY_MANY);
 
 constexpr auto ccw_of_the_plane = [](const Point& a, const Point& b, const Point& c) noexcept {
     return ccw(a, b, c);
@@ -129,21 +59,17 @@ constexpr auto nearer_in_space = [](const Point3& p, const Site3& a, const Site3
 
 using namespace signum;
 using c::answer;
-using c::of;
-using c::of_space;
-using c::of_the_plane;
-using c::OfSpace;
-using c::OfThePlane;
+using c::in_metric;
 
 int signum_ccw(const double* a, const double* b, const double* c) {
     return answer(+c::ccw_of_the_plane, a, b, c);
 }
 int signum_exists(signum_metric metric, const double* i, const double* j, const double* k) {
-    return answer(of(of_the_plane, metric, &OfThePlane::exists), i, j, k);
+    return in_metric(metric, [&]<class P>(P) { return answer(P::exists, i, j, k); });
 }
 int signum_in_circle(signum_metric metric, const double* i, const double* j, const double* k,
                      const double* q) {
-    return answer(of(of_the_plane, metric, &OfThePlane::in_circle), i, j, k, q);
+    return in_metric(metric, [&]<class P>(P) { return answer(P::in_circle, i, j, k, q); });
 }
 int signum_in_circle_points(const double* i, const double* j, const double* k, const double* q) {
     return answer(power::in_circle<Point>, i, j, k, q);
@@ -153,7 +79,7 @@ int signum_in_circle_weights(const double* i, const double* j, const double* k, 
 }
 int signum_in_circle_infinite(signum_metric metric, const double* a, const double* b,
                               const double* q) {
-    return answer(of(of_the_plane, metric, &OfThePlane::in_circle_infinite), a, b, q);
+    return in_metric(metric, [&]<class P>(P) { return answer(P::in_circle_infinite, a, b, q); });
 }
 int signum_in_circle_infinite_points(const double* a, const double* b, const double* q) {
     return answer(power::in_circle_infinite<Point>, a, b, q);
@@ -163,21 +89,23 @@ int signum_in_circle_infinite_weights(const double* a, const double* b, const do
 }
 int signum_in_circle_perturbed(signum_metric metric, const double* i, const double* j,
                                const double* k, const double* q, const int32_t* ranks) {
-    return answer(of(of_the_plane, metric, &OfThePlane::in_circle_perturbed), i, j, k, q, ranks);
+    return in_metric(metric,
+                     [&]<class P>(P) { return answer(P::in_circle_perturbed, i, j, k, q, ranks); });
 }
 int signum_in_circle_infinite_perturbed(signum_metric metric, const double* a, const double* b,
                                         const double* q, const int32_t* ranks) {
-    return answer(of(of_the_plane, metric, &OfThePlane::in_circle_infinite_perturbed), a, b, q,
-                  ranks);
+    return in_metric(metric, [&]<class P>(P) {
+        return answer(P::in_circle_infinite_perturbed, a, b, q, ranks);
+    });
 }
 int signum_hidden(signum_metric metric, const double* q, const double* i) {
-    return answer(of(of_the_plane, metric, &OfThePlane::hidden), q, i);
+    return in_metric(metric, [&]<class P>(P) { return answer(P::hidden, q, i); });
 }
 int signum_hidden_weights(const double* q, const double* i) {
     return answer(power::hidden<power::Site>, q, i);
 }
 int signum_nearer(signum_metric metric, const double* p, const double* a, const double* b) {
-    return answer(of(of_the_plane, metric, &OfThePlane::nearer), p, a, b);
+    return in_metric(metric, [&]<class P>(P) { return answer(P::nearer, p, a, b); });
 }
 int signum_nearer_weights(const double* p, const double* a, const double* b) {
     return answer(power::nearer<power::Site>, p, a, b);
@@ -188,16 +116,19 @@ int signum_ccw_space(const double* a, const double* b, const double* c, const do
 }
 int signum_spheres(signum_metric metric, const double* i, const double* j, const double* k,
                    const double* l) {
-    return answer(of(of_space, metric, &OfSpace::spheres), i, j, k, l);
+    return in_metric(metric, [&]<class P>(P) { return answer(P::InSpace::spheres, i, j, k, l); });
 }
 int signum_in_sphere(signum_metric metric, const double* i, const double* j, const double* k,
                      const double* l, const double* q, int n) {
     const int spheres = signum_spheres(metric, i, j, k, l);
     if (spheres == SIGNUM_INFINITELY_MANY || n < 0 || n >= spheres || !c::finite<4>(q))
         return SIGNUM_NO_SIGN;
-    return of_space[metric].in_sphere(c::as<Site3>(i), c::as<Site3>(j), c::as<Site3>(k),
-                                      c::as<Site3>(l), c::as<Site3>(q),
-                                      static_cast<std::uint8_t>(n));
+    return in_metric(metric, [&]<class P>(P) {
+        return P::InSpace::in_sphere_decision(c::as<Site3>(i), c::as<Site3>(j), c::as<Site3>(k),
+                                              c::as<Site3>(l), c::as<Site3>(q),
+                                              static_cast<std::uint8_t>(n))
+            .sign;
+    });
 }
 int signum_in_sphere_points(const double* i, const double* j, const double* k, const double* l,
                             const double* q) {
@@ -208,7 +139,7 @@ int signum_in_sphere_weights(const double* i, const double* j, const double* k, 
     return answer(power::in_sphere<power::Site3>, i, j, k, l, q);
 }
 int signum_hidden_space(signum_metric metric, const double* q, const double* i) {
-    return answer(of(of_space, metric, &OfSpace::hidden), q, i);
+    return in_metric(metric, [&]<class P>(P) { return answer(P::InSpace::hidden, q, i); });
 }
 int signum_nearer_space(const double* p, const double* a, const double* b) {
     return answer(+c::nearer_in_space, p, a, b);

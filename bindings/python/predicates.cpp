@@ -12,12 +12,7 @@
 
 #include "../../exact/sign_of_sum.hpp"
 #include "../../motion/meeting_time.hpp"
-#include "../../predicates/ccw.hpp"
-#include "../../predicates/euclidean.hpp"
-#include "../../predicates/manhattan.hpp"
-#include "../../predicates/power.hpp"
-#include "../../predicates/space.hpp"
-#include "../../predicates/supremum.hpp"
+#include "../../triangulation/kernels/predicates_of.hpp"
 #include "broadcast.hpp"
 #include "names.hpp"
 #include "parts.hpp"
@@ -40,93 +35,67 @@ void require(bool holds, const char* otherwise) {
 constexpr const char* no_circle = "no circle touches i, j and k counterclockwise (exists)";
 constexpr const char* no_sphere = "no sphere touches i, j, k and l, turned positively (exists)";
 
-// The same names in four namespaces, by a type. A metric that has none does not compile.
-template <class MetricType>
-struct SignsOf;
-template <>
-struct SignsOf<Power> {
-    static bool exists(const auto& i, const auto& j, const auto& k) {
-        return power::exists(i, j, k);
-    }
-    static int in_circle(const auto& i, const auto& j, const auto& k, const auto& q) {
+/// The predicates of a metric, which refuse what they say nothing of.
+template <class Predicates>
+struct Signs : Predicates {
+    static constexpr bool is_additive = triangulation::Additive<Predicates>;
+    using Predicates::exists;
+    using Predicates::hidden;
+    using S = typename Predicates::SiteType;
+    using S3 = typename Predicates::InSpace::SiteType;
+
+    static int in_circle(const S& i, const S& j, const S& k, const S& q) {
         require(exists(i, j, k), no_circle);
-        return power::in_circle(i, j, k, q);
+        if constexpr (is_additive)
+            require(!hidden(q, i) && !hidden(q, j) && !hidden(q, k), "q is hidden by i, j or k");
+        return Predicates::in_circle(i, j, k, q);
     }
-    static int in_circle_infinite(const auto& a, const auto& b, const auto& q) {
-        require(a.x != b.x || a.y != b.y, "a and b have one centre");
-        return power::in_circle_infinite(a, b, q);
+    static int in_circle_infinite(const S& a, const S& b, const S& q) {
+        if constexpr (is_additive)
+            require(!hidden(a, b) && !hidden(b, a), "one of a and b hides the other");
+        else
+            require(a.x != b.x || a.y != b.y, "a and b have one centre");
+        return Predicates::in_circle_infinite(a, b, q);
     }
-    static bool hidden(const auto& q, const auto& i) { return power::hidden(q, i); }
-    static int nearer(const Point& p, const auto& a, const auto& b) {
-        return power::nearer(p, a, b);
-    }
-    static int in_sphere(const auto& i, const auto& j, const auto& k, const auto& l, const auto& q,
-                         int /*number*/) {
-        require(ccw(i, j, k, l) > 0, no_sphere);
-        return power::in_sphere(i, j, k, l, q);
+    static int in_sphere(const S3& i, const S3& j, const S3& k, const S3& l, const S3& q,
+                         int number) {
+        const int spheres = Predicates::InSpace::spheres(i, j, k, l);
+        if constexpr (Predicates::InSpace::are_numbered) {
+            require(spheres != triangulation::infinitely_many,
+                    "infinitely many spheres touch i, j, k and l");
+            require(number >= 0 && number < spheres, "so many spheres do not touch i, j, k and l");
+        } else {
+            require(spheres > 0, no_sphere);
+        }
+        return Predicates::InSpace::in_sphere_decision(i, j, k, l, q,
+                                                       static_cast<std::uint8_t>(number))
+            .sign;
     }
 };
-int in_euclidean_sphere(const Site3& i, const Site3& j, const Site3& k, const Site3& l,
-                        const Site3& q, int /*number*/) {
-    require(euclidean::exists(i, j, k, l), no_sphere);
-    return euclidean::in_sphere(i, j, k, l, q);
-}
-template <class Shape>
-int in_sphere_of_facets(const Site3& i, const Site3& j, const Site3& k, const Site3& l,
-                        const Site3& q, int number) {
-    const auto found = rectangular::spheres<Shape>(i, j, k, l);
-    require(!found.infinitely_many, "infinitely many spheres touch i, j, k and l");
-    require(number >= 0 && number < found.count, "so many spheres do not touch i, j, k and l");
-    return rectangular::in_sphere<Shape>(i, j, k, l, q, static_cast<std::uint8_t>(number));
-}
-#define SIGNUM_ADDITIVE_SIGNS(Metric, space, in_some_sphere)                                      \
-    template <>                                                                                   \
-    struct SignsOf<Metric> {                                                                      \
-        static bool exists(const Site& i, const Site& j, const Site& k) {                         \
-            return space::exists(i, j, k);                                                        \
-        }                                                                                         \
-        static int in_circle(const Site& i, const Site& j, const Site& k, const Site& q) {        \
-            require(exists(i, j, k), no_circle);                                                  \
-            require(!hidden(q, i) && !hidden(q, j) && !hidden(q, k), "q is hidden by i, j or k"); \
-            return space::in_circle(i, j, k, q);                                                  \
-        }                                                                                         \
-        static int in_circle_infinite(const Site& a, const Site& b, const Site& q) {              \
-            require(!hidden(a, b) && !hidden(b, a), "one of a and b hides the other");            \
-            return space::in_circle_infinite(a, b, q);                                            \
-        }                                                                                         \
-        static bool hidden(const Site& q, const Site& i) { return space::hidden(q, i); }          \
-        static int nearer(const Point& p, const Site& a, const Site& b) {                         \
-            return space::nearer(p, a, b);                                                        \
-        }                                                                                         \
-        static constexpr auto in_sphere = in_some_sphere;                                         \
-    };
-SIGNUM_ADDITIVE_SIGNS(Euclidean, euclidean, in_euclidean_sphere)
-SIGNUM_ADDITIVE_SIGNS(Manhattan, manhattan, in_sphere_of_facets<rectangular::Octahedron>)
-SIGNUM_ADDITIVE_SIGNS(Supremum, supremum, in_sphere_of_facets<rectangular::Cube>)
-#undef SIGNUM_ADDITIVE_SIGNS
 
-/// Of all rows ask(signs, sites...), with the predicates of the metric and a site of each row.
-template <class S, class Weighted, std::size_t n, class Ask>
+/// Of all rows ask(signs, rows...), with the predicates of the metric.
+template <std::size_t n, class Ask>
 py::object in_metric(const std::string& name, const std::string& weight_is, const Broadcast<n>& all,
                      Ask ask) {
-    const auto answers = [&]<class Signs, class Of>(Signs signs, std::type_identity<Of>) {
-        return all([&](const auto& rows) {
-            return std::apply([&](const auto&... row) { return ask(signs, as<Of>(row)...); }, rows);
-        });
-    };
     const Metric metric = metric_of(name);
-    if (weight_of(weight_is) == WeightIs::weight) {
-        if (!traits_of(metric).has_weights) throw std::invalid_argument(no_weights(metric));
-        return answers(SignsOf<Power>{}, std::type_identity<Weighted>{});
-    }
-    return with_metric(metric, [&](auto type) -> py::object {
-        return answers(SignsOf<decltype(type)>{}, std::type_identity<S>{});
-    });
+    const WeightIs third = weight_of(weight_is);
+    if (third == WeightIs::weight && !traits_of(metric).has_weights)
+        throw std::invalid_argument(no_weights(metric));
+    return triangulation::with_predicates(
+        metric, third, [&]<class Predicates>(Predicates) -> py::object {
+            return all([&](const auto& rows) {
+                return std::apply(
+                    [&](const auto&... row) { return ask(Signs<Predicates>{}, row...); }, rows);
+            });
+        });
 }
+/// ask(signs, sites...), with a site of each row.
 template <std::size_t n, class Ask>
 py::object in_plane(const std::string& metric, const std::string& weight_is,
                     const Broadcast<n>& all, Ask ask) {
-    return in_metric<Site, power::Site>(metric, weight_is, all, ask);
+    return in_metric(metric, weight_is, all, [&](auto signs, const auto&... row) {
+        return ask(signs, as<typename decltype(signs)::S>(row)...);
+    });
 }
 
 py::object ccw_of(const py::object& a, const py::object& b, const py::object& c,
@@ -176,9 +145,10 @@ py::object nearer(const py::object& p, const py::object& a, const py::object& b,
 py::object in_sphere(const py::object& i, const py::object& j, const py::object& k,
                      const py::object& l, const py::object& q, const std::string& metric,
                      const std::string& weight_is, int number) {
-    return in_metric<Site3, power::Site3>(
-        metric, weight_is, Broadcast<5>({i, j, k, l, q}, operands("ijklq", 3, 4)),
-        [number](auto signs, const auto&... s) { return signs.in_sphere(s..., number); });
+    return in_metric(metric, weight_is, Broadcast<5>({i, j, k, l, q}, operands("ijklq", 3, 4)),
+                     [number](auto signs, const auto&... row) {
+                         return signs.in_sphere(as<typename decltype(signs)::S3>(row)..., number);
+                     });
 }
 
 py::object sign_of_sum_along(const py::object& terms, int axis) {

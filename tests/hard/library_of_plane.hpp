@@ -11,10 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "../../predicates/euclidean.hpp"
-#include "../../predicates/manhattan.hpp"
-#include "../../predicates/power.hpp"
-#include "../../predicates/supremum.hpp"
+#include "../../triangulation/kernels/predicates_of.hpp"
 #include "../../triangulation/triangulate.hpp"
 #include "../property/environments.hpp"
 #include "plane_case.hpp"
@@ -27,36 +24,6 @@ struct Way {
     int environment = 0;
 };
 
-/// The predicates of a metric on sites S, whose third number is a radius or a weight.
-template <class S>
-struct PowerPredicates {
-    static bool hidden(const S& q, const S& i) { return power::hidden(q, i); }
-    static bool exists(const S& i, const S& j, const S& k) { return power::exists(i, j, k); }
-    static Sign in_circle(const S& i, const S& j, const S& k, const S& q) {
-        return power::in_circle(i, j, k, q);
-    }
-    static Sign in_circle_perturbed(const S& i, const S& j, const S& k, const S& q,
-                                    const std::array<Index, 4>& ranks) {
-        return power::in_circle_perturbed(i, j, k, q, ranks);
-    }
-    static Sign in_circle_infinite_perturbed(const S& a, const S& b, const S& q,
-                                             const std::array<Index, 3>& ranks) {
-        return power::in_circle_infinite_perturbed(a, b, q, ranks);
-    }
-};
-#define SIGNUM_PREDICATES_OF(NAME, SPACE)                                                          \
-    struct NAME {                                                                                  \
-        static constexpr auto& exists = SPACE::exists;                                             \
-        static constexpr auto& in_circle = SPACE::in_circle;                                       \
-        static constexpr auto& in_circle_perturbed = SPACE::in_circle_perturbed;                   \
-        static constexpr auto& in_circle_infinite_perturbed = SPACE::in_circle_infinite_perturbed; \
-        static bool hidden(const Site& q, const Site& i) { return SPACE::hidden(q, i); }           \
-    }
-SIGNUM_PREDICATES_OF(EuclideanPredicates, euclidean);
-SIGNUM_PREDICATES_OF(ManhattanPredicates, manhattan);
-SIGNUM_PREDICATES_OF(SupremumPredicates, supremum);
-#undef SIGNUM_PREDICATES_OF
-
 inline double size_of(const Site& site) {
     return site.r;
 }
@@ -64,8 +31,10 @@ inline double size_of(const power::Site& site) {
     return site.w;
 }
 
-template <class Predicates, class S>
+template <class Predicates>
 class LibraryOfPlane : public PlaneAnswers {
+    using S = typename Predicates::SiteType;
+
  public:
     LibraryOfPlane(Metric metric, std::vector<S> sites, const Way& way)
         : metric_(metric), sites_(std::move(sites)), way_(way) {}
@@ -143,22 +112,17 @@ class LibraryOfPlane : public PlaneAnswers {
 
 inline std::unique_ptr<PlaneAnswers> library_of(const std::string& metric,
                                                 const std::vector<Site>& sites, const Way& way) {
+    using triangulation::PredicatesOf;
     if (metric == "weights") {
         std::vector<power::Site> weighted;
         for (const Site& site : sites) weighted.push_back({site.x, site.y, site.r});
-        return std::make_unique<LibraryOfPlane<PowerPredicates<power::Site>, power::Site>>(
+        return std::make_unique<LibraryOfPlane<PredicatesOf<Power, WeightIs::weight>>>(
             Metric::power, weighted, way);
     }
-    if (metric == "power")
-        return std::make_unique<LibraryOfPlane<PowerPredicates<Site>, Site>>(Metric::power, sites,
-                                                                             way);
-    if (metric == "euclidean")
-        return std::make_unique<LibraryOfPlane<EuclideanPredicates, Site>>(Metric::euclidean, sites,
-                                                                           way);
-    if (metric == "manhattan")
-        return std::make_unique<LibraryOfPlane<ManhattanPredicates, Site>>(Metric::manhattan, sites,
-                                                                           way);
-    return std::make_unique<LibraryOfPlane<SupremumPredicates, Site>>(Metric::supremum, sites, way);
+    return with_metric(
+        metric_named(metric).value(), [&]<class M>(M each) -> std::unique_ptr<PlaneAnswers> {
+            return std::make_unique<LibraryOfPlane<PredicatesOf<M>>>(each, sites, way);
+        });
 }
 
 }  // namespace signum::hard

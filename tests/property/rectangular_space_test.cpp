@@ -282,10 +282,12 @@ TEST(OctahedraOfSpace, Six) {
     EXPECT_EQ(oracle::touching_spheres<3>(ManhattanSpace::metric, tuple).spheres.size(), 6U);
 }
 
-TEST(TouchingRectangular, RefuseWhatIsNoSite) {
+TEST(TouchingRectangular, RefuseWhatIsNoSiteAndMetricsOfBalls) {
     std::array<Site3, 4> sites = {Site3{0, 1, 2, 0}, {4, 3, 1, 0}, {1, 0, 3, 0}, {2, 2, 4, 0}};
     EXPECT_THROW(static_cast<void>(touching_spheres(std::span(sites).first(3), Supremum())),
                  std::invalid_argument);
+    EXPECT_THROW(static_cast<void>(touching_spheres(sites, Power())), std::invalid_argument);
+    EXPECT_THROW(static_cast<void>(touching_spheres(sites, Euclidean())), std::invalid_argument);
     sites[2].r = std::numeric_limits<double>::infinity();
     EXPECT_THROW(static_cast<void>(touching_spheres(sites, Manhattan())), std::invalid_argument);
 }

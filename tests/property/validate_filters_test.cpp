@@ -12,11 +12,9 @@
 #include <vector>
 
 #include "../../exact/floating_environment.hpp"
-#include "../../predicates/euclidean.hpp"
-#include "../../predicates/manhattan.hpp"
-#include "../../predicates/supremum.hpp"
 #include "../../triangulation/check/additive_check.hpp"
 #include "../../triangulation/check/power_check.hpp"
+#include "../../triangulation/kernels/predicates_of.hpp"
 #include "../../triangulation/triangulate.hpp"
 #include "../../triangulation/validate.hpp"
 #include "../thoroughness.hpp"
@@ -66,22 +64,18 @@ Validation in_rationals(const TessellationArrays& arrays, const Sites& sites) {
     using namespace triangulation;
     constexpr auto rationals = Arithmetic::multiprecision;
     const exact::IeeeEnvironment environment;
-    switch (arrays.metric) {
-        case Metric::euclidean:
-            if (std::all_of(sites.begin(), sites.end(),
+    return with_metric(arrays.metric, [&]<class M>(M) {
+        if constexpr (M::traits.edges_are_straight) {
+            return PowerCheck<Site, PowerInRationals, Anywhere>(arrays, sites, {}).run();
+        } else {
+            if (M::traits.is_delaunay_for_equal_radii &&
+                std::all_of(sites.begin(), sites.end(),
                             [&](const Site& site) { return site.r == sites[0].r; }))
                 return PowerCheck<power::Site, PowerInRationals, Anywhere>(arrays, sites, {}).run();
-            return AdditiveCheck<euclidean::Perturbed<rationals>, Anywhere>(arrays, sites, {})
-                .run();
-        case Metric::manhattan:
-            return AdditiveCheck<manhattan::Perturbed<rationals>, Anywhere>(arrays, sites, {})
-                .run();
-        case Metric::supremum:
-            return AdditiveCheck<supremum::Perturbed<rationals>, Anywhere>(arrays, sites, {}).run();
-        case Metric::power:
-            break;
-    }
-    return PowerCheck<Site, PowerInRationals, Anywhere>(arrays, sites, {}).run();
+            using Predicates = typename PredicatesOf<M>::template Perturbed<rationals>;
+            return AdditiveCheck<Predicates, Anywhere>(arrays, sites, {}).run();
+        }
+    });
 }
 
 double real(Random& random) {

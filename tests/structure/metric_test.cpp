@@ -3,6 +3,7 @@
 #include "../../triangulation/metric.hpp"
 #include "sources.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <regex>
@@ -15,16 +16,25 @@
 namespace signum {
 namespace {
 
-/// Of the sources above the predicates, by path from the root, what is neither comment nor string.
+/// Of the sources above the predicates, and of the tests, by path from the root, what is no
+/// comment.
 std::map<std::string, std::string> code() {
-    static const std::regex words_for_readers("//[^\n]*|\"[^\"\n]*\"");
+    static const std::regex comment("//[^\n]*");
     std::map<std::string, std::string> result;
-    for (const char* room : {"triangulation", "voronoi", "tool", "bindings"})
-        for (const auto& entry : fs::recursive_directory_iterator(root / room))
-            if (entry.path().extension() == ".hpp" || entry.path().extension() == ".cpp")
-                result[entry.path().lexically_relative(root).string()] =
-                    std::regex_replace(text_of(entry.path()), words_for_readers, "");
+    const auto read = [&](const fs::path& file) {
+        static const std::set<std::string> endings = {".hpp", ".cpp", ".h", ".py"};
+        if (endings.contains(file.extension().string()))
+            result[file.lexically_relative(root).string()] =
+                std::regex_replace(text_of(file), comment, "");
+    };
+    for (const char* room : {"triangulation", "voronoi", "tool", "bindings", "tests"})
+        for (const auto& entry : fs::recursive_directory_iterator(root / room)) read(entry.path());
+    read(root / "signum.hpp");
     return result;
+}
+
+bool is_test(const std::string& file) {
+    return file.find("tests/") != std::string::npos;
 }
 
 /// The places at which metrics are told apart by their enumerators.
@@ -74,10 +84,9 @@ TEST(Metric, BecomesTheTypeOfItsRow) {
                  std::invalid_argument);
 }
 
-TEST(Metric, IsToldApartInOneFile) {
+TEST(Metric, IsToldApartInNoFile) {
     for (const auto& [file, text] : code())
-        EXPECT_EQ(distinctions(text), file == "triangulation/metric.hpp" ? all_metrics.size() : 0)
-            << file;
+        EXPECT_TRUE(is_test(file) || distinctions(text) == 0) << file;
 }
 
 TEST(Metric, DistinctionsAreFound) {
@@ -88,25 +97,53 @@ TEST(Metric, DistinctionsAreFound) {
 }
 
 /// The recipe for another metric in CONTRIBUTING.md names every file that has code for one alone:
-/// those that name the type of the Euclidean metric, or its predicates. The diagram of balls in
-/// space has that metric alone.
+/// those that name the type of the Euclidean metric, its predicates, their header or its number, or
+/// the corners of a diamond; and the tests that a compiler refuses. They are the metric's own,
+/// which have its name, or are to be edited: eight at most. The diagram of balls in space has that
+/// metric alone.
 TEST(Metric, RecipeNamesEveryPlace) {
-    static const std::regex type(
-        "[(<]Euclidean\\b|struct Euclidean\\b|Euclidean\\{|\\beuclidean::");
+    static const std::regex of_one(
+        "([(<]|struct )(Euclidean|Manhattan|Supremum)\\b|\\b(euclidean|manhattan|supremum)::|"
+        "\\brectangular::(Manhattan|Supremum)\\b|SIGNUM_EUCLIDEAN|predicates/euclidean\\.hpp\"|"
+        "\"manhattan\":");
+    static const std::regex own_name("euclidean|rectangular");
+    static const std::regex of_one_in_tests("case Metric::euclidean:");
     std::set<std::string> places;
     for (const auto& [file, text] : code())
-        if (!file.starts_with("voronoi/balls/") && std::regex_search(text, type))
-            places.insert(file);
+        if (!file.starts_with("voronoi/balls/") && file != "tests/structure/metric_test.cpp" &&
+            std::regex_search(text, is_test(file) ? of_one_in_tests : of_one))
+            places.insert(std::regex_replace(file, own_name, "NAME"));
 
     const std::string page = text_of(root / "CONTRIBUTING.md");
     const std::size_t begin = page.find("## Add a metric");
     ASSERT_NE(begin, std::string::npos);
     const std::string recipe = page.substr(begin, page.find("\n## ", begin) - begin);
-    static const std::regex path("`((?:triangulation|voronoi|tool|bindings)/[a-z_/]+\\.[ch]pp)`");
+    static const std::regex path(
+        "(\n- )?`((?:triangulation|voronoi)/[a-z/]*NAME[a-z_]*\\.cpp|"
+        "[a-z_/]+\\.(?:hpp|cpp|h|py))`");
     std::set<std::string> named;
-    for (std::sregex_iterator match(recipe.begin(), recipe.end(), path), end; match != end; ++match)
-        named.insert((*match)[1]);
+    std::size_t edited = 0;
+    for (std::sregex_iterator match(recipe.begin(), recipe.end(), path), end; match != end;
+         ++match) {
+        if ((*match)[2] == "tests/structure/metric_test.cpp") continue;
+        named.insert((*match)[2]);
+        edited += (*match)[1].matched;
+    }
     EXPECT_EQ(named, places);
+    EXPECT_LE(edited, 8);
+}
+
+/// The numbers of C are those of C++.
+TEST(Metric, HasItsNumberInC) {
+    const std::string header = text_of(root / "bindings/c/signum.h");
+    for (const Metric metric : all_metrics) {
+        std::string name(name_of(metric));
+        std::ranges::transform(name, name.begin(),
+                               [](char c) { return static_cast<char>(c - 'a' + 'A'); });
+        EXPECT_NE(header.find("SIGNUM_" + name + " = " + std::to_string(static_cast<int>(metric))),
+                  std::string::npos)
+            << name;
+    }
 }
 
 }  // namespace

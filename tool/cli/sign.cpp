@@ -16,8 +16,6 @@
 #include <fmt/format.h>
 
 #include "../../core/index.hpp"
-#include "../../predicates/ccw.hpp"
-#include "../../predicates/space.hpp"
 #include "../../predicates/space/ties.hpp"
 #include "../../triangulation/kernels/predicates_of.hpp"
 #include "../../voronoi/balls/touching_rectangular.hpp"
@@ -179,49 +177,6 @@ void explain_hidden(Answer& answer, const Hides& hides) {
 
 // ---- in the plane ------------------------------------------------------------------------------
 
-/// What a metric with additive weights is asked. All but in_circle follow the tie rule and are
-/// never 0; `ranks` are places in its order.
-struct Predicates {
-    std::string_view circle;  ///< what its circles are
-    Decision (*hides)(const Site& i, const Site& q, const std::array<Index, 2>& ranks) noexcept;
-    Decision (*exists)(const Site& i, const Site& j, const Site& k,
-                       const std::array<Index, 3>& ranks) noexcept;
-    Decision (*in_circle)(const Site& i, const Site& j, const Site& k, const Site& q,
-                          const std::array<Index, 4>& ranks) noexcept;
-    Decision (*in_circle_perturbed)(const Site& i, const Site& j, const Site& k, const Site& q,
-                                    const std::array<Index, 4>& ranks) noexcept;
-};
-
-template <class Directions>
-Predicates rectangular_predicates(std::string_view circle) {
-    using Perturbed = rectangular::Perturbed<Directions>;
-    return {circle, Perturbed::hides, Perturbed::exists,
-            rectangular::in_circle_decision<Directions>, Perturbed::in_circle};
-}
-
-/// in_circle of discs for every q: one that i, j or k hides conflicts nowhere.
-Decision in_circle_of_discs(const Site& i, const Site& j, const Site& k, const Site& q,
-                            const std::array<Index, 4>& ranks) noexcept {
-    using Perturbed = euclidean::Perturbed<>;
-    const bool is_hidden = Perturbed::hides(i, q, {ranks[0], ranks[3]}).sign > 0 ||
-                           Perturbed::hides(j, q, {ranks[1], ranks[3]}).sign > 0 ||
-                           Perturbed::hides(k, q, {ranks[2], ranks[3]}).sign > 0;
-    return is_hidden ? Perturbed::in_circle(i, j, k, q, ranks)
-                     : euclidean::in_circle_decision(i, j, k, q, ranks);
-}
-
-Predicates predicates_in(Euclidean metric) {
-    using Discs = euclidean::Perturbed<>;
-    return {metric.traits.circle, Discs::hides, Discs::exists, in_circle_of_discs,
-            Discs::in_circle};
-}
-
-template <triangulation::Rectangular M>
-Predicates predicates_in(M metric) {
-    using Directions = typename triangulation::PredicatesOf<M>::Directions;
-    return rectangular_predicates<Directions>(metric.traits.circle);
-}
-
 /// `ranks` are the places of i, j, k and q in the rule's order.
 void explain_tie_on_circle(Answer& answer, std::string_view circle, std::string_view third,
                            const std::array<Index, 4>& ranks, Sign perturbed) {
@@ -263,33 +218,39 @@ Answer decide_in_power(const SignCall& call) {
 }
 
 /// Throws CallError where nothing touches i, j and k counterclockwise, and says why.
-void check_existence(const Predicates& metric, const std::array<Site, 4>& sites,
-                     const std::array<Index, 4>& ranks) {
+template <class M>
+void check_existence(const std::array<Site, 4>& sites, const std::array<Index, 4>& ranks) {
+    using Rule = typename triangulation::PredicatesOf<M>::template Perturbed<>;
     const auto& [i, j, k, q] = sites;
-    const Decision forth = metric.exists(i, j, k, {ranks[0], ranks[1], ranks[2]});
+    const Decision forth = Rule::exists(i, j, k, {ranks[0], ranks[1], ranks[2]});
     if (forth.sign > 0) return;
-    const Decision back = metric.exists(j, i, k, {ranks[1], ranks[0], ranks[2]});
+    const Decision back = Rule::exists(j, i, k, {ranks[1], ranks[0], ranks[2]});
     throw CallError(
         fmt::format("sign in_circle: {}no {} touches i, j and k counterclockwise; {}",
-                    forth.tied || back.tied ? "under the tie rule " : "", metric.circle,
+                    forth.tied || back.tied ? "under the tie rule " : "", M::traits.circle,
                     back.sign > 0 ? "one touches them clockwise: exchange two of them"
                                   : "none touches them clockwise either: give three other sites"));
 }
 
-Answer decide_additively(const SignCall& call, const Predicates& metric) {
+/// In a metric with additive weights. All but in_circle_of_any follow the tie rule and are never 0;
+/// `ranks` are places in its order.
+template <class M>
+Answer decide_additively(const SignCall& call) {
+    using Predicates = triangulation::PredicatesOf<M>;
+    using Rule = typename Predicates::template Perturbed<>;
     const auto sites = sites_of<Site, 4>(call);
     const auto& [i, j, k, q] = sites;
     const auto ranks = additive::ranks_of<4>({&i, &j, &k, &q});
     const auto hides = [&](std::size_t a, std::size_t b) {
-        return metric.hides(sites[a], sites[b], {ranks[a], ranks[b]}).sign;
+        return Rule::hides(sites[a], sites[b], {ranks[a], ranks[b]}).sign;
     };
-    refuse_hidden<4>(hides, metric.circle);
-    check_existence(metric, sites, ranks);
-    Answer answer = {metric.in_circle(i, j, k, q, ranks), {}, {}};
+    refuse_hidden<4>(hides, M::traits.circle);
+    check_existence<M>(sites, ranks);
+    Answer answer = {Predicates::in_circle_of_any(i, j, k, q, ranks), {}, {}};
     explain_hidden<4>(answer, hides);
     if (answer.decision.sign == 0) {
-        explain_tie_on_circle(answer, metric.circle, "radius", ranks,
-                              metric.in_circle_perturbed(i, j, k, q, ranks).sign);
+        explain_tie_on_circle(answer, M::traits.circle, "radius", ranks,
+                              Rule::in_circle(i, j, k, q, ranks).sign);
     }
     explain_stage(answer);
     return answer;
@@ -334,12 +295,6 @@ void refuse_number(const SignCall& call, std::string_view spheres) {
                                 call.metric, spheres));
 }
 
-Answer decide_in_sphere(const SignCall& call, Power) {
-    refuse_number(call, "one sphere");
-    return call.weight_is == name_of(WeightIs::weight) ? decide_in_sphere_of<power::Site3>(call)
-                                                       : decide_in_sphere_of<Site3>(call);
-}
-
 using Sites3 = std::array<Site3, 5>;
 using Hides = Decision (*)(const Site3& i, const Site3& q) noexcept;
 
@@ -364,37 +319,23 @@ Answer explained(const Decision& decision, const Sites3& sites, Hides hides,
 
 /// Throws CallError where no sphere touches i, j, k and l with points of contact that turn
 /// positively, and says why.
-void check_sphere_exists(const Sites3& sites) {
+template <class InSpace>
+void check_sphere_exists(const Sites3& sites, std::string_view sphere) {
     const auto& [i, j, k, l, q] = sites;
-    if (euclidean::exists(i, j, k, l)) return;
-    refuse_hidden<5>(hiding(sites, euclidean::hides_decision), "sphere");
+    if (InSpace::spheres(i, j, k, l) > 0) return;
+    refuse_hidden<5>(hiding(sites, InSpace::hides_decision), sphere);
     throw CallError(
-        fmt::format("sign in_sphere: no sphere touches i, j, k and l in points that turn "
+        fmt::format("sign in_sphere: no {} touches i, j, k and l in points that turn "
                     "positively; {}",
-                    euclidean::exists(j, i, k, l)
+                    sphere,
+                    InSpace::spheres(j, i, k, l) > 0
                         ? "one touches them in points that turn negatively: exchange two of them"
                         : "none touches them in points that turn negatively either: give four "
                           "other sites"));
 }
 
-Answer decide_in_sphere(const SignCall& call, Euclidean) {
-    refuse_number(call, "two spheres at most, which their order tells apart");
-    const auto sites = sites_of<Site3, 5>(call);
-    const auto& [i, j, k, l, q] = sites;
-    check_sphere_exists(sites);
-    return explained(euclidean::in_sphere_decision(i, j, k, l, q), sites, euclidean::hides_decision,
-                     "sphere");
-}
-
-/// What the spheres of a metric are called.
-struct ShapeWords {
-    std::string_view one;
-    std::string_view several;
-};
-
 /// Of several spheres, what to say for each.
-template <class M>
-std::string choices(const Sites3& sites, M metric) {
+std::string choices(const Sites3& sites, Metric metric) {
     std::string text;
     std::size_t number = 0;
     for (const auto& [x, y, z, r] :
@@ -406,49 +347,54 @@ std::string choices(const Sites3& sites, M metric) {
     return text;
 }
 
-/// The number of the sphere that is meant. Throws CallError where there is none.
-template <class M>
-std::uint8_t sphere_of(const SignCall& call, const rectangular::Spheres& all, const Sites3& sites,
-                       Hides hides, const ShapeWords& shape, M metric) {
-    if (all.infinitely_many) {
-        throw CallError(
-            fmt::format("sign in_sphere: infinitely many {} touch i, j, k and l; give four other "
-                        "sites",
-                        shape.several));
-    }
-    if (all.count == 0) {
-        refuse_hidden<5>(hiding(sites, hides), shape.one);
+/// The number of the sphere that is meant, of so many. Throws CallError where there is none.
+std::uint8_t sphere_of(const SignCall& call, int spheres, const Sites3& sites, Hides hides,
+                       Metric metric) {
+    const std::string_view one = traits_of(metric).sphere;
+    const std::string_view several = traits_of(metric).spheres;
+    if (spheres == triangulation::infinitely_many) {
         throw CallError(fmt::format(
-            "sign in_sphere: no {} touches i, j, k and l; give four other sites", shape.one));
+            "sign in_sphere: infinitely many {} touch i, j, k and l; give four other sites",
+            several));
+    }
+    if (spheres == 0) {
+        refuse_hidden<5>(hiding(sites, hides), one);
+        throw CallError(
+            fmt::format("sign in_sphere: no {} touches i, j, k and l; give four other sites", one));
     }
     const int number = call.sphere.value_or(0);
-    const bool is_said = call.sphere || all.count == 1;
-    if (is_said && number < all.count) return static_cast<std::uint8_t>(number);
-    if (all.count == 1) {
-        throw CallError(
-            fmt::format("--sphere {}: one {} alone touches i, j, k and l; leave --sphere out",
-                        number, shape.one));
+    const bool is_said = call.sphere || spheres == 1;
+    if (is_said && number < spheres) return static_cast<std::uint8_t>(number);
+    if (spheres == 1) {
+        throw CallError(fmt::format(
+            "--sphere {}: one {} alone touches i, j, k and l; leave --sphere out", number, one));
     }
     throw CallError(fmt::format("{}: {} {} touch i, j, k and l; say which is meant: {}",
                                 is_said ? fmt::format("--sphere {}", number) : "sign in_sphere",
-                                int{all.count}, shape.several, choices(sites, metric)));
+                                spheres, several, choices(sites, metric)));
 }
 
-template <class Shape, class M>
-Answer decide_by_facets(const SignCall& call, M metric, const ShapeWords& shape) {
-    constexpr Hides hides = rectangular::hides_decision<Shape>;
-    const auto sites = sites_of<Site3, 5>(call);
-    const auto& [i, j, k, l, q] = sites;
-    const rectangular::Spheres all = rectangular::spheres<Shape>(i, j, k, l);
-    const std::uint8_t number = sphere_of(call, all, sites, hides, shape, metric);
-    return explained(rectangular::in_sphere_decision<Shape>(i, j, k, l, all.spheres[number], q),
-                     sites, hides, shape.one);
-}
-Answer decide_in_sphere(const SignCall& call, Supremum metric) {
-    return decide_by_facets<rectangular::Cube>(call, metric, {"cube", "cubes"});
-}
-Answer decide_in_sphere(const SignCall& call, Manhattan metric) {
-    return decide_by_facets<rectangular::Octahedron>(call, metric, {"octahedron", "octahedra"});
+template <class M>
+Answer decide_in_sphere(const SignCall& call, M metric) {
+    using InSpace = typename triangulation::PredicatesOf<M>::InSpace;
+    if constexpr (M::traits.edges_are_straight) {
+        refuse_number(call, "one sphere");
+        return call.weight_is == name_of(WeightIs::weight) ? decide_in_sphere_of<power::Site3>(call)
+                                                           : decide_in_sphere_of<Site3>(call);
+    } else {
+        if constexpr (!InSpace::are_numbered)
+            refuse_number(call, "two spheres at most, which their order tells apart");
+        const auto sites = sites_of<Site3, 5>(call);
+        const auto& [i, j, k, l, q] = sites;
+        std::uint8_t number = 0;
+        if constexpr (InSpace::are_numbered)
+            number = sphere_of(call, InSpace::spheres(i, j, k, l), sites, InSpace::hides_decision,
+                               metric);
+        else
+            check_sphere_exists<InSpace>(sites, M::traits.sphere);
+        return explained(InSpace::in_sphere_decision(i, j, k, l, q, number), sites,
+                         InSpace::hides_decision, M::traits.sphere);
+    }
 }
 
 // ---- the call ----------------------------------------------------------------------------------
@@ -484,7 +430,7 @@ Answer decide(const SignCall& call) {
             return call.weight_is == name_of(WeightIs::weight) ? decide_in_power<power::Site>(call)
                                                                : decide_in_power<Site>(call);
         } else {
-            return decide_additively(call, predicates_in(each));
+            return decide_additively<M>(call);
         }
     });
 }

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "../../triangulation/metric.hpp"
+
 namespace signum::study {
 namespace {
 
@@ -113,8 +115,11 @@ class Drawing {
     }
 
  private:
+    /// Of the page; metrics are listed in their own table.
     [[nodiscard]] Names list(const std::string& name) const {
         Names names;
+        if (name == "metric")
+            for (const Metric metric : all_metrics) names.emplace_back(name_of(metric));
         for (const toml::node& each : array_in(page_, "lists." + name))
             names.push_back(each.value_or(""));
         return names;

@@ -9,7 +9,8 @@
 ///             experiment of its name
 ///   rows      which of their rows; a value that ends with * stands for any that begins so
 ///   panels    columns: each value that the cells have gets panels of its own, "packing size_ratio"
-///             each pair. Numbers rise, words stand in the order of lists.COLUMN
+///             each pair. Numbers rise, words stand in the order of lists.COLUMN, metrics in that
+///             of their table
 ///   series    the same for the curves of a panel; "distribution:four" takes all of lists.four
 ///   more      further curves, each with its name, `curve`
 ///   x         a column. "distribution:four" has a category for each name (`present`: those that

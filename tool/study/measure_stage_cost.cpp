@@ -27,7 +27,7 @@ struct RankedCall {
 template <class M>
 Decision decide(const RankedCall& call) noexcept {
     const auto& [i, j, k, q] = call.sites;
-    return triangulation::PredicatesOf<M>::in_circle(i, j, k, q, call.ranks);
+    return triangulation::PredicatesOf<M>::in_circle_decision(i, j, k, q, call.ranks);
 }
 
 template <class M>

@@ -6,8 +6,6 @@
 /// greater than that from any site in it. What is certainly farther is passed over as a whole, so
 /// that a point is compared with the few sites about it, however many neighbours one of them has.
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -31,29 +29,14 @@ struct Reach {
     Interval third;
 };
 
-/// The square root of a number that is not negative. The machine's is off by half a unit at most.
-[[nodiscard]] inline Interval square_root(const Interval& square) noexcept {
-    return {std::sqrt(std::max(square.low, 0.0)) * (1.0 - 2.0 * filters::epsilon),
-            std::sqrt(square.high) * (1.0 + 2.0 * filters::epsilon)};
-}
-
-/// The distances of the metrics.
-struct EuclideanDistance {
+/// Of a metric with additive weights, by its norm.
+template <class Predicates>
+struct AdditiveDistance {
     [[nodiscard]] Interval operator()(const Reach& reach) const noexcept {
-        return square_root(reach.x * reach.x + reach.y * reach.y) - reach.third;
+        return Predicates::norm(reach.x, reach.y) - reach.third;
     }
 };
-struct ManhattanDistance {
-    [[nodiscard]] Interval operator()(const Reach& reach) const noexcept {
-        return reach.x + reach.y - reach.third;
-    }
-};
-struct SupremumDistance {
-    [[nodiscard]] Interval operator()(const Reach& reach) const noexcept {
-        return filters::max(reach.x, reach.y) - reach.third;
-    }
-};
-/// Of sites with radii, or with weights.
+/// Of the power metric, for sites with radii, or with weights.
 template <class S>
 struct PowerDistance {
     [[nodiscard]] Interval operator()(const Reach& reach) const noexcept {

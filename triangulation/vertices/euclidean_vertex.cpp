@@ -115,7 +115,7 @@ DiagramVertex exact_vertex(const Site& i, const Site& j, const Site& k) {
         const Rational twice_q = 2 * circle.q;
         const auto rounded = [&](const Rational& start, const Root<Rational>& root) {
             return exact::round_surd(Rational(start + root.alpha / twice_q),
-                              Rational(-root.beta / twice_q), circle.gamma);
+                                     Rational(-root.beta / twice_q), circle.gamma);
         };
         return {rounded(x, circle.x), rounded(y, circle.y), rounded(-r, circle.distance)};
     }
@@ -131,9 +131,12 @@ DiagramVertex exact_vertex(const Site& i, const Site& j, const Site& k) {
 
 }  // namespace
 
-DiagramVertex euclidean_vertex(const Site& i, const Site& j, const Site& k) {
-    if (const auto vertex = fast_vertex(i, j, k)) return *vertex;
-    return exact_vertex(i, j, k);
+template <>
+DiagramVertex vertex_of_face<Euclidean>(const std::array<const Site*, 3>& sites,
+                                        const Face& /*face*/, WeightIs /*weight_is*/) {
+    const auto& [i, j, k] = sites;
+    if (const auto vertex = fast_vertex(*i, *j, *k)) return *vertex;
+    return exact_vertex(*i, *j, *k);
 }
 
 }  // namespace signum::triangulation

@@ -1,3 +1,5 @@
+#include <type_traits>
+
 #include "../../exact/multiprecision.hpp"
 #include "../../filters/bounded.hpp"
 #include "../../predicates/ladder/ladder.hpp"
@@ -64,10 +66,9 @@ DiagramVertex exact_vertex(const S& i, const S& j, const S& k) {
             exact::round_to_double(Rational(centre.square - rational_weight(i)))};
 }
 
-}  // namespace
-
-template <class S>
-DiagramVertex power_vertex(const S& i, const S& j, const S& k) {
+/// The point of equal power distance.
+template <power::PowerSite S>
+DiagramVertex vertex(const S& i, const S& j, const S& k) {
     constexpr int window = power::InCircle::window;
     const auto holds = [](const auto&... sites) {
         return (predicates::ladder::in_window<window>(sites) && ...);
@@ -82,7 +83,17 @@ DiagramVertex power_vertex(const S& i, const S& j, const S& k) {
     return exact_vertex(i, j, k);
 }
 
-template DiagramVertex power_vertex(const power::Site&, const power::Site&, const power::Site&);
-template DiagramVertex power_vertex(const Site&, const Site&, const Site&);
+}  // namespace
+
+template <>
+DiagramVertex vertex_of_face<Power>(const std::array<const Site*, 3>& sites, const Face& /*face*/,
+                                    WeightIs weight_is) {
+    const auto of = [&]<class S>(std::type_identity<S>) {
+        const auto site = [](const Site* s) -> S { return {s->x, s->y, s->r}; };
+        return vertex(site(sites[0]), site(sites[1]), site(sites[2]));
+    };
+    return weight_is == WeightIs::weight ? of(std::type_identity<power::Site>{})
+                                         : of(std::type_identity<Site>{});
+}
 
 }  // namespace signum::triangulation

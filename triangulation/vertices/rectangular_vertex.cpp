@@ -54,13 +54,11 @@ struct Square {
     }
 };
 
-}  // namespace
-
+/// Directions: those of predicates/ladder/forms.hpp.
 template <class Directions>
-DiagramVertex rectangular_vertex(const Site& i, const Site& j, const Site& k,
-                                 const std::array<Index, 3>& ranks) {
-    const std::array<const Site*, 3> sites = {&i, &j, &k};
-    rectangular::Forms<Directions, Arithmetic::exact, 3> forms(sites, ranks);
+DiagramVertex vertex_along(const std::array<const Site*, 3>& sites, const Face& face) {
+    rectangular::Forms<Directions, Arithmetic::exact, 3> forms(sites,
+                                                               additive::ranks_of<3>(sites, face));
     const rectangular::Touching touching = rectangular::touching(forms);
     if (touching.open < 0) return no_vertex();
 
@@ -74,11 +72,17 @@ DiagramVertex rectangular_vertex(const Site& i, const Site& j, const Site& k,
             exact::round_to_double(exact.rho)};
 }
 
-template DiagramVertex rectangular_vertex<rectangular::Supremum>(const Site&, const Site&,
-                                                                 const Site&,
-                                                                 const std::array<Index, 3>&);
-template DiagramVertex rectangular_vertex<rectangular::Manhattan>(const Site&, const Site&,
-                                                                  const Site&,
-                                                                  const std::array<Index, 3>&);
+}  // namespace
+
+template <>
+DiagramVertex vertex_of_face<Manhattan>(const std::array<const Site*, 3>& sites, const Face& face,
+                                        WeightIs /*weight_is*/) {
+    return vertex_along<rectangular::Manhattan>(sites, face);
+}
+template <>
+DiagramVertex vertex_of_face<Supremum>(const std::array<const Site*, 3>& sites, const Face& face,
+                                       WeightIs /*weight_is*/) {
+    return vertex_along<rectangular::Supremum>(sites, face);
+}
 
 }  // namespace signum::triangulation

@@ -5,25 +5,16 @@
 
 #include <array>
 
-#include "../../core/index.hpp"
 #include "../../core/site.hpp"
 #include "../vertices.hpp"
 
 namespace signum::triangulation {
 
-/// The point of equal power distance; the sites are power::Site or Site.
-template <class S>
-[[nodiscard]] DiagramVertex power_vertex(const S& i, const S& j, const S& k);
-
-/// The circle that i, j and k touch counterclockwise.
-[[nodiscard]] DiagramVertex euclidean_vertex(const Site& i, const Site& j, const Site& k);
-
-/// The square (diamond) that i, j and k touch counterclockwise under the tie rule, without its
-/// infinitesimals. Directions are those of predicates/ladder/forms.hpp, `ranks` the places of
-/// the sites in the tie rule's order; only their order counts.
-template <class Directions>
-[[nodiscard]] DiagramVertex rectangular_vertex(const Site& i, const Site& j, const Site& k,
-                                               const std::array<Index, 3>& ranks);
+/// The circle of the metric that the sites of a face touch counterclockwise; under the tie rule,
+/// without its infinitesimals. Each metric has its own, in a source of its own.
+template <class Metric>
+[[nodiscard]] DiagramVertex vertex_of_face(const std::array<const Site*, 3>& sites,
+                                           const Face& face, WeightIs weight_is);
 
 /// No vertex, or none in the plane.
 [[nodiscard]] DiagramVertex no_vertex() noexcept;

@@ -11,7 +11,7 @@
 #include "../../exact/multiprecision.hpp"
 #include "../../filters/bounded.hpp"
 #include "../../predicates/formulas/facets.hpp"
-#include "../../predicates/space/rectangular.hpp"
+#include "../../triangulation/kernels/predicates_of.hpp"
 
 namespace signum {
 namespace {
@@ -90,11 +90,13 @@ template <class Shape>
 
 }  // namespace
 
-RectangularSpheres touching_spheres(std::span<const Site3> four, Supremum /*metric*/) {
-    return touching<rectangular::Cube>(four);
-}
-RectangularSpheres touching_spheres(std::span<const Site3> four, Manhattan /*metric*/) {
-    return touching<rectangular::Octahedron>(four);
+RectangularSpheres touching_spheres(std::span<const Site3> four, Metric metric) {
+    return with_metric(metric, [&]<class M>(M) -> RectangularSpheres {
+        using InSpace = typename triangulation::PredicatesOf<M>::InSpace;
+        if constexpr (InSpace::are_numbered) return touching<typename InSpace::Shape>(four);
+        throw std::invalid_argument("touching_spheres: in the " + std::string(M::traits.title) +
+                                    " metric they are balls");
+    });
 }
 
 }  // namespace signum

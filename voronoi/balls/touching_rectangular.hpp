@@ -31,10 +31,8 @@ struct RectangularSpheres {
     std::vector<Site3> spheres;
 };
 
-/// Throws std::invalid_argument where the sites are not four, and, naming the site, for NaN or
-/// infinity.
-[[nodiscard]] RectangularSpheres touching_spheres(std::span<const Site3> four, Supremum metric);
-/// The octahedra.
-[[nodiscard]] RectangularSpheres touching_spheres(std::span<const Site3> four, Manhattan metric);
+/// Throws std::invalid_argument for a metric of balls, where the sites are not four, and, naming
+/// the site, for NaN or infinity.
+[[nodiscard]] RectangularSpheres touching_spheres(std::span<const Site3> four, Metric metric);
 
 }  // namespace signum
