@@ -22,7 +22,8 @@ struct Energy {
         std::size_t i = 0;
         for (const MotionFrame::Ball& ball : snapshot.frame().balls) {
             const double mass = state.masses[i];
-            spin += spin_of(state, effects, i, ball.radius);
+            if (effects.friction)
+                spin += motion::energy_of<D>(state.spins[i], ball.radius, mass, *effects.friction);
             ++i;
             for (int k = 0; k < D; ++k) {
                 kinetic += 0.5 * mass * ball.v[static_cast<std::size_t>(k)] *
@@ -32,13 +33,6 @@ struct Energy {
         }
         total += kinetic;
         total += spin;
-    }
-
- private:
-    static double spin_of(const motion::State<D>& state, const motion::Effects<D>& effects,
-                          std::size_t i, double radius) {
-        if (!effects.friction) return 0.0;
-        return motion::energy_of<D>(state.spins[i], radius, state.masses[i], *effects.friction);
     }
 };
 
