@@ -142,49 +142,6 @@ struct WithRoot {
     }
 };
 
-}  // namespace
-
-template <int D>
-double meeting_time(const GrowingBall<D>& a, const GrowingBall<D>& b, const Image<D>& image,
-                    const Effects<D>& effects) {
-    PerAxis<Dyadic, D> shift;
-    for (int i = 0; i < D; ++i)
-        if (image[i] != 0) shift[i] = image[i] * length<Dyadic>(effects, i);
-    return RelativeFlight<D>(a, b, effects).meeting(shift);
-}
-
-template <int D>
-double meeting_time(const GrowingBall<D>& a, const GrowingBall<D>& b, const Effects<D>& effects,
-                    double until) {
-    const RelativeFlight<D> pair(a, b, effects);
-    const auto no_later = [until](double time) { return time <= until ? time : infinity; };
-    if (!effects.periodic) return no_later(pair.meeting({}));
-
-    // Windows so short that few images are in reach of each: half a box length of flight, rounded.
-    // Their lengths have no part in the result.
-    double turns_per_time = 0.0;
-    for (int i = 0; i < D; ++i) {
-        const double speed = std::fabs(rate_of(pair.distance[i])) + std::fabs(rate_of(pair.reach));
-        turns_per_time = std::max(turns_per_time, speed / length<double>(effects, i));
-    }
-    const bool grow = pair.reach.degree() == 1 && pair.reach.sign_at_infinity() > 0;
-    if (until == infinity && !grow)
-        throw std::invalid_argument("meeting_time: in a periodic box the search needs an end");
-    ImageSearch<D> images(pair, effects);
-    for (double begin = pair.start; begin <= until && begin < infinity;) {
-        const double after =
-            std::max(begin + 0.5 / turns_per_time, std::nextafter(begin, infinity));
-        const double end = std::min({after, until, std::numeric_limits<double>::max()});
-        const double time = images.first_between(begin, end);
-        if (time <= end) return time;
-        if (end == until || end < after) break;
-        begin = end;
-    }
-    return infinity;
-}
-
-namespace {
-
 /// A half space, in exact numbers.
 template <int D>
 struct ExactHalfSpace {
@@ -256,16 +213,6 @@ ExactHalfSpace<2> side_of(const PerAxis<Dyadic, 2>& from, const PerAxis<Dyadic, 
     return {normal, dot(normal, from), Dyadic()};
 }
 
-}  // namespace
-
-template <int D>
-double meeting_time(const GrowingBall<D>& ball, const HalfSpace<D>& wall,
-                    const Effects<D>& effects) {
-    return meeting_of(ball, dyadic(wall), effects, -infinity);
-}
-
-namespace {
-
 /// Whether a ball is surely too far from a point to touch it from one time to another: sums and
 /// products of doubles, each of which errs by 2^-53 of what is added up.
 bool stays_away(const GrowingBall<2>& ball, const Vector<2>& point, const Effects<2>& effects,
@@ -278,58 +225,6 @@ bool stays_away(const GrowingBall<2>& ball, const Vector<2>& point, const Effect
     const double radius = ball.radius + ball.growth * std::max(until, from);
     return norm(ball.x - point) > way + radius + 0x1p-40 * (size + way + radius);
 }
-
-}  // namespace
-
-/// The ends are circles of radius 0. Each side is met as a half space is, if the centre is on that
-/// side then (or, of a point, was so one double before), and its foot on the segment at the rounded
-/// time. A foot off by that rounding loses nothing: next to an end the circle is met as soon.
-///
-/// Of each side one time is enough: a ball that already falls below it, beside the segment or
-/// behind it, does not come back to fall through it again, for the gap is a parabola.
-double meeting_time(const GrowingBall<2>& ball, const Segment& wall, const Effects<2>& effects,
-                    double since) {
-    double first = infinity;
-    const double start = std::max(ball.time, since);
-    const PerAxis<Dyadic, 2> from = dyadic(wall.from);
-    const PerAxis<Dyadic, 2> along = dyadic(wall.to) - from;
-    const auto seen_at = [&](double t) { return ExactPlace<2>(ball, effects, t).x - from; };
-    for (const int side : {1, -1}) {
-        const double t = meeting_of<2>(ball, side_of(from, along, side), effects, since);
-        if (!(t < first)) continue;
-        const PerAxis<Dyadic, 2> seen = seen_at(t);
-        const auto is_behind = [&](const PerAxis<Dyadic, 2>& place) {
-            return side * cross(along, place).sign() < 0;
-        };
-        if (is_behind(seen) && (t == start || is_behind(seen_at(std::nextafter(t, -infinity)))))
-            continue;
-        const Dyadic foot = dot(seen, along);
-        if (foot.sign() >= 0 && (dot(along, along) - foot).sign() >= 0) first = t;
-    }
-    for (const Vector<2>& end : {wall.from, wall.to})
-        if (!stays_away(ball, end, effects, start, first))
-            first = std::min(first, meeting_time(ball, Sphere<2>{.centre = end}, effects, since));
-    return first;
-}
-
-template <int D>
-double meeting_time(const GrowingBall<D>& ball, const Sphere<D>& wall, const Effects<D>& effects,
-                    double since) {
-    const double start = std::max(ball.time, since);
-    Path<D> centre;
-    for (int i = 0; i < D; ++i) centre[i] = {Dyadic(wall.centre[i]), Dyadic(wall.velocity[i])};
-    const Path<D> seen = path_of<D>(ball, effects.gravity) - centre;
-    const Polynomial square = dot(seen, seen);
-    const Polynomial radius{Dyadic(wall.radius)};
-    if (wall.side == Sphere<D>::Side::outside) {
-        const Polynomial reach = radius + radius_of(ball);
-        return first_descent(square - reach * reach, start);
-    }
-    const Polynomial room = radius - radius_of(ball);
-    return first_descent(room * room - square, start);
-}
-
-namespace {
 
 constexpr double untold = std::numeric_limits<double>::quiet_NaN();
 
@@ -394,6 +289,99 @@ double refined_meeting_of(const GrowingBall<D>& ball, const ExactHalfSpace<D>& w
 }
 
 }  // namespace
+
+template <int D>
+double meeting_time(const GrowingBall<D>& a, const GrowingBall<D>& b, const Image<D>& image,
+                    const Effects<D>& effects) {
+    PerAxis<Dyadic, D> shift;
+    for (int i = 0; i < D; ++i)
+        if (image[i] != 0) shift[i] = image[i] * length<Dyadic>(effects, i);
+    return RelativeFlight<D>(a, b, effects).meeting(shift);
+}
+
+template <int D>
+double meeting_time(const GrowingBall<D>& a, const GrowingBall<D>& b, const Effects<D>& effects,
+                    double until) {
+    const RelativeFlight<D> pair(a, b, effects);
+    const auto no_later = [until](double time) { return time <= until ? time : infinity; };
+    if (!effects.periodic) return no_later(pair.meeting({}));
+
+    // Windows so short that few images are in reach of each: half a box length of flight, rounded.
+    // Their lengths have no part in the result.
+    double turns_per_time = 0.0;
+    for (int i = 0; i < D; ++i) {
+        const double speed = std::fabs(rate_of(pair.distance[i])) + std::fabs(rate_of(pair.reach));
+        turns_per_time = std::max(turns_per_time, speed / length<double>(effects, i));
+    }
+    const bool grow = pair.reach.degree() == 1 && pair.reach.sign_at_infinity() > 0;
+    if (until == infinity && !grow)
+        throw std::invalid_argument("meeting_time: in a periodic box the search needs an end");
+    ImageSearch<D> images(pair, effects);
+    for (double begin = pair.start; begin <= until && begin < infinity;) {
+        const double after =
+            std::max(begin + 0.5 / turns_per_time, std::nextafter(begin, infinity));
+        const double end = std::min({after, until, std::numeric_limits<double>::max()});
+        const double time = images.first_between(begin, end);
+        if (time <= end) return time;
+        if (end == until || end < after) break;
+        begin = end;
+    }
+    return infinity;
+}
+
+template <int D>
+double meeting_time(const GrowingBall<D>& ball, const HalfSpace<D>& wall,
+                    const Effects<D>& effects) {
+    return meeting_of(ball, dyadic(wall), effects, -infinity);
+}
+
+/// The ends are circles of radius 0. Each side is met as a half space is, if the centre is on that
+/// side then (or, of a point, was so one double before), and its foot on the segment at the rounded
+/// time. A foot off by that rounding loses nothing: next to an end the circle is met as soon.
+///
+/// Of each side one time is enough: a ball that already falls below it, beside the segment or
+/// behind it, does not come back to fall through it again, for the gap is a parabola.
+double meeting_time(const GrowingBall<2>& ball, const Segment& wall, const Effects<2>& effects,
+                    double since) {
+    double first = infinity;
+    const double start = std::max(ball.time, since);
+    const PerAxis<Dyadic, 2> from = dyadic(wall.from);
+    const PerAxis<Dyadic, 2> along = dyadic(wall.to) - from;
+    const auto seen_at = [&](double t) { return ExactPlace<2>(ball, effects, t).x - from; };
+    for (const int side : {1, -1}) {
+        const double t = meeting_of<2>(ball, side_of(from, along, side), effects, since);
+        if (!(t < first)) continue;
+        const PerAxis<Dyadic, 2> seen = seen_at(t);
+        const auto is_behind = [&](const PerAxis<Dyadic, 2>& place) {
+            return side * cross(along, place).sign() < 0;
+        };
+        if (is_behind(seen) && (t == start || is_behind(seen_at(std::nextafter(t, -infinity)))))
+            continue;
+        const Dyadic foot = dot(seen, along);
+        if (foot.sign() >= 0 && (dot(along, along) - foot).sign() >= 0) first = t;
+    }
+    for (const Vector<2>& end : {wall.from, wall.to})
+        if (!stays_away(ball, end, effects, start, first))
+            first = std::min(first, meeting_time(ball, Sphere<2>{.centre = end}, effects, since));
+    return first;
+}
+
+template <int D>
+double meeting_time(const GrowingBall<D>& ball, const Sphere<D>& wall, const Effects<D>& effects,
+                    double since) {
+    const double start = std::max(ball.time, since);
+    Path<D> centre;
+    for (int i = 0; i < D; ++i) centre[i] = {Dyadic(wall.centre[i]), Dyadic(wall.velocity[i])};
+    const Path<D> seen = path_of<D>(ball, effects.gravity) - centre;
+    const Polynomial square = dot(seen, seen);
+    const Polynomial radius{Dyadic(wall.radius)};
+    if (wall.side == Sphere<D>::Side::outside) {
+        const Polynomial reach = radius + radius_of(ball);
+        return first_descent(square - reach * reach, start);
+    }
+    const Polynomial room = radius - radius_of(ball);
+    return first_descent(room * room - square, start);
+}
 
 template <int D>
 double refined_meeting(const GrowingBall<D>& ball, const HalfSpace<D>& wall,

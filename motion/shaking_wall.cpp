@@ -320,16 +320,6 @@ class ShakingGap {
     bool grazes_ = false;  // the gap and its slope are 0 where the sine's argument is
 };
 
-}  // namespace
-
-template <int D>
-double refined_meeting(const GrowingBall<D>& ball, const ShakingWall& wall,
-                       const Effects<D>& effects, double about) {
-    return ShakingGap(ball, wall, effects).falls_near(about);
-}
-
-namespace {
-
 /// size · function(frequency · t + phase).
 double wave_at(Function function, const Dyadic& size, const ShakingWall& wall, double t) {
     const Dyadic argument = Dyadic(wall.frequency) * Dyadic(t) + Dyadic(wall.phase);
@@ -342,6 +332,12 @@ double wave_at(Function function, const Dyadic& size, const ShakingWall& wall, d
 }
 
 }  // namespace
+
+template <int D>
+double refined_meeting(const GrowingBall<D>& ball, const ShakingWall& wall,
+                       const Effects<D>& effects, double about) {
+    return ShakingGap(ball, wall, effects).falls_near(about);
+}
 
 double speed_at(const ShakingWall& wall, double t) {
     return wave_at(exact::cosine, Dyadic(wall.amplitude) * Dyadic(wall.frequency), wall, t);

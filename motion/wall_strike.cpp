@@ -43,6 +43,13 @@ struct Closing {
     }
 };
 
+/// Of derivatives from the second on, which tell how a gap goes on.
+Sign first_not_0(std::initializer_list<Sign> signs) {
+    for (const Sign sign : signs)
+        if (sign != 0) return sign;
+    return 0;
+}
+
 }  // namespace
 
 template <int D>
@@ -100,17 +107,6 @@ Facing<2> facing(const Ball<2>& ball, const Segment& wall) {
     if (side < 0 || (side == 0 && away > 0)) normal = {{along[1], -along[0]}};
     return {normal, Dyadic()};
 }
-
-namespace {
-
-/// Of derivatives from the second on, which tell how a gap goes on.
-Sign first_not_0(std::initializer_list<Sign> signs) {
-    for (const Sign sign : signs)
-        if (sign != 0) return sign;
-    return 0;
-}
-
-}  // namespace
 
 template <int D>
 bool bends_down(const Ball<D>& ball, const ShakingWall& wall, const Vector<D>& gravity, double) {

@@ -330,6 +330,29 @@ ShakingWall shaking_side(const Effects<D>& effects, Wall wall) {
     return {wall, wall % 2 != 0 ? high[axis] : low[axis], amplitude[axis], frequency, phase};
 }
 
+template <int D>
+double gap_of(const Ball<D>& ball, const ShakingWall& wall) {
+    const double d = ball.x[wall.wall / 2] - (wall.level + shift_at(wall, ball.time));
+    return (wall.wall % 2 != 0 ? -d : d) - ball.radius;
+}
+template <int D>
+double gap_of(const Ball<D>& ball, const HalfSpace<D>& wall) {
+    const double height = dot(wall.normal, ball.x) - (wall.offset + wall.speed * ball.time);
+    return height / norm(wall.normal) - ball.radius;
+}
+template <int D>
+double gap_of(const Ball<D>& ball, const Sphere<D>& wall) {
+    const double distance = norm(ball.x - (wall.centre + ball.time * wall.velocity));
+    return wall.side == Sphere<D>::Side::outside ? distance - (wall.radius + ball.radius)
+                                                 : wall.radius - ball.radius - distance;
+}
+double gap_of(const Ball<2>& ball, const Segment& wall) {
+    const Vector<2> along = wall.to - wall.from;
+    const Vector<2> d = ball.x - wall.from;
+    const double foot = std::clamp(dot(along, d) / dot(along, along), 0.0, 1.0);
+    return norm(d - foot * along) - ball.radius;
+}
+
 }  // namespace
 
 template <int D>
@@ -465,33 +488,6 @@ double Walls<D>::curvature(const Ball<D>& ball, Wall wall) const {
     const double radius = sphere->radius - ball.radius;
     return radius > 0.0 ? 1.0 / radius : 0.0;
 }
-
-namespace {
-
-template <int D>
-double gap_of(const Ball<D>& ball, const ShakingWall& wall) {
-    const double d = ball.x[wall.wall / 2] - (wall.level + shift_at(wall, ball.time));
-    return (wall.wall % 2 != 0 ? -d : d) - ball.radius;
-}
-template <int D>
-double gap_of(const Ball<D>& ball, const HalfSpace<D>& wall) {
-    const double height = dot(wall.normal, ball.x) - (wall.offset + wall.speed * ball.time);
-    return height / norm(wall.normal) - ball.radius;
-}
-template <int D>
-double gap_of(const Ball<D>& ball, const Sphere<D>& wall) {
-    const double distance = norm(ball.x - (wall.centre + ball.time * wall.velocity));
-    return wall.side == Sphere<D>::Side::outside ? distance - (wall.radius + ball.radius)
-                                                 : wall.radius - ball.radius - distance;
-}
-double gap_of(const Ball<2>& ball, const Segment& wall) {
-    const Vector<2> along = wall.to - wall.from;
-    const Vector<2> d = ball.x - wall.from;
-    const double foot = std::clamp(dot(along, d) / dot(along, along), 0.0, 1.0);
-    return norm(d - foot * along) - ball.radius;
-}
-
-}  // namespace
 
 template <int D>
 double Walls<D>::gap(const Ball<D>& ball, Wall wall) const {
