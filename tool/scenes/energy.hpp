@@ -4,8 +4,8 @@
 #include <ostream>
 
 #include "../../motion/effects/friction.hpp"
+#include "../../motion/simulation.hpp"
 #include "../io/text_writer.hpp"
-#include "snapshot.hpp"
 
 namespace signum {
 
@@ -18,17 +18,17 @@ struct Energy {
     double total = 0.0;
 
     Energy(const motion::State<D>& state, const motion::Effects<D>& effects, double time) {
-        Snapshot<D> snapshot(state, effects, time);
-        std::size_t i = 0;
-        for (const MotionFrame::Ball& ball : snapshot.frame().balls) {
+        for (std::size_t i = 0; i < state.balls.size(); ++i) {
+            const motion::Ball<D>& ball = state.balls[i];
             const double mass = state.masses[i];
+            const motion::Vector<D> x = centre_in_box(ball, time, effects);
+            const motion::Vector<D> v = velocity(ball, time, effects);
             if (effects.friction)
-                spin += motion::energy_of<D>(state.spins[i], ball.radius, mass, *effects.friction);
-            ++i;
+                spin += motion::energy_of<D>(state.spins[i], radius_at(ball, time, effects), mass,
+                                             *effects.friction);
             for (int k = 0; k < D; ++k) {
-                kinetic += 0.5 * mass * ball.v[static_cast<std::size_t>(k)] *
-                           ball.v[static_cast<std::size_t>(k)];
-                total -= mass * effects.gravity[k] * ball.x[static_cast<std::size_t>(k)];
+                kinetic += 0.5 * mass * v[k] * v[k];
+                total -= mass * effects.gravity[k] * x[k];
             }
         }
         total += kinetic;

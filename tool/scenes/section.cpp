@@ -61,28 +61,6 @@ double from_text(const Document& document, const toml::node& node, std::string_v
     return document.units.plain(number.value, unit);
 }
 
-}  // namespace
-
-std::string_view kind_of(const toml::node& node) {
-    switch (node.type()) {
-        case toml::node_type::table:
-            return "a table";
-        case toml::node_type::array:
-            return "an array";
-        case toml::node_type::string:
-            return "a text";
-        case toml::node_type::integer:
-        case toml::node_type::floating_point:
-            return "a number";
-        case toml::node_type::boolean:
-            return "true or false";
-        default:
-            return "a date or time";
-    }
-}
-
-namespace {
-
 void read_into(double& value, const Document& document, const toml::node& node,
                std::string_view name, const Quantity& quantity) {
     if (const auto text = node.value_exact<std::string>()) {
@@ -130,6 +108,24 @@ void read_into(motion::Vector<D>& vector, const Document& document, const toml::
 }
 
 }  // namespace
+
+std::string_view kind_of(const toml::node& node) {
+    switch (node.type()) {
+        case toml::node_type::table:
+            return "a table";
+        case toml::node_type::array:
+            return "an array";
+        case toml::node_type::string:
+            return "a text";
+        case toml::node_type::integer:
+        case toml::node_type::floating_point:
+            return "a number";
+        case toml::node_type::boolean:
+            return "true or false";
+        default:
+            return "a date or time";
+    }
+}
 
 template <class Value>
 Value read_value(const Document& document, const toml::node& node, std::string_view name,
