@@ -23,7 +23,7 @@ Validation check(M, const TessellationArrays& arrays, const StridedSites& sites,
                 .run();
         }
     using Predicates = PredicatesOf<M>;
-    return AdditiveCheck<typename Predicates::template Perturbed<predicates::judging>,
+    return AdditiveCheck<typename Predicates::template Perturbed<Arithmetic::judging>,
                          AdditiveDistance<Predicates>>(arrays, sites, options)
         .run();
 }
