@@ -14,11 +14,7 @@ using namespace triangulation;
 /// half the degree tell.
 Validation check(Euclidean, const TessellationArrays& arrays, const StridedSites& sites,
                  const ValidationOptions& options) {
-    if (equal_radii(sites)) {
-        using Weighted = power::Site;
-        return PowerCheck<Weighted, JudgingPower, PowerDistance<Weighted>>(arrays, sites, options)
-            .run();
-    }
+    if (equal_radii(sites)) return PowerCheck<power::Site>(arrays, sites, options).run();
     return AdditiveCheck<euclidean::Perturbed<predicates::judging>, EuclideanDistance>(
                arrays, sites, options)
         .run();
@@ -37,10 +33,8 @@ Validation check(Supremum, const TessellationArrays& arrays, const StridedSites&
 }
 Validation check(Power, const TessellationArrays& arrays, const StridedSites& sites,
                  const ValidationOptions& options) {
-    const auto with = [&]<class S>(S) {
-        return PowerCheck<S, JudgingPower, PowerDistance<S>>(arrays, sites, options).run();
-    };
-    return sites.third_is_weight() ? with(power::Site()) : with(Site());
+    return sites.third_is_weight() ? PowerCheck<power::Site>(arrays, sites, options).run()
+                                   : PowerCheck<Site>(arrays, sites, options).run();
 }
 
 Validation invalid(std::string why) {

@@ -35,24 +35,11 @@ std::size_t at(Index i) {
     return static_cast<std::size_t>(i);
 }
 
-struct PowerInRationals {
-    template <class S>
-    static Decision ccw(const S& a, const S& b, const S& c) {
-        return predicates::decide<Arithmetic::multiprecision, predicates::Ccw>(a, b, c);
-    }
-    template <class S>
-    static Decision in_circle(const S& i, const S& j, const S& k, const S& q) {
-        return predicates::decide<Arithmetic::multiprecision, power::InCircle>(i, j, k, q);
-    }
-    template <class S>
-    static Decision in_segment(const S& a, const S& b, const S& q) {
-        return predicates::decide<Arithmetic::multiprecision, power::InSegment>(a, b, q);
-    }
-    template <class S>
-    static Decision nearer(Point p, const S& a, const S& b) {
-        return predicates::decide<Arithmetic::multiprecision, power::Nearer>(p, a, b);
-    }
-};
+template <class S>
+Validation in_rationals(const TessellationArrays& arrays, const Sites& sites) {
+    using Rationals = any_dimension::Questions<S, exact::Rational, false>;
+    return triangulation::PowerCheck<S, Rationals>(arrays, sites, {}).run();
+}
 
 /// Passes over nothing.
 struct Anywhere {
@@ -70,7 +57,7 @@ Validation in_rationals(const TessellationArrays& arrays, const Sites& sites) {
         case Metric::euclidean:
             if (std::all_of(sites.begin(), sites.end(),
                             [&](const Site& site) { return site.r == sites[0].r; }))
-                return PowerCheck<power::Site, PowerInRationals, Anywhere>(arrays, sites, {}).run();
+                return in_rationals<power::Site>(arrays, sites);
             return AdditiveCheck<euclidean::Perturbed<rationals>, Anywhere>(arrays, sites, {})
                 .run();
         case Metric::manhattan:
@@ -81,7 +68,7 @@ Validation in_rationals(const TessellationArrays& arrays, const Sites& sites) {
         case Metric::power:
             break;
     }
-    return PowerCheck<Site, PowerInRationals, Anywhere>(arrays, sites, {}).run();
+    return in_rationals<Site>(arrays, sites);
 }
 
 double real(Random& random) {

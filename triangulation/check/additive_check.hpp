@@ -51,7 +51,7 @@ class AdditiveCheck : private ArraysCheck {
         Validation result = judgement([this] {
             check_sites();
             if (must_find_neighbours()) {
-                connect_unique([](const Edge&) { return true; });
+                connect_unique();
             } else {
                 connect();
             }

@@ -10,14 +10,12 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 #include <vector>
 
 #include "../../core/box_tree.hpp"
 #include "../../core/index.hpp"
 #include "../../core/site.hpp"
 #include "../../filters/interval.hpp"
-#include "../../predicates/power/weight.hpp"
 
 namespace signum::triangulation {
 
@@ -37,7 +35,7 @@ struct Reach {
             std::sqrt(square.high) * (1.0 + 2.0 * filters::epsilon)};
 }
 
-/// The distances of the metrics.
+/// The distances of the metrics with additive weights.
 struct EuclideanDistance {
     [[nodiscard]] Interval operator()(const Reach& reach) const noexcept {
         return square_root(reach.x * reach.x + reach.y * reach.y) - reach.third;
@@ -51,16 +49,6 @@ struct ManhattanDistance {
 struct SupremumDistance {
     [[nodiscard]] Interval operator()(const Reach& reach) const noexcept {
         return filters::max(reach.x, reach.y) - reach.third;
-    }
-};
-/// Of sites with radii, or with weights.
-template <class S>
-struct PowerDistance {
-    [[nodiscard]] Interval operator()(const Reach& reach) const noexcept {
-        const Interval square = reach.x * reach.x + reach.y * reach.y;
-        if constexpr (std::is_same_v<S, power::Site>) return square - reach.third;
-        const Interval radius = filters::magnitude(reach.third);
-        return square - radius * radius;
     }
 };
 
