@@ -6,10 +6,10 @@
 ///  1. Every cell has k+1 different vertices, and its neighbours agree about their common facets;
 ///     every site is a vertex or hidden, not both. So facets are glued in pairs.
 ///  2. The centres lie in a flat of k dimensions: every one has the orientation 0 with k+1 that
-///  span
-///     such a flat, along each further axis. Finite cells turn positively, so that there are no
-///     fewer dimensions. Across a facet cells turn alike: so two finite ones lie on the two sides
-///     of its hyperplane, and the sum of all finite ones has the hull's facets for its border.
+///     span such a flat, along each further axis. Finite cells turn positively, so that there are
+///     no fewer dimensions. Across a facet cells turn alike: so two finite ones lie on the two
+///     sides of its hyperplane, and the sum of all finite ones has the hull's facets for its
+///     border.
 ///  3. Let p be the middle of one finite cell, the base. No vertex of the base lies beyond a hull's
 ///     facet, and one strictly within: so p lies strictly within. And no facet of the hull has the
 ///     other vertex of a neighbour there beyond its hyperplane.
@@ -27,14 +27,12 @@
 ///     |x|² - w at the vertices and linear over cells is convex, by the same argument. (Facets of
 ///     the hull that lie in one hyperplane need no look of their own: the cells behind them do.)
 ///  6. The centre of a hidden site lies in a cell, and the site is not in conflict with it. So it
-///  is
-///     not below the function, which therefore is the lower hull of all lifted sites: this is what
-///     a power tessellation is.
+///     is not below the function, which therefore is the lower hull of all lifted sites: this is
+///     what a power tessellation is.
 ///  7. No visible site is nearer to a hidden one's centre than the one that it names.
 ///  8. With ties the same holds of the tie rule's infinitesimals, which make all inequalities
-///  strict
-///     and leave but one tessellation: where one is right without and wrong with them, the arrays
-///     are valid, not canonical.
+///     strict and leave but one tessellation: where one is right without and wrong with them, the
+///     arrays are valid, not canonical.
 /// In one place (k = 0) one site hides the others. Conversely every one of these holds for a power
 /// tessellation, so that nothing right is refused.
 
@@ -73,6 +71,7 @@ struct ArraysOf {
 using triangulation::at;
 using triangulation::Invalid;
 using triangulation::name;
+using triangulation::Seen;
 
 /// All but the order of the arrays. CellName: a function from a cell's number to what messages call
 /// it. Asked: Questions<S, a judge's numbers>.
@@ -95,7 +94,8 @@ class Check : private triangulation::Judgement {
         Validation result = judgement([this] {
             check_counts();
             check_cells();
-            check_hidden_numbers();
+            triangulation::see_hidden(arrays_.hidden, seen_);
+            triangulation::check_seen(arrays_.hidden, seen_);
             if (arrays_.dimension == 0) check_one_place();
             if (arrays_.dimension > 0) {
                 check_neighbours();
@@ -160,7 +160,7 @@ class Check : private triangulation::Judgement {
     }
     /// Each number of a cell is infinity's or a site's, and there once.
     void check_cells() {
-        seen_.resize(sites_.size(), unseen);
+        seen_.resize(sites_.size(), Seen::nowhere);
         const auto n = static_cast<std::int64_t>(sites_.size());
         for (Index c = 0; c < cells(); ++c, advance()) {
             const Cell& cell = cells_[at(c)];
@@ -175,28 +175,9 @@ class Check : private triangulation::Judgement {
                     throw Invalid{cell_name_(c) + ": there is no site " + std::to_string(cell[i])};
                 if (place_of(cell[i], cell) != i)
                     throw Invalid{cell_name_(c) + " has " + name(cell[i]) + " twice"};
-                if (cell[i] != infinite) seen_[at(cell[i])] = is_vertex;
+                if (cell[i] != infinite) seen_[at(cell[i])] = Seen::as_vertex;
             }
         }
-    }
-    void check_hidden_numbers() {
-        const auto n = static_cast<std::int64_t>(sites_.size());
-        for (const auto& [site, by] : arrays_.hidden) {
-            for (const Index each : {site, by})
-                if (each < 0 || each >= n)
-                    throw Invalid{"hidden: there is no site " + std::to_string(each)};
-            if (seen_[at(site)] != unseen)
-                throw Invalid{name(site) + (seen_[at(site)] == is_vertex
-                                                ? " is both visible and hidden"
-                                                : " is hidden twice")};
-            seen_[at(site)] = is_hidden;
-        }
-        for (Index i = 0; i < n; ++i)
-            if (seen_[at(i)] == unseen) throw Invalid{name(i) + " is neither visible nor hidden"};
-        for (const auto& [site, by] : arrays_.hidden)
-            if (seen_[at(by)] != is_vertex)
-                throw Invalid{name(site) + " is hidden by " + name(by) +
-                              ", which is hidden itself"};
     }
     /// Whether facets are glued in pairs.
     void check_neighbours() {
@@ -430,7 +411,7 @@ class Check : private triangulation::Judgement {
                 for (std::size_t m = 0; m < size(); ++m) cell_of[at(cells_[at(c)][m])] = c;
         std::vector<Index> visible;
         for (Index i = 0; at(i) < sites_.size(); ++i)
-            if (seen_[at(i)] == is_vertex) visible.push_back(i);
+            if (seen_[at(i)] == Seen::as_vertex) visible.push_back(i);
         NearSites<S> near(sites_, std::move(visible));
         Index last = infinite;
         Index c = infinite;
@@ -525,8 +506,6 @@ class Check : private triangulation::Judgement {
         }
         return c;
     }
-
-    enum Seen : std::uint8_t { unseen, is_vertex, is_hidden };
 
     const ArraysOf<D>& arrays_;
     std::span<const S> sites_;

@@ -31,10 +31,10 @@ template <class S>
 /// The part of a check that all metrics share.
 class ArraysCheck : protected Judgement {
  protected:
-    /// Predicates are asked in `passes` of the faces, and once over the hidden sites.
+    /// Predicates are asked in four passes of the faces, and once over the hidden sites.
     ArraysCheck(const TessellationArrays& arrays, std::size_t sites,
-                const ValidationOptions& options, std::size_t passes)
-        : Judgement(options, passes * arrays.faces.size() + arrays.hidden.size()),
+                const ValidationOptions& options)
+        : Judgement(options, 4 * arrays.faces.size() + arrays.hidden.size()),
           arrays_(arrays),
           sites_(sites) {}
 
@@ -48,40 +48,24 @@ class ArraysCheck : protected Judgement {
         if (arrays_.sites != n)
             throw Invalid{"the tessellation speaks of " + std::to_string(arrays_.sites) +
                           " sites, the input has " + std::to_string(n)};
-        std::vector<char> seen(sites_, 0);
+        std::vector<Seen> seen(sites_, Seen::nowhere);
         for (Index f = 0; f < faces(); ++f) {
             const Face& v = face(f);
             for (const Index i : v) {
                 if (i < infinite || i >= n)
                     throw Invalid{face_name(f) + ": there is no site " + std::to_string(i)};
-                if (i != infinite) seen[at(i)] = 1;
+                if (i != infinite) seen[at(i)] = Seen::as_vertex;
             }
             if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0])
                 throw Invalid{face_name(f) + " has a vertex twice"};
         }
-        for (const Hidden& hidden : arrays_.hidden) {
-            if (hidden.site < 0 || hidden.site >= n || hidden.by < 0 || hidden.by >= n)
-                throw Invalid{
-                    "hidden: there is no site " +
-                    std::to_string(hidden.site < 0 || hidden.site >= n ? hidden.site : hidden.by)};
-            if (seen[at(hidden.site)] != 0)
-                throw Invalid{name(hidden.site) + (seen[at(hidden.site)] == 1
-                                                       ? " is both visible and hidden"
-                                                       : " is hidden twice")};
-            seen[at(hidden.site)] = 2;
-        }
+        see_hidden(arrays_.hidden, seen);
         if (arrays_.faces.empty()) {
-            const auto lone = std::find(seen.begin(), seen.end(), 0);
-            if (lone != seen.end()) *lone = 1;
+            const auto lone = std::ranges::find(seen, Seen::nowhere);
+            if (lone != seen.end()) *lone = Seen::as_vertex;
         }
-        for (Index i = 0; i < n; ++i) {
-            if (seen[at(i)] == 0) throw Invalid{name(i) + " is neither visible nor hidden"};
-            visible_ += static_cast<Index>(seen[at(i)] == 1);
-        }
-        for (const Hidden& hidden : arrays_.hidden)
-            if (seen[at(hidden.by)] != 1)
-                throw Invalid{name(hidden.site) + " is hidden by " + name(hidden.by) +
-                              ", which is hidden itself"};
+        check_seen(arrays_.hidden, seen);
+        visible_ = static_cast<Index>(std::ranges::count(seen, Seen::as_vertex));
         if (visible_ == 0 && n > 0) throw Invalid{"every site is hidden"};
         const Index expected = visible_ < 2 ? 0 : 2 * visible_ - 2;
         if (faces() != expected) {

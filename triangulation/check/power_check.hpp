@@ -18,7 +18,7 @@ class PowerCheck : private ArraysCheck {
  public:
     PowerCheck(const TessellationArrays& arrays, const StridedSites& sites,
                const ValidationOptions& options)
-        : ArraysCheck(arrays, sites.size(), options, 0), site_(load<S>(sites)), options_(options) {}
+        : ArraysCheck(arrays, sites.size(), options), site_(load<S>(sites)), options_(options) {}
 
     [[nodiscard]] Validation run() {
         Validation counted;

@@ -2,7 +2,10 @@
 /// How a check of a tessellation comes to its judgement.
 
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "../../core/index.hpp"
 #include "../validate.hpp"
@@ -22,6 +25,33 @@ namespace signum::triangulation {
 struct Invalid {
     std::string why;
 };
+
+/// What is said of a site.
+enum class Seen : std::uint8_t { nowhere, as_vertex, as_hidden };
+
+/// Notes who is said to be hidden. Vertices have been noted.
+inline void see_hidden(std::span<const Hidden> hidden, std::vector<Seen>& seen) {
+    const auto n = static_cast<std::int64_t>(seen.size());
+    for (const auto& [site, by] : hidden) {
+        for (const Index each : {site, by})
+            if (each < 0 || each >= n)
+                throw Invalid{"hidden: there is no site " + std::to_string(each)};
+        if (seen[at(site)] != Seen::nowhere)
+            throw Invalid{name(site) + (seen[at(site)] == Seen::as_vertex
+                                            ? " is both visible and hidden"
+                                            : " is hidden twice")};
+        seen[at(site)] = Seen::as_hidden;
+    }
+}
+/// Every site is a vertex or hidden by one.
+inline void check_seen(std::span<const Hidden> hidden, const std::vector<Seen>& seen) {
+    for (std::size_t i = 0; i < seen.size(); ++i)
+        if (seen[i] == Seen::nowhere)
+            throw Invalid{name(static_cast<Index>(i)) + " is neither visible nor hidden"};
+    for (const auto& [site, by] : hidden)
+        if (seen[at(by)] != Seen::as_vertex)
+            throw Invalid{name(site) + " is hidden by " + name(by) + ", which is hidden itself"};
+}
 
 /// What is wrong is thrown as Invalid; what is right but not the canonical choice is noted.
 class Judgement {
