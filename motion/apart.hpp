@@ -1,5 +1,5 @@
 #pragma once
-/// How far balls are from one another, in the numbers of each stage. For sources only.
+/// Places, and how far balls are from one another, in the numbers of each stage. For sources only.
 
 #include <type_traits>
 
@@ -27,15 +27,44 @@ template <class Number, int D>
     return difference<Number>(effects.box->high[axis], effects.box->low[axis]);
 }
 
-/// a - b along an axis, less as many lengths of the box as the image says.
+/// The same vector in exact numbers.
+template <int D>
+[[nodiscard]] PerAxis<exact::Dyadic, D> dyadic(const Vector<D>& v) {
+    PerAxis<exact::Dyadic, D> result;
+    for (int k = 0; k < D; ++k) result[k] = exact::Dyadic(v[k]);
+    return result;
+}
+
+/// a - b, less as many lengths of the box as the image says.
 template <class Number, int D>
-[[nodiscard, gnu::always_inline]] inline Number apart(const Vector<D>& a, const Vector<D>& b,
-                                                      int axis, const Image<D>& image,
-                                                      const Effects<D>& effects) noexcept {
-    Number d = difference<Number>(a[axis], b[axis]);
-    if (image[axis] != 0) d = d - image[axis] * length<Number>(effects, axis);
+[[nodiscard, gnu::always_inline]] inline PerAxis<Number, D> apart(
+    const Vector<D>& a, const Vector<D>& b, const Image<D>& image,
+    const Effects<D>& effects) noexcept {
+    PerAxis<Number, D> d;
+    for (int k = 0; k < D; ++k) {
+        d[k] = difference<Number>(a[k], b[k]);
+        if (image[k] != 0) d[k] = d[k] - image[k] * length<Number>(effects, k);
+    }
     return d;
 }
+
+/// A centre and its velocity at a time, exactly.
+template <int D>
+struct ExactPlace {
+    PerAxis<exact::Dyadic, D> x;
+    PerAxis<exact::Dyadic, D> v;
+
+    ExactPlace(const Ball<D>& ball, const Effects<D>& effects, double t)
+        : x(dyadic(ball.x)), v(dyadic(ball.v)) {
+        static const exact::Dyadic half(0.5);
+        const exact::Dyadic flown = exact::Dyadic(t) - exact::Dyadic(ball.time);
+        for (int k = 0; k < D; ++k) {
+            const exact::Dyadic fallen = exact::Dyadic(effects.gravity[k]) * flown;
+            x[k] += (v[k] + half * fallen) * flown;
+            v[k] += fallen;
+        }
+    }
+};
 
 /// The axes of a vector side by side, and zeros.
 template <int D>

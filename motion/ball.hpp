@@ -70,6 +70,14 @@ template <int D>
     for (int k = 0; k < D; ++k) x[k] = coordinate(ball, k, t, effects);
     return x;
 }
+/// How it flies there, rounded.
+template <int D>
+[[nodiscard]] inline Vector<D> velocity(const Ball<D>& ball, double t,
+                                        const Effects<D>& effects) noexcept {
+    Vector<D> v;
+    for (int k = 0; k < D; ++k) v[k] = speed(ball, k, t, effects);
+    return v;
+}
 /// A place along an axis, less as many lengths of a periodic box as bring it into it, rounded; the
 /// place itself in any other world.
 template <int D>
@@ -78,6 +86,25 @@ template <int D>
     const double low = effects.box->low[axis];
     const double length = effects.box->high[axis] - low;
     return x - length * std::floor((x - low) / length);
+}
+/// Where its centre is at a time, in the box where it is periodic, rounded.
+template <int D>
+[[nodiscard]] inline Vector<D> centre_in_box(const Ball<D>& ball, double t,
+                                             const Effects<D>& effects) noexcept {
+    Vector<D> x = centre(ball, t, effects);
+    for (int k = 0; k < D; ++k) x[k] = in_box(x[k], k, effects);
+    return x;
+}
+
+/// All places where the sides of a box are, if it shakes.
+template <int D>
+[[nodiscard]] Box<D> swept(Box<D> box, const Effects<D>& effects) noexcept {
+    if (!effects.shake) return box;
+    for (int k = 0; k < D; ++k) {
+        box.low[k] -= std::fabs(effects.shake->amplitude[k]);
+        box.high[k] += std::fabs(effects.shake->amplitude[k]);
+    }
+    return box;
 }
 
 /// How signs and times are computed: exactly, or in plain doubles.

@@ -42,7 +42,7 @@ struct Spread {
         }
         if (balls == 0) box = {};
         double widest = largest_radius > 0.0 ? largest_radius : 1.0;
-        for (int k = 0; k < D; ++k) widest = std::max(widest, box.high[k] - box.low[k]);
+        for (const double length : box.lengths()) widest = std::max(widest, length);
         for (int k = 0; k < D; ++k)
             box.high[k] = std::max(box.high[k], box.low[k] + 0x1p-10 * widest);
     }
@@ -56,7 +56,7 @@ struct Spread {
         // Of balls that have flown apart for long the volume is no double.
         const auto root = [](double x) { return D == 2 ? std::sqrt(x) : std::cbrt(x); };
         double edge = root(number / static_cast<double>(std::max<std::size_t>(balls, 1)));
-        for (int k = 0; k < D; ++k) edge *= root(box.high[k] - box.low[k]);
+        for (const double length : box.lengths()) edge *= root(length);
         return edge;
     }
     /// What structures allow for: more than a place is rounded by, that of one far beyond as well,
@@ -69,9 +69,8 @@ struct Spread {
         return std::max(0x1p-46 * farthest, 0x1p-18 * std::min(edge_of(1.0), shortest()));
     }
     [[nodiscard]] double shortest() const noexcept {
-        double shortest = infinity;
-        for (int k = 0; k < D; ++k) shortest = std::min(shortest, box.high[k] - box.low[k]);
-        return shortest;
+        const Vector<D> lengths = box.lengths();
+        return *std::ranges::min_element(lengths);
     }
 };
 
@@ -346,7 +345,10 @@ class CellGrid {
 
     /// std::floor, which is a call on some processors.
     [[nodiscard]] static double whole_of(double x) noexcept {
-        return std::abs(x) < 0x1p62 ? static_cast<double>(rounded_down(x)) : x;
+        if (!(std::abs(x) < 0x1p62)) return x;
+        const auto whole = static_cast<std::int64_t>(x);
+        return static_cast<double>(whole -
+                                   static_cast<std::int64_t>(static_cast<double>(whole) > x));
     }
 
     bool bounded_;

@@ -31,7 +31,7 @@ class EventQueue {
           far_(static_cast<std::uint32_t>(heads_.size() - 1)),
           bucket_(far_) {
         for (Entry e = 0; e < entries; ++e) {
-            items_[e].key = std::numeric_limits<double>::infinity();
+            items_[e].key = infinity;
             insert(e, far_);
         }
     }
@@ -94,6 +94,7 @@ class EventQueue {
     }
 
  private:
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
     static constexpr Entry none = ~Entry{0};
     static constexpr std::uint32_t in_heap = ~std::uint32_t{0};
 
@@ -158,15 +159,14 @@ class EventQueue {
 
     /// Deals what is far off into buckets, from its least key on; false where that is infinity.
     bool deal() {
-        double least = std::numeric_limits<double>::infinity();
+        double least = infinity;
         std::vector<double>& keys = scratch_;
         keys.clear();
         for (Entry e = heads_[far_]; e != none; e = items_[e].next) {
             least = std::min(least, items_[e].key);
-            if (taken_ == 0 && items_[e].key < std::numeric_limits<double>::infinity())
-                keys.push_back(items_[e].key);
+            if (taken_ == 0 && items_[e].key < infinity) keys.push_back(items_[e].key);
         }
-        if (!(least < std::numeric_limits<double>::infinity())) {
+        if (!(least < infinity)) {
             bucket_ = far_;
             return false;
         }

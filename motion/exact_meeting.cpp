@@ -54,62 +54,6 @@ double first_descent(const Quadratic& f, double start) {
     return rounded(exact::round_surd(Rational(t - b / a), Rational(-1 / a), discriminant));
 }
 
-/// x + v s + g s²/2 and v + g s, in D's numbers.
-struct Coordinate {
-    Dyadic x;
-    Dyadic v;
-};
-Coordinate arrived(double x, double v, double gravity, const Dyadic& s) {
-    static const Dyadic half(0.5);
-    const Dyadic fallen = Dyadic(gravity) * s;
-    const Dyadic speed(v);
-    return {Dyadic(x) + (speed + half * fallen) * s, speed + fallen};
-}
-
-}  // namespace
-
-template <int D>
-double exact_meeting(const Ball<D>& a, const Ball<D>& b, const Image<D>& image,
-                     const Effects<D>& effects) {
-    if (effects.growth)
-        return meeting_time(GrowingBall<D>{a, growth_of(a, effects)},
-                            GrowingBall<D>{b, growth_of(b, effects)}, image, effects);
-    const double start = std::max(a.time, b.time);
-    const Dyadic since_a = Dyadic(start) - Dyadic(a.time);
-    const Dyadic since_b = Dyadic(start) - Dyadic(b.time);
-    Quadratic f;
-    for (int i = 0; i < D; ++i) {
-        const Coordinate of_a = arrived(a.x[i], a.v[i], effects.gravity[i], since_a);
-        const Coordinate of_b = arrived(b.x[i], b.v[i], effects.gravity[i], since_b);
-        Dyadic d = of_a.x - of_b.x;
-        const Dyadic v = of_a.v - of_b.v;
-        if (image[i] != 0) d = d - image[i] * length<Dyadic>(effects, i);
-        f.a += v * v;
-        f.b += d * v;
-        f.c += d * d;
-    }
-    const Dyadic radii = Dyadic(a.radius) + Dyadic(b.radius);
-    f.c = f.c - radii * radii;
-    return first_descent(f, start);
-}
-
-template <int D>
-double exact_meeting(const Ball<D>& ball, Wall wall, const Effects<D>& effects) {
-    const Dyadic rate(growth_of(ball, effects));
-    const Dyadic grown = Dyadic(ball.radius) + rate * Dyadic(ball.time);
-    const int axis = wall / 2;
-    const bool upper = wall % 2 != 0;
-    const auto inwards = [upper](double number) { return Dyadic(upper ? -number : number); };
-    static const Dyadic half(0.5);
-    const double side = upper ? effects.box->high[axis] : effects.box->low[axis];
-    return first_descent(
-        {half * inwards(effects.gravity[axis]), half * (inwards(ball.v[axis]) - rate),
-         inwards(ball.x[axis]) - inwards(side) - grown},
-        ball.time);
-}
-
-namespace {
-
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// With F(t + δ) = F + 2 P δ + A δ², P = D·V at t, the root next to t is δ = -F/2P (1 + θ),
@@ -179,6 +123,38 @@ template <int D>
 }
 
 }  // namespace
+
+template <int D>
+double exact_meeting(const Ball<D>& a, const Ball<D>& b, const Image<D>& image,
+                     const Effects<D>& effects) {
+    if (effects.growth)
+        return meeting_time(GrowingBall<D>{a, growth_of(a, effects)},
+                            GrowingBall<D>{b, growth_of(b, effects)}, image, effects);
+    const double start = std::max(a.time, b.time);
+    const ExactPlace<D> of_a(a, effects, start);
+    const ExactPlace<D> of_b(b, effects, start);
+    const PerAxis<Dyadic, D> v = of_a.v - of_b.v;
+    PerAxis<Dyadic, D> d = of_a.x - of_b.x;
+    for (int i = 0; i < D; ++i)
+        if (image[i] != 0) d[i] = d[i] - image[i] * length<Dyadic>(effects, i);
+    const Dyadic radii = Dyadic(a.radius) + Dyadic(b.radius);
+    return first_descent({dot(v, v), dot(d, v), dot(d, d) - radii * radii}, start);
+}
+
+template <int D>
+double exact_meeting(const Ball<D>& ball, Wall wall, const Effects<D>& effects) {
+    const Dyadic rate(growth_of(ball, effects));
+    const Dyadic grown = Dyadic(ball.radius) + rate * Dyadic(ball.time);
+    const int axis = wall / 2;
+    const bool upper = wall % 2 != 0;
+    const auto inwards = [upper](double number) { return Dyadic(upper ? -number : number); };
+    static const Dyadic half(0.5);
+    const double side = upper ? effects.box->high[axis] : effects.box->low[axis];
+    return first_descent(
+        {half * inwards(effects.gravity[axis]), half * (inwards(ball.v[axis]) - rate),
+         inwards(ball.x[axis]) - inwards(side) - grown},
+        ball.time);
+}
 
 template <int D>
 double refined_meeting(const Ball<D>& a, const Ball<D>& b, const Image<D>& image,

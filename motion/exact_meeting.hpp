@@ -6,12 +6,6 @@
 
 namespace signum::motion {
 
-/// Tallies of the two stages behind the filter.
-struct MeetingTally {
-    std::uint64_t refined = 0;
-    std::uint64_t exact = 0;
-};
-
 /// The meeting time of two balls, the second one's partner seen as the image says: a.x - b.x less
 /// image · box lengths.
 template <int D>

@@ -74,9 +74,7 @@ template <class Number, int D>
 [[nodiscard]] Quadratic<Number> square_of_distance(const Couple<D>& couple,
                                                    const Effects<D>& effects, double from) {
     const PerAxis<Linear<Number>, D> d = difference_of_centres<Number>(couple, effects, from);
-    Quadratic<Number> square = d[0] * d[0];
-    for (int k = 1; k < D; ++k) square = square + d[k] * d[k];
-    return square;
+    return dot(d, d);
 }
 
 /// The sum of the radii of the first pair less that of the second.

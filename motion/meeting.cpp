@@ -199,12 +199,11 @@ MeetingFilter<D>::MeetingFilter(const Effects<D>& effects, Kernel kernel)
         largest_growth_ = largest_growth(*effects.growth);
     }
     if (effects.box) {
+        bounds_.length = effects.box->lengths();
         for (int i = 0; i < D; ++i) {
             include(effects.box->low[i]);
             include(effects.box->high[i]);
-            const double length = effects.box->high[i] - effects.box->low[i];
-            bounds_.length[i] = length;
-            bounds_.inverse_length[i] = 1.0 / length;
+            bounds_.inverse_length[i] = 1.0 / bounds_.length[i];
         }
     }
     const auto choose = [&]<Kernel k>() -> typename Asker::Answer {

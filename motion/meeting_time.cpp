@@ -8,6 +8,7 @@
 #include "../core/contract.hpp"
 #include "../exact/nearest_double.hpp"
 #include "../exact/polynomial.hpp"
+#include "apart.hpp"
 #include "descent.hpp"
 #include "nearby_time.hpp"
 #include "vector.hpp"
@@ -41,19 +42,6 @@ Polynomial radius_of(const GrowingBall<D>& ball) {
     return {Dyadic(ball.radius), Dyadic(ball.growth)};
 }
 
-template <int D>
-Path<D> difference(Path<D> a, const Path<D>& b) {
-    for (int i = 0; i < D; ++i) a[i] = a[i] - b[i];
-    return a;
-}
-
-template <int D>
-Polynomial square_of(const Path<D>& path) {
-    Polynomial sum;
-    for (const Polynomial& coordinate : path) sum = sum + coordinate * coordinate;
-    return sum;
-}
-
 // Two balls
 
 /// One ball seen from another one flies straight: gravity cancels.
@@ -65,21 +53,16 @@ struct RelativeFlight {
 
     RelativeFlight(const GrowingBall<D>& a, const GrowingBall<D>& b, const Effects<D>& effects)
         : start(std::max(a.time, b.time)),
-          distance(difference<D>(path_of<D>(a, effects.gravity), path_of<D>(b, effects.gravity))),
+          distance(path_of<D>(a, effects.gravity) - path_of<D>(b, effects.gravity)),
           reach(radius_of(a) + radius_of(b)) {}
 
     /// The meeting time of the image that is seen shifted.
     [[nodiscard]] double meeting(const PerAxis<Dyadic, D>& shift) const {
         Path<D> seen = distance;
         for (int i = 0; i < D; ++i) seen[i] = seen[i] - Polynomial{shift[i]};
-        return first_descent(square_of<D>(seen) - reach * reach, start);
+        return first_descent(dot(seen, seen) - reach * reach, start);
     }
 };
-
-template <int D>
-Dyadic length_of(const Effects<D>& effects, int axis) {
-    return Dyadic(effects.box->high[axis]) - Dyadic(effects.box->low[axis]);
-}
 
 /// The coefficient of t, rounded.
 double rate_of(const Polynomial& p) {
@@ -101,7 +84,7 @@ template <int D>
 class ImageSearch {
  public:
     ImageSearch(const RelativeFlight<D>& pair, const Effects<D>& effects) : pair_(pair) {
-        for (int i = 0; i < D; ++i) length_[i] = length_of(effects, i);
+        for (int i = 0; i < D; ++i) length_[i] = length<Dyadic>(effects, i);
     }
 
     /// The least meeting time of the images that may touch in [begin, end].
@@ -159,50 +142,6 @@ struct WithRoot {
     }
 };
 
-}  // namespace
-
-template <int D>
-double meeting_time(const GrowingBall<D>& a, const GrowingBall<D>& b, const Image<D>& image,
-                    const Effects<D>& effects) {
-    PerAxis<Dyadic, D> shift;
-    for (int i = 0; i < D; ++i)
-        if (image[i] != 0) shift[i] = image[i] * length_of(effects, i);
-    return RelativeFlight<D>(a, b, effects).meeting(shift);
-}
-
-template <int D>
-double meeting_time(const GrowingBall<D>& a, const GrowingBall<D>& b, const Effects<D>& effects,
-                    double until) {
-    const RelativeFlight<D> pair(a, b, effects);
-    const auto no_later = [until](double time) { return time <= until ? time : infinity; };
-    if (!effects.periodic) return no_later(pair.meeting({}));
-
-    // Windows so short that few images are in reach of each: half a box length of flight, rounded.
-    // Their lengths have no part in the result.
-    double turns_per_time = 0.0;
-    for (int i = 0; i < D; ++i) {
-        const double speed = std::fabs(rate_of(pair.distance[i])) + std::fabs(rate_of(pair.reach));
-        turns_per_time =
-            std::max(turns_per_time, speed / (effects.box->high[i] - effects.box->low[i]));
-    }
-    const bool grow = pair.reach.degree() == 1 && pair.reach.sign_at_infinity() > 0;
-    if (until == infinity && !grow)
-        throw std::invalid_argument("meeting_time: in a periodic box the search needs an end");
-    ImageSearch<D> images(pair, effects);
-    for (double begin = pair.start; begin <= until && begin < infinity;) {
-        const double after =
-            std::max(begin + 0.5 / turns_per_time, std::nextafter(begin, infinity));
-        const double end = std::min({after, until, std::numeric_limits<double>::max()});
-        const double time = images.first_between(begin, end);
-        if (time <= end) return time;
-        if (end == until || end < after) break;
-        begin = end;
-    }
-    return infinity;
-}
-
-namespace {
-
 /// A half space, in exact numbers.
 template <int D>
 struct ExactHalfSpace {
@@ -211,10 +150,8 @@ struct ExactHalfSpace {
     Dyadic speed;
 };
 template <int D>
-ExactHalfSpace<D> exact(const HalfSpace<D>& wall) {
-    ExactHalfSpace<D> result{{}, Dyadic(wall.offset), Dyadic(wall.speed)};
-    for (int i = 0; i < D; ++i) result.normal[i] = Dyadic(wall.normal[i]);
-    return result;
+ExactHalfSpace<D> dyadic(const HalfSpace<D>& wall) {
+    return {dyadic(wall.normal), Dyadic(wall.offset), Dyadic(wall.speed)};
 }
 
 /// F = s - |n| r, s the height of the centre over the wall, times |n|. Its coefficients are of the
@@ -230,23 +167,15 @@ double meeting_of(const GrowingBall<D>& ball, const ExactHalfSpace<D>& wall,
     static const Dyadic half(0.5);
     const double first = std::max(ball.time, since);
     const Dyadic start(first);
-    const Dyadic flown = start - Dyadic(ball.time);
     const Dyadic growth(ball.growth);
-    // F(start + y) = c + b y + a y²
-    Dyadic square;
-    Dyadic a;
-    WithRoot b{-wall.speed, -growth};
-    WithRoot c{-(wall.offset + wall.speed * start), -(Dyadic(ball.radius) + growth * start)};
-    for (int i = 0; i < D; ++i) {
-        const Dyadic& n = wall.normal[i];
-        const Dyadic v(ball.v[i]);
-        const Dyadic fallen = Dyadic(effects.gravity[i]) * flown;
-        square += n * n;
-        a += half * n * Dyadic(effects.gravity[i]);
-        b.u += n * (v + fallen);
-        c.u += n * (Dyadic(ball.x[i]) + (v + half * fallen) * flown);
-    }
+    const Dyadic square = dot(wall.normal, wall.normal);
     SIGNUM_EXPECTS(square.sign() > 0);
+    // F(start + y) = c + b y + a y²
+    const ExactPlace<D> then(ball, effects, first);
+    const Dyadic a = half * dot(wall.normal, dyadic(effects.gravity));
+    const WithRoot b{dot(wall.normal, then.v) - wall.speed, -growth};
+    const WithRoot c{dot(wall.normal, then.x) - (wall.offset + wall.speed * start),
+                     -(Dyadic(ball.radius) + growth * start)};
     const auto gap = [&](const Dyadic& y) {
         return WithRoot{c.u + (b.u + a * y) * y, c.v + b.v * y}.sign(square);
     };
@@ -277,22 +206,12 @@ double meeting_of(const GrowingBall<D>& ball, const ExactHalfSpace<D>& wall,
 Dyadic cross(const PerAxis<Dyadic, 2>& a, const PerAxis<Dyadic, 2>& b) {
     return a[0] * b[1] - a[1] * b[0];
 }
-PerAxis<Dyadic, 2> exact(const Vector<2>& v) {
-    return {{Dyadic(v[0]), Dyadic(v[1])}};
+/// One side of a segment.
+ExactHalfSpace<2> side_of(const PerAxis<Dyadic, 2>& from, const PerAxis<Dyadic, 2>& along,
+                          int side) {
+    const PerAxis<Dyadic, 2> normal{{side * -along[1], side * along[0]}};
+    return {normal, dot(normal, from), Dyadic()};
 }
-PerAxis<Dyadic, 2> difference(const PerAxis<Dyadic, 2>& a, const PerAxis<Dyadic, 2>& b) {
-    return {{a[0] - b[0], a[1] - b[1]}};
-}
-
-}  // namespace
-
-template <int D>
-double meeting_time(const GrowingBall<D>& ball, const HalfSpace<D>& wall,
-                    const Effects<D>& effects) {
-    return meeting_of(ball, exact(wall), effects, -infinity);
-}
-
-namespace {
 
 /// Whether a ball is surely too far from a point to touch it from one time to another: sums and
 /// products of doubles, each of which errs by 2^-53 of what is added up.
@@ -301,74 +220,11 @@ bool stays_away(const GrowingBall<2>& ball, const Vector<2>& point, const Effect
     if (!(until < infinity)) return false;
     const double flight = until - ball.time;
     double size = 0.0;
-    Vector<2> d;
-    for (int k = 0; k < 2; ++k) {
-        d[k] = ball.x[k] - point[k];
-        size += std::fabs(ball.x[k]) + std::fabs(point[k]);
-    }
-    const double fall = std::sqrt(dot(effects.gravity, effects.gravity));
-    const double way = (std::sqrt(dot(ball.v, ball.v)) + 0.5 * fall * flight) * flight;
+    for (int k = 0; k < 2; ++k) size += std::fabs(ball.x[k]) + std::fabs(point[k]);
+    const double way = (norm(ball.v) + 0.5 * norm(effects.gravity) * flight) * flight;
     const double radius = ball.radius + ball.growth * std::max(until, from);
-    return std::sqrt(dot(d, d)) > way + radius + 0x1p-40 * (size + way + radius);
+    return norm(ball.x - point) > way + radius + 0x1p-40 * (size + way + radius);
 }
-
-}  // namespace
-
-/// The ends are circles of radius 0. Each side is met as a half space is, if the centre is on that
-/// side then (or, of a point, was so one double before), and its foot on the segment at the rounded
-/// time. A foot off by that rounding loses nothing: next to an end the circle is met as soon.
-///
-/// Of each side one time is enough: a ball that already falls below it, beside the segment or
-/// behind it, does not come back to fall through it again, for the gap is a parabola.
-double meeting_time(const GrowingBall<2>& ball, const Segment& wall, const Effects<2>& effects,
-                    double since) {
-    double first = infinity;
-    const double start = std::max(ball.time, since);
-    const PerAxis<Dyadic, 2> from = exact(wall.from);
-    const PerAxis<Dyadic, 2> along = difference(exact(wall.to), from);
-    const Path<2> path = path_of<2>(ball, effects.gravity);
-    const auto seen_at = [&](double t) {
-        return difference({{path[0].value_at(Dyadic(t)), path[1].value_at(Dyadic(t))}}, from);
-    };
-    const Dyadic length = along[0] * along[0] + along[1] * along[1];
-    for (const int side : {1, -1}) {
-        const PerAxis<Dyadic, 2> normal{{side * -along[1], side * along[0]}};
-        const double t = meeting_of<2>(
-            ball, {normal, normal[0] * from[0] + normal[1] * from[1], Dyadic()}, effects, since);
-        if (!(t < first)) continue;
-        const PerAxis<Dyadic, 2> seen = seen_at(t);
-        const auto is_behind = [&](const PerAxis<Dyadic, 2>& place) {
-            return side * cross(along, place).sign() < 0;
-        };
-        if (is_behind(seen) && (t == start || is_behind(seen_at(std::nextafter(t, -infinity)))))
-            continue;
-        const Dyadic foot = seen[0] * along[0] + seen[1] * along[1];
-        if (foot.sign() >= 0 && (length - foot).sign() >= 0) first = t;
-    }
-    for (const Vector<2>& end : {wall.from, wall.to})
-        if (!stays_away(ball, end, effects, start, first))
-            first = std::min(first, meeting_time(ball, Sphere<2>{.centre = end}, effects, since));
-    return first;
-}
-
-template <int D>
-double meeting_time(const GrowingBall<D>& ball, const Sphere<D>& wall, const Effects<D>& effects,
-                    double since) {
-    const double start = std::max(ball.time, since);
-    Path<D> centre;
-    for (int i = 0; i < D; ++i) centre[i] = {Dyadic(wall.centre[i]), Dyadic(wall.velocity[i])};
-    const Polynomial square =
-        square_of<D>(difference<D>(path_of<D>(ball, effects.gravity), centre));
-    const Polynomial radius{Dyadic(wall.radius)};
-    if (wall.side == Sphere<D>::Side::outside) {
-        const Polynomial reach = radius + radius_of(ball);
-        return first_descent(square - reach * reach, start);
-    }
-    const Polynomial room = radius - radius_of(ball);
-    return first_descent(room * room - square, start);
-}
-
-namespace {
 
 constexpr double untold = std::numeric_limits<double>::quiet_NaN();
 
@@ -407,42 +263,20 @@ bool is_told(double about, double start) {
     return about >= start && about < 0x1p300;
 }
 
-/// A centre and its velocity at a time.
-template <int D>
-struct Then {
-    PerAxis<Dyadic, D> x;
-    PerAxis<Dyadic, D> v;
-
-    Then(const GrowingBall<D>& ball, const Effects<D>& effects, double t) {
-        static const Dyadic half(0.5);
-        const Dyadic flown = Dyadic(t) - Dyadic(ball.time);
-        for (int i = 0; i < D; ++i) {
-            const Dyadic fallen = Dyadic(effects.gravity[i]) * flown;
-            x[i] = Dyadic(ball.x[i]) + (Dyadic(ball.v[i]) + half * fallen) * flown;
-            v[i] = Dyadic(ball.v[i]) + fallen;
-        }
-    }
-};
 template <int D>
 double refined_meeting_of(const GrowingBall<D>& ball, const ExactHalfSpace<D>& wall,
                           const Effects<D>& effects, double about) {
     if (!is_told(about, ball.time)) return untold;
-    Dyadic square;
     double bend = 0.0;
-    for (int i = 0; i < D; ++i) {
-        square += wall.normal[i] * wall.normal[i];
+    for (int i = 0; i < D; ++i)
         bend += std::fabs(round_to_double(wall.normal[i]) * effects.gravity[i]);
-    }
+    const Dyadic square = dot(wall.normal, wall.normal);
     const double scale = std::sqrt(round_to_double(square));
     return falls_near(about, ball.time, [&](double time) -> Fall {
-        const Then<D> then(ball, effects, time);
+        const ExactPlace<D> then(ball, effects, time);
         const Dyadic t(time);
-        Dyadic height = -(wall.offset + wall.speed * t);
-        Dyadic rise = -wall.speed;
-        for (int i = 0; i < D; ++i) {
-            height += wall.normal[i] * then.x[i];
-            rise += wall.normal[i] * then.v[i];
-        }
+        const Dyadic height = dot(wall.normal, then.x) - (wall.offset + wall.speed * t);
+        const Dyadic rise = dot(wall.normal, then.v) - wall.speed;
         const Dyadic radius = Dyadic(ball.radius) + Dyadic(ball.growth) * t;
         // h - |n| r = (h² - n² r²) / (h + |n| r)
         const double sum = round_to_double(height) + scale * round_to_double(radius);
@@ -457,9 +291,102 @@ double refined_meeting_of(const GrowingBall<D>& ball, const ExactHalfSpace<D>& w
 }  // namespace
 
 template <int D>
+double meeting_time(const GrowingBall<D>& a, const GrowingBall<D>& b, const Image<D>& image,
+                    const Effects<D>& effects) {
+    PerAxis<Dyadic, D> shift;
+    for (int i = 0; i < D; ++i)
+        if (image[i] != 0) shift[i] = image[i] * length<Dyadic>(effects, i);
+    return RelativeFlight<D>(a, b, effects).meeting(shift);
+}
+
+template <int D>
+double meeting_time(const GrowingBall<D>& a, const GrowingBall<D>& b, const Effects<D>& effects,
+                    double until) {
+    const RelativeFlight<D> pair(a, b, effects);
+    const auto no_later = [until](double time) { return time <= until ? time : infinity; };
+    if (!effects.periodic) return no_later(pair.meeting({}));
+
+    // Windows so short that few images are in reach of each: half a box length of flight, rounded.
+    // Their lengths have no part in the result.
+    double turns_per_time = 0.0;
+    for (int i = 0; i < D; ++i) {
+        const double speed = std::fabs(rate_of(pair.distance[i])) + std::fabs(rate_of(pair.reach));
+        turns_per_time = std::max(turns_per_time, speed / length<double>(effects, i));
+    }
+    const bool grow = pair.reach.degree() == 1 && pair.reach.sign_at_infinity() > 0;
+    if (until == infinity && !grow)
+        throw std::invalid_argument("meeting_time: in a periodic box the search needs an end");
+    ImageSearch<D> images(pair, effects);
+    for (double begin = pair.start; begin <= until && begin < infinity;) {
+        const double after =
+            std::max(begin + 0.5 / turns_per_time, std::nextafter(begin, infinity));
+        const double end = std::min({after, until, std::numeric_limits<double>::max()});
+        const double time = images.first_between(begin, end);
+        if (time <= end) return time;
+        if (end == until || end < after) break;
+        begin = end;
+    }
+    return infinity;
+}
+
+template <int D>
+double meeting_time(const GrowingBall<D>& ball, const HalfSpace<D>& wall,
+                    const Effects<D>& effects) {
+    return meeting_of(ball, dyadic(wall), effects, -infinity);
+}
+
+/// The ends are circles of radius 0. Each side is met as a half space is, if the centre is on that
+/// side then (or, of a point, was so one double before), and its foot on the segment at the rounded
+/// time. A foot off by that rounding loses nothing: next to an end the circle is met as soon.
+///
+/// Of each side one time is enough: a ball that already falls below it, beside the segment or
+/// behind it, does not come back to fall through it again, for the gap is a parabola.
+double meeting_time(const GrowingBall<2>& ball, const Segment& wall, const Effects<2>& effects,
+                    double since) {
+    double first = infinity;
+    const double start = std::max(ball.time, since);
+    const PerAxis<Dyadic, 2> from = dyadic(wall.from);
+    const PerAxis<Dyadic, 2> along = dyadic(wall.to) - from;
+    const auto seen_at = [&](double t) { return ExactPlace<2>(ball, effects, t).x - from; };
+    for (const int side : {1, -1}) {
+        const double t = meeting_of<2>(ball, side_of(from, along, side), effects, since);
+        if (!(t < first)) continue;
+        const PerAxis<Dyadic, 2> seen = seen_at(t);
+        const auto is_behind = [&](const PerAxis<Dyadic, 2>& place) {
+            return side * cross(along, place).sign() < 0;
+        };
+        if (is_behind(seen) && (t == start || is_behind(seen_at(std::nextafter(t, -infinity)))))
+            continue;
+        const Dyadic foot = dot(seen, along);
+        if (foot.sign() >= 0 && (dot(along, along) - foot).sign() >= 0) first = t;
+    }
+    for (const Vector<2>& end : {wall.from, wall.to})
+        if (!stays_away(ball, end, effects, start, first))
+            first = std::min(first, meeting_time(ball, Sphere<2>{.centre = end}, effects, since));
+    return first;
+}
+
+template <int D>
+double meeting_time(const GrowingBall<D>& ball, const Sphere<D>& wall, const Effects<D>& effects,
+                    double since) {
+    const double start = std::max(ball.time, since);
+    Path<D> centre;
+    for (int i = 0; i < D; ++i) centre[i] = {Dyadic(wall.centre[i]), Dyadic(wall.velocity[i])};
+    const Path<D> seen = path_of<D>(ball, effects.gravity) - centre;
+    const Polynomial square = dot(seen, seen);
+    const Polynomial radius{Dyadic(wall.radius)};
+    if (wall.side == Sphere<D>::Side::outside) {
+        const Polynomial reach = radius + radius_of(ball);
+        return first_descent(square - reach * reach, start);
+    }
+    const Polynomial room = radius - radius_of(ball);
+    return first_descent(room * room - square, start);
+}
+
+template <int D>
 double refined_meeting(const GrowingBall<D>& ball, const HalfSpace<D>& wall,
                        const Effects<D>& effects, double about) {
-    return refined_meeting_of(ball, exact(wall), effects, about);
+    return refined_meeting_of(ball, dyadic(wall), effects, about);
 }
 
 template <int D>
@@ -468,27 +395,23 @@ double refined_meeting(const GrowingBall<D>& ball, const Sphere<D>& wall, const 
     if (!is_told(about, ball.time)) return untold;
     const double sign = wall.side == Sphere<D>::Side::outside ? 1.0 : -1.0;
     return falls_near(about, ball.time, [&](double time) -> Fall {
-        const Then<D> then(ball, effects, time);
+        const ExactPlace<D> then(ball, effects, time);
         const Dyadic t(time);
         const Dyadic radius = Dyadic(ball.radius) + Dyadic(ball.growth) * t;
         const Dyadic reach = Dyadic(wall.radius) + Dyadic(sign) * radius;
-        Dyadic square;
-        Dyadic product;
+        const PerAxis<Dyadic, D> u = dyadic(wall.velocity);
+        const PerAxis<Dyadic, D> d = then.x - (dyadic(wall.centre) + t * u);
+        const PerAxis<Dyadic, D> v = then.v - u;
         double fast = 0.0;
         double fall = 0.0;
         for (int i = 0; i < D; ++i) {
-            const Dyadic u(wall.velocity[i]);
-            const Dyadic d = then.x[i] - (Dyadic(wall.centre[i]) + u * t);
-            const Dyadic v = then.v[i] - u;
-            square += d * d;
-            product += d * v;
-            fast += std::pow(round_to_double(v), 2);
-            fall += std::fabs(round_to_double(d) * effects.gravity[i]);
+            fast += std::pow(round_to_double(v[i]), 2);
+            fall += std::fabs(round_to_double(d[i]) * effects.gravity[i]);
         }
-        const double slope = 2.0 * sign * round_to_double(product);
+        const double slope = 2.0 * sign * round_to_double(dot(d, v));
         const double grown = 2.0 * round_to_double(reach) * ball.growth;
         // Twice that of F'' now, for F'' changes, too.
-        return {sign * round_to_double(square - reach * reach), slope - grown,
+        return {sign * round_to_double(dot(d, d) - reach * reach), slope - grown,
                 std::fabs(slope) + std::fabs(grown),
                 4.0 * (fast + fall + ball.growth * ball.growth)};
     });
@@ -497,11 +420,10 @@ double refined_meeting(const GrowingBall<D>& ball, const Sphere<D>& wall, const 
 double refined_meeting(const GrowingBall<2>& ball, const Segment& wall, const Effects<2>& effects,
                        double about) {
     if (!is_told(about, ball.time)) return untold;
-    const PerAxis<Dyadic, 2> from = exact(wall.from);
-    const PerAxis<Dyadic, 2> along = difference(exact(wall.to), from);
-    const PerAxis<Dyadic, 2> seen = difference(Then<2>(ball, effects, about).x, from);
-    const double length = round_to_double(along[0] * along[0] + along[1] * along[1]);
-    const double foot = round_to_double(seen[0] * along[0] + seen[1] * along[1]) / length;
+    const PerAxis<Dyadic, 2> from = dyadic(wall.from);
+    const PerAxis<Dyadic, 2> along = dyadic(wall.to) - from;
+    const PerAxis<Dyadic, 2> seen = ExactPlace<2>(ball, effects, about).x - from;
+    const double foot = round_to_double(dot(seen, along)) / round_to_double(dot(along, along));
     // Next to where a side ends and an end begins all is looked at exactly.
     constexpr double margin = 0x1p-20;
     if (foot < -margin)
@@ -510,29 +432,23 @@ double refined_meeting(const GrowingBall<2>& ball, const Segment& wall, const Ef
         return refined_meeting(ball, Sphere<2>{.centre = wall.to}, effects, about);
     if (!(foot > margin && foot < 1.0 - margin)) return untold;
     const int side = cross(along, seen).sign();
-    const PerAxis<Dyadic, 2> normal{{side * -along[1], side * along[0]}};
-    return refined_meeting_of<2>(
-        ball, {normal, normal[0] * from[0] + normal[1] * from[1], Dyadic()}, effects, about);
+    return refined_meeting_of<2>(ball, side_of(from, along, side), effects, about);
 }
 
-template double meeting_time(const GrowingBall<2>&, const GrowingBall<2>&, const Image<2>&,
-                             const Effects<2>&);
-template double meeting_time(const GrowingBall<3>&, const GrowingBall<3>&, const Image<3>&,
-                             const Effects<3>&);
-template double meeting_time(const GrowingBall<2>&, const GrowingBall<2>&, const Effects<2>&,
-                             double);
-template double meeting_time(const GrowingBall<3>&, const GrowingBall<3>&, const Effects<3>&,
-                             double);
-template double meeting_time(const GrowingBall<2>&, const HalfSpace<2>&, const Effects<2>&);
-template double meeting_time(const GrowingBall<3>&, const HalfSpace<3>&, const Effects<3>&);
-template double meeting_time(const GrowingBall<2>&, const Sphere<2>&, const Effects<2>&, double);
-template double meeting_time(const GrowingBall<3>&, const Sphere<3>&, const Effects<3>&, double);
-
-template double refined_meeting(const GrowingBall<2>&, const HalfSpace<2>&, const Effects<2>&,
-                                double);
-template double refined_meeting(const GrowingBall<3>&, const HalfSpace<3>&, const Effects<3>&,
-                                double);
-template double refined_meeting(const GrowingBall<2>&, const Sphere<2>&, const Effects<2>&, double);
-template double refined_meeting(const GrowingBall<3>&, const Sphere<3>&, const Effects<3>&, double);
+#define SIGNUM_MEETING_TIMES(D)                                                                    \
+    template double meeting_time(const GrowingBall<D>&, const GrowingBall<D>&, const Image<D>&,    \
+                                 const Effects<D>&);                                               \
+    template double meeting_time(const GrowingBall<D>&, const GrowingBall<D>&, const Effects<D>&,  \
+                                 double);                                                          \
+    template double meeting_time(const GrowingBall<D>&, const HalfSpace<D>&, const Effects<D>&);   \
+    template double meeting_time(const GrowingBall<D>&, const Sphere<D>&, const Effects<D>&,       \
+                                 double);                                                          \
+    template double refined_meeting(const GrowingBall<D>&, const HalfSpace<D>&, const Effects<D>&, \
+                                    double);                                                       \
+    template double refined_meeting(const GrowingBall<D>&, const Sphere<D>&, const Effects<D>&,    \
+                                    double);
+SIGNUM_MEETING_TIMES(2)
+SIGNUM_MEETING_TIMES(3)
+#undef SIGNUM_MEETING_TIMES
 
 }  // namespace signum::motion

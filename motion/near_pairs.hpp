@@ -42,9 +42,7 @@ using filters::Interval;
 }
 template <int D>
 [[nodiscard]] Interval size_of(const PerAxis<Interval, D>& v) noexcept {
-    Interval square = v[0] * v[0];
-    for (int k = 1; k < D; ++k) square = square + v[k] * v[k];
-    return square_root(square);
+    return square_root(dot(v, v));
 }
 
 /// Gaps are those of balls that fly without kicks, and whose radii stay as they are. Throws
@@ -89,9 +87,7 @@ class NearPairs {
     NearPairs(std::span<const Ball<D>> balls, const Effects<D>& effects, double from, double to)
         : balls_(balls), effects_(effects), from_(from), time_(Interval(to) - Interval(from)) {
         if (from == to) time_ = Interval(0.0);
-        length_.fill(infinity);
-        if (!effects.periodic) return;
-        for (int k = 0; k < D; ++k) length_[k] = effects.box->high[k] - effects.box->low[k];
+        if (effects.periodic) length_ = effects.box->lengths();
     }
 
     /// Those that may be the closest ones, each image of a pair for itself; nothing where they are
@@ -102,7 +98,7 @@ class NearPairs {
         std::vector<typename PairTree<D>::Place> boxes;
         boxes.reserve(balls_.size());
         for (const Ball<D>& ball : balls_) boxes.push_back(box_of(ball));
-        const PairTree<D> tree(boxes, length_);
+        const PairTree<D> tree(boxes, effects_);
         Found found{infinity, limit, {}};
         const bool all = tree.visit_pairs(
             [&] { return found.bound; },
@@ -277,7 +273,7 @@ class NearPairs {
     const Effects<D>& effects_;
     double from_;
     Interval time_;
-    Vector<D> length_;
+    Vector<D> length_{};  // of a periodic box
 };
 
 }  // namespace signum::motion

@@ -38,10 +38,10 @@ class NotedPairs {
         noted_at_ = now;
         skin_ = skin;
         for (Slot i = 0; i < balls_; ++i) partners_.clear(i);
-        for (Slot i = 0; i < balls_; ++i) near(i, [&](Slot j) { append(i, j); });
+        for (Slot i = 0; i < balls_; ++i) near(i, [&](Slot j) { partners_.link(i, j); });
     }
     void add(Slot i, Slot j) {
-        if (std::ranges::find(of(i), j) == of(i).end()) append(i, j);
+        if (std::ranges::find(of(i), j) == of(i).end()) partners_.link(i, j);
     }
     /// How fast balls were is no matter for what is noted now.
     void forget_speeds() noexcept { fastest_ = 0.0; }
@@ -52,11 +52,6 @@ class NotedPairs {
     [[nodiscard]] std::span<const Slot> of(Slot i) const noexcept { return partners_[i]; }
 
  private:
-    void append(Slot i, Slot j) {
-        partners_.append(i, j);
-        partners_.append(j, i);
-    }
-
     std::size_t balls_;
     SlotLists partners_;
     double noted_at_ = -infinity;

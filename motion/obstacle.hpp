@@ -85,4 +85,24 @@ struct ObstacleOf<2> {
 template <int D>
 using Obstacle = typename ObstacleOf<D>::type;
 
+/// Whether an obstacle of some kind moves.
+template <int D>
+[[nodiscard]] bool is_moving(const HalfSpace<D>& wall) noexcept {
+    return wall.speed != 0.0;
+}
+/// The same.
+template <int D>
+[[nodiscard]] bool is_moving(const Sphere<D>& wall) noexcept {
+    return wall.velocity != Vector<D>{};
+}
+/// The same.
+[[nodiscard]] inline bool is_moving(const Segment&) noexcept {
+    return false;
+}
+/// The same.
+template <class... Kinds>
+[[nodiscard]] bool is_moving(const std::variant<Kinds...>& obstacle) noexcept {
+    return std::visit([](const auto& each) { return is_moving(each); }, obstacle);
+}
+
 }  // namespace signum::motion

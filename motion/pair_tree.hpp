@@ -23,10 +23,10 @@ class PairTree {
         double radius = 0.0;
     };
 
-    /// `length`: of a periodic box; infinite of a world without images.
-    PairTree(const std::vector<Place>& balls, const Vector<D>& length)
-        : length_(length),
-          tree_(balls.size(), 4, D, [&](std::size_t i) { return bounds_of(balls[i]); }) {
+    PairTree(const std::vector<Place>& balls, const Effects<D>& effects)
+        : tree_(balls.size(), 4, D, [&](std::size_t i) { return bounds_of(balls[i]); }) {
+        length_.fill(infinity);
+        if (effects.periodic) length_ = effects.box->lengths();
         for (const std::uint32_t i : tree_.order()) balls_.push_back(bounds_of(balls[i]));
     }
 
@@ -113,7 +113,7 @@ class PairTree {
         }
     };
 
-    Vector<D> length_;
+    Vector<D> length_;  // of a periodic box; infinite of a world without images
     Tree tree_;
     std::vector<Bounds> balls_;  // by their places in it
 };

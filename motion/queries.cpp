@@ -115,19 +115,16 @@ std::optional<ClosestPair> closest_pair(const State<D>& state, const Effects<D>&
     return ClosestPair{state.time, best.a, best.b, gap.nearest_double()};
 }
 
-template State<2> state_at(const State<2>&, const Effects<2>&, double, const Options&);
-template State<3> state_at(const State<3>&, const Effects<3>&, double, const Options&);
-template StrikeList strikes_between(const State<2>&, const Effects<2>&, double, double,
-                                    const Options&);
-template StrikeList strikes_between(const State<3>&, const Effects<3>&, double, double,
-                                    const Options&);
-template std::optional<Strike> next_strike(const State<2>&, const Effects<2>&, double, double,
-                                           const Options&);
-template std::optional<Strike> next_strike(const State<3>&, const Effects<3>&, double, double,
-                                           const Options&);
-template std::optional<Neighbour> nearest(const State<2>&, const Effects<2>&, std::int32_t);
-template std::optional<Neighbour> nearest(const State<3>&, const Effects<3>&, std::int32_t);
-template std::optional<ClosestPair> closest_pair(const State<2>&, const Effects<2>&);
-template std::optional<ClosestPair> closest_pair(const State<3>&, const Effects<3>&);
+#define SIGNUM_QUERIES(D)                                                                          \
+    template State<D> state_at(const State<D>&, const Effects<D>&, double, const Options&);        \
+    template StrikeList strikes_between(const State<D>&, const Effects<D>&, double, double,        \
+                                        const Options&);                                           \
+    template std::optional<Strike> next_strike(const State<D>&, const Effects<D>&, double, double, \
+                                               const Options&);                                    \
+    template std::optional<Neighbour> nearest(const State<D>&, const Effects<D>&, std::int32_t);   \
+    template std::optional<ClosestPair> closest_pair(const State<D>&, const Effects<D>&);
+SIGNUM_QUERIES(2)
+SIGNUM_QUERIES(3)
+#undef SIGNUM_QUERIES
 
 }  // namespace signum::motion

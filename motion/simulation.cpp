@@ -75,7 +75,7 @@ Sizes sizes_of(const State<D>& state, const Effects<D>& effects) {
     if (!effects.box) return sizes;
     sizes.around = static_cast<double>(state.balls.size());
     for (int k = 0; k < D; ++k) {
-        const double length = effects.box->high[k] - effects.box->low[k];
+        const double length = effects.box->lengths()[k];
         sizes.shortest_box = std::min(sizes.shortest_box, length);
         sizes.packing /= length;
         sizes.around *= 2.0 * sizes.largest / length;

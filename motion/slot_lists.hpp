@@ -29,6 +29,11 @@ class SlotLists {
         pool_[list.begin + list.size++] = j;
         ++entries_;
     }
+    /// Each of two in the other's list.
+    void link(Slot i, Slot j) {
+        append(i, j);
+        append(j, i);
+    }
     /// Nothing happens where it is not there.
     void remove(Slot i, Slot j) noexcept {
         List& list = lists_[i];

@@ -70,8 +70,7 @@ class StandingContacts {
     }
     [[nodiscard]] static double speed_along(const Vector<D>& v, const Vector<D>& of_wall,
                                             const Vector<D>& normal) noexcept {
-        Vector<D> along;
-        for (int k = 0; k < D; ++k) along[k] = v[k] - of_wall[k];
+        const Vector<D> along = v - of_wall;
         const double parting = dot(along, normal);
         return std::sqrt(std::max(dot(along, along) - parting * parting, 0.0));
     }

@@ -30,7 +30,7 @@ using exact::Dyadic;
 /// Numbers whose squares, and squares of squares, are doubles with the errors of their products.
 constexpr double largest = 0x1p150;
 
-bool is_within(double number) noexcept {
+bool is_in_window(double number) noexcept {
     const double magnitude = std::fabs(number);
     return magnitude == 0.0 || (magnitude >= 1.0 / largest && magnitude <= largest);
 }
@@ -40,6 +40,9 @@ constexpr double farthest = 0x1p200;
 
 bool is_in_reach(double number) noexcept {
     return std::fabs(number) <= farthest;
+}
+bool is_finite(double number) noexcept {
+    return std::isfinite(number);
 }
 
 [[noreturn]] void refuse(const std::string& what) {
@@ -53,7 +56,7 @@ void check_numbers(const Value& value, const Field& field, const std::string& pa
         std::string_view wanted;
         if (!field.range.has(number))
             wanted = field.range.words;
-        else if (!field.range.is_fine && !is_within(number))
+        else if (!field.range.is_fine && !is_in_window(number))
             wanted = "0 or a number of 2^-150 to 2^150";
         if (!wanted.empty())
             refuse(path + std::string(field.name) + ": give " + std::string(wanted));
@@ -113,22 +116,21 @@ void check(const Effects<D>& effects) {
 }
 
 void check_radius_and_mass(double radius, double mass, std::int64_t number) {
-    if (!(radius >= 0.0) || !is_within(radius))
+    if (!(radius >= 0.0) || !is_in_window(radius))
         throw BallError(number,
                         "a radius that is negative, not finite, or beyond 2^150 or below "
                         "2^-150 and not 0");
     if (!(mass > 0.0)) throw BallError(number, "a mass that is not positive; a ball needs one");
-    if (!is_within(mass)) throw BallError(number, "a mass beyond 2^150, or below 2^-150");
+    if (!is_in_window(mass)) throw BallError(number, "a mass beyond 2^150, or below 2^-150");
 }
 
 template <int D>
 void check(const Body<D>& body, std::int64_t number) {
-    for (int k = 0; k < D; ++k)
-        if (!is_within(body.x[k]) || !is_within(body.v[k]))
-            throw BallError(number,
-                            "a coordinate or speed that is not finite, or beyond 2^150 or "
-                            "below 2^-150 and not 0");
-    if (!std::ranges::all_of(body.spin, is_within))
+    if (!std::ranges::all_of(body.x, is_in_window) || !std::ranges::all_of(body.v, is_in_window))
+        throw BallError(number,
+                        "a coordinate or speed that is not finite, or beyond 2^150 or "
+                        "below 2^-150 and not 0");
+    if (!std::ranges::all_of(body.spin, is_in_window))
         throw BallError(number,
                         "a spin that is not finite, or beyond 2^150 or below 2^-150 and not 0");
     check_radius_and_mass(body.radius, body.mass, number);
@@ -137,27 +139,16 @@ void check(const Body<D>& body, std::int64_t number) {
 /// Whether a ball lies in what an obstacle takes, exactly.
 template <int D>
 bool is_within(const Body<D>& body, const HalfSpace<D>& wall) {
-    Dyadic height(-wall.offset);
-    Dyadic square;
-    for (int k = 0; k < D; ++k) {
-        height += Dyadic(wall.normal[k]) * Dyadic(body.x[k]);
-        square += Dyadic(wall.normal[k]) * Dyadic(wall.normal[k]);
-    }
+    const PerAxis<Dyadic, D> normal = dyadic(wall.normal);
+    const Dyadic height = dot(normal, dyadic(body.x)) - Dyadic(wall.offset);
     const Dyadic radius(body.radius);
-    return height.sign() < 0 || (height * height - square * radius * radius).sign() < 0;
-}
-template <int D>
-Dyadic square_of_distance(const Vector<D>& a, const Vector<D>& b) {
-    Dyadic square;
-    for (int k = 0; k < D; ++k) {
-        const Dyadic d = Dyadic(a[k]) - Dyadic(b[k]);
-        square += d * d;
-    }
-    return square;
+    return height.sign() < 0 ||
+           (height * height - dot(normal, normal) * radius * radius).sign() < 0;
 }
 template <int D>
 bool is_within(const Body<D>& body, const Sphere<D>& wall) {
-    const Dyadic square = square_of_distance<D>(body.x, wall.centre);
+    const PerAxis<Dyadic, D> d = dyadic(body.x) - dyadic(wall.centre);
+    const Dyadic square = dot(d, d);
     if (wall.side == Sphere<D>::Side::outside) {
         const Dyadic reach = Dyadic(wall.radius) + Dyadic(body.radius);
         return (square - reach * reach).sign() < 0;
@@ -166,24 +157,16 @@ bool is_within(const Body<D>& body, const Sphere<D>& wall) {
     return room.sign() < 0 || (room * room - square).sign() < 0;
 }
 bool is_within(const Body<2>& body, const Segment& wall) {
+    for (const Vector<2>& end : {wall.from, wall.to})
+        if (is_within(body, Sphere<2>{.centre = end})) return true;
+    const PerAxis<Dyadic, 2> along = dyadic(wall.to) - dyadic(wall.from);
+    const PerAxis<Dyadic, 2> seen = dyadic(body.x) - dyadic(wall.from);
+    const Dyadic foot = dot(along, seen);
+    const Dyadic height = along[1] * seen[0] - along[0] * seen[1];
+    const Dyadic length = dot(along, along);
     const Dyadic radius(body.radius);
-    const Dyadic reach = radius * radius;
-    if ((square_of_distance<2>(body.x, wall.from) - reach).sign() < 0 ||
-        (square_of_distance<2>(body.x, wall.to) - reach).sign() < 0)
-        return true;
-    Dyadic foot;
-    Dyadic height;
-    Dyadic length;
-    for (int k = 0; k < 2; ++k) {
-        const Dyadic along = Dyadic(wall.to[k]) - Dyadic(wall.from[k]);
-        const Dyadic across = Dyadic(wall.to[1 - k]) - Dyadic(wall.from[1 - k]);
-        const Dyadic seen = Dyadic(body.x[k]) - Dyadic(wall.from[k]);
-        foot += along * seen;
-        height += (k == 0 ? 1 : -1) * across * seen;
-        length += along * along;
-    }
     return foot.sign() > 0 && (length - foot).sign() > 0 &&
-           (height * height - length * reach).sign() < 0;
+           (height * height - length * radius * radius).sign() < 0;
 }
 template <int D>
 void check_obstacles(const Body<D>& body, const Effects<D>& effects, std::int64_t number) {
@@ -255,12 +238,10 @@ void check_width(double radius, const std::optional<Growth>& growth, const Effec
 /// that is said before.
 template <int D>
 void check_room_to_grow(std::span<const Body<D>> bodies, const Effects<D>& effects) {
-    double room = 1.0;
-    for (int k = 0; k < D; ++k) room *= effects.box->high[k] - effects.box->low[k];
     double filled = 0.0;
     for (const Body<D>& body : bodies) filled += ball_volume<D>(body.radius);
     filled *= std::pow(largest_growth(*effects.growth), D);
-    if (filled > room)
+    if (filled > effects.box->volume())
         refuse(
             "growth: in the end balls would fill more than the box; give a smaller rate, or let "
             "them grow for a shorter time");
@@ -270,23 +251,18 @@ void check_room_to_grow(std::span<const Body<D>> bodies, const Effects<D>& effec
 template <int D>
 bool overlap(const Ball<D>& a, const Ball<D>& b, const Effects<D>& effects) {
     const Image<D> image = nearest_image(a.x, b.x, effects);
-    Vector<D> d;
+    const Vector<D> d = apart<double>(a.x, b.x, image, effects);
     double size = 0.0;
     for (int k = 0; k < D; ++k) {
-        d[k] = apart<double>(a.x, b.x, k, image, effects);
         size = std::max({size, std::fabs(a.x[k]), std::fabs(b.x[k])});
         if (image[k] != 0) size = std::max(size, length<double>(effects, k));
     }
     const double radii = a.radius + b.radius;
     // What rounding does to a difference is far less than a part in 2^40 of the numbers.
     if (dot(d, d) > std::max(radii * radii * (1.0 + 0x1p-20), 0x1p-40 * size * size)) return false;
-    Dyadic square;
-    for (int k = 0; k < D; ++k) {
-        const Dyadic exact = apart<Dyadic>(a.x, b.x, k, image, effects);
-        square += exact * exact;
-    }
+    const PerAxis<Dyadic, D> exact = apart<Dyadic>(a.x, b.x, image, effects);
     const Dyadic sum = Dyadic(a.radius) + Dyadic(b.radius);
-    return (square - sum * sum).sign() < 0;
+    return (dot(exact, exact) - sum * sum).sign() < 0;
 }
 
 /// The numbers of the balls, but of points in one place the first one's alone: whatever overlaps
@@ -318,11 +294,8 @@ std::optional<std::pair<std::uint32_t, std::uint32_t>> any_overlap(
         const Ball<D>& ball = state.balls[number];
         places.push_back({.box = {ball.x, ball.x}, .radius = ball.radius});
     }
-    Vector<D> length;
-    for (int k = 0; k < D; ++k)
-        length[k] = effects.periodic ? effects.box->high[k] - effects.box->low[k] : infinity;
     std::optional<std::pair<std::uint32_t, std::uint32_t>> found;
-    PairTree<D>(places, length)
+    PairTree<D>(places, effects)
         .visit_pairs([] { return 0.0; },
                      [&](std::uint32_t i, std::uint32_t j) {
                          const std::pair pair(numbers[std::max(i, j)], numbers[std::min(i, j)]);
@@ -394,11 +367,10 @@ void check_parts(const State<D>& state, const Effects<D>& effects) {
     check(effects);
     const std::size_t balls = state.balls.size();
     if (state.masses.size() != balls || state.in_place.size() != balls)
-        throw std::invalid_argument("a state whose balls and masses differ in number");
+        refuse("a state whose balls and masses differ in number");
     if (state.spins.size() != (effects.friction ? balls : 0) ||
         state.last_strikes.size() != (effects.contact_duration > 0.0 ? balls : 0))
-        throw std::invalid_argument(
-            "a state that does not have what its effects need of each ball");
+        refuse("a state that does not have what its effects need of each ball");
     const auto number_of_balls = static_cast<std::int64_t>(balls);
     const auto walls = static_cast<std::int64_t>(2 * D + effects.obstacles.size());
     const auto has_pair = [&](std::int32_t a, std::int32_t b) {
@@ -409,40 +381,36 @@ void check_parts(const State<D>& state, const Effects<D>& effects) {
     };
     for (const Passed& passed : state.passed)
         if (!has_pair(passed.a, passed.b) || std::isnan(passed.time))
-            throw std::invalid_argument("a state with a meeting of balls or walls that it has not");
+            refuse("a state with a meeting of balls or walls that it has not");
     std::int64_t ball_before = -1;
     for (const Pressed& pressed : state.pressed) {
         if (pressed.ball <= std::exchange(ball_before, pressed.ball) ||
             pressed.ball >= number_of_balls)
-            throw std::invalid_argument("a state with pressed balls that it has not, or twice");
+            refuse("a state with pressed balls that it has not, or twice");
         if (!(0.0 <= pressed.quarter && pressed.quarter <= pressed.half &&
               pressed.half <= pressed.last && pressed.last <= state.time))
-            throw std::invalid_argument("a state with pressed balls at times that are in no order");
+            refuse("a state with pressed balls at times that are in no order");
     }
     for (const StandingContact<D>& contact : state.contacts)
-        if (!effects.contacts || !has_pair(contact.a, contact.b) || !std::isfinite(contact.push) ||
-            !std::ranges::all_of(contact.rub, [](double each) { return std::isfinite(each); }))
-            throw std::invalid_argument("a state with contacts of balls or walls that it has not");
+        if (!effects.contacts || !has_pair(contact.a, contact.b) || !is_finite(contact.push) ||
+            !std::ranges::all_of(contact.rub, is_finite))
+            refuse("a state with contacts of balls or walls that it has not");
     for (const Spin<D>& spin : state.spins)
-        if (!std::ranges::all_of(spin, [](double each) { return std::isfinite(each); }))
-            throw std::invalid_argument("a state with a spin that is not finite");
-    if (!(state.time >= 0.0 && std::isfinite(state.time)))
-        throw std::invalid_argument("a state's time: give 0 or more");
+        if (!std::ranges::all_of(spin, is_finite)) refuse("a state with a spin that is not finite");
+    if (!(state.time >= 0.0 && is_finite(state.time))) refuse("a state's time: give 0 or more");
     for (const double time : state.last_strikes)
-        if (!(time <= state.time))
-            throw std::invalid_argument("a state with a last strike that is after its time");
+        if (!(time <= state.time)) refuse("a state with a last strike that is after its time");
     // A state is from when the last step began, or ended, to when that comes about next.
     if (const TimeSteps<D> steps(effects, state.half_steps);
         state.half_steps > 0 && !(effects.time_step > 0.0))
-        throw std::invalid_argument("a state between time steps, of which there are none");
+        refuse("a state between time steps, of which there are none");
     else if (!(steps.last() <= state.time && state.time <= steps.next()))
-        throw std::invalid_argument("a state whose time is not within the time step that it names");
+        refuse("a state whose time is not within the time step that it names");
     for (std::size_t i = 0; i < balls; ++i) {
         const Ball<D>& ball = state.balls[i];
         const auto number = static_cast<std::int64_t>(i);
-        for (int k = 0; k < D; ++k)
-            if (!std::isfinite(ball.x[k]) || !std::isfinite(ball.v[k]))
-                throw BallError(number, "a coordinate or speed that is not finite");
+        if (!std::ranges::all_of(ball.x, is_finite) || !std::ranges::all_of(ball.v, is_finite))
+            throw BallError(number, "a coordinate or speed that is not finite");
         check_radius_and_mass(ball.radius, state.masses[i], number);
         if (!(ball.time >= 0.0 && ball.time <= state.time))
             throw BallError(number, "a ball's own time that is not from 0 to that of the state");
@@ -454,9 +422,8 @@ void check(const State<D>& state, const Effects<D>& effects) {
     const exact::IeeeEnvironment environment;
     check_parts(state, effects);
     for (const Spin<D>& spin : state.spins)
-        if (!std::ranges::all_of(spin, is_in_reach))
-            throw std::invalid_argument("a state with a spin beyond 2^200");
-    if (!is_in_reach(state.time)) throw std::invalid_argument("a state's time: give at most 2^200");
+        if (!std::ranges::all_of(spin, is_in_reach)) refuse("a state with a spin beyond 2^200");
+    if (!is_in_reach(state.time)) refuse("a state's time: give at most 2^200");
     for (std::size_t i = 0; i < state.balls.size(); ++i) {
         const Ball<D>& ball = state.balls[i];
         const auto number = static_cast<std::int64_t>(i);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "../core/error_free.hpp"
 #include "../core/processor.hpp"
@@ -86,17 +87,25 @@ Rational bounce(double restitution) {
 
 template <int D>
 bool change(Ball<D>& ball, const Vector<D>& v) noexcept {
-    bool changed = false;
-    for (int i = 0; i < D; ++i) changed |= v[i] != ball.v[i];
-    ball.v = v;
-    return changed;
+    return std::exchange(ball.v, v) != v;
 }
 
-/// D, D·V and D·D of two balls at one time, in double-doubles.
+/// Off by at most 2^-98 of itself.
+[[gnu::always_inline]] inline DoubleDouble root_of(DoubleDouble square) noexcept {
+    const double first = std::sqrt(square.high);
+    const TwoTerms root =
+        two_sum(first, (square - first * DoubleDouble{first, 0.0}).high / (2.0 * first));
+    return {root.high, root.low};
+}
+
+/// What products lose that are too small for their error to be a double.
+constexpr double underflow = 0x1p-1060;
+
+/// D, D·V - ρ √(D·D) and D·D of two balls at one time, in double-doubles.
 template <int D>
 struct RefinedSeparation {
     [[gnu::always_inline]] RefinedSeparation(const Ball<D>& a, const Ball<D>& b,
-                                             const Image<D>& image,
+                                             const Image<D>& image, const Law& law,
                                              const Effects<D>& effects) noexcept {
         Four shifts;
         x = apart(a.x, b.x, image, effects, shifts);
@@ -113,6 +122,19 @@ struct RefinedSeparation {
         magnitude(speed, v.high);
         size = filters::sum_of((distance + shifts) * speed);
         shift = filters::sum_of(shifts);
+        if (law.growth != 0.0) [[unlikely]] {
+            const DoubleDouble grown = law.growth * root_of(square);
+            product = product - grown;
+            size += grown.high;
+        }
+    }
+    [[nodiscard, gnu::always_inline]] double product_error() const noexcept {
+        return 0x1p-98 * size + underflow;
+    }
+    /// Of the quotient of product and square.
+    [[nodiscard, gnu::always_inline]] double relative_error() const noexcept {
+        const double relative = product_error() / std::fabs(product.high);
+        return shift > 0.0 ? relative + 0x1p-96 * shift / std::sqrt(square.high) : relative;
     }
 
     FourDoubleDoubles x;
@@ -126,31 +148,17 @@ struct RefinedSeparation {
 template <int D>
 struct ExactSeparation {
     ExactSeparation(const Ball<D>& a, const Ball<D>& b, const Image<D>& image,
-                    const Effects<D>& effects) {
-        for (int i = 0; i < D; ++i) {
-            x[i] = apart<Dyadic>(a.x, b.x, i, image, effects);
-            product += x[i] * (Dyadic(a.v[i]) - Dyadic(b.v[i]));
-            square += x[i] * x[i];
-        }
-    }
+                    const Effects<D>& effects)
+        : x(apart<Dyadic>(a.x, b.x, image, effects)),
+          product(dot(x, dyadic(a.v) - dyadic(b.v))),
+          square(dot(x, x)) {}
 
     PerAxis<Dyadic, D> x;
     Dyadic product;
     Dyadic square;
 };
 
-/// What products lose that are too small for their error to be a double.
-constexpr double underflow = 0x1p-1060;
-
 constexpr double untold = std::numeric_limits<double>::quiet_NaN();
-
-/// Off by at most 2^-98 of itself.
-[[gnu::always_inline]] inline DoubleDouble root_of(DoubleDouble square) noexcept {
-    const double first = std::sqrt(square.high);
-    const TwoTerms root =
-        two_sum(first, (square - first * DoubleDouble{first, 0.0}).high / (2.0 * first));
-    return {root.high, root.low};
-}
 
 /// The velocities after a strike, or `untold` components.
 template <int D>
@@ -172,23 +180,15 @@ template <int D>
                                                       const Image<D>& image, double mass_a,
                                                       double mass_b, const Law& law,
                                                       const Effects<D>& effects) noexcept {
-    RefinedSeparation<D> d(a, b, image, effects);
-    if (law.growth != 0.0) {
-        const DoubleDouble grown = law.growth * root_of(d.square);
-        d.product = d.product - grown;
-        d.size += grown.high;
-    }
+    const RefinedSeparation<D> d(a, b, image, law, effects);
     After<D> after;
     after.approach = -d.product.high;
     after.square = d.square.high;
     after.of_a.fill(untold);
     after.of_b.fill(untold);
-    const double product_error = 0x1p-98 * d.size + underflow;
-    // Of the quotient of product and square.
-    double relative = product_error / after.approach;
-    if (d.shift > 0.0) relative += 0x1p-96 * d.shift / std::sqrt(after.square);
-    after.recedes = d.product.high > product_error;
-    if (!(relative >= 0.0 && relative < 0x1p-60 && after.approach > 0x1p-800)) return after;
+    const double relative = d.relative_error();
+    after.recedes = d.product.high > d.product_error();
+    if (!(relative < 0x1p-60 && after.approach > 0x1p-800)) return after;
     after.measured = true;
     const DoubleDouble ratio = quotient(d.product, d.square);
     if (!(std::fabs(ratio.high) > 0x1p-800 && after.square > 0x1p-800)) return after;
@@ -396,21 +396,12 @@ Exchange strike(Ball<D>& a, Ball<D>& b, const Image<D>& image, double mass_a, do
 template <int D>
 double impulse(const Ball<D>& a, const Ball<D>& b, const Image<D>& image, double mass_a,
                double mass_b, const Law& law, const Effects<D>& effects, StrikeTally& tally) {
-    const RefinedSeparation<D> d(a, b, image, effects);
-    const DoubleDouble square = d.square;
-    const DoubleDouble root = root_of(square);
-    DoubleDouble product = d.product;
-    double size = d.size;
-    if (law.growth != 0.0) [[unlikely]] {
-        const DoubleDouble grown = law.growth * root;
-        product = product - grown;
-        size += grown.high;
-    }
-    double relative = 0x1p-98 * size / std::fabs(product.high);
-    if (d.shift > 0.0) relative += 0x1p-96 * d.shift / std::sqrt(square.high);
-    if (relative < 0x1p-60 && std::fabs(product.high) > 0x1p-800 && square.high > 0x1p-800) {
+    const RefinedSeparation<D> d(a, b, image, law, effects);
+    const double relative = d.relative_error();
+    if (relative < 0x1p-60 && std::fabs(d.product.high) > 0x1p-800 && d.square.high > 0x1p-800) {
         const Shares share = shares(mass_a, mass_b, law.restitution);
-        const DoubleDouble momentum = mass_a * (share.of_a * quotient(product, root));
+        const DoubleDouble momentum =
+            mass_a * (share.of_a * quotient(d.product, root_of(d.square)));
         double nearest = 0.0;
         if (rounds(momentum, (0x1p-92 + relative) * std::fabs(momentum.high) + underflow, nearest))
             return std::fabs(nearest);
@@ -444,10 +435,6 @@ bool stayed_in_place_exactly(const Ball<D>& a, const Ball<D>& b, const Image<D>&
     const ExactSeparation<D> d(a, b, image, effects);
     return in_place(a, before, to_rational(d.product), to_rational(d.square));
 }
-template <int D>
-bool stayed_in_place_exactly(const Ball<D>& ball, Wall wall, double before) {
-    return in_place(ball, before, to_rational(ball.v[wall / 2]), Rational(1));
-}
 
 template <int D>
 bool strike(Ball<D>& ball, Wall wall, const Law& law) {
@@ -475,7 +462,6 @@ double impulse(const Ball<D>& ball, Wall wall, double mass, const Law& law) {
     template InPlace stayed_in_place(const Ball<D>&, double, double, double) noexcept;        \
     template bool stayed_in_place_exactly(const Ball<D>&, const Ball<D>&, const Image<D>&,    \
                                           const Effects<D>&, double);                         \
-    template bool stayed_in_place_exactly(const Ball<D>&, Wall, double);                      \
     template bool strike(Ball<D>&, Wall, const Law&);                                         \
     template double impulse(const Ball<D>&, Wall, double, const Law&);
 SIGNUM_STRIKES_OF(2)

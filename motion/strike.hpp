@@ -37,14 +37,17 @@ struct Law {
     double growth = 0.0;  ///< ρ
 };
 
-/// What two balls exchange.
+/// What two balls exchange, or a ball and a wall.
 struct Exchange {
     bool struck = false;
-    /// |V·D - ρ √(D·D)|, where they strike, and D·D; off by less than a part in 2^40.
+    /// |V·D - ρ √(D·D)|, where they strike, and D·D; off by less than a part in 2^40. Of a wall w -
+    /// n·v + q √(n·n) and n·n (wall_strike.hpp), rounded.
     double approach = 0.0;
     double square = 0.0;
-    /// (1+e) μ times that, which is the impulse times the distance; rounded somehow.
+    /// Of two balls (1+e) μ times that, which is the impulse times the distance; rounded somehow.
     double virial = 0.0;
+    /// Of a wall the momentum along the normal, the nearest double.
+    double impulse = 0.0;
 };
 
 /// Whether a ball has stayed in place since its last strike: (V·D)² Δ² <= 2^-80 s² D·D, where Δ is
@@ -59,8 +62,6 @@ template <int D>
 [[nodiscard]] bool stayed_in_place_exactly(const Ball<D>& a, const Ball<D>& b,
                                            const Image<D>& image, const Effects<D>& effects,
                                            double before);
-template <int D>
-[[nodiscard]] bool stayed_in_place_exactly(const Ball<D>& ball, Wall wall, double before);
 
 /// Changes the velocities of two balls at the same time, or says that it is no strike.
 template <int D>

@@ -1,6 +1,7 @@
 #pragma once
 /// Places, speeds and boxes in the plane (D = 2) and in space (D = 3).
 
+#include <cmath>
 #include <numbers>
 
 #include "../core/contract.hpp"
@@ -38,6 +39,28 @@ struct PerAxis {
 template <int D>
 using Vector = PerAxis<double, D>;
 
+/// By components, in numbers of any kind.
+template <class T, int D>
+[[nodiscard, gnu::always_inline]] constexpr PerAxis<T, D> operator+(PerAxis<T, D> a,
+                                                                    const PerAxis<T, D>& b) {
+    for (int k = 0; k < D; ++k) a[k] = a[k] + b[k];
+    return a;
+}
+/// The same.
+template <class T, int D>
+[[nodiscard, gnu::always_inline]] constexpr PerAxis<T, D> operator-(PerAxis<T, D> a,
+                                                                    const PerAxis<T, D>& b) {
+    for (int k = 0; k < D; ++k) a[k] = a[k] - b[k];
+    return a;
+}
+/// The same.
+template <class T, int D>
+[[nodiscard, gnu::always_inline]] constexpr PerAxis<T, D> operator*(const T& factor,
+                                                                    PerAxis<T, D> v) {
+    for (int k = 0; k < D; ++k) v[k] = factor * v[k];
+    return v;
+}
+
 /// a·b, rounded.
 template <int D>
 [[nodiscard, gnu::always_inline]] inline double dot(const Vector<D>& a,
@@ -45,6 +68,18 @@ template <int D>
     double sum = a[0] * b[0];
     for (int i = 1; i < D; ++i) sum += a[i] * b[i];
     return sum;
+}
+/// The same in other numbers.
+template <class T, int D>
+[[nodiscard]] auto dot(const PerAxis<T, D>& a, const PerAxis<T, D>& b) {
+    auto sum = a[0] * b[0];
+    for (int i = 1; i < D; ++i) sum = sum + a[i] * b[i];
+    return sum;
+}
+/// |v|, rounded.
+template <int D>
+[[nodiscard, gnu::always_inline]] inline double norm(const Vector<D>& v) noexcept {
+    return std::sqrt(dot(v, v));
 }
 
 /// A ball's area or volume.
@@ -86,6 +121,15 @@ struct Box {
     static constexpr void each_field(const auto& visit) {
         visit(&Box::low, {"low", dimensions::length});
         visit(&Box::high, {"high", dimensions::length});
+    }
+
+    /// How long its sides are, rounded.
+    [[nodiscard]] constexpr Vector<D> lengths() const noexcept { return high - low; }
+    /// Its area or volume, rounded.
+    [[nodiscard]] constexpr double volume() const noexcept {
+        double volume = 1.0;
+        for (const double length : lengths()) volume *= length;
+        return volume;
     }
 };
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "../exact/surd.hpp"
+#include "apart.hpp"
 #include "in_place.hpp"
 
 namespace signum::motion {
@@ -12,25 +13,6 @@ using exact::Dyadic;
 using exact::Rational;
 using exact::to_rational;
 
-Dyadic product(const PerAxis<Dyadic, 2>& a, const PerAxis<Dyadic, 2>& b) {
-    return a[0] * b[0] + a[1] * b[1];
-}
-Dyadic product(const PerAxis<Dyadic, 3>& a, const PerAxis<Dyadic, 3>& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-template <int D>
-PerAxis<Dyadic, D> exact(const Vector<D>& v) {
-    PerAxis<Dyadic, D> result;
-    for (int k = 0; k < D; ++k) result[k] = Dyadic(v[k]);
-    return result;
-}
-template <int D>
-PerAxis<Dyadic, D> difference(const PerAxis<Dyadic, D>& a, const PerAxis<Dyadic, D>& b) {
-    PerAxis<Dyadic, D> result;
-    for (int k = 0; k < D; ++k) result[k] = a[k] - b[k];
-    return result;
-}
-
 /// w - n·v, n·n and q: how they approach is (w - n·v) / √(n·n) + q.
 template <int D>
 struct Closing {
@@ -39,8 +21,8 @@ struct Closing {
     Rational growth;
 
     Closing(const Ball<D>& ball, const Facing<D>& wall, double rate)
-        : speed(to_rational(wall.speed - product(wall.normal, exact<D>(ball.v)))),
-          square(to_rational(product(wall.normal, wall.normal))),
+        : speed(to_rational(wall.speed - dot(wall.normal, dyadic(ball.v)))),
+          square(to_rational(dot(wall.normal, wall.normal))),
           growth(to_rational(rate)) {}
 
     /// Of the speed at which they approach, times a positive number.
@@ -60,6 +42,13 @@ struct Closing {
         return exact::round_surd(Rational(a * growth), Rational(a * speed / square), square) + 0.0;
     }
 };
+
+/// Of derivatives from the second on, which tell how a gap goes on.
+Sign first_not_0(std::initializer_list<Sign> signs) {
+    for (const Sign sign : signs)
+        if (sign != 0) return sign;
+    return 0;
+}
 
 }  // namespace
 
@@ -84,54 +73,40 @@ template <int D>
 Vector<D> unit_normal(const Facing<D>& wall) {
     Vector<D> n;
     for (int k = 0; k < D; ++k) n[k] = exact::round_to_double(to_rational(wall.normal[k]));
-    const double size = std::sqrt(dot(n, n));
+    const double size = norm(n);
     for (double& each : n) each /= size;
     return n;
 }
 
 template <int D>
 Facing<D> facing(const Ball<D>&, const HalfSpace<D>& wall) {
-    return {exact<D>(wall.normal), Dyadic(wall.speed)};
+    return {dyadic(wall.normal), Dyadic(wall.speed)};
 }
 
 template <int D>
 Facing<D> facing(const Ball<D>& ball, const Sphere<D>& wall) {
-    const PerAxis<Dyadic, D> u = exact<D>(wall.velocity);
-    PerAxis<Dyadic, D> centre = exact<D>(wall.centre);
-    for (int k = 0; k < D; ++k) centre[k] += u[k] * Dyadic(ball.time);
-    const PerAxis<Dyadic, D> x = exact<D>(ball.x);
+    const PerAxis<Dyadic, D> u = dyadic(wall.velocity);
+    const PerAxis<Dyadic, D> centre = dyadic(wall.centre) + Dyadic(ball.time) * u;
+    const PerAxis<Dyadic, D> x = dyadic(ball.x);
     const bool is_outside = wall.side == Sphere<D>::Side::outside;
-    Facing<D> result;
-    result.normal = is_outside ? difference<D>(x, centre) : difference<D>(centre, x);
-    result.speed = product(result.normal, u);
-    return result;
+    const PerAxis<Dyadic, D> normal = is_outside ? x - centre : centre - x;
+    return {normal, dot(normal, u)};
 }
 
 Facing<2> facing(const Ball<2>& ball, const Segment& wall) {
-    const PerAxis<Dyadic, 2> from = exact<2>(wall.from);
-    const PerAxis<Dyadic, 2> along = difference<2>(exact<2>(wall.to), from);
-    const PerAxis<Dyadic, 2> seen = difference<2>(exact<2>(ball.x), from);
-    const Dyadic foot = product(seen, along);
-    const Dyadic rest = product(along, along) - foot;
+    const PerAxis<Dyadic, 2> from = dyadic(wall.from);
+    const PerAxis<Dyadic, 2> along = dyadic(wall.to) - from;
+    const PerAxis<Dyadic, 2> seen = dyadic(ball.x) - from;
+    const Dyadic foot = dot(seen, along);
+    const Dyadic rest = dot(along, along) - foot;
     if (foot.sign() < 0) return {seen, Dyadic()};
-    if (rest.sign() < 0) return {difference<2>(seen, along), Dyadic()};
+    if (rest.sign() < 0) return {seen - along, Dyadic()};
     PerAxis<Dyadic, 2> normal{{-along[1], along[0]}};
-    const int side = product(normal, seen).sign();
-    const int away = product(normal, exact<2>(ball.v)).sign();
+    const int side = dot(normal, seen).sign();
+    const int away = dot(normal, dyadic(ball.v)).sign();
     if (side < 0 || (side == 0 && away > 0)) normal = {{along[1], -along[0]}};
     return {normal, Dyadic()};
 }
-
-namespace {
-
-/// Of derivatives from the second on, which tell how a gap goes on.
-Sign first_not_0(std::initializer_list<Sign> signs) {
-    for (const Sign sign : signs)
-        if (sign != 0) return sign;
-    return 0;
-}
-
-}  // namespace
 
 template <int D>
 bool bends_down(const Ball<D>& ball, const ShakingWall& wall, const Vector<D>& gravity, double) {
@@ -144,35 +119,31 @@ bool bends_down(const Ball<D>& ball, const ShakingWall& wall, const Vector<D>& g
 
 template <int D>
 bool bends_down(const Ball<D>&, const HalfSpace<D>& wall, const Vector<D>& gravity, double) {
-    return product(exact<D>(wall.normal), exact<D>(gravity)).sign() < 0;
+    return dot(dyadic(wall.normal), dyadic(gravity)).sign() < 0;
 }
 
 template <int D>
 bool bends_down(const Ball<D>& ball, const Sphere<D>& wall, const Vector<D>& gravity,
                 double growth) {
     // Of half of |D|² - (q t + …)².
-    PerAxis<Dyadic, D> d;
-    PerAxis<Dyadic, D> v;
-    for (int k = 0; k < D; ++k) {
-        const Dyadic u(wall.velocity[k]);
-        d[k] = Dyadic(ball.x[k]) - (Dyadic(wall.centre[k]) + u * Dyadic(ball.time));
-        v[k] = Dyadic(ball.v[k]) - u;
-    }
+    const PerAxis<Dyadic, D> u = dyadic(wall.velocity);
+    const PerAxis<Dyadic, D> d = dyadic(ball.x) - (dyadic(wall.centre) + Dyadic(ball.time) * u);
+    const PerAxis<Dyadic, D> v = dyadic(ball.v) - u;
     const Dyadic q(growth);
-    const PerAxis<Dyadic, D> g = exact<D>(gravity);
-    const Sign bend = first_not_0({(product(v, v) + product(d, g) - q * q).sign(),
-                                   product(v, g).sign(), product(g, g).sign()});
+    const PerAxis<Dyadic, D> g = dyadic(gravity);
+    const Sign bend =
+        first_not_0({(dot(v, v) + dot(d, g) - q * q).sign(), dot(v, g).sign(), dot(g, g).sign()});
     return wall.side == Sphere<D>::Side::outside ? bend < 0 : bend > 0;
 }
 
 bool bends_down(const Ball<2>& ball, const Segment& wall, const Vector<2>& gravity, double growth) {
-    const PerAxis<Dyadic, 2> from = exact<2>(wall.from);
-    const PerAxis<Dyadic, 2> along = difference<2>(exact<2>(wall.to), from);
-    const Dyadic foot = product(difference<2>(exact<2>(ball.x), from), along);
+    const PerAxis<Dyadic, 2> from = dyadic(wall.from);
+    const PerAxis<Dyadic, 2> along = dyadic(wall.to) - from;
+    const Dyadic foot = dot(dyadic(ball.x) - from, along);
     if (foot.sign() < 0) return bends_down(ball, Sphere<2>{.centre = wall.from}, gravity, growth);
-    if ((product(along, along) - foot).sign() < 0)
+    if ((dot(along, along) - foot).sign() < 0)
         return bends_down(ball, Sphere<2>{.centre = wall.to}, gravity, growth);
-    return product(facing(ball, wall).normal, exact<2>(gravity)).sign() < 0;
+    return dot(facing(ball, wall).normal, dyadic(gravity)).sign() < 0;
 }
 
 template <int D>
@@ -182,10 +153,10 @@ double approach_of(const Ball<D>& ball, const Facing<D>& wall, double growth) {
 }
 
 template <int D>
-WallExchange strike(Ball<D>& ball, const Facing<D>& wall, double mass, double restitution,
-                    double growth) {
+Exchange strike(Ball<D>& ball, const Facing<D>& wall, double mass, double restitution,
+                double growth) {
     const Closing<D> closing(ball, wall, growth);
-    WallExchange exchange;
+    Exchange exchange;
     exchange.square = exact::round_to_double(closing.square);
     if (closing.square.is_zero() || closing.sign() <= 0) return exchange;
     const Rational bounce = 1 + to_rational(restitution);
@@ -226,7 +197,7 @@ bool stayed_in_place_exactly(const Ball<D>& ball, const Facing<D>& wall, double 
     template Facing<D> facing_side(Wall);                                                    \
     template Vector<D> unit_normal(const Facing<D>&);                                        \
     template double approach_of(const Ball<D>&, const Facing<D>&, double);                   \
-    template WallExchange strike(Ball<D>&, const Facing<D>&, double, double, double);        \
+    template Exchange strike(Ball<D>&, const Facing<D>&, double, double, double);            \
     template bool stayed_in_place_exactly(const Ball<D>&, const Facing<D>&, double, double);
 SIGNUM_WALL_STRIKES_OF(2)
 SIGNUM_WALL_STRIKES_OF(3)

@@ -15,6 +15,7 @@
 #include "../exact/dyadic.hpp"
 #include "ball.hpp"
 #include "shaking_wall.hpp"
+#include "strike.hpp"
 
 namespace signum::motion {
 
@@ -58,19 +59,10 @@ template <int D>
 template <int D>
 [[nodiscard]] Vector<D> unit_normal(const Facing<D>& wall);
 
-/// What a ball and a wall exchange.
-struct WallExchange {
-    bool struck = false;
-    /// w - n·v + q √(n·n), where they strike, and n·n; rounded.
-    double approach = 0.0;
-    double square = 0.0;
-    /// The momentum along the normal, the nearest double.
-    double impulse = 0.0;
-};
 /// Changes the velocity, or says that it is no strike.
 template <int D>
-[[nodiscard]] WallExchange strike(Ball<D>& ball, const Facing<D>& wall, double mass,
-                                  double restitution, double growth);
+[[nodiscard]] Exchange strike(Ball<D>& ball, const Facing<D>& wall, double mass, double restitution,
+                              double growth);
 /// Speed of approach along the unit normal, rounded; not above 0 where it recedes.
 template <int D>
 [[nodiscard]] double approach_of(const Ball<D>& ball, const Facing<D>& wall, double growth);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "exact_meeting.hpp"
+
 namespace signum::motion {
 namespace {
 
@@ -94,10 +96,9 @@ Meeting first_fall(double now, double latest, const CourseAt& course, const Bend
     return unknown;
 }
 
-template <int D>
-Meeting filtered(const ShakingWall& wall, const typename MeetingFilter<D>::Asker& ball,
-                 double latest) {
-    const Bounds<D>& bounds = ball.bounds();
+template <class Asker>
+Meeting filtered(const ShakingWall& wall, const Asker& ball, double latest) {
+    const auto& bounds = ball.bounds();
     const double rate = ball.growth();
     const double inwards = wall.wall % 2 != 0 ? -1.0 : 1.0;
     const int axis = wall.wall / 2;
@@ -154,7 +155,7 @@ Meeting filtered(const HalfSpace<D>& wall, const typename MeetingFilter<D>::Aske
     const Bounds<D>& bounds = ball.bounds();
     Approach approach;
     approach.distance = dot(wall.normal, ball.place().x) - (wall.offset + wall.speed * ball.now());
-    approach.scale = std::sqrt(dot(wall.normal, wall.normal));
+    approach.scale = norm(wall.normal);
     approach.v = dot(wall.normal, ball.place().v) - wall.speed;
     approach.g = dot(wall.normal, bounds.gravity);
     double sizes = 0.0;
@@ -164,8 +165,7 @@ Meeting filtered(const HalfSpace<D>& wall, const typename MeetingFilter<D>::Aske
                              magnitude(wall.speed * ball.now()));
     approach.sizes = 4.0 * (sizes + magnitude(wall.speed));
     // An acceleration along the wall that is not 0 for rounding alone.
-    if (magnitude(approach.g) <=
-            0x1p-40 * approach.scale * std::sqrt(dot(bounds.gravity, bounds.gravity)) &&
+    if (magnitude(approach.g) <= 0x1p-40 * approach.scale * norm(bounds.gravity) &&
         approach.g != 0.0)
         return unknown;
     return ball.descent(approach);
@@ -175,10 +175,8 @@ Meeting filtered(const HalfSpace<D>& wall, const typename MeetingFilter<D>::Aske
 template <int D>
 double farthest_flight(const typename MeetingFilter<D>::Asker& ball, double latest) {
     const double wait = std::max(latest - ball.now(), 0.0);
-    const Vector<D>& v = ball.place().v;
-    const Vector<D>& g = ball.bounds().gravity;
-    return (std::sqrt(dot(v, v)) + 0.5 * std::sqrt(dot(g, g)) * wait + ball.growth()) * wait *
-           (1.0 + 0x1p-30);
+    return (norm(ball.place().v) + 0.5 * norm(ball.bounds().gravity) * wait + ball.growth()) *
+           wait * (1.0 + 0x1p-30);
 }
 
 /// |D|² against the square of a distance, D straight or a parabola.
@@ -190,38 +188,29 @@ Meeting filtered(const Sphere<D>& wall, const typename MeetingFilter<D>::Asker& 
     const bool is_outside = wall.side == Sphere<D>::Side::outside;
     const double now = ball.now();
     const Vector<D>& g = bounds.gravity;
-    const double pull = std::sqrt(dot(g, g));
-    Vector<D> d;
-    Vector<D> v;
+    const double pull = norm(g);
+    const Vector<D> d = ball.place().x - (wall.centre + now * wall.velocity);
+    const Vector<D> v = ball.place().v - wall.velocity;
     double extent = bounds.extent + wall.radius + ball.radius();
     double speed = 2.0 * (bounds.speed + rate);
     for (int k = 0; k < D; ++k) {
-        d[k] = ball.place().x[k] - (wall.centre[k] + wall.velocity[k] * now);
-        v[k] = ball.place().v[k] - wall.velocity[k];
         extent += magnitude(wall.centre[k]) + magnitude(wall.velocity[k] * now) + magnitude(d[k]);
         speed += magnitude(v[k]);
     }
     const double reach = is_outside ? wall.radius + ball.radius() : wall.radius - ball.radius();
     if (latest < infinity) {
-        const double apart = std::sqrt(dot(d, d)) - reach;
-        const double flown = farthest_flight<D>(ball, latest) +
-                             std::sqrt(dot(wall.velocity, wall.velocity)) * (latest - now);
+        const double apart = norm(d) - reach;
+        const double flown =
+            farthest_flight<D>(ball, latest) + norm(wall.velocity) * (latest - now);
         if ((is_outside ? apart : -apart) > flown + 0x1p-40 * (extent + flown))
             return later_than(latest);
     }
     const double reach_rate = is_outside ? rate : -rate;
-    const auto seen_at = [&](double s, Vector<D>& x, Vector<D>& w) {
-        for (int k = 0; k < D; ++k) {
-            x[k] = d[k] + (v[k] + 0.5 * g[k] * s) * s;
-            w[k] = v[k] + g[k] * s;
-        }
-    };
+    const auto seen_at = [&](double s) { return Place<D>{d + s * (v + 0.5 * s * g), v + s * g}; };
     const double sign = is_outside ? 1.0 : -1.0;
     const auto course = [&](double t) {
         const double s = t - now;
-        Vector<D> x;
-        Vector<D> w;
-        seen_at(s, x, w);
+        const auto [x, w] = seen_at(s);
         const double r = reach + reach_rate * s;
         const double far = extent + speed * s + pull * s * s;
         const double fast = speed + 2.0 * pull * s;
@@ -230,25 +219,19 @@ Meeting filtered(const Sphere<D>& wall, const typename MeetingFilter<D>::Asker& 
     };
     // F'' = ± 2 (|D'|² + D·g - q²).
     const auto bend = [&](double t, double h) {
-        const double s = t - now;
-        Vector<D> x;
-        Vector<D> w;
-        seen_at(s, x, w);
-        const double fast = std::sqrt(dot(w, w)) + (pull > 0.0 ? pull * h : 0.0);
-        const double far = std::sqrt(dot(x, x)) + fast * h;
+        const auto [x, w] = seen_at(t - now);
+        const double fast = norm(w) + (pull > 0.0 ? pull * h : 0.0);
+        const double far = norm(x) + fast * h;
         const double pulled = pull > 0.0 ? far * pull : 0.0;
         const double turned = 2.0 * (1.0 + 0x1p-30) * (pulled + rate * rate);
+        const double flown = 2.0 * (1.0 + 0x1p-30) * fast * fast;
         // Where nothing falls F'' is constant.
         if (is_outside && pull == 0.0 && fast > (1.0 + 0x1p-20) * rate)
-            return Bend{0.0, turned + 2.0 * (1.0 + 0x1p-30) * fast * fast};
-        const double flown = 2.0 * (1.0 + 0x1p-30) * fast * fast;
+            return Bend{0.0, turned + flown};
         return Bend{is_outside ? turned : turned + flown, turned + flown};
     };
     const auto skip = [&](double t) {
-        const double s = t - now;
-        Vector<D> x;
-        Vector<D> w;
-        seen_at(s, x, w);
+        const auto [x, w] = seen_at(t - now);
         const Course at = course(t);
         const bool leaves = at.gap > 2.0 * at.error && at.slope > at.slope_error;
         // From here on F'' >= 0.
@@ -256,14 +239,14 @@ Meeting filtered(const Sphere<D>& wall, const typename MeetingFilter<D>::Asker& 
         const bool outgrows = rate > 0.0 && !(square > (1.0 + 0x1p-20) * rate * rate);
         if (is_outside && leaves && !outgrows && dot(x, g) >= 0.0 && dot(w, g) >= 0.0)
             return infinity;
-        if (rate == 0.0 && pull == 0.0 && dot(w, w) == 0.0 && at.gap > at.error) return infinity;
+        if (rate == 0.0 && pull == 0.0 && square == 0.0 && at.gap > at.error) return infinity;
         return t;
     };
     // So long that it neither flies nor falls much farther than the sphere is large.
-    const double length = std::max(std::sqrt(dot(d, d)), magnitude(reach));
+    const double length = std::max(norm(d), magnitude(reach));
     double longest = infinity;
     if (pull > 0.0) longest = std::min(longest, std::sqrt(0.5 * length / pull));
-    if (!is_outside) longest = std::min(longest, 0.5 * length / std::sqrt(dot(v, v)));
+    if (!is_outside) longest = std::min(longest, 0.5 * length / norm(v));
     return first_fall(now, latest, course, bend, skip, longest);
 }
 
@@ -273,11 +256,11 @@ Meeting earlier(const Meeting& a, const Meeting& b) noexcept {
 
 Meeting filtered(const Segment& wall, const MeetingFilter<2>::Asker& ball, double latest) {
     Meeting first = never;
-    const Vector<2> along{{wall.to[0] - wall.from[0], wall.to[1] - wall.from[1]}};
+    const Vector<2> along = wall.to - wall.from;
     const Vector<2>& x = ball.place().x;
     const Vector<2>& v = ball.place().v;
     const Vector<2>& g = ball.bounds().gravity;
-    const double length = std::sqrt(dot(along, along));
+    const double length = norm(along);
     const double extent =
         4.0 * (ball.bounds().extent + magnitude(wall.from[0]) + magnitude(wall.from[1]) +
                magnitude(wall.to[0]) + magnitude(wall.to[1]));
@@ -298,7 +281,7 @@ Meeting filtered(const Segment& wall, const MeetingFilter<2>::Asker& ball, doubl
     for (const double side : {1.0, -1.0}) {
         const Vector<2> n{{-side * along[1], side * along[0]}};
         Approach approach;
-        approach.distance = n[0] * (x[0] - wall.from[0]) + n[1] * (x[1] - wall.from[1]);
+        approach.distance = dot(n, x - wall.from);
         approach.scale = length;
         approach.v = dot(n, v);
         approach.g = dot(n, g);
@@ -306,7 +289,7 @@ Meeting filtered(const Segment& wall, const MeetingFilter<2>::Asker& ball, doubl
         approach.sizes = 8.0 * length * (ball.bounds().speed + magnitude(v[0]) + magnitude(v[1]));
         const double clear = 0x1p-40 * approach.extent;
         const double gap = approach.distance - length * ball.radius();
-        if (approach.g != 0.0 && magnitude(approach.g) <= 0x1p-40 * length * std::sqrt(dot(g, g)))
+        if (approach.g != 0.0 && magnitude(approach.g) <= 0x1p-40 * length * norm(g))
             return unknown;
         if (gap < -clear) {
             // Behind it, or beside its ends: does it come out on this side, and back?
@@ -325,15 +308,12 @@ Meeting filtered(const Segment& wall, const MeetingFilter<2>::Asker& ball, doubl
         // Where its foot is then.
         const double error =
             clear + (meeting.late - meeting.early) *
-                        (length * (std::sqrt(dot(v, v)) +
-                                   std::sqrt(dot(g, g)) * (meeting.late - ball.now())));
+                        (length * (norm(v) + norm(g) * (meeting.late - ball.now())));
         const double s = meeting.early - ball.now();
-        double foot = 0.0;
+        const double foot = dot(along, x - wall.from + s * (v + 0.5 * s * g));
         double size = 0.0;
-        for (int k = 0; k < 2; ++k) {
-            foot += along[k] * (x[k] - wall.from[k] + (v[k] + 0.5 * g[k] * s) * s);
+        for (int k = 0; k < 2; ++k)
             size += magnitude(along[k]) * (magnitude(v[k]) * s + magnitude(g[k]) * s * s);
-        }
         const double bound = 2.0 * error + 0x1p-40 * size;
         if (foot < -bound || foot > length * length + bound) continue;
         if (!(foot > bound && foot < length * length - bound)) return unknown;
@@ -342,20 +322,45 @@ Meeting filtered(const Segment& wall, const MeetingFilter<2>::Asker& ball, doubl
     return first;
 }
 
+template <int D>
+ShakingWall shaking_side(const Effects<D>& effects, Wall wall) {
+    const auto& [low, high] = *effects.box;
+    const auto& [amplitude, frequency, phase] = *effects.shake;
+    const int axis = wall / 2;
+    return {wall, wall % 2 != 0 ? high[axis] : low[axis], amplitude[axis], frequency, phase};
+}
+
+template <int D>
+double gap_of(const Ball<D>& ball, const ShakingWall& wall) {
+    const double d = ball.x[wall.wall / 2] - (wall.level + shift_at(wall, ball.time));
+    return (wall.wall % 2 != 0 ? -d : d) - ball.radius;
+}
+template <int D>
+double gap_of(const Ball<D>& ball, const HalfSpace<D>& wall) {
+    const double height = dot(wall.normal, ball.x) - (wall.offset + wall.speed * ball.time);
+    return height / norm(wall.normal) - ball.radius;
+}
+template <int D>
+double gap_of(const Ball<D>& ball, const Sphere<D>& wall) {
+    const double distance = norm(ball.x - (wall.centre + ball.time * wall.velocity));
+    return wall.side == Sphere<D>::Side::outside ? distance - (wall.radius + ball.radius)
+                                                 : wall.radius - ball.radius - distance;
+}
+double gap_of(const Ball<2>& ball, const Segment& wall) {
+    const Vector<2> along = wall.to - wall.from;
+    const Vector<2> d = ball.x - wall.from;
+    const double foot = std::clamp(dot(along, d) / dot(along, along), 0.0, 1.0);
+    return norm(d - foot * along) - ball.radius;
+}
+
 }  // namespace
 
 template <int D>
 Walls<D>::Walls(const Effects<D>& effects, Kernel kernel) : effects_(effects), kernel_(kernel) {
-    if (effects.box && effects.shake) {
-        for (int k = 0; k < D; ++k) {
-            if (effects.shake->amplitude[k] == 0.0) continue;
-            for (const Wall wall : {2 * k, 2 * k + 1}) {
-                numbers_.push_back(wall);
-                surfaces_.push_back(ShakingWall{
-                    wall, wall % 2 != 0 ? effects.box->high[k] : effects.box->low[k],
-                    effects.shake->amplitude[k], effects.shake->frequency, effects.shake->phase});
-            }
-        }
+    for (Wall wall = 0; effects.shake && wall < 2 * D; ++wall) {
+        if (effects.shake->amplitude[wall / 2] == 0.0) continue;
+        numbers_.push_back(wall);
+        surfaces_.push_back(shaking_side(effects, wall));
     }
     Wall number = 2 * D;
     for (const Obstacle<D>& obstacle : effects.obstacles) {
@@ -373,14 +378,8 @@ auto Walls<D>::wall_of(Wall wall) const noexcept -> const Surface* {
 
 template <int D>
 Meeting Walls<D>::meeting(Wall wall, const Asker& asker, double latest) const {
-    const Meeting meeting = std::visit(
-        [&](const auto& each) {
-            if constexpr (std::is_same_v<decltype(each), const ShakingWall&>)
-                return filtered<D>(each, asker, latest);
-            else
-                return filtered(each, asker, latest);
-        },
-        *wall_of(wall));
+    const Meeting meeting =
+        std::visit([&](const auto& each) { return filtered(each, asker, latest); }, *wall_of(wall));
     if (kernel_ == Kernel::exact || meeting.early == -infinity || meeting.late == infinity)
         return meeting;
     const double t = 0.5 * (meeting.early + meeting.late);
@@ -389,6 +388,7 @@ Meeting Walls<D>::meeting(Wall wall, const Asker& asker, double latest) const {
 
 template <int D>
 double Walls<D>::exact_meeting(const Ball<D>& ball, Wall wall) const {
+    if (!has(wall)) return motion::exact_meeting(ball, wall, effects_);
     const GrowingBall<D> growing{ball, growth_of(ball, effects_)};
     return std::visit([&](const auto& each) { return meeting_time(growing, each, effects_); },
                       *wall_of(wall));
@@ -412,6 +412,7 @@ double Walls<D>::next_meeting(const Ball<D>& ball, Wall wall, double passed) con
 
 template <int D>
 double Walls<D>::refined_meeting(const Ball<D>& ball, Wall wall, double about) const {
+    if (!has(wall)) return motion::refined_meeting(ball, wall, effects_, about);
     const GrowingBall<D> growing{ball, growth_of(ball, effects_)};
     return std::visit(
         [&](const auto& each) { return motion::refined_meeting(growing, each, effects_, about); },
@@ -420,18 +421,13 @@ double Walls<D>::refined_meeting(const Ball<D>& ball, Wall wall, double about) c
 
 template <int D>
 Facing<D> Walls<D>::facing(const Ball<D>& ball, Wall wall) const {
-    return std::visit(
-        [&](const auto& each) -> Facing<D> {
-            if constexpr (std::is_same_v<decltype(each), const ShakingWall&>)
-                return motion::facing<D>(ball, each);
-            else
-                return motion::facing(ball, each);
-        },
-        *wall_of(wall));
+    if (!has(wall)) return facing_side<D>(wall);
+    return std::visit([&](const auto& each) { return motion::facing(ball, each); }, *wall_of(wall));
 }
 
 template <int D>
 bool Walls<D>::bends_down(const Ball<D>& ball, Wall wall) const {
+    if (!has(wall)) return (wall % 2 != 0 ? -1.0 : 1.0) * effects_.gravity[wall / 2] < 0.0;
     return std::visit(
         [&](const auto& each) {
             return motion::bends_down(ball, each, effects_.gravity, growth_of(ball, effects_));
@@ -454,12 +450,9 @@ Vector<D> Walls<D>::velocity(Wall wall, double t) const {
     Vector<D> v{};
     if (wall < 2 * D) {
         for (int k = 0; k < D && effects_.shake; ++k)
-            v[k] = speed_at({2 * k, 0.0, effects_.shake->amplitude[k], effects_.shake->frequency,
-                             effects_.shake->phase},
-                            t);
+            v[k] = speed_at(shaking_side(effects_, 2 * k), t);
     } else if (const auto* plane = std::get_if<HalfSpace<D>>(wall_of(wall))) {
-        const double square = dot(plane->normal, plane->normal);
-        for (int k = 0; k < D; ++k) v[k] = plane->speed / square * plane->normal[k];
+        v = plane->speed / dot(plane->normal, plane->normal) * plane->normal;
     } else if (const auto* sphere = std::get_if<Sphere<D>>(wall_of(wall))) {
         v = sphere->velocity;
     }
@@ -470,8 +463,7 @@ template <int D>
 std::array<Vector<D>, 2 * D> Walls<D>::side_velocities(double t, double step) const {
     std::array<Vector<D>, 2 * D> velocities{};
     for (int k = 0; k < D && effects_.shake; ++k) {
-        const ShakingWall shaking{2 * k, 0.0, effects_.shake->amplitude[k],
-                                  effects_.shake->frequency, effects_.shake->phase};
+        const ShakingWall shaking = shaking_side(effects_, 2 * k);
         const double start = shift_at(shaking, t);
         double mean = speed_at(shaking, t);
         double slowest = mean;
@@ -496,40 +488,6 @@ double Walls<D>::curvature(const Ball<D>& ball, Wall wall) const {
     const double radius = sphere->radius - ball.radius;
     return radius > 0.0 ? 1.0 / radius : 0.0;
 }
-
-namespace {
-
-template <int D>
-double gap_of(const Ball<D>& ball, const ShakingWall& wall) {
-    const double d = ball.x[wall.wall / 2] - (wall.level + shift_at(wall, ball.time));
-    return (wall.wall % 2 != 0 ? -d : d) - ball.radius;
-}
-template <int D>
-double gap_of(const Ball<D>& ball, const HalfSpace<D>& wall) {
-    const double height = dot(wall.normal, ball.x) - (wall.offset + wall.speed * ball.time);
-    return height / std::sqrt(dot(wall.normal, wall.normal)) - ball.radius;
-}
-template <int D>
-double gap_of(const Ball<D>& ball, const Sphere<D>& wall) {
-    Vector<D> d;
-    for (int k = 0; k < D; ++k) d[k] = ball.x[k] - (wall.centre[k] + wall.velocity[k] * ball.time);
-    const double distance = std::sqrt(dot(d, d));
-    return wall.side == Sphere<D>::Side::outside ? distance - (wall.radius + ball.radius)
-                                                 : wall.radius - ball.radius - distance;
-}
-double gap_of(const Ball<2>& ball, const Segment& wall) {
-    Vector<2> along;
-    Vector<2> d;
-    for (int k = 0; k < 2; ++k) {
-        along[k] = wall.to[k] - wall.from[k];
-        d[k] = ball.x[k] - wall.from[k];
-    }
-    const double foot = std::clamp(dot(along, d) / dot(along, along), 0.0, 1.0);
-    for (int k = 0; k < 2; ++k) d[k] -= foot * along[k];
-    return std::sqrt(dot(d, d)) - ball.radius;
-}
-
-}  // namespace
 
 template <int D>
 double Walls<D>::gap(const Ball<D>& ball, Wall wall) const {

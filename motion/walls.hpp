@@ -1,6 +1,6 @@
 #pragma once
-/// The walls that the inner loop does not know: sides of a box that shakes, and obstacles. For
-/// sources only.
+/// The walls that the inner loop does not know: sides of a box that shakes, and obstacles. Of sides
+/// at rest they tell what is no question of the inner loop. For sources only.
 ///
 /// Each has three stages, as pairs have (meeting.hpp). The first one, in doubles with a bound, goes
 /// along the gap F from now on in steps that cannot pass its first root: with a bound B of -F'' in
@@ -23,23 +23,26 @@ class Walls {
 
     using Asker = typename MeetingFilter<D>::Asker;
 
-    /// Their numbers, in order.
+    /// Their numbers, in order; without sides at rest.
     [[nodiscard]] const std::vector<Wall>& numbers() const noexcept { return numbers_; }
     [[nodiscard]] bool has(Wall wall) const noexcept { return wall_of(wall) != nullptr; }
 
     /// When a ball meets a wall, as far as it does so by a time: later ones may be told as later
     /// than that, whenever they are.
     [[nodiscard]] Meeting meeting(Wall wall, const Asker& asker, double latest) const;
-    /// The one double.
+    /// The one double. Here and where it is said sides at rest are walls, too.
     [[nodiscard]] double exact_meeting(const Ball<D>& ball, Wall wall) const;
     /// The next one after a meeting that was no strike: of those from the first of the times
     /// passed + 2^k ulps on at which the ball does not meet the wall at once. With a half space
     /// there is none, as the gap does not bend down.
     [[nodiscard]] double next_meeting(const Ball<D>& ball, Wall wall, double passed) const;
-    /// The same, of a ball that meets it at some time near `about`; NaN where it is not told.
+    /// The same as exact_meeting(), of a ball that meets it at some time near `about`; NaN where it
+    /// is not told. Sides at rest, too.
     [[nodiscard]] double refined_meeting(const Ball<D>& ball, Wall wall, double about) const;
+    /// Sides at rest, too.
     [[nodiscard]] Facing<D> facing(const Ball<D>& ball, Wall wall) const;
-    /// Whether the gap between it and a ball at its own time bends down (wall_strike.hpp).
+    /// Whether the gap between it and a ball at its own time bends down (wall_strike.hpp). Sides at
+    /// rest, too.
     [[nodiscard]] bool bends_down(const Ball<D>& ball, Wall wall) const;
     /// How deep into a wall a centre may be rounded and still be on its side of it: the distance of
     /// the centre from the wall's middle when they touch; infinite where a wall has one side alone.

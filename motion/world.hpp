@@ -14,10 +14,11 @@
 
 namespace signum::motion {
 
-/// Rounded down; |x| < 2^62. Without a call, which std::floor is on some processors.
-[[nodiscard]] inline std::int64_t rounded_down(double x) noexcept {
-    const auto whole = static_cast<std::int64_t>(x);
-    return whole - static_cast<std::int64_t>(static_cast<double>(whole) > x);
+/// How long who flies so takes for a way, at least: v s + g s²/2 = way.
+template <int D>
+[[nodiscard]] inline double time_for(const Vector<D>& v, double pull, double way) noexcept {
+    const double square = dot(v, v);
+    return 2.0 * way / (std::sqrt(square) + std::sqrt(square + 2.0 * pull * way));
 }
 
 template <int D>
@@ -30,19 +31,13 @@ struct World {
           effects(effects_then),
           start(start_then),
           falls(effects.gravity != Vector<D>{}),
-          pull(std::sqrt(dot(effects.gravity, effects.gravity))),
+          pull(norm(effects.gravity)),
           region(effects.box) {
         if (effects.growth) swelling = largest_growth(*effects.growth);
         if (!effects.box) return;
-        if (effects.shake) {
-            for (int k = 0; k < D; ++k) {
-                const double reach = std::fabs(effects.shake->amplitude[k]);
-                region->low[k] -= reach;
-                region->high[k] += reach;
-            }
-        }
+        region = swept(*effects.box, effects);
+        length = effects.box->lengths();
         for (int k = 0; k < D; ++k) {
-            length[k] = effects.box->high[k] - effects.box->low[k];
             inverse_length[k] = 1.0 / length[k];
             if (effects.periodic) far = std::min(far, 0.2 * length[k] * length[k]);
         }
@@ -71,10 +66,16 @@ struct World {
     /// The centre at a time, rounded.
     [[nodiscard]] Vector<D> centre(Slot i, double now) const noexcept {
         const Ball<D>& ball = balls[i];
-        if (falls) return motion::centre(ball, now, effects);
-        Vector<D> x;
-        for (int k = 0; k < D; ++k) x[k] = ball.x[k] + ball.v[k] * (now - ball.time);
-        return x;
+        return falls ? motion::centre(ball, now, effects) : ball.x + (now - ball.time) * ball.v;
+    }
+    /// How long a ball takes to fly so far, at least.
+    [[nodiscard]] double time_for(Slot i, double now, double way) const noexcept {
+        return motion::time_for(velocity(i, now), pull, way);
+    }
+    /// How far a ball may fly until it is to be asked again in a periodic box (pairs.cpp): an
+    /// eighth of it.
+    [[nodiscard]] double stride() const noexcept {
+        return effects.periodic ? *std::ranges::min_element(length) / 8.5 : infinity;
     }
     /// The square of a distance, that of the nearest image, to which the difference is brought.
     [[nodiscard]] double nearest_square(Vector<D>& d) const noexcept {
@@ -85,10 +86,7 @@ struct World {
         return dot(d, d);
     }
     [[nodiscard]] Vector<D> velocity(Slot i, double now) const noexcept {
-        if (!falls) return balls[i].v;
-        Vector<D> v;
-        for (int k = 0; k < D; ++k) v[k] = speed(balls[i], k, now, effects);
-        return v;
+        return falls ? motion::velocity(balls[i], now, effects) : balls[i].v;
     }
 };
 

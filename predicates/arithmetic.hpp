@@ -11,12 +11,16 @@ namespace signum {
 
 /// The exact ones agree on every sign, so that all give the same tessellation.
 enum class Arithmetic : std::uint8_t {
-    exact,          ///< a filter, then ever dearer stages; see ARCHITECTURE.md
-    naive,          ///< doubles, whose word is taken for the truth
-    single,         ///< the same in floats, to which the sites are rounded first
-    interval,       ///< intervals, and where 0 is inside ESSA at once (thesis, 4.7)
-    sum,            ///< ESSA alone: the exact sign of a sum
-    multiprecision  ///< rationals alone
+    exact,           ///< a filter, then ever dearer stages; see ARCHITECTURE.md
+    naive,           ///< doubles, whose word is taken for the truth
+    single,          ///< the same in floats, to which the sites are rounded first
+    interval,        ///< intervals, and where 0 is inside ESSA at once (thesis, 4.7)
+    sum,             ///< ESSA alone: the exact sign of a sum
+    multiprecision,  ///< rationals alone
+    /// What a check decides by: the filters of `exact`, and where they leave a sign open exact
+    /// numbers of its own (exact/dyadic.hpp), never those that `exact` has behind its filters, so
+    /// that an error there cannot confirm itself. No construction takes it.
+    judging
 };
 
 /// Whether no sign is ever wrong.
@@ -26,14 +30,9 @@ enum class Arithmetic : std::uint8_t {
 
 namespace predicates {
 
-/// How a judge decides: by the filters of `exact`, and where they leave a sign open in exact
-/// numbers of its own (exact/dyadic.hpp), never in those that `exact` has behind them, so that an
-/// error there cannot confirm itself. No arithmetic of constructions, and so none of the list.
-inline constexpr Arithmetic judging{0xFF};
-
 /// Whether filters are asked whose verdicts stand on a counted bound.
 [[nodiscard]] constexpr bool is_filtered(Arithmetic arithmetic) noexcept {
-    return arithmetic == Arithmetic::exact || arithmetic == judging;
+    return arithmetic == Arithmetic::exact || arithmetic == Arithmetic::judging;
 }
 
 /// What a formula is evaluated in before, or instead of, the exact stage.

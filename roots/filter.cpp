@@ -342,52 +342,21 @@ Coefficients<N> coefficients_of(const Approximations& p) noexcept {
     return c;
 }
 
-template <int N, class Callback>
+/// Of a polynomial of degree N at most; p(t + s) is `better` known from another one, if there is
+/// one.
+template <int N = most_degree, class Callback>
 bool roots_after(const Approximations& p, const Approximations* better, double t, Sign known,
                  const Callback& found) noexcept {
-    const Coefficients<N> c = coefficients_of<N>(p);
-    const Coefficients<N> q = better != nullptr ? coefficients_of<N>(*better)
-                              : t == p.origin   ? c
-                                                : shifted<N>(c, since(p.origin, t));
-    return Bisection<N>(c, p.origin, t, q, known).run(found);
-}
-
-template <class Callback>
-bool roots_after(const Approximations& p, const Approximations* better, double t, Sign known,
-                 const Callback& found) noexcept {
-    switch (p.degree) {
-        case 0:
-            return p.c[0].has_sign();
-        case 1:
-            return roots_after<1>(p, better, t, known, found);
-        case 2:
-            return roots_after<2>(p, better, t, known, found);
-        case 3:
-            return roots_after<3>(p, better, t, known, found);
-        case 4:
-            return roots_after<4>(p, better, t, known, found);
-        case 5:
-            return roots_after<5>(p, better, t, known, found);
-        case 6:
-            return roots_after<6>(p, better, t, known, found);
-        case 7:
-            return roots_after<7>(p, better, t, known, found);
-        case 8:
-            return roots_after<8>(p, better, t, known, found);
-        default:
-            return true;
+    if constexpr (N == 0) {
+        return p.degree < 0 || p.c[0].has_sign();
+    } else {
+        if (p.degree < N) return roots_after<N - 1>(p, better, t, known, found);
+        const Coefficients<N> c = coefficients_of<N>(p);
+        const Coefficients<N> q = better != nullptr ? coefficients_of<N>(*better)
+                                  : t == p.origin   ? c
+                                                    : shifted<N>(c, since(p.origin, t));
+        return Bisection<N>(c, p.origin, t, q, known).run(found);
     }
-}
-
-Found first_found(const Approximations& p, const Approximations* better, double t,
-                  Sign known) noexcept {
-    Found result{false, std::nullopt};
-    if (!filters::environment_is_default()) return result;
-    result.certain = roots_after(p, better, t, known, [&](const Root& root) {
-        result.root = root;
-        return true;
-    });
-    return result;
 }
 
 }  // namespace
@@ -422,11 +391,15 @@ filters::Verdict sign_between(const Approximations& p, double low, double high) 
     return sign(value_since(p, s));
 }
 
-Found first_root(const Approximations& p, double t, Sign known) noexcept {
-    return first_found(p, nullptr, t, known);
-}
-Found first_root(const Approximations& p, const Approximations& shifted, double t) noexcept {
-    return first_found(p, &shifted, t, 0);
+Found first_root(const Approximations& p, double t, Sign known,
+                 const Approximations* shifted) noexcept {
+    Found result{false, std::nullopt};
+    if (!filters::environment_is_default()) return result;
+    result.certain = roots_after(p, shifted, t, known, [&](const Root& root) {
+        result.root = root;
+        return true;
+    });
+    return result;
 }
 
 std::optional<RealRoots> real_roots(const Approximations& p) noexcept {

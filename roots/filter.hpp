@@ -30,12 +30,11 @@ struct Found {
     std::optional<Root> root;
 };
 /// The first root after t, a simple one; where it may be another one, nothing is certain. Who knows
-/// the sign at t says so (not 0): it may be too near to a root for the filter.
-[[nodiscard]] Found first_root(const Approximations& p, double t, Sign known = 0) noexcept;
-/// The same where p(t + s) is known better than from p, or times a positive number. Precondition:
-/// of both the degrees are the same.
-[[nodiscard]] Found first_root(const Approximations& p, const Approximations& shifted,
-                               double t) noexcept;
+/// the sign at t says so (not 0): it may be too near to a root for the filter. `shifted`, if there
+/// is one, is p(t + s), known better than from p, or times a positive number. Precondition: of both
+/// the degrees are the same.
+[[nodiscard]] Found first_root(const Approximations& p, double t, Sign known = 0,
+                               const Approximations* shifted = nullptr) noexcept;
 
 /// All roots, each of them simple; nothing where that is not certain, or the origin is not 0.
 [[nodiscard]] std::optional<RealRoots> real_roots(const Approximations& p) noexcept;

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -28,10 +29,6 @@ std::int64_t place_of(double x) {
 }
 double double_at(std::int64_t place) {
     return place < 0 ? -std::bit_cast<double>(-place) : std::bit_cast<double>(place);
-}
-/// Half way between two places; the sum of two of one sign would overflow.
-std::int64_t between(std::int64_t low, std::int64_t high) {
-    return (low >> 1) + (high >> 1) + (low & high & 1);
 }
 
 /// Infinity counts as 2^1024, where the next double would be.
@@ -58,7 +55,7 @@ std::pair<double, double> neighbours(double low, double high, const Compare& com
     std::int64_t below = place_of(low);
     std::int64_t above = place_of(high);
     while (below + 1 < above) {
-        const std::int64_t middle = between(below, above);
+        const std::int64_t middle = std::midpoint(below, above);
         const double x = double_at(middle);
         const Sign sign = compare(x);
         if (sign == 0) return {x, x};
@@ -69,13 +66,13 @@ std::pair<double, double> neighbours(double low, double high, const Compare& com
 
 }  // namespace
 
+/// Counts a question when it has been answered.
 struct Polynomial::Asked {
+    Tally* tally;
     bool exact = false;
 
-    template <class Answer>
-    Answer counted(Tally* tally, Answer answer) const {
+    ~Asked() {
         if (tally != nullptr) ++(exact ? tally->exact : tally->filtered);
-        return answer;
     }
 };
 
@@ -124,7 +121,7 @@ struct Polynomial::Exact {
         if (after_low <= k)
             return chain->isolate({least, dyadic_of(-infinity)}, chain->after(least) - k);
         while (low + 1 < high && (after_low != k + 1 || after_high != k)) {
-            const std::int64_t middle = between(low, high);
+            const std::int64_t middle = std::midpoint(low, high);
             const int after_middle = chain->after(Dyadic(double_at(middle)));
             (after_middle > k ? low : high) = middle;
             (after_middle > k ? after_low : after_high) = after_middle;
@@ -185,19 +182,18 @@ struct Polynomial::Exact {
     }
 
     /// Coefficients that are rounded once, at the very place, mostly do, a root at t included.
-    std::optional<Root> first(Which which, double t) {
+    std::optional<Root> first(double t) {
         if (p.degree() < 1) return std::nullopt;
-        const filter::Found found = filter::first_root(approximate, shifted(p, t), t);
-        return found.certain ? found.root : first(which, Dyadic(t));
+        const Approximations at_t = shifted(p, t);
+        const filter::Found found = filter::first_root(approximate, t, 0, &at_t);
+        return found.certain ? found.root : first(Dyadic(t));
     }
-    std::optional<Root> first(Which which, const Dyadic& t) {
+    std::optional<Root> first(const Dyadic& t) {
         if (p.degree() < 1) return std::nullopt;
-        for (int k = roots().after(t); k-- > 0;) {
-            const Isolated where = from_last(k);
-            const int times = multiplicity(where);
-            if (which == Which::all || times % 2 == 1) return root_of(where, times);
-        }
-        return std::nullopt;
+        const int after = roots().after(t);
+        if (after == 0) return std::nullopt;
+        const Isolated where = from_last(after - 1);
+        return root_of(where, multiplicity(where));
     }
     RealRoots real_roots() {
         RealRoots result;
@@ -283,14 +279,14 @@ Polynomial::Exact& Polynomial::exact() const {
 }
 
 bool Polynomial::is_zero(Tally* tally) const {
-    Asked asked;
+    Asked asked{tally};
     for (int i = 0; i <= approximate_.degree; ++i) {
         const auto verdict = filter::sign(approximate_.c[static_cast<std::size_t>(i)]);
-        if (verdict.is_certain() && verdict.sign() != 0) return asked.counted(tally, false);
+        if (verdict.is_certain() && verdict.sign() != 0) return false;
     }
-    if (approximate_.degree < 0) return asked.counted(tally, true);
+    if (approximate_.degree < 0) return true;
     asked.exact = true;
-    return asked.counted(tally, exact().p.degree() < 0);
+    return exact().p.degree() < 0;
 }
 
 /// About the origin, which a root's polynomial has beside the root: there the powers of t - origin
@@ -320,99 +316,88 @@ Sign Polynomial::sign_at(double t, Asked& asked) const {
     return exact().p.sign_at(Dyadic(t));
 }
 Sign Polynomial::sign_at(double t, Tally* tally) const {
-    Asked asked;
-    return asked.counted(tally, sign_at(t, asked));
+    Asked asked{tally};
+    return sign_at(t, asked);
 }
 
 Sign Polynomial::sign_after(double t, Tally* tally) const {
-    Asked asked;
+    Asked asked{tally};
     const Sign sign = sign_at(t, asked);
-    if (sign != 0 || approximate_.degree < 0) return asked.counted(tally, sign);
+    if (sign != 0 || approximate_.degree < 0) return sign;
     asked.exact = true;
-    return asked.counted(tally, exact::sign_after(exact().p, Dyadic(t)));
+    return exact::sign_after(exact().p, Dyadic(t));
 }
 
 Sign Polynomial::sign_at(const RootOf& t, Tally* tally) const {
     if (t.root.is_double()) return sign_at(t.root.low, tally);
-    Asked asked;
-    if (&t.polynomial == this) return asked.counted(tally, 0);
+    Asked asked{tally};
+    if (&t.polynomial == this) return 0;
     const auto verdict = filter::sign_between(approximate_, t.root.low, t.root.high);
-    if (verdict.is_certain()) return asked.counted(tally, verdict.sign());
+    if (verdict.is_certain()) return verdict.sign();
     asked.exact = true;
-    return asked.counted(tally, exact().signs_at(t.polynomial.exact(), t.root).first);
+    return exact().signs_at(t.polynomial.exact(), t.root).first;
 }
 
 Sign Polynomial::sign_after(const RootOf& t, Tally* tally) const {
-    Asked asked;
-    if (&t.polynomial == this) return asked.counted(tally, Sign{t.root.after});
+    Asked asked{tally};
+    if (&t.polynomial == this) return Sign{t.root.after};
     if (t.root.is_double()) return sign_after(t.root.low, tally);
     const auto verdict = filter::sign_between(approximate_, t.root.low, t.root.high);
-    if (verdict.is_certain() && verdict.sign() != 0) return asked.counted(tally, verdict.sign());
+    if (verdict.is_certain() && verdict.sign() != 0) return verdict.sign();
     asked.exact = true;
-    return asked.counted(tally, exact().signs_at(t.polynomial.exact(), t.root).second);
+    return exact().signs_at(t.polynomial.exact(), t.root).second;
 }
 
-std::optional<Root> Polynomial::first(Which which, double t, Asked& asked) const {
+std::optional<Root> Polynomial::first(double t, Asked& asked) const {
     const filter::Found found = filter::first_root(approximate_, filters::pinned(t));
     if (found.certain) return found.root;
     asked.exact = true;
-    return exact().first(which, t);
+    return exact().first(t);
 }
 
 /// Between a root that is alone and the upper end of its interval there is no other.
-std::optional<Root> Polynomial::first(Which which, const Root& mine, Asked& asked) const {
+std::optional<Root> Polynomial::first(const Root& mine, Asked& asked) const {
     if (mine.alone || mine.is_double()) {
         const filter::Found found = filter::first_root(approximate_, filters::pinned(mine.high),
                                                        mine.alone ? Sign{mine.after} : 0);
         if (found.certain) return found.root;
     }
     asked.exact = true;
-    if (mine.alone || mine.is_double()) return exact().first(which, mine.high);
-    return exact().first(which, exact().isolated(mine).high);
+    if (mine.alone || mine.is_double()) return exact().first(mine.high);
+    return exact().first(exact().isolated(mine).high);
 }
 
-std::optional<Root> Polynomial::first(Which which, const RootOf& t, Asked& asked) const {
-    if (&t.polynomial == this) return first(which, t.root, asked);
-    if (t.root.is_double()) return first(which, t.root.low, asked);
+std::optional<Root> Polynomial::first(const RootOf& t, Asked& asked) const {
+    if (&t.polynomial == this) return first(t.root, asked);
+    if (t.root.is_double()) return first(t.root.low, asked);
     std::optional<Root> root;
     if (t.root.low != -infinity) {
-        root = first(which, t.root.low, asked);
+        root = first(t.root.low, asked);
     } else {
         asked.exact = true;
         if (exact().p.degree() < 1) return root;
         exact().roots();
-        root = exact().first(which, exact().least);
+        root = exact().first(exact().least);
     }
-    while (root && compare({*this, *root}, t, asked) <= 0) root = first(which, *root, asked);
+    while (root && compare({*this, *root}, t, asked) <= 0) root = first(*root, asked);
     return root;
 }
 
-template <class Time>
-std::optional<Root> Polynomial::counted_first(Which which, const Time& t, Tally* tally) const {
-    Asked asked;
-    return asked.counted(tally, first(which, t, asked));
-}
-std::optional<Root> Polynomial::first_change(double t, Tally* tally) const {
-    SIGNUM_EXPECTS(filters::magnitude(t) <= std::numeric_limits<double>::max());
-    return counted_first(Which::changes, t, tally);
-}
-std::optional<Root> Polynomial::first_change(const RootOf& t, Tally* tally) const {
-    return counted_first(Which::changes, t, tally);
-}
 std::optional<Root> Polynomial::first_root(double t, Tally* tally) const {
     SIGNUM_EXPECTS(filters::magnitude(t) <= std::numeric_limits<double>::max());
-    return counted_first(Which::all, t, tally);
+    Asked asked{tally};
+    return first(t, asked);
 }
 std::optional<Root> Polynomial::first_root(const RootOf& t, Tally* tally) const {
-    return counted_first(Which::all, t, tally);
+    Asked asked{tally};
+    return first(t, asked);
 }
 
 RealRoots Polynomial::real_roots(Tally* tally) const {
-    Asked asked;
-    if (const std::optional<RealRoots> roots = filter::real_roots(approximate_))
-        return asked.counted(tally, *roots);
+    Asked asked{tally};
+    if (const std::optional<RealRoots> roots = filter::real_roots(approximate_)) return *roots;
     asked.exact = true;
-    return asked.counted(tally, exact().real_roots());
+    return exact().real_roots();
 }
 
 Root Polynomial::narrowed(const Root& root, Asked& asked) const {
@@ -426,14 +411,14 @@ Root Polynomial::narrowed(const Root& root, Asked& asked) const {
     return result;
 }
 Root Polynomial::narrowed(const Root& root, Tally* tally) const {
-    Asked asked;
-    return asked.counted(tally, narrowed(root, asked));
+    Asked asked{tally};
+    return narrowed(root, asked);
 }
 
 double Polynomial::nearest_double(const Root& root, Tally* tally) const {
-    Asked asked;
+    Asked asked{tally};
     const Root near = narrowed(root, asked);
-    if (near.is_double()) return asked.counted(tally, near.low);
+    if (near.is_double()) return near.low;
     asked.exact = true;
     const Dyadic half = Dyadic(0.5) * (dyadic_of(near.low) + dyadic_of(near.high));
     Sign sign = 0;
@@ -444,7 +429,7 @@ double Polynomial::nearest_double(const Root& root, Tally* tally) const {
         sign = exact().roots().compare(exact().isolated(near), half);
     }
     const bool low_is_even = std::bit_cast<std::uint64_t>(near.low) % 2 == 0;
-    return asked.counted(tally, sign < 0 || (sign == 0 && low_is_even) ? near.low : near.high);
+    return sign < 0 || (sign == 0 && low_is_even) ? near.low : near.high;
 }
 
 Sign Polynomial::compare(const RootOf& a, double x, Asked& asked) {
@@ -472,12 +457,12 @@ Sign Polynomial::compare(const RootOf& a, const RootOf& b, Asked& asked) {
 
 Sign compare(const RootOf& a, double x, Tally* tally) {
     SIGNUM_EXPECTS(filters::magnitude(x) <= std::numeric_limits<double>::max());
-    Polynomial::Asked asked;
-    return asked.counted(tally, Polynomial::compare(a, x, asked));
+    Polynomial::Asked asked{tally};
+    return Polynomial::compare(a, x, asked);
 }
 Sign compare(const RootOf& a, const RootOf& b, Tally* tally) {
-    Polynomial::Asked asked;
-    return asked.counted(tally, Polynomial::compare(a, b, asked));
+    Polynomial::Asked asked{tally};
+    return Polynomial::compare(a, b, asked);
 }
 
 }  // namespace signum::roots

@@ -154,9 +154,6 @@ class Polynomial {
     [[nodiscard]] Sign sign_at(const RootOf& t, Tally* tally = nullptr) const;
     [[nodiscard]] Sign sign_after(const RootOf& t, Tally* tally = nullptr) const;
 
-    /// The least root greater than t at which the sign changes, that is, of odd multiplicity.
-    [[nodiscard]] std::optional<Root> first_change(double t, Tally* tally = nullptr) const;
-    [[nodiscard]] std::optional<Root> first_change(const RootOf& t, Tally* tally = nullptr) const;
     /// The least root greater than t, of whatever multiplicity.
     [[nodiscard]] std::optional<Root> first_root(double t, Tally* tally = nullptr) const;
     [[nodiscard]] std::optional<Root> first_root(const RootOf& t, Tally* tally = nullptr) const;
@@ -210,13 +207,9 @@ class Polynomial {
     [[nodiscard]] Exact& exact() const;
     [[nodiscard]] filters::Verdict refined_sign(double t) const;
     [[nodiscard]] Sign sign_at(double t, Asked& asked) const;
-    /// Which roots are looked for.
-    enum class Which : std::uint8_t { changes, all };
-    [[nodiscard]] std::optional<Root> first(Which which, double t, Asked& asked) const;
-    [[nodiscard]] std::optional<Root> first(Which which, const Root& mine, Asked& asked) const;
-    [[nodiscard]] std::optional<Root> first(Which which, const RootOf& t, Asked& asked) const;
-    template <class Time>
-    [[nodiscard]] std::optional<Root> counted_first(Which which, const Time& t, Tally* tally) const;
+    [[nodiscard]] std::optional<Root> first(double t, Asked& asked) const;
+    [[nodiscard]] std::optional<Root> first(const Root& mine, Asked& asked) const;
+    [[nodiscard]] std::optional<Root> first(const RootOf& t, Asked& asked) const;
     [[nodiscard]] Root narrowed(const Root& root, Asked& asked) const;
     [[nodiscard]] static Sign compare(const RootOf& a, double x, Asked& asked);
     [[nodiscard]] static Sign compare(const RootOf& a, const RootOf& b, Asked& asked);

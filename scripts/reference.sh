@@ -31,8 +31,7 @@ FULL_PATH_NAMES = YES
 JAVADOC_AUTOBRIEF = YES
 MARKDOWN_SUPPORT = YES
 EXCLUDE_SYMBOLS = *::cold *::additive *::balls operator== signum::predicates signum::filters signum::triangulation \
-  signum::centre3 *lifted_row signum::power::InSphere signum::power::Nearer3 \
-  signum::euclidean::multiprecision
+  signum::centre3 *lifted_row signum::power::InSphere signum::power::Nearer3
 EXTRACT_ALL = NO
 HIDE_UNDOC_MEMBERS = NO
 SORT_MEMBER_DOCS = NO

@@ -13,15 +13,15 @@
 
 namespace signum {
 
-/// In the order of their enumerators.
+/// Those of constructions, in the order of their enumerators.
 inline constexpr std::array all_arithmetics = {Arithmetic::exact,  Arithmetic::naive,
                                                Arithmetic::single, Arithmetic::interval,
                                                Arithmetic::sum,    Arithmetic::multiprecision};
 
 /// The name by which files and the tool know it.
 [[nodiscard]] constexpr std::string_view name_of(Arithmetic arithmetic) noexcept {
-    constexpr std::string_view names[] = {"exact",    "naive", "single",
-                                          "interval", "sum",   "multiprecision"};
+    constexpr std::string_view names[] = {"exact", "naive",          "single", "interval",
+                                          "sum",   "multiprecision", "judging"};
     return names[static_cast<int>(arithmetic)];
 }
 

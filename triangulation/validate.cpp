@@ -15,19 +15,19 @@ using namespace triangulation;
 Validation check(Euclidean, const TessellationArrays& arrays, const StridedSites& sites,
                  const ValidationOptions& options) {
     if (equal_radii(sites)) return PowerCheck<power::Site>(arrays, sites, options).run();
-    return AdditiveCheck<euclidean::Perturbed<predicates::judging>, EuclideanDistance>(
+    return AdditiveCheck<euclidean::Perturbed<Arithmetic::judging>, EuclideanDistance>(
                arrays, sites, options)
         .run();
 }
 Validation check(Manhattan, const TessellationArrays& arrays, const StridedSites& sites,
                  const ValidationOptions& options) {
-    return AdditiveCheck<manhattan::Perturbed<predicates::judging>, ManhattanDistance>(
+    return AdditiveCheck<manhattan::Perturbed<Arithmetic::judging>, ManhattanDistance>(
                arrays, sites, options)
         .run();
 }
 Validation check(Supremum, const TessellationArrays& arrays, const StridedSites& sites,
                  const ValidationOptions& options) {
-    return AdditiveCheck<supremum::Perturbed<predicates::judging>, SupremumDistance>(arrays, sites,
+    return AdditiveCheck<supremum::Perturbed<Arithmetic::judging>, SupremumDistance>(arrays, sites,
                                                                                      options)
         .run();
 }

@@ -21,32 +21,6 @@ constexpr double longest_step = 0x1p26;
 /// Where the associated law is met that much better than Coulomb's, something slides.
 constexpr double sliding = 0.01;
 
-template <int N>
-void add(PerAxis<double, N>& sum, double factor, const PerAxis<double, N>& term) noexcept {
-    for (int i = 0; i < N; ++i) sum[i] += factor * term[i];
-}
-template <int N>
-[[nodiscard]] double product(const PerAxis<double, N>& a, const PerAxis<double, N>& b) noexcept {
-    double sum = 0.0;
-    for (int i = 0; i < N; ++i) sum += a[i] * b[i];
-    return sum;
-}
-template <int N>
-[[nodiscard]] double norm(const PerAxis<double, N>& a) noexcept {
-    return std::sqrt(product(a, a));
-}
-
-/// n × p, and ω × n.
-[[nodiscard]] Spin<2> cross(const Vector<2>& n, const Vector<2>& p) noexcept {
-    return {n[0] * p[1] - n[1] * p[0]};
-}
-[[nodiscard]] Vector<2> cross(const Spin<2>& spin, const Vector<2>& n) noexcept {
-    return {-spin[0] * n[1], spin[0] * n[0]};
-}
-[[nodiscard]] Vector<3> cross(const Vector<3>& a, const Vector<3>& b) noexcept {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 enum class Law { associated, coulomb };
 
 /// A body that takes part; all walls are one of infinite mass, which stays at rest.
@@ -84,21 +58,16 @@ struct State {
     std::vector<Motion<D>> motions;
 
     void scale(double factor) noexcept {
-        for (Vector<D>& impulse : impulses)
-            for (double& each : impulse) each *= factor;
-        for (Motion<D>& motion : motions) {
-            for (double& each : motion.velocity) each *= factor;
-            for (double& each : motion.spin.values) each *= factor;
-        }
+        for (Vector<D>& impulse : impulses) impulse = factor * impulse;
+        for (Motion<D>& motion : motions) motion = {factor * motion.velocity, factor * motion.spin};
     }
     /// this += factor · other
     void add(double factor, const State& other) noexcept {
         for (std::size_t i = 0; i < impulses.size(); ++i)
-            motion::add(impulses[i], factor, other.impulses[i]);
-        for (std::size_t i = 0; i < motions.size(); ++i) {
-            motion::add(motions[i].velocity, factor, other.motions[i].velocity);
-            motion::add(motions[i].spin, factor, other.motions[i].spin);
-        }
+            impulses[i] = impulses[i] + factor * other.impulses[i];
+        for (std::size_t i = 0; i < motions.size(); ++i)
+            motions[i] = {motions[i].velocity + factor * other.motions[i].velocity,
+                          motions[i].spin + factor * other.motions[i].spin};
     }
 };
 
@@ -114,30 +83,331 @@ template <int D>
 class Cluster {
  public:
     Cluster(std::span<ContactBody<D>> bodies, std::span<Contact<D>> contacts,
-            std::span<const std::size_t> members, std::vector<std::size_t>& places, double step);
+            std::span<const std::size_t> members, std::vector<std::size_t>& places, double step)
+        : members_(members) {
+        constexpr std::size_t unknown = std::numeric_limits<std::size_t>::max();
+        const auto place = [&](std::size_t body) {
+            if (places[body] == unknown) {
+                places[body] = bodies_.size();
+                bodies_.push_back(body);
+            }
+            return places[body];
+        };
+        for (const std::size_t member : members) {
+            const Contact<D>& contact = contacts[member];
+            Row<D> row{};
+            row.a = place(contact.a);
+            row.b = contact.b == Contact<D>::wall ? unknown : place(contact.b);
+            row.normal = contact.normal;
+            if (contact.b == Contact<D>::wall) row.wall_velocity = contact.wall_velocity;
+            row.opening = contact.gap;
+            row.friction = contact.friction;
+            rows_.push_back(row);
+            state_.impulses.push_back(contact.tangential_impulse +
+                                      contact.normal_impulse * contact.normal);
+        }
+        for (const std::size_t body : bodies_) {
+            const auto& [velocity, spin, inert] = bodies[body];
+            inert_.push_back({inert.mass, inert.inertia, inert.radius, 1.0 / inert.mass,
+                              inert.radius / inert.inertia});
+            state_.motions.push_back({velocity, spin});
+            speed_ = std::max(speed_, norm(velocity) + inert.radius * norm(spin));
+        }
+        inert_.push_back({});
+        state_.motions.push_back({});
+        free_ = state_.motions;
+        for (Row<D>& row : rows_) {
+            if (row.b == unknown) row.b = bodies_.size();
+            const Inert& a = inert_[row.a];
+            const Inert& b = inert_[row.b];
+            const bool touches = std::abs(row.opening) <= closed * (a.radius + b.radius);
+            row.opening = touches ? 0.0 : row.opening / step;
+            row.normal_mobility = a.inverse_mass + b.inverse_mass;
+            // Without friction nothing turns, and inertia may be anything.
+            row.tangential_mobility = row.normal_mobility;
+            if (row.friction > 0.0)
+                row.tangential_mobility += a.radius * a.lever + b.radius * b.lever;
+            speed_ = std::max(speed_, norm(row.wall_velocity));
+            const double parting = dot(surface_velocity(row), row.normal) + row.opening;
+            approach_ = std::max(approach_, -parting);
+        }
+        for (const Row<D>& row : rows_) longest_ += 1.0 / row.normal_mobility;
+        longest_ *= longest_step * approach_ * longest_step * approach_;
+    }
 
     /// How many sweeps it took to the least residual, which is that of the state afterwards.
-    int solve(double tolerance, int sweeps);
+    int solve(double tolerance, int sweeps) {
+        const std::vector<Vector<D>> last_impulses = state_.impulses;
+        state_.impulses.assign(rows_.size(), {});
+        best_ = state_;
+        keep_if_better(residual(Law::coulomb));
+        if (best_residual_ <= tolerance) return 0;
+        state_.impulses = last_impulses;
+        push_all();
+        keep_if_better(residual(Law::coulomb));
+        if (best_residual_ <= tolerance) return 0;
+
+        state_ = best_;
+        int done = associated(tolerance, sweeps / 2);
+        if (best_residual_ > tolerance) done += coulomb(tolerance, sweeps - done);
+        return done;
+    }
+
     [[nodiscard]] double residual() const noexcept { return best_residual_; }
-    void store(std::span<ContactBody<D>> bodies, std::span<Contact<D>> contacts) const;
+
+    void store(std::span<ContactBody<D>> bodies, std::span<Contact<D>> contacts) const {
+        for (std::size_t i = 0; i < bodies_.size(); ++i) {
+            bodies[bodies_[i]].velocity = best_.motions[i].velocity;
+            bodies[bodies_[i]].spin = best_.motions[i].spin;
+        }
+        for (std::size_t i = 0; i < rows_.size(); ++i) {
+            Contact<D>& contact = contacts[members_[i]];
+            const Vector<D>& normal = rows_[i].normal;
+            contact.normal_impulse = std::max(dot(best_.impulses[i], normal), 0.0);
+            contact.tangential_impulse = best_.impulses[i] - contact.normal_impulse * normal;
+            if (rows_[i].friction == 0.0) contact.tangential_impulse = {};
+        }
+    }
 
  private:
-    [[nodiscard]] Vector<D> surface_velocity(const Row<D>& row) const noexcept;
-    [[nodiscard]] Reaction<D> reaction(const Row<D>& row, const Vector<D>& impulse,
-                                       const Vector<D>& velocity, Law law) const noexcept;
-    void push(const Row<D>& row, const Vector<D>& impulse) noexcept;
-    void push_all() noexcept;
-    void react(std::size_t row, Law law) noexcept;
-    void sweep_to_and_fro(Law law) noexcept;
-    [[nodiscard]] double residual(Law law) const noexcept;
-    void keep_if_better(double residual);
+    /// Of a's surface relative to b's. The arms are -R_a n and R_b n.
+    [[nodiscard]] Vector<D> surface_velocity(const Row<D>& row) const noexcept {
+        const Motion<D>& a = state_.motions[row.a];
+        const Motion<D>& b = state_.motions[row.b];
+        const Spin<D> rolling = -inert_[row.a].radius * a.spin - inert_[row.b].radius * b.spin;
+        return turned(rolling, row.normal) + (a.velocity - b.velocity - row.wall_velocity);
+    }
 
-    [[nodiscard]] double energy(const State<D>& a, const State<D>& b) const noexcept;
-    [[nodiscard]] double separate_energies(const State<D>& direction) const noexcept;
-    [[nodiscard]] double descent(const State<D>& direction) const noexcept;
-    [[nodiscard]] double objective() const noexcept;
-    int associated(double tolerance, int sweeps);
-    int coulomb(double tolerance, int sweeps);
+    /// Changes are told without the impulse that they change wherever they can be: an impulse that
+    /// is large to a light body is known less well than the light body's velocity.
+    [[nodiscard]] Reaction<D> reaction(const Row<D>& row, const Vector<D>& impulse,
+                                       const Vector<D>& velocity, Law law) const noexcept {
+        const double friction = row.friction;
+        const double pressing = dot(impulse, row.normal);
+        const double parting = dot(velocity, row.normal);
+        const Vector<D> rubbing = impulse - pressing * row.normal;
+
+        // What would stop all motion at the contact: its tangential part, and how far that is
+        // outside the cone, by which the associated law presses harder.
+        Reaction<D> result;
+        result.normal_change = -(parting + row.opening) / row.normal_mobility;
+        Vector<D> stopping{};
+        if (friction > 0.0)
+            stopping = rubbing - 1.0 / row.tangential_mobility * velocity +
+                       parting / row.tangential_mobility * row.normal;
+        const double wanted = norm(stopping);
+        if (law == Law::associated) {
+            const double outside = wanted - friction * (pressing + result.normal_change);
+            if (outside > 0.0)
+                result.normal_change +=
+                    friction * row.tangential_mobility * outside /
+                    (row.normal_mobility + friction * friction * row.tangential_mobility);
+        }
+        const double pressed = pressing + result.normal_change;
+
+        if (!(pressed > 0.0)) {
+            result.normal_change = -pressing;
+            result.tangential_change = -1.0 * rubbing;
+            return result;
+        }
+        if (friction > 0.0 && wanted <= friction * pressed) {
+            result.tangential_change = parting / row.tangential_mobility * row.normal -
+                                       1.0 / row.tangential_mobility * velocity;
+            result.impulse = impulse + result.tangential_change + result.normal_change * row.normal;
+            return result;
+        }
+        Vector<D> rubs{};
+        if (friction > 0.0) rubs = friction * pressed / wanted * stopping;
+        result.tangential_change = rubs - rubbing;
+        result.impulse = rubs + pressed * row.normal;
+        return result;
+    }
+
+    void push(const Row<D>& row, const Vector<D>& impulse) noexcept {
+        Motion<D>& a = state_.motions[row.a];
+        Motion<D>& b = state_.motions[row.b];
+        a.velocity = a.velocity + inert_[row.a].inverse_mass * impulse;
+        b.velocity = b.velocity - inert_[row.b].inverse_mass * impulse;
+        // Without friction nothing turns, by rounding neither.
+        if (row.friction == 0.0) return;
+        const Spin<D> turning = torque(row.normal, impulse);
+        a.spin = a.spin - inert_[row.a].lever * turning;
+        b.spin = b.spin - inert_[row.b].lever * turning;
+    }
+
+    /// Makes the motions those of the impulses, anew: what is added up over many sweeps drifts
+    /// away, fast where impulses are large and nearly cancel one another.
+    void push_all() noexcept {
+        state_.motions = free_;
+        for (std::size_t i = 0; i < rows_.size(); ++i) push(rows_[i], state_.impulses[i]);
+    }
+
+    void react(std::size_t number, Law law) noexcept {
+        const Row<D>& row = rows_[number];
+        const Reaction<D> result =
+            reaction(row, state_.impulses[number], surface_velocity(row), law);
+        state_.impulses[number] = result.impulse;
+        push(row, result.tangential_change + result.normal_change * row.normal);
+    }
+
+    void sweep_to_and_fro(Law law) noexcept {
+        for (std::size_t i = 0; i < rows_.size(); ++i) react(i, law);
+        for (std::size_t i = rows_.size(); i-- > 0;) react(i, law);
+        push_all();
+    }
+
+    [[nodiscard]] double residual(Law law) const noexcept {
+        double largest = 0.0;
+        for (std::size_t i = 0; i < rows_.size(); ++i) {
+            const Row<D>& row = rows_[i];
+            const Reaction<D> result =
+                reaction(row, state_.impulses[i], surface_velocity(row), law);
+            const double speed = std::max(std::abs(result.normal_change) * row.normal_mobility,
+                                          norm(result.tangential_change) * row.tangential_mobility);
+            const double rounded =
+                rounding * (speed_ + norm(state_.impulses[i]) * row.tangential_mobility);
+            if (!std::isfinite(speed - rounded)) return std::numeric_limits<double>::infinity();
+            largest = std::max(largest, speed - rounded);
+        }
+        return largest > 0.0 ? largest / approach_ : 0.0;
+    }
+
+    void keep_if_better(double residual) {
+        if (!(residual < best_residual_)) return;
+        best_residual_ = residual;
+        best_ = state_;
+    }
+
+    /// The product of two directions by the energy p·Wp, W the change of surface velocities by
+    /// impulses: that of their velocities by the masses.
+    [[nodiscard]] double energy(const State<D>& a, const State<D>& b) const noexcept {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < inert_.size(); ++i)
+            sum += inert_[i].mass * dot(a.motions[i].velocity, b.motions[i].velocity) +
+                   inert_[i].inertia * dot(a.motions[i].spin, b.motions[i].spin);
+        return sum;
+    }
+
+    /// The same of a direction by itself, as if no contact knew of the others.
+    [[nodiscard]] double separate_energies(const State<D>& direction) const noexcept {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < rows_.size(); ++i)
+            sum += rows_[i].normal_mobility * dot(direction.impulses[i], direction.impulses[i]);
+        return sum;
+    }
+
+    /// What the associated law makes least, among impulses within the cones.
+    [[nodiscard]] double objective() const noexcept {
+        double sum = energy(state_, state_) / 2;
+        for (std::size_t i = 0; i < rows_.size(); ++i)
+            sum += rows_[i].opening * dot(state_.impulses[i], rows_[i].normal) -
+                   dot(state_.impulses[i], rows_[i].wall_velocity);
+        return sum;
+    }
+
+    /// How fast that falls along a direction.
+    [[nodiscard]] double descent(const State<D>& direction) const noexcept {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < rows_.size(); ++i)
+            sum -= dot(direction.impulses[i], surface_velocity(rows_[i])) +
+                   rows_[i].opening * dot(direction.impulses[i], rows_[i].normal);
+        return sum;
+    }
+
+    int associated(double tolerance, int sweeps) {
+        State<D> last;  // what the last sweeps and the step after them changed
+        State<D> good = state_;
+        double lowest = std::numeric_limits<double>::infinity();
+        double length = 0.0;
+        int raised = 0;
+        int done = 0;
+        while (done + 2 <= sweeps) {
+            const State<D> before = state_;
+            sweep_to_and_fro(Law::associated);
+            done += 2;
+            const double remaining = residual(Law::coulomb);
+            keep_if_better(remaining);
+            if (remaining <= tolerance || !std::isfinite(remaining) ||
+                residual(Law::associated) <= sliding * remaining)
+                break;
+
+            // A step may leave the cones, and sweeps from there may end higher. Sweeps alone do
+            // not. In piles that rest that is rare; where it is not, conjugate gradients are no
+            // help.
+            const double now = objective();
+            if (now > lowest) {
+                state_ = good;
+                if (++raised == 4) break;
+                length = 0.0;
+                lowest = std::numeric_limits<double>::infinity();
+                continue;
+            }
+            lowest = now + 0x1p-46 * std::abs(now);
+            good = state_;
+
+            // On along what the sweeps changed, made conjugate to the last step, and along that: as
+            // far as the objective falls.
+            State<D> swept = state_;
+            swept.add(-1.0, before);
+            const double last_length = std::exchange(length, separate_energies(swept));
+            const auto step_along = [&](const State<D>& direction, double fall, double curvature) {
+                if (!(curvature > 0.0)) return;
+                const double factor = fall / curvature;
+                if (factor * factor * separate_energies(direction) <= longest_)
+                    state_.add(factor, direction);
+            };
+            double last_energy = 0.0;
+            double last_descent = 0.0;
+            if (length <= 4.0 * last_length) {
+                last_energy = energy(last, last);
+                last_descent = descent(last);
+                if (last_energy > 0.0) swept.add(-energy(swept, last) / last_energy, last);
+            }
+            const double swept_descent = descent(swept);
+            step_along(swept, swept_descent, energy(swept, swept));
+            step_along(last, last_descent, last_energy);
+            push_all();
+            last = state_;
+            last.add(-1.0, before);
+        }
+        return done;
+    }
+
+    int coulomb(double tolerance, int sweeps) {
+        State<D> search;
+        bool searching = false;
+        double length = std::numeric_limits<double>::infinity();
+        int done = 0;
+        while (done + 2 <= sweeps) {
+            State<D> swept = state_;
+            sweep_to_and_fro(Law::coulomb);
+            done += 2;
+            const double remaining = residual(Law::coulomb);
+            keep_if_better(remaining);
+            if (remaining <= tolerance || !std::isfinite(remaining)) break;
+
+            const State<D> before = std::move(swept);
+            swept = state_;
+            swept.add(-1.0, before);
+            // Where the sweeps change more than those before did, the search starts anew with the
+            // next.
+            const double now = separate_energies(swept);
+            if (now == 0.0) break;
+            if (!(now < length)) {
+                searching = false;
+            } else if (!std::exchange(searching, true)) {
+                search = std::move(swept);
+            } else {
+                const double ratio = now / length;
+                state_.add(ratio, search);
+                push_all();
+                search.scale(ratio);
+                search.add(1.0, swept);
+            }
+            length = now;
+        }
+        return done;
+    }
 
     std::vector<Row<D>> rows_;
     std::vector<Inert> inert_;
@@ -151,353 +421,6 @@ class Cluster {
     std::span<const std::size_t> members_;  ///< to each row its contact
     std::vector<std::size_t> bodies_;       ///< to each place the body
 };
-
-template <int D>
-Cluster<D>::Cluster(std::span<ContactBody<D>> bodies, std::span<Contact<D>> contacts,
-                    std::span<const std::size_t> members, std::vector<std::size_t>& places,
-                    double step)
-    : members_(members) {
-    constexpr std::size_t unknown = std::numeric_limits<std::size_t>::max();
-    const auto place = [&](std::size_t body) {
-        if (places[body] == unknown) {
-            places[body] = bodies_.size();
-            bodies_.push_back(body);
-        }
-        return places[body];
-    };
-    for (const std::size_t member : members) {
-        const Contact<D>& contact = contacts[member];
-        Row<D> row{};
-        row.a = place(contact.a);
-        row.b = contact.b == Contact<D>::wall ? unknown : place(contact.b);
-        row.normal = contact.normal;
-        if (contact.b == Contact<D>::wall) row.wall_velocity = contact.wall_velocity;
-        row.opening = contact.gap;
-        row.friction = contact.friction;
-        rows_.push_back(row);
-        Vector<D> impulse = contact.tangential_impulse;
-        add(impulse, contact.normal_impulse, contact.normal);
-        state_.impulses.push_back(impulse);
-    }
-    for (const std::size_t body : bodies_) {
-        const auto& [velocity, spin, inert] = bodies[body];
-        inert_.push_back({inert.mass, inert.inertia, inert.radius, 1.0 / inert.mass,
-                          inert.radius / inert.inertia});
-        state_.motions.push_back({velocity, spin});
-        speed_ = std::max(speed_, norm(velocity) + inert.radius * norm(spin));
-    }
-    inert_.push_back({});
-    state_.motions.push_back({});
-    free_ = state_.motions;
-    for (Row<D>& row : rows_) {
-        if (row.b == unknown) row.b = bodies_.size();
-        const Inert& a = inert_[row.a];
-        const Inert& b = inert_[row.b];
-        const bool touches = std::abs(row.opening) <= closed * (a.radius + b.radius);
-        row.opening = touches ? 0.0 : row.opening / step;
-        row.normal_mobility = a.inverse_mass + b.inverse_mass;
-        // Without friction nothing turns, and inertia may be anything.
-        row.tangential_mobility = row.normal_mobility;
-        if (row.friction > 0.0) row.tangential_mobility += a.radius * a.lever + b.radius * b.lever;
-        speed_ = std::max(speed_, norm(row.wall_velocity));
-        const double parting = dot<D>(surface_velocity(row), row.normal) + row.opening;
-        approach_ = std::max(approach_, -parting);
-    }
-    for (const Row<D>& row : rows_) longest_ += 1.0 / row.normal_mobility;
-    longest_ *= longest_step * approach_ * longest_step * approach_;
-}
-
-template <int D>
-void Cluster<D>::store(std::span<ContactBody<D>> bodies, std::span<Contact<D>> contacts) const {
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
-        bodies[bodies_[i]].velocity = best_.motions[i].velocity;
-        bodies[bodies_[i]].spin = best_.motions[i].spin;
-    }
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
-        Contact<D>& contact = contacts[members_[i]];
-        contact.tangential_impulse = best_.impulses[i];
-        contact.normal_impulse = std::max(dot<D>(best_.impulses[i], rows_[i].normal), 0.0);
-        add(contact.tangential_impulse, -contact.normal_impulse, rows_[i].normal);
-        if (rows_[i].friction == 0.0) contact.tangential_impulse = {};
-    }
-}
-
-/// Of a's surface relative to b's. The arms are -R_a n and R_b n.
-template <int D>
-Vector<D> Cluster<D>::surface_velocity(const Row<D>& row) const noexcept {
-    const Motion<D>& a = state_.motions[row.a];
-    const Motion<D>& b = state_.motions[row.b];
-    Spin<D> rolling{};
-    add(rolling, -inert_[row.a].radius, a.spin);
-    add(rolling, -inert_[row.b].radius, b.spin);
-    Vector<D> velocity = cross(rolling, row.normal);
-    for (int k = 0; k < D; ++k) velocity[k] += a.velocity[k] - b.velocity[k] - row.wall_velocity[k];
-    return velocity;
-}
-
-/// Changes are told without the impulse that they change wherever they can be: an impulse that is
-/// large to a light body is known less well than the light body's velocity.
-template <int D>
-Reaction<D> Cluster<D>::reaction(const Row<D>& row, const Vector<D>& impulse,
-                                 const Vector<D>& velocity, Law law) const noexcept {
-    const double friction = row.friction;
-    const double pressing = dot<D>(impulse, row.normal);
-    const double parting = dot<D>(velocity, row.normal);
-    Vector<D> rubbing = impulse;
-    add(rubbing, -pressing, row.normal);
-
-    // What would stop all motion at the contact: its tangential part, and how far that is outside
-    // the cone, by which the associated law presses harder.
-    Reaction<D> result;
-    result.normal_change = -(parting + row.opening) / row.normal_mobility;
-    Vector<D> stopping{};
-    if (friction > 0.0) {
-        stopping = rubbing;
-        add(stopping, -1.0 / row.tangential_mobility, velocity);
-        add(stopping, parting / row.tangential_mobility, row.normal);
-    }
-    const double wanted = norm(stopping);
-    if (law == Law::associated) {
-        const double outside = wanted - friction * (pressing + result.normal_change);
-        if (outside > 0.0)
-            result.normal_change +=
-                friction * row.tangential_mobility * outside /
-                (row.normal_mobility + friction * friction * row.tangential_mobility);
-    }
-    const double pressed = pressing + result.normal_change;
-
-    if (!(pressed > 0.0)) {
-        result.normal_change = -pressing;
-        add(result.tangential_change, -1.0, rubbing);
-        return result;
-    }
-    if (friction > 0.0 && wanted <= friction * pressed) {
-        add(result.tangential_change, -1.0 / row.tangential_mobility, velocity);
-        add(result.tangential_change, parting / row.tangential_mobility, row.normal);
-        result.impulse = impulse;
-        add(result.impulse, 1.0, result.tangential_change);
-        add(result.impulse, result.normal_change, row.normal);
-        return result;
-    }
-    if (friction > 0.0) add(result.impulse, friction * pressed / wanted, stopping);
-    result.tangential_change = result.impulse;
-    add(result.tangential_change, -1.0, rubbing);
-    add(result.impulse, pressed, row.normal);
-    return result;
-}
-
-template <int D>
-void Cluster<D>::push(const Row<D>& row, const Vector<D>& impulse) noexcept {
-    Motion<D>& a = state_.motions[row.a];
-    Motion<D>& b = state_.motions[row.b];
-    add(a.velocity, inert_[row.a].inverse_mass, impulse);
-    add(b.velocity, -inert_[row.b].inverse_mass, impulse);
-    // Without friction nothing turns, by rounding neither.
-    if (row.friction == 0.0) return;
-    const Spin<D> turning = cross(row.normal, impulse);
-    add(a.spin, -inert_[row.a].lever, turning);
-    add(b.spin, -inert_[row.b].lever, turning);
-}
-
-/// Makes the motions those of the impulses, anew: what is added up over many sweeps drifts away,
-/// fast where impulses are large and nearly cancel one another.
-template <int D>
-void Cluster<D>::push_all() noexcept {
-    state_.motions = free_;
-    for (std::size_t i = 0; i < rows_.size(); ++i) push(rows_[i], state_.impulses[i]);
-}
-
-template <int D>
-void Cluster<D>::react(std::size_t number, Law law) noexcept {
-    const Row<D>& row = rows_[number];
-    const Reaction<D> result = reaction(row, state_.impulses[number], surface_velocity(row), law);
-    Vector<D> change = result.tangential_change;
-    add(change, result.normal_change, row.normal);
-    state_.impulses[number] = result.impulse;
-    push(row, change);
-}
-
-template <int D>
-void Cluster<D>::sweep_to_and_fro(Law law) noexcept {
-    for (std::size_t i = 0; i < rows_.size(); ++i) react(i, law);
-    for (std::size_t i = rows_.size(); i-- > 0;) react(i, law);
-    push_all();
-}
-
-template <int D>
-double Cluster<D>::residual(Law law) const noexcept {
-    double largest = 0.0;
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
-        const Row<D>& row = rows_[i];
-        const Reaction<D> result = reaction(row, state_.impulses[i], surface_velocity(row), law);
-        const double speed = std::max(std::abs(result.normal_change) * row.normal_mobility,
-                                      norm(result.tangential_change) * row.tangential_mobility);
-        const double rounded =
-            rounding * (speed_ + norm(state_.impulses[i]) * row.tangential_mobility);
-        if (!std::isfinite(speed - rounded)) return std::numeric_limits<double>::infinity();
-        largest = std::max(largest, speed - rounded);
-    }
-    return largest > 0.0 ? largest / approach_ : 0.0;
-}
-
-template <int D>
-void Cluster<D>::keep_if_better(double residual) {
-    if (!(residual < best_residual_)) return;
-    best_residual_ = residual;
-    best_ = state_;
-}
-
-/// The product of two directions by the energy p·Wp, W the change of surface velocities by
-/// impulses: that of their velocities by the masses.
-template <int D>
-double Cluster<D>::energy(const State<D>& a, const State<D>& b) const noexcept {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < inert_.size(); ++i)
-        sum += inert_[i].mass * product(a.motions[i].velocity, b.motions[i].velocity) +
-               inert_[i].inertia * product(a.motions[i].spin, b.motions[i].spin);
-    return sum;
-}
-/// The same of a direction by itself, as if no contact knew of the others.
-template <int D>
-double Cluster<D>::separate_energies(const State<D>& direction) const noexcept {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < rows_.size(); ++i)
-        sum += rows_[i].normal_mobility * product(direction.impulses[i], direction.impulses[i]);
-    return sum;
-}
-
-/// What the associated law makes least, among impulses within the cones.
-template <int D>
-double Cluster<D>::objective() const noexcept {
-    double sum = energy(state_, state_) / 2;
-    for (std::size_t i = 0; i < rows_.size(); ++i)
-        sum += rows_[i].opening * product(state_.impulses[i], rows_[i].normal) -
-               product(state_.impulses[i], rows_[i].wall_velocity);
-    return sum;
-}
-
-/// How fast that falls along a direction.
-template <int D>
-double Cluster<D>::descent(const State<D>& direction) const noexcept {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < rows_.size(); ++i)
-        sum -= product(direction.impulses[i], surface_velocity(rows_[i])) +
-               rows_[i].opening * product(direction.impulses[i], rows_[i].normal);
-    return sum;
-}
-
-template <int D>
-int Cluster<D>::associated(double tolerance, int sweeps) {
-    State<D> last;  // what the last sweeps and the step after them changed
-    State<D> good = state_;
-    double lowest = std::numeric_limits<double>::infinity();
-    double length = 0.0;
-    int raised = 0;
-    int done = 0;
-    while (done + 2 <= sweeps) {
-        const State<D> before = state_;
-        sweep_to_and_fro(Law::associated);
-        done += 2;
-        const double remaining = residual(Law::coulomb);
-        keep_if_better(remaining);
-        if (remaining <= tolerance || !std::isfinite(remaining) ||
-            residual(Law::associated) <= sliding * remaining)
-            break;
-
-        // A step may leave the cones, and sweeps from there may end higher. Sweeps alone do not. In
-        // piles that rest that is rare; where it is not, conjugate gradients are no help.
-        const double now = objective();
-        if (now > lowest) {
-            state_ = good;
-            if (++raised == 4) break;
-            length = 0.0;
-            lowest = std::numeric_limits<double>::infinity();
-            continue;
-        }
-        lowest = now + 0x1p-46 * std::abs(now);
-        good = state_;
-
-        // On along what the sweeps changed, made conjugate to the last step, and along that: as far
-        // as the objective falls.
-        State<D> swept = state_;
-        swept.add(-1.0, before);
-        const double last_length = std::exchange(length, separate_energies(swept));
-        const auto step_along = [&](const State<D>& direction, double fall, double curvature) {
-            if (!(curvature > 0.0)) return;
-            const double factor = fall / curvature;
-            if (factor * factor * separate_energies(direction) <= longest_)
-                state_.add(factor, direction);
-        };
-        double last_energy = 0.0;
-        double last_descent = 0.0;
-        if (length <= 4.0 * last_length) {
-            last_energy = energy(last, last);
-            last_descent = descent(last);
-            if (last_energy > 0.0) swept.add(-energy(swept, last) / last_energy, last);
-        }
-        const double swept_descent = descent(swept);
-        step_along(swept, swept_descent, energy(swept, swept));
-        step_along(last, last_descent, last_energy);
-        push_all();
-        last = state_;
-        last.add(-1.0, before);
-    }
-    return done;
-}
-
-template <int D>
-int Cluster<D>::coulomb(double tolerance, int sweeps) {
-    State<D> search;
-    bool searching = false;
-    double length = std::numeric_limits<double>::infinity();
-    int done = 0;
-    while (done + 2 <= sweeps) {
-        State<D> swept = state_;
-        sweep_to_and_fro(Law::coulomb);
-        done += 2;
-        const double remaining = residual(Law::coulomb);
-        keep_if_better(remaining);
-        if (remaining <= tolerance || !std::isfinite(remaining)) break;
-
-        const State<D> before = std::move(swept);
-        swept = state_;
-        swept.add(-1.0, before);
-        // Where the sweeps change more than those before did, the search starts anew with the next.
-        const double now = separate_energies(swept);
-        if (now == 0.0) break;
-        if (!(now < length)) {
-            searching = false;
-        } else if (!std::exchange(searching, true)) {
-            search = std::move(swept);
-        } else {
-            const double ratio = now / length;
-            state_.add(ratio, search);
-            push_all();
-            search.scale(ratio);
-            search.add(1.0, swept);
-        }
-        length = now;
-    }
-    return done;
-}
-
-template <int D>
-int Cluster<D>::solve(double tolerance, int sweeps) {
-    const std::vector<Vector<D>> last_impulses = state_.impulses;
-    state_.impulses.assign(rows_.size(), {});
-    best_ = state_;
-    keep_if_better(residual(Law::coulomb));
-    if (best_residual_ <= tolerance) return 0;
-    state_.impulses = last_impulses;
-    push_all();
-    keep_if_better(residual(Law::coulomb));
-    if (best_residual_ <= tolerance) return 0;
-
-    state_ = best_;
-    int done = associated(tolerance, sweeps / 2);
-    if (best_residual_ > tolerance) done += coulomb(tolerance, sweeps - done);
-    return done;
-}
 
 /// To each contact the number of its cluster; clusters are numbered as their first contacts come.
 template <int D>

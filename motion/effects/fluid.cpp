@@ -1,7 +1,5 @@
 #include "fluid.hpp"
 
-#include <cmath>
-
 #include "../../exact/elementary.hpp"
 
 namespace signum::motion {
@@ -20,24 +18,19 @@ double Kicks<D>::decay(double rate) {
 
 template <int D>
 Vector<D> Kicks<D>::kicked(const Vector<D>& x, const Vector<D>& v, double radius, double mass) {
-    Vector<D> result;
-    for (int k = 0; k < D; ++k) result[k] = v[k] + 0.5 * time_ * gravity_[k];
+    const Vector<D> half = 0.5 * time_ * gravity_;
+    Vector<D> result = v + half;
     if (fluid_) {
         const double slowing = decay(fluid_->linear * radius / mass);
         const double area = D == 2 ? radius : radius * radius;
-        Vector<D> u;
-        Vector<D> w;
-        for (int k = 0; k < D; ++k) {
-            u[k] = fluid_->velocity[k] + dot(fluid_->gradient[k], x);
-            w[k] = slowing * (result[k] - u[k]);
-        }
+        Vector<D> u = fluid_->velocity;
+        for (int k = 0; k < D; ++k) u[k] += dot(fluid_->gradient[k], x);
+        const Vector<D> w = slowing * (result - u);
         // dw/dt = -c |w| w: w / (1 + c |w| t).
         const double c = fluid_->quadratic * area / mass;
-        const double factor = slowing / (1.0 + c * std::sqrt(dot(w, w)) * time_);
-        for (int k = 0; k < D; ++k) result[k] = u[k] + factor * w[k];
+        result = u + slowing / (1.0 + c * norm(w) * time_) * w;
     }
-    for (int k = 0; k < D; ++k) result[k] += 0.5 * time_ * gravity_[k];
-    return result;
+    return result + half;
 }
 
 template class Kicks<2>;

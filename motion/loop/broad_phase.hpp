@@ -208,8 +208,7 @@ class BroadPhase {
         const World<D>& world = system_.world;
         const Ball<D>& a = world.balls[i];
         const Ball<D>& b = world.balls[j];
-        Vector<D> d;
-        for (int k = 0; k < D; ++k) d[k] = a.x[k] - b.x[k];
+        Vector<D> d = a.x - b.x;
         const double square = world.nearest_square(d);
         double reach = (a.radius + b.radius + way) * (1.0 + 0x1p-40);
         if (world.effects.periodic)

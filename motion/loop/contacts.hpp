@@ -27,11 +27,9 @@ template <int D>
 [[nodiscard]] inline Facts<D> facts_of(const Ball<D>& a, const Ball<D>& b, const Image<D>& seen,
                                        const Effects<D>& effects, double growth = 0.0) {
     Facts<D> facts;
-    for (int k = 0; k < D; ++k) {
-        facts.normal[k] = apart<double>(a.x, b.x, k, seen, effects);
-        facts.sliding[k] = a.v[k] - b.v[k];
-    }
-    facts.distance = std::sqrt(dot(facts.normal, facts.normal));
+    facts.normal = apart<double>(a.x, b.x, seen, effects);
+    facts.sliding = a.v - b.v;
+    facts.distance = norm(facts.normal);
     for (double& each : facts.normal) each /= facts.distance;
     facts.approach = std::max(growth - dot(facts.normal, facts.sliding), 0.0);
     return facts;
@@ -119,7 +117,7 @@ template <int D, Known known>
         return place;
     }
     const Wall wall = partner.wall();
-    place.normal = unit_normal(system.facing(a, wall));
+    place.normal = unit_normal(system.walls.facing(a, wall));
     place.gap = system.walls.gap(a, wall);
     place.wall_velocity = wall < 2 * D ? system.side_velocities[static_cast<std::size_t>(wall)]
                                        : system.walls.velocity(wall, system.now);

@@ -100,7 +100,7 @@ inline void consider_wall(System<D, known>& system, Inquiry<D>& inquiry, Wall wa
     if (!(meeting.early <= best.late)) return;
     if (meeting.early == -infinity) [[unlikely]] {
         ++system.counts.exact;
-        const double t = exactly_at(system, system.world.balls[i], wall);
+        const double t = system.walls.exact_meeting(system.world.balls[i], wall);
         meeting = {t, t};
     }
     if (meeting.early == infinity) return;

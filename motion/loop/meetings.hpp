@@ -10,18 +10,6 @@
 namespace signum::motion {
 
 template <int D, Known known>
-[[nodiscard]] inline double exactly_at(const System<D, known>& system, const Ball<D>& ball,
-                                       Wall wall) {
-    return system.is_side(wall) ? exact_meeting(ball, wall, system.world.effects)
-                                : system.walls.exact_meeting(ball, wall);
-}
-template <int D, Known known>
-[[nodiscard]] inline double refined_at(const System<D, known>& system, const Ball<D>& ball,
-                                       Wall wall, double about) {
-    return system.is_side(wall) ? refined_meeting(ball, wall, system.world.effects, about)
-                                : system.walls.refined_meeting(ball, wall, about);
-}
-template <int D, Known known>
 [[gnu::cold, gnu::noinline]] Meeting exactly(System<D, known>& system, Slot i, Slot j) {
     World<D>& world = system.world;
     ++system.counts.exact;
@@ -44,7 +32,8 @@ inline void make_exact(System<D, known>& system, Slot i, Proposal& p) {
     };
     if (p.partner.is_wall()) {
         const Wall wall = p.partner.wall();
-        tell(refined_at(system, ball, wall, about), [&] { return exactly_at(system, ball, wall); });
+        tell(system.walls.refined_meeting(ball, wall, about),
+             [&] { return system.walls.exact_meeting(ball, wall); });
         return;
     }
     // Now another image may be nearer than the one that will be struck.
@@ -74,7 +63,7 @@ template <int D, Known known>
     for (const Wall wall : system.walls.numbers()) {
         Meeting meeting = meeting_of(system, wall, i, asker, infinity);
         if (meeting.early == -infinity)
-            meeting.early = exactly_at(system, system.world.balls[i], wall);
+            meeting.early = system.walls.exact_meeting(system.world.balls[i], wall);
         if (meeting.early < infinity) return true;
     }
     return false;

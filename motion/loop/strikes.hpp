@@ -92,17 +92,15 @@ inline Met strike_balls(System<D, known>& system, Slot i,
     ++system.counts.strikes;
     ++particle_a.strikes;
     ++particle_b.strikes;
-    count_in_place(system, i, a_before, exchange.approach, exchange.square, law.growth, [&] {
-        return stayed_in_place_exactly(a_before, b_before, seen, effects,
-                                       system.world.balls[i].time);
-    });
-    count_in_place(system, j, b_before, exchange.approach, exchange.square, law.growth, [&] {
-        // D and V of the pair, whichever comes first.
-        Image<D> back;
-        for (int k = 0; k < D; ++k) back[k] = -seen[k];
-        return stayed_in_place_exactly(b_before, a_before, back, effects,
-                                       system.world.balls[j].time);
-    });
+    const auto count = [&](Slot slot, const Ball<D>& came, const Ball<D>& other,
+                           const Image<D>& image) {
+        count_in_place(system, slot, came, exchange.approach, exchange.square, law.growth, [&] {
+            return stayed_in_place_exactly(came, other, image, effects,
+                                           system.world.balls[slot].time);
+        });
+    };
+    count(i, a_before, b_before, seen);
+    count(j, b_before, a_before, -1 * seen);
     if (!laws.is_plain()) [[unlikely]] {
         if (facts.rubs)
             rub(system, i, j, a, b, facts,

@@ -32,8 +32,79 @@ struct System {
 
     /// `order`: the balls' numbers in the order in which memory shall hold them.
     System(const State<D>& state, const Effects<D>& effects, Kernel kernel_then,
-           const std::vector<std::int32_t>& order);
-    [[nodiscard]] State<D> state() const;
+           const std::vector<std::int32_t>& order)
+        : world(in_order(state.balls, order), in_flight(effects, state.time), state.time),
+          kernel(kernel_then),
+          agenda(order.size()),
+          filter(world.effects, kernel),
+          walls(world.effects, kernel),
+          laws(effects, order.size()),
+          steps(effects, state.half_steps),
+          passed(order.size()),
+          slots(order.size()),
+          now(state.time),
+          most_in_place(effects.restitution < 1.0 || effects.wall_restitution < 1.0 ||
+                                effects.gravity != Vector<D>{}
+                            ? most_in_place_dissipative
+                            : most_in_place_elastic) {
+        for (Wall wall = 0; effects.box && !effects.periodic && wall < 2 * D; ++wall)
+            if (is_side(wall)) sides.push_back(wall);
+        for (Slot i = 0; i < slots.size(); ++i) {
+            const auto number = static_cast<std::size_t>(order[i]);
+            slots[number] = i;
+            agenda[i].number = order[i];
+            agenda[i].mass = state.masses[number];
+            agenda[i].in_place = state.in_place[number];
+        }
+        if (effects.growth || effects.shake || effects.contact_duration > 0.0 ||
+            std::ranges::any_of(effects.obstacles,
+                                [](const auto& each) { return is_moving(each); }))
+            pressed.resize(slots.size());
+        for (const Pressed& each : state.pressed)
+            if (!pressed.empty()) pressed[slot_of(each.ball)] = each;
+        laws.set(state, slots);
+        for (const StandingContact<D>& contact : state.contacts)
+            contacts.set({contact.a, Partner::coded(contact.b)}, {contact.push, contact.rub});
+        for (const Passed& each : state.passed)
+            passed.pass(slot_of(each.a), in_slot(Partner::coded(each.b)), each.time);
+        for (const Ball<D>& ball : world.balls) filter.include(ball);
+        set_turn();
+    }
+    [[nodiscard]] State<D> state() const {
+        const std::size_t n = agenda.size();
+        State<D> state{now,
+                       std::vector<Ball<D>>(n),
+                       std::vector<double>(n),
+                       std::vector<std::uint32_t>(n),
+                       {}};
+        if (laws.has_friction()) state.spins.resize(n);
+        if (laws.has_duration()) state.last_strikes.resize(n);
+        for (Slot i = 0; i < n; ++i) {
+            const auto number = static_cast<std::size_t>(agenda[i].number);
+            state.balls[number] = world.balls[i];
+            state.masses[number] = agenda[i].mass;
+            state.in_place[number] = agenda[i].in_place;
+            if (laws.has_friction()) state.spins[number] = laws.spin(i);
+            if (laws.has_duration()) state.last_strikes[number] = laws.last_strike(i);
+            for (const auto& [partner, time] : passed.of(i)) {
+                const Pair pair = pair_of(i, partner);
+                // Both balls of a pair have it.
+                if (pair.first == agenda[i].number)
+                    state.passed.push_back({pair.first, pair.second.code(), time});
+            }
+        }
+        std::ranges::sort(state.passed, {},
+                          [](const Passed& each) { return std::pair(each.a, each.b); });
+        for (Slot i : slots) {
+            if (pressed.empty() || pressed[i].last == -infinity) continue;
+            state.pressed.push_back(pressed[i]);
+            state.pressed.back().ball = agenda[i].number;
+        }
+        state.half_steps = steps.half_steps();
+        for (const auto& [pair, momenta] : contacts.all())
+            state.contacts.push_back({pair.first, pair.second.code(), momenta.push, momenta.rub});
+        return state;
+    }
 
     World<D> world;
     Kernel kernel;
@@ -111,9 +182,6 @@ struct System {
         return kernel == Kernel::exact ? arrived(world.balls[i], t, world.effects, tally)
                                        : naive::arrived(world.balls[i], t, world.effects);
     }
-    [[nodiscard]] Facing<D> facing(const Ball<D>& ball, Wall wall) const {
-        return is_side(wall) ? facing_side<D>(wall) : walls.facing(ball, wall);
-    }
     /// A ball flies otherwise than before.
     [[gnu::always_inline]] void put(Slot i, const Ball<D>& ball) {
         world.balls[i] = ball;
@@ -141,95 +209,8 @@ struct System {
         return effects;
     }
 
-    [[nodiscard]] static bool is_moving(const Obstacle<D>& obstacle) {
-        return std::visit(
-            [](const auto& each) {
-                if constexpr (requires { each.speed; })
-                    return each.speed != 0.0;
-                else if constexpr (requires { each.velocity; })
-                    return each.velocity != Vector<D>{};
-                else
-                    return false;
-            },
-            obstacle);
-    }
-
     static constexpr std::uint32_t most_in_place_dissipative = 1000;
     static constexpr std::uint32_t most_in_place_elastic = 100'000;
 };
-
-template <int D, Known known>
-System<D, known>::System(const State<D>& state, const Effects<D>& effects, Kernel kernel_then,
-                         const std::vector<std::int32_t>& order)
-    : world(in_order(state.balls, order), in_flight(effects, state.time), state.time),
-      kernel(kernel_then),
-      agenda(order.size()),
-      filter(world.effects, kernel),
-      walls(world.effects, kernel),
-      laws(effects, order.size()),
-      steps(effects, state.half_steps),
-      passed(order.size()),
-      slots(order.size()),
-      now(state.time),
-      most_in_place(effects.restitution < 1.0 || effects.wall_restitution < 1.0 ||
-                            effects.gravity != Vector<D>{}
-                        ? most_in_place_dissipative
-                        : most_in_place_elastic) {
-    for (Wall wall = 0; effects.box && !effects.periodic && wall < 2 * D; ++wall)
-        if (is_side(wall)) sides.push_back(wall);
-    for (Slot i = 0; i < slots.size(); ++i) {
-        const auto number = static_cast<std::size_t>(order[i]);
-        slots[number] = i;
-        agenda[i].number = order[i];
-        agenda[i].mass = state.masses[number];
-        agenda[i].in_place = state.in_place[number];
-    }
-    if (effects.growth || effects.shake || effects.contact_duration > 0.0 ||
-        std::ranges::any_of(effects.obstacles, is_moving))
-        pressed.resize(slots.size());
-    for (const Pressed& each : state.pressed)
-        if (!pressed.empty()) pressed[slot_of(each.ball)] = each;
-    laws.set(state, slots);
-    for (const StandingContact<D>& contact : state.contacts)
-        contacts.set({contact.a, Partner::coded(contact.b)}, {contact.push, contact.rub});
-    for (const Passed& each : state.passed)
-        passed.pass(slot_of(each.a), in_slot(Partner::coded(each.b)), each.time);
-    for (const Ball<D>& ball : world.balls) filter.include(ball);
-    set_turn();
-}
-
-template <int D, Known known>
-State<D> System<D, known>::state() const {
-    const std::size_t n = agenda.size();
-    State<D> state{
-        now, std::vector<Ball<D>>(n), std::vector<double>(n), std::vector<std::uint32_t>(n), {}};
-    if (laws.has_friction()) state.spins.resize(n);
-    if (laws.has_duration()) state.last_strikes.resize(n);
-    for (Slot i = 0; i < n; ++i) {
-        const auto number = static_cast<std::size_t>(agenda[i].number);
-        state.balls[number] = world.balls[i];
-        state.masses[number] = agenda[i].mass;
-        state.in_place[number] = agenda[i].in_place;
-        if (laws.has_friction()) state.spins[number] = laws.spin(i);
-        if (laws.has_duration()) state.last_strikes[number] = laws.last_strike(i);
-        for (const auto& [partner, time] : passed.of(i)) {
-            const Pair pair = pair_of(i, partner);
-            // Both balls of a pair have it.
-            if (pair.first == agenda[i].number)
-                state.passed.push_back({pair.first, pair.second.code(), time});
-        }
-    }
-    std::ranges::sort(state.passed, {},
-                      [](const Passed& each) { return std::pair(each.a, each.b); });
-    for (Slot i : slots) {
-        if (pressed.empty() || pressed[i].last == -infinity) continue;
-        state.pressed.push_back(pressed[i]);
-        state.pressed.back().ball = agenda[i].number;
-    }
-    state.half_steps = steps.half_steps();
-    for (const auto& [pair, momenta] : contacts.all())
-        state.contacts.push_back({pair.first, pair.second.code(), momenta.push, momenta.rub});
-    return state;
-}
 
 }  // namespace signum::motion

@@ -33,25 +33,19 @@ template <int D, Known known>
 /// Makes it a chord, as fast.
 template <int D>
 void turn_inwards(Ball<D>& ball, const Hollow<D>& hollow) noexcept {
-    Vector<D> v = ball.v;
-    for (int k = 0; k < D; ++k) v[k] -= hollow.wall_velocity[k];
-    const double parting = dot(v, hollow.normal);
+    const Vector<D> v = ball.v - hollow.wall_velocity;
     const double speed =
         StandingContacts<D>::speed_along(ball.v, hollow.wall_velocity, hollow.normal);
     const double ahead = std::sqrt(1.0 - hollow.turn * hollow.turn);
-    for (int k = 0; k < D; ++k)
-        ball.v[k] = hollow.wall_velocity[k] + ahead * (v[k] - parting * hollow.normal[k]) +
-                    hollow.turn * speed * hollow.normal[k];
+    ball.v = hollow.wall_velocity + ahead * (v - dot(v, hollow.normal) * hollow.normal) +
+             hollow.turn * speed * hollow.normal;
 }
 
 /// A ball that comes to a wall, and is not changed. Where the gap between them bends down it lies
 /// on it, and would go through.
 template <int D, Known known>
 [[nodiscard]] Met rest(System<D, known>& system, Slot i, const Ball<D>& came, Wall wall) {
-    const double g = system.is_side(wall) ? system.world.effects.gravity[wall / 2] : 0.0;
-    const bool bends_down = system.is_side(wall) ? (wall % 2 != 0 ? g > 0.0 : g < 0.0)
-                                                 : system.walls.bends_down(came, wall);
-    if (bends_down) return Met::rests;
+    if (system.walls.bends_down(came, wall)) return Met::rests;
     system.passed.pass(i, Partner::wall(wall), came.time);
     return Met::passed;
 }
@@ -79,11 +73,11 @@ template <int D, Known known>
     const Partner partner = Partner::wall(wall);
     Ball<D> ball = came;
     const double mass = system.agenda[i].mass;
-    const Facing<D> faces = system.facing(ball, wall);
+    const Facing<D> faces = walls.facing(ball, wall);
     const double growth = growth_of(ball, effects);
     const double approach = laws.is_plain() ? 0.0 : approach_of(ball, faces, growth);
     const auto bounce = laws.bounce({i}, t, effects.wall_restitution, approach);
-    WallExchange exchange = strike(ball, faces, mass, bounce.restitution, growth);
+    Exchange exchange = strike(ball, faces, mass, bounce.restitution, growth);
     if (!system.is_side(wall) && system.kernel == Kernel::exact &&
         !system.contacts.has(system.pair_of(i, partner)))
         refuse_missed_wall(system, i, wall, came);
@@ -109,11 +103,8 @@ template <int D, Known known>
         [&] { return stayed_in_place_exactly(came, faces, growth, system.world.balls[i].time); },
         system.moves(wall));
     if (bounce.rubs) {
-        Vector<D> sliding = came.v;
-        const Vector<D> velocity = walls.velocity(wall, t);
-        for (int k = 0; k < D; ++k) sliding[k] -= velocity[k];
         slide<D>({ball.v, laws.spin(i), system.grown_radius(ball), mass}, unit_normal(faces),
-                 sliding, exchange.impulse, *effects.friction);
+                 came.v - walls.velocity(wall, t), exchange.impulse, *effects.friction);
     }
     laws.struck(i, t);
     system.put(i, ball);
@@ -137,8 +128,9 @@ inline Met strike_wall(System<D, known>& system, Slot i,
         return strike_surface(system, i, wall, ball, record);
     if (!strike(ball, wall, law)) return rest(system, i, came, wall);
     tell_strike(system, i, record ? impulse(came, wall, particle.mass, law) : 0.0, record);
-    count_in_place(system, i, came, std::fabs(came.v[wall / 2]), 1.0, 0.0,
-                   [&] { return stayed_in_place_exactly(came, wall, system.world.balls[i].time); });
+    count_in_place(system, i, came, std::fabs(came.v[wall / 2]), 1.0, 0.0, [&] {
+        return stayed_in_place_exactly(came, facing_side<D>(wall), 0.0, system.world.balls[i].time);
+    });
     system.put(i, ball);
     release(system, i);
     return Met::struck;

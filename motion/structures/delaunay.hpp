@@ -42,6 +42,7 @@
 #include "../../triangulation/moving/moving_triangulation.hpp"
 #include "../cells.hpp"
 #include "../simulation.hpp"
+#include "../sketch.hpp"
 #include "../world.hpp"
 
 namespace signum::motion {
@@ -84,7 +85,7 @@ class Delaunay {
         cross(i, now);
         triangulation_->advance(now);
         if (now >= discs_[i].ask_at) {
-            discs_[i].ask_at = now + time_for(i, now, stride_);
+            discs_[i].ask_at = ask_after(i, now);
             near(i, propose);
         }
         note_new_pairs();
@@ -107,12 +108,7 @@ class Delaunay {
 
     /// Neighbours; slots stand for numbers.
     void sketch(double, Sketch<D>& sketch) const {
-        for (Slot i = 0; i < discs_.size(); ++i)
-            near(i, [&](Slot j) {
-                if (i < j)
-                    sketch.links.emplace_back(static_cast<std::int32_t>(i),
-                                              static_cast<std::int32_t>(j));
-            });
+        for (Slot i = 0; i < discs_.size(); ++i) near(i, [&](Slot j) { link(sketch, i, j); });
     }
 
  private:
@@ -136,8 +132,6 @@ class Delaunay {
           discs_(world.balls.size()),
           triangulation_(std::make_unique<kinetic::MovingTriangulation>(
               world.start, Fall{world.effects.gravity[0], world.effects.gravity[1]})) {
-        if (world.effects.periodic)
-            for (const double length : world.length) stride_ = std::min(stride_, length / 8.5);
         std::vector<MovingSite> sites;
         for (Slot i = 0; i < discs_.size(); ++i) {
             const Vector<D> x = world.centre(i, world.start);
@@ -153,7 +147,7 @@ class Delaunay {
                 sites.push_back(site_of(i, copy));
                 owners_.push_back(i);
             }
-            discs_[i].ask_at = world.start + time_for(i, world.start, stride_);
+            discs_[i].ask_at = ask_after(i, world.start);
         }
         triangulation_->insert(sites);
         triangulation_->watch([this](Index a, Index b, bool comes) {
@@ -244,15 +238,11 @@ class Delaunay {
             if (const Index site = discs_[i].copies[copy]; site >= 0)
                 triangulation_->change(site, site_of(i, copy));
         note_new_pairs();
-        discs_[i].ask_at = now + time_for(i, now, stride_);
+        discs_[i].ask_at = ask_after(i, now);
     }
 
-    /// How long the disc takes to fly so far, at least.
-    [[nodiscard]] double time_for(Slot i, double now, double way) const noexcept {
-        if (way == infinity) return infinity;
-        const Vector<D> v = world_.velocity(i, now);
-        const double square = dot(v, v);
-        return 2.0 * way / (std::sqrt(square) + std::sqrt(square + 2.0 * world_.pull * way));
+    [[nodiscard]] double ask_after(Slot i, double now) const noexcept {
+        return stride_ < infinity ? now + world_.time_for(i, now, stride_) : infinity;
     }
     /// How far along an axis the copy in the box may fly as it is.
     struct Stay {
@@ -332,7 +322,7 @@ class Delaunay {
     double margin_;
     double slack_;
     double belt_;
-    double stride_ = infinity;
+    double stride_ = world_.stride();
     std::vector<Disc> discs_;
     std::vector<Slot> owners_;  ///< of sites
     std::unique_ptr<kinetic::MovingTriangulation> triangulation_;

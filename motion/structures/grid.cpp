@@ -157,10 +157,8 @@ class Grid {
         const double g = world_.effects.gravity[k];
         const double start = grid_.start_of(k, cell_[i][k]) - margin_;
         const double end = grid_.start_of(k, cell_[i][k] + 1) + margin_;
-        if (world_.effects.periodic) {
-            const double length = world_.effects.box->high[k] - world_.effects.box->low[k];
-            x -= length * nearest_integer((x - 0.5 * (start + end)) / length);
-        }
+        if (world_.effects.periodic)
+            x -= world_.length[k] * nearest_integer((x - 0.5 * (start + end)) / world_.length[k]);
         Crossing up{time_to(std::max(end - x, 0.0), v, g), k, 1};
         Crossing down{time_to(std::max(x - start, 0.0), -v, -g), k, -1};
         if (!world_.effects.periodic && grid_.is_bounded()) {

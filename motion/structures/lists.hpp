@@ -35,6 +35,7 @@
 #include "../cells.hpp"
 #include "../shells.hpp"
 #include "../simulation.hpp"
+#include "../sketch.hpp"
 #include "../slot_lists.hpp"
 #include "../world.hpp"
 
@@ -56,8 +57,7 @@ class Lists {
     /// When the ball leaves its sphere, or earlier.
     [[nodiscard]] double next(Slot i, double now) const {
         const Vector<D> v = world_.velocity(i, now);
-        Vector<D> d = world_.centre(i, now);
-        for (int k = 0; k < D; ++k) d[k] -= centres_[i].place[k];
+        Vector<D> d = world_.centre(i, now) - centres_[i].place;
         const double square = world_.nearest_square(d);
         if (world_.falls) return now + time_falling(d, v);
         const double c = sphere_ * sphere_ - square;
@@ -104,11 +104,10 @@ class Lists {
     /// stand for numbers.
     void sketch(double, Sketch<D>& sketch) const {
         for (Slot i = 0; i < centres_.size(); ++i) {
-            const auto number = static_cast<std::int32_t>(i);
             const auto& [place, level, list] = centres_[i];
-            sketch.rounds.push_back({number, place, world_.radius(i) + slack_});
-            for (const Slot j : lists_[i])
-                if (i < j) sketch.links.emplace_back(number, static_cast<std::int32_t>(j));
+            sketch.rounds.push_back(
+                {static_cast<std::int32_t>(i), place, world_.radius(i) + slack_});
+            for (const Slot j : lists_[i]) link(sketch, i, j);
             const CellGrid<D>& grid = levels_[level].grid;
             if (levels_.size() > 1)
                 sketch.areas.push_back(
@@ -174,8 +173,7 @@ class Lists {
             const std::uint32_t own = centres_[i].level;
             for_each_near(i, own, [&](Slot j) {
                 if (centres_[j].level == own && j > i) return;
-                lists_.append(i, j);
-                lists_.append(j, i);
+                lists_.link(i, j);
             });
             if (lists_.entries() > most_listed * centres_.size() && slack_ > least_slack_)
                 return false;
@@ -240,9 +238,8 @@ class Lists {
         Level& level = levels_[centre.level];
         centre.place = world_.centre(i, now);
         const Vector<D> v = world_.velocity(i, now);
-        const double speed = std::sqrt(dot(v, v));
-        if (const double ahead = 0.4 * slack_ / speed; ahead < infinity)
-            for (int k = 0; k < D; ++k) centre.place[k] += ahead * v[k];
+        if (const double ahead = 0.4 * slack_ / norm(v); ahead < infinity)
+            centre.place = centre.place + ahead * v;
         const Cell<D> cell = level.grid.cell_of(centre.place);
         centre.list = level.list_of(cell);
         level.shells.insert(centre.list,
@@ -255,16 +252,11 @@ class Lists {
         const Vector<D>& g = world_.effects.gravity;
         double time = 0.0;
         for (int step = 0; step < 3; ++step) {
-            const double left = sphere_ - std::sqrt(dot(d, d));
+            const double left = sphere_ - norm(d);
             if (left < 0x1p-4 * slack_) break;
-            // speed · s + |g| s²/2 = left
-            const double square = dot(v, v);
-            const double s =
-                2.0 * left / (std::sqrt(square) + std::sqrt(square + 2.0 * world_.pull * left));
-            for (int k = 0; k < D; ++k) {
-                d[k] += (v[k] + 0.5 * g[k] * s) * s;
-                v[k] += g[k] * s;
-            }
+            const double s = time_for(v, world_.pull, left);
+            d = d + s * (v + 0.5 * s * g);
+            v = v + s * g;
             time += s;
         }
         return time;
@@ -326,9 +318,7 @@ class Lists {
         }
     }
     [[nodiscard]] bool overlap(Slot i, Slot j) const noexcept {
-        Vector<D> d;
-        for (int axis = 0; axis < D; ++axis)
-            d[axis] = centres_[i].place[axis] - centres_[j].place[axis];
+        Vector<D> d = centres_[i].place - centres_[j].place;
         const double reach = radius_of_shell(i) + radius_of_shell(j);
         return world_.nearest_square(d) < reach * reach;
     }

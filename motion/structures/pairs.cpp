@@ -14,12 +14,7 @@ namespace signum::motion {
 template <int D>
 class Pairs {
  public:
-    explicit Pairs(const World<D>& world, Structure = Structure::pairs) : world_(world) {
-        if (!world.effects.periodic) return;
-        const Box<D>& box = *world.effects.box;
-        stride_ = infinity;
-        for (int k = 0; k < D; ++k) stride_ = std::min(stride_, (box.high[k] - box.low[k]) / 8.5);
-    }
+    explicit Pairs(const World<D>& world, Structure = Structure::pairs) : world_(world) {}
 
     template <class Propose>
     void near(Slot i, const Propose& propose) const {
@@ -27,12 +22,7 @@ class Pairs {
             if (j != i) propose(j);
     }
     [[nodiscard]] double next(Slot i, double now) const {
-        if (!world_.effects.periodic) return infinity;
-        const Vector<D> v = world_.velocity(i, now);
-        const double square = dot(v, v);
-        // v s + g s²/2 = stride
-        return now + 2.0 * stride_ /
-                         (std::sqrt(square) + std::sqrt(square + 2.0 * world_.pull * stride_));
+        return stride_ < infinity ? now + world_.time_for(i, now, stride_) : infinity;
     }
     template <class Propose, class Touch>
     void own_event(Slot i, double, const Propose& propose, const Touch&) {
@@ -40,16 +30,14 @@ class Pairs {
     }
 
     /// So that events may be told late, and lengths of the box be counted.
-    [[nodiscard]] double margin() const noexcept {
-        return world_.effects.periodic ? 0x1p-22 * stride_ : infinity;
-    }
+    [[nodiscard]] double margin() const noexcept { return 0x1p-22 * stride_; }
 
     /// All pairs are no picture.
     void sketch(double, Sketch<D>&) const {}
 
  private:
     const World<D>& world_;
-    double stride_ = 0.0;
+    double stride_ = world_.stride();
 };
 
 SIGNUM_LOOPS_OVER(Pairs)

@@ -55,7 +55,7 @@ class Segments {
                     continue;
                 }
                 for (const Slot j : open)
-                    if (pairs && are_partners(i, j)) pair(i, j);
+                    if (pairs && are_partners(i, j)) partners_.link(i, j);
                 open.push_back(i);
             }
         }
@@ -82,7 +82,7 @@ class Segments {
         const Slot j = ball_of(a) == i ? ball_of(b) : ball_of(a);
         if (is_upper(a) && !is_upper(b)) {
             if (are_partners(i, j)) {
-                pair(i, j);
+                partners_.link(i, j);
                 propose(j);
             }
         } else if (!is_upper(a) && is_upper(b)) {
@@ -104,10 +104,7 @@ class Segments {
                 box.high[k] = place(2 * i + 1, k, now);
             }
             sketch.areas.push_back({box, 0, static_cast<std::int32_t>(i)});
-            for (const Slot j : partners_[i])
-                if (i < j)
-                    sketch.links.emplace_back(static_cast<std::int32_t>(i),
-                                              static_cast<std::int32_t>(j));
+            for (const Slot j : partners_[i]) link(sketch, i, j);
         }
     }
 
@@ -166,10 +163,6 @@ class Segments {
             };
             return begins_within(i, j) || begins_within(j, i);
         });
-    }
-    void pair(Slot i, Slot j) {
-        partners_.append(i, j);
-        partners_.append(j, i);
     }
     [[nodiscard]] Exchange exchange(Slot i, double now) const {
         Exchange first;

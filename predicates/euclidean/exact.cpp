@@ -89,8 +89,8 @@ Decision reaches_farther(Arithmetic arithmetic, const Site& a, const Site& b,
             const auto farther = [](const auto& d) -> Decision {
                 return at(Stage::multiprecision, ((d[0].x + d[0].r) - (d[1].x + d[1].r)).sign());
             };
-            if (arithmetic == predicates::judging)
-                return farther(exact_discs<predicates::judging>(std::array{a, b}));
+            if (arithmetic == Arithmetic::judging)
+                return farther(exact_discs<Arithmetic::judging>(std::array{a, b}));
             if (arithmetic == Arithmetic::multiprecision)
                 return farther(exact_discs(std::array{a, b}));
             const double terms[] = {a.x, a.r, -b.x, -b.r};
@@ -102,8 +102,8 @@ Decision reaches_farther(Arithmetic arithmetic, const Site& a, const Site& b,
 
 Decision turn(Arithmetic arithmetic, const Site& a, const Site& b, const Site& c) noexcept {
     using predicates::Ccw;
-    if (arithmetic == predicates::judging)
-        return predicates::decide<predicates::judging, Ccw>(a, b, c);
+    if (arithmetic == Arithmetic::judging)
+        return predicates::decide<Arithmetic::judging, Ccw>(a, b, c);
     return predicates::with_arithmetic(
         arithmetic, [&]<Arithmetic known>() { return predicates::decide<known, Ccw>(a, b, c); });
 }

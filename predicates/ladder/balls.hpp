@@ -28,7 +28,6 @@
 #include "../../filters/wide.hpp"
 #include "../formulas/balls.hpp"
 #include "doubted.hpp"
-#include "exact_number.hpp"
 
 namespace signum::euclidean::balls {
 
@@ -77,12 +76,6 @@ template <std::size_t d, std::size_t n, class Make>
     for (std::size_t m = 0; m < n; ++m)
         for (std::size_t k = 0; k <= d; ++k) result[m][k] = make(balls[m][k]);
     return result;
-}
-
-/// In rationals or, for a judge, in dyadic numbers.
-template <Arithmetic arithmetic, std::size_t d, std::size_t n>
-[[nodiscard]] auto exact_balls(const std::array<Ball<d, double>, n>& balls) {
-    return made<d>(balls, predicates::exactly<arithmetic>);
 }
 
 /// The same balls, that one first whose coordinates are least: differences to a far ball lose what
@@ -138,11 +131,11 @@ struct InSphere {
     }
 };
 
-/// In rationals, or a judge's dyadic numbers.
-template <class Question, Arithmetic arithmetic, std::size_t d, std::size_t n>
+/// In rationals.
+template <class Question, std::size_t d, std::size_t n>
 [[nodiscard]] Sign ask_exactly(const std::array<Ball<d, double>, n>& balls) noexcept {
-    return Question::template ask<d, Numbers<predicates::ExactNumber<arithmetic>>>(
-        exact_balls<arithmetic, d>(balls));
+    return Question::template ask<d, Numbers<exact::Rational>>(
+        made<d>(balls, [](double number) { return exact::to_rational(number); }));
 }
 
 /// In long doubles that carry a bound; in the default environment.
@@ -171,7 +164,7 @@ template <class Question, std::size_t d, std::size_t n>
     if (apart.span() <= integer_bits)
         return {Question::template ask<d, Widest>(apart.template values<Widest::Number>()),
                 Stage::exact};
-    return {ask_exactly<Question, Arithmetic::multiprecision, d>(balls), Stage::multiprecision};
+    return {ask_exactly<Question, d>(balls), Stage::multiprecision};
 }
 
 /// Behind a filter: in an environment in which it declined it is asked again in the default one.

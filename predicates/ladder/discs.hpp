@@ -208,9 +208,9 @@ template <class Filter, class Question, class... Sites>
 [[nodiscard]] Decision decide(Arithmetic arithmetic, Filter filter, Question question,
                               const Sites&... sites) noexcept {
     const std::array array{sites...};
-    if (arithmetic == predicates::judging)
-        return at(Stage::multiprecision, question(exact_discs<predicates::judging>(array)));
     switch (arithmetic) {
+        case Arithmetic::judging:
+            return at(Stage::multiprecision, question(exact_discs<Arithmetic::judging>(array)));
         case Arithmetic::multiprecision:
             return at(Stage::multiprecision, question(exact_discs(array)));
         case Arithmetic::naive:

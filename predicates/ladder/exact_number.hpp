@@ -10,7 +10,7 @@ namespace signum::predicates {
 /// The double itself: as a rational number or, to a judge, as a dyadic one.
 template <Arithmetic arithmetic>
 [[nodiscard]] auto exactly(double value) {
-    if constexpr (arithmetic == judging) {
+    if constexpr (arithmetic == Arithmetic::judging) {
         return exact::Dyadic(value);
     } else {
         static_assert(arithmetic == Arithmetic::multiprecision);

@@ -80,7 +80,7 @@ Sign sign_of_exact_numbers(const Addend* first, std::size_t count) noexcept {
 template <class Directions, Arithmetic arithmetic>
 Decision decide_forms(const Addend* first, std::size_t count) noexcept {
     SIGNUM_EXPECTS(count <= most_addends);
-    if constexpr (arithmetic == Arithmetic::multiprecision || arithmetic == predicates::judging)
+    if constexpr (arithmetic == Arithmetic::multiprecision || arithmetic == Arithmetic::judging)
         return {sign_of_exact_numbers<Directions, arithmetic>(first, count), Stage::multiprecision};
     if (filters::environment_is_default()) [[likely]] {
         Terms terms;
@@ -152,12 +152,12 @@ SIGNUM_INSTANTIATE(Supremum, Arithmetic::exact)
 SIGNUM_INSTANTIATE(Supremum, Arithmetic::interval)
 SIGNUM_INSTANTIATE(Supremum, Arithmetic::sum)
 SIGNUM_INSTANTIATE(Supremum, Arithmetic::multiprecision)
-SIGNUM_INSTANTIATE(Supremum, predicates::judging)
+SIGNUM_INSTANTIATE(Supremum, Arithmetic::judging)
 SIGNUM_INSTANTIATE(Manhattan, Arithmetic::exact)
 SIGNUM_INSTANTIATE(Manhattan, Arithmetic::interval)
 SIGNUM_INSTANTIATE(Manhattan, Arithmetic::sum)
 SIGNUM_INSTANTIATE(Manhattan, Arithmetic::multiprecision)
-SIGNUM_INSTANTIATE(Manhattan, predicates::judging)
+SIGNUM_INSTANTIATE(Manhattan, Arithmetic::judging)
 #undef SIGNUM_INSTANTIATE
 
 }  // namespace signum::rectangular

@@ -212,7 +212,7 @@ template <Arithmetic arithmetic, class Formula, class Within, class Outside, cla
 /// What each predicate's source instantiates for a kind of sites, behind filters and for a judge.
 #define SIGNUM_FOR_ARITHMETICS(instantiate, S)                                   \
     instantiate(Arithmetic::exact, S) instantiate(Arithmetic::multiprecision, S) \
-        instantiate(predicates::judging, S)
+        instantiate(Arithmetic::judging, S)
 #define SIGNUM_FOR_POWER_SITES(instantiate)                                \
     SIGNUM_FOR_ARITHMETICS(instantiate, Point)                             \
     SIGNUM_FOR_ARITHMETICS(instantiate, Site)                              \

@@ -8,7 +8,7 @@
 
 namespace signum::predicates {
 
-/// Calls visit<arithmetic>().
+/// Calls visit<arithmetic>() with one of constructions. Throws std::invalid_argument for any other.
 template <class Visit>
 auto with_arithmetic(Arithmetic arithmetic, Visit visit) {
     switch (arithmetic) {
@@ -24,8 +24,10 @@ auto with_arithmetic(Arithmetic arithmetic, Visit visit) {
             return visit.template operator()<Arithmetic::sum>();
         case Arithmetic::multiprecision:
             return visit.template operator()<Arithmetic::multiprecision>();
+        case Arithmetic::judging:
+            break;
     }
-    throw std::invalid_argument("no such arithmetic");
+    throw std::invalid_argument("the arithmetic is none of constructions");
 }
 
 }  // namespace signum::predicates

@@ -57,34 +57,4 @@ Decision hides_decision(const Site3& i, const Site3& q) noexcept {
     return filtered<Hides, 3>(balls::filter::hides<3, Site3>, i, q);
 }
 
-namespace multiprecision {
-
-template <Arithmetic arithmetic>
-Sign in_sphere(const Site3& i, const Site3& j, const Site3& k, const Site3& l,
-               const Site3& q) noexcept {
-    using namespace balls;
-    return ask_exactly<InSphere, arithmetic, 3>(balls_of(i, j, k, l, q));
-}
-template <Arithmetic arithmetic>
-Sign exists(const Site3& i, const Site3& j, const Site3& k, const Site3& l) noexcept {
-    using namespace balls;
-    return ask_exactly<Exists, arithmetic, 3>(balls_of(i, j, k, l));
-}
-template <Arithmetic arithmetic>
-Sign hides(const Site3& i, const Site3& q) noexcept {
-    using namespace balls;
-    return ask_exactly<Hides, arithmetic, 3>(balls_of(i, q));
-}
-
-#define SIGNUM_INSTANTIATE(arithmetic)                                                          \
-    template Sign in_sphere<arithmetic>(const Site3&, const Site3&, const Site3&, const Site3&, \
-                                        const Site3&) noexcept;                                 \
-    template Sign exists<arithmetic>(const Site3&, const Site3&, const Site3&,                  \
-                                     const Site3&) noexcept;                                    \
-    template Sign hides<arithmetic>(const Site3&, const Site3&) noexcept;
-SIGNUM_INSTANTIATE(Arithmetic::multiprecision)
-SIGNUM_INSTANTIATE(predicates::judging)
-#undef SIGNUM_INSTANTIATE
-
-}  // namespace multiprecision
 }  // namespace signum::euclidean

@@ -57,19 +57,6 @@ template <std::same_as<Site3> S>
     return hides_decision(i, q).sign > 0;
 }
 
-/// The same in exact numbers alone: rationals, or a judge's (predicates/arithmetic.hpp).
-namespace multiprecision {
-
-template <Arithmetic arithmetic = Arithmetic::multiprecision>
-[[nodiscard]] Sign in_sphere(const Site3& i, const Site3& j, const Site3& k, const Site3& l,
-                             const Site3& q) noexcept;
-template <Arithmetic arithmetic = Arithmetic::multiprecision>
-[[nodiscard]] Sign exists(const Site3& i, const Site3& j, const Site3& k, const Site3& l) noexcept;
-template <Arithmetic arithmetic = Arithmetic::multiprecision>
-[[nodiscard]] Sign hides(const Site3& i, const Site3& q) noexcept;
-
-}  // namespace multiprecision
-
 /// The same text in the plane, where euclidean.hpp has predicates of its own.
 namespace balls {
 

@@ -182,6 +182,11 @@ TEST_P(Arithmetics, RoundedOnesAskNoOtherStage) {
     }
 }
 
+TEST_P(Arithmetics, JudgingIsNoneOfConstructions) {
+    EXPECT_THROW((void)build({{0, 0, 1}, {5, 0, 1}, {0, 7, 2}}, Arithmetic::judging),
+                 std::invalid_argument);
+}
+
 TEST_P(Arithmetics, SingleRefusesWhatFloatsDoNotHold) {
     const Sites sites = {{0, 0, 1}, {5, 0, 1}, {0, 1e39, 1}};
     try {

@@ -9,8 +9,9 @@
 #include <map>
 
 #include "../../predicates/euclidean.hpp"
-#include "../../predicates/space.hpp"
 #include "../../predicates/formulas/balls.hpp"
+#include "../../predicates/ladder/balls.hpp"
+#include "../../predicates/space.hpp"
 #include "../../predicates/space/euclidean.hpp"
 #include "../../predicates/space/in_sphere.hpp"
 #include "../../voronoi/balls/touching_spheres.hpp"
@@ -102,11 +103,11 @@ class Balls : public testing::TestWithParam<Family> {
             if constexpr (dimension_of<S> == 3) {
                 if (trial % 4 != 0) continue;
                 const auto& [i, j, k, l, q] = sites;
-                using namespace euclidean::multiprecision;
-                ASSERT_EQ(in_sphere<>(i, j, k, l, q), expected) << text_of<S>(sites);
-                ASSERT_EQ(in_sphere<predicates::judging>(i, j, k, l, q), expected);
-                ASSERT_EQ(euclidean::multiprecision::exists<>(i, j, k, l), 1);
-                ASSERT_EQ(euclidean::multiprecision::exists<predicates::judging>(i, j, l, k) > 0,
+                using namespace euclidean::balls;
+                ASSERT_EQ((ask_exactly<InSphere, 3>(balls_of(i, j, k, l, q))), expected)
+                    << text_of<S>(sites);
+                ASSERT_EQ((ask_exactly<Exists, 3>(balls_of(i, j, k, l))), 1);
+                ASSERT_EQ((ask_exactly<Exists, 3>(balls_of(i, j, l, k))) > 0,
                           spheres.spheres.size() == 2);
             }
         }
@@ -200,7 +201,8 @@ TEST_P(Balls, OfEqualRadiiArePoints) {
         const Sign expected = power::in_sphere(p(0), p(1), p(2), p(3), p(4));
         ASSERT_EQ(in_sphere_of(s).sign, expected) << text_of<Site3>(s);
         if (trial % 4 != 0) continue;
-        ASSERT_EQ(euclidean::multiprecision::in_sphere<>(s[0], s[1], s[2], s[3], s[4]), expected)
+        using namespace euclidean::balls;
+        ASSERT_EQ((ask_exactly<InSphere, 3>(balls_of(s[0], s[1], s[2], s[3], s[4]))), expected)
             << text_of<Site3>(s);
     }
 }

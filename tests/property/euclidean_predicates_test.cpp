@@ -40,7 +40,7 @@ using signum::oracle::Spacing;
 using signum::reference::Random;
 using Exact = Perturbed<Arithmetic::exact>;
 using Multiprecision = Perturbed<Arithmetic::multiprecision>;
-using Judging = Perturbed<signum::predicates::judging>;
+using Judging = Perturbed<signum::Arithmetic::judging>;
 
 /// Of the trials one in so many: rationals take long there.
 const int share = signum::is_fast ? 1 : 10;

@@ -165,7 +165,7 @@ TEST(MotionEnds, NotWhereThereIsNoEnd) {
 /// Balls in a row between two walls that close. Without loss they fly ever faster.
 TEST(MotionEnds, RowsBetweenWallsThatClose) {
     for (const double restitution : {1.0, 0.9, 0.5, 0.0}) {
-        for (int balls = 1; balls <= 4; ++balls) {
+        for (int balls = 1; balls <= (is_sanitized ? 2 : 4); ++balls) {
             for (const double step : {0.0, 0.125}) {
                 Scene<2> scene{"row", {}, {}};
                 scene.effects.restitution = scene.effects.wall_restitution = restitution;

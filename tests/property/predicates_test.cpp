@@ -22,7 +22,7 @@ namespace signum {
 namespace {
 
 template <class S>
-using Judging = triangulation::PowerSigns<S, predicates::judging>;
+using Judging = triangulation::PowerSigns<S, Arithmetic::judging>;
 template <class S>
 using BySums = triangulation::PowerSigns<S, Arithmetic::sum>;
 

@@ -27,10 +27,10 @@ using signum::Stage;
 using signum::brute_force::expect_oracle;
 using signum::brute_force::ranks_of;
 using signum::brute_force::Sites;
-using signum::predicates::judging;
 using signum::rectangular::Manhattan;
 using signum::rectangular::Perturbed;
 using signum::rectangular::Supremum;
+constexpr auto judging = signum::Arithmetic::judging;
 
 /// Of the trials one in so many: rationals take long there.
 const int share = signum::is_fast ? 1 : 10;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "../../roots/polynomial.hpp"
+#include "../first_change.hpp"
 #include "../oracle/real_roots.hpp"
 #include "../unit/exact_reference.hpp"
 
@@ -151,7 +152,7 @@ struct Judge {
         const roots::Polynomial q(g, origin());
         if (p.is_zero(&tally) != both[0].empty()) return "is_zero";
         if (both[0].empty()) {
-            if (!p.real_roots(&tally).everywhere || p.first_change(t, &tally)) return "zero";
+            if (!p.real_roots(&tally).everywhere || first_change(p, t, &tally)) return "zero";
             if (p.sign_at(t, &tally) != 0 || p.sign_after(t, &tally) != 0) return "signs of 0";
             return "";
         }
@@ -202,7 +203,7 @@ struct Judge {
         if (p.sign_at(t, &tally) != sign) return "sign_at";
         const int after = before_t >= 0 && at_root ? table.sign_after(before_t, 0) : sign;
         if (p.sign_after(t, &tally) != after) return "sign_after";
-        const std::optional<roots::Root> change = p.first_change(t, &tally);
+        const std::optional<roots::Root> change = first_change(p, t, &tally);
         const int expected = change_after(before_t);
         if (change.has_value() != (expected >= 0)) return "first_change";
         if (change) {
@@ -225,7 +226,7 @@ struct Judge {
             questions += 3;
             if (p.sign_at(there, &tally) != table.sign_at(k, 0)) return "sign_at a root";
             if (p.sign_after(there, &tally) != table.sign_after(k, 0)) return "sign_after a root";
-            const std::optional<roots::Root> next = p.first_change(there, &tally);
+            const std::optional<roots::Root> next = first_change(p, there, &tally);
             if (next.has_value() != (change_after(k) >= 0)) return "first_change after a root";
             if (next && p.nearest_double(*next) != table.nearest_double(change_after(k)))
                 return "first_change after a root: which";
@@ -266,7 +267,7 @@ struct Judge {
         if (!narrow.is_double() && std::nextafter(narrow.low, infinity) != narrow.high)
             return "not narrow";
         if (p.nearest_double(root, &tally) != nearest) return "nearest_double";
-        const std::optional<roots::Root> change = p.first_change(roots::RootOf{p, root}, &tally);
+        const std::optional<roots::Root> change = first_change(p, roots::RootOf{p, root}, &tally);
         if (change.has_value() != (next >= 0)) return "first_change after its own root";
         if (change && !(table.nearest_double(next) == p.nearest_double(*change)))
             return "first_change after its own root: which";

@@ -58,7 +58,7 @@ double rounded_with_root(const mpq_class& a, const mpq_class& b, const mpq_class
 /// (1+e) (w - n·v + q √(n·n)) n / n·n is added to v.
 template <int D>
 void expect_law_of_wall(const Ball<D>& ball, const Rationals<D>& n, const mpq_class& w, double e,
-                        double q, double mass, const WallExchange& exchange, const Ball<D>& after) {
+                        double q, double mass, const Exchange& exchange, const Ball<D>& after) {
     const mpq_class square = product(n, n);
     const mpq_class closing = w - product(n, exactly<D>(ball.v));
     // Its sign, by 400 bits.
@@ -105,7 +105,7 @@ void expect_wall(const Wall& wall, const Rationals<D>& n, const mpq_class& w, co
     const double q = choose.below(2) == 0 ? 0.0 : choose.number(0.0, 1.0);
     const double mass = 0.125 + choose.unit();
     Ball<D> after = ball;
-    const WallExchange exchange = strike(after, facing(ball, wall), mass, e, q);
+    const Exchange exchange = strike(after, facing(ball, wall), mass, e, q);
     expect_law_of_wall<D>(ball, n, w, e, q, mass, exchange, after);
 }
 

@@ -193,7 +193,7 @@ TEST(NeighbourLists, OfABallAsWideAsTheBoxHoldAll) {
 
 /// Balls that crowd in a small part of the place, and balls that come to crowd there.
 TEST(NeighbourLists, OfCrowdsAreShort) {
-    const Slot balls = is_fast ? 2000 : 1000;
+    const Slot balls = is_fast ? 2000 : 500;
     for (const Bounds bounds : {Bounds::none, Bounds::box}) {
         for (const Structure structure : {Structure::lists, Structure::levels}) {
             Random random(13);

@@ -11,6 +11,7 @@
 
 #include "../../roots/filter.hpp"
 #include "../../roots/rounded.hpp"
+#include "../first_change.hpp"
 #include "exact_reference.hpp"
 
 namespace {
@@ -153,12 +154,12 @@ TEST(RealRoots, OfWilkinsonsPolynomial) {
     }
     double t = -5;
     for (int i = 0; i < 8; ++i) {
-        const auto change = p.first_change(t);
+        const auto change = first_change(p, t);
         ASSERT_TRUE(change);
         EXPECT_EQ(p.nearest_double(*change), i + 1);
         t = i + 1;
     }
-    EXPECT_FALSE(p.first_change(8.0));
+    EXPECT_FALSE(first_change(p, 8.0));
 }
 
 /// The doubles around a root are too near to it for the filter, and not for double-doubles.
@@ -205,16 +206,16 @@ TEST(RealRoots, WithMultiplicitiesByTheExactStage) {
         EXPECT_EQ(roots[i].multiplicity, multiplicity[i]);
         EXPECT_EQ(roots[i].after, after[i]);
     }
-    EXPECT_EQ(p.nearest_double(*p.first_change(-9.0)), 0.5);
-    EXPECT_EQ(p.nearest_double(*p.first_change(0.5)), 7.0);
-    EXPECT_EQ(p.nearest_double(*p.first_change(RootOf{p, roots[1]})), 7.0);
+    EXPECT_EQ(p.nearest_double(*first_change(p, -9.0)), 0.5);
+    EXPECT_EQ(p.nearest_double(*first_change(p, 0.5)), 7.0);
+    EXPECT_EQ(p.nearest_double(*first_change(p, RootOf{p, roots[1]})), 7.0);
 }
 
 TEST(RealRoots, ThatTouchAreNoChange) {
     const auto form = with_roots(1.0, 1.0);
     const Polynomial p(form);
     Tally tally;
-    EXPECT_FALSE(p.first_change(0.0, &tally));
+    EXPECT_FALSE(first_change(p, 0.0, &tally));
     expect_exact(tally);
     EXPECT_EQ(p.sign_at(1.0), 0);
     EXPECT_EQ(p.sign_after(1.0), 1);
@@ -260,10 +261,10 @@ TEST(RealRoots, SeveralBetweenTwoDoubles) {
     }
     EXPECT_EQ(compare(RootOf{p, roots[0]}, RootOf{p, roots[1]}), -1);
     EXPECT_EQ(compare(RootOf{p, roots[1]}, RootOf{p, roots[1]}), 0);
-    const auto second = p.first_change(RootOf{p, roots[0]});
+    const auto second = first_change(p, RootOf{p, roots[0]});
     ASSERT_TRUE(second);
     EXPECT_EQ(second->place, 2);
-    EXPECT_FALSE(p.first_change(RootOf{p, roots[1]}));
+    EXPECT_FALSE(first_change(p, RootOf{p, roots[1]}));
     EXPECT_EQ(Polynomial(form).real_roots().count, 2);
 }
 
@@ -283,14 +284,14 @@ TEST(RealRoots, BeyondTheDoubles) {
     EXPECT_EQ(p.sign_at(most), -1);
     EXPECT_EQ(compare(RootOf{p, roots[0]}, -most), -1);
     EXPECT_EQ(compare(RootOf{p, roots[0]}, RootOf{p, roots[1]}), -1);
-    EXPECT_FALSE(p.first_change(RootOf{p, roots[1]}));
+    EXPECT_FALSE(first_change(p, RootOf{p, roots[1]}));
     const auto line_form = with_roots(5.0, 6.0);
     const Polynomial q(line_form);
     EXPECT_EQ(q.sign_at(RootOf{p, roots[0]}), 1);
     EXPECT_EQ(q.sign_after(RootOf{p, roots[1]}), 1);
-    EXPECT_EQ(q.nearest_double(*q.first_change(RootOf{p, roots[0]})), 5.0);
-    EXPECT_FALSE(q.first_change(RootOf{p, roots[1]}));
-    EXPECT_EQ(p.first_change(RootOf{q, q.real_roots()[0]})->low, most);
+    EXPECT_EQ(q.nearest_double(*first_change(q, RootOf{p, roots[0]})), 5.0);
+    EXPECT_FALSE(first_change(q, RootOf{p, roots[1]}));
+    EXPECT_EQ(first_change(p, RootOf{q, q.real_roots()[0]})->low, most);
 }
 
 TEST(RealRoots, OfConstantsAndOfZero) {
@@ -299,14 +300,14 @@ TEST(RealRoots, OfConstantsAndOfZero) {
     Tally tally;
     EXPECT_EQ(p.real_roots(&tally).count, 0);
     EXPECT_FALSE(p.real_roots(&tally).everywhere);
-    EXPECT_FALSE(p.first_change(1.0, &tally));
+    EXPECT_FALSE(first_change(p, 1.0, &tally));
     EXPECT_EQ(p.sign_after(1.0, &tally), -1);
     EXPECT_FALSE(p.is_zero(&tally));
     const auto nothing = coefficients(0.0, 0.0, 0.0);
     const Polynomial zero(nothing);
     EXPECT_TRUE(zero.is_zero(&tally));
     EXPECT_TRUE(zero.real_roots(&tally).everywhere);
-    EXPECT_FALSE(zero.first_change(1.0, &tally));
+    EXPECT_FALSE(first_change(zero, 1.0, &tally));
     EXPECT_EQ(zero.sign_after(1.0, &tally), 0);
     expect_filtered(tally);
 
@@ -315,7 +316,7 @@ TEST(RealRoots, OfConstantsAndOfZero) {
     Tally exact;
     EXPECT_TRUE(cancelled.is_zero(&exact));
     EXPECT_TRUE(cancelled.real_roots(&exact).everywhere);
-    EXPECT_FALSE(cancelled.first_change(0.0, &exact));
+    EXPECT_FALSE(first_change(cancelled, 0.0, &exact));
     EXPECT_EQ(cancelled.sign_after(1.0, &exact), 0);
     expect_exact(exact);
 }
@@ -325,8 +326,8 @@ TEST(RealRoots, OfPointsAtRestByTheFilter) {
     const Polynomial p(form);
     EXPECT_EQ(p.approximate().degree, 1);
     Tally tally;
-    ASSERT_TRUE(p.first_change(0.0, &tally));
-    EXPECT_FALSE(p.first_change(4.0, &tally));
+    ASSERT_TRUE(first_change(p, 0.0, &tally));
+    EXPECT_FALSE(first_change(p, 4.0, &tally));
     expect_filtered(tally);
 }
 
@@ -336,7 +337,7 @@ TEST(RealRoots, OfDifferentPolynomialsAreComparedExactly) {
     const auto near = coefficients(-2.0 - 0x1p-51, 0.0, 1.0);
     const auto square = coefficients(4.0, 0.0, -4.0, 0.0, 1.0);  // (t² - 2)²
     const Polynomial p(two), q(four), r(near), s(square);
-    const auto change = [](const Polynomial& polynomial) { return *polynomial.first_change(0.0); };
+    const auto change = [](const Polynomial& polynomial) { return *first_change(polynomial, 0.0); };
     const RootOf of_p{p, change(p)};
     const RootOf of_q{q, change(q)};
     const RootOf of_r{r, change(r)};
@@ -350,8 +351,8 @@ TEST(RealRoots, OfDifferentPolynomialsAreComparedExactly) {
     EXPECT_EQ(s.sign_after(of_p, &tally), 1);
     expect_exact(tally);
     EXPECT_EQ(r.sign_at(of_p), -1);
-    EXPECT_FALSE(q.first_change(of_p));
-    EXPECT_TRUE(r.first_change(of_p));
+    EXPECT_FALSE(first_change(q, of_p));
+    EXPECT_TRUE(first_change(r, of_p));
     const RealRoots touching = s.real_roots();
     ASSERT_EQ(touching.count, 2);
     EXPECT_EQ(touching[1].multiplicity, 2);
@@ -372,7 +373,7 @@ TEST(RealRoots, ATieAtTheStart) {
     const auto form = with_roots(0.1, 0.3, 0.7, 5.0);
     const Polynomial p(form);
     Tally tally;
-    const auto change = p.first_change(0.1, &tally);
+    const auto change = first_change(p, 0.1, &tally);
     expect_exact(tally);
     ASSERT_TRUE(change);
     EXPECT_EQ(p.nearest_double(*change), 0.3);
@@ -385,7 +386,7 @@ TEST(RealRoots, SayNothingBeyondTheRangeOfDoubles) {
     Tally tally;
     EXPECT_EQ(p.sign_at(3.0, &tally), 1);
     EXPECT_EQ(p.sign_at(1.0, &tally), 0);
-    EXPECT_FALSE(p.first_change(0.0, &tally));
+    EXPECT_FALSE(first_change(p, 0.0, &tally));
     expect_exact(tally);
 }
 
@@ -395,8 +396,8 @@ TEST(RealRoots, InOtherRoundingModesAreExact) {
     Tally tally;
     ASSERT_EQ(std::fesetround(FE_UPWARD), 0);
     const Polynomial p(form);
-    const auto change = p.first_change(0.0, &tally);
-    const auto other = before.first_change(0.0, &tally);
+    const auto change = first_change(p, 0.0, &tally);
+    const auto other = first_change(before, 0.0, &tally);
     const int sign = p.sign_at(2.5, &tally);
     const double nearest = change ? p.nearest_double(*change) : 0.0;
     ASSERT_EQ(std::fesetround(FE_TONEAREST), 0);
@@ -449,7 +450,7 @@ TEST(RealRoots, OfTwoDoublesThatAreAsNearTheEvenOneIsTheNearest) {
     for (const double n : {1.0, 3.0, 5.0, 7.0}) {
         const Halfway form{n};
         const Polynomial p(form);
-        EXPECT_EQ(p.nearest_double(*p.first_change(0.0)), 1.0 + n * 0x1p-53) << n;
+        EXPECT_EQ(p.nearest_double(*first_change(p, 0.0)), 1.0 + n * 0x1p-53) << n;
     }
 }
 

@@ -13,14 +13,14 @@ namespace {
 
 constexpr double side = 700.0;
 
-Point random_point(Uniform& uniform) {
+Site square_site(Uniform& uniform) {
     const double x = side * uniform();
     return {x, side * uniform()};
 }
 
 /// Von Neumann: a uniform direction, its angle doubled. No sine, whose last bit differs from
 /// library to library.
-Point circle_point(Uniform& uniform) {
+Site circle_site(Uniform& uniform) {
     for (;;) {
         const double u = 2.0 * uniform() - 1.0;
         const double v = 2.0 * uniform() - 1.0;
@@ -31,7 +31,7 @@ Point circle_point(Uniform& uniform) {
     }
 }
 
-Point square_point(Uniform& uniform) {
+Site boundary_site(Uniform& uniform) {
     const double place = 4.0 * uniform();
     const double edge = std::floor(place);
     const double along = side * (place - edge);
@@ -41,14 +41,14 @@ Point square_point(Uniform& uniform) {
     return {0.0, side - along};
 }
 
-Point3 random_point_of_cube(Uniform& uniform) {
+Site3 cube_site(Uniform& uniform) {
     const double x = side * uniform();
     const double y = side * uniform();
     return {x, y, side * uniform()};
 }
 
 /// Marsaglia: from a uniform point of the disc; the root is rounded to nearest everywhere.
-Point3 sphere_point(Uniform& uniform) {
+Site3 sphere_site(Uniform& uniform) {
     for (;;) {
         const double u = 2.0 * uniform() - 1.0;
         const double v = 2.0 * uniform() - 1.0;
@@ -61,7 +61,7 @@ Point3 sphere_point(Uniform& uniform) {
     }
 }
 
-Point3 cube_point(Uniform& uniform) {
+Site3 surface_site(Uniform& uniform) {
     const double place = 6.0 * uniform();
     const double face = std::floor(place);
     const double u = side * (place - face);
@@ -73,17 +73,10 @@ Point3 cube_point(Uniform& uniform) {
     return {u, v, face == 4.0 ? 0.0 : side};
 }
 
-/// The columns of the smallest square grid that holds `count` points.
-std::int64_t grid_columns(std::int64_t count) {
-    auto columns = static_cast<std::int64_t>(std::sqrt(static_cast<double>(count)));
-    while (columns * columns < count) ++columns;
-    return columns;
-}
-
-/// The same of the smallest cubic grid.
-std::int64_t cubic_grid_columns(std::int64_t count) {
+/// The columns of the smallest square or cubic grid that holds `count` points.
+std::int64_t grid_columns(std::int64_t count, int dimension = 2) {
     std::int64_t columns = 1;
-    while (columns * columns * columns < count) ++columns;
+    while (columns * columns * (dimension == 3 ? columns : 1) < count) ++columns;
     return columns;
 }
 
@@ -96,7 +89,7 @@ double grid_step(std::int64_t columns) {
 }
 
 /// The place of a pattern among patterns that lie side by side, in patterns.
-Point place_of(std::int64_t pattern, std::int64_t columns) {
+Site place_of(std::int64_t pattern, std::int64_t columns) {
     return {static_cast<double>(pattern % columns), static_cast<double>(pattern / columns)};
 }
 
@@ -104,9 +97,9 @@ Point place_of(std::int64_t pattern, std::int64_t columns) {
 constexpr std::int64_t pattern_size = 192;
 
 /// The 192 integer points with x² + y² = 5² 13 17 29 37 = 5928325.
-std::vector<Point> lattice_circle() {
+std::vector<Site> lattice_circle() {
     constexpr std::int64_t square = 5928325;
-    std::vector<Point> points;
+    std::vector<Site> points;
     for (std::int64_t x = -2434; x <= 2434; ++x) {
         const std::int64_t rest = square - x * x;
         const auto y = static_cast<std::int64_t>(std::sqrt(static_cast<double>(rest)) + 0.5);
@@ -167,8 +160,7 @@ class Centres {
           uniform_(options.seed),
           columns_(grid_columns(options.count)),
           step_(grid_step(columns_)) {
-        if (distribution == Distribution::lattice)
-            for (const Point& point : lattice_circle()) pattern_.push_back({point.x, point.y, 0.0});
+        if (distribution == Distribution::lattice) pattern_ = lattice_circle();
         if (distribution == Distribution::tangent) pattern_ = tangent_discs();
         if (distribution == Distribution::rings) patterns_ = (options.count + 999) / 1000;
         if (!pattern_.empty()) patterns_ = (options.count + pattern_size - 1) / pattern_size;
@@ -177,14 +169,13 @@ class Centres {
 
     /// The i-th site; to be asked in order.
     Site operator()(std::int64_t i) {
-        const auto at = [](Point point) { return Site{point.x, point.y, 0.0}; };
         switch (distribution_) {
             case Distribution::random:
-                return at(random_point(uniform_));
+                return square_site(uniform_);
             case Distribution::circle:
-                return at(circle_point(uniform_));
+                return circle_site(uniform_);
             case Distribution::square:
-                return at(square_point(uniform_));
+                return boundary_site(uniform_);
             case Distribution::grid:
                 return {step_ * static_cast<double>(i % columns_),
                         step_ * static_cast<double>(i / columns_), 0.0};
@@ -195,8 +186,8 @@ class Centres {
                         corner + 0x1p-12 * static_cast<double>(i / columns_), 0.0};
             }
             case Distribution::rings: {
-                const Point place = place_of(i / 1000, pattern_columns_);
-                const Point point = circle_point(uniform_);
+                const Site place = place_of(i / 1000, pattern_columns_);
+                const Site point = circle_site(uniform_);
                 const auto width = static_cast<double>(pattern_columns_);
                 return {(side * place.x + point.x) / width, (side * place.y + point.y) / width,
                         0.0};
@@ -204,7 +195,7 @@ class Centres {
             case Distribution::lattice:
             case Distribution::tangent: {
                 const Site& site = pattern_[static_cast<std::size_t>(i % pattern_size)];
-                const Point place = place_of(i / pattern_size, pattern_columns_);
+                const Site place = place_of(i / pattern_size, pattern_columns_);
                 const double pitch = distribution_ == Distribution::lattice ? 0x1p13 : 0x1p15;
                 return {pitch * place.x + site.x, pitch * place.y + site.y, site.r};
             }
@@ -231,17 +222,39 @@ class Changes {
           radii_(options.seed ^ 0x9e3779b97f4a7c15U),
           perturbations_(options.seed ^ 0xc2b2ae3d27d4eb4fU) {}
 
+    Site operator()(const Site& site) {
+        const double dx = shift();
+        const double dy = shift();
+        return {site.x + dx, site.y + dy, site.r + radius()};
+    }
+    Site3 operator()(const Site3& site) {
+        const double dx = shift();
+        const double dy = shift();
+        const double dz = shift();
+        return {site.x + dx, site.y + dy, site.z + dz, site.r + radius()};
+    }
+
+ private:
     double shift() { return options_.perturb * perturbations_(); }
     double radius() {
         const double width = options_.radius_to - options_.radius_from;
         return std::min(options_.radius_from + width * radii_(), options_.radius_to);
     }
 
- private:
     const GenerateOptions& options_;
     Uniform radii_;
     Uniform perturbations_;
 };
+
+/// Sites as site_at(i) tells them one after the other, with the options' changes.
+template <class SiteAt>
+auto changed(const GenerateOptions& options, SiteAt site_at) {
+    std::vector<decltype(site_at(0))> sites;
+    sites.reserve(static_cast<std::size_t>(options.count));
+    Changes change(options);
+    for (std::int64_t i = 0; i < options.count; ++i) sites.push_back(change(site_at(i)));
+    return sites;
+}
 
 /// The hard sites, one after the other.
 template <std::size_t d>
@@ -284,34 +297,18 @@ class HardSites {
 
 std::vector<Site> generate_hard(const GenerateOptions& options) {
     check(options);
-    std::vector<Site> sites;
-    sites.reserve(static_cast<std::size_t>(options.count));
-    HardSites<2> balls(options.seed);
-    Changes changes(options);
-    for (std::int64_t i = 0; i < options.count; ++i) {
-        const hard::Ball<2>& ball = balls();
-        const double dx = changes.shift();
-        const double dy = changes.shift();
-        sites.push_back({ball.centre[0] + dx, ball.centre[1] + dy, ball.size + changes.radius()});
-    }
-    return sites;
+    return changed(options, [balls = HardSites<2>(options.seed)](std::int64_t) mutable {
+        const auto& [centre, size] = balls();
+        return Site{centre[0], centre[1], size};
+    });
 }
 
 std::vector<Site3> generate_hard_in_space(const GenerateOptions& options) {
     check(options);
-    std::vector<Site3> sites;
-    sites.reserve(static_cast<std::size_t>(options.count));
-    HardSites<3> balls(options.seed);
-    Changes changes(options);
-    for (std::int64_t i = 0; i < options.count; ++i) {
-        const hard::Ball<3>& ball = balls();
-        const double dx = changes.shift();
-        const double dy = changes.shift();
-        const double dz = changes.shift();
-        sites.push_back({ball.centre[0] + dx, ball.centre[1] + dy, ball.centre[2] + dz,
-                         ball.size + changes.radius()});
-    }
-    return sites;
+    return changed(options, [balls = HardSites<3>(options.seed)](std::int64_t) mutable {
+        const auto& [centre, size] = balls();
+        return Site3{centre[0], centre[1], centre[2], size};
+    });
 }
 
 std::string_view name_of(Distribution distribution) noexcept {
@@ -322,17 +319,7 @@ std::string_view name_of(Distribution distribution) noexcept {
 
 std::vector<Site> generate(Distribution distribution, const GenerateOptions& options) {
     check(options);
-    std::vector<Site> sites;
-    sites.reserve(static_cast<std::size_t>(options.count));
-    Centres centres(distribution, options);
-    Changes changes(options);
-    for (std::int64_t i = 0; i < options.count; ++i) {
-        const Site site = centres(i);
-        const double dx = changes.shift();
-        const double dy = changes.shift();
-        sites.push_back({site.x + dx, site.y + dy, site.r + changes.radius()});
-    }
-    return sites;
+    return changed(options, Centres(distribution, options));
 }
 
 std::string_view name_of(SpaceDistribution distribution) noexcept {
@@ -342,35 +329,24 @@ std::string_view name_of(SpaceDistribution distribution) noexcept {
 
 std::vector<Site3> generate(SpaceDistribution distribution, const GenerateOptions& options) {
     check(options);
-    std::vector<Site3> sites;
-    sites.reserve(static_cast<std::size_t>(options.count));
     Uniform uniform(options.seed);
-    Changes changes(options);
-    const std::int64_t columns = cubic_grid_columns(options.count);
+    const std::int64_t columns = grid_columns(options.count, 3);
     const double step = grid_step(columns);
-    const auto centre = [&](std::int64_t i) -> Point3 {
+    return changed(options, [&](std::int64_t i) -> Site3 {
         switch (distribution) {
             case SpaceDistribution::random:
-                return random_point_of_cube(uniform);
+                return cube_site(uniform);
             case SpaceDistribution::sphere:
-                return sphere_point(uniform);
+                return sphere_site(uniform);
             case SpaceDistribution::cube:
-                return cube_point(uniform);
+                return surface_site(uniform);
             case SpaceDistribution::grid:
                 return {step * static_cast<double>(i % columns),
                         step * static_cast<double>(i / columns % columns),
                         step * static_cast<double>(i / (columns * columns))};
         }
         return {};
-    };
-    for (std::int64_t i = 0; i < options.count; ++i) {
-        const auto [x, y, z] = centre(i);
-        const double dx = changes.shift();
-        const double dy = changes.shift();
-        const double dz = changes.shift();
-        sites.push_back({x + dx, y + dy, z + dz, changes.radius()});
-    }
-    return sites;
+    });
 }
 
 }  // namespace signum

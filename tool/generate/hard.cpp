@@ -105,6 +105,15 @@ template <std::size_t d>
     return kind == Kind::points || kind == Kind::weights || kind == Kind::radii;
 }
 
+/// Each number is any() one.
+template <std::size_t d, class Any>
+void fill(Kind kind, std::span<Ball<d>> balls, const Any& any) {
+    for (Ball<d>& ball : balls) {
+        for (double& x : ball.centre) x = any();
+        ball.size = kind == Kind::points ? 0.0 : any();
+    }
+}
+
 /// The number so many steps away in the order of the doubles.
 [[nodiscard]] double stepped(double number, std::int64_t steps) {
     // Of numbers with a sign the bits count from 0 outwards.
@@ -341,10 +350,7 @@ void Moves<d>::raw(Kind kind, Balls balls) {
             if (std::isfinite(number)) return number;
         }
     };
-    for (Ball<d>& ball : balls) {
-        for (double& x : ball.centre) x = any();
-        ball.size = kind == Kind::points ? 0.0 : any();
-    }
+    fill(kind, balls, any);
 }
 
 template <std::size_t d>
@@ -427,10 +433,7 @@ void Moves<d>::extremes(Kind kind, Balls balls) {
             const double number = scaled(any_of(significands), any_of(exponents));
             return once_in(2) ? -number : number;
         };
-        for (Ball<d>& ball : balls) {
-            for (double& x : ball.centre) x = any();
-            ball.size = kind == Kind::points ? 0.0 : any();
-        }
+        fill(kind, balls, any);
     }
     if (once_in(4)) copy(balls);
     if (once_in(2)) move_by_ulps(kind, balls, static_cast<int>(integer(1, 3)), 2);

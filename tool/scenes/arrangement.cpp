@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <numeric>
-#include <type_traits>
 #include <variant>
 
 #include <fmt/format.h>
@@ -35,7 +34,7 @@ class Occupied {
         const double most = std::pow(2.0 * static_cast<double>(expected) + 64.0, 1.0 / D);
         std::size_t all = 1;
         for (int k = 0; k < D; ++k) {
-            const double length = region.box.high[k] - region.box.low[k];
+            const double length = region.box.lengths()[k];
             counts_[k] = static_cast<int>(
                 std::clamp(std::floor(length / (2.0 * largest * (1.0 + margin))), 1.0, most));
             all *= static_cast<std::size_t>(counts_[k]);
@@ -71,7 +70,7 @@ class Occupied {
     };
 
     [[nodiscard]] int cell_along(double x, int k) const {
-        const double share = (x - region_.box.low[k]) / (region_.box.high[k] - region_.box.low[k]);
+        const double share = (x - region_.box.low[k]) / region_.box.lengths()[k];
         return static_cast<int>(
             std::clamp(std::floor(share * counts_[k]), 0.0, static_cast<double>(counts_[k] - 1)));
     }
@@ -79,7 +78,8 @@ class Occupied {
     bool is_free_of_balls(const Vector<D>& x, double radius, int k, std::size_t cell) const {
         if (k == D) {
             for (std::size_t i = first_[cell]; i != none; i = balls_[i].next)
-                if (gap(x, balls_[i].x) < (radius + balls_[i].radius) * (1.0 + margin))
+                if (std::sqrt(square_between(x, balls_[i].x, region_.periodic_box())) <
+                    (radius + balls_[i].radius) * (1.0 + margin))
                     return false;
             return true;
         }
@@ -97,17 +97,6 @@ class Occupied {
                 return false;
         }
         return true;
-    }
-    /// Between centres.
-    [[nodiscard]] double gap(const Vector<D>& a, const Vector<D>& b) const {
-        double square = 0.0;
-        for (int k = 0; k < D; ++k) {
-            double d = a[k] - b[k];
-            const double length = region_.box.high[k] - region_.box.low[k];
-            if (region_.periodic) d -= length * std::nearbyint(d / length);
-            square += d * d;
-        }
-        return std::sqrt(square);
     }
 
     Region<D> region_;
@@ -334,13 +323,8 @@ std::vector<Vector<D>> place_by_growth(const Region<D>& region, std::span<const 
     effects.obstacles.assign(surroundings.obstacles.begin(), surroundings.obstacles.end());
     // Walls stand still as long as the scene has not begun.
     for (auto& obstacle : effects.obstacles) {
-        std::visit(
-            [](auto& wall) {
-                using Wall = std::remove_cvref_t<decltype(wall)>;
-                if constexpr (std::is_same_v<Wall, motion::HalfSpace<D>>) wall.speed = 0.0;
-                if constexpr (std::is_same_v<Wall, motion::Sphere<D>>) wall.velocity = {};
-            },
-            obstacle);
+        if (auto* const plane = std::get_if<motion::HalfSpace<D>>(&obstacle)) plane->speed = 0.0;
+        if (auto* const sphere = std::get_if<motion::Sphere<D>>(&obstacle)) sphere->velocity = {};
     }
     // Radii grow at a fiftieth of the balls' speed, and a little beyond what is wanted.
     const double rate = 0.02 / share;
@@ -368,12 +352,8 @@ std::vector<Vector<D>> place_by_growth(const Region<D>& region, std::span<const 
             "larger region",
             share * (1.0 + rate * state.time)));
     std::vector<Vector<D>> result;
-    for (const motion::Ball<D>& ball : state.balls) {
-        Vector<D> x;
-        for (int k = 0; k < D; ++k)
-            x[k] = motion::in_box(motion::coordinate(ball, k, end, effects), k, effects);
-        result.push_back(x);
-    }
+    for (const motion::Ball<D>& ball : state.balls)
+        result.push_back(centre_in_box(ball, end, effects));
     return result;
 }
 

@@ -22,6 +22,8 @@ struct Region {
     bool periodic = false;
     /// Of what balls can fill: less than that of the box where an obstacle bounds the place.
     double volume = 0.0;
+
+    [[nodiscard]] const motion::Box<D>* periodic_box() const { return periodic ? &box : nullptr; }
 };
 
 /// There is no place for all; what() says what would help.

@@ -23,38 +23,31 @@ namespace beside {
 
 template <int D>
 BesideWall<D> of(const motion::HalfSpace<D>& wall, const motion::Vector<D>& x, double time) {
-    const double length = std::sqrt(dot(wall.normal, wall.normal));
+    const double length = norm(wall.normal);
     BesideWall<D> result;
     result.distance = (dot(wall.normal, x) - wall.offset - wall.speed * time) / length;
-    for (int k = 0; k < D; ++k) {
-        result.normal[k] = wall.normal[k] / length;
-        result.nearest[k] = x[k] - result.distance * result.normal[k];
-    }
+    for (int k = 0; k < D; ++k) result.normal[k] = wall.normal[k] / length;
+    result.nearest = x - result.distance * result.normal;
     return result;
 }
 
 /// Seen from a point: the distance from it, and the direction.
 template <int D>
 BesideWall<D> of_point(const motion::Vector<D>& point, const motion::Vector<D>& x) {
-    BesideWall<D> result;
-    for (int k = 0; k < D; ++k) result.normal[k] = x[k] - point[k];
-    result.distance = std::sqrt(dot(result.normal, result.normal));
+    BesideWall<D> result{norm(x - point), x - point, point};
     if (result.distance > 0.0)
         for (double& each : result.normal) each /= result.distance;
-    result.nearest = point;
     return result;
 }
 
 template <int D>
 BesideWall<D> of(const motion::Sphere<D>& wall, const motion::Vector<D>& x, double time) {
-    motion::Vector<D> centre = wall.centre;
-    for (int k = 0; k < D; ++k) centre[k] += wall.velocity[k] * time;
-    BesideWall<D> result = of_point<D>(centre, x);
-    for (int k = 0; k < D; ++k) result.nearest[k] += wall.radius * result.normal[k];
+    BesideWall<D> result = of_point<D>(wall.centre + time * wall.velocity, x);
+    result.nearest = result.nearest + wall.radius * result.normal;
     result.distance -= wall.radius;
     if (wall.side == motion::Sphere<D>::Side::inside) {
         result.distance = -result.distance;
-        for (double& each : result.normal) each = -each;
+        result.normal = -1.0 * result.normal;
     }
     return result;
 }
@@ -62,16 +55,12 @@ BesideWall<D> of(const motion::Sphere<D>& wall, const motion::Vector<D>& x, doub
 /// From the end that is nearer, for the other one may be so far away that no double tells how far x
 /// is from it.
 inline BesideWall<2> of(const motion::Segment& wall, const motion::Vector<2>& x, double) {
-    const auto apart = [](const motion::Vector<2>& a, const motion::Vector<2>& b) {
-        return motion::Vector<2>{{b[0] - a[0], b[1] - a[1]}};
-    };
     motion::Vector<2> near = wall.from;
     motion::Vector<2> far = wall.to;
-    if (dot(apart(far, x), apart(far, x)) < dot(apart(near, x), apart(near, x)))
-        std::swap(near, far);
-    const motion::Vector<2> along = apart(near, far);
-    const double share = std::clamp(dot(apart(near, x), along) / dot(along, along), 0.0, 1.0);
-    return of_point<2>({{near[0] + share * along[0], near[1] + share * along[1]}}, x);
+    if (dot(x - far, x - far) < dot(x - near, x - near)) std::swap(near, far);
+    const motion::Vector<2> along = far - near;
+    const double share = std::clamp(dot(x - near, along) / dot(along, along), 0.0, 1.0);
+    return of_point<2>(near + share * along, x);
 }
 
 }  // namespace beside

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <type_traits>
-#include <variant>
 
 #include "beside_wall.hpp"
 #include "checks.hpp"
@@ -18,15 +16,8 @@ namespace signum {
 
 template <int D>
 [[nodiscard]] bool has_moving_walls(const motion::Effects<D>& effects) {
-    const auto moves = [](const auto& obstacle) {
-        using Kind = std::decay_t<decltype(obstacle)>;
-        if constexpr (std::is_same_v<Kind, motion::HalfSpace<D>>) return obstacle.speed != 0.0;
-        if constexpr (std::is_same_v<Kind, motion::Sphere<D>>)
-            return obstacle.velocity != motion::Vector<D>{};
-        return false;
-    };
-    return effects.shake || std::ranges::any_of(effects.obstacles, [&](const auto& obstacle) {
-               return std::visit(moves, obstacle);
+    return effects.shake || std::ranges::any_of(effects.obstacles, [](const auto& obstacle) {
+               return motion::is_moving(obstacle);
            });
 }
 

@@ -22,6 +22,17 @@ double rounding_of_sum(const RunRecord<D>& record) {
     return ulp * (100.0 + n + 16.0 * strikes / std::max(n, 1.0));
 }
 
+/// That a sum has changed by that much at most, and its terms are of that scale.
+template <int D>
+std::optional<Check> conserved(const RunRecord<D>& record, std::string what, std::string expected,
+                               std::string found, double most, double scale) {
+    if (scale <= 0.0) return std::nullopt;
+    const double allowed = rounding_of_sum(record);
+    return Check{std::move(what), std::move(expected), std::move(found),
+                 fmt::format("{:.1e} of it at most; rounding allows {:.1e}", most / scale, allowed),
+                 judged(most <= allowed * scale)};
+}
+
 }  // namespace
 
 template <int D>
@@ -37,13 +48,10 @@ std::optional<Check> energy_is_conserved(const RunRecord<D>& record) {
         scale = larger(scale, moment.terms_of_total);
         most = larger(most, std::fabs(moment.total - moments.front().total));
     }
-    if (scale <= 0.0) return std::nullopt;
-    const double allowed = rounding_of_sum(record);
-    return Check{"energy is conserved", "E(t) = E(0), for all strikes are elastic",
-                 fmt::format("{:.9g} at the start, {:.9g} at the end", moments.front().total,
-                             moments.back().total),
-                 fmt::format("{:.1e} of it at most; rounding allows {:.1e}", most / scale, allowed),
-                 judged(most <= allowed * scale)};
+    return conserved(record, "energy is conserved", "E(t) = E(0), for all strikes are elastic",
+                     fmt::format("{:.9g} at the start, {:.9g} at the end", moments.front().total,
+                                 moments.back().total),
+                     most, scale);
 }
 
 template <int D>
@@ -58,12 +66,9 @@ std::optional<Check> momentum_is_conserved(const RunRecord<D>& record) {
         for (std::size_t k = 0; k < 3; ++k)
             most = larger(most, std::fabs(moment.momentum[k] - moments.front().momentum[k]));
     }
-    if (scale <= 0.0) return std::nullopt;
-    const double allowed = rounding_of_sum(record);
-    return Check{"momentum is conserved", "Σ m v stays, for strikes are all that acts",
-                 fmt::format("changes by at most {:.1e}; Σ m |v| is {:.6g}", most, scale),
-                 fmt::format("{:.1e} of it at most; rounding allows {:.1e}", most / scale, allowed),
-                 judged(most <= allowed * scale)};
+    return conserved(record, "momentum is conserved", "Σ m v stays, for strikes are all that acts",
+                     fmt::format("changes by at most {:.1e}; Σ m |v| is {:.6g}", most, scale), most,
+                     scale);
 }
 
 template <int D>
@@ -74,8 +79,8 @@ std::vector<Check> nothing_overlaps(const RunRecord<D>& record) {
     double of_balls = 0.0;
     double of_walls = 0.0;
     for (const Moment& moment : record.moments()) {
-        of_balls = larger(of_balls, moment.overlap_of_balls);
-        of_walls = larger(of_walls, moment.overlap_of_walls);
+        of_balls = larger(of_balls, moment.overlaps.of_balls);
+        of_walls = larger(of_walls, moment.overlaps.of_walls);
     }
     const auto check = [&](std::string what, double deepest) {
         return Check{std::move(what),

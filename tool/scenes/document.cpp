@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <charconv>
 #include <memory>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "../io/input_file.hpp"
-#include "nesting.hpp"
 
 namespace signum {
 namespace {
@@ -38,12 +39,12 @@ std::string explained(const toml::parse_error& error) {
     return fmt::format("{}; {}", what, advice);
 }
 
-/// The entry of an array that a key like "2" means.
-toml::node& entry_of(toml::array& array, std::string_view key, const std::string& option) {
+/// The number of the entry of an array that a key like "2" means.
+std::size_t entry_of(const toml::array& array, std::string_view key, const std::string& option) {
     std::size_t number = 0;
     const auto [end, fault] = std::from_chars(key.data(), key.data() + key.size(), number);
     if (fault == std::errc() && end == key.data() + key.size() && number < array.size())
-        return array[number];
+        return number;
     throw OverrideError(
         array.empty()
             ? fmt::format("{}: there are no entries to name; give the whole array", option)
@@ -58,6 +59,65 @@ bool is_text_without_quotes(std::string_view value) {
     return !value.empty() &&
            std::string_view("\"'[{").find(value.front()) == std::string_view::npos &&
            begin_of_unit(value) < value.size();
+}
+
+/// How deep a text of TOML goes is asked before it is parsed: the parser takes dotted keys of any
+/// depth, and tables within tables are destroyed one within the other, which takes the stack. This
+/// is more than anyone writes: tables, arrays and parts of dotted keys, one within the other.
+constexpr std::size_t deepest_nesting = 100;
+
+/// Behind the string that begins at `start` with a quotation mark.
+std::size_t end_of_text(std::string_view toml, std::size_t start) {
+    const char mark = toml[start];
+    const std::string_view three = mark == '"' ? R"(""")" : "'''";
+    const bool is_long = toml.substr(start).starts_with(three);
+    std::size_t i = start + (is_long ? three.size() : 1);
+    for (; i < toml.size(); ++i) {
+        if (mark == '"' && toml[i] == '\\') {
+            ++i;
+        } else if (is_long ? toml.substr(i).starts_with(three) : toml[i] == mark) {
+            i += is_long ? three.size() : 1;
+            // Up to two more marks belong to a long text.
+            for (int more = 0; is_long && more < 2 && i < toml.size() && toml[i] == mark; ++more)
+                ++i;
+            return i;
+        } else if (!is_long && toml[i] == '\n') {
+            return i;
+        }
+    }
+    return toml.size();
+}
+
+/// The byte at which a text is nested deeper than that; nothing where it is not, or where it is no
+/// TOML before. O(bytes).
+std::optional<std::size_t> too_deep_at(std::string_view toml) {
+    std::vector<std::size_t> open;  // how deep it is within each bracket that is open
+    std::size_t depth = 0;
+    const auto within = [&] { return open.empty() ? 0 : open.back(); };
+    for (std::size_t i = 0; i < toml.size();) {
+        const char c = toml[i];
+        if (c == '"' || c == '\'') {
+            i = end_of_text(toml, i);
+            continue;
+        }
+        if (c == '#') {
+            i = std::min(toml.find('\n', i), toml.size());
+            continue;
+        }
+        if (c == '.') {
+            ++depth;
+        } else if (c == '[' || c == '{') {
+            open.push_back(++depth);
+        } else if (c == ']' || c == '}') {
+            if (!open.empty()) open.pop_back();
+            depth = within();
+        } else if (c == ',' || (c == '\n' && open.empty())) {
+            depth = within();
+        }
+        if (depth > deepest_nesting) return i;
+        ++i;
+    }
+    return std::nullopt;
 }
 
 const std::string too_deep =
@@ -126,16 +186,13 @@ void Document::merge(toml::table& into, toml::table& from, const std::string& op
                 continue;
             }
             for (auto&& [number, value] : *inner) {
-                toml::node& entry = entry_of(*old->as_array(), number.str(), option);
+                const std::size_t entry = entry_of(entries, number.str(), option);
                 toml::table* const below = value.as_table();
-                if (below != nullptr && !below->is_inline() && entry.is_table()) {
-                    merge(*entry.as_table(), *below, option);
-                } else {
-                    toml::array& array = *old->as_array();
-                    const auto place = std::ranges::find_if(
-                        array, [&](const toml::node& each) { return &each == &entry; });
-                    array.replace(place, std::move(value));
-                }
+                if (below != nullptr && !below->is_inline() && entries[entry].is_table())
+                    merge(*entries[entry].as_table(), *below, option);
+                else
+                    entries.replace(entries.begin() + static_cast<std::ptrdiff_t>(entry),
+                                    std::move(value));
             }
         } else {
             into.insert_or_assign(key, std::move(node));

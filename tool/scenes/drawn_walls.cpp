@@ -80,19 +80,7 @@ std::vector<Movie::Wall> drawn_walls(const motion::Effects<D>& effects,
     return walls;
 }
 
-template <int D>
-motion::Box<D> swept(motion::Box<D> box, const motion::Effects<D>& effects) {
-    if (!effects.shake) return box;
-    for (int k = 0; k < D; ++k) {
-        box.low[k] -= std::fabs(effects.shake->amplitude[k]);
-        box.high[k] += std::fabs(effects.shake->amplitude[k]);
-    }
-    return box;
-}
-
 template std::vector<Movie::Wall> drawn_walls(const motion::Effects<2>&, const motion::Box<2>&);
 template std::vector<Movie::Wall> drawn_walls(const motion::Effects<3>&, const motion::Box<3>&);
-template motion::Box<2> swept(motion::Box<2>, const motion::Effects<2>&);
-template motion::Box<3> swept(motion::Box<3>, const motion::Effects<3>&);
 
 }  // namespace signum

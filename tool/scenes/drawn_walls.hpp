@@ -15,8 +15,4 @@ template <int D>
 [[nodiscard]] std::vector<Movie::Wall> drawn_walls(const motion::Effects<D>& effects,
                                                    const motion::Box<D>& shown);
 
-/// What a picture shows of a box: all places where its sides are, if it shakes.
-template <int D>
-[[nodiscard]] motion::Box<D> swept(motion::Box<D> box, const motion::Effects<D>& effects);
-
 }  // namespace signum

@@ -4,8 +4,8 @@
 #include <ostream>
 
 #include "../../motion/effects/friction.hpp"
+#include "../../motion/simulation.hpp"
 #include "../io/text_writer.hpp"
-#include "snapshot.hpp"
 
 namespace signum {
 
@@ -18,27 +18,21 @@ struct Energy {
     double total = 0.0;
 
     Energy(const motion::State<D>& state, const motion::Effects<D>& effects, double time) {
-        Snapshot<D> snapshot(state, effects, time);
-        std::size_t i = 0;
-        for (const MotionFrame::Ball& ball : snapshot.frame().balls) {
+        for (std::size_t i = 0; i < state.balls.size(); ++i) {
+            const motion::Ball<D>& ball = state.balls[i];
             const double mass = state.masses[i];
-            spin += spin_of(state, effects, i, ball.radius);
-            ++i;
+            const motion::Vector<D> x = centre_in_box(ball, time, effects);
+            const motion::Vector<D> v = velocity(ball, time, effects);
+            if (effects.friction)
+                spin += motion::energy_of<D>(state.spins[i], radius_at(ball, time, effects), mass,
+                                             *effects.friction);
             for (int k = 0; k < D; ++k) {
-                kinetic += 0.5 * mass * ball.v[static_cast<std::size_t>(k)] *
-                           ball.v[static_cast<std::size_t>(k)];
-                total -= mass * effects.gravity[k] * ball.x[static_cast<std::size_t>(k)];
+                kinetic += 0.5 * mass * v[k] * v[k];
+                total -= mass * effects.gravity[k] * x[k];
             }
         }
         total += kinetic;
         total += spin;
-    }
-
- private:
-    static double spin_of(const motion::State<D>& state, const motion::Effects<D>& effects,
-                          std::size_t i, double radius) {
-        if (!effects.friction) return 0.0;
-        return motion::energy_of<D>(state.spins[i], radius, state.masses[i], *effects.friction);
     }
 };
 

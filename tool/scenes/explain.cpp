@@ -93,15 +93,13 @@ class Explanation {
             largest = std::max(largest, ball.radius);
             filled += motion::ball_volume<D>(ball.radius);
         }
-        std::string text =
-            fmt::format("{} in {}, radius {}", scene_.start.balls.size(),
-                        D == 2 ? "the plane" : "space", quantity(largest, dimensions::length));
-        if (least < largest)
-            text = fmt::format("{} in {}, radii {:.4g} to {:.4g} {}", scene_.start.balls.size(),
-                               D == 2 ? "the plane" : "space", least, largest,
-                               scene_.units.name_of(dimensions::length));
+        const std::string text = fmt::format(
+            "{} in {}, {}", scene_.start.balls.size(), D == 2 ? "the plane" : "space",
+            least < largest ? fmt::format("radii {:.4g} to {:.4g} {}", least, largest,
+                                          scene_.units.name_of(dimensions::length))
+                            : fmt::format("radius {}", quantity(largest, dimensions::length)));
         if (!effects_.box) return text;
-        for (int k = 0; k < D; ++k) filled /= effects_.box->high[k] - effects_.box->low[k];
+        for (const double length : effects_.box->lengths()) filled /= length;
         return text + fmt::format("; they fill {:.3g} of the box", filled);
     }
 

@@ -57,7 +57,7 @@ std::optional<Check> slope_of_heap(const RunRecord<D>& record,
     const double time = record.moments().back().time;
     constexpr std::size_t fewest_on_floor = 3;
     if (!effects.friction || floor.size() < fewest_on_floor) return std::nullopt;
-    const double g = std::sqrt(dot(effects.gravity, effects.gravity));
+    const double g = norm(effects.gravity);
     motion::Vector<D> up{};
     for (int k = 0; k < D; ++k) up[k] = -effects.gravity[k] / g;
     double level = 0.0;
@@ -72,25 +72,21 @@ std::optional<Check> slope_of_heap(const RunRecord<D>& record,
     const double diameter = 2.0 * mean_radius(state.balls, time, effects);
     double elsewhere = 0.0;
     for (const WallContact<D>& contact : floor)
-        if (std::fabs(dot(up, contact.point) - level) > diameter)
-            elsewhere += std::sqrt(dot(contact.force, contact.force));
+        if (std::fabs(dot(up, contact.point) - level) > diameter) elsewhere += norm(contact.force);
     if (!(elsewhere <= most_elsewhere * borne)) return std::nullopt;
 
     const double mass = mass_of(state);
     motion::Vector<D> middle{};
     for (std::size_t i = 0; i < state.balls.size(); ++i)
-        for (int k = 0; k < D; ++k)
-            middle[k] += state.masses[i] / mass * coordinate(state.balls[i], k, time, effects);
+        middle = middle + state.masses[i] / mass * centre(state.balls[i], time, effects);
     double height = 0.0;
     double width = 0.0;
     for (std::size_t i = 0; i < state.balls.size(); ++i) {
         motion::Vector<D> off = centre(state.balls[i], time, effects);
         const double above = dot(up, off);
         height += state.masses[i] / mass * (above - level);
-        for (int k = 0; k < D; ++k) off[k] -= middle[k];
-        const double along = dot(up, off);
-        for (int k = 0; k < D; ++k) off[k] -= along * up[k];
-        width += state.masses[i] / mass * std::sqrt(dot(off, off));
+        off = off - middle;
+        width += state.masses[i] / mass * norm(off - dot(up, off) * up);
     }
     // Of a triangle both means are a third, of a cone they are a quarter of the height and half the
     // radius.
@@ -123,7 +119,7 @@ double time_of_drag(const motion::Fluid<D>& fluid, double radius, double mass, d
     const double time = std::min(std::log(40.0) * mass / (fluid.linear * radius),
                                  39.0 * mass / (fluid.quadratic * area * fast));
     double gradient = 0.0;
-    for (const motion::Vector<D>& row : fluid.gradient) gradient += std::sqrt(dot(row, row));
+    for (const motion::Vector<D>& row : fluid.gradient) gradient += norm(row);
     return gradient * time <= 0.1 ? time : std::numeric_limits<double>::infinity();
 }
 
@@ -138,17 +134,9 @@ bool is_alone(const motion::State<D>& state, const motion::Effects<D>& effects, 
         if (!(beside_wall(effects, wall, x, time).distance > (1.0 + clear) * radius)) return false;
     for (std::size_t j = 0; j < state.balls.size(); ++j) {
         if (j == i) continue;
-        double square = 0.0;
-        for (int k = 0; k < D; ++k) {
-            double d = coordinate(state.balls[j], k, time, effects) - x[k];
-            if (effects.periodic) {
-                const double side = effects.box->high[k] - effects.box->low[k];
-                d -= side * std::nearbyint(d / side);
-            }
-            square += d * d;
-        }
         const double reach = (1.0 + clear) * radius + radius_at(state.balls[j], time, effects);
-        if (!(square > reach * reach)) return false;
+        const motion::Vector<D> other = centre(state.balls[j], time, effects);
+        if (!(square_between(x, other, periodic_box(effects)) > reach * reach)) return false;
     }
     return true;
 }
@@ -176,7 +164,7 @@ std::vector<Check> heap_is_at_rest(const RunRecord<D>& record) {
         has_moving_walls(effects) || state.balls.empty())
         return {};
     const std::vector<Moment>& moments = record.moments();
-    const double g = std::sqrt(dot(effects.gravity, effects.gravity));
+    const double g = norm(effects.gravity);
     const double scale = std::sqrt(g * mean_radius(state.balls, moments.back().time, effects));
     constexpr double rest = 1e-4;
     const double fastest = moments.back().fastest;
@@ -229,13 +217,11 @@ std::optional<Check> fluid_carries_balls(const RunRecord<D>& record) {
     std::size_t alone = 0;
     for (std::size_t i = 0; i < state.balls.size(); ++i) {
         const motion::Vector<D> u = current_at(effects, centre(state.balls[i], time, effects));
-        const double fast = std::sqrt(dot(u, u));
+        const double fast = norm(u);
         const double needed =
             time_of_drag(*effects.fluid, state.balls[i].radius, state.masses[i], fast);
         if (!has_been_alone(record, i, time - needed)) continue;
-        motion::Vector<D> past = u;
-        for (int k = 0; k < D; ++k) past[k] -= speed(state.balls[i], k, time, effects);
-        off += std::sqrt(dot(past, past));
+        off += norm(u - velocity(state.balls[i], time, effects));
         of_current += fast;
         ++alone;
     }

@@ -198,13 +198,9 @@ std::optional<Check> speeds_are_maxwellian(const RunRecord<D>& record) {
     ChiSquared cells;
     for (const auto* look : looks) {
         for (std::size_t i = 0; i < n; ++i) {
-            double square = 0.0;
-            for (int k = 0; k < D; ++k) {
-                const double v = speed(look->state.balls[i], k, look->time, effects) -
-                                 last.momentum[static_cast<std::size_t>(k)] / mass;
-                square += v * v;
-            }
-            cells.add(maxwell_share<D>(0.5 * look->state.masses[i] * square / t));
+            motion::Vector<D> v = velocity(look->state.balls[i], look->time, effects);
+            for (int k = 0; k < D; ++k) v[k] -= last.momentum[static_cast<std::size_t>(k)] / mass;
+            cells.add(maxwell_share<D>(0.5 * look->state.masses[i] * dot(v, v) / t));
         }
     }
     cells.put(check, looks.size());
@@ -288,7 +284,7 @@ std::optional<Check> heights_are_barometric(const RunRecord<D>& record) {
     const double t = 2.0 * kinetic / (D * static_cast<double>(n));
     if (!(t > 0.0)) return std::nullopt;
     // How dense it is at the floor: all balls within the mean height.
-    const double tall = effects.box->high[axis] - effects.box->low[axis];
+    const double tall = effects.box->lengths()[axis];
     const double mean_height = std::min(tall, t * static_cast<double>(n) / (mass_of(state) * g));
     constexpr double most_packing = 0.02;
     if (record.moments().back().packing * tall / mean_height > most_packing) return std::nullopt;

@@ -31,22 +31,14 @@ void visit_pairs(const Places<D>& places, const motion::Effects<D>& effects, dou
     const auto& centres = places.centres;
     const auto& radii = places.radii;
     if (centres.empty()) return;
-    const auto side = [&](int k) { return effects.box->high[k] - effects.box->low[k]; };
     std::vector<typename motion::PairTree<D>::Place> boxes;
     boxes.reserve(centres.size());
     for (std::size_t i = 0; i < centres.size(); ++i)
         boxes.push_back({.box = {centres[i], centres[i]}, .radius = radii[i] * (1.0 + share)});
-    motion::Vector<D> length;
-    for (int k = 0; k < D; ++k) length[k] = effects.periodic ? side(k) : motion::infinity;
     // Just below 0, so that points in one place are no pairs.
     const auto bound = [] { return -std::numeric_limits<double>::denorm_min(); };
-    motion::PairTree<D>(boxes, length).visit_pairs(bound, [&](std::uint32_t i, std::uint32_t j) {
-        double square = 0.0;
-        for (int k = 0; k < D; ++k) {
-            double d = centres[j][k] - centres[i][k];
-            if (effects.periodic) d -= side(k) * std::nearbyint(d / side(k));
-            square += d * d;
-        }
+    motion::PairTree<D>(boxes, effects).visit_pairs(bound, [&](std::uint32_t i, std::uint32_t j) {
+        const double square = square_between(centres[i], centres[j], periodic_box(effects));
         const double both = (radii[i] + radii[j]) * (1.0 + share);
         return square >= both * both || visit(i, j, std::sqrt(square));
     });
@@ -74,11 +66,9 @@ Overlaps deepest_overlaps(const motion::State<D>& state, const motion::Effects<D
     Places<D> places;
     double reach = 0.0;
     for (const motion::Ball<D>& ball : state.balls) {
-        motion::Vector<D>& centre = places.centres.emplace_back();
-        for (int k = 0; k < D; ++k)
-            centre[k] = in_box(coordinate(ball, k, time, effects), k, effects);
+        places.centres.push_back(centre_in_box(ball, time, effects));
         places.radii.push_back(radius_at(ball, time, effects));
-        for (const double x : centre) reach = larger(reach, std::fabs(x));
+        for (const double x : places.centres.back()) reach = larger(reach, std::fabs(x));
     }
     if (!std::isfinite(reach)) return {reach, reach};
     const std::vector<double>& radii = places.radii;

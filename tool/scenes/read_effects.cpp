@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "keys.hpp"
+
 namespace signum {
 namespace {
 
@@ -51,10 +53,9 @@ void read(const Section& section, const motion::Field& field, Value& value) {
         const auto least = static_cast<std::uint64_t>(field.written.least);
         const auto most = static_cast<std::uint64_t>(field.written.most);
         value = static_cast<int>(*section.optional_whole(key, least, most));
-    } else if constexpr (std::is_same_v<Value, double>) {
-        value = section.quantity(key, quantity, field.advice);
-    } else if constexpr (std::is_same_v<Value, motion::Vector<D>>) {
-        value = section.vector<D>(key, quantity, field.advice);
+    } else if constexpr (std::is_same_v<Value, double> ||
+                         std::is_same_v<Value, motion::Vector<D>>) {
+        value = section.required<Value>(key, quantity, field.advice);
     } else if constexpr (std::is_same_v<Value, motion::PerAxis<motion::Vector<D>, D>>) {
         const toml::array* const rows = section.find(key)->as_array();
         if (rows == nullptr || rows->size() != D)
@@ -63,8 +64,8 @@ void read(const Section& section, const motion::Field& field, Value& value) {
                 fmt::format("no matrix of {} rows; write a row an axis, as in {}", D,
                             D == 2 ? "[[0, 1], [0, 0]]" : "[[0, 1, 0], [0, 0, 0], [0, 0, 0]]"));
         for (int k = 0; k < D; ++k)
-            value[k] = read_vector<D>(section.document(), (*rows)[static_cast<std::size_t>(k)], key,
-                                      quantity);
+            value[k] = read_value<motion::Vector<D>>(
+                section.document(), (*rows)[static_cast<std::size_t>(k)], key, quantity);
     } else if constexpr (motion::DescribedIfOn<Value>) {
         using Effect = typename Value::value_type;
         const Section table = *section.optional_section(key);
@@ -79,9 +80,8 @@ void read(const Section& section, const motion::Field& field, Value& value) {
 /// Refuses keys that the kind of wall does not have.
 void refuse_others(const Section& wall, std::string_view kind,
                    std::initializer_list<std::string_view> known) {
-    for (const std::string_view key : {"normal", "offset", "point", "speed", "centre", "radius",
-                                       "side", "velocity", "points", "closed"})
-        if (wall.has(key) && std::ranges::find(known, key) == known.end())
+    for (const std::string_view key : keys_of("wall"))
+        if (key != "kind" && wall.has(key) && std::ranges::find(known, key) == known.end())
             wall.fail_at(key,
                          fmt::format("is no key of a {}; it has {}", kind, fmt::join(known, ", ")));
 }
@@ -90,19 +90,20 @@ template <int D>
 motion::HalfSpace<D> read_half_space(const Section& wall) {
     refuse_others(wall, "half-space", {"normal", "offset", "point", "speed"});
     motion::HalfSpace<D> result;
-    result.normal = wall.vector<D>("normal", {dimensions::number},
-                                   "give the direction in which the balls are, as in [0, 1]");
+    result.normal = wall.required<motion::Vector<D>>(
+        "normal", {dimensions::number}, "give the direction in which the balls are, as in [0, 1]");
     if (result.normal == motion::Vector<D>{})
         wall.fail_at("normal", "has no direction; give a vector that is not 0");
     if (wall.has("offset") && wall.has("point"))
         wall.fail_at("point", "says the same as offset; leave one of the two out");
-    if (const auto point = wall.optional_vector<D>("point", {dimensions::length})) {
+    if (const auto point = wall.optional<motion::Vector<D>>("point", {dimensions::length})) {
         result.offset = motion::dot<D>(result.normal, *point);
     } else {
-        result.offset = wall.quantity("offset", {dimensions::length},
-                                      "give the offset along the normal, or a point of the wall");
+        result.offset =
+            wall.required<double>("offset", {dimensions::length},
+                                  "give the offset along the normal, or a point of the wall");
     }
-    result.speed = wall.optional_quantity("speed", {dimensions::speed}).value_or(0.0);
+    result.speed = wall.optional<double>("speed", {dimensions::speed}).value_or(0.0);
     return result;
 }
 
@@ -110,17 +111,18 @@ template <int D>
 motion::Sphere<D> read_sphere(const Section& wall, std::string_view kind) {
     refuse_others(wall, kind, {"centre", "radius", "side", "velocity"});
     motion::Sphere<D> result;
-    result.centre = wall.vector<D>("centre", {dimensions::length},
-                                   fmt::format("give it, as in {}", example_of_vector<D>));
-    result.radius = wall.quantity("radius", {dimensions::length, above_0}, "give a length above 0");
+    result.centre = wall.required<motion::Vector<D>>(
+        "centre", {dimensions::length}, fmt::format("give it, as in {}", example_of_vector<D>));
+    result.radius =
+        wall.required<double>("radius", {dimensions::length, above_0}, "give a length above 0");
     const std::array<std::string, 2> sides = {"inside", "outside"};
     const auto side = wall.optional_word("side", sides);
     if (!side)
         wall.fail("side is missing; say where the balls are: side = \"inside\" or \"outside\"");
     result.side =
         *side == "inside" ? motion::Sphere<D>::Side::inside : motion::Sphere<D>::Side::outside;
-    result.velocity =
-        wall.optional_vector<D>("velocity", {dimensions::speed}).value_or(motion::Vector<D>{});
+    result.velocity = wall.optional<motion::Vector<D>>("velocity", {dimensions::speed})
+                          .value_or(motion::Vector<D>{});
     return result;
 }
 
@@ -139,7 +141,8 @@ void add_polyline(const Section& wall, std::vector<motion::Obstacle<2>>& walls) 
                                            closed ? "a closed polyline" : "a polyline", least));
     std::vector<motion::Vector<2>> points;
     for (const toml::node& each : *array) {
-        const auto point = read_vector<2>(wall.document(), each, "points", {dimensions::length});
+        const auto point =
+            read_value<motion::Vector<2>>(wall.document(), each, "points", {dimensions::length});
         if (!points.empty() && points.back() == point)
             wall.document().fail(each.source(),
                                  "points: a point that is the one before it; leave it out");
@@ -189,8 +192,8 @@ motion::Box<D> read_box(const Section& section) {
         "give the lower corner and the upper one, as in low = "
         "{}",
         example_of_vector<D>);
-    box.low = section.vector<D>("low", {dimensions::length}, advice);
-    box.high = section.vector<D>("high", {dimensions::length}, advice);
+    box.low = section.required<motion::Vector<D>>("low", {dimensions::length}, advice);
+    box.high = section.required<motion::Vector<D>>("high", {dimensions::length}, advice);
     for (int k = 0; k < D; ++k)
         if (!(box.low[k] < box.high[k]))
             section.fail_at("high", fmt::format("{} along {} is not above low, {}; give the lower "

@@ -86,7 +86,7 @@ template <int D>
 class Masses {
  public:
     explicit Masses(const Section& group)
-        : density_(group.optional_quantity("density", {density_dimension<D>(), above_0})) {}
+        : density_(group.optional<double>("density", {density_dimension<D>(), above_0})) {}
     [[nodiscard]] double operator()(double radius) const {
         const double power = mass_of_radius(radius, D);
         return density_ ? *density_ * (motion::ball_volume<D>(1.0) * power) : power;
@@ -248,7 +248,7 @@ class Groups {
                                 D == 2 ? "[x, y, r, vx, vy, mass, spin]"
                                        : "[x, y, z, r, vx, vy, vz, mass, sx, sy, sz]"));
             const auto number = [&](std::size_t i, const Quantity& quantity) {
-                return read_quantity(group.document(), (*row)[i], "list", quantity);
+                return read_value<double>(group.document(), (*row)[i], "list", quantity);
             };
             Body<D> body;
             for (int k = 0; k < D; ++k) {
@@ -285,21 +285,16 @@ class Groups {
 
     Region<D> region_of(const Section& group) const {
         Region<D> region;
-        const auto volume_of_box = [&] {
-            double volume = 1.0;
-            for (int k = 0; k < D; ++k) volume *= region.box.high[k] - region.box.low[k];
-            return volume;
-        };
         if (const auto section = group.optional_section("region")) {
             region.box = read_box<D>(*section);
             refuse_region_outside(group, region.box);
-            region.volume = volume_of_box();
+            region.volume = region.box.volume();
             return region;
         }
         if (effects_.box) {
             region.box = box_at(*effects_.box, effects_, 0.0);
             region.periodic = effects_.periodic;
-            region.volume = volume_of_box();
+            region.volume = region.box.volume();
             return region;
         }
         for (const auto& obstacle : effects_.obstacles) {
@@ -380,16 +375,16 @@ class Groups {
                 if (range->size() != 2)
                     group.fail_at("radius", fmt::format("{} numbers; a range is [least, largest]",
                                                         range->size()));
-                from = read_quantity(group.document(), (*range)[0], "radius",
-                                     {dimensions::length, above_0});
-                to = read_quantity(group.document(), (*range)[1], "radius",
-                                   {dimensions::length, above_0});
+                from = read_value<double>(group.document(), (*range)[0], "radius",
+                                          {dimensions::length, above_0});
+                to = read_value<double>(group.document(), (*range)[1], "radius",
+                                        {dimensions::length, above_0});
                 if (from > to)
                     group.fail_at("radius", fmt::format("the range goes from {} down to {}; write "
                                                         "the least one first",
                                                         from, to));
             } else {
-                from = to = group.quantity("radius", {dimensions::length, above_0}, "");
+                from = to = group.required<double>("radius", {dimensions::length, above_0}, "");
             }
         }
         const std::array<std::string, 2> words = {"uniform", D == 2 ? "area" : "volume"};
@@ -403,7 +398,7 @@ class Groups {
 
     std::vector<double> radii_to_place(const Section& group, const Region<D>& region) const {
         const auto number = group.optional_whole("number", 1, most_balls);
-        const auto packing = group.optional_quantity(
+        const auto packing = group.optional<double>(
             "packing", {dimensions::number, {0.0, 0.95, true, "a share above 0, at most 0.95"}});
         const bool has_radius = group.has("radius");
         if (!number && !packing && !has_radius)
@@ -461,20 +456,16 @@ class Groups {
     }
 
     void set_velocities(const Section& group, std::span<Body<D>> bodies) const {
-        const auto one_speed = group.optional_quantity("speed", {dimensions::speed, from_0});
+        const auto one_speed = group.optional<double>("speed", {dimensions::speed, from_0});
         const auto temperature =
-            group.optional_quantity("temperature", {dimensions::energy, from_0});
+            group.optional<double>("temperature", {dimensions::energy, from_0});
         if (one_speed && temperature)
             group.fail_at("temperature", "beside speed; give one of them");
         Normal normal(seed_for(group, 2));
         if (one_speed) {
             for (Body<D>& body : bodies) {
-                double square = 0.0;
-                for (double& v : body.v) {
-                    v = normal();
-                    square += v * v;
-                }
-                for (double& v : body.v) v *= *one_speed / std::sqrt(square);
+                for (double& v : body.v) v = normal();
+                body.v = *one_speed / norm(body.v) * body.v;
             }
         }
         if (!temperature || *temperature == 0.0) return;

@@ -65,7 +65,7 @@ SceneRun read_run(const Section& file) {
     const auto run = file.optional_section("run");
     if (run) {
         // As far as --until goes.
-        result.until = run->optional_quantity(
+        result.until = run->optional<double>(
             "until", {dimensions::time, {0.0, 1e150, false, "a number from 0 to 1e+150"}});
         result.events = run->optional_whole("events", 0, std::uint64_t{1} << 62);
         std::vector<std::string> structures;
@@ -166,7 +166,7 @@ SceneRecord read_record(const Section& file, const SceneRun& run,
         if (!is_of_frames) continue;
         if (!run.until) record->fail_at(key, "frames need to know the end; add until to [run]");
     }
-    result.every = record->optional_quantity("every", {dimensions::time, above_0});
+    result.every = record->optional<double>("every", {dimensions::time, above_0});
     if (!result.every || !run.until) return result;
     constexpr double most_frames = 1e7;
     if (*run.until / *result.every > most_frames)

@@ -19,27 +19,24 @@ void RunRecord<D>::add(const motion::State<D>& state, double time, const motion:
     double filled = 0.0;
     for (std::size_t i = 0; i < state.balls.size(); ++i) {
         const motion::Ball<D>& ball = state.balls[i];
-        motion::Vector<D> v;
+        const motion::Vector<D> v = velocity(ball, time, effects_);
         for (int k = 0; k < D; ++k) {
-            v[k] = speed(ball, k, time, effects_);
             moment.momentum[static_cast<std::size_t>(k)] += state.masses[i] * v[k];
             moment.terms_of_total += std::fabs(state.masses[i] * effects_.gravity[k] *
                                                coordinate(ball, k, time, effects_));
         }
-        const double fast = std::sqrt(dot(v, v));
+        const double fast = norm(v);
         moment.terms_of_momentum += state.masses[i] * fast;
         moment.fastest = larger(moment.fastest, fast);
         filled += motion::ball_volume<D>(1.0) * std::pow(radius_at(ball, time, effects_), D);
     }
     if (effects_.box) {
         moment.packing = filled;
-        for (int k = 0; k < D; ++k) moment.packing /= effects_.box->high[k] - effects_.box->low[k];
+        for (const double length : effects_.box->lengths()) moment.packing /= length;
     }
     moment.strikes = counts.strikes;
     moment.virial = counts.virial;
-    const Overlaps overlaps = deepest_overlaps(state, effects_, time);
-    moment.overlap_of_balls = overlaps.of_balls;
-    moment.overlap_of_walls = overlaps.of_walls;
+    moment.overlaps = deepest_overlaps(state, effects_, time);
 
     if (moments_.size() % every_ == 0) {
         if (looks_.size() == most_looks) {

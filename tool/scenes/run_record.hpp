@@ -28,10 +28,7 @@ struct Moment {
     double packing = 0.0;
     std::uint64_t strikes = 0;  ///< since the run began
     double virial = 0.0;        ///< motion::Counts
-    /// How far two balls, or a ball and a wall, are inside one another, as a part of the smaller
-    /// radius: the deepest ones; below 0 is apart.
-    double overlap_of_balls = 0.0;
-    double overlap_of_walls = 0.0;
+    Overlaps overlaps;
 };
 
 template <int D>

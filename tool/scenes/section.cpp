@@ -61,29 +61,8 @@ double from_text(const Document& document, const toml::node& node, std::string_v
     return document.units.plain(number.value, unit);
 }
 
-}  // namespace
-
-std::string_view kind_of(const toml::node& node) {
-    switch (node.type()) {
-        case toml::node_type::table:
-            return "a table";
-        case toml::node_type::array:
-            return "an array";
-        case toml::node_type::string:
-            return "a text";
-        case toml::node_type::integer:
-        case toml::node_type::floating_point:
-            return "a number";
-        case toml::node_type::boolean:
-            return "true or false";
-        default:
-            return "a date or time";
-    }
-}
-
-double read_quantity(const Document& document, const toml::node& node, std::string_view name,
-                     const Quantity& quantity) {
-    double value = 0.0;
+void read_into(double& value, const Document& document, const toml::node& node,
+               std::string_view name, const Quantity& quantity) {
     if (const auto text = node.value_exact<std::string>()) {
         value = from_text(document, node, name, quantity, *text);
     } else if (const auto whole = node.value_exact<std::int64_t>()) {
@@ -109,12 +88,11 @@ double read_quantity(const Document& document, const toml::node& node, std::stri
                      fmt::format("{} is beyond what is computed with; give 0 or a number of 2^-150 "
                                  "to 2^150",
                                  shown(node)));
-    return value;
 }
 
 template <int D>
-motion::Vector<D> read_vector(const Document& document, const toml::node& node,
-                              std::string_view name, const Quantity& quantity) {
+void read_into(motion::Vector<D>& vector, const Document& document, const toml::node& node,
+               std::string_view name, const Quantity& quantity) {
     const toml::array* const array = node.as_array();
     const std::string_view wanted = D == 2 ? "[x, y]" : "[x, y, z]";
     if (array == nullptr)
@@ -125,11 +103,42 @@ motion::Vector<D> read_vector(const Document& document, const toml::node& node,
                      fmt::format("{} {}, but the scene lies in {}; give {}", array->size(),
                                  array->size() == 1 ? "number" : "numbers",
                                  D == 2 ? "the plane" : "space", D));
-    motion::Vector<D> vector;
     for (int k = 0; k < D; ++k)
-        vector[k] = read_quantity(document, (*array)[static_cast<std::size_t>(k)], name, quantity);
-    return vector;
+        read_into(vector[k], document, (*array)[static_cast<std::size_t>(k)], name, quantity);
 }
+
+}  // namespace
+
+std::string_view kind_of(const toml::node& node) {
+    switch (node.type()) {
+        case toml::node_type::table:
+            return "a table";
+        case toml::node_type::array:
+            return "an array";
+        case toml::node_type::string:
+            return "a text";
+        case toml::node_type::integer:
+        case toml::node_type::floating_point:
+            return "a number";
+        case toml::node_type::boolean:
+            return "true or false";
+        default:
+            return "a date or time";
+    }
+}
+
+template <class Value>
+Value read_value(const Document& document, const toml::node& node, std::string_view name,
+                 const Quantity& quantity) {
+    Value value{};
+    read_into(value, document, node, name, quantity);
+    return value;
+}
+template double read_value(const Document&, const toml::node&, std::string_view, const Quantity&);
+template motion::Vector<2> read_value(const Document&, const toml::node&, std::string_view,
+                                      const Quantity&);
+template motion::Vector<3> read_value(const Document&, const toml::node&, std::string_view,
+                                      const Quantity&);
 
 Section::Section(const Document& document, const toml::table& table, std::string name)
     : document_(&document), table_(&table), name_(std::move(name)) {
@@ -154,29 +163,6 @@ const toml::node& Section::get(std::string_view key, std::string_view advice) co
     const toml::node* const node = find(key);
     if (node == nullptr) fail(fmt::format("{} is missing; {}", key, advice));
     return *node;
-}
-
-std::optional<double> Section::optional_quantity(std::string_view key,
-                                                 const Quantity& quantity) const {
-    const toml::node* const node = find(key);
-    if (node == nullptr) return std::nullopt;
-    return read_quantity(*document_, *node, key, quantity);
-}
-double Section::quantity(std::string_view key, const Quantity& quantity,
-                         std::string_view advice) const {
-    return read_quantity(*document_, get(key, advice), key, quantity);
-}
-template <int D>
-std::optional<motion::Vector<D>> Section::optional_vector(std::string_view key,
-                                                          const Quantity& quantity) const {
-    const toml::node* const node = find(key);
-    if (node == nullptr) return std::nullopt;
-    return read_vector<D>(*document_, *node, key, quantity);
-}
-template <int D>
-motion::Vector<D> Section::vector(std::string_view key, const Quantity& quantity,
-                                  std::string_view advice) const {
-    return read_vector<D>(*document_, get(key, advice), key, quantity);
 }
 
 std::string Section::optional_text(std::string_view key) const {
@@ -268,18 +254,5 @@ void Section::fail(std::string_view message) const {
 std::string Section::inner_name(std::string_view key) const {
     return name_.empty() ? std::string(key) : fmt::format("{}.{}", name_, key);
 }
-
-template motion::Vector<2> read_vector<2>(const Document&, const toml::node&, std::string_view,
-                                          const Quantity&);
-template motion::Vector<3> read_vector<3>(const Document&, const toml::node&, std::string_view,
-                                          const Quantity&);
-template std::optional<motion::Vector<2>> Section::optional_vector<2>(std::string_view,
-                                                                      const Quantity&) const;
-template std::optional<motion::Vector<3>> Section::optional_vector<3>(std::string_view,
-                                                                      const Quantity&) const;
-template motion::Vector<2> Section::vector<2>(std::string_view, const Quantity&,
-                                              std::string_view) const;
-template motion::Vector<3> Section::vector<3>(std::string_view, const Quantity&,
-                                              std::string_view) const;
 
 }  // namespace signum

@@ -31,14 +31,11 @@ struct Quantity {
 /// "a text", "an array" and so on.
 [[nodiscard]] std::string_view kind_of(const toml::node& node);
 
-/// A number, or a text with a unit, in the document's units. `name` is what messages call it.
-/// Throws as Document::fail.
-[[nodiscard]] double read_quantity(const Document& document, const toml::node& node,
-                                   std::string_view name, const Quantity& quantity);
-/// D of them. Throws as Document::fail.
-template <int D>
-[[nodiscard]] motion::Vector<D> read_vector(const Document& document, const toml::node& node,
-                                            std::string_view name, const Quantity& quantity);
+/// A double: a number, or a text with a unit, in the document's units; or a vector of them. `name`
+/// is what messages call it. Throws as Document::fail.
+template <class Value>
+[[nodiscard]] Value read_value(const Document& document, const toml::node& node,
+                               std::string_view name, const Quantity& quantity);
 
 /// All functions with a key throw as Document::fail where the value is of another kind; those
 /// without "optional" also where it is missing, at the section's own place.
@@ -54,16 +51,19 @@ class Section {
     [[nodiscard]] const toml::node* find(std::string_view key) const { return table_->get(key); }
     [[nodiscard]] const toml::node& get(std::string_view key, std::string_view advice) const;
 
-    [[nodiscard]] std::optional<double> optional_quantity(std::string_view key,
-                                                          const Quantity& quantity) const;
-    [[nodiscard]] double quantity(std::string_view key, const Quantity& quantity,
-                                  std::string_view advice) const;
-    template <int D>
-    [[nodiscard]] std::optional<motion::Vector<D>> optional_vector(std::string_view key,
-                                                                   const Quantity& quantity) const;
-    template <int D>
-    [[nodiscard]] motion::Vector<D> vector(std::string_view key, const Quantity& quantity,
-                                           std::string_view advice) const;
+    /// A number, a double, or a vector.
+    template <class Value>
+    [[nodiscard]] std::optional<Value> optional(std::string_view key,
+                                                const Quantity& quantity) const {
+        const toml::node* const node = find(key);
+        if (node == nullptr) return std::nullopt;
+        return read_value<Value>(*document_, *node, key, quantity);
+    }
+    template <class Value>
+    [[nodiscard]] Value required(std::string_view key, const Quantity& quantity,
+                                 std::string_view advice) const {
+        return read_value<Value>(*document_, get(key, advice), key, quantity);
+    }
     /// Empty where the key is missing; refuses an empty text.
     [[nodiscard]] std::string optional_text(std::string_view key) const;
     [[nodiscard]] bool flag(std::string_view key, bool otherwise) const;

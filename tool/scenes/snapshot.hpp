@@ -18,11 +18,25 @@ template <int D>
                                     double time) {
     if (!effects.shake) return box;
     const double share = std::sin(effects.shake->frequency * time + effects.shake->phase);
-    for (int k = 0; k < D; ++k) {
-        box.low[k] += effects.shake->amplitude[k] * share;
-        box.high[k] += effects.shake->amplitude[k] * share;
+    const motion::Vector<D> shift = share * effects.shake->amplitude;
+    return {box.low + shift, box.high + shift};
+}
+
+/// The square of the distance of two centres, in a periodic box that of the nearest images; null
+/// where there is none.
+template <int D>
+[[nodiscard]] double square_between(const motion::Vector<D>& a, const motion::Vector<D>& b,
+                                    const motion::Box<D>* periodic) {
+    motion::Vector<D> d = a - b;
+    if (periodic != nullptr) {
+        const motion::Vector<D> length = periodic->lengths();
+        for (int k = 0; k < D; ++k) d[k] -= length[k] * std::nearbyint(d[k] / length[k]);
     }
-    return box;
+    return dot(d, d);
+}
+template <int D>
+[[nodiscard]] const motion::Box<D>* periodic_box(const motion::Effects<D>& effects) {
+    return effects.periodic ? &*effects.box : nullptr;
 }
 
 /// The balls at a time, in the box where it is periodic.
@@ -36,11 +50,8 @@ class Snapshot {
         balls_.reserve(state.balls.size());
         for (const motion::Ball<D>& ball : state.balls) {
             MotionFrame::Ball shown;
-            for (int k = 0; k < D; ++k) {
-                shown.x[static_cast<std::size_t>(k)] =
-                    in_box(coordinate(ball, k, time, effects), k, effects);
-                shown.v[static_cast<std::size_t>(k)] = speed(ball, k, time, effects);
-            }
+            std::ranges::copy(centre_in_box(ball, time, effects), shown.x.begin());
+            std::ranges::copy(velocity(ball, time, effects), shown.v.begin());
             shown.radius = radius_at(ball, time, effects);
             balls_.push_back(shown);
         }

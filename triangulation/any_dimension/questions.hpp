@@ -233,7 +233,7 @@ class Questions {
     static constexpr bool is_judge = std::is_same_v<Exact, exact::Dyadic>;
     static constexpr bool judges_in_words = D == 3 && HasCentre3<S> && is_judge;
     static constexpr Arithmetic in_plane =
-        is_judge ? predicates::judging : Arithmetic::multiprecision;
+        is_judge ? Arithmetic::judging : Arithmetic::multiprecision;
 
     Sign decided(const Decision& decision) noexcept {
         return decision.stage == Stage::filter ? filtered(decision.sign) : exactly(decision.sign);
