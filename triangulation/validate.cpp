@@ -16,12 +16,7 @@ template <class M>
 Validation check(M, const TessellationArrays& arrays, const StridedSites& sites,
                  const ValidationOptions& options) {
     if constexpr (M::traits.is_delaunay_for_equal_radii)
-        if (equal_radii(sites)) {
-            using Weighted = power::Site;
-            return PowerCheck<Weighted, JudgingPower, PowerDistance<Weighted>>(arrays, sites,
-                                                                               options)
-                .run();
-        }
+        if (equal_radii(sites)) return PowerCheck<power::Site>(arrays, sites, options).run();
     using Predicates = PredicatesOf<M>;
     return AdditiveCheck<typename Predicates::template Perturbed<Arithmetic::judging>,
                          AdditiveDistance<Predicates>>(arrays, sites, options)
@@ -29,10 +24,8 @@ Validation check(M, const TessellationArrays& arrays, const StridedSites& sites,
 }
 Validation check(Power, const TessellationArrays& arrays, const StridedSites& sites,
                  const ValidationOptions& options) {
-    const auto with = [&]<class S>(S) {
-        return PowerCheck<S, JudgingPower, PowerDistance<S>>(arrays, sites, options).run();
-    };
-    return sites.third_is_weight() ? with(power::Site()) : with(Site());
+    return sites.third_is_weight() ? PowerCheck<power::Site>(arrays, sites, options).run()
+                                   : PowerCheck<Site>(arrays, sites, options).run();
 }
 
 Validation invalid(std::string why) {

@@ -37,15 +37,16 @@ struct ValidationOptions {
 
 /// Checks that the arrays are a tessellation of the sites in their metric: adjacency and Euler's
 /// counts, every vertex of the diagram existing in its orientation, every edge locally right, the
-/// hull winding once (in the power metric every star), every hidden site truly hidden and nearest
-/// to the site it names. The arrays may be in any order and hold any numbers; `neighbours` may be
-/// empty where no two sites share several edges. In the metrics with additive weights a vertex must
-/// exist under the tie rule: one that would only under another choice counts as wrong. Throws
-/// std::invalid_argument for a site that is not finite.
+/// hull winding once, every hidden site truly hidden and nearest to the site it names. The arrays
+/// may be in any order and hold any numbers; `neighbours` may be empty where no two sites share
+/// several edges. In the metrics with additive weights a vertex must exist under the tie rule: one
+/// that would only under another choice counts as wrong. Throws std::invalid_argument for a site
+/// that is not finite.
 ///
 /// O(n log n) where few sites are as near to a hidden one's centre as the site that hides it.
 /// Random sites, grids and other sets full of ties take from a quarter to some three times as long
-/// as their construction, mostly about as long. Source: the heads of check/*.hpp.
+/// as their construction, mostly about as long. Source: the heads of check/additive_check.hpp and
+/// any_dimension/check.hpp.
 [[nodiscard]] Validation validate(const TessellationArrays& arrays, StridedSites sites,
                                   const ValidationOptions& options = {});
 /// The same for a tessellation and its own sites.

@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "../../predicates/power.hpp"
-#include "../../triangulation/check/judging.hpp"
 #include "../../triangulation/kernels/power_kernel.hpp"
 #include "environments.hpp"
 #include "raw_doubles.hpp"
@@ -22,7 +21,8 @@
 namespace signum {
 namespace {
 
-using Judging = triangulation::JudgingPower;
+template <class S>
+using Judging = triangulation::PowerSigns<S, Arithmetic::judging>;
 template <class S>
 using BySums = triangulation::PowerSigns<S, Arithmetic::sum>;
 
@@ -359,7 +359,7 @@ TEST_P(Predicates, Ccw) {
         ASSERT_TRUE(says(p, sgn(area(e[0], e[1], e[2])),
                          [](const auto& q) { return BySums<Point>::ccw(q[0], q[1], q[2]); }));
         ASSERT_TRUE(says(p, sgn(area(e[0], e[1], e[2])),
-                         [](const auto& q) { return Judging::ccw(q[0], q[1], q[2]); }));
+                         [](const auto& q) { return Judging<Point>::ccw(q[0], q[1], q[2]); }));
     }
 }
 
@@ -382,8 +382,9 @@ void test_in_circle(Random& random, const Family& family, int count) {
         ASSERT_TRUE(says(sites, expected, [](const auto& s) {
             return BySums<S>::in_circle(s[0], s[1], s[2], s[3]);
         }));
-        ASSERT_TRUE(says(sites, expected,
-                         [](const auto& s) { return Judging::in_circle(s[0], s[1], s[2], s[3]); }));
+        ASSERT_TRUE(says(sites, expected, [](const auto& s) {
+            return Judging<S>::in_circle(s[0], s[1], s[2], s[3]);
+        }));
     }
 }
 
@@ -432,8 +433,9 @@ void test_in_segment(Random& random, const Family& family) {
             ASSERT_TRUE(says(sites, expected, [](const auto& s) {
                 return BySums<S>::in_segment(s[0], s[1], s[2]);
             }));
-            ASSERT_TRUE(says(sites, expected,
-                             [](const auto& s) { return Judging::in_segment(s[0], s[1], s[2]); }));
+            ASSERT_TRUE(says(sites, expected, [](const auto& s) {
+                return Judging<S>::in_segment(s[0], s[1], s[2]);
+            }));
         }
         ASSERT_TRUE(says(sites, expected, [](const auto& s) {
             return Decision{power::in_circle_infinite(s[0], s[1], s[2]), Stage::exact};
@@ -463,7 +465,7 @@ void test_nearer(Random& random, const Family& family) {
                 return BySums<S>::nearer({s[0].x, s[0].y}, s[1], s[2]);
             }));
             ASSERT_TRUE(says(sites, sign_nearer(e[0], e[1], e[2]), [](const auto& s) {
-                return Judging::nearer(Point{s[0].x, s[0].y}, s[1], s[2]);
+                return Judging<S>::nearer({s[0].x, s[0].y}, s[1], s[2]);
             }));
         }
         if (kind == 0) {

@@ -33,24 +33,11 @@ std::size_t at(Index i) {
     return static_cast<std::size_t>(i);
 }
 
-struct PowerInRationals {
-    template <class S>
-    static Decision ccw(const S& a, const S& b, const S& c) {
-        return predicates::decide<Arithmetic::multiprecision, predicates::Ccw>(a, b, c);
-    }
-    template <class S>
-    static Decision in_circle(const S& i, const S& j, const S& k, const S& q) {
-        return predicates::decide<Arithmetic::multiprecision, power::InCircle>(i, j, k, q);
-    }
-    template <class S>
-    static Decision in_segment(const S& a, const S& b, const S& q) {
-        return predicates::decide<Arithmetic::multiprecision, power::InSegment>(a, b, q);
-    }
-    template <class S>
-    static Decision nearer(Point p, const S& a, const S& b) {
-        return predicates::decide<Arithmetic::multiprecision, power::Nearer>(p, a, b);
-    }
-};
+template <class S>
+Validation in_rationals(const TessellationArrays& arrays, const Sites& sites) {
+    using Rationals = any_dimension::Questions<S, exact::Rational, false>;
+    return triangulation::PowerCheck<S, Rationals>(arrays, sites, {}).run();
+}
 
 /// Passes over nothing.
 struct Anywhere {
@@ -66,12 +53,12 @@ Validation in_rationals(const TessellationArrays& arrays, const Sites& sites) {
     const exact::IeeeEnvironment environment;
     return with_metric(arrays.metric, [&]<class M>(M) {
         if constexpr (M::traits.edges_are_straight) {
-            return PowerCheck<Site, PowerInRationals, Anywhere>(arrays, sites, {}).run();
+            return in_rationals<Site>(arrays, sites);
         } else {
             if (M::traits.is_delaunay_for_equal_radii &&
                 std::all_of(sites.begin(), sites.end(),
                             [&](const Site& site) { return site.r == sites[0].r; }))
-                return PowerCheck<power::Site, PowerInRationals, Anywhere>(arrays, sites, {}).run();
+                return in_rationals<power::Site>(arrays, sites);
             using Predicates = typename PredicatesOf<M>::template Perturbed<rationals>;
             return AdditiveCheck<Predicates, Anywhere>(arrays, sites, {}).run();
         }

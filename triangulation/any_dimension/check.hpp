@@ -1,14 +1,15 @@
 #pragma once
-/// The check of power tessellations in any dimension, of space among them, whoever made them.
+/// The check of power tessellations in any dimension, of plane and space among them, whoever made
+/// them.
 ///
 /// Why it suffices, the centres spanning k >= 1 dimensions:
 ///  1. Every cell has k+1 different vertices, and its neighbours agree about their common facets;
 ///     every site is a vertex or hidden, not both. So facets are glued in pairs.
 ///  2. The centres lie in a flat of k dimensions: every one has the orientation 0 with k+1 that
-///  span
-///     such a flat, along each further axis. Finite cells turn positively, so that there are no
-///     fewer dimensions. Across a facet cells turn alike: so two finite ones lie on the two sides
-///     of its hyperplane, and the sum of all finite ones has the hull's facets for its border.
+///     span such a flat, along each further axis. Finite cells turn positively, so that there are
+///     no fewer dimensions. Across a facet cells turn alike: so two finite ones lie on the two
+///     sides of its hyperplane, and the sum of all finite ones has the hull's facets for its
+///     border.
 ///  3. Let p be the middle of one finite cell, the base. No vertex of the base lies beyond a hull's
 ///     facet, and one strictly within: so p lies strictly within. And no facet of the hull has the
 ///     other vertex of a neighbour there beyond its hyperplane.
@@ -26,20 +27,19 @@
 ///     |x|² - w at the vertices and linear over cells is convex, by the same argument. (Facets of
 ///     the hull that lie in one hyperplane need no look of their own: the cells behind them do.)
 ///  6. The centre of a hidden site lies in a cell, and the site is not in conflict with it. So it
-///  is
-///     not below the function, which therefore is the lower hull of all lifted sites: this is what
-///     a power tessellation is.
+///     is not below the function, which therefore is the lower hull of all lifted sites: this is
+///     what a power tessellation is.
 ///  7. No visible site is nearer to a hidden one's centre than the one that it names.
 ///  8. With ties the same holds of the tie rule's infinitesimals, which make all inequalities
-///  strict
-///     and leave but one tessellation: where one is right without and wrong with them, the arrays
-///     are valid, not canonical.
+///     strict and leave but one tessellation: where one is right without and wrong with them, the
+///     arrays are valid, not canonical.
 /// In one place (k = 0) one site hides the others. Conversely every one of these holds for a power
 /// tessellation, so that nothing right is refused.
 
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -50,33 +50,52 @@
 #include <vector>
 
 #include "../../exact/floating_environment.hpp"
-#include "../structure/watch.hpp"
-#include "../validate.hpp"
+#include "../structure/judgement.hpp"
+#include "../structure/spatial_order.hpp"
 #include "few.hpp"
 #include "near_sites.hpp"
 #include "questions.hpp"
 
 namespace signum::any_dimension {
 
-/// T: SpaceTessellation or TessellationOf<D>.
-template <class S, class T>
-class Check {
+/// What is judged: the arrays of a SpaceTessellation, of a TessellationOf<D> or of the plane.
+template <int D>
+struct ArraysOf {
+    int dimension;
+    std::int64_t sites;
+    std::span<const CellOf<D>> cells;
+    std::span<const CellOf<D>> neighbours;
+    std::span<const Hidden> hidden;
+};
+
+using triangulation::at;
+using triangulation::Invalid;
+using triangulation::name;
+using triangulation::Seen;
+
+/// All but the order of the arrays. CellName: a function from a cell's number to what messages call
+/// it. Asked: Questions<S, a judge's numbers>.
+template <class S, class CellName, class Asked = Questions<S, exact::Dyadic>>
+class Check : private triangulation::Judgement {
  public:
-    Check(const T& arrays, std::span<const S> sites, const ValidationOptions& options)
-        : arrays_(arrays),
+    static constexpr int D = Asked::D;
+
+    Check(const ArraysOf<D>& arrays, std::span<const S> sites, const CellName& cell_name,
+          const ValidationOptions& options)
+        : Judgement(options, passes * arrays.cells.size() + arrays.hidden.size()),
+          arrays_(arrays),
           sites_(sites),
+          cell_name_(cell_name),
           cells_(arrays.cells),
           neighbours_(arrays.neighbours),
-          questions_(sites),
-          watch_(options.stop, options.progress,
-                 passes * arrays.cells.size() + arrays.hidden.size()) {}
+          questions_(sites) {}
 
     [[nodiscard]] Validation run() {
-        Validation result;
-        try {
+        Validation result = judgement([this] {
             check_counts();
             check_cells();
-            check_hidden_numbers();
+            triangulation::see_hidden(arrays_.hidden, seen_);
+            triangulation::check_seen(arrays_.hidden, seen_);
             if (arrays_.dimension == 0) check_one_place();
             if (arrays_.dimension > 0) {
                 check_neighbours();
@@ -88,38 +107,15 @@ class Check {
                 check_facets();
                 check_hidden();
             }
-            check_canonical_order();
-            result.valid = true;
-            result.canonical = not_canonical_.empty();
-            result.message = not_canonical_;
-        } catch (const Invalid& invalid) {
-            result.message = invalid.why;
-        }
+        });
         result.filtered = questions_.filtered_count() + passed_;
         result.multiprecision = questions_.exact_count();
         return result;
     }
 
  private:
-    using Asked = Questions<S, exact::Dyadic>;
     using Cell = typename Asked::Cell;
-    static constexpr int D = Asked::D;
     static constexpr std::size_t passes = 5;
-
-    /// Why the arrays are no valid tessellation.
-    struct Invalid {
-        std::string why;
-    };
-
-    [[nodiscard]] static std::size_t at(Index i) noexcept { return static_cast<std::size_t>(i); }
-    [[nodiscard]] static std::string name(Index v) {
-        return v == infinite ? "infinity" : "site " + std::to_string(v);
-    }
-    [[nodiscard]] static std::string cell_name(Index c) { return "cell " + std::to_string(c); }
-    void note(const std::string& why) {
-        if (not_canonical_.empty()) not_canonical_ = why;
-    }
-    void advance() { watch_.at(++done_); }
 
     [[nodiscard]] Index cells() const noexcept { return static_cast<Index>(cells_.size()); }
     /// k + 1.
@@ -164,43 +160,24 @@ class Check {
     }
     /// Each number of a cell is infinity's or a site's, and there once.
     void check_cells() {
-        seen_.resize(sites_.size(), unseen);
+        seen_.resize(sites_.size(), Seen::nowhere);
         const auto n = static_cast<std::int64_t>(sites_.size());
         for (Index c = 0; c < cells(); ++c, advance()) {
             const Cell& cell = cells_[at(c)];
             for (std::size_t i = 0; i < cell.size(); ++i) {
                 if (i >= size()) {
                     if (cell[i] != no_vertex)
-                        throw Invalid{cell_name(c) + " has more than " + std::to_string(size()) +
+                        throw Invalid{cell_name_(c) + " has more than " + std::to_string(size()) +
                                       " vertices"};
                     continue;
                 }
                 if (cell[i] < infinite || cell[i] >= n)
-                    throw Invalid{cell_name(c) + ": there is no site " + std::to_string(cell[i])};
+                    throw Invalid{cell_name_(c) + ": there is no site " + std::to_string(cell[i])};
                 if (place_of(cell[i], cell) != i)
-                    throw Invalid{cell_name(c) + " has " + name(cell[i]) + " twice"};
-                if (cell[i] != infinite) seen_[at(cell[i])] = is_vertex;
+                    throw Invalid{cell_name_(c) + " has " + name(cell[i]) + " twice"};
+                if (cell[i] != infinite) seen_[at(cell[i])] = Seen::as_vertex;
             }
         }
-    }
-    void check_hidden_numbers() {
-        const auto n = static_cast<std::int64_t>(sites_.size());
-        for (const auto& [site, by] : arrays_.hidden) {
-            for (const Index each : {site, by})
-                if (each < 0 || each >= n)
-                    throw Invalid{"hidden: there is no site " + std::to_string(each)};
-            if (seen_[at(site)] != unseen)
-                throw Invalid{name(site) + (seen_[at(site)] == is_vertex
-                                                ? " is both visible and hidden"
-                                                : " is hidden twice")};
-            seen_[at(site)] = is_hidden;
-        }
-        for (Index i = 0; i < n; ++i)
-            if (seen_[at(i)] == unseen) throw Invalid{name(i) + " is neither visible nor hidden"};
-        for (const auto& [site, by] : arrays_.hidden)
-            if (seen_[at(by)] != is_vertex)
-                throw Invalid{name(site) + " is hidden by " + name(by) +
-                              ", which is hidden itself"};
     }
     /// Whether facets are glued in pairs.
     void check_neighbours() {
@@ -210,23 +187,23 @@ class Check {
                 const Index n = neighbours_[at(c)][i];
                 if (i >= size()) {
                     if (n != no_vertex)
-                        throw Invalid{cell_name(c) + " has more than " + std::to_string(size()) +
+                        throw Invalid{cell_name_(c) + " has more than " + std::to_string(size()) +
                                       " neighbours"};
                     continue;
                 }
                 const auto across = [&] {
-                    return cell_name(c) + ", across from " + name(cell[i]) + ": ";
+                    return cell_name_(c) + ", across from " + name(cell[i]) + ": ";
                 };
                 if (n < 0 || n >= cells() || n == c)
-                    throw Invalid{across() + "cell " + std::to_string(n) + " is no neighbour"};
+                    throw Invalid{across() + cell_name_(n) + " is no neighbour"};
                 const Cell& beyond = cells_[at(n)];
                 const std::size_t back = place_beyond(cell, beyond);
                 bool share = back < size();
                 for (std::size_t m = 0; m < size(); ++m)
                     share &= m == i || place_of(cell[m], beyond) < size();
-                if (!share) throw Invalid{across() + cell_name(n) + " does not share the facet"};
+                if (!share) throw Invalid{across() + cell_name_(n) + " does not share the facet"};
                 if (neighbours_[at(n)][back] != c)
-                    throw Invalid{across() + cell_name(n) + " has another neighbour there"};
+                    throw Invalid{across() + cell_name_(n) + " has another neighbour there"};
             }
         }
     }
@@ -239,7 +216,7 @@ class Check {
         for (Index c = 0; c < 2; ++c)
             for (std::size_t i = 0; i < cells_[0].size(); ++i)
                 if (neighbours_[at(c)][i] != (i == 0 ? 1 - c : no_vertex))
-                    throw Invalid{cell_name(c) + " and the other one are not neighbours"};
+                    throw Invalid{cell_name_(c) + " and the other one are not neighbours"};
         const Index one = cells_[is_infinite(0) ? 1 : 0][0];
         for (Index q = 0; at(q) < sites_.size(); ++q) {
             if (q == one) continue;
@@ -272,7 +249,7 @@ class Check {
             if (questions_.orientation(base, axes) != 0) break;
             axes.count = 0;
         }
-        if (axes.count == 0) throw Invalid{cell_name(base_) + " is flat"};
+        if (axes.count == 0) throw Invalid{cell_name_(base_) + " is flat"};
         questions_.ask_along(axes);
         for (Index q = 0; at(q) < sites_.size(); ++q)
             for (std::size_t axis = 0; axis < at(D); ++axis) {
@@ -283,15 +260,15 @@ class Check {
                 with_q[k + 1] = q;
                 if (questions_.orientation(with_q, more) != 0)
                     throw Invalid{name(q) + " does not lie in the flat of dimension " +
-                                  std::to_string(k) + " of " + cell_name(base_)};
+                                  std::to_string(k) + " of " + cell_name_(base_)};
             }
         turn_flat_cells();
     }
     /// Cells of flat sites have no orientation of their own: one is chosen for each, by which
     /// finite ones turn positively and those at infinity away from the base.
     void turn_flat_cells() {
-        turned_cells_ = arrays_.cells;
-        turned_neighbours_ = arrays_.neighbours;
+        turned_cells_.assign(cells_.begin(), cells_.end());
+        turned_neighbours_.assign(neighbours_.begin(), neighbours_.end());
         for (Index c = 0; c < cells(); ++c) {
             const std::size_t place = place_of(infinite, cells_[at(c)]);
             Sign sign = 0;
@@ -316,7 +293,7 @@ class Check {
             if (is_infinite(c)) continue;
             const Sign sign = questions_.orientation(cells_[at(c)]);
             if (sign <= 0)
-                throw Invalid{cell_name(c) + (sign == 0 ? " is flat" : " turns the wrong way")};
+                throw Invalid{cell_name_(c) + (sign == 0 ? " is flat" : " turns the wrong way")};
             double extent = 0.0;
             for (std::size_t axis = 0; axis < at(D); ++axis) {
                 const auto [low, high] = range(c, axis);
@@ -353,7 +330,7 @@ class Check {
                 std::array<std::size_t, static_cast<std::size_t>(D) + 1> places{};
                 for (std::size_t m = 0; m < size(); ++m) places[m] = place_of(cell[m], beyond);
                 if (sort_few(size(), places))
-                    throw Invalid{cell_name(c) + " and " + cell_name(n) +
+                    throw Invalid{cell_name_(c) + " and " + cell_name_(n) +
                                   " lie on the same side of their facet"};
             }
     }
@@ -367,12 +344,12 @@ class Check {
             const auto keep_within = [&](Index v) {
                 const Sign sign = orientation_with(cell, place, v);
                 if (sign > 0)
-                    throw Invalid{name(v) + " lies beyond the hull's facet of " + cell_name(c)};
+                    throw Invalid{name(v) + " lies beyond the hull's facet of " + cell_name_(c)};
                 return sign < 0;
             };
             bool is_strict = false;
             for (std::size_t m = 0; m < size(); ++m) is_strict |= keep_within(base[m]);
-            if (!is_strict) throw Invalid{"the hull's facet of " + cell_name(c) + " is flat"};
+            if (!is_strict) throw Invalid{"the hull's facet of " + cell_name_(c) + " is flat"};
             for (std::size_t m = 0; m < size(); ++m) {
                 if (m == place) continue;
                 const Cell& beyond = cells_[at(neighbours_[at(c)][m])];
@@ -394,7 +371,7 @@ class Check {
         };
         for (Index c = 0; c < cells(); ++c)
             if (c != base_ && !is_infinite(c) && is_near(c) && holds_middle_of_base(c))
-                throw Invalid{cell_name(c) + " and " + cell_name(base_) + " overlap"};
+                throw Invalid{cell_name_(c) + " and " + cell_name_(base_) + " overlap"};
     }
     [[nodiscard]] bool holds_middle_of_base(Index c) {
         for (std::size_t i = 0; i < size(); ++i)
@@ -408,9 +385,9 @@ class Check {
     void judge(Index c, Index q) {
         const Sign sign = questions_.in_sphere(cells_[at(c)], q);
         if (sign < 0) return;
-        const auto why = [&] { return name(q) + " is in conflict with " + cell_name(c); };
+        const auto why = [&] { return name(q) + " is in conflict with " + cell_name_(c); };
         if (sign > 0) throw Invalid{why()};
-        if (not_canonical_.empty() && questions_.tie_conflicts(cells_[at(c)], q))
+        if (is_canonical() && questions_.tie_conflicts(cells_[at(c)], q))
             note("by the tie rule " + why());
     }
     /// Each facet once: from the smaller of its cells.
@@ -434,23 +411,61 @@ class Check {
                 for (std::size_t m = 0; m < size(); ++m) cell_of[at(cells_[at(c)][m])] = c;
         std::vector<Index> visible;
         for (Index i = 0; at(i) < sites_.size(); ++i)
-            if (seen_[at(i)] == is_vertex) visible.push_back(i);
+            if (seen_[at(i)] == Seen::as_vertex) visible.push_back(i);
         NearSites<S> near(sites_, std::move(visible));
-        // Those of one site together.
-        std::vector<Hidden> hidden = arrays_.hidden;
-        std::ranges::sort(hidden, {}, [](const Hidden& h) { return std::pair(h.by, h.site); });
         Index last = infinite;
         Index c = infinite;
-        for (const auto& [q, by] : hidden) {
+        for (const auto& [q, by] : hidden_in_order()) {
             check_nearest(q, by, near);
-            if (std::exchange(last, by) != by) c = cell_of[at(by)];
-            c = cell_that_holds(q, c);
+            const bool is_other = std::exchange(last, by) != by;
+            if (is_plane()) {
+                if (is_other) sort_star(by, cell_of[at(by)]);
+                c = cell_that_holds(q, cell_toward(by, q), c);
+            } else {
+                c = cell_that_holds(q, is_other ? cell_of[at(by)] : c, infinite);
+            }
             judge(c, q);
             advance();
         }
     }
+    /// Those of one site together; in the plane, where these may be very many, along a curve.
+    [[nodiscard]] std::vector<Hidden> hidden_in_order() const {
+        std::vector<Hidden> result(arrays_.hidden.begin(), arrays_.hidden.end());
+        if constexpr (power::PowerSite<S>) {
+            std::vector<Point> centres;
+            for (const Hidden& hidden : result)
+                centres.push_back(power::centre(sites_[at(hidden.site)]));
+            std::ranges::transform(triangulation::spatial_order(centres, 1), result.begin(),
+                                   [this](Index i) { return arrays_.hidden[at(i)]; });
+        } else {
+            std::ranges::sort(result, {}, &Hidden::site);
+        }
+        std::ranges::stable_sort(result, {}, &Hidden::by);
+        return result;
+    }
+    [[nodiscard]] bool is_plane() const noexcept { return D == 2 && arrays_.dimension == 2; }
+    /// The directions of the edges at a site of the plane, rounded, with the cells on their left:
+    /// where a walk from the site starts, which may start anywhere.
+    void sort_star(Index v, Index cell_of_v) {
+        star_.clear();
+        Index c = cell_of_v;
+        do {
+            const std::size_t next = (place_of(v, cells_[at(c)]) + 1) % size();
+            if (!is_infinite(c)) star_.emplace_back(direction(v, cells_[at(c)][next]), c);
+            c = neighbours_[at(c)][next];
+        } while (c != cell_of_v);
+        std::ranges::sort(star_);
+    }
+    [[nodiscard]] Index cell_toward(Index v, Index q) const {
+        const auto after = std::ranges::upper_bound(star_, std::pair(direction(v, q), cells()));
+        return (after == star_.begin() ? star_.back() : *(after - 1)).second;
+    }
+    [[nodiscard]] double direction(Index from, Index to) const {
+        return std::atan2(offset<double>(sites_[at(to)], sites_[at(from)], 1),
+                          offset<double>(sites_[at(to)], sites_[at(from)], 0));
+    }
     void check_nearest(Index q, Index by, NearSites<S>& near) {
-        passed_ += near.visit_near(sites_[at(q)], sites_[at(by)], [&](Index v) {
+        const auto ask = [&](Index v) {
             if (v == by) return;
             const Sign sign = questions_.nearer(q, v, by);
             if (sign > 0)
@@ -459,14 +474,18 @@ class Check {
             if (sign == 0 && questions_.precedes(v, by))
                 note("by the tie rule " + name(q) + " is hidden by " + name(v) + ", not " +
                      name(by));
-        });
+        };
+        passed_ += near.template visit_near<Asked::is_filtered>(sites_[at(q)], sites_[at(by)], ask);
     }
     /// A finite cell with the centre of q in it. By chance out of one of the facets that have it on
     /// the other side: where ties are decided otherwise than by the rule a walk that always takes
-    /// the first may go in circles.
-    [[nodiscard]] Index cell_that_holds(Index q, Index start) {
+    /// the first may go in circles. What is not a few steps away is looked for from `other`, if
+    /// there is one.
+    [[nodiscard]] Index cell_that_holds(Index q, Index start, Index other) {
+        constexpr std::size_t few = 4;
         Index c = start;
         for (std::size_t steps = 0; steps < 2 * cells_.size() + 1000; ++steps) {
+            if (steps == few && other != infinite) c = other;
             chance_ = chance_ * 6364136223846793005U + 1442695040888963407U;
             const std::size_t first = (chance_ >> 33) % size();
             const Index next = way_to(q, c, first);
@@ -488,54 +507,61 @@ class Check {
         return c;
     }
 
-    // ---- order --------------------------------------------------------------------------------
-
-    void check_canonical_order() {
-        // As they are in the arrays; their orientation has been checked.
-        const auto& given = arrays_.cells;
-        for (std::size_t c = 0; c < given.size(); ++c) {
-            const std::size_t free = arrays_.dimension == D ? 1 : 0;
-            bool rises = true;
-            for (std::size_t m = 1; m < size(); ++m)
-                rises &= m + free == size() ? m < 2 || given[c][m - 2] < given[c][m]
-                                            : given[c][m - 1] < given[c][m];
-            if (!rises)
-                note(cell_name(static_cast<Index>(c)) + ": its numbers are not in canonical order");
-            if (c > 0 && given[c] < given[c - 1])
-                note(cell_name(static_cast<Index>(c)) + " is not in canonical order");
-        }
-        if (!std::ranges::is_sorted(arrays_.hidden, {}, &Hidden::site))
-            note("the hidden sites are not in canonical order");
-    }
-
-    enum Seen : std::uint8_t { unseen, is_vertex, is_hidden };
-
-    const T& arrays_;
+    const ArraysOf<D>& arrays_;
     std::span<const S> sites_;
+    const CellName& cell_name_;
     // Those of the arrays, or turned ones.
     std::span<const Cell> cells_;
     std::span<const Cell> neighbours_;
     std::vector<Cell> turned_cells_;
     std::vector<Cell> turned_neighbours_;
     Asked questions_;
-    triangulation::Watch watch_;
-    std::size_t done_ = 0;
-    std::string not_canonical_;
     std::vector<Seen> seen_;
     Index base_ = 0;
-    std::uint64_t passed_ = 0;  // questions that intervals decided
+    std::vector<std::pair<double, Index>> star_;  // of the site that hides, in the plane
+    std::uint64_t passed_ = 0;                    // questions that intervals decided
     std::uint64_t chance_ = 1;
 };
 
-/// Throws std::invalid_argument for a site that is not finite.
+/// Where the arrays of a valid tessellation are not in canonical order; empty if they are.
+template <int D>
+[[nodiscard]] std::string first_out_of_order(const ArraysOf<D>& arrays) {
+    const auto size = at(arrays.dimension) + 1;
+    const auto& given = arrays.cells;
+    for (std::size_t c = 0; c < given.size(); ++c) {
+        const std::size_t free = arrays.dimension == D ? 1 : 0;
+        bool rises = true;
+        for (std::size_t m = 1; m < size; ++m)
+            rises &= m + free == size ? m < 2 || given[c][m - 2] < given[c][m]
+                                      : given[c][m - 1] < given[c][m];
+        if (!rises) return "cell " + std::to_string(c) + ": its numbers are not in canonical order";
+        if (c > 0 && given[c] < given[c - 1])
+            return "cell " + std::to_string(c) + " is not in canonical order";
+    }
+    return std::ranges::is_sorted(arrays.hidden, {}, &Hidden::site)
+               ? ""
+               : "the hidden sites are not in canonical order";
+}
+
+/// T: SpaceTessellation or TessellationOf<D>. Throws std::invalid_argument for a site that is not
+/// finite.
 template <class S, class T>
-[[nodiscard]] Validation check(const T& arrays, std::span<const S> sites,
+[[nodiscard]] Validation check(const T& tessellation, std::span<const S> sites,
                                const ValidationOptions& options) {
     for (std::size_t i = 0; i < sites.size(); ++i)
         if (!is_finite(sites[i]))
             throw std::invalid_argument("site " + std::to_string(i) + " is not finite");
     const exact::IeeeEnvironment environment;
-    return Check<S, T>(arrays, sites, options).run();
+    const ArraysOf<dimension_of<S>> arrays{tessellation.dimension, tessellation.sites,
+                                           tessellation.cells, tessellation.neighbours,
+                                           tessellation.hidden};
+    const auto cell_name = [](Index c) { return "cell " + std::to_string(c); };
+    Validation result = Check(arrays, sites, cell_name, options).run();
+    if (result.canonical) {
+        result.message = first_out_of_order(arrays);
+        result.canonical = result.message.empty();
+    }
+    return result;
 }
 
 }  // namespace signum::any_dimension

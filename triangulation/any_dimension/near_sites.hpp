@@ -35,8 +35,8 @@ class NearSites {
     }
 
     /// Calls visit(i) for each site that is not certainly farther from the centre of q than `other`
-    /// is. Returns how often something was passed over.
-    template <class Visit>
+    /// is. Returns how often something was passed over: never, where nothing may be.
+    template <bool passes_over, class Visit>
     std::size_t visit_near(const S& q, const S& other, Visit visit) const {
         std::size_t passed = 0;
         const Box centre = around(scaled(q));
@@ -44,7 +44,7 @@ class NearSites {
         const auto may_be_near = [&](const Bounds<numbers>& bounds) {
             Box box;
             for (std::size_t k = 0; k < numbers; ++k) box[k] = {bounds.low[k], bounds.high[k]};
-            if (!((distance(centre, box) - limit).low > 0.0)) return true;
+            if (!passes_over || !((distance(centre, box) - limit).low > 0.0)) return true;
             ++passed;
             return false;
         };
@@ -90,7 +90,8 @@ class NearSites {
         return box;
     }
     /// From the centre of a site, of which the weight does not matter.
-    [[nodiscard]] static Interval distance(const Box& centre, const Box& box) noexcept {
+    [[nodiscard, gnu::always_inline]] static Interval distance(const Box& centre,
+                                                               const Box& box) noexcept {
         Interval weight = box[coordinates];
         if constexpr (has_radius) weight = weight * weight;
         Interval sum = -weight;

@@ -17,7 +17,7 @@
 ///
 /// A sign comes from the filter (rounded.hpp; in space those of predicates/space/), otherwise from
 /// exact numbers of the type Exact (exact.hpp); a judge in space asks integers of a few words
-/// first.
+/// first. In the plane the predicates of predicates/power/ answer.
 
 #include <algorithm>
 #include <array>
@@ -29,6 +29,7 @@
 #include <utility>
 
 #include "../../core/index.hpp"
+#include "../../predicates/power.hpp"
 #include "../../predicates/space/in_sphere.hpp"
 #include "exact.hpp"
 #include "few.hpp"
@@ -55,9 +56,11 @@ struct Axes {
     }
 };
 
-template <class S, class Exact>
+/// Without filters exact numbers decide all.
+template <class S, class Exact, bool has_filters = true>
 class Questions {
  public:
+    static constexpr bool is_filtered = has_filters;
     static constexpr int D = dimension_of<S>;
     using Cell = CellOf<D>;
 
@@ -74,6 +77,10 @@ class Questions {
     [[nodiscard]] Sign orientation(const Cell& v) { return orientation(v, axes_); }
     /// Along other axes, of one vertex more than these are.
     [[nodiscard]] Sign orientation(const Cell& v, const Axes<D>& axes) {
+        if constexpr (power::PowerSite<S>)
+            if (axes.count == 2)
+                return decided(predicates::decide<in_plane, predicates::Ccw>(site(v[0]), site(v[1]),
+                                                                             site(v[2])));
         if constexpr (D == 3 && HasCentre3<S>) {
             if (axes.count == 3) {
                 const filters::Verdict verdict =
@@ -89,7 +96,7 @@ class Questions {
             for (std::size_t k = 0; k < axes.count; ++k)
                 rounded.set(i, k, offset<double>(site(v[i + 1]), site(v[0]), axes.axis[k]));
         const filters::Verdict verdict = rounded_sign<D, false>(rounded, unit_);
-        if (verdict.is_certain()) return filtered(verdict.sign());
+        if (has_filters && verdict.is_certain()) return filtered(verdict.sign());
         return exactly(exact_orientation(v, axes));
     }
     /// The orientation of v with the middle of the sites of another cell in the place of one of its
@@ -122,7 +129,7 @@ class Questions {
         // Adding up and its terms' own sum commit k + 1 more roundings each.
         const filters::Verdict verdict =
             rounded_sign<D, false>(rounded, unit_, 2 * static_cast<int>(k + 1));
-        if (verdict.is_certain()) return filtered(turn * verdict.sign());
+        if (has_filters && verdict.is_certain()) return filtered(turn * verdict.sign());
         Matrix<Exact, most> rows = exact_offsets(v, axes_, place);
         for (std::size_t m = 0; m < k; ++m)
             for (std::size_t each = 0; each <= k; ++each)
@@ -133,6 +140,10 @@ class Questions {
     /// Precondition: orientation(v) > 0.
     [[nodiscard]] Sign in_sphere(const Cell& v, Index q) {
         const std::size_t k = axes_.count;
+        if constexpr (power::PowerSite<S>)
+            if (k == 2)
+                return decided(predicates::decide<in_plane, power::InCircle>(site(v[0]), site(v[1]),
+                                                                             site(v[2]), site(q)));
         const Sign turn = k % 2 == 0 ? 1 : -1;
         if constexpr (D == 3 && HasCentre3<S>) {
             if (k == 3) {
@@ -159,7 +170,7 @@ class Questions {
             rounded.largest[k] = std::max(rounded.largest[k], terms);
         }
         const filters::Verdict verdict = rounded_sign<D, true>(rounded, unit_);
-        if (verdict.is_certain()) return filtered(turn * verdict.sign());
+        if (has_filters && verdict.is_certain()) return filtered(turn * verdict.sign());
         return exactly(turn * exact_in_sphere(v, q));
     }
     /// in_sphere(v, q) = 0 under the tie rule.
@@ -203,7 +214,8 @@ class Questions {
         // Each height has D + 4 roundings at most, their difference one more; as in rounded.hpp.
         // Underflow loses 2^-1070 at most.
         constexpr double error = (D + 4 + 1 + 2) * filters::epsilon;
-        if (terms < 0x1p1000 && filters::magnitude(to_b - to_a) > error * terms + 0x1p-1000)
+        if (has_filters && terms < 0x1p1000 &&
+            filters::magnitude(to_b - to_a) > error * terms + 0x1p-1000)
             return filtered(sign_of(to_b - to_a));
         return exactly((height<Exact>(site(b), origin) - height<Exact>(site(a), origin)).sign());
     }
@@ -218,9 +230,14 @@ class Questions {
  private:
     static constexpr std::size_t most = static_cast<std::size_t>(D) + 1;
     /// A judge's numbers in space: first those of a few words (word_integers.hpp).
-    static constexpr bool judges_in_words =
-        D == 3 && HasCentre3<S> && std::is_same_v<Exact, exact::Dyadic>;
+    static constexpr bool is_judge = std::is_same_v<Exact, exact::Dyadic>;
+    static constexpr bool judges_in_words = D == 3 && HasCentre3<S> && is_judge;
+    static constexpr Arithmetic in_plane =
+        is_judge ? Arithmetic::judging : Arithmetic::multiprecision;
 
+    Sign decided(const Decision& decision) noexcept {
+        return decision.stage == Stage::filter ? filtered(decision.sign) : exactly(decision.sign);
+    }
     Sign filtered(Sign sign) noexcept {
         ++filtered_;
         return sign;

@@ -16,11 +16,10 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <span>
 
+#include "../../exact/parts.hpp"
 #include "../../filters/rounding_count.hpp"
 #include "../../filters/verdict.hpp"
 #include "determinant.hpp"
@@ -72,11 +71,8 @@ class Unit {
 
     /// The exponent of the last bit that is set; large for 0.
     [[nodiscard]] static int last_bit(double number) noexcept {
-        const auto bits = std::bit_cast<std::uint64_t>(number);
-        const std::uint64_t fraction = bits & 0xF'FFFF'FFFF'FFFF;
-        const auto exponent = static_cast<int>(bits >> 52 & 0x7FF);
-        if (exponent == 0) return fraction == 0 ? none : -1074;
-        return exponent - 1075 + std::countr_zero(fraction | 1ULL << 52);
+        const exact::Parts parts = exact::parts(number);
+        return parts.significand == 0 ? none : parts.exponent;
     }
 
     std::array<double, most_degree + 1> exact_below_{};

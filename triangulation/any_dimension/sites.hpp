@@ -14,9 +14,9 @@
 
 namespace signum::any_dimension {
 
-/// Point3, power::Site3 and signum::Site3, beside power::SiteOf<D>.
+/// Sites of the plane and those of space, beside power::SiteOf<D>.
 template <class S>
-inline constexpr int dimension_of = 3;
+inline constexpr int dimension_of = power::PowerSite<S> ? 2 : 3;
 template <int D>
 inline constexpr int dimension_of<power::SiteOf<D>> = D;
 
@@ -24,6 +24,8 @@ template <class S>
 [[nodiscard]] constexpr double coordinate(const S& s, std::size_t axis) noexcept {
     if constexpr (requires { s.centre; })
         return s.centre[axis];
+    else if constexpr (power::PowerSite<S>)
+        return axis == 0 ? s.x : s.y;
     else
         return axis == 0 ? s.x : axis == 1 ? s.y : s.z;
 }

@@ -39,7 +39,7 @@ class AdditiveCheck : private ArraysCheck {
  public:
     AdditiveCheck(const TessellationArrays& arrays, const StridedSites& sites,
                   const ValidationOptions& options)
-        : ArraysCheck(arrays, sites.size(), options, 4) {
+        : ArraysCheck(arrays, sites.size(), options) {
         for (const Site& site : load<Site>(sites)) site_.push_back({site, 0});
         std::vector<Index> numbers(sites.size());
         std::iota(numbers.begin(), numbers.end(), 0);
@@ -51,7 +51,7 @@ class AdditiveCheck : private ArraysCheck {
         Validation result = judgement([this] {
             check_sites();
             if (must_find_neighbours()) {
-                connect_unique([](const Edge&) { return true; });
+                connect_unique();
             } else {
                 connect();
             }

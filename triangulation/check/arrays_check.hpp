@@ -10,24 +10,10 @@
 
 #include "../../core/strided_sites.hpp"
 #include "../arrays.hpp"
+#include "../structure/judgement.hpp"
 #include "../structure/topology.hpp"
-#include "../structure/watch.hpp"
-#include "../validate.hpp"
 
 namespace signum::triangulation {
-
-[[nodiscard]] inline std::size_t at(Index i) noexcept {
-    return static_cast<std::size_t>(i);
-}
-
-[[nodiscard]] inline std::string name(Index vertex) {
-    return vertex == infinite ? "infinity" : "site " + std::to_string(vertex);
-}
-
-/// Why the arrays are no valid tessellation.
-struct Invalid {
-    std::string why;
-};
 
 /// The sites as the predicates take them. Throws std::invalid_argument for NaN and infinity.
 template <class S>
@@ -42,40 +28,17 @@ template <class S>
     return result;
 }
 
-/// The part of a check that all metrics share. What is wrong is thrown as Invalid; what is right
-/// but not the canonical choice is noted.
-class ArraysCheck {
+/// The part of a check that all metrics share.
+class ArraysCheck : protected Judgement {
  protected:
-    /// Predicates are asked in `passes` of the faces, and once over the hidden sites.
+    /// Predicates are asked in four passes of the faces, and once over the hidden sites.
     ArraysCheck(const TessellationArrays& arrays, std::size_t sites,
-                const ValidationOptions& options, std::size_t passes)
-        : arrays_(arrays),
-          sites_(sites),
-          watch_(options.stop, options.progress,
-                 passes * arrays.faces.size() + arrays.hidden.size()) {}
-
-    /// One more face, or hidden site, is done.
-    void advance() { watch_.at(++done_); }
-
-    /// The judgement of the checks that `all` makes.
-    template <class Checks>
-    [[nodiscard]] Validation judgement(Checks all) {
-        Validation result;
-        try {
-            all();
-            result.valid = true;
-            result.canonical = not_canonical_.empty();
-            result.message = not_canonical_;
-        } catch (const Invalid& invalid) {
-            result.message = invalid.why;
-        }
-        return result;
-    }
+                const ValidationOptions& options)
+        : Judgement(options, 4 * arrays.faces.size() + arrays.hidden.size()),
+          arrays_(arrays),
+          sites_(sites) {}
 
     [[nodiscard]] static std::string face_name(Index f) { return "face " + std::to_string(f); }
-    void note(const std::string& why) {
-        if (not_canonical_.empty()) not_canonical_ = why;
-    }
     [[nodiscard]] const Face& face(Index f) const { return arrays_.faces[at(f)]; }
     [[nodiscard]] Index faces() const { return static_cast<Index>(arrays_.faces.size()); }
     /// Every number names a site; every site is visible or hidden, once; as many faces as Euler
@@ -85,40 +48,24 @@ class ArraysCheck {
         if (arrays_.sites != n)
             throw Invalid{"the tessellation speaks of " + std::to_string(arrays_.sites) +
                           " sites, the input has " + std::to_string(n)};
-        std::vector<char> seen(sites_, 0);
+        std::vector<Seen> seen(sites_, Seen::nowhere);
         for (Index f = 0; f < faces(); ++f) {
             const Face& v = face(f);
             for (const Index i : v) {
                 if (i < infinite || i >= n)
                     throw Invalid{face_name(f) + ": there is no site " + std::to_string(i)};
-                if (i != infinite) seen[at(i)] = 1;
+                if (i != infinite) seen[at(i)] = Seen::as_vertex;
             }
             if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0])
                 throw Invalid{face_name(f) + " has a vertex twice"};
         }
-        for (const Hidden& hidden : arrays_.hidden) {
-            if (hidden.site < 0 || hidden.site >= n || hidden.by < 0 || hidden.by >= n)
-                throw Invalid{
-                    "hidden: there is no site " +
-                    std::to_string(hidden.site < 0 || hidden.site >= n ? hidden.site : hidden.by)};
-            if (seen[at(hidden.site)] != 0)
-                throw Invalid{name(hidden.site) + (seen[at(hidden.site)] == 1
-                                                       ? " is both visible and hidden"
-                                                       : " is hidden twice")};
-            seen[at(hidden.site)] = 2;
-        }
+        see_hidden(arrays_.hidden, seen);
         if (arrays_.faces.empty()) {
-            const auto lone = std::find(seen.begin(), seen.end(), 0);
-            if (lone != seen.end()) *lone = 1;
+            const auto lone = std::ranges::find(seen, Seen::nowhere);
+            if (lone != seen.end()) *lone = Seen::as_vertex;
         }
-        for (Index i = 0; i < n; ++i) {
-            if (seen[at(i)] == 0) throw Invalid{name(i) + " is neither visible nor hidden"};
-            visible_ += static_cast<Index>(seen[at(i)] == 1);
-        }
-        for (const Hidden& hidden : arrays_.hidden)
-            if (seen[at(hidden.by)] != 1)
-                throw Invalid{name(hidden.site) + " is hidden by " + name(hidden.by) +
-                              ", which is hidden itself"};
+        check_seen(arrays_.hidden, seen);
+        visible_ = static_cast<Index>(std::ranges::count(seen, Seen::as_vertex));
         if (visible_ == 0 && n > 0) throw Invalid{"every site is hidden"};
         const Index expected = visible_ < 2 ? 0 : 2 * visible_ - 2;
         if (faces() != expected) {
@@ -163,18 +110,15 @@ class ArraysCheck {
         return true;
     }
 
-    /// Glues faces without neighbours along those edges, each of which must be unique, that
-    /// `belongs` says.
-    template <class Belongs>
-    void connect_unique(Belongs belongs) {
+    /// Glues faces without neighbours along their edges, each of which must be unique.
+    void connect_unique() {
         topology_ = Topology(sites_);
         for (const Face& v : arrays_.faces) topology_.add_face(v[0], v[1], v[2]);
         std::vector<std::pair<Edge, HalfEdge>> edges;
         for (Index f = 0; f < faces(); ++f)
             for (unsigned k = 0; k < 3; ++k) {
                 const HalfEdge h = Topology::first_edge(f) + k;
-                const Edge edge = {topology_.origin(h), topology_.target(h)};
-                if (belongs(edge)) edges.push_back({edge, h});
+                edges.push_back({{topology_.origin(h), topology_.target(h)}, h});
             }
         std::sort(edges.begin(), edges.end());
         for (std::size_t e = 0; e < edges.size(); ++e) {
@@ -247,10 +191,6 @@ class ArraysCheck {
         throw Invalid{face_name(f) + ": neighbour " + std::to_string(k) + " is given as " +
                       std::to_string(g) + ", which does not share the edge"};
     }
-
-    Watch watch_;
-    std::size_t done_ = 0;
-    std::string not_canonical_;
 };
 
 }  // namespace signum::triangulation

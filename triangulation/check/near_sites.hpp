@@ -8,14 +8,12 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 #include <vector>
 
 #include "../../core/box_tree.hpp"
 #include "../../core/index.hpp"
 #include "../../core/site.hpp"
 #include "../../filters/interval.hpp"
-#include "../../predicates/power/weight.hpp"
 
 namespace signum::triangulation {
 
@@ -34,16 +32,6 @@ template <class Predicates>
 struct AdditiveDistance {
     [[nodiscard]] Interval operator()(const Reach& reach) const noexcept {
         return Predicates::norm(reach.x, reach.y) - reach.third;
-    }
-};
-/// Of the power metric, for sites with radii, or with weights.
-template <class S>
-struct PowerDistance {
-    [[nodiscard]] Interval operator()(const Reach& reach) const noexcept {
-        const Interval square = reach.x * reach.x + reach.y * reach.y;
-        if constexpr (std::is_same_v<S, power::Site>) return square - reach.third;
-        const Interval radius = filters::magnitude(reach.third);
-        return square - radius * radius;
     }
 };
 

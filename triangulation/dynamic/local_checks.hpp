@@ -131,10 +131,7 @@ class LocalChecks {
     /// Of an edge to infinity: the hull turns left there, or goes straight on past a site that is
     /// visible on its line.
     [[nodiscard]] bool straight_edge(HalfEdge h) {
-        const Index i = topology_.origin(h);
-        const Index j = topology_.target(h);
-        const Index k = topology_.apex(h);
-        const Index l = topology_.apex(topology_.twin(h));
+        const auto [i, j, k, l] = topology_.about(h);
         if (i == infinite) return turns_left(k, j, l);
         if (j == infinite) return turns_left(l, i, k);
         if (l == infinite) return true;
@@ -173,10 +170,7 @@ class LocalChecks {
     /// not pass through infinity. Where no three of the sites exist `twice` one question answers
     /// all.
     [[nodiscard]] bool curved_edge(HalfEdge h, bool twice) {
-        const Index i = topology_.origin(h);
-        const Index j = topology_.target(h);
-        const Index k = topology_.apex(h);
-        const Index l = topology_.apex(topology_.twin(h));
+        const auto [i, j, k, l] = topology_.about(h);
         if (!twice) return !kernel_.conflicts_if_visible(i, j, k, l);
         if (k != l) {
             ExtendedKernel<Kernel> extended(kernel_);

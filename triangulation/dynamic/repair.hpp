@@ -140,10 +140,7 @@ class Repair {
         return topology_.is_vacant(Topology::face(h)) || checks_.edge(h);
     }
     [[nodiscard]] bool can_flip(HalfEdge h) {
-        const Index i = topology_.origin(h);
-        const Index j = topology_.target(h);
-        const Index k = topology_.apex(h);
-        const Index l = topology_.apex(topology_.twin(h));
+        const auto [i, j, k, l] = topology_.about(h);
         return k != l && checks_.may_be_face(i, l, k) && checks_.may_be_face(l, j, k);
     }
 
@@ -185,14 +182,10 @@ class Repair {
     }
     /// The end of an edge at which a flip would leave a face that may be none.
     [[nodiscard]] Index obstacle(HalfEdge h) {
-        const HalfEdge t = topology_.twin(h);
-        const Index i = topology_.origin(h);
-        const Index j = topology_.target(h);
-        const Index k = topology_.apex(h);
-        const Index l = topology_.apex(t);
+        const auto [i, j, k, l] = topology_.about(h);
         if (i != infinite && k != l && !checks_.may_be_face(i, l, k)) return i;
         if (j != infinite && k != l && !checks_.may_be_face(l, j, k)) return j;
-        return topology_.origin(lesser(h, t));
+        return topology_.origin(lesser(h, topology_.twin(h)));
     }
     /// Out of two half-edges the one whose origin is a site and has fewer neighbours.
     [[nodiscard]] HalfEdge lesser(HalfEdge a, HalfEdge b) const {

@@ -100,11 +100,7 @@ class Inflation {
 
     /// The edge's four sites where it is not regular in the end.
     [[nodiscard]] std::optional<Quad> failing(HalfEdge h) {
-        const HalfEdge t = topology_.twin(h);
-        const Index a = topology_.apex(h);
-        const Index b = topology_.origin(h);
-        const Index c = topology_.target(h);
-        const Index d = topology_.apex(t);
+        const auto [b, c, a, d] = topology_.about(h);
         if (a == d || a == infinite || d == infinite) return std::nullopt;
         if (b == infinite || c == infinite) {
             const Index middle = b == infinite ? c : b;
@@ -150,10 +146,7 @@ class Inflation {
     /// Flips the edge, or takes away one of its ends; false where neither can be done.
     bool make_regular(HalfEdge h) {
         const HalfEdge t = topology_.twin(h);
-        const Index a = topology_.apex(h);
-        const Index b = topology_.origin(h);
-        const Index c = topology_.target(h);
-        const Index d = topology_.apex(t);
+        const auto [b, c, a, d] = topology_.about(h);
         if (b != infinite && degree(b) == 3) return hide(h);
         if (c != infinite && degree(c) == 3) return hide(t);
         // The new faces are a, b, d and d, c, a. At infinity the three are on one line.

@@ -70,10 +70,7 @@ template <class Kernel>
 [[nodiscard]] bool ends_within(const Topology& topology, Kernel& exact, HalfEdge h, Index q,
                                bool taken) {
     ExtendedKernel<Kernel> kernel(exact);
-    const Index i = topology.origin(h);
-    const Index j = topology.target(h);
-    const Index k = topology.apex(h);
-    const Index l = topology.apex(topology.twin(h));
+    const auto [i, j, k, l] = topology.about(h);
     if (!kernel.exist_twice(i, j, q)) return false;
     if (kernel.conflicts(j, i, q, k) || kernel.conflicts(j, i, q, l)) return false;
     // The other stretch runs from vertex (j, i, from) to (i, j, to). Visible sites exist twice with

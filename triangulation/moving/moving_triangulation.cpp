@@ -265,11 +265,7 @@ void MovingTriangulation::note_flat(std::span<const HalfEdge> edges) {
 // ---- what is right ----
 
 bool MovingTriangulation::is_right(HalfEdge h) {
-    const HalfEdge t = topology_.twin(h);
-    const Index a = topology_.apex(h);
-    const Index b = topology_.origin(h);
-    const Index c = topology_.target(h);
-    const Index d = topology_.apex(t);
+    const auto [b, c, a, d] = topology_.about(h);
     const Queue::Subject edge = topology_.edge(h);
     if (a == d) {
         queue_.erase(edge);
@@ -370,10 +366,7 @@ void MovingTriangulation::note_corners(Index face) {
 /// Flips an edge that fails, or hides one of its ends; false where neither can be done.
 bool MovingTriangulation::make_right(HalfEdge h) {
     const HalfEdge t = topology_.twin(h);
-    const Index a = topology_.apex(h);
-    const Index b = topology_.origin(h);
-    const Index c = topology_.target(h);
-    const Index d = topology_.apex(t);
+    const auto [b, c, a, d] = topology_.about(h);
     if (b != infinite && has_three_edges(h)) return hide(h);
     if (c != infinite && has_three_edges(t)) return hide(t);
     if (a == d) return false;

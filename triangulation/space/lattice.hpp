@@ -4,11 +4,10 @@
 /// is seen without exact numbers.
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <span>
 
+#include "../../exact/parts.hpp"
 #include "../../predicates/space/in_sphere.hpp"
 
 namespace signum::spatial {
@@ -54,11 +53,8 @@ class Lattice {
 
     /// The exponent of the last bit that is set; large for 0.
     [[nodiscard]] static int last_bit(double number) noexcept {
-        const auto bits = std::bit_cast<std::uint64_t>(number);
-        const std::uint64_t fraction = bits & 0xF'FFFF'FFFF'FFFF;
-        const auto exponent = static_cast<int>(bits >> 52 & 0x7FF);
-        if (exponent == 0) return fraction == 0 ? 1024 : -1074;
-        return exponent - 1075 + std::countr_zero(fraction | 1ULL << 52);
+        const exact::Parts parts = exact::parts(number);
+        return parts.significand == 0 ? 1024 : parts.exponent;
     }
 
     double per_unit_ = 0.0;

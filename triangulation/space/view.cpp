@@ -76,8 +76,12 @@ struct Coefficients {
     coefficients.c = d.z * ab + a.z * bd + b.z * da;
     coefficients.d = a.z * bc - b.z * ac + c.z * ab;
 }
-[[gnu::always_inline]] inline void sum_up(Four& result, const Coefficients& of,
-                                          const Beyond& rows) noexcept {
+/// All of these, and the determinants.
+[[gnu::always_inline]] inline void find(Four& result, Coefficients& of, Beyond& rows,
+                                        const std::array<const ViewRow*, 4>& cell,
+                                        const std::array<const ViewRow*, 4>& beyond) noexcept {
+    gather(rows, cell, beyond);
+    find(of, rows);
     result = (rows.a.lift * of.a + rows.c.lift * of.c) - (rows.b.lift * of.b + rows.d.lift * of.d);
 }
 
@@ -90,9 +94,7 @@ void in_spheres_beyond(const std::array<const ViewRow*, 4>& cell,
         Beyond rows;
         Coefficients coefficients;
         Four result;
-        gather(rows, cell, beyond);
-        find(coefficients, rows);
-        sum_up(result, coefficients, rows);
+        find(result, coefficients, rows, cell, beyond);
         for (std::size_t k = 0; k < 4; ++k) determinants[k] = result[k];
     });
 }
@@ -104,9 +106,7 @@ void in_spheres_beyond_by_rule(const std::array<const ViewRow*, 4>& cell,
         Beyond rows;
         Coefficients coefficients;
         Four result;
-        gather(rows, cell, beyond);
-        find(coefficients, rows);
-        sum_up(result, coefficients, rows);
+        find(result, coefficients, rows, cell, beyond);
         // Where the site stands in the order, and what it decides.
         Four last{};
         Four decisive = Four{} - 1.0;

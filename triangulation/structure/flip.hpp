@@ -14,10 +14,7 @@ namespace signum::triangulation {
 /// (a, b, d) and (d, c, a) in the same places. Precondition: a != d.
 inline void flip(Topology& topology, HalfEdge h) {
     const HalfEdge t = topology.twin(h);
-    const Index a = topology.apex(h);
-    const Index b = topology.origin(h);
-    const Index c = topology.target(h);
-    const Index d = topology.apex(t);
+    const auto [b, c, a, d] = topology.about(h);
     const Index f = Topology::face(h);
     const Index g = Topology::face(t);
     const HalfEdge in_f = Topology::first_edge(f);

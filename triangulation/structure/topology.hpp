@@ -12,6 +12,7 @@
 ///  4. A face that was taken out has `vacant` for vertices and waits for reuse.
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -60,6 +61,10 @@ class Topology {
     /// The vertex of the face that is not on the edge.
     [[nodiscard]] Index apex(HalfEdge h) const noexcept { return origin(previous(h)); }
     [[nodiscard]] HalfEdge twin(HalfEdge h) const noexcept { return at(h).twin[h & 3]; }
+    /// The vertices of the faces at an edge: its origin and target, the apex and that across.
+    [[nodiscard]] std::array<Index, 4> about(HalfEdge h) const noexcept {
+        return {origin(h), target(h), apex(h), apex(twin(h))};
+    }
     /// The name of an edge: the lesser of its two half-edges.
     [[nodiscard]] HalfEdge edge(HalfEdge h) const noexcept { return std::min(h, twin(h)); }
     /// The next half-edge out of the same origin, counterclockwise.
