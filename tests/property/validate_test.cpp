@@ -483,7 +483,7 @@ TEST(ValidateWalks, TwistedTieEnds) {
 }
 
 TEST(ValidateShapes, WoundTwice) {
-    // A hexagon around a centre, wound twice over doubled sites: a double cover.
+    // A pentagon around a centre, wound twice over doubled sites: a double cover.
     std::vector<Site> sites;
     for (int turn = 0; turn < 2; ++turn)
         for (int i = 0; i < 5; ++i)
