@@ -6,6 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "../io/output_file.hpp"
+#include "../io/text_writer.hpp"
+
 namespace signum::cli {
 namespace {
 
@@ -142,11 +145,15 @@ void time_runs(ComparedReport& report, double seconds, const TimedBuild& build) 
     if (contesting.size() == 2) report.ratio = race.ratios[1];
 }
 
-void put_report(TextWriter& text, const ComparedReport& report, bool as_json) {
+void put_report(const ComparedReport& report, bool as_json, bool to_errors) {
+    DescriptorStream out(to_errors ? 2 : 1, to_errors ? "standard error" : "standard output");
+    TextWriter text(out);
     if (as_json)
         put_json(text, report);
     else
         put_table(text, report);
+    text.flush();
+    out.flush();
 }
 
 }  // namespace signum::cli

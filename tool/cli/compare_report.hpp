@@ -1,5 +1,5 @@
 #pragma once
-/// A call of signum compare, and what it answers, of the plane and of space: a table or JSON.
+/// What signum compare answers, of the plane and of space: a table or JSON.
 
 #include <array>
 #include <functional>
@@ -7,21 +7,11 @@
 #include <string>
 #include <string_view>
 
+#include "../../triangulation/options.hpp"
 #include "../../triangulation/tessellation.hpp"
-#include "../io/text_writer.hpp"
 #include "../study/timing.hpp"
 
-#include "outputs.hpp"
-#include "sites_call.hpp"
-
 namespace signum::cli {
-
-/// As it was typed. SitesCall::arithmetic is the one that is judged.
-struct CompareCall : SitesCall, OutputsCall {
-    std::string against = "exact";
-    double seconds = 1.0;
-    bool json = false;
-};
 
 /// How many edges (in space cells) of a tessellation there are, and how they were judged.
 struct Counts {
@@ -55,11 +45,8 @@ using TimedBuild = std::function<double(Arithmetic)>;
 /// Times of the runs that did not break, in turns.
 void time_runs(ComparedReport& report, double seconds, const TimedBuild& build);
 
-/// The table, whose last line says whether these sites need exactness; JSON where it is asked for.
-void put_report(TextWriter& text, const ComparedReport& report, bool as_json);
-
-/// In space, cells in place of edges: writes table or JSON to standard output. Throws CallError
-/// where the call asks for what there is in the plane alone.
-void compare_in_space(const CompareCall& call, const InputSites& sites);
+/// The table, whose last line says whether these sites need exactness, or JSON; to standard output,
+/// or to standard error.
+void put_report(const ComparedReport& report, bool as_json, bool to_errors = false);
 
 }  // namespace signum::cli
