@@ -59,17 +59,14 @@ void write_svg(std::ostream& out, const SpaceTessellation& tessellation,
                std::span<const Site3> sites, WeightIs weight_is,
                const SpaceSvgOptions& options = {});
 
-struct SpaceCellsSvgOptions {
-    std::size_t face_limit = 40'000;
-};
-
 /// Cells of space as solids, seen in the same way: those that the box does not cut, and where it
-/// cuts all of them, all. Beyond the limit the nearest faces are drawn. Of two power cells the one
-/// whose site is nearer to the eye is nowhere behind the other one, so that drawing them in that
-/// order hides what is hidden. Writes the solids and the box around them. `polyhedra` are those of
-/// all sites, in order, in the box of `cells`. Check the stream for errors of writing. O(n log n).
+/// cuts all of them, all. Of more than `face_limit` faces the nearest are drawn. Of two power cells
+/// the one whose site is nearer to the eye is nowhere behind the other one, so that drawing them in
+/// that order hides what is hidden. Writes the solids and the box around them. `polyhedra` are
+/// those of all sites, in order, in the box of `cells`. Check the stream for errors of writing. O(n
+/// log n).
 void write_space_cells_svg(std::ostream& out, std::span<const Site3> sites, const SpaceCells& cells,
                            std::span<const SpacePolyhedron> polyhedra,
-                           const SpaceCellsSvgOptions& options = {});
+                           std::size_t face_limit = 40'000);
 
 }  // namespace signum
