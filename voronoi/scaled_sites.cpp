@@ -9,6 +9,7 @@
 #include "../core/error_free.hpp"
 #include "../exact/multiprecision.hpp"
 #include "../predicates/ccw.hpp"
+#include "../triangulation/space/cramer.hpp"
 
 namespace signum {
 namespace {
@@ -128,7 +129,7 @@ Point3 ScaledSites::direction(Index i, Index j) const noexcept {
 /// In rationals, in the sites' own unit of length.
 class ScaledSites::Exact {
  public:
-    /// Cramer's rule for rows m.v = h; from site i.
+    /// Of planes m.v = h; from site i.
     Exact(const ScaledSites& all, Index i, const ThreePlanes& planes)
         : all_(all), site_(exact_site(all.given_, i)) {
         std::array<std::array<Rational, 3>, 3> m;
@@ -150,19 +151,13 @@ class ScaledSites::Exact {
             }
             h[k] /= 2;
         }
-        Rational determinant = 0;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto& a = m[(k + 1) % 3];
-            const auto& b = m[(k + 2) % 3];
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                const std::size_t y = (axis + 1) % 3;
-                const std::size_t z = (axis + 2) % 3;
-                const Rational minor = a[y] * b[z] - a[z] * b[y];
-                place_[axis] += h[k] * minor;
-                if (k == 0) determinant += m[0][axis] * minor;
-            }
-        }
-        for (Rational& x : place_) x /= determinant;
+        const auto plane = [&](std::size_t k) -> spatial::Plane<Rational> {
+            return {m[k][0], m[k][1], m[k][2], h[k]};
+        };
+        spatial::Meeting<Rational> meeting;
+        spatial::meet(meeting, plane(0), plane(1), plane(2));
+        place_ = {meeting.x / meeting.determinant, meeting.y / meeting.determinant,
+                  meeting.z / meeting.determinant};
     }
     /// From the eye.
     [[nodiscard]] Point3 place(const Point3& eye) const {
@@ -183,7 +178,7 @@ class ScaledSites::Exact {
  private:
     const ScaledSites& all_;
     ExactSite site_;
-    std::array<Rational, 3> place_ = {0, 0, 0};
+    std::array<Rational, 3> place_;
 };
 
 ScaledSites::Rows ScaledSites::rows(Index i, const ThreePlanes& planes) const noexcept {

@@ -19,6 +19,9 @@ namespace signum {
 [[nodiscard]] inline Point3 minus(const Point3& a, const Point3& b) noexcept {
     return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
+[[nodiscard]] inline Point3 times(const Point3& a, double factor) noexcept {
+    return {a.x * factor, a.y * factor, a.z * factor};
+}
 /// a + times b.
 [[nodiscard]] inline Point3 plus(const Point3& a, const Point3& b, double times) noexcept {
     return {a.x + times * b.x, a.y + times * b.y, a.z + times * b.z};

@@ -10,19 +10,19 @@
 #include <vector>
 
 #include "../../voronoi/balls/bands.hpp"
+#include "../../voronoi/vector3.hpp"
 
 namespace signum::balls {
 namespace {
 
-using Vector = std::array<double, 3>;
+using Vector = Point3;
 
 double real(std::mt19937_64& g) {
     return static_cast<double>(g() >> 11) * 0x1p-52 - 1.0;
 }
-Vector unit(Vector v) {
-    const double length = std::hypot(v[0], v[1], v[2]);
-    for (double& x : v) x /= length;
-    return v;
+Vector unit(const Vector& v) {
+    const double length = std::hypot(v.x, v.y, v.z);
+    return {v.x / length, v.y / length, v.z / length};
 }
 Vector any_vector(std::mt19937_64& g) {
     return {real(g), real(g), real(g)};
@@ -42,9 +42,10 @@ long double value_of(const Site3& i, const Site3& j, const Vector& u) {
     const long double r = difference(j.r, i.r);
     long double along = 0, square = 0, length = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-        along += x[k] * u[k];
+        const long double of_u = u.*axes_of_space[k];
+        along += x[k] * of_u;
         square += x[k] * x[k];
-        length += static_cast<long double>(u[k]) * u[k];
+        length += of_u * of_u;
     }
     return 2 * (along / std::sqrt(length) + r) / (square - r * r);
 }
@@ -96,16 +97,15 @@ TEST(BallBands, HalvesCoverAndBoundsHold) {
         const Vector v = unit(any_vector(g));
         const double delta = std::ldexp(1.0, -3 - static_cast<int>(g() % 12)) * 0.99;
         Vector u = any_vector(g);
-        for (std::size_t k = 0; k < 3; ++k) u[k] = v[k] + 0.57 * delta * u[k];
-        u = unit(u);
-        const double off = std::hypot(u[0] - v[0], u[1] - v[1], u[2] - v[2]);
+        u = unit(plus(v, u, 0.57 * delta));
+        const double off = std::hypot(u.x - v.x, u.y - v.y, u.z - v.z);
         if (off > delta) continue;
         const Frame of_band(any_vector(g), v);
         expect_bounds(Band(v, delta, of_band), of_band, i, balls, u, 1.0L, g);
         const Frame of_chart(v, any_vector(g));
-        const long double along = static_cast<long double>(u[0]) * of_chart.e[0] +
-                                  static_cast<long double>(u[1]) * of_chart.e[1] +
-                                  static_cast<long double>(u[2]) * of_chart.e[2];
+        const long double along = static_cast<long double>(u.x) * of_chart.e.x +
+                                  static_cast<long double>(u.y) * of_chart.e.y +
+                                  static_cast<long double>(u.z) * of_chart.e.z;
         expect_bounds(Chart(v, delta, of_chart), of_chart, i, balls, u, 1.0L / along, g);
         if (HasFatalFailure()) FAIL() << trial;
     }

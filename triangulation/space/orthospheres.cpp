@@ -7,60 +7,25 @@
 #include "../../core/processor.hpp"
 #include "../../filters/four.hpp"
 #include "../../filters/rounding_count.hpp"
+#include "cramer.hpp"
 
 namespace signum::spatial {
 namespace {
 
 using Doubles = filters::Four;
 
-/// A row of which the height is known.
-template <class Number>
-struct Row {
-    Number x;
-    Number y;
-    Number z;
-    Number lift;
-};
-
-/// det(b, c, d), and what twice that times the centre comes to, relative to the site: the solution
-/// of 2 m·p = lift_m for the three by Cramer's rule. For any type of number.
-template <class Number>
-struct Solution {
-    Number determinant;
-    Number x;
-    Number y;
-    Number z;
-};
-template <class Number>
-[[gnu::always_inline]] constexpr void solve(Solution<Number>& solution, const Row<Number>& b,
-                                            const Row<Number>& c, const Row<Number>& d) {
-    const Number cd_x = c.y * d.z - c.z * d.y;
-    const Number cd_y = c.z * d.x - c.x * d.z;
-    const Number cd_z = c.x * d.y - c.y * d.x;
-    const Number db_x = d.y * b.z - d.z * b.y;
-    const Number db_y = d.z * b.x - d.x * b.z;
-    const Number db_z = d.x * b.y - d.y * b.x;
-    const Number bc_x = b.y * c.z - b.z * c.y;
-    const Number bc_y = b.z * c.x - b.x * c.z;
-    const Number bc_z = b.x * c.y - b.y * c.x;
-    solution.determinant = b.x * cd_x + b.y * cd_y + b.z * cd_z;
-    solution.x = b.lift * cd_x + c.lift * db_x + d.lift * bc_x;
-    solution.y = b.lift * cd_y + c.lift * db_y + d.lift * bc_y;
-    solution.z = b.lift * cd_z + c.lift * db_z + d.lift * bc_z;
-}
-
-/// Of what these may come to, six products: with the largest offset L and height H 6 L³ and 6 H L².
-/// One more e than there are roundings pays for the terms in e², another one for those of the
-/// errors themselves.
+/// Of what Cramer's rule may come to for the planes 2 m·p = lift, relative to the site, six
+/// products: with the largest offset L and height H 6 L³ and 6 H L². One more e than there are
+/// roundings pays for the terms in e², another one for those of the errors themselves.
 constexpr double determinant_error = 6 * 10 * filters::epsilon;
 constexpr double numerator_error = 6 * 16 * filters::epsilon;
-constexpr Solution<filters::RoundingCount> counted = [] {
+constexpr Meeting<filters::RoundingCount> counted = [] {
     const auto row = power::lifted_row<filters::RoundingCount>(signum::Site3{}, signum::Site3{});
-    const Row<filters::RoundingCount> rounded = {row.offset.x, row.offset.y, row.offset.z,
-                                                 row.height()};
-    Solution<filters::RoundingCount> solution{};
-    solve(solution, rounded, rounded, rounded);
-    return solution;
+    const Plane<filters::RoundingCount> rounded = {row.offset.x, row.offset.y, row.offset.z,
+                                                   row.height()};
+    Meeting<filters::RoundingCount> meeting{};
+    meet(meeting, rounded, rounded, rounded);
+    return meeting;
 }();
 static_assert(counted.determinant.roundings <= 8);
 static_assert(counted.x.roundings <= 14 && counted.y.roundings <= 14 && counted.z.roundings <= 14);
@@ -68,7 +33,7 @@ static_assert(counted.x.roundings <= 14 && counted.y.roundings <= 14 && counted.
 using Facets = std::array<const Facet*, 4>;
 
 /// The rows of one vertex of each facet, column by column.
-[[gnu::always_inline]] inline void gather(Row<Doubles>& row, const ViewRow* rows,
+[[gnu::always_inline]] inline void gather(Plane<Doubles>& row, const ViewRow* rows,
                                           const Facets& facets, std::size_t vertex) noexcept {
     const auto load = [&](Doubles & numbers, std::size_t facet) __attribute__((always_inline)) {
         static_assert(sizeof(ViewRow) == sizeof(Doubles));
@@ -89,7 +54,7 @@ using Facets = std::array<const Facet*, 4>;
     row.x = __builtin_shufflevector(ab_even, cd_even, 0, 1, 4, 5);
     row.y = __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 4, 5);
     row.z = __builtin_shufflevector(ab_even, cd_even, 2, 3, 6, 7);
-    row.lift = __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7);
+    row.height = __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7);
 }
 
 [[gnu::always_inline]] inline void largest(Doubles& result, const Doubles& x, const Doubles& y,
@@ -151,18 +116,18 @@ struct SphereMaker::Wide {
     [[gnu::always_inline]] void operator()(const Facets& facets,
                                            const std::array<Orthosphere*, 4>& spheres) const {
         const auto& [rows, site, scale, numerator_error, determinant_error] = of;
-        Row<Doubles> b;
-        Row<Doubles> c;
-        Row<Doubles> d;
+        Plane<Doubles> b;
+        Plane<Doubles> c;
+        Plane<Doubles> d;
         gather(b, rows, facets, 0);
         gather(c, rows, facets, 1);
         gather(d, rows, facets, 2);
-        Solution<Doubles> solution;
-        solve(solution, b, c, d);
-        const Doubles twice = solution.determinant + solution.determinant;
-        const Doubles x = solution.x / twice;
-        const Doubles y = solution.y / twice;
-        const Doubles z = solution.z / twice;
+        Meeting<Doubles> meeting;
+        meet(meeting, b, c, d);
+        const Doubles twice = meeting.determinant + meeting.determinant;
+        const Doubles x = meeting.x / twice;
+        const Doubles y = meeting.y / twice;
+        const Doubles z = meeting.z / twice;
         // The centre is farther from the site than this, but not twice as far.
         Doubles near;
         largest(near, x, y, z);
@@ -173,7 +138,7 @@ struct SphereMaker::Wide {
         Doubles far;
         largest(far, cx, cy, cz);
         Doubles volume;
-        filters::magnitude(volume, solution.determinant);
+        filters::magnitude(volume, meeting.determinant);
         // The solution's error is below 2^-13 of the distance, and that of rounding it too.
         const filters::Flags is_good =
             ((numerator_error + 2.1 * near * determinant_error) * 0x1p14 <= near * volume) &

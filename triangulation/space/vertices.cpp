@@ -7,7 +7,9 @@
 #include "../../exact/floating_environment.hpp"
 #include "../../exact/multiprecision.hpp"
 #include "../../filters/bounded.hpp"
+#include "../../predicates/ladder/ladder.hpp"
 #include "../../predicates/space/in_sphere.hpp"
+#include "cramer.hpp"
 
 namespace signum {
 namespace {
@@ -15,36 +17,24 @@ namespace {
 using exact::Rational;
 using filters::Bounded;
 
-/// A double in one of the two arithmetics, and the exact difference of two.
-Bounded number(Bounded /*kind*/, double value) {
-    return Bounded::exactly(value);
-}
-Rational number(const Rational& /*kind*/, double value) {
-    return exact::to_rational(value);
-}
-Bounded difference(Bounded /*kind*/, double a, double b) {
-    return Bounded::exactly(filters::exact_difference(a, b));
-}
-Rational difference(const Rational& /*kind*/, double a, double b) {
-    return exact::to_rational(a) - exact::to_rational(b);
-}
-
-template <class Number, power::PowerSite3 S>
-Number weight(const S& s) {
-    const Number kind{};
-    if constexpr (requires { s.w; }) {
-        return number(kind, s.w);
-    } else if constexpr (requires { s.r; }) {
-        return number(kind, s.r) * number(kind, s.r);
-    } else {
-        return number(kind, 0.0);
+/// As predicates::ladder::Refined, with a bound.
+struct Boundedly {
+    using Number = Bounded;
+    [[nodiscard]] static Bounded difference(double a, double b) noexcept {
+        return Bounded::exactly(filters::exact_difference(a, b));
     }
-}
+    [[nodiscard]] static Bounded difference_of_squares(double a, double b) noexcept {
+        return difference(a, b) * Bounded::exactly(filters::exact_sum(a, b));
+    }
+    [[nodiscard]] static Bounded zero() noexcept { return {}; }
+};
+using Exactly = predicates::ladder::Exactly<Arithmetic::multiprecision>;
 
 /// The point at equal power distance from i and three others: relative to i, the solution p of
-/// 2 m·p = |m|² - (w_m - w_i) for the three, by Cramer's rule.
-template <class Number>
+/// 2 m·p = |m|² - (w_m - w_i) for the three.
+template <class In>
 struct Centre {
+    using Number = typename In::Number;
     Number x;
     Number y;
     Number z;
@@ -52,48 +42,22 @@ struct Centre {
 
     template <power::PowerSite3 S>
     Centre(const S& i, const S& j, const S& k, const S& l) {
-        const Row b(j, i);
-        const Row c(k, i);
-        const Row d(l, i);
-        const Cross cd(c, d);
-        const Cross db(d, b);
-        const Cross bc(b, c);
-        const Number volume = b.x * cd.x + b.y * cd.y + b.z * cd.z;
-        const Number twice = volume + volume;
-        const auto solution = [&](const Number& along_cd, const Number& along_db,
-                                  const Number& along_bc) {
-            return Number((b.height * along_cd + c.height * along_db + d.height * along_bc) /
-                          twice);
+        const auto plane = [&i](const S& m) -> spatial::Plane<Number> {
+            const auto row = power::lifted_row<In>(m, i);
+            return {row.offset.x, row.offset.y, row.offset.z, row.height()};
         };
-        const Number from_x = solution(cd.x, db.x, bc.x);
-        const Number from_y = solution(cd.y, db.y, bc.y);
-        const Number from_z = solution(cd.z, db.z, bc.z);
-        x = from_x + number(volume, i.x);
-        y = from_y + number(volume, i.y);
-        z = from_z + number(volume, i.z);
-        rho = from_x * from_x + from_y * from_y + from_z * from_z - weight<Number>(i);
+        spatial::Meeting<Number> meeting;
+        spatial::meet(meeting, plane(j), plane(k), plane(l));
+        const Number twice = meeting.determinant + meeting.determinant;
+        const Number from_x = meeting.x / twice;
+        const Number from_y = meeting.y / twice;
+        const Number from_z = meeting.z / twice;
+        x = from_x + In::difference(i.x, 0.0);
+        y = from_y + In::difference(i.y, 0.0);
+        z = from_z + In::difference(i.z, 0.0);
+        rho = from_x * from_x + from_y * from_y + from_z * from_z -
+              power::weight_difference<In>(i, S{});
     }
-
- private:
-    struct Row {
-        Number x;
-        Number y;
-        Number z;
-        Number height;
-        template <class S>
-        Row(const S& m, const S& i)
-            : x(difference(Number{}, m.x, i.x)),
-              y(difference(Number{}, m.y, i.y)),
-              z(difference(Number{}, m.z, i.z)),
-              height(x * x + y * y + z * z - (weight<Number>(m) - weight<Number>(i))) {}
-    };
-    struct Cross {
-        Number x;
-        Number y;
-        Number z;
-        Cross(const Row& a, const Row& b)
-            : x(a.y * b.z - a.z * b.y), y(a.z * b.x - a.x * b.z), z(a.x * b.y - a.y * b.x) {}
-    };
 };
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -102,13 +66,13 @@ constexpr SpaceVertex no_place = {nan, nan, nan, nan};
 /// Precondition: the four are not in one plane.
 template <power::PowerSite3 S>
 SpaceVertex vertex_of(const S& i, const S& j, const S& k, const S& l) {
-    const Centre<Bounded> quick(i, j, k, l);
+    const Centre<Boundedly> quick(i, j, k, l);
     const auto x = quick.x.rounded();
     const auto y = quick.y.rounded();
     const auto z = quick.z.rounded();
     const auto rho = quick.rho.rounded();
     if (x && y && z && rho) return {*x, *y, *z, *rho};
-    const Centre<Rational> exact(i, j, k, l);
+    const Centre<Exactly> exact(i, j, k, l);
     const auto rounded = [](const Rational& value) {
         const double result = exact::round_to_double(value);
         return std::isfinite(result) ? result : nan;

@@ -42,6 +42,7 @@
 
 #include "../../core/site.hpp"
 #include "../../filters/double_double.hpp"
+#include "../vector3.hpp"
 
 namespace signum::balls {
 
@@ -77,34 +78,29 @@ struct FineForm {
     return f;
 }
 
-[[nodiscard]] inline double dot(const std::array<double, 3>& a, const std::array<double, 3>& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 /// Three directions, orthonormal within 2^-48.
 struct Frame {
-    std::array<double, 3> e, p, q;
+    Point3 e, p, q;
     std::array<DoubleDouble, 6> products;  // e·e, e·p, e·q, p·p, p·q, q·q
 
     /// About an axis; q is orthogonal to `other`, too, if that is not nearly parallel to it. Both
     /// are of any length but 0.
-    Frame(const std::array<double, 3>& axis, const std::array<double, 3>& other)
-        : e(unit(axis)), p(), q(cross(e, unit(other))) {
+    Frame(const Point3& axis, const Point3& other) : e(unit(axis)), p(), q(cross(e, unit(other))) {
         if (!(dot(q, q) > 0x1p-4)) {
-            std::size_t least = 0;
-            for (std::size_t k = 1; k < 3; ++k)
-                if (std::fabs(e[k]) < std::fabs(e[least])) least = k;
-            std::array<double, 3> apart{};
-            apart[least] = 1.0;
+            double Point3::*least = &Point3::x;
+            for (const auto each : axes_of_space)
+                if (std::fabs(e.*each) < std::fabs(e.*least)) least = each;
+            Point3 apart;
+            apart.*least = 1.0;
             q = cross(e, apart);
         }
         q = unit(q);
         p = unit(cross(q, e));
-        const auto product = [](const std::array<double, 3>& a, const std::array<double, 3>& b) {
-            const auto term = [&](std::size_t k) {
-                return DoubleDouble{a[k], 0.0} * DoubleDouble{b[k], 0.0};
+        const auto product = [](const Point3& a, const Point3& b) {
+            const auto term = [](double s, double t) {
+                return DoubleDouble{s, 0.0} * DoubleDouble{t, 0.0};
             };
-            return term(0) + term(1) + term(2);
+            return term(a.x, b.x) + term(a.y, b.y) + term(a.z, b.z);
         };
         products = {product(e, e), product(e, p), product(e, q),
                     product(p, p), product(p, q), product(q, q)};
@@ -112,21 +108,14 @@ struct Frame {
 
     /// The coefficients of a form, in place of those along the axes.
     [[nodiscard]] FineForm of(const FineForm& f) const {
-        const auto along = [&f](const std::array<double, 3>& d) {
-            return d[0] * f.x + d[1] * f.y + d[2] * f.z;
-        };
+        const auto along = [&f](const Point3& d) { return d.x * f.x + d.y * f.y + d.z * f.z; };
         return {along(e), along(p), along(q), f.b, f.error};
     }
 
  private:
-    [[nodiscard]] static std::array<double, 3> cross(const std::array<double, 3>& a,
-                                                     const std::array<double, 3>& b) {
-        return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-    }
-    [[nodiscard]] static std::array<double, 3> unit(std::array<double, 3> v) {
-        const double length = std::hypot(v[0], v[1], v[2]);
-        for (double& x : v) x /= length;
-        return v;
+    [[nodiscard]] static Point3 unit(const Point3& v) {
+        const double length = std::hypot(v.x, v.y, v.z);
+        return {v.x / length, v.y / length, v.z / length};
     }
 };
 
@@ -151,8 +140,7 @@ struct Change {
 class Band {
  public:
     /// Around all unit vectors that differ from v by delta at most, in length.
-    Band(const std::array<double, 3>& v, double delta, const Frame& frame)
-        : Band(0.0, 0.0, 0.0, 0.0) {
+    Band(const Point3& v, double delta, const Frame& frame) : Band(0.0, 0.0, 0.0, 0.0) {
         const double reach = delta + 0x1p-44;
         // Of few bits, so that many halves of it are exact.
         const double middle = 0x1p-20 * std::nearbyint(0x1p20 * dot(v, frame.e));
@@ -229,7 +217,7 @@ class Chart {
  public:
     /// Around all unit vectors that differ from v by delta at most, in length. Precondition: so
     /// does v itself from e, but for rounding, and delta < 1/8.
-    Chart(const std::array<double, 3>& /*v*/, double delta, const Frame& frame)
+    Chart(const Point3& /*v*/, double delta, const Frame& frame)
         : frame_(&frame), s_(0.0), half_s_(0x1p-2), t_(0.0), half_t_(0.0) {
         while (0.5 * half_s_ > 1.25 * (delta + 0x1p-44)) half_s_ *= 0.5;
         half_t_ = half_s_;

@@ -65,6 +65,8 @@
 
 #include "../../core/index.hpp"
 #include "../../core/site.hpp"
+#include "../../predicates/space/ccw.hpp"
+#include "../vector3.hpp"
 #include "bands.hpp"
 #include "patch.hpp"
 #include "tree.hpp"
@@ -78,8 +80,7 @@ class CellSearch {
 
     /// `kinds` by place: balls of one kind, but 0, need no list where they are among themselves.
     /// `line`: that of all centres, if there is one, within 2^-49.
-    CellSearch(const BallTree& tree, std::vector<std::uint32_t> kinds,
-               std::optional<std::array<double, 3>> line)
+    CellSearch(const BallTree& tree, std::vector<std::uint32_t> kinds, std::optional<Point3> line)
         : tree_(tree), kinds_(std::move(kinds)), line_(line), slot_of_(tree.size(), no_slot) {}
     CellSearch(const CellSearch&) = delete;
     CellSearch& operator=(const CellSearch&) = delete;
@@ -97,12 +98,17 @@ class CellSearch {
     [[nodiscard]] std::span<const Place> neighbours() const noexcept { return neighbours_; }
 
  private:
-    struct Seen {
-        double ax, ay, az, b;
+    /// a·u + b, with a bound on the error of this.
+    struct Linear {
+        Point3 a;
+        double b;
         double length;  // of a
         double error;
+    };
+    struct Seen : Linear {
         // a and b, divided by that length: F
-        double nx, ny, nz, c;
+        Point3 n;
+        double c;
         Place place;
         bool is_wild;
         bool is_later;
@@ -145,8 +151,7 @@ class CellSearch {
     /// |X| - R
     [[nodiscard]] double distance(const Site3& j) const {
         const Site3& i = tree_.ball(ball_);
-        const double x = j.x - i.x, y = j.y - i.y, z = j.z - i.z;
-        return std::sqrt(x * x + y * y + z * z) - (j.r - i.r);
+        return length(minus(centre3(j), centre3(i))) - (j.r - i.r);
     }
     /// How far a box is from the ball's centre along an axis.
     [[nodiscard]] static double away(const BallTree::Node& node, const std::array<double, 3>& from,
@@ -185,19 +190,18 @@ class CellSearch {
         if (slot_of_[place] != no_slot) return slot_of_[place];
         const Site3& i = tree_.ball(ball_);
         const Site3& j = tree_.ball(place);
-        double x = j.x - i.x, y = j.y - i.y, z = j.z - i.z, r = j.r - i.r;
-        double square = x * x + y * y + z * z;
+        Point3 x = minus(centre3(j), centre3(i));
+        double r = j.r - i.r;
+        double square = dot(x, x);
         double both = square + r * r;
         Seen seen{};
         seen.place = place;
         double unit = 1.0;
         if (!(both > 0x1p-600)) [[unlikely]] {
             unit = unit_of(size_from(j, i));
-            x *= unit;
-            y *= unit;
-            z *= unit;
+            x = times(x, unit);
             r *= unit;
-            square = x * x + y * y + z * z;
+            square = dot(x, x);
             both = square + r * r;
         }
         const double p = square - r * r;
@@ -206,15 +210,11 @@ class CellSearch {
         seen.is_wild = !(p > 0x1p-40 * both && p > 0x1p-700);
         if (!seen.is_wild) {
             const double factor = 2.0 / p * unit;
-            seen.ax = x * factor;
-            seen.ay = y * factor;
-            seen.az = z * factor;
+            seen.a = times(x, factor);
             seen.b = r * factor;
             seen.length = factor * std::sqrt(square);
             const double inverse = 1.0 / std::sqrt(square);
-            seen.nx = x * inverse;
-            seen.ny = y * inverse;
-            seen.nz = z * inverse;
+            seen.n = times(x, inverse);
             seen.c = r * inverse;
             seen.error = 0x1p-53 * (32.0 + 16.0 * (both / p)) * (seen.length + std::fabs(seen.b));
         }
@@ -225,9 +225,9 @@ class CellSearch {
         return number;
     }
 
-    /// f in the middle of the patch.
-    [[nodiscard]] static double value(const Seen& q, const Patch& patch) {
-        return q.ax * patch.v[0] + q.ay * patch.v[1] + q.az * patch.v[2] + q.b;
+    /// In the middle of the patch.
+    [[nodiscard]] static double value(const Linear& f, const Patch& patch) {
+        return dot(f.a, patch.v) + f.b;
     }
     [[nodiscard]] static double least(const Seen& q, const Patch& patch) {
         return value(q, patch) - patch.delta * q.length - q.error;
@@ -244,11 +244,10 @@ class CellSearch {
     /// Whether f_q < f_j on all of the patch, none of them wild.
     [[nodiscard, gnu::always_inline]] bool is_less(const Seen& q, const Seen& j,
                                                    const Patch& patch) const {
-        const double x = q.ax - j.ax, y = q.ay - j.ay, z = q.az - j.az;
+        const Point3 a = minus(q.a, j.a);
         const double error = q.error + j.error;
-        const double middle =
-            x * patch.v[0] + y * patch.v[1] + z * patch.v[2] + (q.b - j.b) + error;
-        const double square = x * x + y * y + z * z;
+        const double middle = dot(a, patch.v) + (q.b - j.b) + error;
+        const double square = dot(a, a);
         if (is_beside(square, error)) [[unlikely]]
             return is_less_beside(q, j, patch);
         if (!(middle < 0.0)) return false;
@@ -261,55 +260,43 @@ class CellSearch {
         return !(square > 0x1p24 * error * error && square < 0x1p900);
     }
 
-    /// P_q (f_q - f_j) / 2 = a·u + b, with a bound on the error of this in a patch.
-    struct Difference {
-        double ax, ay, az, b;
-        double length;  // of a
-        double error;
-    };
-    [[nodiscard]] Difference difference(const Seen& q, const Seen& j) const {
+    /// P_q (f_q - f_j) / 2 in a patch.
+    [[nodiscard]] Linear difference(const Seen& q, const Seen& j) const {
         const Site3& i = tree_.ball(ball_);
         const Site3& one = tree_.ball(q.place);
         const Site3& other = tree_.ball(j.place);
-        const double x = one.x - other.x, y = one.y - other.y, z = one.z - other.z;
+        const Point3 x = minus(centre3(one), centre3(other));
         const double r = one.r - other.r;
         const double size = size_from(other, i), unit = unit_of(size), inverse = 1.0 / unit;
-        const double h = 0.5 * (x * (((one.x - i.x) + (other.x - i.x)) * unit) +
-                                y * (((one.y - i.y) + (other.y - i.y)) * unit) +
-                                z * (((one.z - i.z) + (other.z - i.z)) * unit) -
-                                r * (((one.r - i.r) + (other.r - i.r)) * unit));
-        Difference g{};
-        g.ax = x - h * (j.ax * inverse);
-        g.ay = y - h * (j.ay * inverse);
-        g.az = z - h * (j.az * inverse);
+        const Point3 sum = plus(minus(centre3(one), centre3(i)), minus(centre3(other), centre3(i)));
+        const double h =
+            0.5 * (dot(x, times(sum, unit)) - r * (((one.r - i.r) + (other.r - i.r)) * unit));
+        Linear g{};
+        g.a = minus(x, times(times(j.a, inverse), h));
         g.b = r - h * (j.b * inverse);
-        g.length = std::hypot(g.ax, g.ay, g.az);
+        g.length = std::hypot(g.a.x, g.a.y, g.a.z);
         const double of_j = j.length + std::fabs(j.b);
         const double terms = ((size_from(one, i) + size) * unit) * (of_j * inverse);
         g.error = size_from(one, other) * (1.0 + terms) * (j.error / of_j) + 0x1p-1000;
         return g;
     }
-    [[nodiscard]] static double middle_of(const Difference& g, const Patch& patch) {
-        return g.ax * patch.v[0] + g.ay * patch.v[1] + g.az * patch.v[2] + g.b;
-    }
     /// is_less by the balls' own differences.
     [[nodiscard, gnu::noinline]] bool is_less_beside(const Seen& q, const Seen& j,
                                                      const Patch& patch) const {
-        const Difference g = difference(q, j);
-        return middle_of(g, patch) + patch.delta * g.length * (1.0 + 0x1p-48) + g.error < 0.0;
+        const Linear g = difference(q, j);
+        return value(g, patch) + patch.delta * g.length * (1.0 + 0x1p-48) + g.error < 0.0;
     }
 
     [[nodiscard]] static double height(const Seen& q, const Patch& patch) {
-        return q.nx * patch.v[0] + q.ny * patch.v[1] + q.nz * patch.v[2] + q.c;
+        return dot(q.n, patch.v) + q.c;
     }
     /// Whether F_q < F_j on all of the patch.
     [[nodiscard]] static bool is_lower(const Seen& q, const Seen& j, const Patch& patch) {
-        const double x = q.nx - j.nx, y = q.ny - j.ny, z = q.nz - j.nz;
-        const double middle = x * patch.v[0] + y * patch.v[1] + z * patch.v[2] + (q.c - j.c) +
-                              0x1p-48 * (4.0 + std::fabs(q.c) + std::fabs(j.c));
+        const Point3 n = minus(q.n, j.n);
+        const double middle =
+            dot(n, patch.v) + (q.c - j.c) + 0x1p-48 * (4.0 + std::fabs(q.c) + std::fabs(j.c));
         if (!(middle < 0.0)) return false;
-        return middle * middle >
-               patch.delta * patch.delta * (x * x + y * y + z * z) * (1.0 + 0x1p-46) + 0x1p-90;
+        return middle * middle > patch.delta * patch.delta * dot(n, n) * (1.0 + 0x1p-46) + 0x1p-90;
     }
 
     [[nodiscard]] static const std::vector<Patch>& first_patches() {
@@ -539,7 +526,7 @@ class CellSearch {
     [[nodiscard]] bool is_higher(const Seen& q, const Seen& j, const Patch& patch) const {
         const double difference_of_f = value(q, patch) - value(j, patch);
         if (std::fabs(difference_of_f) > q.error + j.error) return difference_of_f > 0.0;
-        return middle_of(difference(q, j), patch) > 0.0;
+        return value(difference(q, j), patch) > 0.0;
     }
 
     // ---- finely ---------------------------------------------------------------------------------
@@ -558,8 +545,7 @@ class CellSearch {
                                          int steady, const Leaf& leaf);
     /// Whether the a of most balls lie nearly on a line of this direction, also with those that are
     /// nearest along it.
-    [[nodiscard]] bool are_on_a_line(const std::vector<Slot>& list,
-                                     const std::array<double, 3>& axis);
+    [[nodiscard]] bool are_on_a_line(const std::vector<Slot>& list, const Point3& axis);
     template <class Region, class Leaf>
     [[gnu::noinline]] void halve(const Region& region, std::size_t depth, const Leaf& leaf);
     /// Of a form's change in a region, with its error.
@@ -605,7 +591,7 @@ class CellSearch {
 
     const BallTree& tree_;
     std::vector<std::uint32_t> kinds_;  // by place
-    std::optional<std::array<double, 3>> line_;
+    std::optional<Point3> line_;
     Place ball_ = 0;
     bool may_be_unbounded_ = false;
     std::vector<Slot> slot_of_;  // by place

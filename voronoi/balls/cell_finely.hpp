@@ -12,15 +12,11 @@ template <class Leaf>
         if (const Seen& q = seen_[slot];
             !q.is_wild && (best == nullptr || value(q, patch) > value(*best, patch)))
             best = &q;
-    const auto offset = [&](Slot slot) -> std::array<double, 3> {
-        const Seen& q = seen_[slot];
-        return {q.ax - best->ax, q.ay - best->ay, q.az - best->az};
-    };
-    std::array<double, 3> axis{};
+    Point3 axis;
     double longest = 0.0;
     for (const Slot slot : list) {
         if (seen_[slot].is_wild) continue;
-        const std::array<double, 3> a = offset(slot);
+        const Point3 a = minus(seen_[slot].a, best->a);
         if (!(dot(a, a) > longest)) continue;
         longest = dot(a, a);
         axis = a;
@@ -56,19 +52,18 @@ template <class Leaf>
     return false;
 }
 
-inline bool CellSearch::are_on_a_line(const std::vector<Slot>& list, const std::array<double, 3>& axis) {
+inline bool CellSearch::are_on_a_line(const std::vector<Slot>& list, const Point3& axis) {
     constexpr double most_off = 0x1p-12;  // a square
     const double length = dot(axis, axis);
     sorted_.clear();
     for (const Slot slot : list) {
         const Seen& q = seen_[slot];
-        if (!q.is_wild) sorted_.emplace_back(dot({q.ax, q.ay, q.az}, axis), slot);
+        if (!q.is_wild) sorted_.emplace_back(dot(q.a, axis), slot);
     }
     std::sort(sorted_.begin(), sorted_.end());
     std::size_t off = 0;
     for (std::size_t k = 1; k < sorted_.size(); ++k) {
-        const Seen &q = seen_[sorted_[k - 1].second], &j = seen_[sorted_[k].second];
-        const std::array<double, 3> a{j.ax - q.ax, j.ay - q.ay, j.az - q.az};
+        const Point3 a = minus(seen_[sorted_[k].second].a, seen_[sorted_[k - 1].second].a);
         const double along = dot(a, axis), square = dot(a, a);
         off += !(square - along * along / length <= most_off * square);
     }

@@ -6,13 +6,11 @@ namespace signum::balls {
 inline bool CellSearch::may_reach(const BallTree::Node& node, const Patch& patch,
                                   const Gathered& gathered) const {
     const Site3& i = tree_.ball(ball_);
-    const std::array<double, 3> from{i.x, i.y, i.z};
-    std::array<double, 3> low, high;
+    const Point3 low = minus({node.low[0], node.low[1], node.low[2]}, centre3(i));
+    const Point3 high = minus({node.high[0], node.high[1], node.high[2]}, centre3(i));
     double farthest = 0.0;
-    for (std::size_t k = 0; k < 3; ++k) {
-        low[k] = node.low[k] - from[k];
-        high[k] = node.high[k] - from[k];
-        const double far = std::max(-low[k], high[k]);
+    for (const auto axis : axes_of_space) {
+        const double far = std::max(-(low.*axis), high.*axis);
         farthest += far * far;
     }
     const double least_r = node.low[3] - i.r, greatest_r = node.high[3] - i.r;
@@ -23,11 +21,11 @@ inline bool CellSearch::may_reach(const BallTree::Node& node, const Patch& patch
     // is at v / f.
     const auto greatest = [&](double f) {
         double sum = 2.0 * greatest_r + f * square_r;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const double v = patch.v[k];
-            double x = v > 0.0 ? high[k] : low[k];
+        for (const auto axis : axes_of_space) {
+            const double v = patch.v.*axis;
+            double x = v > 0.0 ? high.*axis : low.*axis;
             if (v * x >= 0.0 && f * std::fabs(x) > std::fabs(v))
-                x = std::clamp(v / f, low[k], high[k]);
+                x = std::clamp(v / f, low.*axis, high.*axis);
             sum += x * (2.0 * v - f * x);
         }
         return sum;
@@ -38,22 +36,18 @@ inline bool CellSearch::may_reach(const BallTree::Node& node, const Patch& patch
     };
     const double f_least = gathered.f_least;
     if (greatest(f_least) + 2.0 * patch.delta * far + error(f_least) < 0.0) return false;
-    double square = 0.0, half_square = 0.0, nearest = 0.0;
-    std::array<double, 3> middle;
-    for (std::size_t k = 0; k < 3; ++k) {
-        middle[k] = 0.5 * (low[k] + high[k]);
-        const double half = 0.5 * (high[k] - low[k]);
-        square += middle[k] * middle[k];
-        half_square += half * half;
-        const double near = std::max({low[k], -high[k], 0.0});
+    const Point3 middle = times(plus(low, high), 0.5), half_sides = times(minus(high, low), 0.5);
+    const double square = dot(middle, middle), half_square = dot(half_sides, half_sides);
+    double nearest = 0.0;
+    for (const auto axis : axes_of_space) {
+        const double near = std::max({low.*axis, -(high.*axis), 0.0});
         nearest += near * near;
     }
     const double half = std::sqrt(half_square), distance = std::sqrt(square);
     // F is lower than that of another, whose a is longer: |a| is at most that of the nearest.
     if (nearest > square_r && nearest > 0x1p-900) {
-        const double length = 2.0 * std::sqrt(nearest) / (nearest - square_r) * (1.0 + 0x1p-40);
-        const double along = middle[0] * patch.v[0] + middle[1] * patch.v[1] +
-                             middle[2] * patch.v[2] + greatest_r + half;
+        const double longest = 2.0 * std::sqrt(nearest) / (nearest - square_r) * (1.0 + 0x1p-40);
+        const double along = dot(middle, patch.v) + greatest_r + half;
         const double slack = 0x1p-46 * (far + std::fabs(greatest_r));
         for (std::size_t k = 0; k < gathered.number_of_high; ++k) {
             const auto& [its_height, slot] = gathered.high[k];
@@ -61,10 +55,8 @@ inline bool CellSearch::may_reach(const BallTree::Node& node, const Patch& patch
             const double top = along - distance * its_height + half * std::fabs(its_height) +
                                slack * (1.0 + std::fabs(j.c));
             if (!(top < 0.0)) continue;
-            if (nearest <= square_r * (1.0 + 0x1p-10) || !(length <= j.length - j.error)) continue;
-            const double x = middle[0] - distance * j.nx, y = middle[1] - distance * j.ny,
-                         z = middle[2] - distance * j.nz;
-            const double change = std::sqrt(x * x + y * y + z * z) + 2.0 * half + slack;
+            if (nearest <= square_r * (1.0 + 0x1p-10) || !(longest <= j.length - j.error)) continue;
+            const double change = length(plus(middle, j.n, -distance)) + 2.0 * half + slack;
             if (top + patch.delta * change * (1.0 + 0x1p-46) < 0.0) return false;
         }
     }
@@ -77,11 +69,9 @@ inline bool CellSearch::may_reach(const BallTree::Node& node, const Patch& patch
     const double middle_r = 0.5 * (least_r + greatest_r);
     const double half_r = 0.5 * (greatest_r - least_r);
     const double p = square - middle_r * middle_r;
-    const double x = 2.0 * middle[0] - p * best.ax, y = 2.0 * middle[1] - p * best.ay,
-                 z = 2.0 * middle[2] - p * best.az;
     const double change_of_p =
         2.0 * distance * half + half_square + half_r * (2.0 * std::fabs(middle_r) + half_r);
-    const double change = std::sqrt(x * x + y * y + z * z) + 2.0 * half +
+    const double change = length(plus(times(middle, 2.0), best.a, -p)) + 2.0 * half +
                           best.length * (change_of_p + 0x1p-46 * (farthest + square_r));
     return !(top + patch.delta * (change * (1.0 + 0x1p-46) + 0x1p-46 * far) < 0.0);
 }

@@ -4,8 +4,6 @@
 #include <numeric>
 #include <utility>
 
-#include "../../predicates/formulas/apollonius.hpp"
-
 namespace signum::balls {
 namespace {
 
@@ -13,90 +11,18 @@ namespace {
     return {exact::to_rational(s.x), exact::to_rational(s.y), exact::to_rational(s.z),
             exact::to_rational(s.r)};
 }
-/// a + t b
-[[nodiscard]] Vector4 along(const Vector4& a, const Rational& t, const Vector4& b) {
-    Vector4 result = a;
-    for (std::size_t k = 0; k < 4; ++k) result[k] += t * b[k];
-    return result;
-}
 [[nodiscard]] Vector4 difference(const Vector4& a, const Vector4& b) {
     return along(a, -1, b);
 }
+/// The others relative to the first.
+[[nodiscard]] std::vector<Vector4> rows_of(const std::array<Site3, 4>& balls) {
+    const Vector4 first = vector_of(balls[0]);
+    std::vector<Vector4> rows;
+    for (std::size_t m = 1; m < 4; ++m) rows.push_back(difference(vector_of(balls[m]), first));
+    return rows;
+}
 [[nodiscard]] Rational dot(const Vector4& a, const Vector4& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
-}
-/// <a, b>
-[[nodiscard]] Rational inner(const Vector4& a, const Vector4& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] - a[3] * b[3];
-}
-
-using Matrix = std::vector<Vector4>;
-
-/// Brings rows into the reduced form, values with them: in each of the first ones there is a 1 in a
-/// column in which all others have 0. The columns of these.
-std::vector<std::size_t> reduce(Matrix& rows, std::vector<Rational>& values) {
-    std::vector<std::size_t> pivots;
-    for (std::size_t column = 0; column < 4 && pivots.size() < rows.size(); ++column) {
-        const std::size_t place = pivots.size();
-        std::size_t row = place;
-        while (row < rows.size() && rows[row][column].is_zero()) ++row;
-        if (row == rows.size()) continue;
-        std::swap(rows[row], rows[place]);
-        std::swap(values[row], values[place]);
-        const Rational factor = 1 / rows[place][column];
-        for (Rational& number : rows[place]) number *= factor;
-        values[place] *= factor;
-        for (std::size_t other = 0; other < rows.size(); ++other) {
-            if (other == place) continue;
-            const Rational times = -rows[other][column];
-            rows[other] = along(rows[other], times, rows[place]);
-            values[other] += times * values[place];
-        }
-        pivots.push_back(column);
-    }
-    return pivots;
-}
-[[nodiscard]] std::size_t rank_of(Matrix rows) {
-    std::vector<Rational> values(rows.size());
-    return reduce(rows, values).size();
-}
-/// The directions that all rows are orthogonal to (as a scalar product).
-[[nodiscard]] Matrix directions_of(Matrix rows) {
-    std::vector<Rational> values(rows.size());
-    const std::vector<std::size_t> pivots = reduce(rows, values);
-    Matrix directions;
-    for (std::size_t free = 0; free < 4; ++free) {
-        if (std::find(pivots.begin(), pivots.end(), free) != pivots.end()) continue;
-        Vector4& direction = directions.emplace_back();
-        direction[free] = 1;
-        for (std::size_t row = 0; row < pivots.size(); ++row)
-            direction[pivots[row]] = -rows[row][free];
-    }
-    return directions;
-}
-[[nodiscard]] Rational determinant(Matrix rows) {
-    Rational result = 1;
-    for (std::size_t column = 0; column < 4; ++column) {
-        std::size_t row = column;
-        while (row < 4 && rows[row][column].is_zero()) ++row;
-        if (row == 4) return 0;
-        if (row != column) {
-            std::swap(rows[row], rows[column]);
-            result = -result;
-        }
-        result *= rows[column][column];
-        for (std::size_t other = column + 1; other < 4; ++other)
-            rows[other] =
-                along(rows[other], -rows[other][column] / rows[column][column], rows[column]);
-    }
-    return result;
-}
-
-/// The sign of a + b √g.
-[[nodiscard]] Sign sign_of_surd(const Rational& a, const Rational& b, const Rational& g) {
-    const Sign of_root = g.sign();
-    return euclidean::polynomials::sign_of_difference(
-        a.sign(), -b.sign() * of_root, [&] { return Rational(a * a - b * b * g).sign(); });
 }
 /// The sign of a + b √g - d √h.
 [[nodiscard]] Sign sign_of_two_roots(const Rational& a, const Rational& b, const Rational& g,
@@ -124,7 +50,7 @@ struct Curve {
           p_bc(inner(b, c)),
           row{b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2], b[0] * c[1] - b[1] * c[0], 0},
           of_w(Rational(p_b * p_c - p_bc * p_bc).sign()) {
-        for (std::size_t k = 0; k < 4 && rank_of({b, c, row}) < 3; ++k) {
+        for (std::size_t k = 0; k < 4 && System<4>({b, c, row}).rank() < 3; ++k) {
             row = {};
             row[k] = 1;
         }
@@ -148,21 +74,14 @@ ExactSphere::Surd ExactSphere::turned(const Vector4& from, const Vector4& b, con
     w[3] = -(middle_[3] + from[3]);
     Vector4 step = step_;
     step[3] = -step[3];
-    return {determinant({w, b, c, row}), determinant({step, b, c, row})};
+    return {determinant<4>({w, b, c, row}), determinant<4>({step, b, c, row})};
 }
 
-/// The points w = v + t n: a t² + 2 b t + c = 0.
-void ExactSphere::solve(const Vector4& first, const std::array<Vector4, 3>& rows,
-                        const std::array<Rational, 3>& values, std::vector<ExactSphere>& spheres) {
-    Matrix reduced(rows.begin(), rows.end());
-    std::vector<Rational> reduced_values(values.begin(), values.end());
-    const std::vector<std::size_t> pivots = reduce(reduced, reduced_values);
-    if (pivots.size() < 3) return;
-    Vector4 v;
-    for (std::size_t row = 0; row < 3; ++row) v[pivots[row]] = reduced_values[row];
-    const Vector4 n = directions_of(reduced).front();
-    const Rational a = inner(n, n), b = inner(v, n), c = inner(v, v);
-    const auto add = [&](const Vector4& middle, const Vector4& step, const Rational& g) {
+std::vector<ExactSphere> ExactSphere::solve(const Vector4& first, const System<4>& system) {
+    std::vector<ExactSphere> spheres;
+    if (system.rank() < 3) return spheres;
+    const auto add = [&](const Vector4& middle, const Vector4& step, const Rational& g,
+                         Sign /*side*/) {
         if (sign_of_surd(middle[3], step[3], g) < 0) return;
         ExactSphere& sphere = spheres.emplace_back();
         sphere.middle_ = along(middle, 1, first);
@@ -170,28 +89,15 @@ void ExactSphere::solve(const Vector4& first, const std::array<Vector4, 3>& rows
         sphere.step_ = step;
         sphere.g_ = g;
     };
-    if (a.is_zero()) {
-        if (!b.is_zero()) add(along(v, -c / (2 * b), n), {}, 0);
-        return;
-    }
-    const Rational g = b * b - a * c;
-    if (g.sign() < 0) return;
-    const Vector4 middle = along(v, -b / a, n);
-    if (g.is_zero()) return add(middle, {}, 0);
-    for (const int side : {1, -1}) add(middle, along({}, side / a, n), g);
+    for_points_on_cone(system.solution(), system.directions().front(), 1, add);
+    return spheres;
 }
 
 std::vector<ExactSphere> ExactSphere::touching(const std::array<Site3, 4>& balls) {
-    const Vector4 first = vector_of(balls[0]);
-    std::array<Vector4, 3> rows;
-    std::array<Rational, 3> values;
-    for (std::size_t m = 0; m < 3; ++m) {
-        rows[m] = difference(vector_of(balls[m + 1]), first);
-        values[m] = inner(rows[m], rows[m]) / 2;
-    }
-    std::vector<ExactSphere> spheres;
-    solve(first, rows, values, spheres);
-    return spheres;
+    const std::vector<Vector4> rows = rows_of(balls);
+    std::vector<Rational> values;
+    for (const Vector4& row : rows) values.push_back(inner(row, row) / 2);
+    return solve(vector_of(balls[0]), System<4>(rows, std::move(values)));
 }
 
 std::optional<ExactSphere> ExactSphere::on_curve(const std::array<Site3, 3>& balls) {
@@ -207,9 +113,9 @@ std::optional<ExactSphere> ExactSphere::on_curve(const std::array<Site3, 3>& bal
         if (inner(middle, middle).sign() >= 0 || middle[3].sign() < 0) return std::nullopt;
         value = dot(curve.row, middle);
     }
-    std::vector<ExactSphere> spheres;
-    solve(curve.first, {curve.b, curve.c, curve.row}, {curve.p_b / 2, curve.p_c / 2, value},
-          spheres);
+    const std::vector<ExactSphere> spheres =
+        solve(curve.first,
+              System<4>({curve.b, curve.c, curve.row}, {curve.p_b / 2, curve.p_c / 2, value}));
     if (spheres.empty()) return std::nullopt;
     return spheres.front();
 }
@@ -237,7 +143,7 @@ Sign ExactSphere::turn(const Site3& a, const Site3& b, const Site3& c, const Sit
 bool ExactSphere::is_only_one_free_of(const std::array<Site3, 3>& balls, const Site3& l) const {
     const Curve curve(balls);
     const Vector4 row = difference(vector_of(l), curve.first);
-    for (Vector4 d : directions_of({curve.b, curve.c})) {
+    for (Vector4 d : System<4>({curve.b, curve.c}).directions()) {
         const Sign of_row = dot(row, d).sign();
         d[3] = -d[3];
         const Sign of_w = sign(product(d, curve.first));
@@ -247,10 +153,7 @@ bool ExactSphere::is_only_one_free_of(const std::array<Site3, 3>& balls, const S
 }
 
 bool touch_along_a_curve(const std::array<Site3, 4>& balls) {
-    const Vector4 first = vector_of(balls[0]);
-    Matrix rows;
-    for (std::size_t m = 1; m < 4; ++m) rows.push_back(difference(vector_of(balls[m]), first));
-    return rank_of(std::move(rows)) < 3;
+    return System<4>(rows_of(balls)).rank() < 3;
 }
 
 bool is_loop(const std::array<Site3, 3>& curve) {

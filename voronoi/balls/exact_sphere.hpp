@@ -30,12 +30,11 @@
 
 #include "../../core/sign.hpp"
 #include "../../core/site.hpp"
-#include "../../exact/multiprecision.hpp"
+#include "exact_vector.hpp"
 
 namespace signum::balls {
 
-using exact::Rational;
-using Vector4 = std::array<Rational, 4>;
+using Vector4 = Vector<4>;
 
 class ExactSphere {
  public:
@@ -63,8 +62,9 @@ class ExactSphere {
     /// det[w', b, c, row], relative to `from`.
     [[nodiscard]] Surd turned(const Vector4& from, const Vector4& b, const Vector4& c,
                               const Vector4& row) const;
-    static void solve(const Vector4& first, const std::array<Vector4, 3>& rows,
-                      const std::array<Rational, 3>& values, std::vector<ExactSphere>& spheres);
+    /// Of the equations of w.
+    [[nodiscard]] static std::vector<ExactSphere> solve(const Vector4& first,
+                                                        const System<4>& system);
 
     // c and rho: middle + step √g.
     Vector4 middle_;

@@ -2,9 +2,10 @@
 /// Pieces of the sphere of directions. For sources only.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
+
+#include "../vector3.hpp"
 
 namespace signum::balls {
 
@@ -18,32 +19,29 @@ namespace signum::balls {
 struct Patch {
     int face;
     double s, t, half;  // the middle of the rectangle, and half its side
-    std::array<double, 3> v;
+    Point3 v;
     double delta;
-    const std::array<double, 3>* line = nullptr;  // e
+    const Point3* line = nullptr;  // e
 
     Patch(int of_face, double middle_s, double middle_t, double half_side)
         : face(of_face), s(middle_s), t(middle_t), half(half_side), v(direction(s, t)), delta(0.0) {
         double square = 0.0;
         for (const double ds : {-half, half}) {
             for (const double dt : {-half, half}) {
-                const std::array<double, 3> corner = direction(s + ds, t + dt);
-                const double x = corner[0] - v[0], y = corner[1] - v[1], z = corner[2] - v[2];
-                square = std::max(square, x * x + y * y + z * z);
+                const Point3 off = minus(direction(s + ds, t + dt), v);
+                square = std::max(square, dot(off, off));
             }
         }
         delta = std::sqrt(square) * (1.0 + 0x1p-48) + 0x1p-48;
     }
-    Patch(const std::array<double, 3>& of_line, double middle, double half_length)
+    Patch(const Point3& of_line, double middle, double half_length)
         : face(0),
           s(middle),
           t(0.0),
           half(half_length),
-          v(of_line),
+          v(times(of_line, middle)),
           delta(half + 0x1p-47),
-          line(&of_line) {
-        for (double& x : v) x *= s;
-    }
+          line(&of_line) {}
     [[nodiscard]] Patch quarter(int number) const {
         if (line != nullptr) return {*line, s + half * (0.5 * number - 0.75), 0.25 * half};
         const double h = 0.5 * half;
@@ -51,13 +49,13 @@ struct Patch {
     }
 
  private:
-    [[nodiscard]] std::array<double, 3> direction(double at_s, double at_t) const {
+    [[nodiscard]] Point3 direction(double at_s, double at_t) const {
         const double length = 1.0 / std::sqrt(1.0 + at_s * at_s + at_t * at_t);
         const auto axis = static_cast<std::size_t>(face % 3);
-        std::array<double, 3> result;
-        result[axis] = face < 3 ? length : -length;
-        result[(axis + 1) % 3] = at_s * length;
-        result[(axis + 2) % 3] = at_t * length;
+        Point3 result;
+        result.*axes_of_space[axis] = face < 3 ? length : -length;
+        result.*axes_of_space[(axis + 1) % 3] = at_s * length;
+        result.*axes_of_space[(axis + 2) % 3] = at_t * length;
         return result;
     }
 };

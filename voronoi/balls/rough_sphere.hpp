@@ -2,11 +2,10 @@
 /// A sphere that touches three balls, roughly, and what certainly conflicts with it. For sources
 /// only.
 
-#include <array>
 #include <cmath>
-#include <cstddef>
 
-#include "../../core/site.hpp"
+#include "../../predicates/space/ccw.hpp"
+#include "../vector3.hpp"
 
 namespace signum::balls {
 
@@ -22,23 +21,15 @@ class RoughSphere {
     RoughSphere(const Site3& i, const Site3& j, const Site3& k) : first_(i) {
         Function b, c;
         if (!function(j, b) || !function(k, c)) return;
-        std::array<double, 3> n, across;
-        double square = 0.0, along = 0.0, rest = 0.0;
-        for (std::size_t m = 0; m < 3; ++m) {
-            n[m] = b.a[m] - c.a[m];
-            square += n[m] * n[m];
-            along += n[m] * b.a[m];
-        }
+        const Point3 n = minus(b.a, c.a);
+        const double square = dot(n, n);
         const double difference = b.b - c.b, lengths = b.length + c.length;
         if (!(square > 0x1p-16 * lengths * lengths)) return;
         const double radius = 1.0 - difference * difference / square;
-        for (std::size_t m = 0; m < 3; ++m) {
-            across[m] = b.a[m] - along / square * n[m];
-            rest += across[m] * across[m];
-        }
+        const Point3 across = plus(b.a, n, -dot(n, b.a) / square);
+        const double rest = dot(across, across);
         if (!(radius > 0x1p-10) || !(rest > 0x1p-20 * b.length * b.length)) return;
-        for (std::size_t m = 0; m < 3; ++m)
-            u_[m] = std::sqrt(radius / rest) * across[m] - difference / square * n[m];
+        u_ = plus(times(across, std::sqrt(radius / rest)), n, -difference / square);
         value_ = at(b);
         length_ = b.length;
         is_known_ = value_ > 0x1p-14 * length_;
@@ -51,23 +42,23 @@ class RoughSphere {
 
  private:
     struct Function {
-        std::array<double, 3> a;
+        Point3 a;
         double b, length;
     };
     [[nodiscard]] bool function(const Site3& j, Function& f) const {
-        const double x = j.x - first_.x, y = j.y - first_.y, z = j.z - first_.z;
-        const double r = j.r - first_.r, square = x * x + y * y + z * z;
+        const Point3 x = minus(centre3(j), centre3(first_));
+        const double r = j.r - first_.r, square = dot(x, x);
         const double p = square - r * r;
         if (!(p > 0x1p-10 * (square + r * r) && p > 0x1p-200 && p < 0x1p200)) return false;
-        f = {{2.0 * x / p, 2.0 * y / p, 2.0 * z / p}, 2.0 * r / p, 2.0 * std::sqrt(square) / p};
+        f = {{2.0 * x.x / p, 2.0 * x.y / p, 2.0 * x.z / p},
+             2.0 * r / p,
+             2.0 * std::sqrt(square) / p};
         return true;
     }
-    [[nodiscard]] double at(const Function& f) const {
-        return f.a[0] * u_[0] + f.a[1] * u_[1] + f.a[2] * u_[2] + f.b;
-    }
+    [[nodiscard]] double at(const Function& f) const { return dot(f.a, u_) + f.b; }
 
     Site3 first_;
-    std::array<double, 3> u_ = {};
+    Point3 u_;
     double value_ = 0.0;
     double length_ = 0.0;
     bool is_known_ = false;

@@ -11,6 +11,8 @@
 #include "../../core/site.hpp"
 #include "../../filters/bounds.hpp"
 #include "../../predicates/space/ball_filter.hpp"
+#include "../../predicates/space/ccw.hpp"
+#include "../vector3.hpp"
 
 namespace signum::balls {
 
@@ -41,18 +43,15 @@ class RoundedOrder {
         const double w = product(b, b) * product(c, c) - bc * bc;
         const double bound = 0x1p-46 * (size(b) * size(c)) + 0x1p-900;
         loop_ = w < -bound ? 1 : w > bound ? -1 : 0;
+        const Point3 x_b = {b[0], b[1], b[2]}, x_c = {c[0], c[1], c[2]};
+        normal_ = cross(x_b, x_c);
+        rise_ = minus(times(cross(x_c, normal_), b[3]), times(cross(x_b, normal_), c[3]));
         double length_b = 0.0, length_c = 0.0;
         for (std::size_t k = 0; k < 3; ++k) {
             const std::size_t l = (k + 1) % 3, m = (k + 2) % 3;
-            normal_[k] = b[l] * c[m] - b[m] * c[l];
             size_ += filters::magnitude(b[l] * c[m]) + filters::magnitude(b[m] * c[l]);
             length_b += filters::magnitude(b[k]);
             length_c += filters::magnitude(c[k]);
-        }
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::size_t l = (k + 1) % 3, m = (k + 2) % 3;
-            rise_[k] = b[3] * (c[l] * normal_[m] - c[m] * normal_[l]) -
-                       c[3] * (b[l] * normal_[m] - b[m] * normal_[l]);
         }
         size_of_rise_ =
             (filters::magnitude(b[3]) * length_c + filters::magnitude(c[3]) * length_b) * size_;
@@ -71,16 +70,14 @@ class RoundedOrder {
         std::vector<Key> keys;
         for (std::size_t i = 0; i < spheres.size(); ++i) {
             const Site3& s = spheres[i];
-            const double x = s.x - first_.x, y = s.y - first_.y, z = s.z - first_.z;
+            const Point3 from_first = minus(centre3(s), centre3(first_));
             const double size = filters::magnitude(s.x) + filters::magnitude(s.y) +
                                 filters::magnitude(s.z) + filters::magnitude(first_.x) +
                                 filters::magnitude(first_.y) + filters::magnitude(first_.z);
             double rise = 1.0;
             if (loop_ > 0) {
-                const double square =
-                    normal_[0] * normal_[0] + normal_[1] * normal_[1] + normal_[2] * normal_[2];
                 const double value =
-                    (s.r + first_.r) * square + (x * rise_[0] + y * rise_[1] + z * rise_[2]);
+                    (s.r + first_.r) * dot(normal_, normal_) + dot(from_first, rise_);
                 const double error =
                     0x1p-46 *
                         ((filters::magnitude(s.r) + filters::magnitude(first_.r)) * size_ * size_ +
@@ -89,8 +86,7 @@ class RoundedOrder {
                 if (!(filters::magnitude(value) > error)) return std::nullopt;
                 rise = value > 0.0 ? 1.0 : -1.0;
             }
-            const double height = x * normal_[0] + y * normal_[1] + z * normal_[2];
-            keys.push_back({rise, height, size * size_, i});
+            keys.push_back({rise, dot(from_first, normal_), size * size_, i});
         }
         std::ranges::sort(keys, [](const Key& p, const Key& q) {
             if (p.rise != q.rise) return p.rise > q.rise;
@@ -110,7 +106,7 @@ class RoundedOrder {
  private:
     Site3 first_;
     int loop_ = 0;
-    std::array<double, 3> normal_, rise_;
+    Point3 normal_, rise_;
     double size_ = 0.0;
     double size_of_rise_ = 0.0;
 };

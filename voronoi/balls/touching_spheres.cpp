@@ -1,21 +1,26 @@
 #include "touching_spheres.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "../../exact/floating_environment.hpp"
-#include "../../exact/multiprecision.hpp"
 #include "../../exact/surd.hpp"
 #include "../../filters/bounded.hpp"
 #include "../../predicates/formulas/balls.hpp"
+#include "exact_vector.hpp"
 
 namespace signum {
 namespace {
 
+using balls::along;
+using balls::inner;
+using balls::sign_of_surd;
 using exact::Rational;
 using filters::Bounded;
 
@@ -144,97 +149,7 @@ template <std::size_t d>
 
 // ---- in rationals ------------------------------------------------------------------------------
 
-/// A sphere is a point v = (c, rho) of d+1 dimensions and touches a ball, the point (c_i, -r_i),
-/// where the difference (x, h) has h >= 0 and <(x, h), (x, h)> = 0, with <,> = x·x - h h. Relative
-/// to the first ball this is <v, v> = 0 for itself and linear for the others: (X, R)·v = p / 2.
-template <std::size_t d>
-using Vector = std::array<Rational, d + 1>;
-
-template <std::size_t d>
-[[nodiscard]] Rational product(const Vector<d>& a, const Vector<d>& b) {
-    Rational sum = -a[d] * b[d];
-    for (std::size_t k = 0; k < d; ++k) sum += a[k] * b[k];
-    return sum;
-}
-/// a + t b
-template <std::size_t d>
-[[nodiscard]] Vector<d> along(const Vector<d>& a, const Rational& t, const Vector<d>& b) {
-    Vector<d> result = a;
-    for (std::size_t k = 0; k <= d; ++k) result[k] += t * b[k];
-    return result;
-}
-
-/// a·v = value
-template <std::size_t d>
-struct Equation {
-    Vector<d> a;
-    Rational value;
-};
-
-/// d equations that are brought into the reduced form: in each of the first `rank` there is a 1 in
-/// a column in which all others have 0, the `pivots` in rising order.
-template <std::size_t d>
-class System {
- public:
-    explicit System(std::array<Equation<d>, d> equations) : equations_(std::move(equations)) {
-        for (std::size_t column = 0; column <= d && rank_ < d; ++column) {
-            std::size_t row = rank_;
-            while (row < d && equations_[row].a[column].is_zero()) ++row;
-            if (row == d) continue;
-            std::swap(equations_[row], equations_[rank_]);
-            scale(equations_[rank_], Rational(1 / equations_[rank_].a[column]));
-            for (std::size_t other = 0; other < d; ++other)
-                if (other != rank_) subtract(equations_[other], column);
-            pivots_[rank_++] = column;
-        }
-    }
-
-    [[nodiscard]] std::size_t rank() const { return rank_; }
-    [[nodiscard]] bool is_solvable() const {
-        for (std::size_t row = rank_; row < d; ++row)
-            if (!equations_[row].value.is_zero()) return false;
-        return true;
-    }
-    [[nodiscard]] const Equation<d>& operator[](std::size_t row) const { return equations_[row]; }
-
-    /// The solution that is 0 in the column without pivot, and the direction of the others.
-    /// Precondition: the rank is d.
-    [[nodiscard]] std::pair<Vector<d>, Vector<d>> line() const {
-        std::size_t free = 0;
-        while (free < d && pivots_[free] == free) ++free;
-        Vector<d> start, direction;
-        direction[free] = 1;
-        for (std::size_t row = 0; row < d; ++row) {
-            start[pivots_[row]] = equations_[row].value;
-            direction[pivots_[row]] = -equations_[row].a[free];
-        }
-        return {start, direction};
-    }
-
- private:
-    static void scale(Equation<d>& equation, const Rational& factor) {
-        for (Rational& number : equation.a) number *= factor;
-        equation.value *= factor;
-    }
-    /// Makes the column 0 by the equation at rank_.
-    void subtract(Equation<d>& equation, std::size_t column) const {
-        const Rational factor = -equation.a[column];
-        if (factor.is_zero()) return;
-        equation.a = along<d>(equation.a, factor, equations_[rank_].a);
-        equation.value += factor * equations_[rank_].value;
-    }
-
-    std::array<Equation<d>, d> equations_;
-    std::array<std::size_t, d> pivots_ = {};
-    std::size_t rank_ = 0;
-};
-
 /// a + b √g, g >= 0.
-[[nodiscard]] Sign sign_of_surd(const Rational& a, const Rational& b, const Rational& g) {
-    if (g.is_zero()) return a.sign();
-    return euclidean::polynomials::sign_of_difference(
-        a.sign(), -b.sign(), [&] { return Rational(a * a - b * b * g).sign(); });
-}
 [[nodiscard]] double rounded_surd(const Rational& a, const Rational& b, const Rational& g) {
     const double value = g.is_zero() ? exact::round_to_double(a) : exact::round_surd(a, b, g);
     if (!std::isnan(value)) return value;
@@ -243,6 +158,9 @@ class System {
 
 template <std::size_t d>
 class Tangency {
+    using Vector = balls::Vector<d + 1>;
+    using System = balls::System<d + 1>;
+
  public:
     explicit Tangency(const Balls<d>& balls) {
         for (std::size_t k = 0; k <= d; ++k) first_[k] = exact::to_rational(balls[0][k]);
@@ -252,10 +170,9 @@ class Tangency {
     }
 
     [[nodiscard]] Result<d> spheres() const {
-        std::array<Equation<d>, d> equations;
-        for (std::size_t m = 0; m < d; ++m)
-            equations[m] = {others_[m], product<d>(others_[m], others_[m]) / 2};
-        const System<d> system(equations);
+        std::vector<Rational> values;
+        for (const Vector& other : others_) values.push_back(inner(other, other) / 2);
+        const System system({others_.begin(), others_.end()}, std::move(values));
         if (!system.is_solvable()) return {};
         if (system.rank() == d) return on_line(system);
         return on_flat(system);
@@ -264,39 +181,28 @@ class Tangency {
  private:
     [[nodiscard]] static Result<d> infinitely_many() { return {SphereCount::infinitely_many, {}}; }
 
-    /// The solutions are v + t n: a t² + 2 b t + c = 0. Where a = b = c = 0 they would all be
-    /// multiples of one n with <n, n> = 0, and orthogonal to all others; so these would be
-    /// multiples of n, too, and the rank 1.
-    [[nodiscard]] Result<d> on_line(const System<d>& system) const {
-        const auto [v, n] = system.line();
-        const Rational a = product<d>(n, n), b = product<d>(v, n), c = product<d>(v, v);
-        Result<d> result;
-        if (a.is_zero() && b.is_zero()) return result;
+    /// Where <v, v> = <v, n> = <n, n> = 0 all solutions v + t n would be multiples of n, and
+    /// orthogonal to all others; so these would be multiples of n, too, and the rank 1.
+    [[nodiscard]] Result<d> on_line(const System& system) const {
+        const Vector n = system.directions().front();
         // <v, n> of a solution tells its side: it is the determinant of the rows (c_i - c, rho +
         // r_i), but for a factor that is that of the rows n, (X, R).
-        const Sign turn = d % 2 == 0 ? -side_of(n) : side_of(n);
-        if (a.is_zero()) {  // the other root is at infinity
-            add(result, along<d>(v, -c / (2 * b), n), {}, 0, turn * b.sign());
-            return result;
-        }
-        const Rational g = b * b - a * c;
-        if (g.sign() < 0) return result;
-        const Vector<d> middle = along<d>(v, -b / a, n);
-        if (g.is_zero()) {
-            add(result, middle, {}, 0, 0);
-            return result;
-        }
-        // At t = (-b ± √g) / a it is ±√g.
-        for (const Sign orientation : {1, -1})
-            add(result, middle, along<d>({}, Rational(orientation * turn / a), n), g, orientation);
+        std::array<Vector, d + 1> rows = {n};
+        std::ranges::copy(others_, rows.begin() + 1);
+        const Sign of_rows = balls::determinant(rows).sign();
+        const Sign turn = d % 2 == 0 ? -of_rows : of_rows;
+        Result<d> result;
+        balls::for_points_on_cone(system.solution(), n, turn,
+                                  [&](const Vector& start, const Vector& step, const Rational& g,
+                                      Sign side) { add(result, start, step, g, turn * side); });
         return result;
     }
 
     /// The sphere start + step √g, if it touches.
-    void add(Result<d>& result, const Vector<d>& start, const Vector<d>& step, const Rational& g,
+    void add(Result<d>& result, const Vector& start, const Vector& step, const Rational& g,
              Sign orientation) const {
         if (sign_of_surd(start[d], step[d], g) < 0) return;
-        for (const Vector<d>& other : others_)
+        for (const Vector& other : others_)
             if (sign_of_surd(start[d] + other[d], step[d], g) < 0) return;
         Found<d> found{{}, orientation};
         for (std::size_t k = 0; k <= d; ++k)
@@ -307,34 +213,34 @@ class Tangency {
 
     /// The solutions are a flat of two dimensions or more, orthogonal in <,> to the span W of the
     /// balls, of at most two. Of <,> on W the determinant of products tells the kind.
-    [[nodiscard]] Result<d> on_flat(const System<d>& system) const {
+    [[nodiscard]] Result<d> on_flat(const System& system) const {
         const std::size_t rank = system.rank();
         if (rank == 0) return infinitely_many();
         // To a row (X, R) the vector of W is (X, -R): <,> with it is the scalar product with the
         // row.
-        std::array<Vector<d>, 2> w;
+        std::array<Vector, 2> w;
         for (std::size_t m = 0; m < rank; ++m) {
-            w[m] = system[m].a;
+            w[m] = system.row(m);
             w[m][d] = -w[m][d];
         }
-        const Rational g00 = product<d>(w[0], w[0]);
-        const Rational g01 = rank == 1 ? Rational(0) : product<d>(w[0], w[1]);
-        const Rational g11 = rank == 1 ? Rational(1) : product<d>(w[1], w[1]);
+        const Rational g00 = inner(w[0], w[0]);
+        const Rational g01 = rank == 1 ? Rational(0) : inner(w[0], w[1]);
+        const Rational g11 = rank == 1 ? Rational(1) : inner(w[1], w[1]);
         const Rational determinant = g00 * g11 - g01 * g01;
         // Where <,> > 0 on W: the flat has directions with <,> < 0, along which it goes from the
         // inside of the cone <v, v> = 0, h > 0, to the outside.
         if (determinant.sign() > 0) return infinitely_many();
-        const Rational h0 = system[0].value;
-        const Rational h1 = rank == 1 ? Rational(0) : system[1].value;
+        const Rational h0 = system.value(0);
+        const Rational h1 = rank == 1 ? Rational(0) : system.value(1);
         if (determinant.sign() < 0) return on_level_flat(w, {h0, h1, g00, g01, g11});
 
         // W touches the cone along n; all of W is orthogonal to it.
-        Vector<d> n = w[0];
+        Vector n = w[0];
         Rational value = h0;
         if (rank == 2) {
             const Rational first = g00.is_zero() ? g11 : Rational(-g01);
             const Rational second = g00.is_zero() ? Rational(0) : g00;
-            n = along<d>(along<d>({}, first, w[0]), second, w[1]);
+            n = along(along<d + 1>({}, first, w[0]), second, w[1]);
             value = first * h0 + second * h1;
         }
         // <n, v> = value is the same for all solutions, and for their differences to all balls. Of
@@ -350,13 +256,12 @@ class Tangency {
     /// W has a direction with <w, w> < 0, so that all directions of the flat have <,> > 0: with v
     /// its point in W, and y orthogonal to W, <v + y, v + y> = <v, v> + <y, y>. All that it is 0
     /// for are on one side of a ball, that of v.
-    [[nodiscard]] Result<d> on_level_flat(const std::array<Vector<d>, 2>& w,
-                                          const Products& p) const {
+    [[nodiscard]] Result<d> on_level_flat(const std::array<Vector, 2>& w, const Products& p) const {
         const Rational determinant = p.g00 * p.g11 - p.g01 * p.g01;
         const Rational first = (p.h0 * p.g11 - p.h1 * p.g01) / determinant;
         const Rational second = (p.h1 * p.g00 - p.h0 * p.g01) / determinant;
-        const Vector<d> v = along<d>(along<d>({}, first, w[0]), second, w[1]);
-        const Sign square = product<d>(v, v).sign();
+        const Vector v = along(along<d + 1>({}, first, w[0]), second, w[1]);
+        const Sign square = inner(v, v).sign();
         if (square > 0) return {};
         if (square == 0) {
             Result<d> result;
@@ -364,36 +269,13 @@ class Tangency {
             return result;
         }
         if (v[d].sign() < 0) return {};
-        for (const Vector<d>& other : others_)
+        for (const Vector& other : others_)
             if (Rational(v[d] + other[d]).sign() < 0) return {};
         return infinitely_many();
     }
 
-    /// The sign of det of the rows n, (X, R) of the others.
-    [[nodiscard]] Sign side_of(const Vector<d>& n) const {
-        // The minors of the others are n, but for a factor, and as a row before them n has signs
-        // that alternate.
-        for (std::size_t k = 0; k <= d; ++k) {
-            if (n[k].is_zero()) continue;
-            return n[k].sign() * minor_without(k).sign() * (k % 2 == 0 ? 1 : -1);
-        }
-        return 0;
-    }
-    [[nodiscard]] Rational minor_without(std::size_t column) const {
-        const auto at = [&](std::size_t row, std::size_t k) -> const Rational& {
-            return others_[row][k < column ? k : k + 1];
-        };
-        if constexpr (d == 2) {
-            return at(0, 0) * at(1, 1) - at(0, 1) * at(1, 0);
-        } else {
-            return at(0, 0) * (at(1, 1) * at(2, 2) - at(1, 2) * at(2, 1)) -
-                   at(0, 1) * (at(1, 0) * at(2, 2) - at(1, 2) * at(2, 0)) +
-                   at(0, 2) * (at(1, 0) * at(2, 1) - at(1, 1) * at(2, 0));
-        }
-    }
-
-    Vector<d> first_;
-    std::array<Vector<d>, d> others_;  // relative to the first
+    Vector first_;
+    std::array<Vector, d> others_;  // relative to the first
 };
 
 // ---- both --------------------------------------------------------------------------------------

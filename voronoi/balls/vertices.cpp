@@ -88,22 +88,22 @@ class VertexSearch {
 
  private:
     /// The direction of the line that all centres are on.
-    [[nodiscard]] std::optional<std::array<double, 3>> line_of(const BallTree& tree) const {
+    [[nodiscard]] std::optional<Point3> line_of(const BallTree& tree) const {
         const Site3& first = tree.ball(0);
-        std::array<double, 3> direction{};
+        Point3 direction;
         double length = 0.0;
         std::size_t last = 0;
         for (std::size_t place = 1; place < tree.size(); ++place) {
             const Site3& b = tree.ball(place);
-            const double x = b.x - first.x, y = b.y - first.y, z = b.z - first.z;
-            const double its_length = std::hypot(x, y, z);
+            const Point3 way = minus(centre3(b), centre3(first));
+            const double its_length = std::hypot(way.x, way.y, way.z);
             if (!(its_length > length)) continue;
             length = its_length;
-            direction = {x, y, z};
+            direction = way;
             last = place;
         }
         if (!(length > 0x1p-960)) return {};
-        for (double& x : direction) x /= length;
+        direction = {direction.x / length, direction.y / length, direction.z / length};
         const Site3 &a = balls_[tree.name(0)], &b = balls_[tree.name(last)];
         for (std::size_t place = 1; place < tree.size(); ++place)
             if (!are_on_a_line(a, b, balls_[tree.name(place)])) return {};
