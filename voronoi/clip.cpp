@@ -19,9 +19,6 @@ double extent_of(const Box& box) {
 }
 
 /// Times 2^exponent.
-Point scaled(Point p, int exponent) {
-    return {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)};
-}
 Conic scaled(const Conic& conic, int exponent) {
     if (exponent == 0) return conic;
     return {scaled(conic.from, exponent), scaled(conic.control, exponent),
@@ -82,10 +79,9 @@ Measure measure(const CellShape& shape) {
     if (moments.area < 0x1p-30 * perimeter * perimeter) {
         // Of next to no area rounding may lead out of the shape.
         const Box around = box_of_loops(shape.loops);
-        centroid = {std::clamp(centroid.x, std::ldexp(around.x0, -exponent),
-                               std::ldexp(around.x1, -exponent)),
-                    std::clamp(centroid.y, std::ldexp(around.y0, -exponent),
-                               std::ldexp(around.y1, -exponent))};
+        const Point low = scaled(Point{around.x0, around.y0}, -exponent);
+        const Point high = scaled(Point{around.x1, around.y1}, -exponent);
+        centroid = {std::clamp(centroid.x, low.x, high.x), std::clamp(centroid.y, low.y, high.y)};
     }
     return {std::ldexp(moments.area, 2 * exponent), std::ldexp(perimeter, exponent),
             scaled(centroid, exponent)};
@@ -96,7 +92,7 @@ Box default_box(std::span<const Site> sites, int exponent) {
     if (sites.empty()) throw std::invalid_argument("no site, no box");
     Box box = {sites[0].x, sites[0].y, sites[0].x, sites[0].y};
     for (const Site& s : sites) {
-        if (!is_finite({s.x, s.y})) throw std::invalid_argument("a centre is not finite");
+        if (!are_finite(Point{s.x, s.y})) throw std::invalid_argument("a centre is not finite");
         box = {std::min(box.x0, s.x), std::min(box.y0, s.y), std::max(box.x1, s.x),
                std::max(box.y1, s.y)};
     }
@@ -136,7 +132,7 @@ ClippedVoronoi::ClippedVoronoi(const Voronoi& voronoi, const Box& box, Lengths l
     const exact::IeeeEnvironment environment;
     if (!(box.x0 < box.x1 && box.y0 < box.y1))
         throw std::invalid_argument("a box needs x0 < x1 and y0 < y1");
-    if (is_bounded_ && !(is_finite({box.x0, box.y0}) && is_finite({box.x1, box.y1})))
+    if (is_bounded_ && !are_finite(Point{box.x0, box.y0}, Point{box.x1, box.y1}))
         throw std::invalid_argument("the corners of a box are to be finite");
     for (double* side : {&box_.x0, &box_.y0, &box_.x1, &box_.y1})
         *side = std::ldexp(*side, -exponent_);
@@ -170,8 +166,8 @@ std::vector<Conic> ClippedVoronoi::pieces_near_box(Index index, bool& from_start
     const Point focus = {box_.x0 / 2 + box_.x1 / 2, box_.y0 / 2 + box_.y1 / 2};
     auto edge = is_bounded_ ? voronoi_.geometry(index, focus) : voronoi_.geometry(index);
     if (!edge) return {};
-    from_start = is_finite(edge->start);
-    to_end = is_finite(edge->end);
+    from_start = are_finite(edge->start);
+    to_end = are_finite(edge->end);
     if (is_bounded_) {
         const Point origin = std::visit(
             [](const auto& curve) {
@@ -197,7 +193,7 @@ std::vector<Conic> ClippedVoronoi::pieces_near_box(Index index, bool& from_start
         clamp(edge->from, edge->start, from_start);
         clamp(edge->to, edge->end, to_end);
     }
-    if (!is_finite(edge->start) || !is_finite(edge->end)) return {};
+    if (!are_finite(edge->start, edge->end)) return {};
     if (!(edge->from < edge->to)) {
         // An edge so short that rounding took its direction still joins its ends.
         if (!from_start || !to_end || edge->start == edge->end) return {};

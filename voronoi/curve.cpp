@@ -100,41 +100,36 @@ double in_ieee::beyond(const HyperbolaCurve& curve, double reach) noexcept {
 
 namespace {
 
-template <class C>
-Point point_of_curve(const C& curve, double t) noexcept {
-    return exact::in_ieee_environment([](const C& on, double at) { return in_ieee::at(on, at); },
-                                      curve, t);
-}
-template <class C>
-double parameter_of(const C& curve, Point p) noexcept {
-    return exact::in_ieee_environment(
-        [](const C& on, Point of) { return in_ieee::parameter(on, of); }, curve, p);
-}
-template <class C>
-double parameter_beyond(const C& curve, double reach) noexcept {
-    return exact::in_ieee_environment(
-        [](const C& on, double away) { return in_ieee::beyond(on, away); }, curve, reach);
-}
+// In in_ieee the functions have two curves each.
+constexpr auto point_at_parameter = [](const auto& curve, double t) {
+    return in_ieee::at(curve, t);
+};
+constexpr auto parameter_of_point = [](const auto& curve, Point p) {
+    return in_ieee::parameter(curve, p);
+};
+constexpr auto parameter_beyond = [](const auto& curve, double t) {
+    return in_ieee::beyond(curve, t);
+};
 
 }  // namespace
 
 Point StraightCurve::at(double t) const noexcept {
-    return point_of_curve(*this, t);
+    return exact::in_ieee_environment(point_at_parameter, *this, t);
 }
 double StraightCurve::parameter(Point p) const noexcept {
-    return parameter_of(*this, p);
+    return exact::in_ieee_environment(parameter_of_point, *this, p);
 }
 double StraightCurve::beyond(double reach) const noexcept {
-    return parameter_beyond(*this, reach);
+    return exact::in_ieee_environment(parameter_beyond, *this, reach);
 }
 Point HyperbolaCurve::at(double t) const noexcept {
-    return point_of_curve(*this, t);
+    return exact::in_ieee_environment(point_at_parameter, *this, t);
 }
 double HyperbolaCurve::parameter(Point p) const noexcept {
-    return parameter_of(*this, p);
+    return exact::in_ieee_environment(parameter_of_point, *this, p);
 }
 double HyperbolaCurve::beyond(double reach) const noexcept {
-    return parameter_beyond(*this, reach);
+    return exact::in_ieee_environment(parameter_beyond, *this, reach);
 }
 
 std::optional<Curve> in_ieee::bisector(Metric metric, WeightIs weight_is, const NumberedSite& a,

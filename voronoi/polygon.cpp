@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "../exact/floating_environment.hpp"
+#include "vector.hpp"
 
 namespace signum {
 
@@ -19,16 +20,16 @@ double rounding_of(const std::vector<Point>& points) noexcept {
 
 /// Whether a polygon stays, or goes to `tip` and back on the same line.
 bool is_spike(Point before, Point tip, Point after, double rounding) noexcept {
-    const Point a = {before.x - tip.x, before.y - tip.y};
-    const Point b = {after.x - tip.x, after.y - tip.y};
+    const Point a = minus(before, tip);
+    const Point b = minus(after, tip);
     const double to_a = std::hypot(a.x, a.y);
     const double to_b = std::hypot(b.x, b.y);
     if (std::min(to_a, to_b) <= rounding) return true;
     // Unit vectors: products of two lengths may be beyond doubles.
     const Point u = {a.x / to_a, a.y / to_a};
     const Point v = {b.x / to_b, b.y / to_b};
-    const double width = std::abs(u.x * v.y - u.y * v.x) * std::min(to_a, to_b);
-    return u.x * v.x + u.y * v.y > 0 && width <= rounding;
+    const double width = std::abs(cross(u, v)) * std::min(to_a, to_b);
+    return dot(u, v) > 0 && width <= rounding;
 }
 
 /// The polygon without what has no width: where the tie rule decides between many squares, a cell

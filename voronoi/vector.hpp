@@ -20,8 +20,9 @@ namespace signum {
 [[nodiscard]] inline Point plus(Point a, Point b, double times) noexcept {
     return {a.x + times * b.x, a.y + times * b.y};
 }
-[[nodiscard]] inline bool is_finite(Point p) noexcept {
-    return std::isfinite(p.x) && std::isfinite(p.y);
+/// Times 2^exponent.
+[[nodiscard]] inline Point scaled(Point p, int exponent) noexcept {
+    return {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)};
 }
 
 }  // namespace signum

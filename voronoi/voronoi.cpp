@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "../core/groups.hpp"
 #include "../exact/floating_environment.hpp"
 #include "../triangulation/kernels/predicates_of.hpp"
 #include "../triangulation/structure/corners.hpp"
@@ -19,10 +20,6 @@ namespace signum {
 namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
-
-bool is_finite(const DiagramVertex& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y);
-}
 
 /// Whether q touches the circle of a face, exactly.
 bool touches(const Tessellation& t, const Face& face, Index q) {
@@ -81,36 +78,24 @@ void Voronoi::number_vertices(bool merge) {
         if (const auto t = divided(tessellation_, exponent_))
             divided_of_face = signum::vertices(*t);
     // The first face of those that share a vertex stands for them.
-    std::vector<Index> first(faces.size());
-    std::iota(first.begin(), first.end(), 0);
-    const auto root = [&](Index f) {
-        while (first[static_cast<std::size_t>(f)] != f) {
-            Index& above = first[static_cast<std::size_t>(f)];
-            above = first[static_cast<std::size_t>(above)];
-            f = above;
-        }
-        return f;
-    };
+    Groups alike(faces.size());
     for (std::size_t f = 0; merge && f < faces.size(); ++f) {
-        if (!is_finite(of_face[f])) continue;
+        if (!are_finite(of_face[f])) continue;
         for (std::size_t k = 0; k < 3; ++k) {
             const auto g = static_cast<std::size_t>(tessellation_.neighbours()[f][k]);
-            if (g < f || !is_finite(of_face[g])) continue;
+            if (g < f || !are_finite(of_face[g])) continue;
             const auto corner =
                 triangulation::across(tessellation_.arrays(), {static_cast<Index>(f), k});
             // Where many squares touch, those of two faces may differ.
             const bool same = of_face[f].x == of_face[g].x && of_face[f].y == of_face[g].y &&
                               touches(tessellation_, faces[f], faces[g][corner.place]);
-            if (!same) continue;
-            const Index one = root(static_cast<Index>(f));
-            const Index other = root(static_cast<Index>(g));
-            first[static_cast<std::size_t>(std::max(one, other))] = std::min(one, other);
+            if (same) alike.join(f, g);
         }
     }
     vertex_of_face_.assign(faces.size(), at_infinity);
     for (std::size_t f = 0; f < faces.size(); ++f) {
-        if (!is_finite(of_face[f])) continue;
-        const auto of = static_cast<std::size_t>(root(static_cast<Index>(f)));
+        if (!are_finite(of_face[f])) continue;
+        const std::size_t of = alike.of(f);
         if (of == f) {
             vertex_of_face_[f] = static_cast<Index>(vertices_.size());
             vertices_.push_back(of_face[f]);
@@ -202,18 +187,15 @@ EdgeKind kind_of(const EdgeGeometry& g, const VoronoiEdge& edge) {
 std::optional<EdgeGeometry> Voronoi::geometry(Index index, std::optional<Point> focus) const {
     const exact::IeeeEnvironment environment;
     const VoronoiEdge& edge = edges_[checked("edge", index, edges_.size())];
-    if (focus && !is_finite(*focus)) throw std::invalid_argument("the focus is not finite");
+    if (focus && !are_finite(*focus)) throw std::invalid_argument("the focus is not finite");
     const auto site = [&](Index i) -> const Site& {
         return tessellation_.sites()[static_cast<std::size_t>(i)];
-    };
-    const auto divided = [this](Point p) -> Point {
-        return {std::ldexp(p.x, -exponent_), std::ldexp(p.y, -exponent_)};
     };
     const auto vertex = [&](Index v) -> Point {
         if (v == at_infinity) return {unbounded, unbounded};
         if (!divided_vertices_.empty()) return divided_vertices_[static_cast<std::size_t>(v)];
         const DiagramVertex& at = vertices_[static_cast<std::size_t>(v)];
-        return divided({at.x, at.y});
+        return scaled({at.x, at.y}, -exponent_);
     };
     const Point start = vertex(edge.from);
     const Point end = vertex(edge.to);
@@ -221,7 +203,7 @@ std::optional<EdgeGeometry> Voronoi::geometry(Index index, std::optional<Point> 
     const Site& b = site(edge.right);
     if (!focus) {
         // The nearer end: the other one may be far away, and not so well known.
-        const Point from = divided({a.x, a.y});
+        const Point from = scaled({a.x, a.y}, -exponent_);
         focus = from;
         double least = unbounded;
         for (const Point p : {start, end})
@@ -237,7 +219,7 @@ std::optional<EdgeGeometry> Voronoi::geometry(Index index, std::optional<Point> 
     // A face without infinity whose vertex is not finite: on a common tangent line of its three
     // discs, or beyond the doubles. Which end of the curve is meant, the third site tells.
     const auto parameter = [&](Point p, Index face, EndOfEdge at) {
-        if (is_finite(p))
+        if (are_finite(p))
             return std::visit([&](const auto& of) { return in_ieee::parameter(of, p); }, *curve);
         const double expected = at == EndOfEdge::to ? unbounded : -unbounded;
         Index apex = infinite;

@@ -243,10 +243,11 @@ void KineticTessellation::watch(std::function<void(Index a, Index b, bool comes)
 }
 
 KineticStatistics KineticTessellation::statistics() const noexcept {
-    const kinetic::Work& work = state_->triangulation.work();
-    const roots::Tally tally = state_->triangulation.tally();
-    return {work.times,    work.events,   work.flips,     work.hidden,
-            work.appeared, work.rebuilds, tally.filtered, tally.exact};
+    KineticStatistics result = state_->triangulation.work();
+    const roots::Tally& tally = state_->triangulation.tally();
+    result.filtered = tally.filtered;
+    result.exact = tally.exact;
+    return result;
 }
 
 }  // namespace signum

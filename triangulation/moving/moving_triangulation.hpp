@@ -51,6 +51,7 @@
 #include "../flips/event_queue.hpp"
 #include "../insertion/insert.hpp"
 #include "../structure/topology.hpp"
+#include "kinetic_tessellation.hpp"
 #include "moment.hpp"
 #include "moving_kernel.hpp"
 #include "moving_site.hpp"
@@ -60,15 +61,8 @@ namespace signum::kinetic {
 using triangulation::HalfEdge;
 using triangulation::Topology;
 
-/// What was done, in numbers.
-struct Work {
-    std::uint64_t times = 0;   ///< at which events were looked at
-    std::uint64_t events = 0;  ///< certificates with a root
-    std::uint64_t flips = 0;
-    std::uint64_t hidden = 0;    ///< sites that became hidden
-    std::uint64_t appeared = 0;  ///< sites that became visible
-    std::uint64_t rebuilds = 0;
-};
+/// But for the questions about polynomials.
+using Work = KineticStatistics;
 
 class MovingTriangulation {
  public:

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 #include "../../exact/floating_environment.hpp"
 #include "edges.hpp"
@@ -28,9 +27,7 @@ namespace {
         result.spheres.push_back(vertex.sphere);
         result.turns.push_back(vertex.turn);
     }
-    balls::BallEdges edges = balls::find_edges(set, found);
-    result.edges = std::move(edges.balls);
-    result.ends = std::move(edges.ends);
+    balls::find_edges(set, found, result);
     return result;
 }
 

@@ -1,11 +1,12 @@
 #include "edges.hpp"
 
 #include <algorithm>
-#include <compare>
+#include <array>
 #include <cstddef>
 #include <map>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "exact_sphere.hpp"
 #include "rounded_order.hpp"
@@ -19,7 +20,7 @@ class EdgeSearch {
     EdgeSearch(const BallSet& balls, const BallVertices& found) : balls_(balls), found_(found) {}
 
     /// The ball that turns positively begins to conflict, and the edge ends.
-    [[nodiscard]] BallEdges run() {
+    void run(BallDiagram& result) {
         for (std::size_t v = 0; v < found_.vertices.size(); ++v) {
             const auto name = static_cast<Index>(v);
             const BallVertex& vertex = found_.vertices[v];
@@ -52,7 +53,7 @@ class EdgeSearch {
             const Index end = curve.is_loop ? no_end : infinite;
             edges_.push_back({three, {end, end}});
         }
-        return sorted_edges();
+        put_sorted(result);
     }
 
  private:
@@ -138,25 +139,16 @@ class EdgeSearch {
     struct Edge {
         Triple curve;
         std::array<Index, 2> ends;
-        friend auto operator<=>(const Edge&, const Edge&) = default;
     };
-    [[nodiscard]] BallEdges sorted_edges() {
-        BallEdges result;
-        if (longer_.empty()) {
-            std::ranges::sort(edges_);
-        } else {
-            std::ranges::sort(edges_, [&](const Edge& a, const Edge& b) {
-                const auto p = touching_of(a), q = touching_of(b);
-                const auto order =
-                    std::lexicographical_compare_three_way(p.begin(), p.end(), q.begin(), q.end());
-                return order != 0 ? order < 0 : a.ends < b.ends;
-            });
-        }
+    void put_sorted(BallDiagram& result) {
+        std::ranges::sort(edges_, [&](const Edge& a, const Edge& b) {
+            const auto order = compare(touching_of(a), touching_of(b));
+            return order != 0 ? order < 0 : a.ends < b.ends;
+        });
         for (const Edge& edge : edges_) {
-            result.balls.add(touching_of(edge));
+            result.edges.add(touching_of(edge));
             result.ends.push_back(edge.ends);
         }
-        return result;
     }
     [[nodiscard]] std::span<const Index> touching_of(const Edge& edge) const {
         const auto longer = longer_.find(edge.curve);
@@ -173,8 +165,8 @@ class EdgeSearch {
 
 }  // namespace
 
-BallEdges find_edges(const BallSet& balls, const BallVertices& found) {
-    return EdgeSearch(balls, found).run();
+void find_edges(const BallSet& balls, const BallVertices& found, BallDiagram& result) {
+    EdgeSearch(balls, found).run(result);
 }
 
 }  // namespace signum::balls

@@ -1,10 +1,10 @@
 #include "equal_radii.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
 #include <utility>
 
+#include "../../core/groups.hpp"
 #include "../../core/index.hpp"
 #include "../../core/site.hpp"
 #include "../../predicates/space/ccw.hpp"
@@ -17,25 +17,6 @@ namespace {
 
 /// Fewer are tried one by one.
 constexpr std::size_t least_of_a_kind = 6;
-
-/// Cells that hang together: each with the smallest of them, after find().
-class Groups {
- public:
-    explicit Groups(std::size_t cells) : parent_(cells) {
-        std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-    }
-    [[nodiscard]] std::size_t find(std::size_t cell) noexcept {
-        while (parent_[cell] != cell) cell = parent_[cell] = parent_[parent_[cell]];
-        return cell;
-    }
-    void join(std::size_t a, std::size_t b) noexcept {
-        a = find(a), b = find(b);
-        parent_[std::max(a, b)] = std::min(a, b);
-    }
-
- private:
-    std::vector<std::size_t> parent_;
-};
 
 /// Which cells of a tessellation have one sphere, or of flat sites one circle. Those whose vertices
 /// a sphere touches fill the hull of these, so that they hang together.
@@ -99,11 +80,11 @@ void EqualRadii::tessellate(const BallSet& balls, std::span<const Index> names,
             Quadruple four;
             for (std::size_t k = 0; k < 4; ++k) four[k] = name(t.cells[c][k]);
             std::ranges::sort(four);
-            const std::size_t group = groups.find(c);
+            const std::size_t group = groups.of(c);
             first[group] = group == c ? four : std::min(first[group], four);
         }
         for (std::size_t c = 0; c < t.cells.size(); ++c)
-            if (t.cells[c][0] != infinite && groups.find(c) == c) fours_.push_back(first[c]);
+            if (t.cells[c][0] != infinite && groups.of(c) == c) fours_.push_back(first[c]);
     } else if (t.dimension == 2) {
         // A sphere through three of them meets their plane in the circle.
         std::optional<ExactSphere> sphere;
@@ -117,7 +98,7 @@ void EqualRadii::tessellate(const BallSet& balls, std::span<const Index> names,
         std::vector<std::vector<Index>> lists(t.cells.size());
         for (std::size_t c = 0; c < t.cells.size(); ++c)
             for (std::size_t k = 0; k < 3 && t.cells[c][0] != infinite; ++k)
-                lists[groups.find(c)].push_back(name(t.cells[c][k]));
+                lists[groups.of(c)].push_back(name(t.cells[c][k]));
         for (std::vector<Index>& list : lists) {
             std::ranges::sort(list);
             list.erase(std::unique(list.begin(), list.end()), list.end());

@@ -2,7 +2,9 @@
 /// Balls by their numbers, and what every part of their diagram's construction asks of them. For
 /// sources only.
 
+#include <algorithm>
 #include <array>
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -22,6 +24,11 @@ using Quadruple = std::array<Index, 4>;
 template <class... S>
 [[nodiscard]] bool same_radius(const Site3& first, const S&... others) noexcept {
     return (filters::same_number(first.r, others.r) && ...);
+}
+
+/// Below, equal or above 0 in the order of words.
+[[nodiscard]] inline auto compare(std::span<const Index> a, std::span<const Index> b) noexcept {
+    return std::lexicographical_compare_three_way(a.begin(), a.end(), b.begin(), b.end());
 }
 
 class BallSet {

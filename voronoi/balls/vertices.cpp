@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <compare>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -302,15 +301,8 @@ class VertexSearch {
 
     void sort_vertices() {
         std::ranges::sort(result_.vertices, [](const BallVertex& v, const BallVertex& w) {
-            if (!v.touching.empty() || !w.touching.empty()) {
-                const auto a = v.all(), b = w.all();
-                const auto order =
-                    std::lexicographical_compare_three_way(a.begin(), a.end(), b.begin(), b.end());
-                if (order != 0) return order < 0;
-            } else if (v.four != w.four) {
-                return v.four < w.four;
-            }
-            return v.turn > w.turn;
+            const auto order = compare(v.all(), w.all());
+            return order != 0 ? order < 0 : v.turn > w.turn;
         });
     }
 

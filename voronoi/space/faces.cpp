@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "../../triangulation/space/cells.hpp"
+
 namespace signum {
 namespace {
 
@@ -114,11 +116,7 @@ void SpaceFaces::walk_around(Index i, const Neighbour& neighbour) {
     do {
         ring_.push_back(c);
         around_.push_back(ahead);
-        const SpaceCell& four = cell(c).sites;
-        const auto place = static_cast<std::size_t>(behind == four[1]) +
-                           2 * static_cast<std::size_t>(behind == four[2]) +
-                           3 * static_cast<std::size_t>(behind == four[3]);
-        c = cell(c).neighbours[place];
+        c = cell(c).neighbours[spatial::place_of(behind, cell(c).sites)];
         behind = ahead;
         ahead ^= others(cell(c).sites);
     } while (c != neighbour.cell);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "../../core/groups.hpp"
 #include "../../exact/floating_environment.hpp"
 #include "faces.hpp"
 
@@ -175,7 +176,7 @@ class Building {
             const std::size_t begin = result.face_corners.size();
             for (std::size_t k = first; k < last; ++k) {
                 const auto corner =
-                    static_cast<Index>(root(is_reversed ? first + last - 1 - k : k));
+                    static_cast<Index>(groups_.of(is_reversed ? first + last - 1 - k : k));
                 if (result.face_corners.size() == begin || result.face_corners.back() != corner)
                     result.face_corners.push_back(corner);
             }
@@ -214,7 +215,8 @@ class Building {
 
     enum class Joining { near, along_edges, none };
     void join_points(Joining joining, double near) {
-        root_ = alike_;
+        groups_ = Groups(points_.size());
+        for (std::size_t k = 0; k < points_.size(); ++k) groups_.join(k, alike_[k]);
         if (joining == Joining::near) {
             order_.resize(points_.size());
             for (std::size_t k = 0; k < points_.size(); ++k) order_[k] = k;
@@ -224,7 +226,7 @@ class Building {
         for (const Loop& loop : loops_)
             for (std::size_t k = loop.first; k < loop.last; ++k) {
                 const std::size_t next = k + 1 < loop.last ? k + 1 : loop.first;
-                if (are_near(k, next, near)) join(root(k), root(next));
+                if (are_near(k, next, near)) groups_.join(k, next);
             }
     }
     [[nodiscard]] bool are_near(std::size_t k, std::size_t m, double near) const noexcept {
@@ -277,19 +279,11 @@ class Building {
             if (from == reached) ++reached;
             for (std::size_t k = reached; k < points.size(); ++k) {
                 if (!are_near(points[from], points[k], near)) continue;
-                join(root(points[from]), root(points[k]));
+                groups_.join(points[from], points[k]);
                 std::swap(points[k], points[reached++]);
             }
         }
     }
-    [[nodiscard]] std::size_t root(std::size_t k) noexcept {
-        while (root_[k] != k) k = root_[k] = root_[root_[k]];
-        return k;
-    }
-    /// Of two roots. The first point of all is the root of what is joined, in whatever order it
-    /// was.
-    void join(std::size_t a, std::size_t b) noexcept { root_[std::max(a, b)] = std::min(a, b); }
-
     [[nodiscard]] double nearness(Index site) const noexcept {
         const Box3& box = faces_.sites().box();
         const Point3 eye = faces_.sites().eye(site);
@@ -331,7 +325,7 @@ class Building {
     std::vector<std::pair<ThreePlanes, std::size_t>> by_planes_;
     std::vector<std::size_t> alike_;     // by point: the first one where the same planes meet
     std::vector<std::size_t> rim_from_;  // of a side, by such points; where none begins, the end
-    std::vector<std::size_t> root_;
+    Groups groups_;                      // of points that are one corner
     std::vector<std::size_t> order_;
     std::vector<Rim> rims_;
     std::vector<EdgeEnd> ends_;
