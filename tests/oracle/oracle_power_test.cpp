@@ -249,6 +249,24 @@ TEST(OraclePower, SaysWhatIsWrong) {
     EXPECT_EQ(wrong(chain, line, {{1, 2, 1}, {0, 0, 3}, {3, 3, 0}, {2, 1, 2}}), "");
     EXPECT_EQ(wrong(chain, line, {{1, 1, 1}, {0, 0, 0}, {3, 3, 3}, {2, 2, 2}}),
               "another neighbour on a line");
+    // Two faces at infinity beside the others, between a site within and its twin.
+    auto twins = square;
+    twins[4].w = 0;
+    twins.push_back(twins[4]);
+    Tessellation beside = {{{-1, 0, 3},
+                            {-1, 1, 0},
+                            {-1, 2, 1},
+                            {-1, 3, 2},
+                            {0, 1, 4},
+                            {0, 4, 3},
+                            {1, 2, 4},
+                            {2, 3, 4}},
+                           {{5, 4}}};
+    EXPECT_EQ(wrong(beside, twins), "");
+    beside.hidden.clear();
+    beside.faces.push_back({-1, 4, 5});
+    beside.faces.push_back({-1, 5, 4});
+    EXPECT_EQ(wrong(beside, twins), "an edge of the hull has both ends in one place");
     // A pentagram around its middle, twice: areas add up to more than the hull.
     std::vector<Weighted> star;
     for (const auto& [x, y] : {std::pair{0, 10}, {-10, 3}, {-6, -8}, {6, -8}, {10, 3}, {0, 0}})

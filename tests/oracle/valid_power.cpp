@@ -107,9 +107,14 @@ class Judge {
             finite.push_back(face);
         }
         demand(area == area_of_hull(), "the areas of faces are not that of the hull");
-        for (const Triple& face : faces_)
+        for (const Triple& face : faces_) {
+            for (std::size_t k = 0; k < 3; ++k)
+                demand(face[k] != at_infinity ||
+                           !have_one_centre(at(face[(k + 1) % 3]), at(face[(k + 2) % 3])),
+                       "an edge of the hull has both ends in one place");
             for (std::size_t q = 0; q < sites_.size(); ++q)
                 demand(!is_in_conflict(face, q), "a site is in conflict with a face");
+        }
         for (std::size_t f = 0; f < finite.size(); ++f)
             for (std::size_t g = 0; g < f; ++g)
                 demand(has_edge_between(finite[f], finite[g]) ||

@@ -868,6 +868,33 @@ TEST(ValidateGarbage, ExchangedNeighbours) {
     EXPECT_GT(verdicts.canonical, 50 * effort);
 }
 
+/// One site more, whose only faces are two at infinity, on the sides of an edge to another site:
+/// the numbers agree, and there is a sphere beside the sphere. In half of them the two sites are in
+/// one place.
+TEST(ValidateGarbage, TwoFacesAlone) {
+    Random random(14);
+    Verdicts verdicts;
+    for (int trial = 0; trial < 500 * effort; ++trial) {
+        const Family& family = random.below(2) == 0 ? few_places : families[random.below(12)];
+        auto sites = draw(family, random, random.between(3, 8));
+        TessellationArrays t = triangulate(sites, Power{}).arrays();
+        if (t.faces.empty()) continue;
+        const Index end = t.faces[at(random.below(static_cast<int>(t.faces.size())))][2];
+        const auto more = static_cast<Index>(sites.size());
+        sites.push_back(random.below(2) == 0 ? sites[at(end)] : family.draw(random));
+        ++t.sites;
+        const auto face = static_cast<Index>(t.faces.size());
+        t.faces.push_back({infinite, end, more});
+        t.faces.push_back({infinite, more, end});
+        t.neighbours.push_back({face + 1, face + 1, face + 1});
+        t.neighbours.push_back({face, face, face});
+        if (random.below(2) == 0) t.neighbours.clear();
+        const TessellationArrays home = triangulate(sites, Power{}).arrays();
+        ASSERT_NO_FATAL_FAILURE(expect_judged_by_definition(t, sites, home, verdicts)) << trial;
+    }
+    EXPECT_GT(verdicts.wrong, 300 * effort);
+}
+
 /// All faces twice, over as many sites once more: a cover of the plane that is cut open along a way
 /// from a site to infinity, and glued crosswise there. Sites are in the place of their twins, or
 /// nearly so.
