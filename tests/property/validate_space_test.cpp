@@ -366,6 +366,11 @@ TEST(ValidateSpace, SaysWhatIsWrongWithPlaces) {
         twice.neighbours.push_back(shifted);
     }
     EXPECT_COMPLAINT(twice, sites, "overlap");
+    // One cell twice, which its neighbours do not know of. The last one is not the base.
+    SpaceTessellation repeated = right;
+    repeated.cells.push_back(right.cells.back());
+    repeated.neighbours.push_back(right.neighbours.back());
+    EXPECT_COMPLAINT(repeated, sites, "has another neighbour there");
     // The two copies connected crosswise along some facets: a branched cover.
     SpaceTessellation branched = twice;
     for (std::size_t c = first_finite; c < first_finite + 20; ++c) {
