@@ -476,7 +476,7 @@ TEST(ValidateSpace, ProvesTheDimension) {
     for (power::Site3& s : edge) s.y = 0.0;
     const SpaceTessellation of_edge = tessellation_of(edge);
     ASSERT_EQ(of_edge.dimension, 1);
-    EXPECT_COMPLAINT(of_edge, square, "does not lie in the flat of dimension 1 of cell");
+    EXPECT_COMPLAINT(of_edge, square, "does not lie on the line of cell");
     Sites point = edge;
     for (power::Site3& s : point) s.x = 0.0;
     const SpaceTessellation of_point = tessellation_of(point);

@@ -268,6 +268,28 @@ TEST_F(Tool, ComparesAndSaysWhetherExactnessIsNeeded) {
     EXPECT_NE(json.out.find("\"rounds\": 3,"), std::string::npos) << json.out;  // at least
 }
 
+/// Doubles get no edge wrong here, but hide a site that is visible.
+TEST_F(Tool, ComparesWithARunThatLosesSites) {
+    const std::string lost =
+        scratch.file("lost.txt",
+                     "0.0004 0.00013333333333333334\n0.001 0.0003333333333333333\n"
+                     "0.0008 0.0002666666666666667\n0.001 0.00033333333333343334\n"
+                     "0.0009000000000000001 0.00030000000000000003\n0.5 3\n"
+                     "5 0.051737513312367936\n");
+    const auto answer = [&](const std::string& judged, const std::string& against) {
+        const Outcome table = run({"compare", lost, "--metric", "power", "--seconds", "0",
+                                   "--arithmetic", judged, "--against", against});
+        EXPECT_EQ(table.code, 0);
+        return table.out.substr(table.out.rfind("\n", table.out.size() - 2) + 1);
+    };
+    for (const std::string& found : {answer("naive", "exact"), answer("exact", "naive")})
+        EXPECT_TRUE(
+            found.starts_with("These sites need exactness: naive arithmetic got no edge of "
+                              "12 wrong, but others are missing, or sites (site 1 "))
+            << found;
+    EXPECT_TRUE(answer("interval", "exact").starts_with("Both arithmetics are exact: "));
+}
+
 TEST_F(Tool, ComparesWithARunThatBreaks) {
     const std::string offset = scratch.path("offset.txt");
     ASSERT_EQ(run({"generate", "offset", "-n", "1000", "--radius", "1", "-o", offset}).code, 0);

@@ -17,7 +17,9 @@
 #include <fmt/format.h>
 
 #include "../../triangulation/space/compare.hpp"
+#include "../../triangulation/space/validate.hpp"
 #include "../../triangulation/triangulate.hpp"
+#include "../../triangulation/validate.hpp"
 #include "../../voronoi/compare.hpp"
 #include "../draw/svg.hpp"
 #include "../io/output_file.hpp"
@@ -54,6 +56,8 @@ struct ComparedRun {
     Arithmetic arithmetic;
     bool is_broken = false;   ///< and then there is neither a time nor a count
     std::string broken = {};  ///< where the structure broke
+    /// What validate() says of a result no edge of which is wrong: others may be missing.
+    std::string invalid = {};
     study::Interval seconds = {};
     Counts counts = {};
     std::optional<Statistics> statistics = {};  ///< nothing where calls are not counted
@@ -76,16 +80,29 @@ double percent(std::size_t part, const Counts& counts) {
 
 /// Whether these sites need exactness, in one sentence.
 std::string answer(const ComparedReport& report) {
-    const ComparedRun& run = report.runs[0];
+    // Exact arithmetic errs nowhere: the other one tells.
+    const ComparedRun& run = report.runs[is_exact(report.runs[0].arithmetic) ? 1 : 0];
+    if (is_exact(run.arithmetic))
+        return "Both arithmetics are exact: whether these sites need exactness naive or single "
+               "arithmetic tells.";
     const auto& [all, wrong, different] = run.counts;
     const std::string_view arithmetic = name_of(run.arithmetic);
     if (run.is_broken)
         return fmt::format("These sites need exactness: in {} arithmetic the structure broke{}.",
                            arithmetic, report.near);
-    if (wrong > 0)
+    if (wrong > 0) {
+        const double share_of_all = percent(wrong, run.counts);
+        const std::string share = share_of_all < 99.5 ? fmt::format("{:.2g}", share_of_all)
+                                                      : fmt::format("{:.0f}", share_of_all);
         return fmt::format(
-            "These sites need exactness: {} arithmetic got {} of {} {}s wrong ({:.2g} %){}.",
-            arithmetic, wrong, all, report.kind, percent(wrong, run.counts), report.near);
+            "These sites need exactness: {} arithmetic got {} of {} {}s wrong ({} %){}.",
+            arithmetic, wrong, all, report.kind, share, report.near);
+    }
+    if (!run.invalid.empty())
+        return fmt::format(
+            "These sites need exactness: {} arithmetic got no {} of {} wrong, but others are "
+            "missing, or sites ({}){}.",
+            arithmetic, report.kind, all, run.invalid, report.near);
     if (different > 0)
         return fmt::format(
             "These sites need exactness only for a result that does not depend on their order: {} "
@@ -216,8 +233,7 @@ void put_report(const ComparedReport& report, bool as_json, bool to_errors = fal
     out.flush();
 }
 
-// ---- what is compared
-// ----------------------------------------------------------------------------
+// ---- what is compared --------------------------------------------------------------------------
 
 /// How near the sites come to ties.
 std::string nearness(const study::Margins& margins) {
@@ -253,6 +269,9 @@ struct Edges {
                                          const Tessellation& canonical) const {
         return compare_edges(tessellation, canonical);
     }
+    [[nodiscard]] Validation validate(const Tessellation& tessellation) const {
+        return signum::validate(tessellation.arrays(), sites);
+    }
     void tell_margins(ComparedReport& report, const Tessellation& canonical) const {
         const study::Margins margins = study::margins_of(canonical);
         report.near = nearness(margins);
@@ -282,6 +301,9 @@ struct Cells {
     [[nodiscard]] CellComparison compare(const SpaceTessellation& tessellation,
                                          const SpaceTessellation& canonical) const {
         return compare_cells(tessellation, canonical, sites);
+    }
+    [[nodiscard]] Validation validate(const SpaceTessellation& tessellation) const {
+        return signum::validate(tessellation, sites);
     }
     void tell_margins(ComparedReport& report, const SpaceTessellation& canonical) const {
         const auto& [facets, ties] = ties_of(canonical, sites);
@@ -347,6 +369,9 @@ Report<Parts> compare(const CompareCall& call, const Parts& parts) {
         if (!report.built[i]) continue;
         const auto& found = report.comparisons[i] = parts.compare(*report.built[i], *canonical);
         report.runs[i].counts = {found.*Parts::all, found.wrong.size(), found.different.size()};
+        if (!is_exact(report.runs[i].arithmetic) && found.wrong.empty())
+            if (const Validation said = parts.validate(*report.built[i]); !said.valid)
+                report.runs[i].invalid = said.message;
     }
     parts.tell_margins(report, *canonical);
     finished();

@@ -39,7 +39,7 @@ constexpr bool are_in_order() {
         if (kinds[i].input != static_cast<SitesInput>(i)) return false;
     return kinds.back().input == SitesInput::node;
 }
-static_assert(are_in_order(), "a row an enumerator, in their order");
+static_assert(are_in_order(), "a row an enumerator, in their order, node the last");
 
 const SitesInputKind& kind_of(SitesInput input) noexcept {
     return kinds[static_cast<std::size_t>(input)];

@@ -118,6 +118,8 @@ class Check : private triangulation::Judgement {
     static constexpr std::size_t passes = 5;
 
     [[nodiscard]] Index cells() const noexcept { return static_cast<Index>(cells_.size()); }
+    /// What messages call a facet.
+    [[nodiscard]] std::string facet() const { return arrays_.dimension == 2 ? "edge" : "facet"; }
     /// k + 1.
     [[nodiscard]] std::size_t size() const noexcept { return at(arrays_.dimension) + 1; }
     [[nodiscard]] std::size_t place_of(Index v, const Cell& among) const noexcept {
@@ -201,7 +203,8 @@ class Check : private triangulation::Judgement {
                 bool share = back < size();
                 for (std::size_t m = 0; m < size(); ++m)
                     share &= m == i || place_of(cell[m], beyond) < size();
-                if (!share) throw Invalid{across() + cell_name_(n) + " does not share the facet"};
+                if (!share)
+                    throw Invalid{across() + cell_name_(n) + " does not share the " + facet()};
                 if (neighbours_[at(n)][back] != c)
                     throw Invalid{across() + cell_name_(n) + " has another neighbour there"};
             }
@@ -259,8 +262,11 @@ class Check : private triangulation::Judgement {
                 Cell with_q = base;
                 with_q[k + 1] = q;
                 if (questions_.orientation(with_q, more) != 0)
-                    throw Invalid{name(q) + " does not lie in the flat of dimension " +
-                                  std::to_string(k) + " of " + cell_name_(base_)};
+                    throw Invalid{name(q) +
+                                  (k == 1 ? " does not lie on the line of "
+                                          : " does not lie in the flat of dimension " +
+                                                std::to_string(k) + " of ") +
+                                  cell_name_(base_)};
             }
         turn_flat_cells();
     }
@@ -331,7 +337,7 @@ class Check : private triangulation::Judgement {
                 for (std::size_t m = 0; m < size(); ++m) places[m] = place_of(cell[m], beyond);
                 if (sort_few(size(), places))
                     throw Invalid{cell_name_(c) + " and " + cell_name_(n) +
-                                  " lie on the same side of their facet"};
+                                  " lie on the same side of their " + facet()};
             }
     }
 
@@ -344,12 +350,14 @@ class Check : private triangulation::Judgement {
             const auto keep_within = [&](Index v) {
                 const Sign sign = orientation_with(cell, place, v);
                 if (sign > 0)
-                    throw Invalid{name(v) + " lies beyond the hull's facet of " + cell_name_(c)};
+                    throw Invalid{name(v) + " lies beyond the hull's " + facet() + " of " +
+                                  cell_name_(c)};
                 return sign < 0;
             };
             bool is_strict = false;
             for (std::size_t m = 0; m < size(); ++m) is_strict |= keep_within(base[m]);
-            if (!is_strict) throw Invalid{"the hull's facet of " + cell_name_(c) + " is flat"};
+            if (!is_strict)
+                throw Invalid{"the hull's " + facet() + " of " + cell_name_(c) + " is flat"};
             for (std::size_t m = 0; m < size(); ++m) {
                 if (m == place) continue;
                 const Cell& beyond = cells_[at(neighbours_[at(c)][m])];

@@ -78,13 +78,17 @@ class ArraysCheck : protected Judgement {
         }
     }
 
+    void check_neighbour_count() const {
+        if (arrays_.neighbours.size() != arrays_.faces.size())
+            throw Invalid{"there are " + std::to_string(arrays_.faces.size()) + " faces, but " +
+                          std::to_string(arrays_.neighbours.size()) + " triples of neighbours"};
+    }
+
     /// Glues the faces as their neighbours say; two sites may share several edges.
     void connect() {
         topology_ = Topology(sites_);
         for (const Face& v : arrays_.faces) topology_.add_face(v[0], v[1], v[2]);
-        if (arrays_.neighbours.size() != arrays_.faces.size())
-            throw Invalid{"there are " + std::to_string(arrays_.faces.size()) + " faces, but " +
-                          std::to_string(arrays_.neighbours.size()) + " triples of neighbours"};
+        check_neighbour_count();
         for (Index f = 0; f < faces(); ++f)
             for (unsigned k = 0; k < 3; ++k) {
                 const Index g = arrays_.neighbours[at(f)][k];

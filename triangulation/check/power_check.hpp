@@ -49,6 +49,7 @@ class PowerCheck : private ArraysCheck {
         const bool is_line = std::ranges::all_of(
             arrays_.faces, [](const Face& v) { return std::ranges::count(v, infinite) == 1; });
         const bool must_find = must_find_neighbours();
+        if (!must_find) check_neighbour_count();
         if (!is_line && !must_find) return judged(2, arrays_.faces, arrays_.neighbours, face_name);
         if (!is_line) return judged(2, arrays_.faces, found_neighbours(), face_name);
         if (!must_find) connect();
