@@ -633,6 +633,10 @@ TEST(ValidateShapes, FewSites) {
     EXPECT_TRUE(canonical(t, same));
     t.hidden = {{0, 1}};
     EXPECT_TRUE(valid_alone(t, same));
+    const std::vector<Site> larger_first = {{1, 2, 4}, {1, 2, 3}};
+    EXPECT_TRUE(invalid(t, larger_first));
+    t.hidden = {{1, 0}};
+    EXPECT_TRUE(canonical(t, larger_first));
     t.hidden = {{0, 1}, {1, 0}};
     EXPECT_TRUE(invalid(t, same));
     t.hidden = {};
@@ -735,6 +739,26 @@ const Family few_places = {
     "few_places", [](Random& g) {
         return Site{1.0 * g.below(4), 1.0 * g.below(3), g.below(8) == 0 ? 1.0 : 0.0};
     }};
+
+/// Hidden sites name another visible one, as near or farther.
+TEST(ValidateGarbage, ChangedHiders) {
+    Random random(15);
+    Verdicts verdicts;
+    for (int trial = 0; trial < 300 * effort; ++trial) {
+        std::vector<power::Site> sites;
+        for (const Site& s : draw(few_places, random, random.between(4, 10)))
+            sites.push_back({s.x, s.y, random.below(2) == 0 ? s.r : -9.0});
+        const TessellationArrays home = triangulate(sites, Power{}).arrays();
+        TessellationArrays t = home;
+        if (t.hidden.empty() || t.faces.empty()) continue;
+        Hidden& hidden = t.hidden[at(random.below(static_cast<int>(t.hidden.size())))];
+        hidden.by = t.faces[at(random.below(static_cast<int>(t.faces.size())))][2];
+        ASSERT_NO_FATAL_FAILURE(expect_judged_by_definition(t, sites, home, verdicts)) << trial;
+    }
+    EXPECT_GT(verdicts.wrong, 50 * effort);
+    EXPECT_GT(verdicts.valid_alone, 5 * effort);
+    EXPECT_GT(verdicts.canonical, 20 * effort);
+}
 
 /// A few numbers of a valid tessellation changed.
 TEST(ValidateGarbage, ChangedNumbers) {
