@@ -633,6 +633,10 @@ TEST(ValidateShapes, FewSites) {
     EXPECT_TRUE(canonical(t, same));
     t.hidden = {{0, 1}};
     EXPECT_TRUE(valid_alone(t, same));
+    const std::vector<Site> larger_first = {{1, 2, 4}, {1, 2, 3}};
+    EXPECT_TRUE(invalid(t, larger_first));
+    t.hidden = {{1, 0}};
+    EXPECT_TRUE(canonical(t, larger_first));
     t.hidden = {{0, 1}, {1, 0}};
     EXPECT_TRUE(invalid(t, same));
     t.hidden = {};
@@ -736,6 +740,26 @@ const Family few_places = {
         return Site{1.0 * g.below(4), 1.0 * g.below(3), g.below(8) == 0 ? 1.0 : 0.0};
     }};
 
+/// Hidden sites name another visible one, as near or farther.
+TEST(ValidateGarbage, ChangedHiders) {
+    Random random(15);
+    Verdicts verdicts;
+    for (int trial = 0; trial < 300 * effort; ++trial) {
+        std::vector<power::Site> sites;
+        for (const Site& s : draw(few_places, random, random.between(4, 10)))
+            sites.push_back({s.x, s.y, random.below(2) == 0 ? s.r : -9.0});
+        const TessellationArrays home = triangulate(sites, Power{}).arrays();
+        TessellationArrays t = home;
+        if (t.hidden.empty() || t.faces.empty()) continue;
+        Hidden& hidden = t.hidden[at(random.below(static_cast<int>(t.hidden.size())))];
+        hidden.by = t.faces[at(random.below(static_cast<int>(t.faces.size())))][2];
+        ASSERT_NO_FATAL_FAILURE(expect_judged_by_definition(t, sites, home, verdicts)) << trial;
+    }
+    EXPECT_GT(verdicts.wrong, 50 * effort);
+    EXPECT_GT(verdicts.valid_alone, 5 * effort);
+    EXPECT_GT(verdicts.canonical, 20 * effort);
+}
+
 /// A few numbers of a valid tessellation changed.
 TEST(ValidateGarbage, ChangedNumbers) {
     Random random(9);
@@ -836,7 +860,8 @@ TEST(ValidateGarbage, ChangedSites) {
     EXPECT_GT(verdicts.canonical, 50 * effort);
 }
 
-/// Two edges with the same ends, or three, have exchanged their neighbours, who agree about it.
+/// On a line two faces have an edge from the same site to infinity. Where they exchange their
+/// neighbours there, who agree about it, the faces at infinity are several cycles.
 TEST(ValidateGarbage, ExchangedNeighbours) {
     Random random(12);
     Verdicts verdicts;
@@ -844,23 +869,16 @@ TEST(ValidateGarbage, ExchangedNeighbours) {
         const auto sites = draw(families[6 + random.below(2)], random, random.between(3, 8));
         const TessellationArrays home = triangulate(sites, Power{}).arrays();
         TessellationArrays t = home;
-        struct Half {
-            std::size_t face;
-            std::size_t across_from;
-        };
-        std::vector<Half> to_infinity;
-        for (std::size_t f = 0; f < t.faces.size(); ++f) to_infinity.push_back({f, 1});
-        if (to_infinity.empty()) continue;
+        if (t.faces.empty()) continue;
         for (int changes = random.below(3); changes > 0; --changes) {
-            const Half a = to_infinity[at(random.below(static_cast<int>(to_infinity.size())))];
-            const Half b = to_infinity[at(random.below(static_cast<int>(to_infinity.size())))];
-            // Of a face {-1, u, v} the edge from v to infinity; where v is the same, they may be
-            // exchanged.
-            if (t.faces[a.face][2] != t.faces[b.face][2]) continue;
-            const std::size_t to_a = at(t.neighbours[a.face][a.across_from]);
-            const std::size_t to_b = at(t.neighbours[b.face][b.across_from]);
-            std::swap(t.neighbours[a.face][a.across_from], t.neighbours[b.face][b.across_from]);
-            if (to_a != to_b) std::swap(t.neighbours[to_a][2], t.neighbours[to_b][2]);
+            const std::size_t f = at(random.below(static_cast<int>(t.faces.size())));
+            const std::size_t g = at(random.below(static_cast<int>(t.faces.size())));
+            // The edge of a face {-1, u, v} from v to infinity is across from u.
+            if (t.faces[f][2] != t.faces[g][2]) continue;
+            const std::size_t across_f = at(t.neighbours[f][1]);
+            const std::size_t across_g = at(t.neighbours[g][1]);
+            std::swap(t.neighbours[f][1], t.neighbours[g][1]);
+            if (f != g) std::swap(t.neighbours[across_f][2], t.neighbours[across_g][2]);
         }
         ASSERT_NO_FATAL_FAILURE(expect_judged_by_definition(t, sites, home, verdicts)) << trial;
     }
