@@ -28,7 +28,7 @@ struct CutFace {
     Point3 normal;  ///< of length 1, outward
     double area;
     Point3 moment;   ///< the integral of the place over the face
-    bool is_narrow;  ///< law 3 of space_cells.hpp: it counts for nothing
+    bool is_narrow;  ///< law 3 of cells.hpp: it counts for nothing
 };
 
 /// A step along the rim of a cell's part of a side of the box.

@@ -1,5 +1,5 @@
 #pragma once
-/// The cells of space_cells.hpp as polyhedra: for pictures, files, and what asks for corners.
+/// The cells of cells.hpp as polyhedra: for pictures, files, and what asks for corners.
 ///
 /// Laws:
 ///  1. A polyhedron is closed: of every edge there are two faces, which run along it in opposite
