@@ -18,7 +18,6 @@
 #include <cstdlib>
 #include <fstream>
 #include <map>
-#include <random>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -34,6 +33,7 @@ using signum::BallDiagram;
 using signum::Index;
 using signum::Site3;
 using Quadruple = std::array<Index, 4>;
+using signum::benchmarks::random_balls;
 using signum::benchmarks::seconds_of;
 using Spheres = std::map<Quadruple, std::vector<Site3>>;
 
@@ -44,17 +44,6 @@ double seconds_of_children() {
     getrusage(RUSAGE_CHILDREN, &usage);
     return static_cast<double>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
            1e-6 * static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
-}
-
-std::vector<Site3> random_balls(std::size_t n, std::uint64_t seed, double side) {
-    std::mt19937_64 bits(seed);
-    const auto real = [&] { return static_cast<double>(bits() >> 11) * 0x1p-53; };
-    std::vector<Site3> balls;
-    for (std::size_t i = 0; i < n; ++i) {
-        const double x = real(), y = real(), z = real();
-        balls.push_back({side * x, side * y, side * z, 1.0 + 2.0 * real()});
-    }
-    return balls;
 }
 
 /// What the exact predicates say of a quadruple: how many of its spheres exist, and how many of
@@ -80,10 +69,10 @@ std::string judged(const std::vector<Site3>& balls, const Quadruple& four) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    const std::size_t n = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 10000;
+    const std::int64_t n = argc > 1 ? std::strtoll(argv[1], nullptr, 10) : 10000;
     const std::uint64_t seed = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 1;
     const double side = argc > 3 ? std::atof(argv[3]) : 2.5 * std::cbrt(static_cast<double>(n));
-    const std::vector<Site3> balls = random_balls(n, seed, side);
+    const std::vector<Site3> balls = random_balls(n, seed, side, 1.0, 3.0);
     BallDiagram diagram;
     double ours = HUGE_VAL;
     for (int run = 0; run < 3; ++run)
@@ -93,9 +82,9 @@ int main(int argc, char** argv) {
         closed += ends[0] == signum::no_end;
         infinite += ends[0] == signum::infinite;
     }
-    std::printf("%zu balls, %zu hidden: %zu vertices, %zu edges (%zu closed, %zu to infinity)\n", n,
-                diagram.hidden.size(), diagram.vertices.size(), diagram.edges.size(), closed,
-                infinite);
+    std::printf("%zu balls, %zu hidden: %zu vertices, %zu edges (%zu closed, %zu to infinity)\n",
+                balls.size(), diagram.hidden.size(), diagram.vertices.size(), diagram.edges.size(),
+                closed, infinite);
     std::printf("signum    %8.3f s\n", ours);
 
     Spheres mine;

@@ -15,7 +15,6 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <numbers>
 #include <random>
 #include <string>
 #include <vector>
@@ -23,6 +22,7 @@
 #include <fmt/format.h>
 
 #include "../bindings/interop/cgal.hpp"
+#include "../tool/generate/generate.hpp"
 
 #include "interleaved.hpp"
 
@@ -34,26 +34,19 @@ using Traits = cgal::Traits<Kernel>;
 
 using P2 = Kernel::Point_2;
 using P3 = Kernel::Point_3;
-using Random = std::mt19937_64;
-double uniform(Random& random) {
-    return std::uniform_real_distribution<double>(0.0, 1.0)(random);
-}
-double normal(Random& random) {
-    return std::normal_distribution<double>()(random);
-}
 
-/// As many as make(random) gives.
-auto many(std::int64_t n, auto make) {
-    Random random(1);
-    std::vector<decltype(make(random))> points;
-    while (std::ssize(points) < n) points.push_back(make(random));
-    return points;
+/// At the centres of generated sites.
+std::vector<P2> points(Distribution distribution, std::int64_t n) {
+    std::vector<P2> result;
+    for (const Site& site : generate(distribution, {.count = n}))
+        result.emplace_back(site.x, site.y);
+    return result;
 }
-std::vector<P2> square(std::int64_t n) {
-    return many(n, [](Random& random) {
-        const double x = uniform(random);
-        return P2(x, uniform(random));
-    });
+std::vector<P3> points(SpaceDistribution distribution, std::int64_t n) {
+    std::vector<P3> result;
+    for (const Site3& site : generate(distribution, {.count = n}))
+        result.emplace_back(site.x, site.y, site.z);
+    return result;
 }
 std::vector<P2> grid(std::int64_t n) {
     const auto side = std::llround(std::sqrt(static_cast<double>(n)));
@@ -69,19 +62,6 @@ std::vector<P2> turned_grid(std::int64_t n) {
     std::vector<P2> points = grid(n);
     for (P2& p : points) p = {cosine * p.x() - sine * p.y(), sine * p.x() + cosine * p.y()};
     return points;
-}
-std::vector<P2> circle(std::int64_t n) {
-    return many(n, [](Random& random) {
-        const double angle = 2.0 * std::numbers::pi * uniform(random);
-        return P2(std::cos(angle), std::sin(angle));
-    });
-}
-std::vector<P3> cube(std::int64_t n) {
-    return many(n, [](Random& random) {
-        const double x = uniform(random);
-        const double y = uniform(random);
-        return P3(x, y, uniform(random));
-    });
 }
 std::vector<P3> lattice(std::int64_t n) {
     const auto side = std::llround(std::cbrt(static_cast<double>(n)));
@@ -99,23 +79,16 @@ std::vector<P3> turned_lattice(std::int64_t n) {
     }
     return points;
 }
-std::vector<P3> sphere(std::int64_t n) {
-    return many(n, [](Random& random) {
-        const double x = normal(random);
-        const double y = normal(random);
-        const double z = normal(random);
-        const double r = std::sqrt(x * x + y * y + z * z);
-        return P3(x / r, y / r, z / r);
-    });
-}
+
 /// Points that weigh up to `largest`, or all the same.
 template <class P>
 auto weighted(const std::vector<P>& points, double largest) {
     using Weighted =
         std::conditional_t<std::same_as<P, P2>, Kernel::Weighted_point_2, Kernel::Weighted_point_3>;
-    Random random(2);
+    std::mt19937_64 random(2);
+    std::uniform_real_distribution<double> weight(0.0, largest);
     std::vector<Weighted> result;
-    for (const P& p : points) result.emplace_back(p, largest * uniform(random));
+    for (const P& p : points) result.emplace_back(p, weight(random));
     return result;
 }
 
@@ -206,23 +179,28 @@ class Contest {
 int main(int argc, char** argv) {
     using namespace signum::benchmarks;
     const std::int64_t n = take_sites(argc, argv, 100'000);
-    const double in_plane = 1.0 / static_cast<double>(n);
-    const double in_space = std::pow(static_cast<double>(n), -2.0 / 3.0);
+    // The squares of the mean distances of neighbours.
+    const double in_plane = 700.0 * 700.0 / static_cast<double>(n);
+    const double in_space = 700.0 * 700.0 * std::pow(static_cast<double>(n), -2.0 / 3.0);
+    const auto square = points(signum::Distribution::random, n);
+    const auto circle = points(signum::Distribution::circle, n / 10);
+    const auto cube = points(signum::SpaceDistribution::random, n);
+    const auto sphere = points(signum::SpaceDistribution::sphere, n / 10);
     Contest contest;
-    contest.add<Delaunay2>("Delaunay_triangulation_2, random", square(n));
+    contest.add<Delaunay2>("Delaunay_triangulation_2, random", square);
     contest.add<Delaunay2>("Delaunay_triangulation_2, grid", grid(n));
     contest.add<Delaunay2>("Delaunay_triangulation_2, turned grid", turned_grid(n));
-    contest.add<Delaunay2>("Delaunay_triangulation_2, circle", circle(n / 10));
-    contest.add<Regular2>("Regular_triangulation_2, random", weighted(square(n), in_plane));
+    contest.add<Delaunay2>("Delaunay_triangulation_2, circle", circle);
+    contest.add<Regular2>("Regular_triangulation_2, random", weighted(square, in_plane));
     contest.add<Regular2>("Regular_triangulation_2, grid of equal weights", weighted(grid(n), 0.0));
-    contest.add<Regular2>("Regular_triangulation_2, circle", weighted(circle(n / 10), 0.0));
-    contest.add<Delaunay3>("Delaunay_triangulation_3, random", cube(n));
+    contest.add<Regular2>("Regular_triangulation_2, circle", weighted(circle, 0.0));
+    contest.add<Delaunay3>("Delaunay_triangulation_3, random", cube);
     contest.add<Delaunay3>("Delaunay_triangulation_3, lattice", lattice(n));
     contest.add<Delaunay3>("Delaunay_triangulation_3, turned lattice", turned_lattice(n));
-    contest.add<Delaunay3>("Delaunay_triangulation_3, sphere", sphere(n / 10));
-    contest.add<Regular3>("Regular_triangulation_3, random", weighted(cube(n), in_space));
+    contest.add<Delaunay3>("Delaunay_triangulation_3, sphere", sphere);
+    contest.add<Regular3>("Regular_triangulation_3, random", weighted(cube, in_space));
     contest.add<Regular3>("Regular_triangulation_3, lattice of equal weights",
                           weighted(lattice(n), 0.0));
-    contest.add<Regular3>("Regular_triangulation_3, sphere", weighted(sphere(n / 10), 0.0));
+    contest.add<Regular3>("Regular_triangulation_3, sphere", weighted(sphere, 0.0));
     return contest.print(run_interleaved(argc, argv, 7)) ? 0 : 1;
 }

@@ -1,9 +1,12 @@
 #pragma once
-/// What benchmarks measure: time, memory, and what is in the middle of several tries.
+/// What benchmarks measure, time, memory, and what is in the middle of several tries; and balls to
+/// measure on.
 
 #include <algorithm>
+#include <cstdint>
 #include <ctime>
 #include <fstream>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -11,6 +14,8 @@
 
 #include <malloc.h>
 #include <unistd.h>
+
+#include "../core/site.hpp"
 
 namespace signum::benchmarks {
 
@@ -35,6 +40,19 @@ inline double bytes_taken() {
     long resident = 0;
     std::ifstream("/proc/self/statm") >> all >> resident;
     return static_cast<double>(resident) * static_cast<double>(::sysconf(_SC_PAGESIZE));
+}
+
+/// Balls with radii from `least` to `greatest`, their centres in a cube.
+inline std::vector<Site3> random_balls(std::int64_t count, std::uint64_t seed, double side,
+                                       double least, double greatest) {
+    std::mt19937_64 random(seed);
+    const auto uniform = [&] { return 0x1p-53 * static_cast<double>(random() >> 11); };
+    std::vector<Site3> balls;
+    for (std::int64_t i = 0; i < count; ++i) {
+        const double x = uniform(), y = uniform(), z = uniform();
+        balls.push_back({side * x, side * y, side * z, least + (greatest - least) * uniform()});
+    }
+    return balls;
 }
 
 /// Precondition: there are values. Of an even number the greater one of the two in the middle.

@@ -17,6 +17,7 @@
 #include <fmt/format.h>
 
 #include "../motion/simulation.hpp"
+#include "../tool/scenes/arrangement.hpp"
 #include "measuring.hpp"
 
 namespace signum::benchmarks {
@@ -26,61 +27,37 @@ using motion::Body;
 using motion::Kernel;
 using motion::Structure;
 
-/// Balls of diameter 1 that fill a share of a periodic box, on a triangular or face-centred cubic
-/// lattice; velocities are normal.
 template <int D>
 struct Gas {
     std::vector<Body<D>> bodies;
     motion::Effects<D> effects;
-
-    Gas() = default;
-    Gas(std::size_t number, double packing) {
-        std::mt19937_64 random(1);
-        std::normal_distribution<double> speed;
-        const double of_a_ball = D == 2 ? std::numbers::pi / 4.0 : std::numbers::pi / 6.0;
-        const double volume = static_cast<double>(number) * of_a_ball / packing;
-        effects.box.emplace();
-        effects.periodic = true;
-        const auto add = [&](const motion::Vector<D>& x) {
-            Body<D> body{x, {}, 0.5, 1.0};
-            for (double& v : body.v) v = speed(random);
-            if (bodies.size() < number) bodies.push_back(body);
-        };
-        if constexpr (D == 2) {
-            const double side = std::sqrt(volume);
-            const auto columns = static_cast<std::size_t>(
-                std::sqrt(static_cast<double>(number) * std::numbers::sqrt3 / 2.0));
-            std::size_t rows = (number + columns - 1) / columns;
-            rows += rows % 2;
-            effects.box->high = {side, side};
-            for (std::size_t i = 0; i < rows; ++i)
-                for (std::size_t j = 0; j < columns; ++j)
-                    add({(static_cast<double>(j) + (i % 2 == 0 ? 0.25 : 0.75)) * side /
-                             static_cast<double>(columns),
-                         (static_cast<double>(i) + 0.5) * side / static_cast<double>(rows)});
-        } else {
-            const double side = std::cbrt(volume);
-            std::size_t cells = 1;
-            while (4 * cells * cells * cells < number) ++cells;
-            const double width = side / static_cast<double>(cells);
-            effects.box->high = {side, side, side};
-            constexpr double places[4][3] = {
-                {0.25, 0.25, 0.25}, {0.75, 0.75, 0.25}, {0.75, 0.25, 0.75}, {0.25, 0.75, 0.75}};
-            for (std::size_t i = 0; i < cells; ++i)
-                for (std::size_t j = 0; j < cells; ++j)
-                    for (std::size_t k = 0; k < cells; ++k)
-                        for (const auto& place : places)
-                            add({(static_cast<double>(i) + place[0]) * width,
-                                 (static_cast<double>(j) + place[1]) * width,
-                                 (static_cast<double>(k) + place[2]) * width});
-        }
-    }
 };
+
+/// Balls of diameter 1 that fill a share of a periodic box, on a triangular or face-centred cubic
+/// lattice; velocities are normal.
+template <int D>
+Gas<D> on_lattice(std::size_t number, double packing) {
+    std::mt19937_64 random(1);
+    std::normal_distribution<double> speed;
+    const double volume = static_cast<double>(number) * motion::ball_volume<D>(0.5) / packing;
+    Gas<D> gas;
+    gas.effects.box.emplace();
+    gas.effects.box->high.fill(std::pow(volume, 1.0 / D));
+    gas.effects.periodic = true;
+    const std::vector<double> radii(number, 0.5);
+    for (const motion::Vector<D>& x :
+         place_on_lattice<D>({*gas.effects.box, gas.effects.periodic, volume}, radii, {})) {
+        Body<D> body{x, {}, 0.5, 1.0};
+        for (double& v : body.v) v = speed(random);
+        gas.bodies.push_back(body);
+    }
+    return gas;
+}
 
 template <int D>
 void measure(std::size_t number, double packing, Structure structure) {
     constexpr int rounds = 7;
-    const Gas<D> gas(number, packing);
+    const Gas<D> gas = on_lattice<D>(number, packing);
     const auto settling = std::max<std::uint64_t>(10 * number, 200'000);
     const auto strikes = std::max<std::uint64_t>(number, 200'000);
     const motion::State<D> start = motion::start<D>(gas.bodies, gas.effects);
@@ -131,11 +108,11 @@ double ratio_from_start(const Gas<D>& gas, std::uint64_t strikes, Structure stru
     std::vector<double> ratios;
     for (int round = 0; round < 7; ++round) {
         const auto time_of = [&](Kernel kernel) {
-            const double begin = seconds();
-            motion::Simulation<D> simulation(motion::start<D>(gas.bodies, gas.effects), gas.effects,
-                                             {structure, kernel});
-            simulation.run({.strikes = strikes});
-            return seconds() - begin;
+            return seconds_of([&] {
+                motion::Simulation<D> simulation(motion::start<D>(gas.bodies, gas.effects),
+                                                 gas.effects, {structure, kernel});
+                simulation.run({.strikes = strikes});
+            });
         };
         const double exact = time_of(Kernel::exact);
         ratios.push_back(exact / time_of(Kernel::naive));
@@ -148,17 +125,15 @@ double ratio_from_start(const Gas<D>& gas, std::uint64_t strikes, Structure stru
 
 int main(int count, char** words) {
     using namespace signum;
-    using benchmarks::Gas;
+    using benchmarks::on_lattice;
     using benchmarks::ratio_from_start;
     const std::size_t most = count > 1 ? std::strtoul(words[1], nullptr, 10) : 1'000'000;
     const std::string_view name = count > 2 ? words[2] : "lists";
-    const auto* const structure =
-        std::ranges::find_if(motion::all_structures,
-                             [&](motion::Structure each) { return motion::name_of(each) == name; });
-    if (structure == motion::all_structures.end()) return 2;
+    const auto structure = motion::structure_named(name);
+    if (!structure) return 2;
     // So that the program itself lies in memory.
-    static_cast<void>(ratio_from_start(Gas<3>(500, 0.25), 1000, *structure));
-    static_cast<void>(ratio_from_start(Gas<2>(500, 0.25), 1000, *structure));
+    static_cast<void>(ratio_from_start(on_lattice<3>(500, 0.25), 1000, *structure));
+    static_cast<void>(ratio_from_start(on_lattice<2>(500, 0.25), 1000, *structure));
     fmt::print(
         "| balls | packing | number | million strikes a second | in doubles | exact / "
         "doubles, time | bytes a ball | pairs asked a strike | structure's events a strike "
@@ -171,9 +146,9 @@ int main(int count, char** words) {
             if (number <= most) benchmarks::measure<2>(number, packing, *structure);
     fmt::print("\nfrom the start on, exact / doubles, time:\n");
     fmt::print("spheres on a face-centred lattice: {:.2f}\n",
-               ratio_from_start(Gas<3>(4000, 0.49), 100'000, *structure));
+               ratio_from_start(on_lattice<3>(4000, 0.49), 100'000, *structure));
     fmt::print("discs on a triangular lattice: {:.2f}\n",
-               ratio_from_start(Gas<2>(4096, 0.5), 100'000, *structure));
+               ratio_from_start(on_lattice<2>(4096, 0.5), 100'000, *structure));
     fmt::print("discs at rest on a square lattice, rows struck at once: {:.2f}\n",
                ratio_from_start(benchmarks::lattice_at_rest(4096), 100'000, *structure));
     return 0;

@@ -8,7 +8,7 @@ extern "C" {
 #include <libqhull_r/qhull_ra.h>
 }
 
-#include "peer.hpp"
+#include "construction.hpp"
 
 namespace signum::benchmarks {
 namespace {

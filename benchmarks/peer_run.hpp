@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "peer.hpp"
+#include "construction.hpp"
 
 namespace signum::benchmarks {
 

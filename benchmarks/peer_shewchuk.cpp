@@ -4,7 +4,7 @@
 
 #include "../triangulation/construction/constructions.hpp"
 
-#include "peer.hpp"
+#include "construction.hpp"
 
 void exactinit(int verbose, int noexact, int nofilter, double max_x, double max_y, double max_z);
 double orient2d(double* a, double* b, double* c);

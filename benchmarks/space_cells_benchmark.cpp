@@ -10,7 +10,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
-#include <random>
 #include <vector>
 
 #include <fmt/format.h>
@@ -33,19 +32,6 @@ constexpr Kind kinds[] = {{"points", 0.0, 0.0},
                           {"radii 1 : 3, apart", 0.1, 0.3},
                           {"radii 1 : 3, packed", 0.25, 0.75},
                           {"radii 1 : 3, crowded", 0.5, 1.5}};
-
-std::vector<Site3> balls(std::int64_t count, const Kind& kind) {
-    std::mt19937_64 random(1);
-    const auto uniform = [&] { return 0x1p-53 * static_cast<double>(random() >> 11); };
-    const double distance = 1.0 / std::cbrt(static_cast<double>(count));
-    std::vector<Site3> sites;
-    for (std::int64_t i = 0; i < count; ++i) {
-        Site3 s{uniform(), uniform(), uniform(), 0.0};
-        s.r = distance * (kind.least + (kind.greatest - kind.least) * uniform());
-        sites.push_back(s);
-    }
-    return sites;
-}
 
 #if defined(SIGNUM_WITH_VORO)
 /// How two results differ.
@@ -97,7 +83,9 @@ struct Differences {
 
 void measure(const Kind& kind, std::int64_t count) {
     constexpr int rounds = 5;
-    const std::vector<Site3> sites = balls(count, kind);
+    const double distance = 1.0 / std::cbrt(static_cast<double>(count));
+    const std::vector<Site3> sites =
+        random_balls(count, 1, 1.0, distance * kind.least, distance * kind.greatest);
     const std::span<const Site3> all(sites);
     const Box3 box = {{0, 0, 0}, {1, 1, 1}};
     std::vector<double> building;

@@ -21,6 +21,7 @@
 #include <fmt/format.h>
 
 #include "../motion/simulation.hpp"
+#include "../tool/scenes/arrangement.hpp"
 #include "measuring.hpp"
 
 namespace signum::benchmarks {
@@ -34,81 +35,38 @@ using motion::Vector;
 constexpr double packing = 0.3;
 constexpr int rounds = 5;
 
-/// Balls thrown into a box at random, the largest first, each anew as long as it overlaps another
-/// one. Radii are from 1 to the largest; balls of any size and of twice that size fill as much in
-/// all, so there are 2^D times as many of the smaller. Masses are those of one stuff, speeds those
-/// of one temperature.
 template <int D>
-class Gas {
- public:
-    Gas(std::size_t number, double largest) {
-        std::mt19937_64 random(1);
-        std::uniform_real_distribution<double> share;
-        std::vector<double> radii(number);
-        for (double& r : radii)
-            r = std::pow(1.0 - share(random) * (1.0 - std::pow(largest, -D)), -1.0 / D);
-        std::ranges::sort(radii, std::greater{});
-        double volume = 0.0;
-        for (const double r : radii) volume += motion::ball_volume<D>(r);
-        side_ = std::pow(volume / packing, 1.0 / D);
-        columns_ = static_cast<std::size_t>(side_ / (2.0 * radii.front()));
-        cells_.resize(static_cast<std::size_t>(std::pow(columns_, D)));
-        effects.box.emplace();
-        effects.box->high.fill(side_);
-
-        std::normal_distribution<double> speed;
-        for (const double r : radii) {
-            Body<D> body{{}, {}, r, std::pow(r, D)};
-            do {
-                for (double& x : body.x) x = r + share(random) * (side_ - 2.0 * r);
-            } while (overlaps(body));
-            for (double& v : body.v) v = speed(random) / std::sqrt(body.mass);
-            cells_[cell_of(body.x)].push_back(bodies.size());
-            bodies.push_back(body);
-        }
-    }
-
+struct Gas {
     std::vector<Body<D>> bodies;
     motion::Effects<D> effects;
-
- private:
-    [[nodiscard]] std::size_t column_of(double x) const {
-        return std::min(static_cast<std::size_t>(x / side_ * static_cast<double>(columns_)),
-                        columns_ - 1);
-    }
-    [[nodiscard]] std::size_t cell_of(const Vector<D>& x) const {
-        std::size_t cell = 0;
-        for (const double each : x) cell = cell * columns_ + column_of(each);
-        return cell;
-    }
-    [[nodiscard]] bool overlaps(const Body<D>& body) const {
-        // The cells around, as the digits of a number to the base 3.
-        for (std::size_t around = 0; around < (D == 2 ? 9U : 27U); ++around) {
-            std::size_t cell = 0;
-            std::size_t digits = around;
-            bool is_inside = true;
-            for (const double x : body.x) {
-                const std::size_t column = column_of(x) + digits % 3;  // one too many
-                digits /= 3;
-                is_inside &= 1 <= column && column <= columns_;
-                cell = cell * columns_ + (column - 1);
-            }
-            if (!is_inside) continue;
-            for (const std::size_t other : cells_[cell]) {
-                double square = 0.0;
-                for (int k = 0; k < D; ++k) square += std::pow(body.x[k] - bodies[other].x[k], 2);
-                // A little apart, so that nobody touches by a rounding.
-                if (square < std::pow(body.radius + bodies[other].radius, 2) * (1.0 + 1e-9))
-                    return true;
-            }
-        }
-        return false;
-    }
-
-    double side_ = 0.0;
-    std::size_t columns_ = 0;
-    std::vector<std::vector<std::size_t>> cells_;
 };
+
+/// Balls thrown into a box at random. Radii are from 1 to the largest; balls of any size and of
+/// twice that size fill as much in all, so there are 2^D times as many of the smaller. Masses are
+/// those of one stuff, speeds those of one temperature.
+template <int D>
+Gas<D> gas_of(std::size_t number, double largest) {
+    std::mt19937_64 random(1);
+    std::uniform_real_distribution<double> share;
+    std::vector<double> radii(number);
+    for (double& r : radii)
+        r = std::pow(1.0 - share(random) * (1.0 - std::pow(largest, -D)), -1.0 / D);
+    std::ranges::sort(radii, std::greater{});
+    double volume = 0.0;
+    for (const double r : radii) volume += motion::ball_volume<D>(r) / packing;
+    Gas<D> gas;
+    gas.effects.box.emplace();
+    gas.effects.box->high.fill(std::pow(volume, 1.0 / D));
+    const std::vector<Vector<D>> centres =
+        place_by_chance<D>({.box = *gas.effects.box, .volume = volume}, radii, {}, 1);
+    std::normal_distribution<double> speed;
+    for (std::size_t i = 0; i < number; ++i) {
+        Body<D> body{centres[i], {}, radii[i], std::pow(radii[i], D)};
+        for (double& v : body.v) v = speed(random) / std::sqrt(body.mass);
+        gas.bodies.push_back(body);
+    }
+    return gas;
+}
 
 struct Measured {
     Counts before;
@@ -160,7 +118,7 @@ double ratio(std::uint64_t part, std::uint64_t whole) {
 /// The columns of one gas, those of all structures in turn.
 template <int D>
 void add_columns(std::vector<Row>& rows, std::size_t number, double largest) {
-    const Gas<D> gas(number, largest);
+    const Gas<D> gas = gas_of<D>(number, largest);
     motion::Simulation<D> settling(motion::start<D>(gas.bodies, gas.effects), gas.effects);
     settling.run({.strikes = 10 * number});
     const motion::State<D> state = settling.state();

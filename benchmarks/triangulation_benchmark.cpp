@@ -18,7 +18,6 @@
 
 #include "cgal_constructions.hpp"
 #include "interleaved.hpp"
-#include "peer.hpp"
 
 namespace signum::benchmarks {
 namespace {

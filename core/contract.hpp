@@ -19,9 +19,9 @@
 static_assert(0x1p-1000 > 0.0,
               "signum needs IEEE arithmetic: compile without -fsingle-precision-constant");
 
-/// What stands between these two, outside all namespaces, is compiled as it is written. Some
-/// versions of Clang take sums in another order without a macro that tells, but here they do as
-/// they are told.
+/// Clang compiles what stands between these two, outside all namespaces, as it is written. Some of
+/// its versions take sums in another order without a macro that tells, but here they do as they are
+/// told.
 #if defined(__clang__)
 #define SIGNUM_IEEE_BEGIN                                                \
     _Pragma("float_control(push)") _Pragma("float_control(precise, on)") \

@@ -58,7 +58,7 @@ std::optional<Curve> bisector_in<Euclidean>(const PairOfSites& pair) {
     return hyperbola(pair, way);
 }
 
-/// By law 5 of polynomials.hpp, for i, j, k = a, b, apex: the vertices of the two faces lie at
+/// By law 5 of apollonius.hpp, for i, j, k = a, b, apex: the vertices of the two faces lie at
 ///     4Q t = p_ij C e ± 2W √Γ,
 /// + where the face turns as a, b, apex. With laws 3 and 4 the product of the two is
 ///     4Q t t' = p_ij² C² - d Γ,  d = |b - a|².

@@ -96,11 +96,6 @@ signum_status guarded(signum_error* error, Work&& work) noexcept {
 inline void expect(const void* pointer, const char* name) {
     if (pointer == nullptr) throw Refused(std::string(name) + " is null");
 }
-template <class Function>
-requires std::is_function_v<Function>
-void expect(Function* pointer, const char* name) {
-    if (pointer == nullptr) throw Refused(std::string(name) + " is null");
-}
 
 /// An array of `count` things: null is none.
 inline void expect_array(const void* first, std::int64_t count, const char* name) {

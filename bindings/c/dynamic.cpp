@@ -18,7 +18,7 @@ using c::with;
 
 signum_status signum_dynamic_create(signum_metric metric, signum_weight_is weight_is,
                                     signum_dynamic** dynamic, signum_error* error) {
-    return c::create(dynamic, "dynamic", error, [&] {
+    return c::create(dynamic, error, [&] {
         return DynamicTessellation(c::metric_of(metric), c::weight_of(weight_is));
     });
 }
@@ -86,7 +86,7 @@ signum_status signum_dynamic_site(const signum_dynamic* dynamic, int32_t handle,
 
 signum_status signum_dynamic_tessellation(const signum_dynamic* dynamic,
                                           signum_tessellation** tessellation, signum_error* error) {
-    return c::create(tessellation, "tessellation", error, [&] {
+    return c::create(tessellation, error, [&] {
         expect(dynamic);
         return dynamic->sites.tessellation();
     });

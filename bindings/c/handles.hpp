@@ -21,10 +21,10 @@ namespace signum::c {
 /// Creates a handle where the caller wants it; null while it is not there. The handle is
 /// Handle{make()}.
 template <class Handle, class Make>
-signum_status create(Handle** place, const char* name, signum_error* error, Make&& make) noexcept {
+signum_status create(Handle** place, signum_error* error, Make&& make) noexcept {
     if (place != nullptr) *place = nullptr;
     return guarded(error, [&] {
-        expect(place, name);
+        expect(place, Handle::name);
         *place = new Handle{make()};
     });
 }

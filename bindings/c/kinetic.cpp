@@ -33,7 +33,7 @@ using c::with;
 signum_status signum_kinetic_create(const signum_moving_site* sites, int64_t count, double start,
                                     const double* fall, signum_kinetic** kinetic,
                                     signum_error* error) {
-    return c::create(kinetic, "kinetic", error, [&] {
+    return c::create(kinetic, error, [&] {
         c::expect_array(sites, count, "sites");
         std::vector<MovingSite> copy;
         copy.reserve(static_cast<std::size_t>(count));
@@ -122,7 +122,7 @@ signum_status signum_kinetic_faces(signum_kinetic* kinetic, const int32_t** face
 
 signum_status signum_kinetic_tessellation(const signum_kinetic* kinetic,
                                           signum_tessellation** tessellation, signum_error* error) {
-    return c::create(tessellation, "tessellation", error, [&] {
+    return c::create(tessellation, error, [&] {
         expect(kinetic);
         return kinetic->sites.tessellation();
     });

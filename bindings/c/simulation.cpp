@@ -216,7 +216,7 @@ signum_status signum_meeting_time(const signum_ball* a, const signum_ball* b,
 signum_status signum_simulation_create(const signum_ball* balls, int64_t count,
                                        const signum_effects* effects,
                                        signum_simulation** simulation, signum_error* error) {
-    return c::create(simulation, "simulation", error, [&] {
+    return c::create(simulation, error, [&] {
         c::expect_array(balls, count, "balls");
         const signum_effects given = c::read_effects(effects);
         return given.dimension == 2 ? c::AnyWorld(c::world_of<2>(balls, count, given))

@@ -64,7 +64,7 @@ signum_status signum_triangulate_space(const double* sites, int64_t count, int64
                                        const signum_options* options,
                                        signum_space_tessellation** tessellation,
                                        signum_error* error) {
-    return c::create(tessellation, "tessellation", error, [&] {
+    return c::create(tessellation, error, [&] {
         const c::Asked asked = c::asked(options);
         c::SpaceSites copy = c::space_sites(sites, count, stride, asked.weight_is);
         SpaceTessellation made =

@@ -60,7 +60,7 @@ using c::with;
 signum_status signum_triangulate(const double* sites, int64_t count, int64_t stride,
                                  signum_metric metric, const signum_options* options,
                                  signum_tessellation** tessellation, signum_error* error) {
-    return create(tessellation, "tessellation", error, [&] {
+    return create(tessellation, error, [&] {
         const c::Asked asked = c::asked(options);
         const Metric which = c::metric_of(metric);
         return triangulate(c::view(sites, count, stride, asked.weight_is, asked.options.arithmetic),
@@ -141,7 +141,7 @@ signum_status signum_validate(const signum_arrays* arrays, const double* sites, 
 
 signum_status signum_voronoi_create(const signum_tessellation* tessellation, int32_t merge,
                                     signum_voronoi** voronoi, signum_error* error) {
-    return create(voronoi, "voronoi", error, [&] {
+    return create(voronoi, error, [&] {
         expect(tessellation);
         return signum::voronoi(tessellation->tessellation, {.merge = merge != 0});
     });

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstring>
 #include <span>
 #include <string>
 #include <utility>
@@ -57,6 +58,14 @@ class Rows {
 /// A table of whole numbers that fit 32 bits, `columns` wide.
 [[nodiscard]] std::vector<Index> indices(const py::object& object, const std::string& what,
                                          std::size_t columns);
+/// The same as rows that are nothing but their numbers.
+template <class Row>
+[[nodiscard]] std::vector<Row> rows_of(const py::object& object, const std::string& what) {
+    const std::vector<Index> numbers = indices(object, what, sizeof(Row) / sizeof(Index));
+    std::vector<Row> rows(numbers.size() * sizeof(Index) / sizeof(Row));
+    if (!rows.empty()) std::memcpy(rows.data(), numbers.data(), rows.size() * sizeof(Row));
+    return rows;
+}
 
 /// One number, or as many as the object has: handles, sites.
 [[nodiscard]] std::vector<Index> index_list(const py::object& object, const std::string& what);

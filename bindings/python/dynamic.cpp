@@ -104,12 +104,8 @@ a curve up to O(n), where each new one is a neighbour of most.)")
         .def("erase", &erased, py::arg("handles"),
              "Takes one site or several away; what they hid reappears. Raises IndexError for no "
              "handle.")
-        .def(
-            "change",
-            [](Dynamic& dynamic, Index handle, double third) {
-                used(dynamic, &DynamicTessellation::change, handle, third);
-            },
-            py::arg("handle"), py::arg("third"), "Gives a site another radius, or weight.")
+        .def("change", locked<DynamicTessellation, Index, double>(&DynamicTessellation::change),
+             py::arg("handle"), py::arg("third"), "Gives a site another radius, or weight.")
         .def(
             "move",
             [](Dynamic& dynamic, Index handle, const py::object& centre) {
@@ -129,8 +125,7 @@ Raises ValueError unless there is one for each, all finite; then nothing has cha
             py::arg("handle"),
             "(x, y, r) of a site. Raises IndexError where there is no such handle.")
         .def(
-            "tessellation",
-            [](Dynamic& dynamic) { return used(dynamic, &DynamicTessellation::tessellation); },
+            "tessellation", locked<DynamicTessellation>(&DynamicTessellation::tessellation),
             R"(The Tessellation of the sites, numbered from 0 in the order of their handles. O(n log n).)")
         .def_property_readonly(
             "insertions",
@@ -265,13 +260,8 @@ a DynamicTessellation.)");
                 return used(kinetic, &KineticTessellation::insert, one_moving_site(site));
             },
             py::arg("site"), "Adds a site at the present time, and gives its handle.")
-        .def(
-            "erase",
-            [](Kinetic& kinetic, Index handle) {
-                used(kinetic, &KineticTessellation::erase, handle);
-            },
-            py::arg("handle"),
-            "Takes a site away. Raises IndexError where there is no such handle.")
+        .def("erase", locked<Moving, Index>(&KineticTessellation::erase), py::arg("handle"),
+             "Takes a site away. Raises IndexError where there is no such handle.")
         .def(
             "change",
             [](Kinetic& kinetic, Index handle, const py::object& site) {
@@ -285,9 +275,8 @@ a DynamicTessellation.)");
                 return py::make_tuple(site.x, site.y, site.r, site.vx, site.vy, site.time);
             },
             py::arg("handle"), "(x, y, r, vx, vy, time) of a site.")
-        .def_property_readonly(
-            "time", [](Kinetic& kinetic) { return used(kinetic, &KineticTessellation::time); },
-            "The present time.")
+        .def_property_readonly("time", locked<Moving>(&KineticTessellation::time),
+                               "The present time.")
         .def(
             "next_event",
             [](Kinetic& kinetic) -> py::object {
@@ -310,8 +299,7 @@ the time is then that of the last one.)")
             "The finite faces right after the present time: triples of handles, int32 (f, 3), "
             "sorted.")
         .def(
-            "tessellation",
-            [](Kinetic& kinetic) { return used(kinetic, &KineticTessellation::tessellation); },
+            "tessellation", locked<Moving>(&KineticTessellation::tessellation),
             R"(The Tessellation of the sites as they are now, at the doubles nearest to their places.
 
 Raises OverflowError where a site is beyond the doubles. O(n log n).)")
@@ -321,15 +309,9 @@ Raises OverflowError where a site is beyond the doubles. O(n log n).)")
                 return dictionary(used(kinetic, &KineticTessellation::statistics));
             },
             "What keeping it up took, by name.")
-        .def(
-            "__contains__",
-            [](Kinetic& kinetic, Index handle) {
-                return used(kinetic, &KineticTessellation::contains, handle);
-            },
-            py::arg("handle"), "Whether a site has that handle.")
-        .def(
-            "__len__", [](Kinetic& kinetic) { return used(kinetic, &KineticTessellation::size); },
-            "How many sites there are.");
+        .def("__contains__", locked<Moving, Index>(&KineticTessellation::contains),
+             py::arg("handle"), "Whether a site has that handle.")
+        .def("__len__", locked<Moving>(&KineticTessellation::size), "How many sites there are.");
 }
 
 }  // namespace

@@ -33,9 +33,6 @@ template <class Enumerators>
 [[nodiscard]] inline Arithmetic arithmetic_of(const std::string& name) {
     return named(name, "arithmetic", all_arithmetics);
 }
-[[nodiscard]] inline Method method_of(const std::string& name) {
-    return named(name, "method", all_methods);
-}
 [[nodiscard]] inline py::str text(std::string_view name) {
     return py::str(name.data(), name.size());
 }

@@ -51,7 +51,7 @@ Tessellation triangulated(const py::object& sites, const std::string& metric,
     const Metric in_metric = metric_of(metric);
     const bool weights = weight_of(weight_is) == WeightIs::weight;
     Options options;
-    options.method = method_of(method);
+    options.method = named(method, "method", all_methods);
     options.arithmetic = arithmetic_of(arithmetic);
     options.seed = seed;
     options.count = count;
@@ -63,14 +63,6 @@ Tessellation triangulated(const py::object& sites, const std::string& metric,
     });
 }
 
-std::vector<Face> faces_of(const py::object& object, const std::string& what) {
-    const std::vector<Index> numbers = indices(object, what, 3);
-    std::vector<Face> faces(numbers.size() / 3);
-    for (std::size_t f = 0; f < faces.size(); ++f)
-        faces[f] = {numbers[3 * f], numbers[3 * f + 1], numbers[3 * f + 2]};
-    return faces;
-}
-
 Validation validated(const py::object& sites, const py::object& faces, const std::string& metric,
                      const py::object& neighbours, const py::object& hidden,
                      const std::string& weight_is, const py::object& progress) {
@@ -80,13 +72,9 @@ Validation validated(const py::object& sites, const py::object& faces, const std
     arrays.metric = metric_of(metric);
     arrays.weight_is = weight_of(weight_is);
     arrays.sites = static_cast<std::int64_t>(rows.size());
-    arrays.faces = faces_of(faces, "faces");
-    if (!neighbours.is_none()) arrays.neighbours = faces_of(neighbours, "neighbours");
-    if (!hidden.is_none()) {
-        const std::vector<Index> pairs = indices(hidden, "hidden", 2);
-        for (std::size_t k = 0; k < pairs.size(); k += 2)
-            arrays.hidden.push_back({pairs[k], pairs[k + 1]});
-    }
+    arrays.faces = rows_of<Face>(faces, "faces");
+    if (!neighbours.is_none()) arrays.neighbours = rows_of<Face>(neighbours, "neighbours");
+    if (!hidden.is_none()) arrays.hidden = rows_of<Hidden>(hidden, "hidden");
     return watched(progress, [&](Watch& watch) {
         return validate(arrays, rows.sites(arrays.weight_is == WeightIs::weight),
                         {watch.token(), watch.progress()});
@@ -94,15 +82,15 @@ Validation validated(const py::object& sites, const py::object& faces, const std
 }
 
 py::array_t<bool> may_share_edge(const Tessellation& tessellation, const py::object& pairs) {
-    const std::vector<Index> numbers = indices(pairs, "pairs", 2);
-    py::array_t<bool> result(static_cast<py::ssize_t>(numbers.size() / 2));
+    const std::vector<Edge> edges = rows_of<Edge>(pairs, "pairs");
+    py::array_t<bool> result(static_cast<py::ssize_t>(edges.size()));
     bool* answer = result.mutable_data();
     watched([&](Watch& watch) {
         const Canonical canonical(tessellation);
         const Contacts contacts = contacts_of(canonical);
-        for (std::size_t i = 0; i < numbers.size() / 2; ++i) {
-            watch.at(i, numbers.size() / 2);
-            answer[i] = contacts(numbers[2 * i], numbers[2 * i + 1]);
+        for (std::size_t i = 0; i < edges.size(); ++i) {
+            watch.at(i, edges.size());
+            answer[i] = contacts(edges[i][0], edges[i][1]);
         }
     });
     return result;

@@ -173,4 +173,12 @@ auto used(Exclusive<Value>& object, Method method, const Arguments&... arguments
     });
 }
 
+/// The same for Python to call, with arguments of these types.
+template <class Value, class... Arguments, class Method>
+[[nodiscard]] auto locked(Method method) {
+    return [method](Exclusive<Value>& object, const Arguments&... arguments) {
+        return used(object, method, arguments...);
+    };
+}
+
 }  // namespace signum::python

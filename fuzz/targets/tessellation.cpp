@@ -46,7 +46,7 @@ void judge_writing(const TessellationArrays& arrays, const std::vector<Site>& si
         return;
     }
     const MemoryFile copy(text.str());
-    must(read_tessellation(copy.path()) == arrays,
+    must(read_tessellation(copy.path()).arrays == arrays,
          "a tessellation of the plane that does not read back to the same");
 }
 
@@ -63,7 +63,7 @@ void judge_in_space(const ReadTessellation& read) {
     std::ostringstream text;
     write_json(text, *read.in_space, read.arrays.metric, read.arrays.weight_is);
     const MemoryFile copy(text.str());
-    const ReadTessellation again = read_any_tessellation(copy.path());
+    const ReadTessellation again = read_tessellation(copy.path());
     must(again.in_space == read.in_space && again.arrays == read.arrays,
          "a tessellation of space that does not read back to the same");
     if (read.in_space->sites > most_judged) return;
@@ -75,14 +75,12 @@ void judge_in_space(const ReadTessellation& read) {
 
 void read_tessellation_target(Bytes bytes) {
     const MemoryFile file(bytes);
-    const auto of_plane = result_of(file.path(), read_tessellation);
-    const auto of_any = result_of(file.path(), read_any_tessellation);
-    if (of_plane) {
-        must(of_any && !of_any->in_space && of_any->arrays == *of_plane,
-             "two readers that differ about a tessellation of the plane");
-        judge_arrays(*of_plane);
-    }
-    if (of_any && of_any->in_space) judge_in_space(*of_any);
+    const auto read = result_of(file.path(), read_tessellation);
+    if (!read) return;
+    if (read->in_space)
+        judge_in_space(*read);
+    else
+        judge_arrays(read->arrays);
 }
 
 }  // namespace signum::fuzz

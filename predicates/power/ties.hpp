@@ -20,12 +20,11 @@ namespace signum::power {
 /// Whether site a (of index a_index) comes before site b in the tie rule's order.
 template <PowerSite S>
 [[nodiscard]] bool precedes(const S& a, Index a_index, const S& b, Index b_index) noexcept {
-    const double a_weight = weight_key(a);
-    const double b_weight = weight_key(b);
-    if (a_weight != b_weight) return a_weight > b_weight;
-    if (a.x != b.x) return a.x < b.x;
-    if (a.y != b.y) return a.y < b.y;
-    return a_index < b_index;
+    using filters::compare_numbers;
+    int order = compare_numbers(weight_key(b), weight_key(a));
+    if (order == 0) order = compare_numbers(a.x, b.x);
+    if (order == 0) order = compare_numbers(a.y, b.y);
+    return order != 0 ? order < 0 : a_index < b_index;
 }
 
 /// What in_circle(i,j,k,q) = 0 becomes: +1 conflict or -1 none. `ranks` are the places of i, j, k

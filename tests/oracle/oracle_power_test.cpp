@@ -5,10 +5,16 @@
 #include <gtest/gtest.h>
 #include "oracle_test_support.hpp"
 #include "power.hpp"
+#include "valid_power.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <span>
 #include <stdexcept>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -174,6 +180,103 @@ TEST(OraclePower, Invariances) {
             ASSERT_EQ(power(scaled), unscaled) << "scaled by 2^" << exponent << ", " << i;
         }
     }
+}
+
+std::string wrong(const Tessellation& t, const std::vector<Weighted>& sites,
+                  const signum::oracle::Neighbours& neighbours = {}) {
+    return signum::oracle::what_is_wrong(t, neighbours, std::span<const Weighted>(sites));
+}
+
+TEST(OraclePower, IsValidHoweverTiesAreDecided) {
+    Random random(107);
+    int others = 0;
+    for (int i = 0; i < 200; ++i) {
+        std::vector<Weighted> sites;
+        for (int k = 0, n = 1 + random.below(7); k < n; ++k)
+            sites.push_back({1.0 * random.below(3), 1.0 * random.below(i % 4 == 0 ? 1 : 3),
+                             1.0 * random.below(2)});
+        signum::oracle::Ranks ranks(sites.size());
+        for (std::size_t k = 0; k < ranks.size(); ++k) ranks[k] = k;
+        ranks = shuffled(ranks, random);
+        const Tessellation t = signum::oracle::power_weights(sites, ranks);
+        ASSERT_EQ(wrong(t, sites), "") << i;
+        others += static_cast<int>(t != weights(sites));
+    }
+    EXPECT_GT(others, 50);
+}
+
+TEST(OraclePower, SaysWhatIsWrong) {
+    const std::vector<Weighted> square = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, -2}};
+    const Tessellation t = {{{-1, 0, 3}, {-1, 1, 0}, {-1, 2, 1}, {-1, 3, 2}, {0, 1, 2}, {0, 2, 3}},
+                            {{4, 0}}};
+    EXPECT_EQ(wrong(t, square), "");
+    const signum::oracle::Neighbours neighbours = {{5, 3, 1}, {4, 0, 2}, {4, 1, 3},
+                                                   {5, 2, 0}, {2, 5, 1}, {3, 0, 4}};
+    EXPECT_EQ(wrong(t, square, neighbours), "");
+    auto other_neighbours = neighbours;
+    std::swap(other_neighbours[4][0], other_neighbours[4][1]);
+    EXPECT_EQ(wrong(t, square, other_neighbours), "a neighbour does not share the edge");
+    const auto changed = [&](auto change) {
+        Tessellation result = t;
+        change(result);
+        return wrong(result, square);
+    };
+    EXPECT_EQ(changed([](auto& w) { w.hidden.clear(); }),
+              "hidden sites have no face, others have one");
+    EXPECT_EQ(changed([](auto& w) { w.hidden.push_back({4, 1}); }), "hidden twice");
+    EXPECT_EQ(changed([](auto& w) { w.hidden[0][1] = 4; }), "hidden by a hidden one");
+    EXPECT_EQ(changed([](auto& w) { w.faces.pop_back(); }), "an edge is one of a single face");
+    EXPECT_EQ(changed([](auto& w) { w.faces.push_back(w.faces[5]); }),
+              "two faces have an edge on the same side");
+    EXPECT_EQ(changed([](auto& w) {
+                  for (auto& face : w.faces) std::swap(face[0], face[1]);
+              }),
+              "a face is not counterclockwise");
+    EXPECT_EQ(changed([](auto& w) {
+                  w.faces = {{-1, 0, 2}, {-1, 1, 0}, {-1, 2, 1}, {0, 1, 2}};
+                  w.hidden.push_back({3, 0});
+              }),
+              "the areas of faces are not that of the hull");
+    auto others = square;
+    others[4].w = -1;
+    EXPECT_EQ(wrong(t, others), "a site is in conflict with a face");
+    others[4] = {0.5, 1, -9};
+    EXPECT_EQ(wrong(t, others), "");
+    others[4].x = 1.5;
+    EXPECT_EQ(wrong(t, others), "hidden by one that is not the nearest");
+    const std::vector<Weighted> line = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+    const Tessellation chain = {{{-1, 0, 1}, {-1, 1, 0}, {-1, 1, 2}, {-1, 2, 1}}, {}};
+    EXPECT_EQ(wrong(chain, line, {{1, 2, 1}, {0, 0, 3}, {3, 3, 0}, {2, 1, 2}}), "");
+    EXPECT_EQ(wrong(chain, line, {{1, 1, 1}, {0, 0, 0}, {3, 3, 3}, {2, 2, 2}}),
+              "another neighbour on a line");
+    // Two faces at infinity beside the others, between a site within and its twin.
+    auto twins = square;
+    twins[4].w = 0;
+    twins.push_back(twins[4]);
+    Tessellation beside = {{{-1, 0, 3},
+                            {-1, 1, 0},
+                            {-1, 2, 1},
+                            {-1, 3, 2},
+                            {0, 1, 4},
+                            {0, 4, 3},
+                            {1, 2, 4},
+                            {2, 3, 4}},
+                           {{5, 4}}};
+    EXPECT_EQ(wrong(beside, twins), "");
+    beside.hidden.clear();
+    beside.faces.push_back({-1, 4, 5});
+    beside.faces.push_back({-1, 5, 4});
+    EXPECT_EQ(wrong(beside, twins), "an edge of the hull has both ends in one place");
+    // A pentagram around its middle, twice: areas add up to more than the hull.
+    std::vector<Weighted> star;
+    for (const auto& [x, y] : {std::pair{0, 10}, {-10, 3}, {-6, -8}, {6, -8}, {10, 3}, {0, 0}})
+        star.push_back({1.0 * x, 1.0 * y, 0});
+    Tessellation wound;
+    for (int i = 0; i < 5; ++i) {
+        wound.faces.push_back({5, 2 * i % 5, (2 * i + 2) % 5});
+        wound.faces.push_back({-1, (2 * i + 2) % 5, 2 * i % 5});
+    }
+    EXPECT_EQ(wrong(wound, star), "the areas of faces are not that of the hull");
 }
 
 TEST(OraclePower, InvariancesWithoutTies) {

@@ -1,9 +1,10 @@
 // validate() accepts what triangulate() makes, rejects every mutation of it with a word about what
-// is wrong, and survives anything.
+// is wrong, judges anything else as the definition does, and survives anything.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -11,11 +12,13 @@
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "../../triangulation/triangulate.hpp"
 #include "../../triangulation/validate.hpp"
 #include "../thoroughness.hpp"
+#include "judged_by_definition.hpp"
 
 namespace signum {
 namespace {
@@ -483,7 +486,7 @@ TEST(ValidateWalks, TwistedTieEnds) {
 }
 
 TEST(ValidateShapes, WoundTwice) {
-    // A hexagon around a centre, wound twice over doubled sites: a double cover.
+    // A pentagon around a centre, wound twice over doubled sites: a double cover.
     std::vector<Site> sites;
     for (int turn = 0; turn < 2; ++turn)
         for (int i = 0; i < 5; ++i)
@@ -593,6 +596,16 @@ TEST(ValidateShapes, LinesThatAreNone) {
     // Two sites at one place, both visible.
     std::vector<Site> twins = {{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {3, 0, 0}, {4, 0, 0}};
     EXPECT_TRUE(invalid(path({0, 1, 2, 3, 4}), twins));
+}
+
+/// Around the site in the middle the faces on either side of each segment go around alone.
+TEST(ValidateShapes, LineWithExchangedNeighbours) {
+    const std::vector<Site> sites = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+    TessellationArrays t = triangulate(sites, Power{}).arrays();
+    ASSERT_EQ(t.faces, (std::vector<Face>{{-1, 0, 1}, {-1, 1, 0}, {-1, 1, 2}, {-1, 2, 1}}));
+    ASSERT_EQ(t.neighbours, (std::vector<Face>{{1, 2, 1}, {0, 0, 3}, {3, 3, 0}, {2, 1, 2}}));
+    t.neighbours = {{1, 1, 1}, {0, 0, 0}, {3, 3, 3}, {2, 2, 2}};
+    EXPECT_TRUE(invalid(t, sites));
 }
 
 TEST(ValidateShapes, FewSites) {
@@ -717,11 +730,16 @@ TEST(ValidateGarbage, RandomArrays) {
     }
 }
 
-/// A few numbers of a valid tessellation changed: most are wrong, and what is said to be canonical
-/// is what triangulate() makes.
+/// Where nearly everything is tied.
+const Family few_places = {
+    "few_places", [](Random& g) {
+        return Site{1.0 * g.below(4), 1.0 * g.below(3), g.below(8) == 0 ? 1.0 : 0.0};
+    }};
+
+/// A few numbers of a valid tessellation changed.
 TEST(ValidateGarbage, ChangedNumbers) {
     Random random(9);
-    int rejected = 0;
+    Verdicts verdicts;
     for (int trial = 0; trial < 2500 * effort; ++trial) {
         const Family& family = families[random.below(12)];
         const auto sites = draw(family, random, random.between(2, 12));
@@ -743,47 +761,210 @@ TEST(ValidateGarbage, ChangedNumbers) {
                 (random.below(2) == 0 ? h.site : h.by) = number;
             }
         }
-        const Validation v = validate(m, sites);
-        ASSERT_EQ(v.canonical, m == t) << v.message;
-        rejected += static_cast<int>(!v.valid);
+        ASSERT_NO_FATAL_FAILURE(expect_judged_by_definition(m, sites, t, verdicts)) << trial;
     }
-    EXPECT_GT(rejected, 1000 * effort);
+    EXPECT_GT(verdicts.wrong, 1000 * effort);
+    EXPECT_GT(verdicts.valid_alone, 100 * effort);
+    EXPECT_GT(verdicts.canonical, 100 * effort);
 }
 
-/// Random triangulations of the sphere, every edge glued, over random sites: whatever passes is
-/// regular, and the walk ends.
+/// The faces across the edges, found by their vertices; -1 where there is none.
+void connect(TessellationArrays& t) {
+    t.neighbours.assign(t.faces.size(), {-1, -1, -1});
+    for (std::size_t f = 0; f < t.faces.size(); ++f)
+        for (std::size_t g = 0; g < t.faces.size(); ++g)
+            for (std::size_t k = 0; k < 3; ++k)
+                for (std::size_t l = 0; l < 3; ++l)
+                    if (t.faces[f][(k + 1) % 3] == t.faces[g][(l + 2) % 3] &&
+                        t.faces[f][(k + 2) % 3] == t.faces[g][(l + 1) % 3])
+                        t.neighbours[f][k] = static_cast<Index>(g);
+}
+
+/// Random triangulations of the sphere, every edge glued, over random sites; half of them by flips
+/// that go from one valid one to another, as far as ties allow it. The walk ends.
 TEST(ValidateGarbage, RandomFlips) {
     Random random(10);
-    for (int trial = 0; trial < 300 * effort; ++trial) {
-        const auto sites = draw(families[random.below(12)], random, random.between(4, 10));
+    Verdicts verdicts;
+    for (int trial = 0; trial < 1000 * effort; ++trial) {
+        const Family& family = random.below(2) == 0 ? few_places : families[random.below(12)];
+        const auto sites = draw(family, random, random.between(4, 10));
         TessellationArrays t = triangulate(sites, Power{}).arrays();
         const TessellationArrays home = t;
         if (t.faces.size() < 4) continue;
-        for (int flips = random.between(1, 6); flips > 0; --flips) {
-            // The faces across the edges, found by their vertices.
-            t.neighbours.assign(t.faces.size(), {-1, -1, -1});
-            for (std::size_t f = 0; f < t.faces.size(); ++f)
-                for (std::size_t g = 0; g < t.faces.size(); ++g)
-                    for (std::size_t k = 0; k < 3; ++k)
-                        for (std::size_t l = 0; l < 3; ++l)
-                            if (t.faces[f][(k + 1) % 3] == t.faces[g][(l + 2) % 3] &&
-                                t.faces[f][(k + 2) % 3] == t.faces[g][(l + 1) % 3])
-                                t.neighbours[f][k] = static_cast<Index>(g);
+        const bool keeps_valid = random.below(2) == 0;
+        for (int flips = random.between(1, 6) * (keeps_valid ? 4 : 1); flips > 0; --flips) {
+            connect(t);
             const auto f = static_cast<Index>(random.below(static_cast<int>(t.faces.size())));
             const auto k = at(random.below(3));
             const Index g = t.neighbours[at(f)][k];
             if (g < 0 || std::find(t.neighbours[at(g)].begin(), t.neighbours[at(g)].end(), f) ==
                              t.neighbours[at(g)].end())
                 break;
-            t = flipped(t, f, k);
+            TessellationArrays other = flipped(t, f, k);
+            if (!keeps_valid || wrong_by_definition(other, sites).empty()) t = std::move(other);
         }
-        t.neighbours.clear();
-        const Validation v = validate(t, sites);
-        ASSERT_FALSE(v.canonical);  // for want of neighbours
-        if (t.faces == home.faces) {
-            ASSERT_TRUE(v.valid) << v.message;
-        }
+        if (random.below(2) == 0) connect(t);
+        ASSERT_NO_FATAL_FAILURE(expect_judged_by_definition(t, sites, home, verdicts)) << trial;
     }
+    EXPECT_GT(verdicts.wrong, 300 * effort);
+    EXPECT_GT(verdicts.valid_alone, 20 * effort);
+    EXPECT_GT(verdicts.canonical, 10 * effort);
+}
+
+/// Sites that are moved, or have another radius, after they were tessellated: faces turn over and
+/// overlap, hulls have dents, and hidden ones come to light.
+TEST(ValidateGarbage, ChangedSites) {
+    Random random(11);
+    Verdicts verdicts;
+    for (int trial = 0; trial < 1500 * effort; ++trial) {
+        const Family& family = random.below(2) == 0 ? few_places : families[random.below(12)];
+        auto sites = draw(family, random, random.between(2, 12));
+        const TessellationArrays t = triangulate(sites, Power{}).arrays();
+        for (int changes = random.between(1, 2); changes > 0; --changes) {
+            Site& site = sites[at(random.below(static_cast<int>(sites.size())))];
+            const Site other = family.draw(random);
+            const int what = random.below(4);
+            if (what != 1) site.x = other.x;
+            if (what != 0) site.y = other.y;
+            if (what == 2) site.r = other.r;
+        }
+        const TessellationArrays home = triangulate(sites, Power{}).arrays();
+        ASSERT_NO_FATAL_FAILURE(expect_judged_by_definition(t, sites, home, verdicts)) << trial;
+    }
+    EXPECT_GT(verdicts.wrong, 700 * effort);
+    EXPECT_GT(verdicts.valid_alone, 2 * effort);
+    EXPECT_GT(verdicts.canonical, 50 * effort);
+}
+
+/// Two edges with the same ends, or three, have exchanged their neighbours, who agree about it.
+TEST(ValidateGarbage, ExchangedNeighbours) {
+    Random random(12);
+    Verdicts verdicts;
+    for (int trial = 0; trial < 300 * effort; ++trial) {
+        const auto sites = draw(families[6 + random.below(2)], random, random.between(3, 8));
+        const TessellationArrays home = triangulate(sites, Power{}).arrays();
+        TessellationArrays t = home;
+        struct Half {
+            std::size_t face;
+            std::size_t across_from;
+        };
+        std::vector<Half> to_infinity;
+        for (std::size_t f = 0; f < t.faces.size(); ++f) to_infinity.push_back({f, 1});
+        if (to_infinity.empty()) continue;
+        for (int changes = random.below(3); changes > 0; --changes) {
+            const Half a = to_infinity[at(random.below(static_cast<int>(to_infinity.size())))];
+            const Half b = to_infinity[at(random.below(static_cast<int>(to_infinity.size())))];
+            // Of a face {-1, u, v} the edge from v to infinity; where v is the same, they may be
+            // exchanged.
+            if (t.faces[a.face][2] != t.faces[b.face][2]) continue;
+            const std::size_t to_a = at(t.neighbours[a.face][a.across_from]);
+            const std::size_t to_b = at(t.neighbours[b.face][b.across_from]);
+            std::swap(t.neighbours[a.face][a.across_from], t.neighbours[b.face][b.across_from]);
+            if (to_a != to_b) std::swap(t.neighbours[to_a][2], t.neighbours[to_b][2]);
+        }
+        ASSERT_NO_FATAL_FAILURE(expect_judged_by_definition(t, sites, home, verdicts)) << trial;
+    }
+    EXPECT_GT(verdicts.wrong, 20 * effort);
+    EXPECT_GT(verdicts.canonical, 50 * effort);
+}
+
+/// One site more, whose only faces are two at infinity, on the sides of an edge to another site:
+/// the numbers agree, and there is a sphere beside the sphere. In half of them the two sites are in
+/// one place.
+TEST(ValidateGarbage, TwoFacesAlone) {
+    Random random(14);
+    Verdicts verdicts;
+    for (int trial = 0; trial < 500 * effort; ++trial) {
+        const Family& family = random.below(2) == 0 ? few_places : families[random.below(12)];
+        auto sites = draw(family, random, random.between(3, 8));
+        TessellationArrays t = triangulate(sites, Power{}).arrays();
+        if (t.faces.empty()) continue;
+        const Index end = t.faces[at(random.below(static_cast<int>(t.faces.size())))][2];
+        const auto more = static_cast<Index>(sites.size());
+        sites.push_back(random.below(2) == 0 ? sites[at(end)] : family.draw(random));
+        ++t.sites;
+        const auto face = static_cast<Index>(t.faces.size());
+        t.faces.push_back({infinite, end, more});
+        t.faces.push_back({infinite, more, end});
+        t.neighbours.push_back({face + 1, face + 1, face + 1});
+        t.neighbours.push_back({face, face, face});
+        if (random.below(2) == 0) t.neighbours.clear();
+        const TessellationArrays home = triangulate(sites, Power{}).arrays();
+        ASSERT_NO_FATAL_FAILURE(expect_judged_by_definition(t, sites, home, verdicts)) << trial;
+    }
+    EXPECT_GT(verdicts.wrong, 300 * effort);
+}
+
+/// All faces twice, over as many sites once more: a cover of the plane that is cut open along a way
+/// from a site to infinity, and glued crosswise there. Sites are in the place of their twins, or
+/// nearly so.
+TEST(ValidateGarbage, TwoLayers) {
+    Random random(13);
+    Verdicts verdicts;
+    for (int trial = 0; trial < 500 * effort; ++trial) {
+        const Family& family = random.below(2) == 0 ? few_places : families[random.below(12)];
+        auto sites = draw(family, random, random.between(3, 7));
+        const TessellationArrays t = triangulate(sites, Power{}).arrays();
+        const std::size_t faces = t.faces.size();
+        if (faces == 0) continue;
+        const auto place_in = [](const Face& v, Index i) {
+            return static_cast<std::size_t>(std::find(v.begin(), v.end(), i) - v.begin());
+        };
+        // A random walk; what it has crossed twice is not cut.
+        std::vector<std::array<bool, 3>> is_cut(faces, {false, false, false});
+        std::size_t f = at(random.below(static_cast<int>(faces)));
+        Index v = t.faces[f][at(random.below(3))];
+        if (v == infinite) continue;
+        while (v != infinite) {
+            for (int turns = random.below(6); turns > 0; --turns)
+                f = at(t.neighbours[f][(place_in(t.faces[f], v) + 1) % 3]);
+            // Along the edge that begins at v.
+            const std::size_t k = (place_in(t.faces[f], v) + 2) % 3;
+            const auto g = at(t.neighbours[f][k]);
+            const Index next = t.faces[f][(k + 2) % 3];
+            const std::size_t back = (place_in(t.faces[g], next) + 2) % 3;
+            is_cut[f][k] = !is_cut[f][k];
+            is_cut[g][back] = !is_cut[g][back];
+            v = next;
+        }
+        TessellationArrays twice = t;
+        twice.faces.insert(twice.faces.end(), t.faces.begin(), t.faces.end());
+        twice.neighbours.insert(twice.neighbours.end(), t.neighbours.begin(), t.neighbours.end());
+        for (std::size_t c = 0; c < 2 * faces; ++c)
+            for (std::size_t k = 0; k < 3; ++k)
+                if ((c < faces) == is_cut[c % faces][k])
+                    twice.neighbours[c][k] += static_cast<Index>(faces);
+        // Faces that hang together around a vertex name one site; those that do not, its twin.
+        std::vector<std::array<bool, 3>> is_named(2 * faces, {false, false, false});
+        std::vector<bool> is_taken(sites.size(), false);
+        const bool is_rounded = random.below(2) == 0;
+        for (std::size_t c = 0; c < 2 * faces; ++c)
+            for (std::size_t k = 0; k < 3; ++k) {
+                const Index was = t.faces[c % faces][k];
+                if (was == infinite || is_named[c][k]) continue;
+                Index twin = was;
+                if (is_taken[at(was)]) {
+                    twin = static_cast<Index>(sites.size());
+                    Site site = sites[at(was)];
+                    if (is_rounded) site.x *= 1.0 + 0x1p-40 * random.real();
+                    sites.push_back(site);
+                }
+                is_taken[at(was)] = true;
+                std::size_t d = c;
+                std::size_t m = k;
+                while (!is_named[d][m]) {
+                    is_named[d][m] = true;
+                    twice.faces[d][m] = twin;
+                    d = at(twice.neighbours[d][(m + 1) % 3]);
+                    m = place_in(t.faces[d % faces], was);
+                }
+            }
+        twice.sites = static_cast<std::int64_t>(sites.size());
+        const TessellationArrays home = triangulate(sites, Power{}).arrays();
+        ASSERT_NO_FATAL_FAILURE(expect_judged_by_definition(twice, sites, home, verdicts)) << trial;
+    }
+    EXPECT_EQ(verdicts.valid_alone + verdicts.canonical, 0);
+    EXPECT_GT(verdicts.wrong, 200 * effort);
 }
 
 }  // namespace

@@ -129,12 +129,14 @@ TEST(NodeSites, RefuseWhatIsWrongAtItsPlace) {
 }
 
 TEST(NodeSites, ReadBackToTheSame) {
-    const std::string text = text_of([](std::ostream& out) { write_node(out, hard); });
+    const std::string text =
+        text_of([](std::ostream& out) { write_sites(out, hard, SitesFormat::node); });
     EXPECT_EQ(text,
               "3 2 1 0\n0 0.1 5e-324 1\n1 1.7976931348623157e+308 -0 2\n2 0.3333333333333333 5 "
               "0\n");
     EXPECT_EQ(nodes(text, {"2", "3", "4"}).sites, hard);
-    const std::string in_space = text_of([](std::ostream& out) { write_node(out, corner); });
+    const std::string in_space =
+        text_of([](std::ostream& out) { write_sites(out, corner, SitesFormat::node); });
     EXPECT_EQ(nodes(in_space, {"2", "3", "4", "5"}).in_space, corner);
 }
 

@@ -20,13 +20,14 @@ using Sites = std::vector<Site>;
 
 SitesFile read(std::string_view contents, const Columns& columns = {}) {
     const test::Scratch scratch;
-    return read_sites(scratch.file("f", contents), columns);
+    return read_sites(scratch.file("f", contents), {.columns = columns, .dimension = 2});
 }
 
 /// The error message that the contents give, without the path.
 std::string error(std::string_view contents, const Columns& columns = {}) {
-    return test::refusal(contents,
-                         [&](const std::string& path) { return read_sites(path, columns); });
+    return test::refusal(contents, [&](const std::string& path) {
+        return read_sites(path, {.columns = columns, .dimension = 2});
+    });
 }
 
 const std::string word =
@@ -413,7 +414,7 @@ TEST(SitesFile, RefusesWhatCannotBeRead) {
     const test::Scratch scratch;
     const auto message = [](const std::string& path) {
         try {
-            static_cast<void>(read_sites(path));
+            static_cast<void>(read_sites(path, {.dimension = 2}));
         } catch (const InputError& error) {
             return std::string(error.what());
         }
@@ -435,7 +436,7 @@ TEST(SitesFile, ReadsAPipeThatComesInPieces) {
         std::ofstream pipe(path);
         for (const char* piece : {"1 ", "2 3", "\n4", " 5\n"}) pipe << piece << std::flush;
     });
-    EXPECT_EQ(read_sites(path).sites, (Sites{{1, 2, 3}, {4, 5, 0}}));
+    EXPECT_EQ(read_sites(path, {.dimension = 2}).sites, (Sites{{1, 2, 3}, {4, 5, 0}}));
 }
 
 TEST(SitesFile, IsViewedAsRadiiOrWeights) {

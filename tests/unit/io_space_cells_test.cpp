@@ -142,7 +142,7 @@ TEST(SpaceCellsFiles, ThePictureHasTheSolids) {
         for (Index i = 0; i < static_cast<Index>(all.size()); ++i) which.push_back(i);
         std::ostringstream out;
         write_space_cells_svg(out, all, space_cells(t, all, where),
-                              space_polyhedra(t, all, where, which), {.face_limit = limit});
+                              space_polyhedra(t, all, where, which), limit);
         return out.str();
     };
     const auto faces_of = [](const std::string& text) {

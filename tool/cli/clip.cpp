@@ -40,9 +40,8 @@ std::optional<Box> box_of(const std::vector<double>& clip, std::span<const Targe
     const Box box = {clip[0], clip[1], clip[2], clip[3]};
     if (!(box.x0 < box.x1 && box.y0 < box.y1)) {
         throw CallError(
-            fmt::format("--clip {} {} {} {}: the lower left corner comes first, x0 < x1 and "
-                        "y0 < y1",
-                        box.x0, box.y0, box.x1, box.y1));
+            fmt::format("--clip {}: the lower left corner comes first, x0 < x1 and y0 < y1",
+                        fmt::join(clip, " ")));
     }
     // A picture is some hundred pixels wide.
     constexpr double slimmest = 1e-3;

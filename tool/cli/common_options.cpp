@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "../io/names.hpp"
 #include "../io/nearest_word.hpp"
 #include "../io/number.hpp"
 
@@ -65,9 +66,7 @@ CLI::Validator name_of_metric() {
             return std::string();
         }
         // Whatever the word, this says what is wrong with it.
-        std::vector<std::string> names;
-        for (const Metric each : all_metrics) names.emplace_back(name_of(each));
-        return one_of(names)(word);
+        return one_of(names_of(all_metrics))(word);
     };
     return {find, ""};
 }
@@ -156,14 +155,12 @@ SitesFile read_sites_by_columns(const std::string& path, const std::string& colu
 }
 
 CLI::Option* add_weight_is(CLI::App& command, std::string& weight_is, std::string_view otherwise) {
-    return command
-        .add_option("--weight-is", weight_is,
-                    fmt::format("Power metric only: the third number of a site is\n"
-                                "its radius or its weight; a radius r weighs r^2.\n"
-                                "Default: {}",
-                                otherwise))
-        ->transform(one_of({"radius", "weight"}))
-        ->type_name("radius|weight");
+    return add_checked(command, "--weight-is", weight_is, "radius|weight",
+                       one_of({"radius", "weight"}),
+                       fmt::format("Power metric only: the third number of a site is\n"
+                                   "its radius or its weight; a radius r weighs r^2.\n"
+                                   "Default: {}",
+                                   otherwise));
 }
 
 void check_weight_is(const std::string& weight_is, Metric metric) {

@@ -9,6 +9,7 @@
 
 #include "../../core/index.hpp"
 #include "../generate/generate.hpp"
+#include "../io/names.hpp"
 #include "../io/number.hpp"
 #include "../io/write_sites.hpp"
 
@@ -36,12 +37,9 @@ struct GenerateCall {
 /// The one of `all` that has this name. Throws CallError where it is one of the other dimension.
 template <class Distributions>
 auto distribution_of(const GenerateCall& call, const Distributions& all) {
-    const auto found =
-        std::ranges::find_if(all, [&](auto each) { return name_of(each) == call.distribution; });
-    if (found != all.end()) return *found;
-    std::vector<std::string_view> names;
-    for (const auto each : all) names.push_back(name_of(each));
-    names.push_back(hard_sites);
+    if (const auto found = named(all, call.distribution)) return *found;
+    std::vector<std::string> names = names_of(all);
+    names.emplace_back(hard_sites);
     throw CallError(
         fmt::format("{} lies in {}; {}, or take one of {}", call.distribution,
                     call.dimension == 3 ? "the plane" : "space",
@@ -50,8 +48,7 @@ auto distribution_of(const GenerateCall& call, const Distributions& all) {
 }
 
 std::vector<std::string> names_of_distributions() {
-    std::vector<std::string> names;
-    for (const Distribution each : all_distributions) names.emplace_back(name_of(each));
+    std::vector<std::string> names = names_of(all_distributions);
     for (const SpaceDistribution each : all_space_distributions)
         if (std::ranges::count(names, name_of(each)) == 0) names.emplace_back(name_of(each));
     names.emplace_back(hard_sites);

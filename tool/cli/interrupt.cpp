@@ -27,16 +27,18 @@ void set_interrupted(int signal) noexcept {
     noted_signal = signal;
 }
 
-InterruptHandled::InterruptHandled(void (*handler)(int)) {
+bool handle_once(int signal, void (*handler)(int), struct sigaction& before) noexcept {
     struct sigaction action = {};
     action.sa_handler = handler;
     action.sa_flags = static_cast<int>(SA_RESETHAND);
     sigemptyset(&action.sa_mask);
-    for (std::size_t k = 0; k < signals.size(); ++k) {
-        is_set_[k] = ::sigaction(signals[k], nullptr, &before_[k]) == 0 &&
-                     before_[k].sa_handler != SIG_IGN &&
-                     ::sigaction(signals[k], &action, nullptr) == 0;
-    }
+    return ::sigaction(signal, nullptr, &before) == 0 && before.sa_handler != SIG_IGN &&
+           ::sigaction(signal, &action, nullptr) == 0;
+}
+
+InterruptHandled::InterruptHandled(void (*handler)(int)) {
+    for (std::size_t k = 0; k < signals.size(); ++k)
+        is_set_[k] = handle_once(signals[k], handler, before_[k]);
 }
 
 InterruptHandled::~InterruptHandled() {
@@ -44,9 +46,13 @@ InterruptHandled::~InterruptHandled() {
         if (is_set_[k]) ::sigaction(signals[k], &before_[k], nullptr);
 }
 
-InterruptNoted::InterruptNoted() : InterruptHandled(note_interrupt) {}
+InterruptHandled interrupt_noted() {
+    return InterruptHandled(note_interrupt);
+}
 
-InterruptSays::InterruptSays(std::string_view text)
-    : InterruptHandled((last_words = text, say_and_die)) {}
+InterruptHandled interrupt_says(std::string_view text) {
+    last_words = text;
+    return InterruptHandled(say_and_die);
+}
 
 }  // namespace signum::cli

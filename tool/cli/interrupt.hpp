@@ -12,6 +12,10 @@ namespace signum::cli {
 /// As if it had come, or none had.
 void set_interrupted(int signal) noexcept;
 
+/// Has the next such signal call a function, unless it is ignored. Whether it will, and what was
+/// done about it before.
+bool handle_once(int signal, void (*handler)(int), struct sigaction& before) noexcept;
+
 /// While it lives, the first Ctrl-C (or what ends a session or a batch job) calls a function, and
 /// the second one ends the program.
 class InterruptHandled {
@@ -28,16 +32,10 @@ class InterruptHandled {
 };
 
 /// While it lives, the first Ctrl-C is noted.
-class InterruptNoted : InterruptHandled {
- public:
-    InterruptNoted();
-};
+[[nodiscard]] InterruptHandled interrupt_noted();
 
-/// While it lives, Ctrl-C says so on standard error, and ends the program as it would.
-class InterruptSays : InterruptHandled {
- public:
-    /// The text is one that lives as long, with the end of its line.
-    explicit InterruptSays(std::string_view text);
-};
+/// While it lives, Ctrl-C says so on standard error, and ends the program as it would. The text is
+/// one that lives as long, with the end of its line.
+[[nodiscard]] InterruptHandled interrupt_says(std::string_view text);
 
 }  // namespace signum::cli

@@ -18,6 +18,7 @@
 #include "../io/output_file.hpp"
 
 #include "commands.hpp"
+#include "interrupt.hpp"
 #include "outputs.hpp"
 
 namespace signum::cli {
@@ -32,16 +33,9 @@ extern "C" void die_clean(int signal) {
 /// A signal that ends the program takes its unfinished files along; a file that grows beyond the
 /// limit of the shell is an error of writing, not a signal.
 void install_handlers() {
-    struct sigaction action = {};
-    action.sa_handler = die_clean;
-    action.sa_flags = static_cast<int>(SA_RESETHAND);
-    sigemptyset(&action.sa_mask);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE}) {
-        struct sigaction old = {};
-        if (::sigaction(signal, nullptr, &old) == 0 && old.sa_handler != SIG_IGN) {
-            ::sigaction(signal, &action, nullptr);
-        }
-    }
+    struct sigaction before = {};
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE})
+        handle_once(signal, die_clean, before);
     ::signal(SIGXFSZ, SIG_IGN);
 }
 

@@ -12,15 +12,15 @@ constexpr int width = 40;
 
 }  // namespace
 
-Progress::Progress()
-    : start_(std::chrono::steady_clock::now()), on_terminal_(::isatty(STDERR_FILENO) != 0) {}
+Progress::Progress(bool quiet)
+    : start_(std::chrono::steady_clock::now()), is_seen_(!quiet && ::isatty(STDERR_FILENO) != 0) {}
 
 Progress::~Progress() {
     if (shown_ >= 0) std::fputs("\r\033[K", stderr);
 }
 
 void Progress::show(double share) noexcept {
-    if (!on_terminal_) return;
+    if (!is_seen_) return;
     const int percent = static_cast<int>(100.0 * std::clamp(share, 0.0, 1.0));
     if (percent == shown_) return;
     if (std::chrono::steady_clock::now() - start_ < std::chrono::seconds(1)) return;

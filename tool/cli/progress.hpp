@@ -1,9 +1,9 @@
 #pragma once
-/// A progress bar on standard error: on a terminal alone, and after one second of work.
+/// A progress bar on standard error: on a terminal alone, after one second of work, and never where
+/// a call is quiet.
 
 #include <chrono>
 #include <functional>
-#include <optional>
 
 #include "../../triangulation/space/validate.hpp"
 #include "../../triangulation/validate.hpp"
@@ -12,7 +12,7 @@ namespace signum::cli {
 
 class Progress {
  public:
-    Progress();
+    explicit Progress(bool quiet);
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
     /// Wipes the bar.
@@ -23,16 +23,16 @@ class Progress {
 
  private:
     std::chrono::steady_clock::time_point start_;
-    bool on_terminal_;
+    bool is_seen_;
     int shown_ = -1;  ///< per cent on the screen; -1 while there is no bar
 };
 
 /// What `work` makes, given what shows the share of it that is done: nothing where it is quiet.
 template <class Work>
 auto with_progress(bool quiet, const Work& work) {
-    std::optional<Progress> bar;
+    Progress bar(quiet);
     std::function<void(double)> show;
-    if (!quiet) show = [&progress = bar.emplace()](double share) { progress.show(share); };
+    if (!quiet) show = [&](double share) { bar.show(share); };
     return work(show);
 }
 

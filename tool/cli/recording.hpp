@@ -62,9 +62,10 @@ template <int D>
 template <int D>
 class Recording {
  public:
+    /// The call must outlive the object.
     Recording(const SimulateCall& call, std::span<const Target> targets,
               const MotionState<D>& start, motion::Structure structure)
-        : effects_(start.effects), structure_(structure), show_(call.show), scene_(call.scene) {
+        : call_(call), effects_(start.effects), structure_(structure) {
         for (const Target& target : targets) {
             // These are many files, or made by another program.
             if (target.format == "images" || target.format == "video") continue;
@@ -75,16 +76,13 @@ class Recording {
             } else {
                 sink.file = std::make_unique<OutputFile>(target.path);
             }
-            sinks_.push_back(std::move(sink));
-        }
-        balls_ = start.state.balls.size();
-        if (!call.save.empty()) save_ = std::make_unique<OutputFile>(call.save);
-        if (!call.closest.empty()) closest_ = std::make_unique<OutputFile>(call.closest);
-        for (Sink& sink : sinks_)
             if (sink.format == "csv") sink.log = std::make_unique<LogWriter>(sink.stream());
-        for (Sink& sink : sinks_)
             if (sink.format == "energies")
                 sink.energies = std::make_unique<EnergyWriter<D>>(sink.stream(), effects_);
+            sinks_.push_back(std::move(sink));
+        }
+        if (!call.save.empty()) save_ = std::make_unique<OutputFile>(call.save);
+        if (!call.closest.empty()) closest_ = std::make_unique<OutputFile>(call.closest);
         if (is_written(targets, "images") || is_written(targets, "video"))
             pictures_ =
                 std::make_unique<Pictures>(path_of(targets, "images"), path_of(targets, "video"));
@@ -108,7 +106,7 @@ class Recording {
         return std::ranges::any_of(sinks_, [](const Sink& sink) { return sink.log != nullptr; });
     }
     [[nodiscard]] bool has_frames() const noexcept { return has_frames_; }
-    [[nodiscard]] bool shows_structure() const noexcept { return show_ == "structure"; }
+    [[nodiscard]] bool shows_structure() const noexcept { return call_.show == "structure"; }
     void strike(const motion::Strike& strike) {
         for (Sink& sink : sinks_)
             if (sink.log) sink.log->put(strike);
@@ -132,7 +130,7 @@ class Recording {
         }
         std::ranges::copy(shown_.low, frame.low.begin());
         std::ranges::copy(shown_.high, frame.high.begin());
-        if (pictures_) pictures_->add(frame_picture(frame, walls_, scene_.time));
+        if (pictures_) pictures_->add(frame_picture(frame, walls_, call_.scene.time));
         if (!movie_) return;
         Movie::Shapes shapes = shapes_of(sketch);
         if constexpr (D == 2)
@@ -156,7 +154,7 @@ class Recording {
                 std::ostringstream film;
                 write_film(film);
                 sink.stream() << page_of_run<D>(
-                    scene_, std::move(film).str(), *run_,
+                    call_.scene, std::move(film).str(), *run_,
                     pairs_ ? pairs_->shells() : std::vector<PairCorrelation::Shell>{}, summary);
             }
             if (sink.file) sink.file->finish();
@@ -185,12 +183,12 @@ class Recording {
         const std::string structure =
             shows_structure() ? fmt::format("; structure {}", name_of(structure_)) : std::string();
         movie_->write(out,
-                      fmt::format("{} ball{}{}{}", balls_, balls_ == 1 ? "" : "s",
+                      fmt::format("{} ball{}{}{}", radii_.size(), radii_.size() == 1 ? "" : "s",
                                   D == 3 ? ", seen along z" : "", structure),
                       meaning());
     }
 
-    [[nodiscard]] bool shows_cells() const noexcept { return show_ == "cells"; }
+    [[nodiscard]] bool shows_cells() const noexcept { return call_.show == "cells"; }
     [[nodiscard]] Movie::Meaning meaning() const {
         if (shows_structure()) {
             const auto& row = motion::structure_table[static_cast<std::size_t>(structure_)];
@@ -237,12 +235,10 @@ class Recording {
         return box;
     }
 
+    const SimulateCall& call_;
     motion::Effects<D> effects_;
     motion::Structure structure_;
-    std::string show_;
-    study::SceneDescription scene_;
     std::optional<RunRecord<D>> run_;  ///< for the page
-    std::size_t balls_ = 0;
     motion::Box<D> box_;
     motion::Box<D> shown_;  ///< by pictures
     std::vector<Movie::Wall> walls_;

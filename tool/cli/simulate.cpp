@@ -13,6 +13,7 @@
 
 #include "../../motion/simulation.hpp"
 #include "../io/motion_state.hpp"
+#include "../io/names.hpp"
 #include "../io/output_file.hpp"
 #include "../io/read_balls.hpp"
 #include "../scenes/explain.hpp"
@@ -169,7 +170,8 @@ SimulateCall completed(SimulateCall call, const Scene<D>& scene) {
 
 /// Dense balls take their time to be placed.
 AnyScene scene_of(const SimulateCall& call) {
-    const InterruptSays says("signum: interrupted while balls were placed; nothing was written\n");
+    const InterruptHandled says =
+        interrupt_says("signum: interrupted while balls were placed; nothing was written\n");
     return read_scene(call.input, overrides_of(call));
 }
 
@@ -228,9 +230,7 @@ void simulate(SimulateCall call) {
 
 void add_simulate(CLI::App& tool) {
     auto call = std::make_shared<SimulateCall>();
-    std::vector<std::string> structures;
-    for (const motion::Structure each : motion::all_structures)
-        structures.emplace_back(motion::name_of(each));
+    const std::vector<std::string> structures = names_of(motion::all_structures);
     CLI::App* command = tool.add_subcommand(
         "simulate", "Lets balls move and strike, in the exact order of their strikes");
     command

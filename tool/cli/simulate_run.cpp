@@ -31,18 +31,16 @@ template <int D>
 motion::Outcome run_all(motion::Simulation<D>& simulation, const SimulateCall& call,
                         Recording<D>& recording, double begin) {
     const double until = call.until.value_or(std::numeric_limits<double>::infinity());
-    std::optional<Progress> progress;
-    if (!call.quiet) progress.emplace();
+    Progress progress(call.quiet);
     const std::uint64_t most = call.events.value_or(std::numeric_limits<std::uint64_t>::max());
     std::uint64_t done = 0;
     double now = begin;
     typename motion::Simulation<D>::Record record;
     const auto show = [&] {
-        if (!progress) return;
         const double of_time = until < 1e300 ? (now - begin) / (until - begin) : 0.0;
         const double of_strikes =
             call.events ? static_cast<double>(done) / static_cast<double>(*call.events) : 0.0;
-        progress->show(std::max(of_time, of_strikes));
+        progress.show(std::max(of_time, of_strikes));
     };
     const auto note = [&](const motion::Strike& strike) {
         ++done;
@@ -144,13 +142,12 @@ std::optional<motion::ClosestPairs> closest_until(double end, const SimulateCall
                                                   const motion::Options& options) {
     if (call.closest.empty()) return std::nullopt;
     const double begin = start.state.time;
-    std::optional<Progress> progress;
-    if (!call.quiet) progress.emplace();
+    Progress progress(call.quiet);
     const int before = interrupted();
     set_interrupted(0);
-    const InterruptNoted noted_again;
+    const InterruptHandled noted_again = interrupt_noted();
     const auto stop = [&](double time) {
-        if (progress && begin < end) progress->show((time - begin) / (end - begin));
+        if (begin < end) progress.show((time - begin) / (end - begin));
         return interrupted() != 0;
     };
     motion::ClosestPairs list =
@@ -243,7 +240,7 @@ void run_simulation(const SimulateCall& call, const MotionState<D>& start) {
     std::chrono::duration<double> seconds_of_list{};
     std::string too_fast;
     {
-        const InterruptNoted noted;
+        const InterruptHandled noted = interrupt_noted();
         try {
             outcome = run_all(simulation, call, recording, start.state.time);
             seconds = std::chrono::steady_clock::now() - begin;

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "../io/names.hpp"
+
 #include "commands.hpp"
 #include "outputs.hpp"
 #include "progress.hpp"
@@ -20,11 +22,8 @@ void add_sites(CLI::App& command, SitesCall& call) {
     add_columns(command, call.columns);
     add_metric(command, call.metric);
     add_weight_is(command, call.weight_is, "what a header of the file says, else\nradius");
-    command
-        .add_option("--seed", call.seed,
-                    "Of the order of insertion; the result does not\ndepend on it")
-        ->check(whole_number())
-        ->type_name("N")
+    add_checked(command, "--seed", call.seed, "N", whole_number(),
+                "Of the order of insertion; the result does not\ndepend on it")
         ->capture_default_str();
     command.add_flag("--quiet", call.quiet, "No summary and no progress on standard error");
 }
@@ -37,8 +36,6 @@ void describe_columns_in_space(CLI::Option& columns) {
 
 void add_space(CLI::App& command, SitesCall& call) {
     call.dimension.reset();
-    std::vector<std::string_view> metrics;
-    for (const Metric metric : call.metrics_in_space) metrics.push_back(name_of(metric));
     command.get_option("FILE")->description(
         "Sites, one a line: x y [r], in space x y z [r];\n- for standard input");
     describe_columns_in_space(*command.get_option("--columns"));
@@ -47,7 +44,7 @@ void add_space(CLI::App& command, SitesCall& call) {
             "--dimension", [&call](int dimension) { call.dimension = dimension; },
             fmt::format("2: sites are x y [r]; 3: they are x y z [r], the\nmetric is {}.\nDefault: "
                         "what a header or the format of the\nfile says, else 2",
-                        fmt::join(metrics, " or ")))
+                        fmt::join(names_of(call.metrics_in_space), " or ")))
         ->check(one_of({"2", "3"}))
         ->type_name("2|3");
     add_read_as(command, call.read_as);
@@ -67,16 +64,11 @@ void add_read_as(CLI::App& command, std::string& read_as) {
 }
 
 CLI::Validator name_of_arithmetic() {
-    std::vector<std::string> names;
-    for (const Arithmetic arithmetic : all_arithmetics) names.emplace_back(name_of(arithmetic));
-    return one_of(names);
+    return one_of(names_of(all_arithmetics));
 }
 
 Arithmetic arithmetic_of(const std::string& name) {
-    for (const Arithmetic arithmetic : all_arithmetics) {
-        if (name_of(arithmetic) == name) return arithmetic;
-    }
-    throw CallError(fmt::format("--arithmetic {} is unknown", name));
+    return named(all_arithmetics, name).value();
 }
 
 namespace {
@@ -108,8 +100,7 @@ SitesInput input_of_call(const SitesCall& call) {
 void check_space(const SitesCall& call, const SitesFile& file) {
     const std::vector<Metric>& known = call.metrics_in_space;
     if (file.dimension == 2 || std::ranges::count(known, metric_of(call.metric)) > 0) return;
-    std::vector<std::string_view> names;
-    for (const Metric each : known) names.push_back(name_of(each));
+    const std::vector<std::string> names = names_of(known);
     throw CallError(fmt::format(
         "--metric {}: sites in space, as those of {} are, have tessellations of the {} metric "
         "alone; add --metric {}{}",

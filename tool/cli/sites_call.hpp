@@ -57,7 +57,7 @@ SitesInput input_of(const std::string& path, const std::string& read_as);
 /// Accepts the name of an arithmetic.
 [[nodiscard]] CLI::Validator name_of_arithmetic();
 
-/// The arithmetic of that name; throws CallError where there is none.
+/// The arithmetic of a name that name_of_arithmetic() let through.
 Arithmetic arithmetic_of(const std::string& name);
 
 struct InputSites {

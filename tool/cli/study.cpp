@@ -25,7 +25,6 @@
 #include "../study/plan.hpp"
 
 #include "commands.hpp"
-#include "gnuplot.hpp"
 #include "progress.hpp"
 #include "sites_call.hpp"
 
@@ -217,7 +216,7 @@ void write_report(const fs::path& directory, study::Page page, const study::Acco
         const std::string& name = figure.plot.name;
         const fs::path script = directory / "figures" / (name + ".gnuplot");
         write_file(script, study::gnuplot_script(figure.plot));
-        const std::string svg = run_gnuplot(script.string());
+        const std::string svg = study::run_gnuplot(script.string());
         write_file(directory / "figures" / (name + ".svg"), svg);
         figure.svg = study::inline_svg(svg, name, figure.description);
     }
@@ -234,7 +233,7 @@ void carry_out(const StudyCall& call, study::Account account,
     const fs::path directory = call.directory;
     const std::string mark = identity(account);
     Measurements measurements(directory, of, mark, call.fresh);
-    const bool draws = !call.no_report && has_gnuplot();
+    const bool draws = !call.no_report && study::has_gnuplot();
     constexpr std::string_view missing =
         "gnuplot is missing, so that there will be no report: install it (Debian: apt-get install "
         "gnuplot-nox) and type the same command again, which measures nothing twice\n";
@@ -261,14 +260,11 @@ void carry_out(const StudyCall& call, study::Account account,
     if (account.measured > 0 && !call.quiet)
         say("goes on: {} of {} measurements are there\n", account.measured, account.planned);
     {
-        std::optional<Progress> progress;
-        if (!call.quiet) progress.emplace();
+        Progress progress(call.quiet);
         const auto start = std::chrono::steady_clock::now();
         for (const auto& [cell, pass] : open) {
-            const double elapsed =
-                std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-            if (call.seconds > 0.0 && elapsed >= call.seconds) break;
-            if (progress) progress->show(done / all);
+            if (call.seconds > 0.0 && study::seconds_since(start) >= call.seconds) break;
+            progress.show(done / all);
             measurements.add(study::measure(*cell, measurements.next(cell->setting)));
             done += study::expected_seconds(*cell, pass);
             ++account.measured;

@@ -18,8 +18,10 @@
 #include "../../triangulation/triangulate.hpp"
 #include "../../triangulation/validate.hpp"
 #include "../draw/svg.hpp"
+#include "../io/names.hpp"
 #include "../io/write_sites.hpp"
 #include "../io/write_tessellation.hpp"
+#include "../study/timing.hpp"
 
 #include "clip.hpp"
 #include "commands.hpp"
@@ -40,13 +42,11 @@ struct TriangulateCall : SitesCall, OutputsCall {
 };
 
 Method method_of(const std::string& name, Metric metric) {
-    const Method method =
-        *std::ranges::find_if(all_methods, [&](Method each) { return name_of(each) == name; });
+    const Method method = named(all_methods, name).value();
     if (builds(method, metric)) return method;
     std::vector<std::string_view> built;
-    for (const Metric other : all_metrics) {
+    for (const Metric other : all_metrics)
         if (builds(method, other)) built.push_back(name_of(other));
-    }
     throw CallError(
         fmt::format("--method {} builds only {}, and this is --metric {}; leave --method out, or "
                     "add --metric {}",
@@ -138,14 +138,13 @@ void refuse_options_of_the_plane(const TriangulateCall& call) {
 
 void triangulate_in_space(const TriangulateCall& call, const InputSites& sites,
                           std::span<const Target> targets) {
-    using Clock = std::chrono::steady_clock;
     refuse_options_of_the_plane(call);
     require_formats_of(Dimension::three, targets, triangulate_formats, call.input);
     const Outputs outputs(targets);
-    const Clock::time_point start = Clock::now();
+    const auto start = std::chrono::steady_clock::now();
     const SpaceTessellation tessellation = construct_in_space(call, sites);
     Statistics statistics;  // of the time alone: nothing is counted
-    statistics.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    statistics.seconds = study::seconds_since(start);
     const std::vector<Site3>& balls = sites.file.in_space;
     std::vector<SpaceVertex> diagram;
     if (call.vertices) {
@@ -167,7 +166,7 @@ void triangulate_in_space(const TriangulateCall& call, const InputSites& sites,
          {"vtk", [&](std::ostream& out) { write_vtk(out, grid()); }},
          {"vtu", [&](std::ostream& out) { write_vtu(out, grid()); }},
          {"ply", [&](std::ostream& out) { write_ply(out, balls, sites.third); }},
-         {"node", [&](std::ostream& out) { write_node(out, balls); }},
+         {"node", [&](std::ostream& out) { write_sites(out, balls, SitesFormat::node); }},
          {"ele", [&](std::ostream& out) { write_ele(out, tessellation); }},
          {"neigh", [&](std::ostream& out) { write_neigh(out, tessellation); }},
          {"json", [&](std::ostream& out) {
@@ -203,24 +202,25 @@ void run(const TriangulateCall& call) {
                       tessellation.arrays(),
                       strided_view(tessellation.sites(), tessellation.weight_is()), call.quiet));
     }
-    outputs.write({{"svg",
-                    [&](std::ostream& out) {
-                        const std::vector<Edge> flipped = method == Method::flips
-                                                              ? flipped_edges(tessellation)
-                                                              : std::vector<Edge>{};
-                        write_svg(out, tessellation, {.box = clip, .flipped = flipped});
-                    }},
-                   {"csv", [&](std::ostream& out) { write_csv(out, tessellation); }},
-                   {"obj", [&](std::ostream& out) { write_obj(out, tessellation); }},
-                   {"ply", [&](std::ostream& out) { write_ply(out, tessellation); }},
-                   {"vtk", [&](std::ostream& out) { write_vtk(out, vtk_grid(tessellation)); }},
-                   {"vtp", [&](std::ostream& out) { write_vtp(out, vtk_grid(tessellation)); }},
-                   {"node", [&](std::ostream& out) { write_node(out, tessellation.sites()); }},
-                   {"ele", [&](std::ostream& out) { write_ele(out, tessellation); }},
-                   {"neigh", [&](std::ostream& out) { write_neigh(out, tessellation); }},
-                   {"json", [&](std::ostream& out) {
-                        write_json(out, tessellation, {call.vertices, call.statistics});
-                    }}});
+    outputs.write(
+        {{"svg",
+          [&](std::ostream& out) {
+              const std::vector<Edge> flipped =
+                  method == Method::flips ? flipped_edges(tessellation) : std::vector<Edge>{};
+              write_svg(out, tessellation, {.box = clip, .flipped = flipped});
+          }},
+         {"csv", [&](std::ostream& out) { write_csv(out, tessellation); }},
+         {"obj", [&](std::ostream& out) { write_obj(out, tessellation); }},
+         {"ply", [&](std::ostream& out) { write_ply(out, tessellation); }},
+         {"vtk", [&](std::ostream& out) { write_vtk(out, vtk_grid(tessellation)); }},
+         {"vtp", [&](std::ostream& out) { write_vtp(out, vtk_grid(tessellation)); }},
+         {"node",
+          [&](std::ostream& out) { write_sites(out, tessellation.sites(), SitesFormat::node); }},
+         {"ele", [&](std::ostream& out) { write_ele(out, tessellation); }},
+         {"neigh", [&](std::ostream& out) { write_neigh(out, tessellation); }},
+         {"json", [&](std::ostream& out) {
+              write_json(out, tessellation, {call.vertices, call.statistics});
+          }}});
     if (call.quiet) return;
     summarize(tessellation, targets);
     hint_at_space(call, sites.file, tessellation.hidden().size());
@@ -235,8 +235,7 @@ void add_triangulate(CLI::App& tool) {
     CLI::App* command = tool.add_subcommand("triangulate", "Computes the tessellation of sites");
     add_sites(*command, *call);
     add_space(*command, *call);
-    add_checked(*command, "--method", call->method, "NAME",
-                one_of({"incremental", "flips", "sweep"}),
+    add_checked(*command, "--method", call->method, "NAME", one_of(names_of(all_methods)),
                 "incremental: site by site; flips: from Delaunay's\n"
                 "triangulation, power metric only; sweep: a line\n"
                 "over the plane, manhattan and supremum only; the\nresult is the same")

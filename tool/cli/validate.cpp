@@ -54,7 +54,7 @@ void run(const ValidateCall& call) {
     if (call.tessellation == "-" && call.sites == "-") {
         throw CallError("only one of the two files can be standard input");
     }
-    const ReadTessellation read = read_any_tessellation(call.tessellation);
+    const ReadTessellation read = read_tessellation(call.tessellation);
     if (!read.note.empty()) say("signum: {}\n", read.note);
     const Validation result =
         read.in_space ? judged_in_space(call, read) : judged_in_plane(call, read.arrays);

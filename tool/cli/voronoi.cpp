@@ -207,12 +207,6 @@ void summarize(const Voronoi& voronoi, std::span<const Target> targets) {
     say("{}", written(targets));
 }
 
-/// Tables have the attributes of the sites on request.
-std::span<const Attribute> carried_to_tables(const VoronoiCall& call, const InputSites& sites) {
-    if (!call.carry) return {};
-    return sites.file.attributes;
-}
-
 void run(VoronoiCall& call) {
     const std::vector<Target> targets = targets_of(call, call.input, voronoi_formats);
     if (call.carry && !is_written(targets, "csv"))
@@ -252,6 +246,9 @@ void run(VoronoiCall& call) {
     const auto clipped = [&]() -> const ClippedVoronoi& {
         return cells ? *cells : cells.emplace(diagram, box);
     };
+    // Tables have the attributes of the sites on request.
+    std::span<const Attribute> carried;
+    if (call.carry) carried = sites.file.attributes;
     outputs.write(
         {{"json",
           [&](std::ostream& out) {
@@ -266,9 +263,8 @@ void run(VoronoiCall& call) {
          {"wkt", [&](std::ostream& out) { write_voronoi_wkt(out, clipped(), tolerance); }},
          {"vtk", [&](std::ostream& out) { write_vtk(out, vtk_grid(clipped(), tolerance)); }},
          {"vtp", [&](std::ostream& out) { write_vtp(out, vtk_grid(clipped(), tolerance)); }},
-         {"csv", [&](std::ostream& out) {
-              write_voronoi_csv(out, clipped(), tolerance, carried_to_tables(call, sites));
-          }}});
+         {"csv",
+          [&](std::ostream& out) { write_voronoi_csv(out, clipped(), tolerance, carried); }}});
     if (!call.quiet) {
         summarize(diagram, targets);
         hint_at_space(call, sites.file, diagram.tessellation().hidden().size());

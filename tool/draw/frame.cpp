@@ -94,10 +94,6 @@ double Frame::rounding() const noexcept {
                               std::abs(middle_.y) * scale_ + height_ / 2);
 }
 
-Point Frame::at(Point point) const noexcept {
-    return at(point, 0);
-}
-
 double Frame::length(double in_plane) const noexcept {
     return std::ldexp(in_plane, -exponent_) * scale_;
 }

@@ -28,13 +28,12 @@ class Frame {
     /// pixels: what is computed in doubles, as cells are, may be that much off.
     [[nodiscard]] double rounding() const noexcept;
 
-    /// Plane to pixels; infinite or NaN for points beyond all measure.
-    [[nodiscard]] Point at(Point point) const noexcept;
     [[nodiscard]] double length(double in_plane) const noexcept;
     /// The decimal logarithm of a pixel's length in the plane, which itself may be no double.
     [[nodiscard]] double log10_of_pixel() const noexcept;
-    /// The same for coordinates that were divided by 2^exponent.
-    [[nodiscard]] Point at(Point divided, int exponent) const noexcept;
+    /// Plane to pixels, coordinates being divided by 2^exponent; infinite or NaN for points beyond
+    /// all measure.
+    [[nodiscard]] Point at(Point divided, int exponent = 0) const noexcept;
     /// What the picture shows, all sides divided by 2^exponent.
     [[nodiscard]] Box box(int exponent) const noexcept;
 

@@ -107,12 +107,14 @@ class Movie {
     /// Kinds of shapes: outlines by their levels from the highest on, borders and those that are
     /// new, links, what is expected.
     static constexpr std::size_t most_levels = 4;
-    static constexpr std::size_t finest = most_levels - 1;
-    static constexpr std::size_t borders = most_levels;
-    static constexpr std::size_t new_borders = most_levels + 1;
-    static constexpr std::size_t links = most_levels + 2;
-    static constexpr std::size_t expected = most_levels + 3;
-    static constexpr std::size_t kinds = most_levels + 4;
+    enum Kind : std::size_t {
+        finest = most_levels - 1,
+        borders,
+        new_borders,
+        links,
+        expected,
+        kinds
+    };
     /// Shapes of a frame, as data of paths.
     using Paths = std::vector<std::string>;
     /// Of each kind, and between whom borders lie, those left out, too.

@@ -29,7 +29,7 @@ constexpr Point3 to_the_light = {6.0 / 7.0, 3.0 / 7.0, 2.0 / 7.0};
 class SolidsPicture {
  public:
     SolidsPicture(std::span<const Site3> sites, const SpaceCells& cells,
-                  std::span<const SpacePolyhedron> polyhedra, const SpaceCellsSvgOptions& options)
+                  std::span<const SpacePolyhedron> polyhedra, std::size_t face_limit)
         : sites_(sites),
           cells_(cells),
           polyhedra_(polyhedra),
@@ -40,7 +40,7 @@ class SolidsPicture {
           legend_(document_width, shapes_of(Metric::power).outline) {
         choose_cells();
         choose_tints();
-        choose_faces(options.face_limit);
+        choose_faces(face_limit);
     }
 
     void write(std::ostream& out) {
@@ -246,9 +246,8 @@ class SolidsPicture {
 }  // namespace
 
 void write_space_cells_svg(std::ostream& out, std::span<const Site3> sites, const SpaceCells& cells,
-                           std::span<const SpacePolyhedron> polyhedra,
-                           const SpaceCellsSvgOptions& options) {
-    SolidsPicture(sites, cells, polyhedra, options).write(out);
+                           std::span<const SpacePolyhedron> polyhedra, std::size_t face_limit) {
+    SolidsPicture(sites, cells, polyhedra, face_limit).write(out);
 }
 
 }  // namespace signum

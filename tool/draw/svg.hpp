@@ -40,20 +40,11 @@ struct SvgOptions {
 /// tessellation over them, and a legend. Check the stream for errors of writing. O(n log n).
 void write_svg(std::ostream& out, const Tessellation& tessellation, const SvgOptions& options = {});
 
-struct VoronoiSvgOptions {
-    /// Cells with a tint and a number of their own; of more none is tinted.
-    std::size_t cell_limit = 20'000;
-    /// Sites with an outline and a number of their own.
-    std::size_t site_limit = 10'000;
-    std::size_t line_limit = 60'000;
-};
-
 /// Cells in tints that tell neighbours apart, their edges as the lines and arcs that they are, the
 /// sites over them. The picture shows `box`, or the sites with some room around them. Check the
 /// stream for errors of writing. O(n log n).
 void write_voronoi_svg(std::ostream& out, const Voronoi& voronoi,
-                       const std::optional<Box>& box = std::nullopt,
-                       const VoronoiSvgOptions& options = {});
+                       const std::optional<Box>& box = std::nullopt);
 
 /// Beyond the limits the nearest sites are drawn, and of the edges those of the hull.
 struct SpaceSvgOptions {
@@ -68,17 +59,14 @@ void write_svg(std::ostream& out, const SpaceTessellation& tessellation,
                std::span<const Site3> sites, WeightIs weight_is,
                const SpaceSvgOptions& options = {});
 
-struct SpaceCellsSvgOptions {
-    std::size_t face_limit = 40'000;
-};
-
 /// Cells of space as solids, seen in the same way: those that the box does not cut, and where it
-/// cuts all of them, all. Beyond the limit the nearest faces are drawn. Of two power cells the one
-/// whose site is nearer to the eye is nowhere behind the other one, so that drawing them in that
-/// order hides what is hidden. Writes the solids and the box around them. `polyhedra` are those of
-/// all sites, in order, in the box of `cells`. Check the stream for errors of writing. O(n log n).
+/// cuts all of them, all. Of more than `face_limit` faces the nearest are drawn. Of two power cells
+/// the one whose site is nearer to the eye is nowhere behind the other one, so that drawing them in
+/// that order hides what is hidden. Writes the solids and the box around them. `polyhedra` are
+/// those of all sites, in order, in the box of `cells`. Check the stream for errors of writing. O(n
+/// log n).
 void write_space_cells_svg(std::ostream& out, std::span<const Site3> sites, const SpaceCells& cells,
                            std::span<const SpacePolyhedron> polyhedra,
-                           const SpaceCellsSvgOptions& options = {});
+                           std::size_t face_limit = 40'000);
 
 }  // namespace signum

@@ -14,6 +14,7 @@ namespace signum {
 namespace {
 
 constexpr std::size_t tints = 6;
+constexpr std::size_t most_tinted = 20'000;  // cells; of more none is
 
 Index across(const Voronoi& voronoi, const VoronoiStep& step) {
     const VoronoiEdge& edge = voronoi.edges()[static_cast<std::size_t>(step.edge)];
@@ -93,8 +94,8 @@ double spacing(std::size_t cells, const Frame& frame) {
 
 }  // namespace
 
-void write_voronoi_svg(std::ostream& out, const Voronoi& voronoi, const std::optional<Box>& box,
-                       const VoronoiSvgOptions& options) {
+void write_voronoi_svg(std::ostream& out, const Voronoi& voronoi, const std::optional<Box>& box) {
+    const SvgOptions options;
     const Tessellation& tessellation = voronoi.tessellation();
     const Frame frame =
         box ? Frame(*box, picture_width) : Frame(drawn_sites(tessellation), picture_width);
@@ -109,8 +110,8 @@ void write_voronoi_svg(std::ostream& out, const Voronoi& voronoi, const std::opt
     sites.describe(legend);
     note_rounding(legend, frame);
     SvgText drawing;
-    if (cells_in(edges) > options.cell_limit)
-        legend.note("more than {} cells, drawn without tints", options.cell_limit);
+    if (cells_in(edges) > most_tinted)
+        legend.note("more than {} cells, drawn without tints", most_tinted);
     else if (clipped) {
         write_cells(drawing, *clipped, frame);
         legend.note("tints tell cells that meet apart and mean nothing else");

@@ -11,11 +11,11 @@
 namespace signum {
 namespace {
 
-constexpr double side = 700.0;
+constexpr double box_side = 700.0;
 
 Site square_site(Uniform& uniform) {
-    const double x = side * uniform();
-    return {x, side * uniform()};
+    const double x = box_side * uniform();
+    return {x, box_side * uniform()};
 }
 
 /// Von Neumann: a uniform direction, its angle doubled. No sine, whose last bit differs from
@@ -26,7 +26,7 @@ Site circle_site(Uniform& uniform) {
         const double v = 2.0 * uniform() - 1.0;
         const double norm = u * u + v * v;
         if (norm > 1.0 || norm < 0x1p-40) continue;
-        const double radius = side / 2.0;
+        const double radius = box_side / 2.0;
         return {radius + radius * ((u * u - v * v) / norm), radius + radius * (2.0 * u * v / norm)};
     }
 }
@@ -34,17 +34,17 @@ Site circle_site(Uniform& uniform) {
 Site boundary_site(Uniform& uniform) {
     const double place = 4.0 * uniform();
     const double edge = std::floor(place);
-    const double along = side * (place - edge);
+    const double along = box_side * (place - edge);
     if (edge == 0.0) return {along, 0.0};
-    if (edge == 1.0) return {side, along};
-    if (edge == 2.0) return {side - along, side};
-    return {0.0, side - along};
+    if (edge == 1.0) return {box_side, along};
+    if (edge == 2.0) return {box_side - along, box_side};
+    return {0.0, box_side - along};
 }
 
 Site3 cube_site(Uniform& uniform) {
-    const double x = side * uniform();
-    const double y = side * uniform();
-    return {x, y, side * uniform()};
+    const double x = box_side * uniform();
+    const double y = box_side * uniform();
+    return {x, y, box_side * uniform()};
 }
 
 /// Marsaglia: from a uniform point of the disc; the root is rounded to nearest everywhere.
@@ -55,7 +55,7 @@ Site3 sphere_site(Uniform& uniform) {
         const double square = u * u + v * v;
         if (square >= 1.0) continue;
         const double root = 2.0 * std::sqrt(1.0 - square);
-        const double radius = side / 2.0;
+        const double radius = box_side / 2.0;
         return {radius + radius * (root * u), radius + radius * (root * v),
                 radius + radius * (1.0 - 2.0 * square)};
     }
@@ -64,13 +64,13 @@ Site3 sphere_site(Uniform& uniform) {
 Site3 surface_site(Uniform& uniform) {
     const double place = 6.0 * uniform();
     const double face = std::floor(place);
-    const double u = side * (place - face);
-    const double v = side * uniform();
+    const double u = box_side * (place - face);
+    const double v = box_side * uniform();
     if (face == 0.0) return {0.0, u, v};
-    if (face == 1.0) return {side, u, v};
+    if (face == 1.0) return {box_side, u, v};
     if (face == 2.0) return {u, 0.0, v};
-    if (face == 3.0) return {u, side, v};
-    return {u, v, face == 4.0 ? 0.0 : side};
+    if (face == 3.0) return {u, box_side, v};
+    return {u, v, face == 4.0 ? 0.0 : box_side};
 }
 
 /// The columns of the smallest square or cubic grid that holds `count` points.
@@ -82,8 +82,8 @@ std::int64_t grid_columns(std::int64_t count, int dimension = 2) {
 
 /// The step of the grid, rounded down to 24 bits so that its multiples are exact.
 double grid_step(std::int64_t columns) {
-    if (columns < 2) return side;
-    const double step = side / static_cast<double>(columns - 1);
+    if (columns < 2) return box_side;
+    const double step = box_side / static_cast<double>(columns - 1);
     const double unit = std::ldexp(1.0, std::ilogb(step) - 23);
     return std::floor(step / unit) * unit;
 }
@@ -189,8 +189,8 @@ class Centres {
                 const Site place = place_of(i / 1000, pattern_columns_);
                 const Site point = circle_site(uniform_);
                 const auto width = static_cast<double>(pattern_columns_);
-                return {(side * place.x + point.x) / width, (side * place.y + point.y) / width,
-                        0.0};
+                return {(box_side * place.x + point.x) / width,
+                        (box_side * place.y + point.y) / width, 0.0};
             }
             case Distribution::lattice:
             case Distribution::tangent: {

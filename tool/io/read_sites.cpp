@@ -66,10 +66,6 @@ SitesInput input_by_ending(std::string_view ending) noexcept {
     return SitesInput::text;
 }
 
-SitesFile read_sites(const std::string& path, const Columns& columns) {
-    return read_sites(path, ReadOptions{.columns = columns, .dimension = 2});
-}
-
 SitesFile read_sites(const std::string& path, const ReadOptions& options) {
     InputFile file(path, "a file of sites");
     SitesFile result = kind_of(options.input).read(file, options);

@@ -107,10 +107,8 @@ struct SitesFile {
     }
 };
 
-/// Reads the file `path`, or standard input for "-", as sites of the plane. Throws InputError, and
-/// MachineError where it is the machine that fails. O(bytes).
-[[nodiscard]] SitesFile read_sites(const std::string& path, const Columns& columns = {});
-/// The same of the plane or of space.
+/// Reads the file `path`, or standard input for "-". Throws InputError, and MachineError where it
+/// is the machine that fails. O(bytes).
 [[nodiscard]] SitesFile read_sites(const std::string& path, const ReadOptions& options);
 
 /// A view of sites whose third number is a radius or a weight, as triangulate() and validate() want

@@ -60,10 +60,8 @@ struct Rows {
 
 class TessellationReader final : public JsonEvents {
  public:
-    TessellationReader(InputFile& file, std::string path, bool takes_space)
-        : JsonEvents(file, "a tessellation is what signum triangulate writes as JSON"),
-          path_(std::move(path)),
-          takes_space_(takes_space) {}
+    explicit TessellationReader(InputFile& file)
+        : JsonEvents(file, "a tessellation is what signum triangulate writes as JSON") {}
 
     ReadTessellation read() {
         parse();
@@ -111,9 +109,6 @@ class TessellationReader final : public JsonEvents {
     bool key(std::string& text) override {
         if (depth_ > 1) return true;
         key_ = key_of(text);
-        if (key_ == Key::cells && !takes_space_)
-            fail_at_value(
-                "\"cells\" are those of a tessellation in space; one of the plane is read");
         if ((key_ == Key::cells && seen_.contains(Key::faces)) ||
             (key_ == Key::faces && seen_.contains(Key::cells)))
             fail_at_value(
@@ -219,7 +214,7 @@ class TessellationReader final : public JsonEvents {
     }
     [[nodiscard]] std::string note() const {
         if (!unknown_) return {};
-        return InputError(path_, unknown_->place,
+        return InputError(cursor().file().path(), unknown_->place,
                           fmt::format("{} is no key of a tessellation, and is ignored",
                                       in_quotes(unknown_->name)))
             .what();
@@ -305,8 +300,6 @@ class TessellationReader final : public JsonEvents {
                                                            name_of(key_), in_quotes(name), names));
     }
 
-    std::string path_;
-    bool takes_space_;
     TessellationArrays arrays_;
     Rows cells_;
     Rows neighbours_;  ///< those that came before any faces
@@ -328,14 +321,9 @@ class TessellationReader final : public JsonEvents {
 
 }  // namespace
 
-TessellationArrays read_tessellation(const std::string& path) {
+ReadTessellation read_tessellation(const std::string& path) {
     InputFile file(path, "a tessellation in JSON");
-    return TessellationReader(file, path, false).read().arrays;
-}
-
-ReadTessellation read_any_tessellation(const std::string& path) {
-    InputFile file(path, "a tessellation in JSON");
-    return TessellationReader(file, path, true).read();
+    return TessellationReader(file).read();
 }
 
 }  // namespace signum

@@ -9,14 +9,6 @@
 
 namespace signum {
 
-/// Reads the file `path`, or standard input for "-". "format", "version", "metric", "sites" and
-/// "faces" must be there; "neighbours" and "hidden" may be missing, which means empty, and
-/// "weight_is", which means radius. "vertices", "statistics" and keys of others are ignored, but
-/// for one that reads like a misspelt name of what may be missing and is: that is an error. The
-/// indices may be anything that 32 bits hold: judging them is validate()'s task. Throws InputError
-/// with line and column, and MachineError. O(bytes).
-[[nodiscard]] TessellationArrays read_tessellation(const std::string& path);
-
 /// A tessellation of the plane or of space.
 struct ReadTessellation {
     /// Of space its metric and what its weights are, and nothing else.
@@ -26,9 +18,14 @@ struct ReadTessellation {
     std::string note;
 };
 
-/// The same for one of space, too, which "cells" make it in place of "faces". It must say its
-/// "dimension" k, from -1 to 3, and have k+1 numbers in each entry of "cells" and "neighbours"; the
-/// arrays it lacks are empty.
-[[nodiscard]] ReadTessellation read_any_tessellation(const std::string& path);
+/// Reads the file `path`, or standard input for "-". "format", "version", "metric", "sites" and
+/// "faces" must be there; "neighbours" and "hidden" may be missing, which means empty, and
+/// "weight_is", which means radius. "cells" in place of "faces" make it one of space: it must say
+/// its "dimension" k, from -1 to 3, and have k+1 numbers in each entry of "cells" and "neighbours";
+/// the arrays it lacks are empty. "vertices", "statistics" and keys of others are ignored, but for
+/// one that reads like a misspelt name of what may be missing and is: that is an error. The indices
+/// may be anything that 32 bits hold: judging them is validate()'s task. Throws InputError with
+/// line and column, and MachineError. O(bytes).
+[[nodiscard]] ReadTessellation read_tessellation(const std::string& path);
 
 }  // namespace signum

@@ -42,6 +42,15 @@ void write(std::ostream& out, std::span<const S> sites, SitesFormat format,
             text.put("]\n");
             break;
         }
+        case SitesFormat::node:
+            text.put(FMT_COMPILE("{} {} 1 0\n"), sites.size(), numbers_of<double>(S()).size() - 1);
+            for (std::size_t i = 0; i < sites.size(); ++i) {
+                text.put(FMT_COMPILE("{}"), i);
+                for (const double number : numbers_of<double>(sites[i]))
+                    text.put(FMT_COMPILE(" {}"), number);
+                text.put("\n");
+            }
+            break;
     }
     text.flush();
 }
@@ -54,23 +63,6 @@ void write_sites(std::ostream& out, std::span<const Site> sites, SitesFormat for
 
 void write_sites(std::ostream& out, std::span<const Site3> sites, SitesFormat format) {
     write(out, sites, format, "x,y,z,r\n");
-}
-
-void write_node(std::ostream& out, std::span<const Site> sites) {
-    TextWriter text(out);
-    text.put(FMT_COMPILE("{} 2 1 0\n"), sites.size());
-    for (std::size_t i = 0; i < sites.size(); ++i)
-        text.put(FMT_COMPILE("{} {} {} {}\n"), i, sites[i].x, sites[i].y, sites[i].r);
-    text.flush();
-}
-
-void write_node(std::ostream& out, std::span<const Site3> sites) {
-    TextWriter text(out);
-    text.put(FMT_COMPILE("{} 3 1 0\n"), sites.size());
-    for (std::size_t i = 0; i < sites.size(); ++i)
-        text.put(FMT_COMPILE("{} {} {} {} {}\n"), i, sites[i].x, sites[i].y, sites[i].z,
-                 sites[i].r);
-    text.flush();
 }
 
 }  // namespace signum

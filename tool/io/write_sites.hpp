@@ -12,15 +12,13 @@ namespace signum {
 enum class SitesFormat : std::uint8_t {
     text,  ///< x y r, in space x y z r, one site a line
     csv,   ///< a header x,y,r or x,y,z,r, then one site a line
-    json   ///< [[x, y, r], ...] or [[x, y, z, r], ...]
+    json,  ///< [[x, y, r], ...] or [[x, y, z, r], ...]
+    /// Triangle's, in space TetGen's: all sites with their radius or weight as the only attribute
+    /// and without boundary markers, numbered from 0.
+    node
 };
 
 void write_sites(std::ostream& out, std::span<const Site> sites, SitesFormat format);
 void write_sites(std::ostream& out, std::span<const Site3> sites, SitesFormat format);
-
-/// A .node file of Triangle, in space TetGen: all sites with their radius or weight as the only
-/// attribute and without boundary markers, numbered from 0.
-void write_node(std::ostream& out, std::span<const Site> sites);
-void write_node(std::ostream& out, std::span<const Site3> sites);
 
 }  // namespace signum

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "../../triangulation/space/cells.hpp"
 #include "../../triangulation/vertices.hpp"
 #include "text_writer.hpp"
 
@@ -208,10 +210,9 @@ void write_obj(std::ostream& out, const Tessellation& tessellation) {
 namespace {
 
 /// An element with the numbers of its vertices from 1.
-template <class... Vertices>
-void put_element(TextWriter& text, char kind, Vertices... vertices) {
+void put_element(TextWriter& text, char kind, std::span<const Index> vertices) {
     text.put(FMT_COMPILE("{}"), kind);
-    (text.put(FMT_COMPILE(" {}"), vertices + std::int64_t{1}), ...);
+    for (const Index vertex : vertices) text.put(FMT_COMPILE(" {}"), vertex + std::int64_t{1});
     text.put("\n");
 }
 
@@ -219,20 +220,17 @@ void put_facets(TextWriter& text, const SpaceTessellation& tessellation) {
     const auto& cells = tessellation.cells;
     text.put("g hull\n");
     for (const auto& [apex, a, b, c] : cells)
-        if (apex == infinite) put_element(text, 'f', a, c, b);
+        if (apex == infinite) put_element(text, 'f', std::array{a, c, b});
     text.put("g inside\n");
-    for (std::size_t cell = 0; cell < cells.size(); ++cell) {
-        const auto& [a, b, c, d] = cells[cell];
-        if (a == infinite) continue;
-        // From the first of two cells that share a facet, and away from it.
-        const auto is_first = [&](std::size_t k) {
-            const auto other = static_cast<std::size_t>(tessellation.neighbours[cell][k]);
-            return cell < other && cells[other][0] != infinite;
-        };
-        if (is_first(0)) put_element(text, 'f', b, c, d);
-        if (is_first(1)) put_element(text, 'f', a, d, c);
-        if (is_first(2)) put_element(text, 'f', a, b, d);
-        if (is_first(3)) put_element(text, 'f', a, c, b);
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+        if (cells[c][0] == infinite) continue;
+        for (std::size_t k = 0; k < 4; ++k) {
+            // From the first of two cells that share a facet, and away from it.
+            const auto across = static_cast<std::size_t>(tessellation.neighbours[c][k]);
+            if (across <= c || cells[across][0] == infinite) continue;
+            const auto& [i, j, m] = spatial::facet_of[k];
+            put_element(text, 'f', std::array{cells[c][i], cells[c][j], cells[c][m]});
+        }
     }
 }
 
@@ -253,12 +251,10 @@ void write_obj(std::ostream& out, const SpaceTessellation& tessellation,
     if (tessellation.dimension == 3) {
         put_facets(text, tessellation);
     } else {
-        for (const auto& [a, b, c, none] : tessellation.cells) {
-            if (a == infinite) continue;
-            if (tessellation.dimension == 2) put_element(text, 'f', a, b, c);
-            if (tessellation.dimension == 1) put_element(text, 'l', a, b);
-            if (tessellation.dimension == 0) put_element(text, 'p', a);
-        }
+        const auto vertices = static_cast<std::size_t>(tessellation.dimension + 1);
+        for (const SpaceCell& cell : tessellation.cells)
+            if (cell[0] != infinite)
+                put_element(text, "plf"[vertices - 1], std::span(cell).first(vertices));
     }
     text.flush();
 }

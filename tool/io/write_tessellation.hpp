@@ -45,7 +45,7 @@ void write_csv(std::ostream& out, const Tessellation& tessellation);
 void write_csv(std::ostream& out, const SpaceTessellation& tessellation);
 
 /// The finite faces, counterclockwise; in space the finite cells, which turn positively. Of flat
-/// sites in space none. Their sites are what write_node() writes (io/write_sites.hpp).
+/// sites in space none. Their sites are what write_sites() writes as SitesFormat::node.
 void write_ele(std::ostream& out, const Tessellation& tessellation);
 void write_ele(std::ostream& out, const SpaceTessellation& tessellation);
 /// By face or cell of write_ele() those across from its corners; -1 beyond the hull.

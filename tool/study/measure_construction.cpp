@@ -22,24 +22,11 @@
 namespace signum::study {
 namespace {
 
-/// What compare_edges() and compare_cells() say, counted.
-struct Difference {
-    double all = 0.0;
-    double wrong = 0.0;
-    double different = 0.0;
-};
-
-/// Of an EdgeComparison `all` edges, of a CellComparison `all` cells.
-template <class Comparison>
-Difference difference_of(const Comparison& comparison, std::int64_t all) {
-    return {static_cast<double>(all), static_cast<double>(comparison.wrong.size()),
-            static_cast<double>(comparison.different.size())};
-}
-
 struct Plane {
     using Sites = std::vector<Site>;
     using Result = Tessellation;
     static constexpr std::string_view parts = "edges";
+    static constexpr auto all_parts = &EdgeComparison::edges;
 
     static Sites sites(const Setting& setting, std::size_t seed) { return sites_of(setting, seed); }
     static Result build(const Sites& sites, Metric metric, const Options& options = {}) {
@@ -48,9 +35,8 @@ struct Plane {
     static double seconds(const Sites& sites, Metric metric, const Options& options) {
         return triangulate(sites, metric, options).statistics().seconds;
     }
-    static Difference difference(const Result& result, const Result& canonical, const Sites&) {
-        const EdgeComparison comparison = compare_edges(result, canonical);
-        return difference_of(comparison, comparison.edges);
+    static EdgeComparison compare(const Result& result, const Result& canonical, const Sites&) {
+        return compare_edges(result, canonical);
     }
     static std::size_t hidden(const Result& result) { return result.hidden().size(); }
     static const Statistics* calls(const Result& result) { return &result.statistics(); }
@@ -61,6 +47,7 @@ struct Space {
     using Sites = std::vector<Site3>;
     using Result = SpaceTessellation;
     static constexpr std::string_view parts = "cells";
+    static constexpr auto all_parts = &CellComparison::cells;
 
     static Sites sites(const Setting& setting, std::size_t seed) {
         return sites_in_space_of(setting, seed);
@@ -71,11 +58,9 @@ struct Space {
     static double seconds(const Sites& sites, Metric metric, const Options& options) {
         return seconds_of([&] { static_cast<void>(build(sites, metric, options)); });
     }
-    static Difference difference(const Result& result, const Result& canonical,
-                                 const Sites& sites) {
-        const CellComparison comparison =
-            compare_cells(result, canonical, std::span<const Site3>(sites));
-        return difference_of(comparison, comparison.cells);
+    static CellComparison compare(const Result& result, const Result& canonical,
+                                  const Sites& sites) {
+        return compare_cells(result, canonical, std::span<const Site3>(sites));
     }
     static std::size_t hidden(const Result& result) { return result.hidden.size(); }
     static const Statistics* calls(const Result&) { return nullptr; }
@@ -95,9 +80,11 @@ struct Counts {
     std::array<Interval, shares.size()> percents = {};  ///< the least and greatest of a set
     std::optional<Statistics> calls;                    ///< where they are counted
 
-    void add(const Difference& difference, std::size_t hidden_sites, const Statistics* statistics) {
-        const auto& [all, wrong, different] = difference;
-        const std::array found = {wrong, different, wrong + different};
+    void add(std::int64_t all_parts, std::size_t wrong, std::size_t different,
+             std::size_t hidden_sites, const Statistics* statistics) {
+        const auto all = static_cast<double>(all_parts);
+        const std::array found = {static_cast<double>(wrong), static_cast<double>(different),
+                                  static_cast<double>(wrong + different)};
         for (std::size_t k = 0; k < shares.size(); ++k) {
             const double percent = all > 0.0 ? 100.0 * found[k] / all : 0.0;
             sums[k] += found[k];
@@ -171,7 +158,8 @@ std::vector<Row> constructions(const Cell& cell, const Pass& pass) {
             try {
                 const auto tessellation = World::build(sites, metric, options);
                 if (!counts_too) continue;
-                counts[i].add(World::difference(tessellation, *canonical, sites),
+                const auto found = World::compare(tessellation, *canonical, sites);
+                counts[i].add(found.*World::all_parts, found.wrong.size(), found.different.size(),
                               World::hidden(tessellation), World::calls(tessellation));
             } catch (const BrokenStructure&) {
                 ++counts[i].broken;
@@ -225,7 +213,7 @@ bool errs(const Cell& cell, const Options& options, int exponent) {
         try {
             const auto tessellation = World::build(sites, metric, options);
             const auto canonical = World::build(sites, metric);
-            if (World::difference(tessellation, canonical, sites).wrong > 0.0) return true;
+            if (!World::compare(tessellation, canonical, sites).wrong.empty()) return true;
         } catch (const BrokenStructure&) {
             return true;
         }

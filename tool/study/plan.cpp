@@ -8,6 +8,7 @@
 #include "../../motion/simulation.hpp"
 #include "../../triangulation/options.hpp"
 #include "../generate/generate.hpp"
+#include "../io/names.hpp"
 
 namespace signum::study {
 namespace {
@@ -19,13 +20,6 @@ using Metrics = std::vector<Metric>;
 
 const Names four = {"random", "circle", "square", "grid"};
 const Names hard = {"random", "circle", "rings", "lattice", "offset", "tangent"};
-
-template <class Values>
-Names names_of(const Values& values) {
-    Names names;
-    for (const auto value : values) names.emplace_back(name_of(value));
-    return names;
-}
 
 struct Radii {
     double from;

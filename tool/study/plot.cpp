@@ -3,9 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fstream>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
+
+#include "../io/errors.hpp"
+#include "../io/program.hpp"
 
 #include "template.hpp"
 
@@ -272,6 +277,23 @@ std::string gnuplot_script(const Plot& plot) {
     }
     if (count > 0) text += legend_script(plot, height);
     return text + "unset multiplot\n";
+}
+
+bool has_gnuplot() {
+    return has_program("gnuplot", "--version");
+}
+
+std::string run_gnuplot(const std::string& script_path) {
+    ProgramEnd end = run_program("gnuplot", {script_path});
+    if (end.status != 0) throw MachineError(fmt::format("gnuplot failed on {}", script_path));
+    return std::move(end.output);
+}
+
+std::string drawn_by_gnuplot(const std::string& script) {
+    const ScratchFolder folder("curves");
+    const std::string path = folder.file("curves.gnuplot");
+    std::ofstream(path, std::ios::binary) << script;
+    return run_gnuplot(path);
 }
 
 std::string inline_svg(std::string svg, const std::string& name, const std::string& description) {

@@ -1,5 +1,5 @@
 #pragma once
-/// A picture of numbers as data, and as a script for gnuplot, which draws it.
+/// A picture of numbers as data, as a script for gnuplot, and as that draws it.
 
 #include <limits>
 #include <string>
@@ -59,6 +59,14 @@ struct Plot {
 
 /// The script; gnuplot writes the SVG to its standard output.
 [[nodiscard]] std::string gnuplot_script(const Plot& plot);
+
+/// Whether gnuplot can be started.
+[[nodiscard]] bool has_gnuplot();
+/// What it writes to its standard output when it runs a script. Throws MachineError where it cannot
+/// be started, or fails.
+[[nodiscard]] std::string run_gnuplot(const std::string& script_path);
+/// The same of a script that lies in no file.
+[[nodiscard]] std::string drawn_by_gnuplot(const std::string& script);
 
 /// gnuplot's SVG for the inside of a page: colours of the page for what is black, names of parts
 /// that are its own, and a text for who does not see it.

@@ -40,11 +40,8 @@ Race race(std::span<const Contestant> contestants, const Budget& budget, bool re
     std::vector<std::vector<double>> seconds(count);
     std::vector<std::vector<double>> ratios(count);
     const auto start = std::chrono::steady_clock::now();
-    const auto elapsed = [&] {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    };
     for (std::size_t round = 0; round < budget.most_rounds; ++round) {
-        if (round >= budget.least_rounds && elapsed() > budget.seconds) break;
+        if (round >= budget.least_rounds && seconds_since(start) > budget.seconds) break;
         for (std::size_t turn = 0; turn < count; ++turn) {
             const std::size_t i = (round % 2 == 0) == reversed ? count - 1 - turn : turn;
             seconds[i].push_back(contestants[i]());

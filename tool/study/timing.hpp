@@ -2,12 +2,26 @@
 /// Timing that repeats: contestants take turns, and what is told is the median with the interval in
 /// which it lies.
 
+#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <span>
 #include <vector>
 
 namespace signum::study {
+
+/// On the wall's clock.
+[[nodiscard]] inline double seconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Those that a piece of work takes.
+template <class Work>
+[[nodiscard]] double seconds_of(const Work& work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    return seconds_since(start);
+}
 
 /// A median and an interval that contains the true one with a confidence of at least 95 %, where
 /// there are six runs or more; the extremes otherwise. From order statistics: no distribution is

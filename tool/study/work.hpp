@@ -1,7 +1,6 @@
 #pragma once
 /// The kinds of work of a cell, and what they share. For the sources of study/.
 
-#include <chrono>
 #include <string>
 #include <vector>
 
@@ -22,14 +21,6 @@ Measure measure_construction, measure_deletion, measure_stage_cost, measure_firs
 [[nodiscard]] inline Race race_of(const std::vector<Contestant>& contestants, const Cell& cell,
                                   const Pass& pass) {
     return race(contestants, cell.budget, pass.number % 2 == 0);
-}
-
-/// The seconds that a piece of work takes.
-template <class F>
-[[nodiscard]] double seconds_of(const F& work) {
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 }  // namespace signum::study

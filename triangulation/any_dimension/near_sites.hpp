@@ -28,7 +28,7 @@ class NearSites {
  public:
     /// Of the sites that `members` names.
     NearSites(std::span<const S> sites, std::vector<Index> members)
-        : members_(std::move(members)), scale_(scale(sites, members_)) {
+        : sites_(sites), members_(std::move(members)), scale_(scale(sites, members_)) {
         tree_ = {members_.size(), 4, numbers, [&](std::size_t m) {
                      return scaled(sites[static_cast<std::size_t>(members_[m])]);
                  }};
@@ -48,8 +48,10 @@ class NearSites {
             ++passed;
             return false;
         };
-        tree_.visit(may_be_near,
-                    [&](std::uint32_t place) { visit(members_[tree_.order()[place]]); });
+        tree_.visit(may_be_near, [&](std::uint32_t place) {
+            const Index member = members_[tree_.order()[place]];
+            if (may_be_near(scaled(sites_[static_cast<std::size_t>(member)]))) visit(member);
+        });
         return passed;
     }
 
@@ -102,6 +104,7 @@ class NearSites {
         return sum;
     }
 
+    std::span<const S> sites_;
     std::vector<Index> members_;
     double scale_;
     BoxTree<numbers> tree_;

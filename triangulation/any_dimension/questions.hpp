@@ -16,8 +16,8 @@
 ///     last site whose coefficient is not 0 decides.
 ///
 /// A sign comes from the filter (rounded.hpp; in space those of predicates/space/), otherwise from
-/// exact numbers of the type Exact (exact.hpp); a judge in space asks integers of a few words
-/// first. In the plane the predicates of predicates/power/ answer.
+/// exact numbers of the type Exact (exact.hpp); a check in space asks integers of a few words
+/// first. For the plane's own kinds of sites the predicates of predicates/power/ answer.
 
 #include <algorithm>
 #include <array>

@@ -45,7 +45,7 @@ void add(TouchingSpheres<S>& result, const TouchingSphere<S>& found) {
 // ---- in double-doubles -------------------------------------------------------------------------
 
 /// The number k of a sphere relative to the first ball, whose row would be p = 0 and a 1 at k: the
-/// s of predicates/formulas/balls.hpp is then minus twice the number, (A ∓ L √Γ) / 2Q or, without
+/// s of formulas/balls.hpp is then minus twice the number, (A ∓ L √Γ) / 2Q or, without
 /// cancellation, G / 2(A ± L √Γ).
 template <std::size_t d>
 class Root {

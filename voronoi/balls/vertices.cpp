@@ -25,8 +25,8 @@
 namespace signum::balls {
 namespace {
 
-/// Whether Γ (predicates/formulas/balls.hpp) is certainly not 0: then no sphere touches the four
-/// balls in points of one plane. By the filter of exists().
+/// Whether Γ (formulas/balls.hpp) is certainly not 0: then no sphere touches the four balls in
+/// points of one plane. By the filter of exists().
 [[nodiscard]] bool is_certainly_not_flat(const Site3& i, const Site3& j, const Site3& k,
                                          const Site3& l) noexcept {
     using namespace euclidean::balls;

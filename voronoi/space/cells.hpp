@@ -1,7 +1,7 @@
 #pragma once
 /// The power cells of space in a box: volumes, surfaces, centroids, and who shares how large a face
 /// with whom; the dual of the tessellation, for equal weights Voronoi's. As polyhedra:
-/// space_polyhedra.hpp.
+/// polyhedra.hpp.
 ///
 /// Laws:
 ///  1. The cells tile the box. A hidden site and one whose cell does not reach into the box have no
