@@ -4,33 +4,34 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace signum {
 
-/// Things 0 … n - 1, 2^32 at most. A group is named by its least one.
+/// Things 0 … n - 1. A group is named by its least one.
 class Groups {
  public:
+    /// Each alone.
     explicit Groups(std::size_t things = 0) : above_(things) {
-        std::iota(above_.begin(), above_.end(), 0U);
+        std::iota(above_.begin(), above_.end(), std::size_t{0});
     }
+    /// Each with the one that is said, which does not come after it.
+    explicit Groups(std::vector<std::size_t> above) : above_(std::move(above)) {}
+
     [[nodiscard]] std::size_t of(std::size_t thing) noexcept {
-        while (above_[thing] != thing) {
-            above_[thing] = above_[above_[thing]];
-            thing = above_[thing];
-        }
+        while (above_[thing] != thing) thing = above_[thing] = above_[above_[thing]];
         return thing;
     }
     void join(std::size_t a, std::size_t b) noexcept {
         a = of(a);
         b = of(b);
-        above_[std::max(a, b)] = static_cast<std::uint32_t>(std::min(a, b));
+        above_[std::max(a, b)] = std::min(a, b);
     }
 
  private:
-    std::vector<std::uint32_t> above_;
+    std::vector<std::size_t> above_;
 };
 
 }  // namespace signum

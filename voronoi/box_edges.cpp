@@ -39,7 +39,7 @@ std::vector<EdgePart> edge_parts(std::span<const EdgeEnd> ends, bool is_whole_bo
     return result;
 }
 
-Ends3 ends_of(const EdgePart& part, const Box3& box) noexcept {
+Box3 ends_of(const EdgePart& part, const Box3& box) noexcept {
     const auto end = [&](const EdgeEnd* known, bool is_high) {
         Point3 place = known != nullptr ? known->place : Point3{};
         if (known == nullptr) {

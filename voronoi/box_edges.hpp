@@ -50,12 +50,8 @@ struct EdgePart {
     const EdgeEnd* low;
     const EdgeEnd* high;
 };
-/// Where it begins and ends, seen from its site's eye, from where the box is `box`.
-struct Ends3 {
-    Point3 low;
-    Point3 high;
-};
-[[nodiscard]] Ends3 ends_of(const EdgePart& part, const Box3& box) noexcept;
+/// From where it begins to where it ends, seen from its site's eye, from where the box is `box`.
+[[nodiscard]] Box3 ends_of(const EdgePart& part, const Box3& box) noexcept;
 /// Of the two sides that meet there, around which counterclockwise is up.
 [[nodiscard]] constexpr Side side_around_which_up(BoxEdge edge) noexcept {
     return edge.next().is_high() == edge.last().is_high() ? edge.next() : edge.last();

@@ -24,15 +24,6 @@ Point between(Point a, Point b, double share) noexcept {
     return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
 }
 
-/// A point with a weight: what blossoms are made of.
-struct Weighted {
-    double x;
-    double y;
-    double weight;
-
-    [[nodiscard]] Point point() const noexcept { return {x / weight, y / weight}; }
-};
-
 /// Of the two lines from the origin to the ends of the arc the chord cuts off a triangle; between
 /// chord and arc lies a segment of a hyperbola. With the weight cosh h, and T the triangle of the
 /// three control points, its area is T times
@@ -151,14 +142,14 @@ Conic in_ieee::part(const Conic& conic, double first, double last) noexcept {
         return (1 - s) * (1 - t) + weight * ((1 - s) * t + s * (1 - t)) + s * t;
     };
     const double middle = weight_at(first, last);
-    const Weighted blossom = {
-        (1 - first) * (1 - last) * (from.x - control.x) + first * last * (to.x - control.x),
-        (1 - first) * (1 - last) * (from.y - control.y) + first * last * (to.y - control.y),
-        middle};
-    const Point offset = blossom.point();
+    // The blossom, relative to the control point.
+    const double of_from = (1 - first) * (1 - last);
+    const double of_to = first * last;
+    const Point blossom = {(of_from * (from.x - control.x) + of_to * (to.x - control.x)) / middle,
+                           (of_from * (from.y - control.y) + of_to * (to.y - control.y)) / middle};
     const double standard = middle / std::sqrt(weight_at(first, first) * weight_at(last, last));
     if (!(standard > 1)) return in_ieee::straight(start, end);
-    return {start, {control.x + offset.x, control.y + offset.y}, end, standard};
+    return {start, {control.x + blossom.x, control.y + blossom.y}, end, standard};
 }
 
 Conic::Moments in_ieee::moments(const Conic& conic, Point origin) noexcept {
@@ -277,10 +268,6 @@ void split(const Conic& conic, int halvings, const IsFine& is_fine, const Take& 
     split(first, halvings - 1, is_fine, take);
     split(second, halvings - 1, is_fine, take);
 }
-
-}  // namespace
-
-namespace {
 
 void require_positive(double tolerance) {
     if (!(tolerance > 0)) throw std::invalid_argument("a tolerance is positive");

@@ -9,6 +9,7 @@
 #include "../core/error_free.hpp"
 #include "../exact/multiprecision.hpp"
 #include "../predicates/ccw.hpp"
+#include "../predicates/space/ccw.hpp"
 #include "../triangulation/space/cramer.hpp"
 
 namespace signum {
@@ -110,13 +111,7 @@ Point3 ScaledSites::direction(Index i, Index j) const noexcept {
     double distance = length(way);
     if (distance < 0x1p-200) [[unlikely]] {
         // Their squares may be none, and beside the box they themselves may be: as they were given.
-        way = std::visit(
-            [&](const auto& all) {
-                const auto& from = all[static_cast<std::size_t>(i)];
-                const auto& to = all[static_cast<std::size_t>(j)];
-                return Point3{to.x - from.x, to.y - from.y, to.z - from.z};
-            },
-            given_);
+        way = minus(given(j), given(i));
         way = divided(way,
                       std::ilogb(std::max({std::fabs(way.x), std::fabs(way.y), std::fabs(way.z)})));
         distance = length(way);
@@ -323,30 +318,23 @@ std::uint32_t ScaledSites::sides_beyond(Index i, const ThreePlanes& planes,
     return result;
 }
 
+Point3 ScaledSites::given(Index i) const noexcept {
+    return std::visit([&](const auto& all) { return centre3(all[static_cast<std::size_t>(i)]); },
+                      given_);
+}
+
 Sign ScaledSites::sign_of_offset(Index i, Index j, int axis) const {
-    return std::visit(
-        [&](const auto& all) -> Sign {
-            const auto coordinate = [&](Index k) {
-                const auto& s = all[static_cast<std::size_t>(k)];
-                return axis == 0 ? s.x : axis == 1 ? s.y : s.z;
-            };
-            const double a = coordinate(i);
-            const double b = coordinate(j);
-            return b > a ? 1 : b < a ? -1 : 0;
-        },
-        given_);
+    const double a = given(i).*axes_of_space[axis];
+    const double b = given(j).*axes_of_space[axis];
+    return b > a ? 1 : b < a ? -1 : 0;
 }
 
 Sign ScaledSites::sign_of_cross(Index i, Index j, Index k, int axis) const {
-    return std::visit(
-        [&](const auto& all) -> Sign {
-            const auto projected = [&](Index each) -> Point {
-                const auto& s = all[static_cast<std::size_t>(each)];
-                return axis == 0 ? Point{s.y, s.z} : axis == 1 ? Point{s.z, s.x} : Point{s.x, s.y};
-            };
-            return ccw(projected(i), projected(j), projected(k));
-        },
-        given_);
+    const auto projected = [&](Index each) -> Point {
+        const Point3 p = given(each);
+        return {p.*axes_of_space[(axis + 1) % 3], p.*axes_of_space[(axis + 2) % 3]};
+    };
+    return ccw(projected(i), projected(j), projected(k));
 }
 
 bool ScaledSites::is_middle_nearer(Index i, Index j) const {

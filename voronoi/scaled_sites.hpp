@@ -126,6 +126,8 @@ class ScaledSites {
         std::array<double, 3> h;
         double size;  ///< of what was rounded
     };
+    /// The centre as it was given.
+    [[nodiscard]] Point3 given(Index i) const noexcept;
     [[nodiscard]] Rows rows(Index i, const ThreePlanes& planes) const noexcept;
     [[nodiscard]] Rows shortest_rows(Index i, const ThreePlanes& planes) const noexcept;
     [[nodiscard]] static bool meet(const Rows& rows, Corner& corner) noexcept;

@@ -1,6 +1,5 @@
 #include "vertices.hpp"
 
-#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -41,7 +40,7 @@ struct Centre {
     Number rho;
 
     template <power::PowerSite3 S>
-    Centre(const S& i, const S& j, const S& k, const S& l) {
+    [[gnu::flatten]] Centre(const S& i, const S& j, const S& k, const S& l) {
         const auto plane = [&i](const S& m) -> spatial::Plane<Number> {
             const auto row = power::lifted_row<In>(m, i);
             return {row.offset.x, row.offset.y, row.offset.z, row.height()};
@@ -72,12 +71,10 @@ SpaceVertex vertex_of(const S& i, const S& j, const S& k, const S& l) {
     const auto z = quick.z.rounded();
     const auto rho = quick.rho.rounded();
     if (x && y && z && rho) return {*x, *y, *z, *rho};
-    const Centre<Exactly> exact(i, j, k, l);
-    const auto rounded = [](const Rational& value) {
-        const double result = exact::round_to_double(value);
-        return std::isfinite(result) ? result : nan;
-    };
-    return {rounded(exact.x), rounded(exact.y), rounded(exact.z), rounded(exact.rho)};
+    const Centre<Exactly> centre(i, j, k, l);
+    using exact::round_to_double;
+    return {round_to_double(centre.x), round_to_double(centre.y), round_to_double(centre.z),
+            round_to_double(centre.rho)};
 }
 
 template <class S>

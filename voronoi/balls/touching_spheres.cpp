@@ -1,6 +1,7 @@
 #include "touching_spheres.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -31,20 +32,15 @@ template <std::size_t d>
 using Balls = std::array<Ball<d, double>, d + 1>;
 
 template <std::size_t d>
-struct Found {
-    Ball<d, double> sphere;
-    Sign orientation;
-};
+using Found = TouchingSphere<Ball<d, double>>;
 template <std::size_t d>
-struct Result {
-    SphereCount count = SphereCount::none;
-    std::array<Found<d>, 2> spheres = {};
-
-    void add(const Found<d>& found) {
-        spheres[count == SphereCount::none ? 0 : 1] = found;
-        count = count == SphereCount::none ? SphereCount::one : SphereCount::two;
-    }
-};
+using Result = TouchingSpheres<Ball<d, double>>;
+template <class S>
+void add(TouchingSpheres<S>& result, const TouchingSphere<S>& found) {
+    const bool is_first = result.count == SphereCount::none;
+    result.spheres[is_first ? 0 : 1] = found;
+    result.count = is_first ? SphereCount::one : SphereCount::two;
+}
 
 // ---- in double-doubles -------------------------------------------------------------------------
 
@@ -142,7 +138,7 @@ template <std::size_t d>
             if (!rounded) return std::nullopt;
             found.sphere[k] = *rounded;
         }
-        result.add(found);
+        add(result, found);
     }
     return result;
 }
@@ -192,15 +188,17 @@ class Tangency {
         const Sign of_rows = balls::determinant(rows).sign();
         const Sign turn = d % 2 == 0 ? -of_rows : of_rows;
         Result<d> result;
-        balls::for_points_on_cone(system.solution(), n, turn,
-                                  [&](const Vector& start, const Vector& step, const Rational& g,
-                                      Sign side) { add(result, start, step, g, turn * side); });
+        balls::for_points_on_cone(
+            system.solution(), n, turn,
+            [&](const Vector& start, const Vector& step, const Rational& g, Sign side) {
+                add_if_it_touches(result, start, step, g, turn * side);
+            });
         return result;
     }
 
-    /// The sphere start + step √g, if it touches.
-    void add(Result<d>& result, const Vector& start, const Vector& step, const Rational& g,
-             Sign orientation) const {
+    /// The sphere start + step √g.
+    void add_if_it_touches(Result<d>& result, const Vector& start, const Vector& step,
+                           const Rational& g, Sign orientation) const {
         if (sign_of_surd(start[d], step[d], g) < 0) return;
         for (const Vector& other : others_)
             if (sign_of_surd(start[d] + other[d], step[d], g) < 0) return;
@@ -208,7 +206,7 @@ class Tangency {
         for (std::size_t k = 0; k <= d; ++k)
             found.sphere[k] =
                 rounded_surd(k == d ? start[k] - first_[k] : start[k] + first_[k], step[k], g);
-        result.add(found);
+        add(result, found);
     }
 
     /// The solutions are a flat of two dimensions or more, orthogonal in <,> to the span W of the
@@ -232,7 +230,12 @@ class Tangency {
         if (determinant.sign() > 0) return infinitely_many();
         const Rational h0 = system.value(0);
         const Rational h1 = rank == 1 ? Rational(0) : system.value(1);
-        if (determinant.sign() < 0) return on_level_flat(w, {h0, h1, g00, g01, g11});
+        const auto in_w = [&w](const Rational& first, const Rational& second) {
+            return along(along<d + 1>({}, first, w[0]), second, w[1]);
+        };
+        if (determinant.sign() < 0)
+            return on_level_flat(
+                in_w((h0 * g11 - h1 * g01) / determinant, (h1 * g00 - h0 * g01) / determinant));
 
         // W touches the cone along n; all of W is orthogonal to it.
         Vector n = w[0];
@@ -240,7 +243,7 @@ class Tangency {
         if (rank == 2) {
             const Rational first = g00.is_zero() ? g11 : Rational(-g01);
             const Rational second = g00.is_zero() ? Rational(0) : g00;
-            n = along(along<d + 1>({}, first, w[0]), second, w[1]);
+            n = in_w(first, second);
             value = first * h0 + second * h1;
         }
         // <n, v> = value is the same for all solutions, and for their differences to all balls. Of
@@ -250,22 +253,15 @@ class Tangency {
         return side < 0 || (side == 0 && rank == 1) ? infinitely_many() : Result<d>();
     }
 
-    struct Products {
-        Rational h0, h1, g00, g01, g11;
-    };
     /// W has a direction with <w, w> < 0, so that all directions of the flat have <,> > 0: with v
     /// its point in W, and y orthogonal to W, <v + y, v + y> = <v, v> + <y, y>. All that it is 0
     /// for are on one side of a ball, that of v.
-    [[nodiscard]] Result<d> on_level_flat(const std::array<Vector, 2>& w, const Products& p) const {
-        const Rational determinant = p.g00 * p.g11 - p.g01 * p.g01;
-        const Rational first = (p.h0 * p.g11 - p.h1 * p.g01) / determinant;
-        const Rational second = (p.h1 * p.g00 - p.h0 * p.g01) / determinant;
-        const Vector v = along(along<d + 1>({}, first, w[0]), second, w[1]);
+    [[nodiscard]] Result<d> on_level_flat(const Vector& v) const {
         const Sign square = inner(v, v).sign();
         if (square > 0) return {};
         if (square == 0) {
             Result<d> result;
-            add(result, v, {}, 0, 0);
+            add_if_it_touches(result, v, {}, 0, 0);
             return result;
         }
         if (v[d].sign() < 0) return {};
@@ -286,45 +282,31 @@ template <std::size_t d>
     return Tangency<d>(balls).spheres();
 }
 
-template <std::size_t d, class S, class ToBall, class ToSite>
-[[nodiscard]] TouchingSpheres<S> touching(std::span<const S> sites, const char* wrong_number,
-                                          const ToBall& ball_of, const ToSite& site_of) {
+template <std::size_t d, class S>
+[[nodiscard]] TouchingSpheres<S> touching(std::span<const S> sites, const char* wrong_number) {
     if (sites.size() != d + 1) throw std::invalid_argument(wrong_number);
     Balls<d> balls;
     for (std::size_t m = 0; m <= d; ++m) {
         if (!are_finite(sites[m]))
             throw std::invalid_argument("touching_spheres: ball " + std::to_string(m) +
                                         " is not finite");
-        balls[m] = ball_of(sites[m]);
+        balls[m] = std::bit_cast<Ball<d, double>>(sites[m]);  // the same numbers in this order
     }
     const Result<d> result = exact::in_ieee_environment(spheres_of<d>, balls);
     TouchingSpheres<S> touching{result.count, {}};
     for (std::size_t k = 0; k < 2; ++k)
-        touching.spheres[k] = {site_of(result.spheres[k].sphere), result.spheres[k].orientation};
+        touching.spheres[k] = {std::bit_cast<S>(result.spheres[k].sphere),
+                               result.spheres[k].orientation};
     return touching;
 }
 
 }  // namespace
 
 TouchingSpheres<Site3> touching_spheres(std::span<const Site3> four) {
-    return touching<3>(
-        four, "touching_spheres: four balls",
-        [](const Site3& s) -> Ball<3, double> {
-            return {s.x, s.y, s.z, s.r};
-        },
-        [](const Ball<3, double>& b) -> Site3 {
-            return {b[0], b[1], b[2], b[3]};
-        });
+    return touching<3>(four, "touching_spheres: four balls");
 }
 TouchingSpheres<Site> touching_spheres(std::span<const Site> three) {
-    return touching<2>(
-        three, "touching_spheres: three discs",
-        [](const Site& s) -> Ball<2, double> {
-            return {s.x, s.y, s.r};
-        },
-        [](const Ball<2, double>& b) -> Site {
-            return {b[0], b[1], b[2]};
-        });
+    return touching<2>(three, "touching_spheres: three discs");
 }
 
 }  // namespace signum

@@ -215,8 +215,7 @@ class Building {
 
     enum class Joining { near, along_edges, none };
     void join_points(Joining joining, double near) {
-        groups_ = Groups(points_.size());
-        for (std::size_t k = 0; k < points_.size(); ++k) groups_.join(k, alike_[k]);
+        groups_ = Groups(alike_);
         if (joining == Joining::near) {
             order_.resize(points_.size());
             for (std::size_t k = 0; k < points_.size(); ++k) order_[k] = k;
