@@ -11,8 +11,9 @@
 ///     sides of its hyperplane, and the sum of all finite ones has the hull's facets for its
 ///     border.
 ///  3. Let p be the middle of one finite cell, the base. No vertex of the base lies beyond a hull's
-///     facet, and one strictly within: so p lies strictly within. And no facet of the hull has the
-///     other vertex of a neighbour there beyond its hyperplane.
+///     facet, and not all in its hyperplane, for the base is not flat, nor is the facet, being one of
+///     a finite cell: so p lies strictly within. And no facet of the hull has the other vertex of a
+///     neighbour there beyond its hyperplane.
 ///  4. No other finite cell contains p. So the sum of all covers p once, and its border, the hull,
 ///     winds around p once. All its facets turn the same side to p: so each direction from p meets
 ///     one of them, and the hull is the border of a star around p. The function that is 1 on it and
@@ -348,16 +349,11 @@ class Check : private triangulation::Judgement {
             const std::size_t place = place_of(infinite, cell);
             if (place == size()) continue;
             const auto keep_within = [&](Index v) {
-                const Sign sign = orientation_with(cell, place, v);
-                if (sign > 0)
+                if (orientation_with(cell, place, v) > 0)
                     throw Invalid{name(v) + " lies beyond the hull's " + facet() + " of " +
                                   cell_name_(c)};
-                return sign < 0;
             };
-            bool is_strict = false;
-            for (std::size_t m = 0; m < size(); ++m) is_strict |= keep_within(base[m]);
-            if (!is_strict)
-                throw Invalid{"the hull's " + facet() + " of " + cell_name_(c) + " is flat"};
+            for (std::size_t m = 0; m < size(); ++m) keep_within(base[m]);
             for (std::size_t m = 0; m < size(); ++m) {
                 if (m == place) continue;
                 const Cell& beyond = cells_[at(neighbours_[at(c)][m])];
