@@ -60,6 +60,16 @@ const std::array families = {
                return Site{1.0 * i, 0.25 * (i % 2), n - i - 0.5 * (i % 3)};
            },
            80},
+    // Beside their radii, three of which there are, all distances are nothing in doubles.
+    Family{"heavy",
+           [](int i, int, double u, double, double) {
+               return Site{i % 100 * 0x1p-40, i / 100 * 0x1p-40, 1.0 + std::floor(3 * u)};
+           }},
+    Family{"tiny",
+           [](int i, int, double u, double, double) {
+               return Site{i % 100 * 0x1p-1074, i / 100 * 0x1p-1074,
+                           0x1p-600 * (1.0 + std::floor(3 * u))};
+           }},
     Family{"chain", [](int i, int, double, double, double) {
                return i % 3 == 0   ? Site{1.0 * i, 0, 0}
                       : i % 3 == 1 ? Site{1.0 * i, 0, 4}

@@ -4,7 +4,8 @@
 ///
 /// A box is a site whose numbers are intervals; the distance from it, in interval arithmetic, is no
 /// greater than that from any site in it. What is certainly farther is passed over as a whole.
-/// Numbers are multiplied by a power of two first, so that squares are doubles.
+/// Numbers are multiplied by a power of two first, so that squares are doubles: the largest are
+/// near 2^400, for coordinates may be far below radii.
 
 #include <algorithm>
 #include <array>
@@ -28,7 +29,7 @@ class NearSites {
  public:
     /// Of the sites that `members` names.
     NearSites(std::span<const S> sites, std::vector<Index> members)
-        : sites_(sites), members_(std::move(members)), scale_(scale(sites, members_)) {
+        : members_(std::move(members)), scale_(scale(sites, members_)) {
         tree_ = {members_.size(), 4, numbers, [&](std::size_t m) {
                      return scaled(sites[static_cast<std::size_t>(members_[m])]);
                  }};
@@ -40,18 +41,18 @@ class NearSites {
     std::size_t visit_near(const S& q, const S& other, Visit visit) const {
         std::size_t passed = 0;
         const Box centre = around(scaled(q));
-        const Interval limit = distance(centre, around(scaled(other)));
+        const Box that = around(scaled(other));
+        const Interval limit = square_of_distance(centre, that);
         const auto may_be_near = [&](const Bounds<numbers>& bounds) {
             Box box;
             for (std::size_t k = 0; k < numbers; ++k) box[k] = {bounds.low[k], bounds.high[k]};
-            if (!passes_over || !((distance(centre, box) - limit).low > 0.0)) return true;
+            const Interval nearer = square_of_distance(centre, box) - limit;
+            if (!passes_over || !(nearer.low > excess(box, that))) return true;
             ++passed;
             return false;
         };
-        tree_.visit(may_be_near, [&](std::uint32_t place) {
-            const Index member = members_[tree_.order()[place]];
-            if (may_be_near(scaled(sites_[static_cast<std::size_t>(member)]))) visit(member);
-        });
+        tree_.visit(may_be_near,
+                    [&](std::uint32_t place) { visit(members_[tree_.order()[place]]); });
         return passed;
     }
 
@@ -74,7 +75,7 @@ class NearSites {
             largest = std::max(largest, has_radius ? weight : std::sqrt(weight));
         }
         if (!(largest > 0.0)) return 1.0;
-        return std::ldexp(1.0, -std::clamp(std::ilogb(largest), -1000, 1000));
+        return std::ldexp(1.0, std::clamp(400 - std::ilogb(largest), -1000, 1000));
     }
     /// But for what underflows.
     [[nodiscard]] Bounds<numbers> scaled(const S& s) const noexcept {
@@ -85,26 +86,35 @@ class NearSites {
         at.high = at.low;
         return at;
     }
-    /// As much wider as underflow may take of a number and of another one that is compared with it.
+    /// As much wider as underflow may take of a number and of another one that is compared with it:
+    /// where that is lost beside the number, it is less than what a difference is widened by.
     [[nodiscard]] static Box around(const Bounds<numbers>& at) noexcept {
+        constexpr double least = 0x1p-1022;
         Box box;
-        for (std::size_t k = 0; k < numbers; ++k) box[k] = Interval(at.low[k]) * Interval(1.0);
+        for (std::size_t k = 0; k < numbers; ++k) box[k] = {at.low[k] - least, at.low[k] + least};
         return box;
     }
-    /// From the centre of a site, of which the weight does not matter.
-    [[nodiscard, gnu::always_inline]] static Interval distance(const Box& centre,
-                                                               const Box& box) noexcept {
-        Interval weight = box[coordinates];
-        if constexpr (has_radius) weight = weight * weight;
-        Interval sum = -weight;
+    [[nodiscard, gnu::always_inline]] static Interval square_of_distance(const Box& centre,
+                                                                         const Box& box) noexcept {
+        Interval sum(0.0);
         for (std::size_t axis = 0; axis < coordinates; ++axis) {
             const Interval x = filters::magnitude(box[axis] - centre[axis]);
             sum = sum + x * x;
         }
         return sum;
     }
+    /// By how much the weight of a site in the box exceeds that of `other`, at most. Weights are
+    /// subtracted first: beside them the distances may be nothing. Three roundings; that `other` is
+    /// wider by `least` is less than a fourth, or than 2^-1022.
+    [[nodiscard, gnu::always_inline]] static double excess(const Box& box,
+                                                           const Box& other) noexcept {
+        const double greatest = box[coordinates].high;
+        const auto& [low, high] = other[coordinates];
+        double most = greatest - low;
+        if constexpr (has_radius) most *= greatest + high;
+        return most + (3.0 * filters::epsilon * filters::magnitude(most) + 0x1p-1022);
+    }
 
-    std::span<const S> sites_;
     std::vector<Index> members_;
     double scale_;
     BoxTree<numbers> tree_;

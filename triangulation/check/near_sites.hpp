@@ -19,8 +19,8 @@ namespace signum::triangulation {
 
 using filters::Interval;
 
-/// Where a site may lie relative to a point, coordinate by coordinate in absolute values, and its
-/// third number.
+/// Where a site may lie relative to a point, coordinate by coordinate in absolute values, and by
+/// how much its radius may exceed that of the site it is compared with, at most.
 struct Reach {
     Interval x;
     Interval y;
@@ -55,8 +55,10 @@ class NearSites {
         std::size_t passed = 0;
         const auto distance = [&](const Bounds<3>& site) {
             const auto number = [&](std::size_t k) { return Interval(site.low[k], site.high[k]); };
+            // Only differences of radii count, and these may be small beside the radii.
             return Distance()(Reach{filters::magnitude(number(0) - Interval(p.x)),
-                                    filters::magnitude(number(1) - Interval(p.y)), number(2)});
+                                    filters::magnitude(number(1) - Interval(p.y)),
+                                    Interval(site.high[2]) - Interval(other.r)});
         };
         const Interval limit = distance(only(other));
         const auto may_be_near = [&](const Bounds<3>& site) {

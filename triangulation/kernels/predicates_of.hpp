@@ -160,10 +160,11 @@ struct PredicatesOf<Euclidean>
                          : in_circle_decision(i, j, k, q, ranks);
     }
     [[nodiscard]] static Interval norm(const Interval& x, const Interval& y) noexcept {
-        // The machine's square roots are off by half a unit at most.
+        // The machine's square roots are off by half a unit at most; squares may underflow.
         const Interval square = x * x + y * y;
-        return {std::sqrt(std::max(square.low, 0.0)) * (1.0 - 2.0 * filters::epsilon),
-                std::sqrt(square.high) * (1.0 + 2.0 * filters::epsilon)};
+        return {std::max({std::sqrt(std::max(square.low, 0.0)) * (1.0 - 2.0 * filters::epsilon),
+                          x.low, y.low}),
+                std::min(std::sqrt(square.high) * (1.0 + 2.0 * filters::epsilon), (x + y).high)};
     }
 };
 
