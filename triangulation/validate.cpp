@@ -43,10 +43,11 @@ Validation validate(const TessellationArrays& arrays, StridedSites sites,
         return invalid("the third numbers of sites are each a " +
                        std::string(name_of(arrays.weight_is)) +
                        " in the tessellation, and not in the input");
-    if (sites.third_is_weight() && !traits_of(arrays.metric).has_weights)
-        return invalid(no_weights(arrays.metric));
-    return with_metric(arrays.metric,
-                       [&](auto metric) { return check(metric, arrays, sites, options); });
+    return with_metric(arrays.metric, [&]<class M>(M metric) {
+        return sites.third_is_weight() && !M::traits.has_weights
+                   ? invalid(no_weights(metric))
+                   : check(metric, arrays, sites, options);
+    });
 }
 
 }  // namespace signum

@@ -860,6 +860,13 @@ TEST(ValidateGarbage, ChangedSites) {
     EXPECT_GT(verdicts.canonical, 50 * effort);
 }
 
+TEST(ValidateGarbage, NoMetric) {
+    const std::vector<Site> sites = {{0, 0, 1}, {4, 0, 1}, {0, 4, 1}};
+    TessellationArrays t = triangulate(StridedSites(sites, true), Power{}).arrays();
+    t.metric = static_cast<Metric>(9);
+    EXPECT_THROW((void)validate(t, StridedSites(sites, true)), std::invalid_argument);
+}
+
 /// On a line two faces have an edge from the same site to infinity. Where they exchange their
 /// neighbours there, who agree about it, the faces at infinity are several cycles.
 TEST(ValidateGarbage, ExchangedNeighbours) {
