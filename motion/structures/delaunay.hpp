@@ -25,7 +25,8 @@
 /// beyond it. A copy is in the box, or farther out by the slack at most; "near" is less than a
 /// largest diameter and the slack, and a copy that is no more needed goes a slack later. As images
 /// are seen that are nearest, a disc is asked again when it has flown an eighth of the box
-/// (Pairs in world.hpp): at that time, or when the edge came, the image that it strikes is the nearest one.
+/// (Pairs in world.hpp): at that time, or when the edge came, the image that it strikes is the
+/// nearest one.
 ///
 /// A row. Discs that are on one line for ever have no faces, and every event and every strike
 /// builds their line anew, O(n log n); to ask for the neighbours of one takes O(n). That is for few

@@ -1,6 +1,7 @@
 #pragma once
-/// The filters of the Euclidean predicates: the polynomials of formulas/apollonius.hpp in plain doubles,
-/// each with a bound on its error. Under the tie rule as without it: what is certain is no tie.
+/// The filters of the Euclidean predicates: the polynomials of formulas/apollonius.hpp in plain
+/// doubles, each with a bound on its error. Under the tie rule as without it: what is certain is no
+/// tie.
 ///
 /// The bounds. For two sites let (x, y, r) be their rounded difference and l = |x| + |y| + |r|.
 /// Every polynomial here is bounded by products of such l: the products of the coordinates of two

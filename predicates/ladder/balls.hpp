@@ -79,8 +79,8 @@ template <std::size_t d, std::size_t n, class Make>
 }
 
 /// The same balls, that one first whose coordinates are least: differences to a far ball lose what
-/// tells the others apart. Two pairs are exchanged: that is an even
-/// permutation, which changes no orientation.
+/// tells the others apart. Two pairs are exchanged: that is an even permutation, which changes no
+/// orientation.
 template <std::size_t d, std::size_t n>
 [[nodiscard]] std::array<Ball<d, double>, n> based_on_least(std::array<Ball<d, double>, n> balls) {
     const auto reach = [&](std::size_t m) {

@@ -1,8 +1,8 @@
 #pragma once
-/// How the sign of a formula is found, of orientations and of the power metric: by the filter or the
-/// rounded number of an arithmetic, and where that leaves it open by the ladder behind it. Questions
-/// about discs, balls and rectangular forms are not the sign of one formula; their stages stand in
-/// discs.hpp, balls.hpp and forms.cpp.
+/// How the sign of a formula is found, of orientations and of the power metric: by the filter or
+/// the rounded number of an arithmetic, and where that leaves it open by the ladder behind it.
+/// Questions about discs, balls and rectangular forms are not the sign of one formula; their stages
+/// stand in discs.hpp, balls.hpp and forms.cpp.
 ///
 /// A formula of a predicate is a struct of static functions of the predicate's sites:
 ///     value<Number>   the number whose sign is asked, in whatever it is computed in (formulas/)

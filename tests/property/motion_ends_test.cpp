@@ -17,9 +17,9 @@ namespace {
 const std::uint64_t scenes = scenes_to_draw(50'000);
 const std::uint64_t crushing_scenes = scenes_to_draw(6'000) / 3;
 
-/// Of a ball, in a run of some units of time: four million. Nearly all end within a quarter of them.
-/// The most, 12 199 354 of five discs, are those of a heavy one that rolls into the neck between a
-/// sphere and a wall, which is as wide as the disc, and comes to rest there.
+/// Of a ball, in a run of some units of time: four million. Nearly all end within a quarter of
+/// them. The most, 12 199 354 of five discs, are those of a heavy one that rolls into the neck
+/// between a sphere and a wall, which is as wide as the disc, and comes to rest there.
 constexpr std::uint64_t most_strikes = 1 << 22;
 
 struct End {

@@ -11,9 +11,9 @@
 ///     sides of its hyperplane, and the sum of all finite ones has the hull's facets for its
 ///     border.
 ///  3. Let p be the middle of one finite cell, the base. No vertex of the base lies beyond a hull's
-///     facet, and not all in its hyperplane, for the base is not flat, nor is the facet, being one of
-///     a finite cell: so p lies strictly within. And no facet of the hull has the other vertex of a
-///     neighbour there beyond its hyperplane.
+///     facet, and not all in its hyperplane, for the base is not flat, nor is the facet, being one
+///     of a finite cell: so p lies strictly within. And no facet of the hull has the other vertex
+///     of a neighbour there beyond its hyperplane.
 ///  4. No other finite cell contains p. So the sum of all covers p once, and its border, the hull,
 ///     winds around p once. All its facets turn the same side to p: so each direction from p meets
 ///     one of them, and the hull is the border of a star around p. The function that is 1 on it and

@@ -19,9 +19,9 @@ namespace signum {
 /// say. Messages name cells and sites by their numbers. Throws std::invalid_argument for a site
 /// that is not finite; Stopped where options.stop asks for it.
 ///
-/// O(n) for n cells and, where sites are hidden, O(n log n) for a tree of the visible ones; for each
-/// hidden site the visible ones that may be as near to it as the one it names, and the way to it
-/// from that one. Source: the head of any_dimension/check.hpp.
+/// O(n) for n cells and, where sites are hidden, O(n log n) for a tree of the visible ones; for
+/// each hidden site the visible ones that may be as near to it as the one it names, and the way to
+/// it from that one. Source: the head of any_dimension/check.hpp.
 [[nodiscard]] Validation validate(const SpaceTessellation& tessellation,
                                   std::span<const Point3> sites,
                                   const ValidationOptions& options = {});
