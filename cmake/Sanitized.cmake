@@ -10,7 +10,7 @@ set(SIGNUM_SANITIZERS -fsanitize=address,undefined -fno-sanitize=null,object-siz
 # Shared, so that its own templates are called where a test has the same without a sanitizer. Optimized a little: what
 # more takes to compile less takes to run; contracts are checked.
 add_library(signum_sanitized SHARED ${predicate_sources} ${library_sources})
-describe_library(signum_sanitized "" ${SIGNUM_NUMBERS} Threads::Threads)
+describe_library(signum_sanitized "" ${SIGNUM_NUMBERS} ${SIGNUM_THREADS} Threads::Threads)
 target_compile_options(signum_sanitized PRIVATE -fno-semantic-interposition ${SIGNUM_IEEE_OPTIONS} -Og -g1 -UNDEBUG
                        -fno-omit-frame-pointer ${SIGNUM_SANITIZERS})
 target_link_options(signum_sanitized PRIVATE ${SIGNUM_SANITIZERS} "LINKER:-Bsymbolic-functions")

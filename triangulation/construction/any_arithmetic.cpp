@@ -87,7 +87,7 @@ Tessellation construct_in_any_arithmetic(Metric metric, const StridedSites& inpu
                                                               a, AnyKernel>(metric, input, options,
                                                                             predicates);
                     });
-            return construct_additive_with_kernel<AnyKernel>(metric, input, options, predicates);
+            return construct_additive_with_kernel<M, AnyKernel>(input, options, predicates);
         });
 }
 

@@ -29,6 +29,9 @@ inline bool equal_weights(const StridedSites& sites) noexcept {
 /// always counts.
 [[nodiscard]] Tessellation construct_exactly(Metric metric, const StridedSites& input,
                                              const Options& options);
+/// The exact one in parts, with that many levels of cuts however few the sites are: for tests.
+[[nodiscard]] Tessellation construct_in_parts(Metric metric, const StridedSites& input,
+                                              const Options& options, int levels);
 [[nodiscard]] Tessellation construct_rounded(Metric metric, const StridedSites& input,
                                              const Options& options);
 [[nodiscard]] Tessellation construct_in_any_arithmetic(Metric metric, const StridedSites& input,

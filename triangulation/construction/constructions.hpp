@@ -10,13 +10,15 @@
 #include <type_traits>
 #include <vector>
 
+#include "../../core/parallel.hpp"
 #include "../../filters/tally.hpp"
 #include "../insertion/collinear.hpp"
 #include "../insertion/hiders.hpp"
-#include "../insertion/insert.hpp"
+#include "../insertion/insert_all.hpp"
 #include "../kernels/additive_kernel.hpp"
 #include "../kernels/power_kernel.hpp"
 #include "../kernels/predicates_of.hpp"
+#include "../parts/construct_parts.hpp"
 #include "../structure/assemble.hpp"
 #include "../structure/spatial_order.hpp"
 #include "../structure/tie_order.hpp"
@@ -27,38 +29,21 @@
 namespace signum::triangulation {
 
 /// In that order, and as the arithmetic takes them.
-template <power::PowerSite S>
-LargeArray<S> in_order(const StridedSites& input, const LargeArray<Index>& original,
-                       Arithmetic arithmetic) {
+template <class S>
+LargeArray<S> in_order(const StridedSites& input, std::span<const Index> original,
+                       Arithmetic arithmetic, const Workers& workers) {
     LargeArray<S> sites(original.size());
-    for (std::size_t i = 0; i < original.size(); ++i)
-        sites[i] = made_of<S>(
-            predicates::rounded(arithmetic, input[static_cast<std::size_t>(original[i])]));
+    workers.each_range(original.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const Site site =
+                predicates::rounded(arithmetic, input[static_cast<std::size_t>(original[i])]);
+            if constexpr (std::is_same_v<S, RankedSite>)
+                sites[i] = {site, 0};
+            else
+                sites[i] = made_of<S>(site);
+        }
+    });
     return sites;
-}
-
-/// Moves three sites that are not collinear to the front, counterclockwise; false where there are
-/// none.
-template <class Kernel>
-bool lead_with_triangle(Kernel& kernel, std::span<typename Kernel::SiteType> sites,
-                        std::span<Index> original) {
-    const auto n = static_cast<Index>(sites.size());
-    const auto bring = [&](Index to, Index from) {
-        std::swap(sites[static_cast<std::size_t>(to)], sites[static_cast<std::size_t>(from)]);
-        std::swap(original[static_cast<std::size_t>(to)], original[static_cast<std::size_t>(from)]);
-    };
-    Index second = 1;
-    while (second < n && kernel.centre(second) == kernel.centre(0)) ++second;
-    if (second >= n) return false;
-    bring(1, second);
-    for (Index third = 2; third < n; ++third) {
-        const Sign side = kernel.ccw(0, 1, third);
-        if (side == 0) continue;
-        bring(2, third);
-        if (side < 0) bring(0, 1);
-        return true;
-    }
-    return false;
 }
 
 inline void fill(Statistics& statistics, const filters::Tally& tally) noexcept {
@@ -82,8 +67,8 @@ inline void fill(Statistics&, const filters::NoTally&) noexcept {}
 /// The arrays of the result, from a construction that is done.
 template <class Kernel>
 Tessellation finish(Metric metric, const StridedSites& input, const Options& options,
-                    std::chrono::steady_clock::time_point start, Kernel& kernel,
-                    LargeArray<typename Kernel::SiteType> sites, Topology topology,
+                    std::chrono::steady_clock::time_point start, const Workers& workers,
+                    Kernel& kernel, LargeArray<typename Kernel::SiteType> sites, Topology topology,
                     LargeArray<Index> original, LargeArray<Index> hidden_by,
                     Statistics statistics = {}) {
     const std::size_t n = input.size();
@@ -101,81 +86,90 @@ Tessellation finish(Metric metric, const StridedSites& input, const Options& opt
               [](const Hidden& a, const Hidden& b) { return a.site < b.site; });
     sites = {};
     hidden_by = {};
-    assemble(std::move(topology), original, arrays);
+    assemble(std::move(topology), original, arrays, workers);
     original = {};
 
     if (options.count) fill(statistics, kernel.tally());
     std::vector<Site> copy(n);
-    for (std::size_t i = 0; i < n; ++i) copy[i] = input[i];
+    workers.each_range(n, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) copy[i] = input[i];
+    });
     statistics.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return constructed(std::move(arrays), std::move(copy), statistics);
 }
 
-template <class Kernel, class Signs>
-Tessellation construct_with_kernel(Metric metric, const StridedSites& input, const Options& options,
-                                   Signs signs) {
+/// As many cuts into parts as there are threads for.
+inline constexpr int any_levels = -1;
+
+/// By insertion, in parts where `levels` says so. make_kernel(sites, original) makes the kernel
+/// once the sites are there, and make_reach(kernel, original) what parts ask of faces.
+template <class Kernel, class MakeKernel, class MakeReach>
+Tessellation construct_by_insertion(Metric metric, const StridedSites& input,
+                                    const Options& options, int levels,
+                                    const MakeKernel& make_kernel, const MakeReach& make_reach) {
     using S = typename Kernel::SiteType;
     const auto start = std::chrono::steady_clock::now();
     const std::size_t n = input.size();
+    const Workers workers(options.threads, n);
+    // What rounds, or counts, depends on the order of the sites, and is left in that of one thread.
+    constexpr bool may_be_cut = Kernel::is_exact && !Kernel::counts;
+    if (!may_be_cut) levels = 0;
+    if (levels == any_levels) levels = levels_for(n, workers);
 
-    LargeArray<Index> original = spatial_order(input, options.seed);
-    LargeArray<S> sites = in_order<S>(input, original, options.arithmetic);
-
-    Kernel kernel(sites.data(), original.data(), signs);
-    Topology topology(n);
+    Plan plan = make_plan(input, levels, options.seed, workers);
+    LargeArray<Index> original = std::move(plan.numbers);
+    LargeArray<S> sites = in_order<S>(input, original, options.arithmetic, workers);
+    Kernel kernel = make_kernel(sites, original);
     LargeArray<Index> hidden_by(n, -1);
-    if (lead_with_triangle(kernel, sites, original)) {
-        Insertion<Kernel> insertion(topology, kernel, hidden_by, 0, 1, 2);
-        const Watch watch(options.stop, options.progress, n);
-        for (std::size_t i = 3; i < n; ++i) {
-            insertion.insert(static_cast<Index>(i));
-            watch.at(i);
+    Topology topology(n);
+    const Watch watch(options.stop, options.progress, n);
+    bool is_done = false;
+    if constexpr (may_be_cut)
+        if (levels > 0) {
+            const auto reach = make_reach(kernel, original);
+            is_done =
+                PartsConstruction(plan, workers, kernel, reach, hidden_by, options.seed, watch)
+                    .run(topology);
+            if (!is_done) topology = Topology(n);
         }
-    } else {
-        connect_line(topology, visible_on_line(kernel, n, hidden_by));
+    if (!is_done) {
+        LargeArray<Index> visible;
+        visible.reserve(n);
+        for (std::size_t i = 0; i < n; ++i)
+            if (hidden_by[i] < 0) visible.push_back(static_cast<Index>(i));
+        if (levels > 0) order_spatially(view_of(std::span(sites)), visible, options.seed);
+        is_done = insert_all(topology, kernel, hidden_by, visible, watch);
     }
-    return finish(metric, input, options, start, kernel, std::move(sites), std::move(topology),
-                  std::move(original), std::move(hidden_by));
+    if constexpr (Kernel::is_straight)
+        if (!is_done) connect_line(topology, visible_on_line(kernel, n, hidden_by));
+    return finish(metric, input, options, start, workers, kernel, std::move(sites),
+                  std::move(topology), std::move(original), std::move(hidden_by));
 }
 
-template <class Kernel, class Predicates>
-Tessellation construct_additive_with_kernel(Metric metric, const StridedSites& input,
-                                            const Options& options, Predicates predicates) {
-    const auto start = std::chrono::steady_clock::now();
-    const std::size_t n = input.size();
+template <class Kernel, class Signs>
+Tessellation construct_with_kernel(Metric metric, const StridedSites& input, const Options& options,
+                                   Signs signs, int levels = any_levels) {
+    return construct_by_insertion<Kernel>(
+        metric, input, options, levels,
+        [&](auto& sites, const auto& original) {
+            return Kernel(sites.data(), original.data(), signs);
+        },
+        [](const Kernel& kernel, const auto&) { return PowerReach(kernel); });
+}
 
-    LargeArray<Index> original = spatial_order(input, options.seed);
-    LargeArray<RankedSite> sites(n);
-    for (std::size_t i = 0; i < n; ++i)
-        sites[i] = {
-            predicates::rounded(options.arithmetic, input[static_cast<std::size_t>(original[i])]),
-            0};
-    rank(sites, original);
-    if (n > 0) {
-        // The first site of the tie rule's order leads: no other ever hides it.
-        const auto first = std::find_if(sites.begin(), sites.end(),
-                                        [](const RankedSite& site) { return site.rank == 0; });
-        std::swap(original[0], original[static_cast<std::size_t>(first - sites.begin())]);
-        std::swap(sites[0], *first);
-    }
-
-    Kernel kernel(sites.data(), predicates);
-    Topology topology(n);
-    LargeArray<Index> hidden_by(n, -1);
-    std::size_t second = 1;
-    for (; second < n && kernel.hides(0, static_cast<Index>(second)); ++second)
-        hidden_by[second] = 0;
-    if (second < n) {
-        Insertion<Kernel> insertion(topology, kernel, hidden_by, 0, static_cast<Index>(second));
-        const Watch watch(options.stop, options.progress, n);
-        for (std::size_t i = second + 1; i < n; ++i) {
-            insertion.insert(static_cast<Index>(i));
-            watch.at(i);
-        }
-    }
-    return finish(metric, input, options, start, kernel, std::move(sites), std::move(topology),
-                  std::move(original), std::move(hidden_by));
+template <class M, class Kernel, class Predicates>
+Tessellation construct_additive_with_kernel(const StridedSites& input, const Options& options,
+                                            Predicates predicates, int levels = any_levels) {
+    return construct_by_insertion<Kernel>(
+        M{}, input, options, levels,
+        [&](auto& sites, const auto& original) {
+            rank(sites, original);
+            return Kernel(sites.data(), predicates);
+        },
+        [](const Kernel& kernel, const auto& original) {
+            return AdditiveReach<M, Kernel>(kernel, original);
+        });
 }
 
 /// The same, for squares, by a sweep.
@@ -206,8 +200,9 @@ Tessellation construct_by_sweep_with_kernel(Metric metric, const StridedSites& i
     sweep.run(n, [&](std::size_t reached) { watch.at(reached); });
     Statistics statistics;
     statistics.events = sweep.events();
-    return finish(metric, input, options, start, kernel, std::move(sites), std::move(topology),
-                  std::move(original), std::move(hidden_by), statistics);
+    const Workers workers(options.threads, n);
+    return finish(metric, input, options, start, workers, kernel, std::move(sites),
+                  std::move(topology), std::move(original), std::move(hidden_by), statistics);
 }
 
 /// Calls by_power<S>() with the simplest kind of site that will do, or by_distance<M>().
@@ -230,13 +225,14 @@ Tessellation construct_by_metric(Metric metric, const StridedSites& input, Power
 
 /// By kernels that ask without a detour, and count nothing.
 template <Arithmetic arithmetic>
-Tessellation construct_directly(Metric metric, const StridedSites& input, const Options& options) {
+Tessellation construct_directly(Metric metric, const StridedSites& input, const Options& options,
+                                int levels = any_levels) {
     return construct_by_metric(
         metric, input,
         [&]<class S>() {
             using Signs = PowerSigns<S, arithmetic>;
-            return construct_with_kernel<PowerKernel<Signs, filters::NoTally>>(metric, input,
-                                                                               options, Signs{});
+            return construct_with_kernel<PowerKernel<Signs, filters::NoTally>>(
+                metric, input, options, Signs{}, levels);
         },
         [&]<class M>() {
             using Predicates = typename PredicatesOf<M>::template Perturbed<arithmetic>;
@@ -246,7 +242,7 @@ Tessellation construct_directly(Metric metric, const StridedSites& input, const 
                     return construct_by_sweep_with_kernel<typename PredicatesOf<M>::Directions,
                                                           arithmetic, Kernel>(
                         metric, input, options, Predicates{});
-            return construct_additive_with_kernel<Kernel>(metric, input, options, Predicates{});
+            return construct_additive_with_kernel<M, Kernel>(input, options, Predicates{}, levels);
         });
 }
 

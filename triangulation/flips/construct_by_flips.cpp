@@ -53,7 +53,8 @@ Tessellation construct_by_flips_with_kernel(const StridedSites& input, const Opt
     const std::size_t n = input.size();
 
     LargeArray<Index> original = spatial_order(input, options.seed);
-    LargeArray<S> sites = in_order<S>(input, original, Arithmetic::exact);
+    const Workers workers(options.threads, n);
+    LargeArray<S> sites = in_order<S>(input, original, Arithmetic::exact, workers);
     Kernel kernel(sites.data(), original.data());
     std::vector<Index> first_of;
     const std::size_t front = front_of_equal_centres(kernel, sites, original, first_of);
@@ -61,18 +62,14 @@ Tessellation construct_by_flips_with_kernel(const StridedSites& input, const Opt
     Topology topology(n);
     LargeArray<Index> hidden_by(n, -1);
     Statistics statistics;
-    if (lead_with_triangle(kernel, std::span(sites).first(front),
-                           std::span(original).first(front))) {
-        LargeArray<Point> points(n);
-        for (std::size_t i = 0; i < n; ++i) points[i] = {sites[i].x, sites[i].y};
-        using PointKernel = PowerKernel<PowerSigns<Point>, filters::NoTally>;
-        PointKernel point_kernel(points.data(), original.data());
-        Insertion<PointKernel> insertion(topology, point_kernel, hidden_by, 0, 1, 2);
-        const Watch watch(options.stop, options.progress, 2 * n);
-        for (std::size_t i = 3; i < front; ++i) {
-            insertion.insert(static_cast<Index>(i));
-            watch.at(i);
-        }
+    const Watch watch(options.stop, options.progress, 2 * n);
+    LargeArray<Point> points(n);
+    for (std::size_t i = 0; i < n; ++i) points[i] = {sites[i].x, sites[i].y};
+    using PointKernel = PowerKernel<PowerSigns<Point>, filters::NoTally>;
+    PointKernel point_kernel(points.data(), original.data());
+    std::vector<Index> in_front(front);
+    std::iota(in_front.begin(), in_front.end(), 0);
+    if (insert_all(topology, point_kernel, hidden_by, in_front, watch)) {
         std::vector<Index> place(n);
         for (std::size_t i = 0; i < n; ++i)
             place[static_cast<std::size_t>(original[i])] = static_cast<Index>(i);
@@ -97,7 +94,7 @@ Tessellation construct_by_flips_with_kernel(const StridedSites& input, const Opt
     } else {
         connect_line(topology, visible_on_line(kernel, n, hidden_by));
     }
-    return finish(Metric::power, input, options, start, kernel, std::move(sites),
+    return finish(Metric::power, input, options, start, workers, kernel, std::move(sites),
                   std::move(topology), std::move(original), std::move(hidden_by), statistics);
 }
 

@@ -162,8 +162,7 @@ class Deletion {
     }
 
     void vacate(Index f) {
-        topology_.record(f) = {
-            {Topology::vacant, Topology::vacant, Topology::vacant}, 0, {0, 0, 0}};
+        topology_.vacate(f);
         into_.vacant_.push(f);
     }
 

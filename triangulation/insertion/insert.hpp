@@ -356,8 +356,7 @@ class Insertion {
                 topology_.glue(edge(removed_[a], 0), edge(removed_[b], 0));
         recent_ = before;
         for (std::size_t i = count; i < removed_.size(); ++i) {
-            topology_.record(removed_[i]) = {
-                {Topology::vacant, Topology::vacant, Topology::vacant}, 0, {0, 0, 0}};
+            topology_.vacate(removed_[i]);
             vacant_.push(removed_[i]);
         }
     }

@@ -5,6 +5,7 @@
 /// naive kernel and the single one too follow the tie rule where rounded numbers agree.
 
 #include <array>
+#include <type_traits>
 
 #include "../../core/index.hpp"
 #include "../../core/site.hpp"
@@ -24,6 +25,8 @@ class AdditiveKernel {
     static constexpr bool is_exact = signum::is_exact(Predicates::arithmetic_used);
     /// The edges of the dual are curved; see insert.hpp.
     static constexpr bool is_straight = false;
+    /// Whether calls are counted, so that no two threads may share a kernel.
+    static constexpr bool counts = std::is_same_v<Tally, filters::Tally>;
 
     /// The array is not copied.
     explicit AdditiveKernel(const RankedSite* sites, Predicates predicates = {}) noexcept

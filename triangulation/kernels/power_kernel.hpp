@@ -60,6 +60,8 @@ class PowerKernel {
     static constexpr bool is_exact = Signs::is_trusted;
     /// The edges of the dual are straight; see insert.hpp.
     static constexpr bool is_straight = true;
+    /// Whether calls are counted, so that no two threads may share a kernel.
+    static constexpr bool counts = std::is_same_v<Tally, filters::Tally>;
 
     /// Neither array is copied.
     PowerKernel(const S* sites, const Index* original, Signs signs = {}) noexcept

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -121,51 +122,71 @@ class BlockSort {
 
 }  // namespace
 
-void assemble(Topology topology, std::span<const Index> original, TessellationArrays& result) {
-    const Index slots = topology.faces();
+void assemble(Topology topology, std::span<const Index> original, TessellationArrays& result,
+              const Workers& workers) {
+    const auto slots = static_cast<std::size_t>(topology.faces());
+    const std::size_t blocks = 2 * original.size() / leads_per_block + 1;
     const auto block_of = [&](const Turned& face) {
         return lead(face.a, face.b, original.size()) / leads_per_block;
     };
-    std::vector<std::size_t> starts(2 * original.size() / leads_per_block + 2, 0);
-    for (Index f = 0; f < slots; ++f)
-        if (!topology.is_vacant(f)) ++starts[block_of(turn(topology, original, f)) + 1];
-    for (std::size_t b = 1; b < starts.size(); ++b) starts[b] += starts[b - 1];
+    const std::size_t ranges = workers.range_count(slots);
+    const auto each_face = [&](const auto& task) {
+        workers.each(ranges, [&](std::size_t range) {
+            const auto end = static_cast<Index>(slots * (range + 1) / ranges);
+            for (auto f = static_cast<Index>(slots * range / ranges); f < end; ++f)
+                if (!topology.is_vacant(f)) task(range, f, turn(topology, original, f));
+        });
+    };
+    // How many faces of each range go to each block; then where the next of them goes.
+    std::vector<std::size_t> next(ranges * blocks, 0);
+    each_face([&](std::size_t range, Index, const Turned& face) {
+        ++next[range * blocks + block_of(face)];
+    });
+    std::vector<std::size_t> starts(blocks + 1);
+    std::size_t count = 0;
+    for (std::size_t b = 0; b < blocks; ++b) {
+        starts[b] = count;
+        for (std::size_t range = 0; range < ranges; ++range)
+            count += std::exchange(next[range * blocks + b], count);
+    }
+    starts[blocks] = count;
 
     // The neighbours are faces of the topology until the place of every face is known.
-    const std::size_t count = starts.back();
     result.faces = std::vector<Face>(count);
     result.neighbours = std::vector<Face>(count);
     LargeArray<Index> from(count);
-    std::vector<std::size_t> ends = starts;
-    for (Index f = 0; f < slots; ++f) {
-        if (topology.is_vacant(f)) continue;
-        const Turned turned = turn(topology, original, f);
+    each_face([&](std::size_t range, Index f, const Turned& turned) {
         const auto across = [&](HalfEdge h) { return Topology::face(topology.twin(h)); };
-        const std::size_t i = ends[block_of(turned)]++;
+        const std::size_t i = next[range * blocks + block_of(turned)]++;
         result.faces[i] = {turned.a, turned.b, turned.c};
         // The edge opposite the first vertex is the one that follows the first edge.
         result.neighbours[i] = {across(Topology::next(turned.first)),
                                 across(Topology::previous(turned.first)), across(turned.first)};
         from[i] = f;
-    }
+    });
     topology = Topology(0);
 
-    LargeArray<Index> place(at(slots));
-    BlockSort sort(original.size());
-    for (std::size_t b = 0; b + 1 < starts.size(); ++b) {
-        const std::size_t first = starts[b];
-        const std::size_t size = starts[b + 1] - first;
-        if (size == 0) continue;
-        sort.deal({&result.faces[first], size}, {&result.neighbours[first], size},
-                  {&from[first], size});
-        sort.emit([&](std::size_t i, const Entry& entry) {
-            result.faces[first + i] = entry.face;
-            result.neighbours[first + i] = entry.neighbours;
-            place[at(entry.from)] = static_cast<Index>(first + i);
-        });
-    }
-    for (Face& neighbours : result.neighbours)
-        for (Index& f : neighbours) f = place[at(f)];
+    LargeArray<Index> place(slots);
+    const std::size_t groups = std::min(blocks, 8 * static_cast<std::size_t>(workers.count()));
+    workers.each(groups, [&](std::size_t group) {
+        const auto sort = std::make_unique<BlockSort>(original.size());
+        for (std::size_t b = blocks * group / groups; b < blocks * (group + 1) / groups; ++b) {
+            const std::size_t first = starts[b];
+            const std::size_t size = starts[b + 1] - first;
+            if (size == 0) continue;
+            sort->deal({&result.faces[first], size}, {&result.neighbours[first], size},
+                       {&from[first], size});
+            sort->emit([&](std::size_t i, const Entry& entry) {
+                result.faces[first + i] = entry.face;
+                result.neighbours[first + i] = entry.neighbours;
+                place[at(entry.from)] = static_cast<Index>(first + i);
+            });
+        }
+    });
+    workers.each_range(count, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            for (Index& f : result.neighbours[i]) f = place[at(f)];
+    });
 }
 
 }  // namespace signum::triangulation

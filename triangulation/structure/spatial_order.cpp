@@ -2,30 +2,36 @@
 
 #include <array>
 #include <bit>
+#include <numeric>
 
 #include "../../core/curve_order.hpp"
 #include "../../core/insertion_rounds.hpp"
 
 namespace signum::triangulation {
 
-LargeArray<Index> spatial_order(const StridedSites& sites, std::uint64_t seed) {
-    const InsertionRounds rounds(sites.size(), seed);
-    // The site takes as many bits as the number of sites asks, the round four, the curve the rest.
+void order_spatially(const StridedSites& sites, std::span<Index> numbers, std::uint64_t seed) {
+    const InsertionRounds rounds(numbers.size(), seed);
+    const LargeArray<Index> given(numbers.begin(), numbers.end());
+    // The number's place takes as many bits as there are numbers, the round four, the curve the rest.
     constexpr int step = HilbertCurve<2>::bits_per_step;
-    const int site_bits = static_cast<int>(std::bit_width(sites.size()));
-    const CurveKeys layout{site_bits, (60 - site_bits) / 2 / step * step};
-    LargeArray<std::uint64_t> keys(sites.size());
+    const int place_bits = static_cast<int>(std::bit_width(numbers.size()));
+    const CurveKeys layout{place_bits, (60 - place_bits) / 2 / step * step};
+    LargeArray<std::uint64_t> keys(numbers.size());
     for (std::size_t i = 0; i < keys.size(); ++i)
-        keys[i] = static_cast<std::uint64_t>(rounds.of(i)) << 60 | i;
+        keys[i] =
+            static_cast<std::uint64_t>(rounds.of(static_cast<std::size_t>(given[i]))) << 60 | i;
     sort_along_curve<2>({keys.data(), keys.size()}, layout, [&](std::size_t i) {
-        const Site site = sites[i];
+        const Site site = sites[static_cast<std::size_t>(given[i])];
         return std::array{site.x, site.y};
     });
+    for (std::size_t i = 0; i < keys.size(); ++i) numbers[i] = given[layout.item(keys[i])];
+}
 
-    LargeArray<Index> result(keys.size());
-    for (std::size_t i = 0; i < keys.size(); ++i)
-        result[i] = static_cast<Index>(layout.item(keys[i]));
-    return result;
+LargeArray<Index> spatial_order(const StridedSites& sites, std::uint64_t seed) {
+    LargeArray<Index> numbers(sites.size());
+    std::iota(numbers.begin(), numbers.end(), 0);
+    order_spatially(sites, numbers, seed);
+    return numbers;
 }
 
 }  // namespace signum::triangulation

@@ -41,11 +41,31 @@ class Topology {
 
     /// Room for the faces of `sites` sites and no more; vertices never exceed sites + 1.
     explicit Topology(std::size_t sites) { make_room(sites); }
-    /// The same; the faces that are there stay.
+    /// The same; the faces that are there stay. Precondition: the structure is no window.
     void make_room(std::size_t sites) {
         capacity_ = sites < 2 ? 0 : 2 * sites - 2;
-        records_.resize(capacity_);
+        own_.resize(capacity_);
+        records_ = own_.data();
     }
+    /// Precondition: the other is no window.
+    Topology(const Topology& other)
+        : faces_(other.faces_), capacity_(other.capacity_), own_(other.own_), records_(own_.data()) {}
+    Topology(Topology&&) noexcept = default;
+    Topology& operator=(Topology&&) noexcept = default;
+    ~Topology() = default;
+
+    /// A structure of its own in a part of this one's room, which nobody else works in meanwhile: of
+    /// the faces of `sites` sites from face `first` on. Faces have the numbers that they have here.
+    [[nodiscard]] Topology window(std::size_t first, std::size_t sites) noexcept {
+        Topology part(0);
+        part.records_ = records_;
+        part.first_ = part.faces_ = first;
+        part.capacity_ = first + (sites < 2 ? 0 : 2 * sites - 2);
+        SIGNUM_EXPECTS(part.capacity_ <= capacity_);
+        return part;
+    }
+    /// Takes all the room for faces: windows have filled it.
+    void use_all() noexcept { faces_ = capacity_; }
 
     [[nodiscard]] static Index face(HalfEdge h) noexcept { return static_cast<Index>(h >> 2); }
     [[nodiscard]] static HalfEdge first_edge(Index f) noexcept {
@@ -86,7 +106,7 @@ class Topology {
     }
 
     /// How many faces there is room for.
-    [[nodiscard]] std::size_t room() const noexcept { return capacity_; }
+    [[nodiscard]] std::size_t room() const noexcept { return capacity_ - first_; }
     /// Face slots in use, vacant ones included.
     [[nodiscard]] Index faces() const noexcept { return static_cast<Index>(faces_); }
     [[nodiscard]] bool is_vacant(Index f) const noexcept { return vertices(f)[0] == vacant; }
@@ -108,6 +128,8 @@ class Topology {
         record(f) = {{a, b, c}, 0, {0, 0, 0}};
         return f;
     }
+    /// Takes a face out.
+    void vacate(Index f) noexcept { record(f) = {{vacant, vacant, vacant}, 0, {0, 0, 0}}; }
     /// For algorithms that rewrite whole faces at a time.
     [[nodiscard]] Record& record(Index f) noexcept { return at(first_edge(f)); }
     [[nodiscard]] const Record& record(Index f) const noexcept { return at(first_edge(f)); }
@@ -125,9 +147,12 @@ class Topology {
         return const_cast<Record&>(std::as_const(*this).at(h));
     }
 
-    std::size_t capacity_ = 0;
+    /// In numbers of faces.
+    std::size_t first_ = 0;
     std::size_t faces_ = 0;
-    LargeArray<Record> records_;
+    std::size_t capacity_ = 0;
+    LargeArray<Record> own_;
+    Record* records_ = nullptr;  ///< of face 0, in own_ or, of a window, in another structure
 };
 
 /// A face at every visible vertex, -1 for the hidden ones.

@@ -1,9 +1,11 @@
 #pragma once
 /// Long work that its caller watches: it says how far it has come, and stops where it is asked to.
 
+#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <stop_token>
+#include <thread>
 
 #include "../../exact/kept_environment.hpp"
 #include "../options.hpp"
@@ -20,18 +22,52 @@ class Watch {
 
     /// So many units are done. Throws Stopped.
     void at(std::size_t done) const {
-        if (done % period_ != 0) return;
+        if (done % period_ == 0) tell(done);
+    }
+
+    /// One loop of several, on whatever thread: says one unit after the other.
+    class Loop {
+     public:
+        explicit Loop(const Watch& watch) noexcept : watch_(watch) {}
+        /// One more is done. Throws Stopped, also where another loop has failed.
+        void step() {
+            if (++own_ % watch_.period_ != 0) return;
+            const std::size_t done = watch_.done_ += watch_.period_;
+            if (watch_.has_failed_) throw Stopped();
+            watch_.tell(done);
+        }
+
+     private:
+        const Watch& watch_;
+        std::size_t own_ = 0;
+    };
+
+    /// The work of one thread; where that throws, other loops stop.
+    template <class Work>
+    void guard(const Work& work) const {
+        try {
+            work();
+        } catch (...) {
+            has_failed_ = true;
+            throw;
+        }
+    }
+
+ private:
+    void tell(std::size_t done) const {
         if (stop_.stop_requested()) throw Stopped();
-        if (!progress_) return;
+        if (!progress_ || std::this_thread::get_id() != caller_) return;
         const exact::KeptEnvironment kept;
         progress_(static_cast<double>(done) / static_cast<double>(all_));
     }
 
- private:
     const std::stop_token& stop_;
     const std::function<void(double)>& progress_;
     std::size_t all_;
     std::size_t period_;
+    std::thread::id caller_ = std::this_thread::get_id();
+    mutable std::atomic<std::size_t> done_ = 0;
+    mutable std::atomic<bool> has_failed_ = false;
 };
 
 }  // namespace signum::triangulation

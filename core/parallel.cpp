@@ -1,0 +1,121 @@
+#include "parallel.hpp"
+
+#include <cmath>
+#include <fstream>
+#include <string>
+#include <string_view>
+
+#if defined(SIGNUM_WITH_TBB)
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/partitioner.h>
+#include <oneapi/tbb/task_arena.h>
+#endif
+
+namespace signum {
+
+#if defined(SIGNUM_WITH_TBB)
+
+namespace {
+
+/// How many cores' time a control group of Linux grants, version 2 of their interface or 1;
+/// infinity where it sets no limit.
+double granted_cores(const std::string& group, bool is_unified) {
+    const auto unlimited = HUGE_VAL;
+    double quota = unlimited;
+    double period = 0.0;
+    if (is_unified) {
+        std::ifstream file("/sys/fs/cgroup" + group + "/cpu.max");
+        if (!(file >> quota >> period)) return unlimited;  // "max 100000" is no number
+    } else {
+        std::ifstream("/sys/fs/cgroup/cpu" + group + "/cpu.cfs_quota_us") >> quota;
+        std::ifstream("/sys/fs/cgroup/cpu" + group + "/cpu.cfs_period_us") >> period;
+    }
+    return quota > 0.0 && period > 0.0 ? quota / period : unlimited;
+}
+
+/// The least of all groups that the process is in. A container sees its own group as the root.
+double granted_cores() {
+    double least = std::min(granted_cores("", true), granted_cores("", false));
+    std::ifstream groups("/proc/self/cgroup");
+    for (std::string line; std::getline(groups, line);) {
+        const std::size_t first = line.find(':');
+        const std::size_t second = line.find(':', first + 1);
+        if (first == std::string::npos || second == std::string::npos) continue;
+        const std::string controllers = line.substr(first + 1, second - first - 1);
+        const bool is_unified = controllers.empty();
+        if (!is_unified && controllers.find("cpu") == std::string::npos) continue;
+        for (std::string path = line.substr(second + 1); path.size() > 1;
+             path.erase(path.rfind('/')))
+            least = std::min(least, granted_cores(path, is_unified));
+    }
+    return least;
+}
+
+}  // namespace
+
+int usable_cores() noexcept {
+    static const int cores = [] {
+        const int by_affinity = tbb::info::default_concurrency();
+        try {
+            const double granted = std::ceil(granted_cores());
+            return granted < by_affinity ? std::max(1, static_cast<int>(granted)) : by_affinity;
+        } catch (...) {
+            return by_affinity;  // what cannot be read sets no limit
+        }
+    }();
+    return cores;
+}
+
+struct Workers::Threads {
+    explicit Threads(int count)
+        : allowed(tbb::global_control::max_allowed_parallelism,
+                  static_cast<std::size_t>(std::max(count, tbb::info::default_concurrency()))),
+          arena(count) {}
+    tbb::global_control allowed;  // more than cores, where so many are asked for
+    tbb::task_arena arena;
+};
+
+void Workers::each(std::size_t tasks, const std::function<void(std::size_t)>& task) const {
+    if (threads_ == nullptr || tasks < 2) {
+        for (std::size_t i = 0; i < tasks; ++i) task(i);
+        return;
+    }
+    threads_->arena.execute([&] {
+        tbb::parallel_for(
+            tbb::blocked_range<std::size_t>(0, tasks, 1),
+            [&](const tbb::blocked_range<std::size_t>& range) {
+                for (std::size_t i = range.begin(); i < range.end(); ++i) task(i);
+            },
+            tbb::simple_partitioner{});
+    });
+}
+
+#else
+
+int usable_cores() noexcept {
+    return 1;
+}
+
+struct Workers::Threads {
+    explicit Threads(int /*count*/) {}
+};
+
+void Workers::each(std::size_t tasks, const std::function<void(std::size_t)>& task) const {
+    for (std::size_t i = 0; i < tasks; ++i) task(i);
+}
+
+#endif
+
+Workers::Workers(int threads, std::size_t items)
+    : count_(items < few_items ? 1
+             : threads > 0     ? threads
+                               : usable_cores()) {
+    if (count_ > 1) threads_ = std::make_unique<Threads>(count_);
+}
+
+Workers::~Workers() = default;
+
+}  // namespace signum
