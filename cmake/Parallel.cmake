@@ -1,7 +1,13 @@
 # What runs threads (core/parallel.hpp): oneTBB; without it one thread does all.
 option(SIGNUM_WITH_TBB "Work on several threads, with oneTBB; OFF: on one, with no library" ON)
-if(SIGNUM_WITH_TBB AND NOT SIGNUM_ONLY_PREDICATES)
-  find_package(TBB REQUIRED)
-  set_source_files_properties(core/parallel.cpp PROPERTIES COMPILE_DEFINITIONS SIGNUM_WITH_TBB)
+set(SIGNUM_THREADS)
+if(NOT SIGNUM_WITH_TBB)
+  add_compile_definitions(SIGNUM_WITHOUT_TBB)
+elseif(NOT SIGNUM_ONLY_PREDICATES)
+  find_package(TBB QUIET)
+  if(NOT TBB_FOUND)
+    message(FATAL_ERROR "signum works on several threads with oneTBB, which is not found: install it (Debian: libtbb-dev) \
+or configure with -DSIGNUM_WITH_TBB=OFF for one thread")
+  endif()
   set(SIGNUM_THREADS TBB::tbb)
 endif()

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#if defined(SIGNUM_WITH_TBB)
+#if !defined(SIGNUM_WITHOUT_TBB)
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
@@ -16,7 +16,7 @@
 
 namespace signum {
 
-#if defined(SIGNUM_WITH_TBB)
+#if !defined(SIGNUM_WITHOUT_TBB)
 
 namespace {
 

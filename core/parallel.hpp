@@ -3,9 +3,14 @@
 /// them, oneTBB; without it everything runs on the calling thread.
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <utility>
+#include <vector>
+
+#include "pages.hpp"
 
 namespace signum {
 
@@ -50,5 +55,52 @@ class Workers {
     int count_;
     std::unique_ptr<Threads> threads_;
 };
+
+/// Gives empty arrays that many elements, zeros: memory is claimed by all threads, for to do so
+/// takes far longer than to fill it.
+template <class... T>
+void make_room(const Workers& workers, std::size_t size, std::vector<T>&... arrays) {
+    (arrays.reserve(size), ...);
+    workers.each_range(size, [&](std::size_t begin, std::size_t end) {
+        (expect_writes(arrays.data() + begin, (end - begin) * sizeof(T)), ...);
+    });
+    const std::array<std::function<void()>, sizeof...(T)> fill = {
+        [&arrays, size] { arrays.resize(size); }...};
+    workers.each(fill.size(), [&](std::size_t k) { fill[k](); });
+}
+
+/// Deals items 0 … size into buckets, each bucket's in their order: calls make_room(how many), then
+/// put(item, place) for each, and returns where each bucket begins, and the end. bucket_of(item) is
+/// asked twice, and tells `buckets` of an item that is left out. O(size), and as many numbers as
+/// buckets for each range.
+template <class BucketOf, class MakeRoom, class Put>
+[[nodiscard]] std::vector<std::size_t> deal(const Workers& workers, std::size_t size,
+                                            std::size_t buckets, const BucketOf& bucket_of,
+                                            const MakeRoom& make_room, const Put& put) {
+    const std::size_t ranges = workers.range_count(size);
+    // How many items of each range go to each bucket; then where the next of them goes.
+    std::vector<std::size_t> next(ranges * buckets, 0);
+    const auto each_item = [&](const auto& task) {
+        workers.each(ranges, [&](std::size_t range) {
+            std::size_t* const own = &next[range * buckets];
+            for (std::size_t i = size * range / ranges; i < size * (range + 1) / ranges; ++i) {
+                const std::size_t bucket = bucket_of(i);
+                if (bucket < buckets) task(i, own[bucket]);
+            }
+        });
+    };
+    each_item([](std::size_t, std::size_t& count) { ++count; });
+    std::vector<std::size_t> begins(buckets + 1);
+    std::size_t sum = 0;
+    for (std::size_t b = 0; b < buckets; ++b) {
+        begins[b] = sum;
+        for (std::size_t range = 0; range < ranges; ++range)
+            sum += std::exchange(next[range * buckets + b], sum);
+    }
+    begins[buckets] = sum;
+    make_room(sum);
+    each_item([&](std::size_t i, std::size_t& place) { put(i, place++); });
+    return begins;
+}
 
 }  // namespace signum

@@ -15,8 +15,8 @@ class Signum(ConanFile):
     topics = ("computational-geometry", "predicates", "delaunay", "voronoi")
     package_type = "library"
     settings = "os", "arch", "compiler", "build_type"
-    options = {"shared": [True, False], "fPIC": [True, False], "with_gmp": [True, False]}
-    default_options = {"shared": False, "fPIC": True, "with_gmp": True}
+    options = {"shared": [True, False], "fPIC": [True, False], "with_gmp": [True, False], "with_tbb": [True, False]}
+    default_options = {"shared": False, "fPIC": True, "with_gmp": True, "with_tbb": True}
 
     def export_sources(self):
         copy(self, "*", Path(self.recipe_folder).parents[1], self.export_sources_folder, excludes=("build/*", ".git/*"))
@@ -32,6 +32,8 @@ class Signum(ConanFile):
         if self.options.with_gmp:
             self.requires("gmp/6.3.0")
             self.requires("mpfr/4.2.1")
+        if self.options.with_tbb:
+            self.requires("onetbb/2021.12.0")
 
     def generate(self):
         toolchain = CMakeToolchain(self)
@@ -39,6 +41,7 @@ class Signum(ConanFile):
         toolchain.cache_variables["SIGNUM_BUILD_TOOL"] = False
         toolchain.cache_variables["SIGNUM_INSTALL"] = True
         toolchain.cache_variables["SIGNUM_WITH_GMP"] = bool(self.options.with_gmp)
+        toolchain.cache_variables["SIGNUM_WITH_TBB"] = bool(self.options.with_tbb)
         toolchain.generate()
         CMakeDeps(self).generate()
 

@@ -36,6 +36,9 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libsignum${version} (= ${PROJECT_V
 if(SIGNUM_WITH_GMP)
   string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", libgmp-dev, libmpfr-dev")
 endif()
+if(SIGNUM_WITH_TBB)
+  string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", libtbb-dev")
+endif()
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "Headers, static library, CMake package and pkg-config file of signum: signs of
 geometric predicates that are right for all finite doubles, and tessellations
 and Voronoi diagrams in four metrics.")

@@ -43,7 +43,7 @@ class AdditiveCheck : private ArraysCheck {
         for (const Site& site : load<Site>(sites)) site_.push_back({site, 0});
         std::vector<Index> numbers(sites.size());
         std::iota(numbers.begin(), numbers.end(), 0);
-        rank(site_, numbers);
+        rank(site_, numbers, Workers(1));
         kernel_ = Kernel(site_.data());
     }
 

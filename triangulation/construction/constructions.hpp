@@ -34,7 +34,9 @@ LargeArray<S> in_order(const StridedSites& input, std::span<const Index> origina
                        Arithmetic arithmetic, const Workers& workers) {
     LargeArray<S> sites(original.size());
     workers.each_range(original.size(), [&](std::size_t begin, std::size_t end) {
+        constexpr std::size_t ahead = 24;
         for (std::size_t i = begin; i < end; ++i) {
+            if (i + ahead < end) input.prefetch(static_cast<std::size_t>(original[i + ahead]));
             const Site site =
                 predicates::rounded(arithmetic, input[static_cast<std::size_t>(original[i])]);
             if constexpr (std::is_same_v<S, RankedSite>)
@@ -64,6 +66,20 @@ inline void fill(Statistics& statistics, const filters::Tally& tally) noexcept {
 }
 inline void fill(Statistics&, const filters::NoTally&) noexcept {}
 
+/// The hidden sites and who hides them, by their numbers in the input, sorted.
+inline void list_hidden(std::span<const Index> hidden_by, std::span<const Index> original,
+                        std::vector<Hidden>& result, const Workers& workers) {
+    if (std::ranges::all_of(hidden_by, [](Index by) { return by < 0; })) return;
+    LargeArray<Index> by(hidden_by.size());  // of each number
+    workers.each_range(by.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            by[static_cast<std::size_t>(original[i])] =
+                hidden_by[i] < 0 ? -1 : original[static_cast<std::size_t>(hidden_by[i])];
+    });
+    for (std::size_t i = 0; i < by.size(); ++i)
+        if (by[i] >= 0) result.push_back({static_cast<Index>(i), by[i]});
+}
+
 /// The arrays of the result, from a construction that is done.
 template <class Kernel>
 Tessellation finish(Metric metric, const StridedSites& input, const Options& options,
@@ -72,25 +88,21 @@ Tessellation finish(Metric metric, const StridedSites& input, const Options& opt
                     LargeArray<Index> original, LargeArray<Index> hidden_by,
                     Statistics statistics = {}) {
     const std::size_t n = input.size();
-    settle_hiders(topology, kernel, hidden_by);
+    settle_hiders(topology, kernel, hidden_by, workers);
 
     TessellationArrays arrays;
     arrays.metric = metric;
     arrays.weight_is = input.third_is_weight() ? WeightIs::weight : WeightIs::radius;
     arrays.sites = static_cast<std::int64_t>(n);
-    for (std::size_t i = 0; i < n; ++i)
-        if (hidden_by[i] >= 0)
-            arrays.hidden.push_back(
-                {original[i], original[static_cast<std::size_t>(hidden_by[i])]});
-    std::sort(arrays.hidden.begin(), arrays.hidden.end(),
-              [](const Hidden& a, const Hidden& b) { return a.site < b.site; });
+    list_hidden(hidden_by, original, arrays.hidden, workers);
     sites = {};
     hidden_by = {};
     assemble(std::move(topology), original, arrays, workers);
     original = {};
 
     if (options.count) fill(statistics, kernel.tally());
-    std::vector<Site> copy(n);
+    std::vector<Site> copy;
+    make_room(workers, n, copy);
     workers.each_range(n, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) copy[i] = input[i];
     });
@@ -102,8 +114,8 @@ Tessellation finish(Metric metric, const StridedSites& input, const Options& opt
 /// As many cuts into parts as there are threads for.
 inline constexpr int any_levels = -1;
 
-/// By insertion, in parts where `levels` says so. make_kernel(sites, original) makes the kernel
-/// once the sites are there, and make_reach(kernel, original) what parts ask of faces.
+/// By insertion, in parts where `levels` says so. make_kernel(sites, original, workers) makes the
+/// kernel once the sites are there, and make_reach(kernel, original) what parts ask of faces.
 template <class Kernel, class MakeKernel, class MakeReach>
 Tessellation construct_by_insertion(Metric metric, const StridedSites& input,
                                     const Options& options, int levels,
@@ -120,7 +132,7 @@ Tessellation construct_by_insertion(Metric metric, const StridedSites& input,
     Plan plan = make_plan(input, levels, options.seed, workers);
     LargeArray<Index> original = std::move(plan.numbers);
     LargeArray<S> sites = in_order<S>(input, original, options.arithmetic, workers);
-    Kernel kernel = make_kernel(sites, original);
+    Kernel kernel = make_kernel(sites, original, workers);
     LargeArray<Index> hidden_by(n, -1);
     Topology topology(n);
     const Watch watch(options.stop, options.progress, n);
@@ -152,7 +164,7 @@ Tessellation construct_with_kernel(Metric metric, const StridedSites& input, con
                                    Signs signs, int levels = any_levels) {
     return construct_by_insertion<Kernel>(
         metric, input, options, levels,
-        [&](auto& sites, const auto& original) {
+        [&](auto& sites, const auto& original, const Workers&) {
             return Kernel(sites.data(), original.data(), signs);
         },
         [](const Kernel& kernel, const auto&) { return PowerReach(kernel); });
@@ -163,8 +175,8 @@ Tessellation construct_additive_with_kernel(const StridedSites& input, const Opt
                                             Predicates predicates, int levels = any_levels) {
     return construct_by_insertion<Kernel>(
         M{}, input, options, levels,
-        [&](auto& sites, const auto& original) {
-            rank(sites, original);
+        [&](auto& sites, const auto& original, const Workers& workers) {
+            rank(sites, original, workers);
             return Kernel(sites.data(), predicates);
         },
         [](const Kernel& kernel, const auto& original) {
@@ -179,6 +191,7 @@ Tessellation construct_by_sweep_with_kernel(Metric metric, const StridedSites& i
     const auto start = std::chrono::steady_clock::now();
     const std::size_t n = input.size();
 
+    const Workers workers(options.threads, n);
     const bool exact_sums = arithmetic == Arithmetic::exact && rectangular::sums_are_exact(input);
     LargeArray<Index> original(n);
     std::iota(original.begin(), original.end(), 0);
@@ -187,7 +200,7 @@ Tessellation construct_by_sweep_with_kernel(Metric metric, const StridedSites& i
         LargeArray<RankedSite> given(n);
         for (std::size_t i = 0; i < n; ++i)
             given[i] = {predicates::rounded(arithmetic, input[i]), 0};
-        rank(given, original);
+        rank(given, original, workers);
         original = order_of_starts<Directions, arithmetic>(given);
         for (std::size_t i = 0; i < n; ++i) sites[i] = given[static_cast<std::size_t>(original[i])];
     }
@@ -200,7 +213,6 @@ Tessellation construct_by_sweep_with_kernel(Metric metric, const StridedSites& i
     sweep.run(n, [&](std::size_t reached) { watch.at(reached); });
     Statistics statistics;
     statistics.events = sweep.events();
-    const Workers workers(options.threads, n);
     return finish(metric, input, options, start, workers, kernel, std::move(sites),
                   std::move(topology), std::move(original), std::move(hidden_by), statistics);
 }

@@ -161,7 +161,7 @@ class Live {
             std::is_same_v<S, power::Site> ? WeightIs::weight : WeightIs::radius;
         if (!is_built_) return triangulate({live, weight_is == WeightIs::weight}, metric_);
         std::vector<Index> hidden_by = hidden_by_;
-        settle_hiders(*topology_, *kernel_, hidden_by);
+        settle_hiders(*topology_, *kernel_, hidden_by, Workers(1));
         TessellationArrays arrays;
         arrays.metric = metric_;
         arrays.weight_is = weight_is;

@@ -52,7 +52,7 @@ class Ranks {
         order_.clear();
         if (std::ranges::is_sorted(sorted_, Before{&moved, &originals_})) return;
         // Places that no site has are ranked along with the others.
-        rank(moved, originals_);
+        rank(moved, originals_, Workers(1));
         std::vector<Index> by_rank(moved.size(), -1);
         for (const Index site : sorted_) by_rank[at(moved[at(site)].rank)] = site;
         std::erase(by_rank, -1);
@@ -62,7 +62,7 @@ class Ranks {
     void restart(std::size_t count) {
         order_.clear();
         const std::span sites = std::span(sites_).first(count);
-        rank(sites, std::span(originals_).first(count));
+        rank(sites, std::span(originals_).first(count), Workers(1));
         sorted_.resize(count);
         for (std::size_t i = 0; i < count; ++i) sorted_[at(sites[i].rank)] = static_cast<Index>(i);
     }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <utility>
@@ -11,7 +12,9 @@
 
 #include "../../core/box_tree.hpp"
 #include "../../core/index.hpp"
+#include "../../core/parallel.hpp"
 #include "../../core/site.hpp"
+#include "../../exact/floating_environment.hpp"
 #include "../options.hpp"
 #include "../structure/topology.hpp"
 
@@ -60,11 +63,14 @@ class Boxes {
 };
 
 /// Finds the visible sites nearest to the centres of hidden ones.
-template <class Kernel>
+template <class Kernel, class InBoxes>
 class NearestVisible {
  public:
-    NearestVisible(const Topology& topology, Kernel& kernel, std::size_t sites)
-        : topology_(topology), kernel_(kernel), face_of_(faces_of_vertices(topology, sites)) {}
+    /// `face_of` has a face at every visible site; in_boxes(q, known) finds the nearest one by
+    /// other means. Nothing is copied but the latter.
+    NearestVisible(const Topology& topology, Kernel& kernel, std::span<const Index> face_of,
+                   InBoxes in_boxes)
+        : topology_(topology), kernel_(kernel), face_of_(face_of), in_boxes_(in_boxes) {}
 
     /// The visible site nearest to the centre of q, from any visible one: the distance has no local
     /// minimum on the tessellation but the global one, so going to a nearer neighbour as long as
@@ -93,7 +99,7 @@ class NearestVisible {
                 if (is_long) [[unlikely]] {
                     left = many;
                     v = std::exchange(elsewhere, -1);
-                    if (v < 0) return in_boxes(q, nearest);
+                    if (v < 0) return in_boxes_(q, nearest);
                 }
                 const auto distance = kernel_.distance(q, v);
                 if (kernel_.is_nearer(q, v, distance, nearest, least)) {
@@ -103,21 +109,16 @@ class NearestVisible {
                     break;
                 }
                 if (is_long) [[unlikely]]
-                    return in_boxes(q, nearest);
+                    return in_boxes_(q, nearest);
             }
         }
         return nearest;
     }
-    [[nodiscard]] Index in_boxes(Index q, Index known) {
-        if (!boxes_) boxes_.emplace(kernel_, face_of_);
-        return boxes_->nearest(q, known);
-    }
-
     const Topology& topology_;
     Kernel& kernel_;
-    std::vector<Index> face_of_;
+    std::span<const Index> face_of_;
+    InBoxes in_boxes_;
     Index found_last_ = -1;
-    std::optional<Boxes<Kernel>> boxes_;
 };
 
 /// The visible site at the end of the chain of hiders, which become hidden in their turn. The chain
@@ -131,16 +132,36 @@ inline Index end_of_chain(std::span<Index> hidden_by, Index hidden) {
 }
 
 /// Replaces every entry of hidden_by that is not -1, some site met during the construction, by the
-/// visible site nearest to the hidden one's centre.
+/// visible site nearest to the hidden one's centre. Kernels that count have one worker.
 template <class Kernel>
-void settle_hiders(const Topology& topology, Kernel& kernel, std::span<Index> hidden_by) {
-    if (std::all_of(hidden_by.begin(), hidden_by.end(), [](Index by) { return by < 0; })) return;
-    NearestVisible<Kernel> nearest_visible(topology, kernel, hidden_by.size());
-    for (std::size_t i = 0; i < hidden_by.size(); ++i) {
-        if (hidden_by[i] < 0) continue;
-        const Index hidden = static_cast<Index>(i);
-        hidden_by[i] = nearest_visible(hidden, end_of_chain(hidden_by, hidden));
-    }
+void settle_hiders(const Topology& topology, Kernel& kernel, std::span<Index> hidden_by,
+                   const Workers& workers) {
+    std::vector<Index> hidden;
+    for (std::size_t i = 0; i < hidden_by.size(); ++i)
+        if (hidden_by[i] >= 0) hidden.push_back(static_cast<Index>(i));
+    if (hidden.empty()) return;
+    for (const Index i : hidden)
+        hidden_by[static_cast<std::size_t>(i)] = end_of_chain(hidden_by, i);
+    const std::vector<Index> face_of = faces_of_vertices(topology, hidden_by.size(), workers);
+    // Boxes are for all; who asks first makes them.
+    std::optional<Boxes<Kernel>> boxes;
+    std::once_flag are_made;
+    const auto in_boxes = [&](Index q, Index known) {
+        std::call_once(are_made, [&] { boxes.emplace(kernel, face_of); });
+        return boxes->nearest(q, known);
+    };
+    const auto settle = [&](std::size_t begin, std::size_t end) {
+        const exact::IeeeEnvironment environment;
+        NearestVisible nearest_visible(topology, kernel, face_of, in_boxes);
+        for (std::size_t k = begin; k < end; ++k) {
+            Index& by = hidden_by[static_cast<std::size_t>(hidden[k])];
+            by = nearest_visible(hidden[k], by);
+        }
+    };
+    if (Kernel::is_exact && !Kernel::counts)
+        workers.each_range(hidden.size(), settle);
+    else
+        settle(0, hidden.size());
 }
 
 }  // namespace signum::triangulation

@@ -220,7 +220,7 @@ Tessellation KineticTessellation::tessellation() const {
     for (Index i = 0; static_cast<std::size_t>(i) < hidden_by.size(); ++i)
         if (of.contains(i) && of.is_hidden(i))
             hidden_by[static_cast<std::size_t>(i)] = of.beside(i);
-    settle_hiders(of.topology(), kernel, hidden_by);
+    settle_hiders(of.topology(), kernel, hidden_by, Workers(1));
     TessellationArrays arrays;
     arrays.metric = Metric::power;
     arrays.sites = static_cast<std::int64_t>(sites.size());

@@ -53,46 +53,33 @@ int levels_for(std::size_t sites, const Workers& workers) noexcept {
 Plan make_plan(const StridedSites& sites, int levels, std::uint64_t seed, const Workers& workers) {
     const std::size_t n = sites.size();
     Plan plan;
+    if (levels == 0) {
+        plan.begins = {0, n};
+        plan.numbers = spatial_order(sites, seed);
+        return plan;
+    }
     plan.levels = levels;
     plan.cuts.resize(plan.leaves() - 1);
     std::vector<Place> sample(std::min(n, 512 * plan.leaves()));
     for (std::size_t i = 0; i < sample.size(); ++i) sample[i] = place_of(sites, mix(seed + i) % n);
     cut(sample, 0, plan.cuts);
 
-    const auto leaf_of = [&](std::size_t i) {
-        const Place place = place_of(sites, i);
-        std::size_t k = 0;
-        for (int level = 0; level < plan.levels; ++level) {
-            const Cut& here = plan.cuts[k];
-            k = 2 * k + 1 + static_cast<std::size_t>(place[here.axis] >= here.at);
-        }
-        return k - plan.cuts.size();
-    };
-    const std::size_t ranges = workers.range_count(n);
-    const auto each_range = [&](const auto& task) {
-        workers.each(ranges, [&](std::size_t range) {
-            for (std::size_t i = n * range / ranges; i < n * (range + 1) / ranges; ++i)
-                task(range, i);
-        });
-    };
-    // How many sites of each range go to each leaf; then where the next of them goes.
-    std::vector<std::size_t> next(ranges * plan.leaves(), 0);
     LargeArray<std::uint16_t> leaf(n);
-    each_range([&](std::size_t range, std::size_t i) {
-        leaf[i] = static_cast<std::uint16_t>(leaf_of(i));
-        ++next[range * plan.leaves() + leaf[i]];
+    workers.each_range(n, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const Place place = place_of(sites, i);
+            std::size_t k = 0;
+            for (int level = 0; level < levels; ++level) {
+                const Cut& here = plan.cuts[k];
+                k = 2 * k + 1 + static_cast<std::size_t>(place[here.axis] >= here.at);
+            }
+            leaf[i] = static_cast<std::uint16_t>(k - plan.cuts.size());
+        }
     });
-    std::size_t sum = 0;
-    for (std::size_t l = 0; l < plan.leaves(); ++l) {
-        plan.begins.push_back(sum);
-        for (std::size_t range = 0; range < ranges; ++range)
-            sum += std::exchange(next[range * plan.leaves() + l], sum);
-    }
-    plan.begins.push_back(n);
-    plan.numbers = LargeArray<Index>(n);
-    each_range([&](std::size_t range, std::size_t i) {
-        plan.numbers[next[range * plan.leaves() + leaf[i]]++] = static_cast<Index>(i);
-    });
+    plan.begins = deal(
+        workers, n, plan.leaves(), [&](std::size_t i) { return leaf[i]; },
+        [&](std::size_t all) { plan.numbers = LargeArray<Index>(all); },
+        [&](std::size_t i, std::size_t place) { plan.numbers[place] = static_cast<Index>(i); });
     workers.each(plan.leaves(), [&](std::size_t l) {
         order_spatially(
             sites,

@@ -129,46 +129,34 @@ void assemble(Topology topology, std::span<const Index> original, TessellationAr
     const auto block_of = [&](const Turned& face) {
         return lead(face.a, face.b, original.size()) / leads_per_block;
     };
-    const std::size_t ranges = workers.range_count(slots);
-    const auto each_face = [&](const auto& task) {
-        workers.each(ranges, [&](std::size_t range) {
-            const auto end = static_cast<Index>(slots * (range + 1) / ranges);
-            for (auto f = static_cast<Index>(slots * range / ranges); f < end; ++f)
-                if (!topology.is_vacant(f)) task(range, f, turn(topology, original, f));
-        });
-    };
-    // How many faces of each range go to each block; then where the next of them goes.
-    std::vector<std::size_t> next(ranges * blocks, 0);
-    each_face([&](std::size_t range, Index, const Turned& face) {
-        ++next[range * blocks + block_of(face)];
-    });
-    std::vector<std::size_t> starts(blocks + 1);
-    std::size_t count = 0;
-    for (std::size_t b = 0; b < blocks; ++b) {
-        starts[b] = count;
-        for (std::size_t range = 0; range < ranges; ++range)
-            count += std::exchange(next[range * blocks + b], count);
-    }
-    starts[blocks] = count;
-
     // The neighbours are faces of the topology until the place of every face is known.
-    result.faces = std::vector<Face>(count);
-    result.neighbours = std::vector<Face>(count);
-    LargeArray<Index> from(count);
-    each_face([&](std::size_t range, Index f, const Turned& turned) {
-        const auto across = [&](HalfEdge h) { return Topology::face(topology.twin(h)); };
-        const std::size_t i = next[range * blocks + block_of(turned)]++;
-        result.faces[i] = {turned.a, turned.b, turned.c};
-        // The edge opposite the first vertex is the one that follows the first edge.
-        result.neighbours[i] = {across(Topology::next(turned.first)),
-                                across(Topology::previous(turned.first)), across(turned.first)};
-        from[i] = f;
-    });
-    topology = Topology(0);
-
+    LargeArray<Index> from;
+    const std::vector<std::size_t> starts = deal(
+        workers, slots, blocks,
+        [&](std::size_t f) {
+            const auto face = static_cast<Index>(f);
+            return topology.is_vacant(face) ? blocks : block_of(turn(topology, original, face));
+        },
+        [&](std::size_t count) {
+            make_room(workers, count, result.faces, result.neighbours);
+            from = LargeArray<Index>(count);
+        },
+        [&](std::size_t f, std::size_t i) {
+            const Turned turned = turn(topology, original, static_cast<Index>(f));
+            const auto across = [&](HalfEdge h) { return Topology::face(topology.twin(h)); };
+            result.faces[i] = {turned.a, turned.b, turned.c};
+            // The edge opposite the first vertex is the one that follows the first edge.
+            result.neighbours[i] = {across(Topology::next(turned.first)),
+                                    across(Topology::previous(turned.first)), across(turned.first)};
+            from[i] = static_cast<Index>(f);
+        });
     LargeArray<Index> place(slots);
     const std::size_t groups = std::min(blocks, 8 * static_cast<std::size_t>(workers.count()));
-    workers.each(groups, [&](std::size_t group) {
+    workers.each(groups + 1, [&](std::size_t group) {
+        if (group == groups) {
+            topology = Topology(0);  // to give memory back takes its time, too
+            return;
+        }
         const auto sort = std::make_unique<BlockSort>(original.size());
         for (std::size_t b = blocks * group / groups; b < blocks * (group + 1) / groups; ++b) {
             const std::size_t first = starts[b];
@@ -183,7 +171,7 @@ void assemble(Topology topology, std::span<const Index> original, TessellationAr
             });
         }
     });
-    workers.each_range(count, [&](std::size_t begin, std::size_t end) {
+    workers.each_range(result.neighbours.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             for (Index& f : result.neighbours[i]) f = place[at(f)];
     });

@@ -1,9 +1,14 @@
 #include "tie_order.hpp"
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <boost/sort/spreadsort/integer_sort.hpp>
 #include <cstdint>
 #include <vector>
+
+#include "../../core/insertion_rounds.hpp"
+#include "../../core/large_array.hpp"
 
 namespace signum::triangulation {
 
@@ -37,9 +42,7 @@ std::uint64_t key_of(const Site& site, Index original, int level) noexcept {
 
 }  // namespace
 
-void rank(std::span<RankedSite> sites, std::span<const Index> original) {
-    std::vector<Entry> order(sites.size());
-    for (std::size_t i = 0; i < order.size(); ++i) order[i].place = static_cast<Index>(i);
+void rank(std::span<RankedSite> sites, std::span<const Index> original, const Workers& workers) {
     // By the first number; then those that are equal by the next one, as long as there are any.
     const auto sort = [&](auto self, std::span<Entry> entries, int level) -> void {
         for (Entry& entry : entries) {
@@ -57,9 +60,33 @@ void rank(std::span<RankedSite> sites, std::span<const Index> original) {
             first = last;
         }
     };
-    sort(sort, order, 0);
-    for (std::size_t place = 0; place < order.size(); ++place)
-        sites[static_cast<std::size_t>(order[place].place)].rank = static_cast<Index>(place);
+    // Dealt into buckets by samples first, for each to be sorted by itself.
+    const auto key = [&](std::size_t i) {
+        return std::array{key_of(sites[i], original[i], 0), key_of(sites[i], original[i], 1),
+                          key_of(sites[i], original[i], 2), key_of(sites[i], original[i], 3)};
+    };
+    const std::size_t buckets = workers.range_count(sites.size());
+    std::vector<std::array<std::uint64_t, 4>> samples(buckets > 1 ? 64 * buckets : 0);
+    for (std::size_t k = 0; k < samples.size(); ++k) samples[k] = key(mix(k) % sites.size());
+    std::sort(samples.begin(), samples.end());
+    std::vector<std::array<std::uint64_t, 4>> bounds;
+    for (std::size_t b = 1; b < buckets; ++b) bounds.push_back(samples[64 * b]);
+    LargeArray<std::uint16_t> bucket(sites.size());
+    workers.each_range(sites.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            bucket[i] = static_cast<std::uint16_t>(
+                std::upper_bound(bounds.begin(), bounds.end(), key(i)) - bounds.begin());
+    });
+    LargeArray<Entry> order;
+    const std::vector<std::size_t> begins = deal(
+        workers, sites.size(), buckets, [&](std::size_t i) { return bucket[i]; },
+        [&](std::size_t all) { order = LargeArray<Entry>(all); },
+        [&](std::size_t i, std::size_t place) { order[place].place = static_cast<Index>(i); });
+    workers.each(buckets, [&](std::size_t b) {
+        sort(sort, std::span(order).subspan(begins[b], begins[b + 1] - begins[b]), 0);
+        for (std::size_t place = begins[b]; place < begins[b + 1]; ++place)
+            sites[static_cast<std::size_t>(order[place].place)].rank = static_cast<Index>(place);
+    });
 }
 
 }  // namespace signum::triangulation

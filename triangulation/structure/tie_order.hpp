@@ -4,6 +4,7 @@
 #include <span>
 
 #include "../../core/index.hpp"
+#include "../../core/parallel.hpp"
 #include "../../core/site.hpp"
 
 namespace signum::triangulation {
@@ -13,7 +14,8 @@ struct alignas(32) RankedSite : Site {
     Index rank;
 };
 
-/// Gives every site its place in the order; original[i] is the input's number of site i.
-void rank(std::span<RankedSite> sites, std::span<const Index> original);
+/// Gives every site its place in the order; original[i] is the input's number of site i. O(n log
+/// n).
+void rank(std::span<RankedSite> sites, std::span<const Index> original, const Workers& workers);
 
 }  // namespace signum::triangulation

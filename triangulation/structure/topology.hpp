@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -21,6 +22,7 @@
 #include "../../core/contract.hpp"
 #include "../../core/index.hpp"
 #include "../../core/large_array.hpp"
+#include "../../core/parallel.hpp"
 #include "cycle.hpp"
 
 namespace signum::triangulation {
@@ -49,13 +51,17 @@ class Topology {
     }
     /// Precondition: the other is no window.
     Topology(const Topology& other)
-        : faces_(other.faces_), capacity_(other.capacity_), own_(other.own_), records_(own_.data()) {}
+        : faces_(other.faces_),
+          capacity_(other.capacity_),
+          own_(other.own_),
+          records_(own_.data()) {}
     Topology(Topology&&) noexcept = default;
     Topology& operator=(Topology&&) noexcept = default;
     ~Topology() = default;
 
-    /// A structure of its own in a part of this one's room, which nobody else works in meanwhile: of
-    /// the faces of `sites` sites from face `first` on. Faces have the numbers that they have here.
+    /// A structure of its own in a part of this one's room, which nobody else works in meanwhile:
+    /// of the faces of `sites` sites from face `first` on. Faces have the numbers that they have
+    /// here.
     [[nodiscard]] Topology window(std::size_t first, std::size_t sites) noexcept {
         Topology part(0);
         part.records_ = records_;
@@ -157,11 +163,19 @@ class Topology {
 
 /// A face at every visible vertex, -1 for the hidden ones.
 [[nodiscard]] inline std::vector<Index> faces_of_vertices(const Topology& topology,
-                                                          std::size_t sites) {
+                                                          std::size_t sites,
+                                                          const Workers& workers) {
     std::vector<Index> result(sites, -1);
-    for (Index f = 0; f < topology.faces(); ++f)
-        for (const Index v : topology.vertices(f))
-            if (v >= 0) result[static_cast<std::size_t>(v)] = f;
+    workers.each_range(
+        static_cast<std::size_t>(topology.faces()), [&](std::size_t begin, std::size_t end) {
+            for (auto f = static_cast<Index>(begin); f < static_cast<Index>(end); ++f)
+                for (const Index v : topology.vertices(f)) {
+                    if (v < 0) continue;
+                    // Others may write theirs: any of them will do.
+                    std::atomic_ref(result[static_cast<std::size_t>(v)])
+                        .store(f, std::memory_order_relaxed);
+                }
+        });
     return result;
 }
 

@@ -35,9 +35,13 @@ fi
 libraries=$(pkg-config --static --libs signum)
 "$CXX" main.o -o static ${libraries/-lsignum/-l:libsignum.a}
 check static no
-# Nothing at all from outside.
-"$CXX" -static main.o -o alone $libraries 2>log || { cat log; exit 1; }
+# Nothing from outside but the C library; and oneTBB, where it is, for distributions have it shared alone.
+alone=-static
+[[ $libraries == *-ltbb* ]] && alone='-static-libstdc++ -static-libgcc'
+"$CXX" $alone main.o -o alone -Wl,-Bstatic ${libraries//-ltbb/} -Wl,-Bdynamic \
+  $(grep -o -e -ltbb <<<"$libraries" || true) 2>log || { cat log; exit 1; }
 check alone no
+! readelf -d alone | grep -E 'NEEDED.*(gmp|mpfr|stdc)' || exit 1
 
 if [ -e "$PREFIX/include/signum/signum.h" ]; then
   kinds+=', C'

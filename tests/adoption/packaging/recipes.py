@@ -35,7 +35,7 @@ for name, other in said.items():
 require(f"SIGNUM_{version.rpartition('.')[0]} {{" in text("packaging/exports.map"), "exports.map is of another version")
 
 # The options that they pass.
-declared = set(re.findall(r"option\((SIGNUM_\w+)", project + text("cmake/Numbers.cmake") + text("cmake/Install.cmake")))
+declared = set(re.findall(r"option\((SIGNUM_\w+)", project + text("cmake/Numbers.cmake") + text("cmake/Parallel.cmake") + text("cmake/Install.cmake")))
 for name in ("packaging/vcpkg/portfile.cmake", "packaging/conan/conanfile.py", "packaging/conda/meta.yaml"):
     passed = set(re.findall(r"SIGNUM_\w+", text(name)))
     require(passed and passed <= declared, f"{name}: there is no option {passed - declared}")
@@ -48,10 +48,10 @@ for package in re.findall(r"find_package\((\w+)", text("tool/CMakeLists.txt")):
 with tempfile.TemporaryDirectory() as build:
     call = ["cmake", "-S", sources, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DSIGNUM_BUILD_TESTS=OFF",
             f"-DCMAKE_CXX_COMPILER={os.environ['CXX']}", "-DSIGNUM_BUILD_TOOL=OFF", "-DSIGNUM_INSTALL=ON",
-            "-DSIGNUM_WITH_GMP=OFF", "-DCMAKE_INSTALL_LIBDIR=lib"]
+            "-DSIGNUM_WITH_GMP=OFF", "-DSIGNUM_WITH_TBB=OFF", "-DCMAKE_INSTALL_LIBDIR=lib"]
     done = subprocess.run(call, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     require(done.returncode == 0 and "not used by the project" not in done.stdout, done.stdout)
     pc = (pathlib.Path(build) / "signum.pc").read_text()
-    require("gmp" not in pc and "-lstdc++" in pc or "-lc++" in pc, f"signum.pc without GMP:\n{pc}")
+    require("gmp" not in pc and "tbb" not in pc and "-lstdc++" in pc or "-lc++" in pc, f"signum.pc without GMP:\n{pc}")
     config = (pathlib.Path(build) / "signum-config.cmake").read_text()
     require("if(OFF)" in config, "signum-config.cmake asks for GMP all the same")
