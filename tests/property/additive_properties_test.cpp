@@ -87,7 +87,7 @@ TYPED_TEST(AdditiveProperties, InscribedCirclesAreEmpty) {
         for (const Site& site : sites) ranked.push_back({site, 0});
         std::vector<Index> numbers(sites.size());
         std::iota(numbers.begin(), numbers.end(), 0);
-        triangulation::rank(ranked, numbers);
+        triangulation::rank(ranked, numbers, Workers(1));
         const Tessellation t = triangulate(sites, TypeParam{});
         for (const Face& v : t.faces()) {
             const auto site = [&](Index i) -> const Site& { return sites[at(i)]; };

@@ -76,7 +76,7 @@ Asked to_delete(int rim) {
     } else {
         std::vector<RankedSite> sites;
         for (const Site& site : given) sites.push_back({site, 0});
-        rank(sites, numbers);
+        rank(sites, numbers, Workers(1));
         Kernel kernel(sites.data());
         Insertion<Kernel> insertion(topology, kernel, hidden_by, 0, 1);
         return ask(kernel, insertion, 2);

@@ -1,5 +1,7 @@
 #include <sys/stat.h>
 
+#include <optional>
+#include <random>
 #include <string>
 #include <thread>
 #include <vector>
@@ -9,6 +11,7 @@
 #include "../../tool/io/errors.hpp"
 #include "../../tool/io/read_sites.hpp"
 
+#include "../thoroughness.hpp"
 #include "io_refusal.hpp"
 #include "io_scratch.hpp"
 
@@ -53,6 +56,85 @@ TEST(TextSites, ReadsEveryEndOfLine) {
     EXPECT_EQ(read("1 2 3\r\n4 5 6\r\n").sites, (Sites{{1, 2, 3}, {4, 5, 6}}));
     EXPECT_EQ(read("1,2\r\n4,5").sites, (Sites{{1, 2, 0}, {4, 5, 0}}));
     EXPECT_EQ(read("\n\n1 2\n \t \n\r\n3 4\n\n").sites, (Sites{{1, 2, 0}, {3, 4, 0}}));
+}
+
+/// All that a file says, or its refusal.
+std::string outcome(const test::Scratch& scratch, const std::string& contents,
+                    std::optional<int> dimension) {
+    std::string told;
+    const auto add = [&](const auto&... numbers) {
+        ((told += std::to_string(numbers) + ' '), ...);
+    };
+    const auto add_position = [&](const std::optional<Position>& at) {
+        if (at) add(at->line, at->column);
+        told += ';';
+    };
+    try {
+        const SitesFile file = read_sites(scratch.file("f", contents), {.dimension = dimension});
+        for (const auto& [x, y, r] : file.sites) add(x, y, r);
+        for (const auto& [x, y, z, r] : file.in_space) add(x, y, z, r);
+        add_position(file.first_negative);
+        add_position(file.first_beyond_single);
+        add(file.dimension, file.third_may_be_z, static_cast<int>(file.third.has_value()));
+        return told + file.note;
+    } catch (const InputError& error) {
+        return error.what();
+    }
+}
+
+/// Lines of numbers alone are read many at a time. A comment behind each makes them lines like any
+/// other, which says the same.
+TEST(TextSites, ReadsPlainLinesAsAnyOther) {
+    const test::Scratch scratch;
+    std::mt19937_64 random(42);
+    const auto one_of = [&](const std::vector<std::string>& texts) {
+        return texts[random() % texts.size()];
+    };
+    const std::vector<std::string> heads = {
+        "",           "",           "", "x y r\n", "x,y\n", "x,y,weight\n", "x\ty\tz\tr\n",
+        "y x name\n", "# nothing\n"};
+    const std::vector<std::string> numbers = {"1", "-2.5", "0.1", "1e-3", "+7", "0x1p3", "3"};
+    const std::vector<std::string> odd = {"", "a", "1e39", "\"4\"", "nan", "1e999", "-0", "1."};
+    for (int trial = 0; trial < (is_fast ? 4000 : 400); ++trial) {
+        const int dimension = 2 + trial % 2;
+        const std::string separator = one_of({" ", " ", "\t", ",", ";", ", ", "  ", " ,", "\t\t"});
+        std::vector<std::string> lines;
+        for (int line = static_cast<int>(random() % 40); line >= 0; --line) {
+            std::string text = one_of({"", "", "", "", " ", "\t"});
+            const bool is_odd = random() % 40 == 0;
+            const auto columns = static_cast<int>(is_odd ? random() % 6 : 3 + random() % 2);
+            for (int column = 0; column < columns; ++column)
+                text += (column > 0 ? separator : "") +
+                        one_of(is_odd || random() % 300 == 0 ? odd : numbers);
+            lines.push_back(text + one_of({"", "", "", "", " "}));
+        }
+        const std::string head = one_of(heads);
+        std::string plain = head;
+        std::string commented = head;
+        for (const std::string& line : lines) {
+            plain += line + '\n';
+            commented += line + "#\n";
+        }
+        ASSERT_EQ(outcome(scratch, plain, dimension), outcome(scratch, commented, dimension))
+            << plain;
+    }
+}
+
+/// What is wrong, or has to be told, far behind the first block is told where it stands.
+TEST(TextSites, ReadsManyPlainLines) {
+    std::string contents;
+    Sites sites;
+    for (int i = 0; i < 500'000; ++i) {
+        contents += std::to_string(i) + ' ' + std::to_string(i % 77) + " 2\n";
+        sites.push_back({static_cast<double>(i), static_cast<double>(i % 77), 2});
+    }
+    EXPECT_EQ(read(contents).sites, sites);
+    EXPECT_EQ(error(contents + "1 2 x\n"), "500001:5: 'x'" + word);
+    const SitesFile negative = read(contents + "1 2 3\n1 2 -3\n# 4\n1e39 2 -3\n7 8");
+    EXPECT_EQ(negative.sites.size(), 500'004);
+    EXPECT_EQ(negative.sites.back(), (Site{7, 8, 0}));
+    EXPECT_EQ(negative.first_negative->line, 500'002);
+    EXPECT_EQ(negative.first_beyond_single->line, 500'004);
 }
 
 TEST(TextSites, RefusesLinesThatEndInCarriageReturnsAlone) {

@@ -171,6 +171,17 @@ bool InputFile::next_line(std::string_view& line, std::string_view advice) {
     return true;
 }
 
+std::string_view InputFile::lines_ahead(std::size_t most) {
+    if (end_ - begin_ < most && !at_end_) {
+        if (buffer_.size() < most) buffer_.resize(most);
+        const std::size_t kept = end_ - begin_;
+        fill();
+        refuse_binary(kept);
+    }
+    const std::string_view ahead(buffer_.data() + begin_, std::min(most, end_ - begin_));
+    return ahead.substr(0, ahead.rfind('\n') + 1);
+}
+
 std::string_view InputFile::next_block() {
     if (begin_ == end_) {
         fill();

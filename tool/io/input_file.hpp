@@ -2,7 +2,8 @@
 /// A file, or standard input, read in blocks; knows the place of every byte it hands out.
 ///
 /// Laws:
-///  1. Memory is bounded by one block, whatever the file holds.
+///  1. Memory is bounded by one block, whatever the file holds, or by what lines_ahead() is asked
+///  for.
 ///  2. A NUL byte anywhere stops with an InputError: the file is no text.
 ///  3. A UTF-8 byte order mark is skipped; a UTF-16 one stops with an InputError.
 
@@ -49,6 +50,15 @@ class InputFile {
     [[nodiscard]] bool next_line(std::string_view& line, std::string_view advice);
     /// The number of the line that next_line() gave last, from 1.
     [[nodiscard]] std::int64_t line_number() const noexcept { return line_number_; }
+
+    /// The whole lines that come next, as many as `most` bytes hold, valid until the next call;
+    /// none where a line is longer, and at the end of a file that does not end with one.
+    [[nodiscard]] std::string_view lines_ahead(std::size_t most);
+    /// Goes on behind so many bytes of them, which are so many lines.
+    void skip_lines(std::size_t bytes, std::int64_t lines) noexcept {
+        begin_ += bytes;
+        line_number_ += lines;
+    }
 
     /// The next bytes, at most one block, valid until the next call; empty at the end. Not to be
     /// mixed with next_line().

@@ -38,6 +38,11 @@ class TextColumns {
     /// Goes to the next line that has columns; false at the end of the file. The first line is
     /// split at its own separator, since it may be a header; the others at any.
     [[nodiscard]] bool next_line();
+    /// The file, whose lines may be read by other means from the next one on.
+    [[nodiscard]] InputFile& file() const noexcept { return file_; }
+    /// The only separator of the lines behind the first one, or 0.
+    [[nodiscard]] char separator() const noexcept { return separator_; }
+
     /// To be said at the first line: the separator of it alone separates the others, too.
     void keep_separator() noexcept { separator_ = first_separator_; }
     /// Splits this line again, as the others are.

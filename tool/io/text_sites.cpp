@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,6 +15,7 @@
 #include <fmt/format.h>
 
 #include "number.hpp"
+#include "plain_lines.hpp"
 #include "sites_readers.hpp"
 #include "text_columns.hpp"
 
@@ -92,7 +95,7 @@ class TextSites {
     SitesFile read(bool has_header) {
         read_layout(has_header);
         if (!has_header) read_site();
-        while (lines_.next_line()) read_site();
+        read_sites();
         const std::size_t sites = result_.sites.size() + result_.in_space.size();
         if (sites == 0) lines_.fail_at_end_of_file("a header and no site");
         if (without_radius_ > 0)
@@ -270,6 +273,36 @@ class TextSites {
             option_for({x, y, third}));
     }
 
+    /// Block after block: plain lines at once, and what is not plain in a block line by line.
+    void read_sites() {
+        constexpr std::size_t block = is_for_small_files ? 2000 : std::size_t{1} << 23;
+        for (;;) {
+            std::int64_t others = std::numeric_limits<std::int64_t>::max();
+            if (!options_.attributes) {
+                const std::string_view ahead = lines_.file().lines_ahead(block);
+                const PlainLines plain = read_plain_lines(
+                    ahead, {.places = places_,
+                            .coordinates = radius_,
+                            .most = most_,
+                            .separator = lines_.separator(),
+                            .has_radius = is_told_ && places_[radius_] != no_column,
+                            .may_be_negative = result_.first_negative.has_value(),
+                            .may_be_beyond_single = result_.first_beyond_single.has_value()});
+                for (const std::array<double, 4>& numbers : plain.sites)
+                    result_.add(numbers, [](std::size_t) { return Position(); });
+                if (plain.has_radii) note_radius();
+                lines_.file().skip_lines(plain.bytes, plain.lines);
+                if (plain.bytes == ahead.size() && plain.bytes > 0) continue;
+                others = std::ranges::count(ahead.substr(plain.bytes), '\n') + 1;
+            }
+            for (; others > 0; --others) {
+                if (!lines_.next_line()) return;
+                read_site();
+            }
+        }
+    }
+    void note_radius() { result_.third_may_be_z = !in_space() && may_lie_in_space_ && !is_told_; }
+
     void read_site() {
         if (lines_.size() > most_) fail_at_surplus();
         std::array<double, 4> numbers = {};
@@ -278,7 +311,7 @@ class TextSites {
         const std::size_t last = places_[radius_];
         if (last < lines_.size()) {
             numbers[radius_] = read_column(last);
-            result_.third_may_be_z = !in_space() && may_lie_in_space_ && !is_told_;
+            note_radius();
         } else if (last != no_column && is_told_ && without_radius_++ == 0) {
             first_without_radius_ = lines_.place_of_line();
         }

@@ -105,15 +105,20 @@ void write_space_cells_json(std::ostream& out, const SpaceCells& cells,
             number_of[c] = static_cast<Index>(finite.size());
             finite.push_back(vertices[c]);
         }
-    text.put_array("vertices", finite,
-                   [&](const SpaceVertex& v) { text.put_numbers(v.x, v.y, v.z, v.rho); });
-    text.put_array("edges", edges_of(tessellation, number_of), [&](const DualEdge& edge) {
-        text.put(FMT_COMPILE(R"({{"sites": [{}], "vertices": [{}]}})"), fmt::join(edge.sites, ", "),
-                 fmt::join(edge.vertices, ", "));
+    text.put_long_array("vertices", finite.size(), [&](TextWriter& piece, std::size_t number) {
+        const SpaceVertex& v = finite[number];
+        piece.put_numbers(v.x, v.y, v.z, v.rho);
+    });
+    const auto edges = edges_of(tessellation, number_of);
+    text.put_long_array("edges", edges.size(), [&](TextWriter& piece, std::size_t number) {
+        piece.put(FMT_COMPILE(R"({{"sites": [{}], "vertices": [{}]}})"),
+                  fmt::join(edges[number].sites, ", "), fmt::join(edges[number].vertices, ", "));
     });
     const std::vector<bool> unbounded = unbounded_cells(tessellation);
-    text.put_array("cells", visible_sites(tessellation), [&](Index site) {
-        put_cell(text, cells, site, unbounded[static_cast<std::size_t>(site)]);
+    const auto visible = visible_sites(tessellation);
+    text.put_long_array("cells", visible.size(), [&](TextWriter& piece, std::size_t number) {
+        const Index site = visible[number];
+        put_cell(piece, cells, site, unbounded[static_cast<std::size_t>(site)]);
     });
     put_hidden(text, tessellation.hidden);
     text.put("}\n");

@@ -21,13 +21,19 @@ namespace {
 /// What `put` writes of the number of each simplex that has a vertex.
 template <class Simplices, class Put>
 void put_vertices(TextWriter& text, const Simplices& simplices, bool is_flat, const Put& put) {
-    std::size_t next = 0;
-    text.put_array("vertices", simplices, [&](const auto& simplex) {
-        const std::size_t number = next++;
-        if (simplex[0] == infinite || is_flat)
-            text.put("null");
+    text.put_long_array("vertices", simplices.size(), [&](TextWriter& piece, std::size_t number) {
+        if (simplices[number][0] == infinite || is_flat)
+            piece.put("null");
         else
-            put(number);
+            put(piece, number);
+    });
+}
+
+/// Numbers of sites or simplices, `size` of each tuple.
+template <class Tuples>
+void put_tuples(TextWriter& text, std::string_view name, const Tuples& tuples, std::size_t size) {
+    text.put_long_array(name, tuples.size(), [&](TextWriter& piece, std::size_t number) {
+        piece.put_whole_numbers(std::span(tuples[number]).first(size));
     });
 }
 
@@ -45,8 +51,8 @@ void put_statistics(TextWriter& text, const Statistics& statistics) {
 }  // namespace
 
 void put_hidden(TextWriter& text, std::span<const Hidden> hidden) {
-    text.put_array("hidden", hidden, [&](const Hidden& each) {
-        text.put(FMT_COMPILE("[{}, {}]"), each.site, each.by);
+    text.put_long_array("hidden", hidden.size(), [&](TextWriter& piece, std::size_t number) {
+        piece.put(FMT_COMPILE("[{}, {}]"), hidden[number].site, hidden[number].by);
     });
 }
 
@@ -56,16 +62,14 @@ void write_json(std::ostream& out, const Tessellation& tessellation, const JsonO
                          "\"{}\", \"weight_is\": \"{}\", \"sites\": {}"),
              name_of(tessellation.metric()), name_of(tessellation.weight_is()),
              tessellation.arrays().sites);
-    const auto put_triple = [&](const Face& triple) {
-        text.put(FMT_COMPILE("[{}, {}, {}]"), triple[0], triple[1], triple[2]);
-    };
-    text.put_array("faces", tessellation.faces(), put_triple);
-    text.put_array("neighbours", tessellation.arrays().neighbours, put_triple);
+    put_tuples(text, "faces", tessellation.faces(), 3);
+    put_tuples(text, "neighbours", tessellation.neighbours(), 3);
     put_hidden(text, tessellation.hidden());
     if (options.vertices) {
-        put_vertices(text, tessellation.faces(), false, [&, all = vertices(tessellation)](auto n) {
-            text.put_numbers(all[n].x, all[n].y, all[n].rho);
-        });
+        put_vertices(text, tessellation.faces(), false,
+                     [all = vertices(tessellation)](TextWriter& piece, std::size_t n) {
+                         piece.put_numbers(all[n].x, all[n].y, all[n].rho);
+                     });
     }
     if (options.statistics) put_statistics(text, tessellation.statistics());
     text.put("}\n");
@@ -80,17 +84,16 @@ void write_json(std::ostream& out, const SpaceTessellation& tessellation, Metric
         FMT_COMPILE("{{\"format\": \"signum.tessellation\", \"version\": 1, \"dimension\": {}, "
                     "\"metric\": \"{}\", \"weight_is\": \"{}\", \"sites\": {}"),
         tessellation.dimension, name_of(metric), name_of(weight_is), tessellation.sites);
-    const std::ptrdiff_t size = tessellation.dimension + 1;
-    const auto put_cell = [&](const SpaceCell& cell) {
-        text.put(FMT_COMPILE("[{}]"), fmt::join(cell.begin(), cell.begin() + size, ", "));
-    };
-    text.put_array("cells", tessellation.cells, put_cell);
-    text.put_array("neighbours", tessellation.neighbours, put_cell);
+    const auto size = static_cast<std::size_t>(tessellation.dimension + 1);
+    put_tuples(text, "cells", tessellation.cells, size);
+    put_tuples(text, "neighbours", tessellation.neighbours, size);
     put_hidden(text, tessellation.hidden);
     if (!vertices.empty()) {
-        put_vertices(text, tessellation.cells, tessellation.dimension < 3, [&](auto n) {
-            text.put_numbers(vertices[n].x, vertices[n].y, vertices[n].z, vertices[n].rho);
-        });
+        put_vertices(text, tessellation.cells, tessellation.dimension < 3,
+                     [&](TextWriter& piece, std::size_t n) {
+                         const SpaceVertex& v = vertices[n];
+                         piece.put_numbers(v.x, v.y, v.z, v.rho);
+                     });
     }
     if (statistics) put_statistics(text, *statistics);
     text.put("}\n");

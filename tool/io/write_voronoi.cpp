@@ -98,15 +98,16 @@ std::string curve_of(const EdgeGeometry& edge, int exponent) {
 }
 
 void put_edges(TextWriter& text, const Voronoi& voronoi) {
-    Index next = 0;
-    text.put_array("edges", voronoi.edges(), [&](const VoronoiEdge& edge) {
-        const auto geometry = voronoi.geometry(next++);
-        text.put(FMT_COMPILE(R"({{"sites": [{}, {}], "vertices": [{}, {}], "kind": "{}", )"
-                             R"("curve": {}}})"),
-                 edge.left, edge.right, edge.from, edge.to,
-                 geometry ? name_of(geometry->kind) : "point",
-                 geometry ? curve_of(*geometry, voronoi.exponent()) : "null");
-    });
+    text.put_long_array(
+        "edges", voronoi.edges().size(), [&](TextWriter& piece, std::size_t number) {
+            const VoronoiEdge& edge = voronoi.edges()[number];
+            const auto geometry = voronoi.geometry(static_cast<Index>(number));
+            piece.put(FMT_COMPILE(R"({{"sites": [{}, {}], "vertices": [{}, {}], "kind": "{}", )"
+                                  R"("curve": {}}})"),
+                      edge.left, edge.right, edge.from, edge.to,
+                      geometry ? name_of(geometry->kind) : "point",
+                      geometry ? curve_of(*geometry, voronoi.exponent()) : "null");
+        });
 }
 
 std::string measures_of(const CellShape& shape) {
@@ -185,14 +186,18 @@ void write_voronoi_json(std::ostream& out, const ClippedVoronoi& diagram, const 
                          R"("weight_is": "{}", "sites": {}, "clip": {})"),
              name_of(tessellation.metric()), name_of(tessellation.weight_is()),
              tessellation.arrays().sites, box == no_box ? "null" : bounds_of(box));
-    text.put_array("vertices", voronoi.vertices(), [&](const DiagramVertex& v) {
-        text.put(FMT_COMPILE("[{}, {}, {}]"), JsonNumber{v.x}, JsonNumber{v.y},
-                 number_or_null(v.rho));
-    });
+    text.put_long_array("vertices", voronoi.vertices().size(),
+                        [&](TextWriter& piece, std::size_t number) {
+                            const DiagramVertex& v = voronoi.vertices()[number];
+                            piece.put(FMT_COMPILE("[{}, {}, {}]"), JsonNumber{v.x}, JsonNumber{v.y},
+                                      number_or_null(v.rho));
+                        });
     put_edges(text, voronoi);
-    text.put_array("cells", visible_sites(voronoi), [&](Index site) {
+    const std::vector<Index> visible = visible_sites(voronoi);
+    text.put_long_array("cells", visible.size(), [&](TextWriter& piece, std::size_t number) {
+        const Index site = visible[number];
         const CellShape shape = diagram.cell(site);
-        text.put(
+        piece.put(
             FMT_COMPILE(R"({{"site": {}, "edges": [{}], "unbounded": {}, "clipped": {}, {}}})"),
             site, fmt::join(edges_of(voronoi, site), ", "), shape.unbounded, shape.clipped,
             measures_of(shape));
@@ -218,7 +223,9 @@ void write_voronoi_geojson(std::ostream& out, const ClippedVoronoi& diagram, con
     };
     TextWriter text(out);
     text.put(FMT_COMPILE(R"({{"type": "FeatureCollection", "bbox": {})"), bounds_of(box));
-    text.put_array("features", visible_sites(voronoi), [&](Index site) {
+    const std::vector<Index> visible = visible_sites(voronoi);
+    text.put_long_array("features", visible.size(), [&](TextWriter& piece, std::size_t number) {
+        const Index site = visible[number];
         const CellShape shape = diagram.cell(site);
         const auto rings = polygons(shape, tolerance);
         const Site& at = site_of(voronoi, site);
@@ -228,12 +235,13 @@ void write_voronoi_geojson(std::ostream& out, const ClippedVoronoi& diagram, con
         else if (rings.size() > 1)
             geometry =
                 fmt::format(R"({{"type": "MultiPolygon", "coordinates": [{}]}})", rings_of(rings));
-        text.put(FMT_COMPILE(R"({{"type": "Feature", "id": {0}, "properties": {{"site": {0}, )"
-                             R"("x": {1}, "y": {2}, "{3}": {4}, "unbounded": {5}, "clipped": {6}, )"
-                             R"({7}, "neighbours": [{8}]{9}}}, "geometry": {10}}})"),
-                 site, at.x, at.y, name_of(voronoi.tessellation().weight_is()), at.r,
-                 shape.unbounded, shape.clipped, measures_of(shape),
-                 fmt::join(neighbours_of(voronoi, site), ", "), told_of(site), geometry);
+        piece.put(
+            FMT_COMPILE(R"({{"type": "Feature", "id": {0}, "properties": {{"site": {0}, )"
+                        R"("x": {1}, "y": {2}, "{3}": {4}, "unbounded": {5}, "clipped": {6}, )"
+                        R"({7}, "neighbours": [{8}]{9}}}, "geometry": {10}}})"),
+            site, at.x, at.y, name_of(voronoi.tessellation().weight_is()), at.r, shape.unbounded,
+            shape.clipped, measures_of(shape), fmt::join(neighbours_of(voronoi, site), ", "),
+            told_of(site), geometry);
     });
     text.put("}\n");
     text.flush();
@@ -256,27 +264,31 @@ void write_voronoi_csv(std::ostream& out, const ClippedVoronoi& diagram, double 
     for (const std::string& name : names_beside(taken, attributes))
         text.put(FMT_COMPILE(",{}"), csv_value(name));
     text.put(",WKT\n");
-    for (const Index site : visible_sites(voronoi)) {
+    const std::vector<Index> visible = visible_sites(voronoi);
+    text.put_entries(visible.size(), [&](TextWriter& piece, std::size_t number) {
+        const Index site = visible[number];
         const CellShape shape = diagram.cell(site);
         const Measure of = measure(shape);
         const Site& at = site_of(voronoi, site);
-        text.put(FMT_COMPILE("{},{},{},{},{},{},{},{},{},{},{}"), site, at.x, at.y, at.r,
-                 shape.unbounded, shape.clipped, number_or_blank(of.area),
-                 number_or_blank(of.perimeter), number_or_blank(of.centroid.x),
-                 number_or_blank(of.centroid.y), fmt::join(neighbours_of(voronoi, site), " "));
+        piece.put(FMT_COMPILE("{},{},{},{},{},{},{},{},{},{},{}"), site, at.x, at.y, at.r,
+                  shape.unbounded, shape.clipped, number_or_blank(of.area),
+                  number_or_blank(of.perimeter), number_or_blank(of.centroid.x),
+                  number_or_blank(of.centroid.y), fmt::join(neighbours_of(voronoi, site), " "));
         for (const Attribute& attribute : attributes)
-            text.put(FMT_COMPILE(",{}"),
-                     csv_value(attribute.values.at(static_cast<std::size_t>(site))));
-        text.put(FMT_COMPILE(",\"{}\"\n"), well_known_text(polygons(shape, tolerance)));
-    }
+            piece.put(FMT_COMPILE(",{}"),
+                      csv_value(attribute.values.at(static_cast<std::size_t>(site))));
+        piece.put(FMT_COMPILE(",\"{}\"\n"), well_known_text(polygons(shape, tolerance)));
+    });
     text.flush();
 }
 
 void write_voronoi_wkt(std::ostream& out, const ClippedVoronoi& diagram, double tolerance) {
     const std::size_t sites = diagram.voronoi().tessellation().sites().size();
     TextWriter text(out);
-    for (Index site = 0; site < static_cast<Index>(sites); ++site)
-        text.put(FMT_COMPILE("{}\n"), well_known_text(polygons(diagram.cell(site), tolerance)));
+    text.put_entries(sites, [&](TextWriter& piece, std::size_t site) {
+        piece.put(FMT_COMPILE("{}\n"),
+                  well_known_text(polygons(diagram.cell(static_cast<Index>(site)), tolerance)));
+    });
     text.flush();
 }
 
