@@ -14,6 +14,11 @@
 #include <oneapi/tbb/task_arena.h>
 #endif
 
+#if defined(__SANITIZE_THREAD__)
+extern "C" void __tsan_acquire(void* address);
+extern "C" void __tsan_release(void* address);
+#endif
+
 namespace signum {
 
 #if !defined(SIGNUM_WITHOUT_TBB)
@@ -69,6 +74,39 @@ int usable_cores() noexcept {
     return cores;
 }
 
+namespace {
+
+/// What the thread sanitizer does not see, for the library for threads is compiled without it:
+/// tasks follow what was done before the call, and what is done after it follows all of them.
+class Order {
+ public:
+#if defined(__SANITIZE_THREAD__)
+    void begin_all() const {
+        __tsan_release(&begin_);
+    }
+    void begin_one() const {
+        __tsan_acquire(&begin_);
+    }
+    void end_one() const {
+        __tsan_release(&end_);
+    }
+    void end_all() const {
+        __tsan_acquire(&end_);
+    }
+
+ private:
+    mutable char begin_ = 0;
+    mutable char end_ = 0;
+#else
+    void begin_all() const {}
+    void begin_one() const {}
+    void end_one() const {}
+    void end_all() const {}
+#endif
+};
+
+}  // namespace
+
 struct Workers::Threads {
     explicit Threads(int count)
         : allowed(tbb::global_control::max_allowed_parallelism,
@@ -83,14 +121,19 @@ void Workers::each(std::size_t tasks, const std::function<void(std::size_t)>& ta
         for (std::size_t i = 0; i < tasks; ++i) task(i);
         return;
     }
+    const Order order;
+    order.begin_all();
     threads_->arena.execute([&] {
         tbb::parallel_for(
             tbb::blocked_range<std::size_t>(0, tasks, 1),
             [&](const tbb::blocked_range<std::size_t>& range) {
+                order.begin_one();
                 for (std::size_t i = range.begin(); i < range.end(); ++i) task(i);
+                order.end_one();
             },
             tbb::simple_partitioner{});
     });
+    order.end_all();
 }
 
 #else

@@ -84,7 +84,8 @@ class PartsConstruction {
         topology.use_all();
         workers_.each(plan_.leaves(), [this](std::size_t leaf) { measure(leaf); });
         for (std::size_t k = boxes_.size(); --k > 0;) boxes_[(k - 1) / 2].include(boxes_[k]);
-        const Part whole = build(0, 0);
+        Part whole;
+        watch_.guard_all([&] { whole = build(0, 0); });
         if (!whole.loose.empty()) return false;
         for (const Index f : whole.vacant) topology.vacate(f);
         return true;

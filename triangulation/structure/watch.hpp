@@ -1,8 +1,10 @@
 #pragma once
 /// Long work that its caller watches: it says how far it has come, and stops where it is asked to.
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <exception>
 #include <functional>
 #include <stop_token>
 #include <thread>
@@ -42,13 +44,23 @@ class Watch {
         std::size_t own_ = 0;
     };
 
-    /// The work of one thread; where that throws, other loops stop.
+    /// A part of the work, on whatever thread; where it throws, other loops stop.
     template <class Work>
     void guard(const Work& work) const {
         try {
             work();
         } catch (...) {
-            has_failed_ = true;
+            if (!has_failed_.exchange(true)) failure_ = std::current_exception();
+            throw;
+        }
+    }
+    /// All of the work, which may have several parts: throws what the first of them threw.
+    template <class Work>
+    void guard_all(const Work& work) const {
+        try {
+            work();
+        } catch (...) {
+            if (failure_) std::rethrow_exception(failure_);
             throw;
         }
     }
@@ -58,7 +70,8 @@ class Watch {
         if (stop_.stop_requested()) throw Stopped();
         if (!progress_ || std::this_thread::get_id() != caller_) return;
         const exact::KeptEnvironment kept;
-        progress_(static_cast<double>(done) / static_cast<double>(all_));
+        // What is between parts is built twice.
+        progress_(std::min(1.0, static_cast<double>(done) / static_cast<double>(all_)));
     }
 
     const std::stop_token& stop_;
@@ -68,6 +81,7 @@ class Watch {
     std::thread::id caller_ = std::this_thread::get_id();
     mutable std::atomic<std::size_t> done_ = 0;
     mutable std::atomic<bool> has_failed_ = false;
+    mutable std::exception_ptr failure_;  ///< read when all parts have ended
 };
 
 }  // namespace signum::triangulation
