@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <numeric>
 #include <span>
 #include <stdexcept>
 #include <type_traits>
 #include <vector>
 
+#include "../../core/insertion_rounds.hpp"
 #include "../../core/parallel.hpp"
 #include "../../filters/tally.hpp"
 #include "../insertion/collinear.hpp"
@@ -111,8 +113,57 @@ Tessellation finish(Metric metric, const StridedSites& input, const Options& opt
     return constructed(std::move(arrays), std::move(copy), statistics);
 }
 
-/// As many cuts into parts as there are threads for.
+/// As many cuts into parts as there are threads for, where they help.
 inline constexpr int any_levels = -1;
+
+/// Sites in an order of insertion, leaf by leaf of a plan, and what they are inserted into.
+template <class Kernel>
+struct Ordered {
+    using S = typename Kernel::SiteType;
+
+    template <class MakeKernel>
+    Ordered(const StridedSites& input, int levels, const Options& options, const Workers& workers,
+            const MakeKernel& make_kernel)
+        : plan(make_plan(input, levels, options.seed, workers)),
+          sites(in_order<S>(input, plan.numbers, options.arithmetic, workers)),
+          kernel(make_kernel(sites, plan.numbers, workers)),
+          hidden_by(input.size(), -1),
+          topology(input.size()) {}
+
+    Plan plan;
+    LargeArray<S> sites;
+    Kernel kernel;
+    LargeArray<Index> hidden_by;
+    Topology topology;
+};
+
+/// Whether parts are joined, and not handed on to one thread, tried with a sample of the sites:
+/// some at random, and the greatest of each range, for it is these that reach far.
+template <class Kernel, class MakeKernel, class MakeReach>
+bool parts_help(const StridedSites& input, const Options& options, const Workers& workers,
+                const MakeKernel& make_kernel, const MakeReach& make_reach) {
+    const std::size_t n = input.size();
+    std::vector<Site> sample(std::min<std::size_t>(n, 4096));
+    for (std::size_t i = 0; i < sample.size(); ++i) sample[i] = input[mix(options.seed + i) % n];
+    const std::size_t ranges = workers.range_count(n);
+    std::vector<Site> greatest(ranges);
+    workers.each(ranges, [&](std::size_t range) {
+        const std::size_t end = n * (range + 1) / ranges;
+        std::size_t best = n * range / ranges;
+        for (std::size_t i = best; i < end; ++i)
+            if (input[i].r > input[best].r) best = i;
+        greatest[range] = input[best];
+    });
+    sample.insert(sample.end(), greatest.begin(), greatest.end());
+
+    const Workers one(1);
+    Ordered<Kernel> few({sample, input.third_is_weight()}, 1, options, one, make_kernel);
+    const std::function<void(double)> nobody;
+    const Watch watch(options.stop, nobody, n);
+    const auto reach = make_reach(few.kernel, few.plan.numbers);
+    return PartsConstruction(few.plan, one, few.kernel, reach, few.hidden_by, options.seed, watch)
+        .run(few.topology);
+}
 
 /// By insertion, in parts where `levels` says so. make_kernel(sites, original, workers) makes the
 /// kernel once the sites are there, and make_reach(kernel, original) what parts ask of faces.
@@ -120,43 +171,43 @@ template <class Kernel, class MakeKernel, class MakeReach>
 Tessellation construct_by_insertion(Metric metric, const StridedSites& input,
                                     const Options& options, int levels,
                                     const MakeKernel& make_kernel, const MakeReach& make_reach) {
-    using S = typename Kernel::SiteType;
     const auto start = std::chrono::steady_clock::now();
     const std::size_t n = input.size();
     const Workers workers(options.threads, n);
     // What rounds, or counts, depends on the order of the sites, and is left in that of one thread.
     constexpr bool may_be_cut = Kernel::is_exact && !Kernel::counts;
-    if (!may_be_cut) levels = 0;
-    if (levels == any_levels) levels = levels_for(n, workers);
+    if constexpr (!may_be_cut)
+        levels = 0;
+    else if (levels == any_levels)
+        levels = workers.count() > 1 &&
+                         parts_help<Kernel>(input, options, workers, make_kernel, make_reach)
+                     ? levels_for(n, workers)
+                     : 0;
 
-    Plan plan = make_plan(input, levels, options.seed, workers);
-    LargeArray<Index> original = std::move(plan.numbers);
-    LargeArray<S> sites = in_order<S>(input, original, options.arithmetic, workers);
-    Kernel kernel = make_kernel(sites, original, workers);
-    LargeArray<Index> hidden_by(n, -1);
-    Topology topology(n);
+    Ordered<Kernel> all(input, levels, options, workers, make_kernel);
+    LargeArray<Index>& original = all.plan.numbers;
     const Watch watch(options.stop, options.progress, n);
     bool is_done = false;
     if constexpr (may_be_cut)
         if (levels > 0) {
-            const auto reach = make_reach(kernel, original);
-            is_done =
-                PartsConstruction(plan, workers, kernel, reach, hidden_by, options.seed, watch)
-                    .run(topology);
-            if (!is_done) topology = Topology(n);
+            const auto reach = make_reach(all.kernel, original);
+            is_done = PartsConstruction(all.plan, workers, all.kernel, reach, all.hidden_by,
+                                        options.seed, watch)
+                          .run(all.topology);
+            if (!is_done) all.topology = Topology(n);
         }
     if (!is_done) {
         LargeArray<Index> visible;
         visible.reserve(n);
         for (std::size_t i = 0; i < n; ++i)
-            if (hidden_by[i] < 0) visible.push_back(static_cast<Index>(i));
-        if (levels > 0) order_spatially(view_of(std::span(sites)), visible, options.seed);
-        is_done = insert_all(topology, kernel, hidden_by, visible, watch);
+            if (all.hidden_by[i] < 0) visible.push_back(static_cast<Index>(i));
+        if (levels > 0) order_spatially(view_of(std::span(all.sites)), visible, options.seed);
+        is_done = insert_all(all.topology, all.kernel, all.hidden_by, visible, watch);
     }
     if constexpr (Kernel::is_straight)
-        if (!is_done) connect_line(topology, visible_on_line(kernel, n, hidden_by));
-    return finish(metric, input, options, start, workers, kernel, std::move(sites),
-                  std::move(topology), std::move(original), std::move(hidden_by));
+        if (!is_done) connect_line(all.topology, visible_on_line(all.kernel, n, all.hidden_by));
+    return finish(metric, input, options, start, workers, all.kernel, std::move(all.sites),
+                  std::move(all.topology), std::move(original), std::move(all.hidden_by));
 }
 
 template <class Kernel, class Signs>

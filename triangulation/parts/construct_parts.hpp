@@ -96,6 +96,7 @@ class PartsConstruction {
     struct Part {
         std::size_t first = 0;  ///< its sites, by place
         std::size_t last = 0;
+        std::size_t visible = 0;    ///< how many of them are
         Index outer = -1;           ///< a face at infinity; -1 where there are no faces, and then
         std::vector<Index> loose;   ///< its visible sites
         std::vector<Index> vacant;  ///< room for faces
@@ -107,6 +108,14 @@ class PartsConstruction {
 
     [[nodiscard]] std::uint8_t& mark(Index v) noexcept {
         return marks_[static_cast<std::size_t>(v)];
+    }
+
+    [[nodiscard]] bool is_visible(Index v) const noexcept {
+        return hidden_by_[static_cast<std::size_t>(v)] < 0;
+    }
+    [[nodiscard]] std::size_t count_visible(std::span<const Index> sites) const {
+        return static_cast<std::size_t>(
+            std::ranges::count_if(sites, [this](Index v) { return is_visible(v); }));
     }
 
     void measure(std::size_t leaf) {
@@ -146,6 +155,7 @@ class PartsConstruction {
                 return;
             }
             for (Index f = window.faces(); f < slot(part.last) - 2; ++f) topology_->vacate(f);
+            part.visible = count_visible(sites);
             part.outer = slot(part.first);
             while (!topology_->is_infinite(part.outer)) ++part.outer;
         });
@@ -166,7 +176,8 @@ class PartsConstruction {
         }
         part.loose.clear();
         for (auto i = static_cast<Index>(part.first); i < static_cast<Index>(part.last); ++i)
-            if (hidden_by_[static_cast<std::size_t>(i)] < 0) part.loose.push_back(i);
+            if (is_visible(i)) part.loose.push_back(i);
+        part.visible = part.loose.size();
     }
 
     /// The parts below and above the cut of node k.
@@ -196,11 +207,13 @@ class PartsConstruction {
                 sites.push_back(v);
             }
 
-        if (2 * sites.size() <= joined.last - joined.first) {
+        joined.visible = below.visible + above.visible;
+        if (2 * sites.size() <= joined.visible) {
             Topology patch(sites.size());
             order_spatially(view_of(std::span(&kernel_.site(0), hidden_by_.size())), sites, seed_);
             if (insert_all(patch, kernel_, hidden_by_, sites, watch_))
                 replace(going, patch, joined);
+            joined.visible -= sites.size() - count_visible(sites);
         }
         for (const Index v : sites) mark(v) = is_elsewhere;
         if (joined.outer < 0) give_up(joined);
