@@ -10,4 +10,10 @@ elseif(NOT SIGNUM_ONLY_PREDICATES)
 or configure with -DSIGNUM_WITH_TBB=OFF for one thread")
   endif()
   set(SIGNUM_THREADS TBB::tbb)
+  # The thread sanitizer does not see how tasks of a library that is compiled without it follow one another: what this file
+  # instantiates of them is left out, too, and the file says what follows what.
+  if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=thread")
+    set_source_files_properties(core/parallel.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON
+                                COMPILE_OPTIONS "-fno-sanitize=thread;-DSIGNUM_THREAD_SANITIZER")
+  endif()
 endif()

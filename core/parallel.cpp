@@ -14,7 +14,7 @@
 #include <oneapi/tbb/task_arena.h>
 #endif
 
-#if defined(__SANITIZE_THREAD__)
+#if defined(SIGNUM_THREAD_SANITIZER)
 extern "C" void __tsan_acquire(void* address);
 extern "C" void __tsan_release(void* address);
 #endif
@@ -77,31 +77,34 @@ int usable_cores() noexcept {
 namespace {
 
 /// What the thread sanitizer does not see, for the library for threads is compiled without it:
-/// tasks follow what was done before the call, and what is done after it follows all of them.
+/// tasks follow what was done before the call, and what is done after it follows all of them, also
+/// where one throws.
 class Order {
  public:
-#if defined(__SANITIZE_THREAD__)
-    void begin_all() const {
+#if defined(SIGNUM_THREAD_SANITIZER)
+    Order() {
         __tsan_release(&begin_);
     }
-    void begin_one() const {
-        __tsan_acquire(&begin_);
-    }
-    void end_one() const {
-        __tsan_release(&end_);
-    }
-    void end_all() const {
+    ~Order() {
         __tsan_acquire(&end_);
     }
 
+    class Task {
+     public:
+        explicit Task(Order& order) : order_(order) { __tsan_acquire(&order_.begin_); }
+        ~Task() { __tsan_release(&order_.end_); }
+
+     private:
+        Order& order_;
+    };
+
  private:
-    mutable char begin_ = 0;
-    mutable char end_ = 0;
+    char begin_ = 0;
+    char end_ = 0;
 #else
-    void begin_all() const {}
-    void begin_one() const {}
-    void end_one() const {}
-    void end_all() const {}
+    struct Task {
+        explicit Task(Order& /*order*/) {}
+    };
 #endif
 };
 
@@ -121,19 +124,16 @@ void Workers::each(std::size_t tasks, const std::function<void(std::size_t)>& ta
         for (std::size_t i = 0; i < tasks; ++i) task(i);
         return;
     }
-    const Order order;
-    order.begin_all();
+    [[maybe_unused]] Order order;
     threads_->arena.execute([&] {
         tbb::parallel_for(
             tbb::blocked_range<std::size_t>(0, tasks, 1),
             [&](const tbb::blocked_range<std::size_t>& range) {
-                order.begin_one();
+                [[maybe_unused]] const Order::Task one(order);
                 for (std::size_t i = range.begin(); i < range.end(); ++i) task(i);
-                order.end_one();
             },
             tbb::simple_partitioner{});
     });
-    order.end_all();
 }
 
 #else

@@ -8,6 +8,7 @@
 
 #include "bounds.hpp"
 #include "double_double.hpp"
+#include "verdict.hpp"
 
 namespace signum::filters {
 
@@ -34,6 +35,10 @@ struct Bounded {
     }
 
     [[nodiscard]] double size() const noexcept { return magnitude(value.high); }
+    [[nodiscard]] Verdict sign() const noexcept {
+        return size() * (1.0 - 0x1p-50) > error ? Verdict::certain(sign_of_nonzero(value.high))
+                                                : Verdict::uncertain();
+    }
     /// Certainly above 0.
     [[nodiscard]] bool is_positive() const noexcept {
         return value.high * (1.0 - 0x1p-50) - error > 0.0;

@@ -27,6 +27,7 @@
 #include "../../exact/floating_environment.hpp"
 #include "../../exact/multiprecision.hpp"
 #include "../../exact/sum.hpp"
+#include "../../filters/bounded.hpp"
 #include "../../filters/interval.hpp"
 #include "../formulas/discs.hpp"
 #include "doubted.hpp"
@@ -130,10 +131,11 @@ template <class Number, std::size_t n>
     return result;
 }
 
-template <std::size_t n>
-[[nodiscard]] std::array<Disc<Uniform<Doubted<filters::Interval>>>, n> enclosed_discs(
+/// The sites in intervals, or in double-doubles that carry a bound.
+template <class Number, std::size_t n>
+[[nodiscard]] std::array<Disc<Uniform<Doubted<Number>>>, n> doubted_discs(
     const std::array<Site, n>& sites, bool& doubt) {
-    std::array<Disc<Uniform<Doubted<filters::Interval>>>, n> result;
+    std::array<Disc<Uniform<Doubted<Number>>>, n> result;
     for (std::size_t m = 0; m < n; ++m)
         result[m] = {{sites[m].x, doubt}, {sites[m].y, doubt}, {sites[m].r, doubt}};
     return result;
@@ -151,6 +153,19 @@ using polynomials::Answer;
     return {sign, stage};
 }
 
+/// The answer in double-doubles that carry a bound; of another stage where they leave a sign open.
+template <std::size_t n, class Question>
+[[nodiscard]] Decision refine(const std::array<Site, n>& sites, const Question& question) {
+    return exact::in_ieee_environment(
+        [&](const std::array<Site, n>& given) {
+            bool doubt = false;
+            const Decision decision =
+                at(Stage::refine, question(doubted_discs<filters::Bounded>(given, doubt)));
+            return doubt ? Decision{} : decision;
+        },
+        sites);
+}
+
 /// The answer to a question about sites, any of those of formulas/discs.hpp, in the narrowest
 /// numbers that hold them.
 template <std::size_t n, class Question>
@@ -162,6 +177,8 @@ template <std::size_t n, class Question>
         const numbers::SmallDiscs<n> small(parts);
         if (small.narrow()) return at(Stage::exact, question(small.discs()));
     }
+    if (const Decision refined = refine(sites, question); refined.stage == Stage::refine)
+        return refined;
     const auto ask = [&]<class D>(std::array<Disc<D>, n> discs) -> Decision {
         using Integer = typename D::Linear;
         for (std::size_t m = 0; m < n; ++m)
@@ -198,7 +215,7 @@ template <std::size_t n, class Question>
 [[nodiscard]] Decision decide_in_intervals(const std::array<Site, n>& sites,
                                            const Question& question) {
     bool doubt = !filters::environment_is_default();
-    const Decision decision = at(Stage::filter, question(enclosed_discs(sites, doubt)));
+    const Decision decision = at(Stage::filter, question(doubted_discs<filters::Interval>(sites, doubt)));
     return doubt ? decide_by_essa(sites, question) : decision;
 }
 

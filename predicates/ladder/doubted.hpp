@@ -3,18 +3,19 @@
 
 #include "../../core/sign.hpp"
 #include "../../exact/sum.hpp"
+#include "../../filters/bounded.hpp"
 #include "../../filters/interval.hpp"
 #include "../../filters/wide.hpp"
 
 namespace signum::euclidean {
 
-/// An interval, or a long double that carries a bound, that compares as a number does. Where it
+/// An interval, or a double-double or long double that carries a bound, that compares as a number does. Where it
 /// cannot tell it says anything, and that the answer is in doubt.
 template <class Number>
 class Doubted : public exact::ComparedBySign<Doubted<Number>> {
  public:
     Doubted() = default;
-    Doubted(double number, bool& doubt) noexcept : number_(number), doubt_(&doubt) {}
+    Doubted(double number, bool& doubt) noexcept : number_(exactly(number)), doubt_(&doubt) {}
 
     friend Doubted operator+(const Doubted& a, const Doubted& b) noexcept {
         return {a.number_ + b.number_, a.doubt_};
@@ -26,7 +27,7 @@ class Doubted : public exact::ComparedBySign<Doubted<Number>> {
         return {a.number_ * b.number_, a.doubt_};
     }
     friend Doubted operator*(int a, const Doubted& b) noexcept {
-        return {Number(a) * b.number_, b.doubt_};
+        return {exactly(a) * b.number_, b.doubt_};
     }
     [[nodiscard]] Sign sign() const noexcept {
         const filters::Verdict verdict = sign_of_number(number_);
@@ -37,7 +38,16 @@ class Doubted : public exact::ComparedBySign<Doubted<Number>> {
  private:
     Doubted(const Number& number, bool* doubt) noexcept : number_(number), doubt_(doubt) {}
 
+    [[nodiscard]] static Number exactly(double number) noexcept {
+        if constexpr (requires { Number::exactly(number); })
+            return Number::exactly(number);
+        else
+            return Number(number);
+    }
     [[nodiscard]] static filters::Verdict sign_of_number(const filters::Wide& number) noexcept {
+        return number.sign();
+    }
+    [[nodiscard]] static filters::Verdict sign_of_number(const filters::Bounded& number) noexcept {
         return number.sign();
     }
     [[nodiscard]] static filters::Verdict sign_of_number(const filters::Interval& number) noexcept {
@@ -46,7 +56,7 @@ class Doubted : public exact::ComparedBySign<Doubted<Number>> {
                                              : filters::Verdict::uncertain();
     }
 
-    Number number_{0.0};
+    Number number_ = exactly(0.0);
     bool* doubt_ = nullptr;
 };
 
