@@ -8,7 +8,8 @@
 ///
 /// Laws:
 ///  1. four sizes: differences below 2^30, in the processor's integers as far as they reach
-///     (integers and grids, where ties abound); numbers that span at most wide_bits bits (most
+///     (integers and grids, where ties abound); behind double-doubles that carry a bound, which
+///     decide what is near to a tie and none, numbers that span at most wide_bits bits (most
 ///     other doubles), and at most integer_bits, in integers of two fixed sizes; all others in
 ///     rationals, the multiprecision stage, which alone allocates memory;
 ///  2. doubles are taken apart by their bits: no rounding, no environment.
@@ -167,7 +168,7 @@ template <std::size_t n, class Question>
 }
 
 /// The answer to a question about sites, any of those of formulas/discs.hpp, in the narrowest
-/// numbers that hold them.
+/// numbers that hold them; before the longer ones in double-doubles.
 template <std::size_t n, class Question>
 [[nodiscard]] Decision decide_exactly(const std::array<Site, n>& sites, const Question& question) {
     const numbers::Apart<n> parts = numbers::apart(sites);
@@ -215,7 +216,8 @@ template <std::size_t n, class Question>
 [[nodiscard]] Decision decide_in_intervals(const std::array<Site, n>& sites,
                                            const Question& question) {
     bool doubt = !filters::environment_is_default();
-    const Decision decision = at(Stage::filter, question(doubted_discs<filters::Interval>(sites, doubt)));
+    const Decision decision =
+        at(Stage::filter, question(doubted_discs<filters::Interval>(sites, doubt)));
     return doubt ? decide_by_essa(sites, question) : decision;
 }
 
