@@ -119,7 +119,7 @@ class PartsConstruction {
     }
 
     void measure(std::size_t leaf) {
-        Box box;
+        Box<2> box;
         for (std::size_t i = plan_.begins[leaf]; i < plan_.begins[leaf + 1]; ++i) {
             const Point p = kernel_.centre(static_cast<Index>(i));
             box.include({{p.x, p.y}, {p.x, p.y}, reach_.third(static_cast<Index>(i))});
@@ -330,7 +330,7 @@ class PartsConstruction {
     std::uint64_t seed_;
     const Watch& watch_;
     LargeArray<std::uint8_t> marks_;  // of the sites
-    std::vector<Box> boxes_;          // around the sites of each node
+    std::vector<Box<2>> boxes_;       // around the sites of each node
 };
 
 }  // namespace signum::triangulation

@@ -54,30 +54,17 @@
 #include "../../predicates/power/weight.hpp"
 #include "../kernels/power_kernel.hpp"
 #include "../vertices/vertex_of_face.hpp"
+#include "orthoball.hpp"
+#include "plan.hpp"
 
 namespace signum::triangulation {
-
-/// What is known of the sites of a part.
-struct Box {
-    std::array<double, 2> low = {HUGE_VAL, HUGE_VAL};  ///< of their centres
-    std::array<double, 2> high = {-HUGE_VAL, -HUGE_VAL};
-    double greatest = -HUGE_VAL;  ///< third number: a weight w in the power metric, or a radius
-
-    void include(const Box& other) noexcept {
-        for (std::size_t axis = 0; axis < 2; ++axis) {
-            low[axis] = std::min(low[axis], other.low[axis]);
-            high[axis] = std::max(high[axis], other.high[axis]);
-        }
-        greatest = std::max(greatest, other.greatest);
-    }
-};
 
 /// A cut as one of its sides sees it.
 struct Crossing {
     std::size_t axis;
     bool is_above;  ///< the other side's coordinates are the greater ones
-    Box own;
-    Box beyond;
+    Box<2> own;
+    Box<2> beyond;
 };
 
 /// Faces of the power metric.
@@ -94,30 +81,14 @@ class PowerReach {
         for (std::size_t k = 0; k < 3; ++k)
             if (face[k] == infinite)
                 return may_reach_edge(face[(k + 2) % 3], face[(k + 1) % 3], crossing.beyond);
-        return reaches(crossing.beyond, at_face(face[0], face[1], face[2]));
+        return at_face(face[0], face[1], face[2]).may_be_reached_from(crossing.beyond);
     }
 
  private:
-    /// A point, and its power.
-    struct Circle {
-        std::array<double, 2> centre;
-        double error;   ///< of each coordinate of the centre
-        double square;  ///< at least the power of the centre
-    };
-    /// Whether a site in the box may be nearer to the point than its power says.
-    [[nodiscard]] static bool reaches(const Box& box, const Circle& circle) noexcept {
-        double square = 0.0;
-        for (std::size_t axis = 0; axis < 2; ++axis) {
-            const double c = circle.centre[axis];
-            const double distance =
-                std::max(std::max(box.low[axis] - c, c - box.high[axis]) - circle.error, 0.0);
-            square += distance * distance;
-        }
-        const double slack = std::fabs(circle.square) + std::fabs(box.greatest);
-        return !(square * (1.0 - slop) > (circle.square + box.greatest) + (slop * slack + least));
-    }
+    using Circle = Orthoball<2>;
+
     /// The face beyond the hull edge a -> b: by sites on its right, or on its line and near.
-    [[nodiscard]] bool may_reach_edge(Index a, Index b, const Box& box) const noexcept {
+    [[nodiscard]] bool may_reach_edge(Index a, Index b, const Box<2>& box) const noexcept {
         bool is_on_line = false;
         for (const double x : {box.low[0], box.high[0]})
             for (const double y : {box.low[1], box.high[1]}) {
@@ -125,12 +96,8 @@ class PowerReach {
                 if (side < 0) return true;
                 is_on_line = is_on_line || side == 0;
             }
-        return is_on_line && reaches(box, at_edge(a, b));
+        return is_on_line && at_edge(a, b).may_be_reached_from(box);
     }
-
-    /// More than a few roundings of what it multiplies; and more than any underflow.
-    static constexpr double slop = 0x1p-40;
-    static constexpr double least = 0x1p-900;
 
     [[nodiscard]] static double weight_of(const Point&) noexcept { return 0.0; }
     [[nodiscard]] static double weight_of(const power::Site& site) noexcept { return site.w; }
@@ -166,7 +133,7 @@ class PowerReach {
                        0x1p-23 * (fabs(x) + fabs(y)) + 0x1p-100 * (b_length + c_length);
         if (!(area > 0x1p-26 * (fabs(bx * cy) + fabs(cx * by)) && area > 0x1p-900))
             error = HUGE_VAL;
-        return from(a, x, y, w, error);
+        return Circle::from({a.x, a.y}, w, {x, y}, error);
     }
     /// The point of the line through both sites from which both are as far.
     [[nodiscard]] Circle at_edge(Index from_site, Index to_site) const noexcept {
@@ -179,17 +146,7 @@ class PowerReach {
         const double most = (square + (std::fabs(bw) + std::fabs(w))) / square;
         const double error =
             square > 0x1p-900 ? 0x1p-48 * most * (std::fabs(x) + std::fabs(y)) : HUGE_VAL;
-        return from(a, part * x, part * y, w, error);
-    }
-    template <class S>
-    [[nodiscard]] static Circle from(const S& a, double x, double y, double w,
-                                     double error) noexcept {
-        using std::fabs;
-        const double most_x = fabs(x) + error;
-        const double most_y = fabs(y) + error;
-        return {{a.x + x, a.y + y},
-                error + 0x1p-50 * ((fabs(a.x) + fabs(x)) + (fabs(a.y) + fabs(y))),
-                (most_x * most_x + most_y * most_y) * (1.0 + slop) - w + slop * fabs(w)};
+        return Circle::from({a.x, a.y}, w, {part * x, part * y}, error);
     }
 
     const Kernel& kernel_;

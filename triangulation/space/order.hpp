@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <span>
 
 #include "../../core/index.hpp"
 #include "../../core/large_array.hpp"
@@ -16,5 +17,8 @@ namespace signum::spatial {
 [[nodiscard]] LargeArray<Index> insertion_order(std::size_t sites,
                                                 const std::function<Point3(Index)>& place,
                                                 std::uint64_t seed);
+/// The same for some of the sites, given by their numbers, which are put into that order.
+void put_in_insertion_order(std::span<Index> sites, const std::function<Point3(Index)>& place,
+                            std::uint64_t seed);
 
 }  // namespace signum::spatial

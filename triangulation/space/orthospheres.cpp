@@ -14,11 +14,7 @@ namespace {
 
 using Doubles = filters::Four;
 
-/// Of what Cramer's rule may come to for the planes 2 m·p = lift, relative to the site, six
-/// products: with the largest offset L and height H 6 L³ and 6 H L². One more e than there are
-/// roundings pays for the terms in e², another one for those of the errors themselves.
-constexpr double determinant_error = 6 * 10 * filters::epsilon;
-constexpr double numerator_error = 6 * 16 * filters::epsilon;
+/// The roundings of Cramer's rule, for which the bounds in the header pay.
 constexpr Meeting<filters::RoundingCount> counted = [] {
     const auto row = power::lifted_row<filters::RoundingCount>(signum::Site3{}, signum::Site3{});
     const Plane<filters::RoundingCount> rounded = {row.offset.x, row.offset.y, row.offset.z,
@@ -106,8 +102,8 @@ SphereMaker::SphereMaker(const ViewRow* rows, const std::array<double, 4>& site,
     : rows_(rows),
       site_(site),
       scale_(frame.scale),
-      numerator_error_(numerator_error * height * largest * largest),
-      determinant_error_(determinant_error * largest * largest * largest) {}
+      numerator_error_(orthospheres::numerator_error * height * largest * largest),
+      determinant_error_(orthospheres::determinant_error * largest * largest * largest) {}
 
 /// A site in the frame, and the errors of the numbers that it sees.
 struct SphereMaker::Wide {

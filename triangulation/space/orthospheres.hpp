@@ -40,6 +40,13 @@ using Flags = std::int32_t __attribute__((vector_size(16)));
 
 inline constexpr std::int32_t unknown = 0x7FC0'0000;
 inline constexpr std::int32_t taken = 0x7FC0'0001;
+
+/// Of what Cramer's rule may come to for the planes 2 m·p = lift, relative to the site, six
+/// products: with the largest offset L and height H 6 L³ and 6 H L². One more e than there are
+/// roundings (counted in orthospheres.cpp) pays for the terms in e², another one for those of the
+/// errors themselves.
+inline constexpr double determinant_error = 6 * 10 * filters::epsilon;
+inline constexpr double numerator_error = 6 * 16 * filters::epsilon;
 }  // namespace orthospheres
 
 /// One that tells nothing, and that of a cell that is known to be in conflict. Their powers are two
