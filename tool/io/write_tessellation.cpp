@@ -63,9 +63,9 @@ void write_json(std::ostream& out, const Tessellation& tessellation, const JsonO
     text.put_array("neighbours", tessellation.arrays().neighbours, put_triple);
     put_hidden(text, tessellation.hidden());
     if (options.vertices) {
-        put_vertices(text, tessellation.faces(), false, [&, all = vertices(tessellation)](auto n) {
-            text.put_numbers(all[n].x, all[n].y, all[n].rho);
-        });
+        const std::vector<DiagramVertex> all = vertices(tessellation, options.threads);
+        put_vertices(text, tessellation.faces(), false,
+                     [&](auto n) { text.put_numbers(all[n].x, all[n].y, all[n].rho); });
     }
     if (options.statistics) put_statistics(text, tessellation.statistics());
     text.put("}\n");
