@@ -465,7 +465,7 @@ class Check : private triangulation::Judgement {
         std::vector<Index> visible;
         for (Index i = 0; at(i) < sites_.size(); ++i)
             if (seen_[at(i)] == Seen::as_vertex) visible.push_back(i);
-        NearSites<S> near(sites_, std::move(visible));
+        const NearSites<S> near(sites_, std::move(visible), this->workers());
         Index last = infinite;
         Index c = infinite;
         for (const auto& [q, by] : hidden_in_order()) {

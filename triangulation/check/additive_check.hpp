@@ -164,7 +164,7 @@ class AdditiveCheck : private ArraysCheck {
     void check_hidden() {
         if (arrays_.hidden.empty()) return;
         const auto site_of = [this](Index i) -> const Site& { return site_[at(i)]; };
-        const NearSites<Distance> visible(visible_sites(), site_of);
+        const NearSites<Distance> visible(visible_sites(), site_of, workers());
         judge_all(arrays_.hidden.size(), 1, [&](Part& part, Index h) {
             const auto& [q, by] = arrays_.hidden[at(h)];
             Kernel& kernel = part.kernel;

@@ -1,6 +1,7 @@
 #pragma once
 /// How a check of a tessellation comes to its judgement.
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -30,6 +31,21 @@ namespace signum::triangulation {
 struct Invalid {
     std::string why;
 };
+
+/// Does two things by two threads, where there are so many; see BoxTree.
+[[nodiscard]] inline auto both_by(const Workers& workers) {
+    return [&workers](const auto& first, const auto& second) {
+        workers.each(2, [&](std::size_t which) {
+            const exact::IeeeEnvironment environment;
+            which == 0 ? first() : second();
+        });
+    };
+}
+/// Of so many items each thread has a few parts.
+[[nodiscard]] inline std::size_t most_alone(const Workers& workers, std::size_t items) noexcept {
+    if (workers.count() == 1) return items;
+    return std::max(items / (4 * static_cast<std::size_t>(workers.count())), few_items);
+}
 
 /// What is said of a site.
 enum class Seen : std::uint8_t { nowhere, as_vertex, as_hidden };

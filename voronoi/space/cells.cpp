@@ -34,7 +34,7 @@ class Measuring {
         const LargeArray<Index> order = spatial::insertion_order(has_apex_.size(), place, 1);
         if (workers_.count() == 1) {
             cut_faces(faces_, rims_, order, 0, order.size(), [this](const Cut& cut) {
-                note(cut);
+                note(cut, found_);
                 add_to_first(cut);
                 add_to_second(cut);
             });
@@ -42,8 +42,9 @@ class Measuring {
             // Of so many sites at a time: who knew all faces would need much memory.
             constexpr std::size_t at_a_time = std::size_t{1} << 16;
             std::vector<SpaceFaces> own;
+            std::vector<Stretch> stretches;
             for (std::size_t k = 0; k < order.size(); k += at_a_time)
-                add_together(order, k, std::min(k + at_a_time, order.size()), own);
+                add_together(order, k, std::min(k + at_a_time, order.size()), own, stretches);
         }
         measure_sides();
         list_faces();
@@ -96,54 +97,69 @@ class Measuring {
             }
         }
     }
+    /// What one thread cuts of a stretch, and which sides of it go to which bucket of sites.
+    struct Stretch {
+        std::vector<Cut> cuts;
+        std::vector<Found> found;
+        std::vector<std::vector<std::uint32_t>> sides;
+        Rims rims;
+
+        void clear(std::size_t buckets) {
+            cuts.clear();
+            found.clear();
+            rims = {};
+            sides.resize(buckets);
+            for (auto& of_bucket : sides) of_bucket.clear();
+        }
+    };
     /// The same by several threads: each face to both its cells in the order in which one thread
     /// would come by it, for sums are rounded.
     void add_together(const LargeArray<Index>& order, std::size_t begin, std::size_t end,
-                      std::vector<SpaceFaces>& own) {
+                      std::vector<SpaceFaces>& own, std::vector<Stretch>& stretches) {
         const std::size_t size = end - begin;
         const std::size_t ranges = workers_.range_count(size);
         while (own.size() < ranges) own.push_back(faces_.another());
-        std::vector<std::vector<Cut>> lists(ranges);
-        std::vector<Rims> rims(ranges);
+        stretches.resize(std::max(stretches.size(), ranges));
+        // A bucket has all sides of some sites; neighbours in memory are in one.
+        const std::size_t buckets = 4 * static_cast<std::size_t>(workers_.count());
+        constexpr std::size_t together = 256;
+        const auto bucket = [&](Index site) {
+            return static_cast<std::size_t>(site) / together % buckets;
+        };
         workers_.each(ranges, [&](std::size_t range) {
             const exact::IeeeEnvironment environment;
-            std::vector<Cut> list;
-            cut_faces(own[range], rims[range], order, begin + size * range / ranges,
-                      begin + size * (range + 1) / ranges,
-                      [&](const Cut& cut) { list.push_back(cut); });
-            lists[range] = std::move(list);
+            Stretch stretch = std::move(stretches[range]);
+            stretch.clear(buckets);
+            const auto put = [&](const Cut& cut) {
+                const auto side = static_cast<std::uint32_t>(2 * stretch.cuts.size());
+                stretch.cuts.push_back(cut);
+                stretch.sides[bucket(cut.i)].push_back(side);
+                stretch.sides[bucket(cut.j)].push_back(side + 1);
+                note(cut, stretch.found);
+            };
+            cut_faces(own[range], stretch.rims, order, begin + size * range / ranges,
+                      begin + size * (range + 1) / ranges, put);
+            stretches[range] = std::move(stretch);
         });
-        for (const auto& [steps, ends] : rims) {
-            rims_.steps.insert(rims_.steps.end(), steps.begin(), steps.end());
-            rims_.ends.insert(rims_.ends.end(), ends.begin(), ends.end());
-        }
-        const std::vector<Cut> cuts = joined(workers_, std::move(lists));
-        for (const Cut& cut : cuts) note(cut);
-        // A bucket has all of some sites; neighbours in memory are in one.
-        const std::size_t buckets = 8 * static_cast<std::size_t>(workers_.count());
-        constexpr std::size_t together = 256;
-        std::vector<std::uint32_t> dealt;
-        const std::vector<std::size_t> begins = deal(
-            workers_, 2 * cuts.size(), buckets,
-            [&](std::size_t side) {
-                const Cut& cut = cuts[side / 2];
-                const Index site = side % 2 == 0 ? cut.i : cut.j;
-                return static_cast<std::size_t>(site) / together % buckets;
-            },
-            [&](std::size_t count) { make_room(workers_, count, dealt); },
-            [&](std::size_t side, std::size_t place) {
-                dealt[place] = static_cast<std::uint32_t>(side);
-            });
-        workers_.each(buckets, [&](std::size_t bucket) {
+        workers_.each(buckets, [&](std::size_t of_bucket) {
             const exact::IeeeEnvironment environment;
-            for (std::size_t d = begins[bucket]; d < begins[bucket + 1]; ++d) {
-                const Cut& cut = cuts[dealt[d] / 2];
-                dealt[d] % 2 == 0 ? add_to_first(cut) : add_to_second(cut);
-            }
+            for (std::size_t range = 0; range < ranges; ++range)
+                for (const std::uint32_t side : stretches[range].sides[of_bucket]) {
+                    const Cut& cut = stretches[range].cuts[side / 2];
+                    side % 2 == 0 ? add_to_first(cut) : add_to_second(cut);
+                }
         });
+        const auto append = [](auto& all, const auto& more) {
+            all.insert(all.end(), more.begin(), more.end());
+        };
+        for (std::size_t range = 0; range < ranges; ++range) {
+            append(found_, stretches[range].found);
+            append(rims_.steps, stretches[range].rims.steps);
+            append(rims_.ends, stretches[range].rims.ends);
+        }
     }
-    void note(const Cut& cut) {
-        if (!cut.face.is_narrow) found_.push_back({cut.i, cut.j, cut.face.area});
+    static void note(const Cut& cut, std::vector<Found>& found) {
+        if (!cut.face.is_narrow) found.push_back({cut.i, cut.j, cut.face.area});
     }
     void add_to_first(const Cut& cut) noexcept {
         add(cut.i, cut.face.normal, cut.corner, cut.face, {});
