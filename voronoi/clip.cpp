@@ -240,7 +240,8 @@ void ClippedVoronoi::cut_all(int threads) {
     workers.each(ranges, [&](std::size_t range) {
         const exact::IeeeEnvironment environment;
         Parts parts;
-        for (std::size_t e = edges * range / ranges; e < edges * (range + 1) / ranges; ++e)
+        const std::size_t end = edges * (range + 1) / ranges;
+        for (std::size_t e = edges * range / ranges; e < end; ++e)
             cut(static_cast<Index>(e), parts);
         conics[range] = std::move(parts.conics);
         runs[range] = std::move(parts.runs);

@@ -127,10 +127,11 @@ class Judgement {
             const exact::IeeeEnvironment environment;
             Part part = fresh;
             std::optional<Invalid> invalid;
+            const std::size_t end = size * (range + 1) / ranges;
             Watch::Loop own(watch_);
             Watch::Loop& loop = ranges == 1 ? loop_ : own;
             try {
-                for (std::size_t i = size * range / ranges; i < size * (range + 1) / ranges; ++i) {
+                for (std::size_t i = size * range / ranges; i < end; ++i) {
                     judge(part, i);
                     for (std::size_t k = 0; k < advances; ++k) loop.step();
                 }
