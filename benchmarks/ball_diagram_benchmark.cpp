@@ -76,7 +76,8 @@ int main(int argc, char** argv) {
     BallDiagram diagram;
     double ours = HUGE_VAL;
     for (int run = 0; run < 3; ++run)
-        ours = std::min(ours, seconds_of([&] { diagram = signum::ball_diagram(balls); }));
+        ours = std::min(ours,
+                        seconds_of([&] { diagram = signum::ball_diagram(balls, {.threads = 1}); }));
     std::size_t closed = 0, infinite = 0;
     for (const auto& ends : diagram.ends) {
         closed += ends[0] == signum::no_end;

@@ -59,8 +59,9 @@ bool measure(const Kind& kind, std::int64_t count) {
         for (int round = 0; round < rounds; ++round) {
             displace(displacement * spacing);
             const double moving = seconds_of([&] { dynamic.move_all(centres); });
-            turns.add(moving,
-                      seconds_of([&] { static_cast<void>(triangulate(sites, kind.metric)); }));
+            turns.add(moving, seconds_of([&] {
+                          static_cast<void>(triangulate(sites, kind.metric, {.threads = 1}));
+                      }));
         }
         const Moves after = dynamic.moves();
         fmt::print("| {} | {} | {:.3f} | {:.3f} | {} | {} | {} | {} |\n", kind.name, displacement,

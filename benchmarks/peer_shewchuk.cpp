@@ -60,7 +60,7 @@ Construction prepare_shewchuk(const std::vector<Site>& sites) {
     exactinit(0, 0, 0, 1.0, 1.0, 1.0);  // the largest coordinates count in space alone
     return [sites] {
         return built(triangulation::construct_with_kernel<ShewchukKernel>(
-            Metric::power, sites, Options{}, triangulation::PowerSigns<Point>{}));
+            Metric::power, sites, Options{.threads = 1}, triangulation::PowerSigns<Point>{}));
     };
 }
 

@@ -35,7 +35,7 @@ namespace {
 
 Prepare prepare_signum(Metric metric) {
     return [metric](const std::vector<Site>& sites) {
-        return [metric, sites] { return built(triangulate(sites, metric)); };
+        return [metric, sites] { return built(triangulate(sites, metric, {.threads = 1})); };
     };
 }
 

@@ -29,7 +29,7 @@ int main(int argc, char** argv) {
               static_cast<std::streamsize>(sites.size() * sizeof(signum::Point)));
     for (std::string line; std::getline(std::cin, line);) {
         const auto start = std::chrono::steady_clock::now();
-        const signum::Tessellation result = signum::triangulate(sites, *metric);
+        const signum::Tessellation result = signum::triangulate(sites, *metric, {.threads = 1});
         const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
         std::printf("%.6f %zu\n", taken.count(), result.faces().size());
         std::fflush(stdout);

@@ -66,6 +66,7 @@ Construction construction(std::shared_ptr<const Sites> sites, bool is_regular,
                           Arithmetic arithmetic) {
     return [sites = std::move(sites), is_regular, arithmetic] {
         Options options;
+        options.threads = 1;
         options.arithmetic = arithmetic;
         const auto result =
             std::make_shared<SpaceTessellation>(tessellate(*sites, is_regular, options));

@@ -95,9 +95,9 @@ void measure(const Kind& kind, std::int64_t count) {
     SpaceCells cells;
     for (int round = 0; round < rounds; ++round) {
         const double begin = seconds();
-        const SpaceTessellation tessellation = triangulate(all);
+        const SpaceTessellation tessellation = triangulate(all, Power{}, {.threads = 1});
         const double middle = seconds();
-        cells = space_cells(tessellation, all, box);
+        cells = space_cells(tessellation, all, box, 1);
         const double end = seconds();
         building.push_back(middle - begin);
         cutting.push_back(end - middle);

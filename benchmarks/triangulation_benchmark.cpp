@@ -67,7 +67,7 @@ std::string name_of(const Kind& kind, const char* distribution, const char* cont
 Construction construction(std::shared_ptr<const std::vector<Site>> sites, Metric metric,
                           Arithmetic arithmetic) {
     return [sites = std::move(sites), metric, arithmetic] {
-        return built(triangulate(*sites, metric, {.arithmetic = arithmetic}));
+        return built(triangulate(*sites, metric, {.arithmetic = arithmetic, .threads = 1}));
     };
 }
 

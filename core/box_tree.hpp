@@ -46,30 +46,50 @@ class BoxTree {
     template <class BoundsOf>
     BoxTree(std::size_t items, std::uint32_t most_in_a_leaf, std::size_t axes,
             const BoundsOf& bounds_of)
+        : BoxTree(items, most_in_a_leaf, axes, bounds_of, items,
+                  [](const auto& first, const auto& second) {
+                      first();
+                      second();
+                  }) {}
+    /// The same tree with the halves of more than `most_alone` items built by both(first, second),
+    /// which calls the two, at the same time if it likes.
+    template <class BoundsOf, class Both>
+    BoxTree(std::size_t items, std::uint32_t most_in_a_leaf, std::size_t axes,
+            const BoundsOf& bounds_of, std::size_t most_alone, const Both& both)
         : order_(items) {
         if (items == 0) return;
         std::iota(order_.begin(), order_.end(), 0U);
         nodes_.reserve(4 * items / most_in_a_leaf + 1);
         std::vector<Keyed> keyed(axes > 0 ? items : 0);
-        const auto build = [&](const auto& self, std::uint32_t first, std::uint32_t last) -> void {
-            const std::size_t number = nodes_.size();
+        const auto build = [&](const auto& self, std::vector<Node>& nodes, std::uint32_t first,
+                               std::uint32_t last) -> void {
+            const std::size_t number = nodes.size();
             const bool is_leaf = last - first <= most_in_a_leaf;
             Node node{bounds_of(order_[first]), first, last, 0};
             if (is_leaf || axes > 0)
                 for (std::uint32_t place = first + 1; place < last; ++place)
                     node.include(bounds_of(order_[place]));
-            nodes_.push_back(node);
+            nodes.push_back(node);
             if (is_leaf) return;
             const std::uint32_t middle = first + (last - first) / 2;
             if (axes > 0) halve(node, middle, axes, bounds_of, keyed);
-            self(self, first, middle);
-            nodes_[number].second = static_cast<std::uint32_t>(nodes_.size());
-            self(self, middle, last);
+            if (last - first <= most_alone) {
+                self(self, nodes, first, middle);
+                nodes[number].second = static_cast<std::uint32_t>(nodes.size());
+                self(self, nodes, middle, last);
+            } else {
+                std::array<std::vector<Node>, 2> halves;
+                both([&] { self(self, halves[0], first, middle); },
+                     [&] { self(self, halves[1], middle, last); });
+                append(nodes, halves[0]);
+                nodes[number].second = static_cast<std::uint32_t>(nodes.size());
+                append(nodes, halves[1]);
+            }
             if (axes > 0) return;
-            nodes_[number].include(nodes_[number + 1]);
-            nodes_[number].include(nodes_[nodes_[number].second]);
+            nodes[number].include(nodes[number + 1]);
+            nodes[number].include(nodes[nodes[number].second]);
         };
-        build(build, 0, static_cast<std::uint32_t>(items));
+        build(build, nodes_, 0, static_cast<std::uint32_t>(items));
     }
 
     [[nodiscard]] const std::vector<Node>& nodes() const noexcept { return nodes_; }
@@ -100,6 +120,14 @@ class BoxTree {
         double key;
         std::uint32_t item;
     };
+    /// Nodes that name one another by their numbers among themselves.
+    static void append(std::vector<Node>& nodes, const std::vector<Node>& more) {
+        const auto before = static_cast<std::uint32_t>(nodes.size());
+        for (Node node : more) {
+            if (node.second != 0) node.second += before;
+            nodes.push_back(node);
+        }
+    }
     /// Halves of numbers, which do not overflow, are compared.
     template <class BoundsOf>
     void halve(const Node& node, std::uint32_t middle, std::size_t axes, const BoundsOf& bounds_of,

@@ -103,4 +103,33 @@ template <class BucketOf, class MakeRoom, class Put>
     return begins;
 }
 
+/// Lists one behind the other.
+template <class T>
+[[nodiscard]] std::vector<T> joined(const Workers& workers, std::vector<std::vector<T>> lists) {
+    if (lists.size() == 1) return std::move(lists.front());
+    std::vector<std::size_t> begins(1, 0);
+    for (const std::vector<T>& list : lists) begins.push_back(begins.back() + list.size());
+    std::vector<T> result;
+    make_room(workers, begins.back(), result);
+    workers.each(lists.size(), [&](std::size_t k) {
+        std::move(lists[k].begin(), lists[k].end(), result.data() + begins[k]);
+    });
+    return result;
+}
+
+/// What collect(begin, end, list) adds to an empty list for each of the ranges that make up
+/// 0 … size, one range's behind the other's.
+template <class T, class Collect>
+[[nodiscard]] std::vector<T> collected(const Workers& workers, std::size_t size,
+                                       const Collect& collect) {
+    const std::size_t ranges = workers.range_count(size);
+    std::vector<std::vector<T>> lists(ranges);
+    workers.each(ranges, [&](std::size_t range) {
+        std::vector<T> list;  // its own memory: beside one another lists would share cache lines
+        collect(size * range / ranges, size * (range + 1) / ranges, list);
+        lists[range] = std::move(list);
+    });
+    return joined(workers, std::move(lists));
+}
+
 }  // namespace signum

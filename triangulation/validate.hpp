@@ -33,6 +33,9 @@ struct ValidationOptions {
     std::stop_token stop = {};
     /// Called now and then with the share of the work done, from 0 to 1, by the calling thread.
     std::function<void(double)> progress = {};
+    /// How many threads work, as Options::threads. The judgement and its counts depend on it no
+    /// more than a tessellation does.
+    int threads = 0;
 };
 
 /// Checks that the arrays are a tessellation of the sites in their metric: adjacency and Euler's

@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "../core/parallel.hpp"
 #include "../exact/floating_environment.hpp"
 #include "vertices/vertex_of_face.hpp"
 
@@ -15,22 +16,27 @@ DiagramVertex no_vertex() noexcept {
 
 }  // namespace triangulation
 
-std::vector<DiagramVertex> vertices(const Tessellation& tessellation) {
-    const exact::IeeeEnvironment environment;
-    return with_metric(tessellation.metric(), [&]<class M>(M) {
-        std::vector<DiagramVertex> result;
-        result.reserve(tessellation.faces().size());
-        for (const Face& face : tessellation.faces()) {
-            const auto site = [&](std::size_t m) {
-                return &tessellation.sites()[static_cast<std::size_t>(face[m])];
-            };
-            result.push_back(face[0] == infinite ? triangulation::no_vertex()
-                                                 : triangulation::vertex_of_face<M>(
-                                                       {site(0), site(1), site(2)}, face,
-                                                       tessellation.weight_is()));
-        }
-        return result;
+std::vector<DiagramVertex> vertices(const Tessellation& tessellation, int threads) {
+    const auto faces = tessellation.faces();
+    const Workers workers(threads, faces.size());
+    std::vector<DiagramVertex> result;
+    make_room(workers, faces.size(), result);
+    with_metric(tessellation.metric(), [&]<class M>(M) {
+        workers.each_range(faces.size(), [&](std::size_t begin, std::size_t end) {
+            const exact::IeeeEnvironment environment;
+            for (std::size_t f = begin; f < end; ++f) {
+                const Face& face = faces[f];
+                const auto site = [&](std::size_t m) {
+                    return &tessellation.sites()[static_cast<std::size_t>(face[m])];
+                };
+                result[f] = face[0] == infinite
+                                ? triangulation::no_vertex()
+                                : triangulation::vertex_of_face<M>({site(0), site(1), site(2)},
+                                                                   face, tessellation.weight_is());
+            }
+        });
     });
+    return result;
 }
 
 }  // namespace signum

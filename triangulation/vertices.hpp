@@ -20,7 +20,9 @@ struct DiagramVertex {
     double rho;  ///< the distance
 };
 
-/// One vertex a face, in face order. Exact rationals behind a filter; O(n).
-[[nodiscard]] std::vector<DiagramVertex> vertices(const Tessellation& tessellation);
+/// One vertex a face, in face order, whatever the number of threads (Options::threads). Exact
+/// rationals behind a filter; O(n).
+[[nodiscard]] std::vector<DiagramVertex> vertices(const Tessellation& tessellation,
+                                                  int threads = 0);
 
 }  // namespace signum

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
+#include "../core/parallel.hpp"
 #include "../exact/floating_environment.hpp"
 #include "in_ieee.hpp"
 #include "vector.hpp"
@@ -124,7 +126,7 @@ bool fits(const Box& box, const Voronoi& voronoi) noexcept {
     return is_of_usual_size({divided(box.x0), divided(box.y0), divided(box.x1), divided(box.y1)});
 }
 
-ClippedVoronoi::ClippedVoronoi(const Voronoi& voronoi, const Box& box, Lengths lengths)
+ClippedVoronoi::ClippedVoronoi(const Voronoi& voronoi, const Box& box, Lengths lengths, int threads)
     : voronoi_(voronoi),
       box_(box),
       exponent_(lengths == Lengths::of_the_plane ? voronoi.exponent() : 0),
@@ -139,10 +141,7 @@ ClippedVoronoi::ClippedVoronoi(const Voronoi& voronoi, const Box& box, Lengths l
     if (is_bounded_ && !is_of_usual_size(box_))
         throw std::invalid_argument(
             "the box is too large or too small beside the coordinates and radii of the sites");
-    const std::size_t edges = voronoi.edges().size();
-    first_run_.reserve(edges + 1);
-    for (std::size_t e = 0; e < edges; ++e) cut(static_cast<Index>(e));
-    first_run_.push_back(runs_.size());
+    cut_all(threads);
     // No round share of the sides: on round input such a point lies on an edge.
     const int exponent = voronoi.exponent();
     const auto inside = [&](double low, double high, double share) {
@@ -202,8 +201,9 @@ std::vector<Conic> ClippedVoronoi::pieces_near_box(Index index, bool& from_start
     return in_ieee::stretch(edge->curve, edge->from, edge->start, edge->to, edge->end);
 }
 
-void ClippedVoronoi::cut(Index index) {
-    first_run_.push_back(runs_.size());
+void ClippedVoronoi::cut(Index index, Parts& found) const {
+    auto& [conics, runs, runs_of] = found;
+    const std::size_t before = runs.size();
     bool from_start = false;
     bool to_end = false;
     const std::vector<Conic> pieces = pieces_near_box(index, from_start, to_end);
@@ -220,13 +220,47 @@ void ClippedVoronoi::cut(Index index) {
             if (!at_end && is_bounded_) part.to = on_border(part.to);
             if (part.is_straight()) part = in_ieee::straight(part.from, part.to);
             if (!continues || !at_start)
-                runs_.push_back({conics_.size(), 0, i == 0 && at_start && from_start, false});
-            conics_.push_back(part);
-            runs_.back().last = conics_.size();
-            runs_.back().ends_at_vertex = i + 1 == pieces.size() && at_end && to_end;
+                runs.push_back({conics.size(), 0, i == 0 && at_start && from_start, false});
+            conics.push_back(part);
+            runs.back().last = conics.size();
+            runs.back().ends_at_vertex = i + 1 == pieces.size() && at_end && to_end;
             continues = at_end;
         }
     }
+    runs_of.push_back(runs.size() - before);
+}
+
+void ClippedVoronoi::cut_all(int threads) {
+    const std::size_t edges = voronoi_.edges().size();
+    const Workers workers(threads, edges);
+    const std::size_t ranges = workers.range_count(edges);
+    std::vector<std::vector<Conic>> conics(ranges);
+    std::vector<std::vector<Run>> runs(ranges);
+    std::vector<std::vector<std::size_t>> runs_of(ranges);
+    workers.each(ranges, [&](std::size_t range) {
+        const exact::IeeeEnvironment environment;
+        Parts parts;
+        const std::size_t end = edges * (range + 1) / ranges;
+        for (std::size_t e = edges * range / ranges; e < end; ++e)
+            cut(static_cast<Index>(e), parts);
+        conics[range] = std::move(parts.conics);
+        runs[range] = std::move(parts.runs);
+        runs_of[range] = std::move(parts.runs_of);
+    });
+    // Runs are said in places of all conics.
+    std::vector<std::size_t> first_conic(1, 0);
+    for (const Loop& of_range : conics) first_conic.push_back(first_conic.back() + of_range.size());
+    workers.each(ranges, [&](std::size_t range) {
+        for (Run& run : runs[range]) {
+            run.first += first_conic[range];
+            run.last += first_conic[range];
+        }
+    });
+    conics_ = joined(workers, std::move(conics));
+    runs_ = joined(workers, std::move(runs));
+    first_run_ = joined(workers, std::move(runs_of));
+    first_run_.push_back(0);
+    std::exclusive_scan(first_run_.begin(), first_run_.end(), first_run_.begin(), std::size_t{0});
 }
 
 std::vector<Conic> ClippedVoronoi::edge(Index index) const {
@@ -488,6 +522,18 @@ CellShape ClippedVoronoi::cell(Index site) const {
     for (Loop& loop : shape.loops)
         for (Conic& conic : loop) conic = scaled(conic, exponent_);
     return shape;
+}
+
+std::vector<Measure> measures(const ClippedVoronoi& clipped, int threads) {
+    const std::size_t sites = clipped.voronoi().tessellation().sites().size();
+    const Workers workers(threads, sites);
+    std::vector<Measure> result;
+    make_room(workers, sites, result);
+    workers.each_range(sites, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t s = begin; s < end; ++s)
+            result[s] = measure(clipped.cell(static_cast<Index>(s)));
+    });
+    return result;
 }
 
 }  // namespace signum

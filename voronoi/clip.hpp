@@ -66,9 +66,10 @@ enum class Lengths : std::uint8_t {
 class ClippedVoronoi {
  public:
     /// The diagram is not copied. Throws std::invalid_argument unless the box is no_box, or x0 < x1
-    /// and y0 < y1, all finite, and it fits. O(n).
+    /// and y0 < y1, all finite, and it fits. The parts are the same whatever the number of threads
+    /// (Options::threads). O(n).
     explicit ClippedVoronoi(const Voronoi& voronoi, const Box& box = no_box,
-                            Lengths lengths = Lengths::of_the_plane);
+                            Lengths lengths = Lengths::of_the_plane, int threads = 0);
 
     /// The whole diagram.
     [[nodiscard]] const Voronoi& voronoi() const noexcept { return voronoi_; }
@@ -88,8 +89,15 @@ class ClippedVoronoi {
         bool ends_at_vertex;
     };
     using Loop = std::vector<Conic>;
+    /// Of some edges, one after the other.
+    struct Parts {
+        std::vector<Conic> conics;
+        std::vector<Run> runs;
+        std::vector<std::size_t> runs_of;  ///< how many each edge has
+    };
 
-    void cut(Index edge);
+    void cut(Index edge, Parts& found) const;
+    void cut_all(int threads);
     [[nodiscard]] std::vector<Conic> pieces_near_box(Index edge, bool& from_start,
                                                      bool& to_end) const;
     [[nodiscard]] bool contains(Point p) const noexcept;
@@ -115,5 +123,9 @@ class ClippedVoronoi {
     std::vector<std::size_t> first_run_;
     Index at_point_ = -1;  ///< the site whose cell contains some point of the box
 };
+
+/// Of the cells of all sites, in their order, whatever the number of threads (Options::threads).
+/// O(n).
+[[nodiscard]] std::vector<Measure> measures(const ClippedVoronoi& clipped, int threads = 0);
 
 }  // namespace signum

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "../core/parallel.hpp"
 #include "../exact/floating_environment.hpp"
 #include "contacts.hpp"
 
@@ -11,9 +12,29 @@ namespace signum {
 namespace {
 
 /// The edges between sites, the smaller number first, sorted.
-std::vector<Edge> edges_between_sites(const Tessellation& tessellation) {
-    std::vector<Edge> edges = tessellation.edges();
-    std::erase_if(edges, [](const Edge& edge) { return edge[0] == infinite; });
+std::vector<Edge> edges_between_sites(const Tessellation& tessellation, const Workers& workers) {
+    const auto faces = tessellation.faces();
+    const auto edge = [&](std::size_t corner) -> Edge {
+        const Face& face = faces[corner / 3];
+        return {face[(corner + 1) % 3], face[(corner + 2) % 3]};
+    };
+    // Dealt by their smaller site, so that one bucket is sorted beside another.
+    const std::size_t buckets = workers.range_count(faces.size());
+    const std::size_t sites = tessellation.sites().size();
+    std::vector<Edge> edges;
+    const std::vector<std::size_t> begins = deal(
+        workers, 3 * faces.size(), buckets,
+        [&](std::size_t corner) {
+            const auto [from, to] = edge(corner);
+            // Listed by that of its two faces in which it runs from smaller to larger.
+            const bool is_listed = from != infinite && from < to;
+            return is_listed ? static_cast<std::size_t>(from) * buckets / sites : buckets;
+        },
+        [&](std::size_t count) { make_room(workers, count, edges); },
+        [&](std::size_t corner, std::size_t place) { edges[place] = edge(corner); });
+    workers.each(buckets, [&](std::size_t b) {
+        std::sort(edges.data() + begins[b], edges.data() + begins[b + 1]);
+    });
     return edges;
 }
 
@@ -26,11 +47,13 @@ void require_same_sites(const Tessellation& a, const Tessellation& b) {
 
 }  // namespace
 
-EdgeComparison compare_edges(const Tessellation& tessellation, const Tessellation& canonical) {
+EdgeComparison compare_edges(const Tessellation& tessellation, const Tessellation& canonical,
+                             int threads) {
     const exact::IeeeEnvironment environment;
     require_same_sites(tessellation, canonical);
-    const std::vector<Edge> compared = edges_between_sites(tessellation);
-    const std::vector<Edge> expected = edges_between_sites(canonical);
+    const Workers workers(threads, canonical.faces().size());
+    const std::vector<Edge> compared = edges_between_sites(tessellation, workers);
+    const std::vector<Edge> expected = edges_between_sites(canonical, workers);
     std::vector<Edge> unexpected;
     std::set_difference(compared.begin(), compared.end(), expected.begin(), expected.end(),
                         std::back_inserter(unexpected));
@@ -40,14 +63,18 @@ EdgeComparison compare_edges(const Tessellation& tessellation, const Tessellatio
     if (unexpected.empty()) return result;
     const Canonical known(canonical);
     const Contacts may_share_edge = contacts_of(known);
-    for (std::size_t first = 0, next = 0; first < unexpected.size(); first = next) {
-        const Edge edge = unexpected[first];
-        while (next < unexpected.size() && unexpected[next] == edge) ++next;
-        const bool valid = std::binary_search(expected.begin(), expected.end(), edge) ||
-                           may_share_edge(edge[0], edge[1]);
-        auto& kind = valid ? result.different : result.wrong;
-        kind.insert(kind.end(), next - first, edge);
-    }
+    std::vector<char> are_valid(unexpected.size());
+    workers.each_range(unexpected.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t e = begin; e < end; ++e) {
+            const Edge& edge = unexpected[e];
+            const bool is_as_before = e > begin && unexpected[e - 1] == edge;
+            are_valid[e] = is_as_before ? are_valid[e - 1]
+                                        : std::ranges::binary_search(expected, edge) ||
+                                              may_share_edge(edge[0], edge[1]);
+        }
+    });
+    for (std::size_t e = 0; e < unexpected.size(); ++e)
+        (are_valid[e] != 0 ? result.different : result.wrong).push_back(unexpected[e]);
     return result;
 }
 

@@ -27,9 +27,10 @@ struct EdgeComparison {
 
 /// Compares the edges between sites; those to infinity are not looked at. `canonical` is the exact
 /// tessellation of the same sites in the same metric (std::invalid_argument where sites or metric
-/// are not the same; that it is exact is the caller's word). Exact. Expected O(n log n), and the
-/// time of Tessellation::locate() for every edge in the power metric that joins two hidden sites.
+/// are not the same; that it is exact is the caller's word). Exact, and the same whatever the
+/// number of threads (Options::threads). Expected O(n log n), and the time of
+/// Tessellation::locate() for every edge in the power metric that joins two hidden sites.
 [[nodiscard]] EdgeComparison compare_edges(const Tessellation& tessellation,
-                                           const Tessellation& canonical);
+                                           const Tessellation& canonical, int threads = 0);
 
 }  // namespace signum

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "../core/groups.hpp"
+#include "../core/parallel.hpp"
 #include "../exact/floating_environment.hpp"
 #include "../triangulation/kernels/predicates_of.hpp"
 #include "../triangulation/structure/corners.hpp"
@@ -41,6 +42,33 @@ std::optional<Tessellation> divided(const Tessellation& t, int exponent) {
     return Tessellation(t.arrays(), std::move(sites), {});
 }
 
+/// Of each face the first of those whose circle is the same, told from neighbour to neighbour.
+std::vector<std::size_t> alike_faces(const Tessellation& t, std::span<const DiagramVertex> of_face,
+                                     const Workers& workers) {
+    using Pair = std::pair<std::size_t, std::size_t>;
+    const auto faces = t.faces();
+    const auto find = [&](std::size_t begin, std::size_t end, std::vector<Pair>& alike) {
+        const exact::IeeeEnvironment environment;
+        for (std::size_t f = begin; f < end; ++f) {
+            if (!are_finite(of_face[f])) continue;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const auto g = static_cast<std::size_t>(t.neighbours()[f][k]);
+                if (g < f || !are_finite(of_face[g])) continue;
+                const auto corner = triangulation::across(t.arrays(), {static_cast<Index>(f), k});
+                // Where many squares touch, those of two faces may differ.
+                const bool same = of_face[f].x == of_face[g].x && of_face[f].y == of_face[g].y &&
+                                  touches(t, faces[f], faces[g][corner.place]);
+                if (same) alike.emplace_back(f, g);
+            }
+        }
+    };
+    Groups groups(faces.size());
+    for (const auto& [f, g] : collected<Pair>(workers, faces.size(), find)) groups.join(f, g);
+    std::vector<std::size_t> result(faces.size());
+    for (std::size_t f = 0; f < faces.size(); ++f) result[f] = groups.of(f);
+    return result;
+}
+
 }  // namespace
 
 std::string_view name_of(EdgeKind kind) noexcept {
@@ -63,98 +91,114 @@ Voronoi::Voronoi(Tessellation tessellation, const VoronoiOptions& options)
             largest = std::max(largest, std::abs(s.r));
     }
     if (largest > 0 && std::abs(std::ilogb(largest)) > 200) exponent_ = std::ilogb(largest);
-    number_vertices(options.merge);
-    number_edges();
-    collect_cells();
+    const Workers workers(options.threads, tessellation_.faces().size());
+    number_vertices(options.merge, workers);
+    number_edges(workers);
+    collect_cells(workers);
 }
 
-void Voronoi::number_vertices(bool merge) {
+void Voronoi::number_vertices(bool merge, const Workers& workers) {
     const auto faces = tessellation_.faces();
-    const std::vector<DiagramVertex> of_face = signum::vertices(tessellation_);
+    const std::vector<DiagramVertex> of_face = signum::vertices(tessellation_, workers.count());
     // Where coordinates are denormal, vertices rounded to doubles may lie anywhere between sites.
     constexpr int nearly_denormal = -900;
     std::vector<DiagramVertex> divided_of_face;
     if (exponent_ < nearly_denormal)
         if (const auto t = divided(tessellation_, exponent_))
-            divided_of_face = signum::vertices(*t);
-    // The first face of those that share a vertex stands for them.
-    Groups alike(faces.size());
-    for (std::size_t f = 0; merge && f < faces.size(); ++f) {
-        if (!are_finite(of_face[f])) continue;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto g = static_cast<std::size_t>(tessellation_.neighbours()[f][k]);
-            if (g < f || !are_finite(of_face[g])) continue;
-            const auto corner =
-                triangulation::across(tessellation_.arrays(), {static_cast<Index>(f), k});
-            // Where many squares touch, those of two faces may differ.
-            const bool same = of_face[f].x == of_face[g].x && of_face[f].y == of_face[g].y &&
-                              touches(tessellation_, faces[f], faces[g][corner.place]);
-            if (same) alike.join(f, g);
-        }
-    }
-    vertex_of_face_.assign(faces.size(), at_infinity);
-    for (std::size_t f = 0; f < faces.size(); ++f) {
-        if (!are_finite(of_face[f])) continue;
-        const std::size_t of = alike.of(f);
-        if (of == f) {
-            vertex_of_face_[f] = static_cast<Index>(vertices_.size());
-            vertices_.push_back(of_face[f]);
+            divided_of_face = signum::vertices(*t, workers.count());
+    // The first face of those that share a vertex stands for them; without merging each for itself.
+    std::vector<std::size_t> first_alike;
+    if (merge) first_alike = alike_faces(tessellation_, of_face, workers);
+    const auto stands_for_itself = [&](std::size_t f) {
+        return first_alike.empty() || first_alike[f] == f;
+    };
+    make_room(workers, faces.size(), vertex_of_face_);
+    static_cast<void>(deal(
+        workers, faces.size(), 1,
+        [&](std::size_t f) { return are_finite(of_face[f]) && stands_for_itself(f) ? 0U : 1U; },
+        [&](std::size_t count) {
+            make_room(workers, count, vertices_);
+            if (!divided_of_face.empty()) make_room(workers, count, divided_vertices_);
+        },
+        [&](std::size_t f, std::size_t place) {
+            vertex_of_face_[f] = static_cast<Index>(place);
+            vertices_[place] = of_face[f];
             if (!divided_of_face.empty())
-                divided_vertices_.push_back({divided_of_face[f].x, divided_of_face[f].y});
-        } else {
-            vertex_of_face_[f] = vertex_of_face_[of];
+                divided_vertices_[place] = {divided_of_face[f].x, divided_of_face[f].y};
+        }));
+    workers.each_range(faces.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t f = begin; f < end; ++f) {
+            if (!are_finite(of_face[f]))
+                vertex_of_face_[f] = at_infinity;
+            else if (!stands_for_itself(f))
+                vertex_of_face_[f] = vertex_of_face_[first_alike[f]];
         }
-    }
+    });
 }
 
-void Voronoi::number_edges() {
+void Voronoi::number_edges(const Workers& workers) {
     const auto faces = tessellation_.faces();
-    edge_of_.assign(3 * faces.size(), -1);
-    for (std::size_t f = 0; f < faces.size(); ++f)
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto g = static_cast<std::size_t>(tessellation_.neighbours()[f][k]);
-            const Index a = faces[f][(k + 1) % 3];
-            const Index b = faces[f][(k + 2) % 3];
-            if (g < f || a == infinite || b == infinite) continue;
-            const auto corner =
-                triangulation::across(tessellation_.arrays(), {static_cast<Index>(f), k});
-            edge_of_[3 * f + k] = edge_of_[3 * g + corner.place] =
-                static_cast<Index>(edges_.size());
+    const auto neighbours = tessellation_.neighbours();
+    make_room(workers, 3 * faces.size(), edge_of_);
+    workers.each_range(edge_of_.size(), [&](std::size_t begin, std::size_t end) {
+        std::fill(edge_of_.data() + begin, edge_of_.data() + end, -1);
+    });
+    // Each from the lesser of its faces.
+    const auto is_edge = [&](std::size_t f, std::size_t k) {
+        return static_cast<std::size_t>(neighbours[f][k]) >= f &&
+               faces[f][(k + 1) % 3] != infinite && faces[f][(k + 2) % 3] != infinite;
+    };
+    static_cast<void>(deal(
+        workers, 3 * faces.size(), 1,
+        [&](std::size_t corner) { return is_edge(corner / 3, corner % 3) ? 0U : 1U; },
+        [&](std::size_t count) { make_room(workers, count, edges_); },
+        [&](std::size_t from, std::size_t place) {
+            const auto f = static_cast<Index>(from / 3);
+            const std::size_t k = from % 3;
+            const auto [g, there] = triangulation::across(tessellation_.arrays(), {f, k});
+            edge_of_[from] = edge_of_[3 * static_cast<std::size_t>(g) + there] =
+                static_cast<Index>(place);
+            const Face& sites = faces[static_cast<std::size_t>(f)];
             // f lies on the left of a -> b, so that the edge, with a on its left, leads to it.
-            edges_.push_back({a, b, vertex_of_face_[g], vertex_of_face_[f], static_cast<Index>(g),
-                              static_cast<Index>(f)});
-        }
+            edges_[place] = {sites[(k + 1) % 3],
+                             sites[(k + 2) % 3],
+                             vertex_of_face_[static_cast<std::size_t>(g)],
+                             vertex_of_face_[static_cast<std::size_t>(f)],
+                             g,
+                             f};
+        }));
 }
 
-void Voronoi::collect_cells() {
+void Voronoi::collect_cells(const Workers& workers) {
     const auto faces = tessellation_.faces();
     const std::size_t sites = tessellation_.sites().size();
-    first_step_.assign(sites + 1, 0);
-    for (const VoronoiEdge& edge : edges_)
-        for (const Index site : {edge.left, edge.right})
-            ++first_step_[static_cast<std::size_t>(site) + 1];
-    std::partial_sum(first_step_.begin(), first_step_.end(), first_step_.begin());
-    steps_.resize(first_step_[sites]);
-
-    // Around each site from its first face, or one that lies at infinity.
+    // Around each site from its first face, or the last one that lies at infinity.
     std::vector<Index> start(sites, -1);
     for (std::size_t f = 0; f < faces.size(); ++f)
-        for (std::size_t k = 0; k < 3; ++k) {
-            if (faces[f][k] == infinite) continue;
-            Index& of = start[static_cast<std::size_t>(faces[f][k])];
+        for (const Index site : faces[f]) {
+            if (site == infinite) continue;
+            Index& of = start[static_cast<std::size_t>(site)];
             if (of < 0 || vertex_of_face_[f] == at_infinity) of = static_cast<Index>(f);
         }
-    for (std::size_t site = 0; site < sites; ++site) {
-        std::size_t step = first_step_[site];
-        if (start[site] < 0) continue;
-        for (const auto corner :
-             triangulation::fan(tessellation_.arrays(), start[site], static_cast<Index>(site))) {
-            const Index edge = edge_of_[3 * static_cast<std::size_t>(corner.face) + corner.next()];
-            if (edge >= 0)
-                steps_[step++] = {
-                    edge, edges_[static_cast<std::size_t>(edge)].left == static_cast<Index>(site)};
+    make_room(workers, sites + 1, first_step_);
+    const auto walk = [&](std::size_t begin, std::size_t end, std::vector<VoronoiStep>& steps) {
+        for (std::size_t site = begin; site < end; ++site) {
+            const std::size_t before = steps.size();
+            if (start[site] >= 0) {
+                for (const auto corner : triangulation::fan(tessellation_.arrays(), start[site],
+                                                            static_cast<Index>(site))) {
+                    const Index edge =
+                        edge_of_[3 * static_cast<std::size_t>(corner.face) + corner.next()];
+                    if (edge >= 0)
+                        steps.push_back({edge, edges_[static_cast<std::size_t>(edge)].left ==
+                                                   static_cast<Index>(site)});
+                }
+            }
+            first_step_[site + 1] = steps.size() - before;
         }
-    }
+    };
+    steps_ = collected<VoronoiStep>(workers, sites, walk);
+    std::partial_sum(first_step_.begin(), first_step_.end(), first_step_.begin());
 }
 
 bool Voronoi::is_unbounded(Index site) const {

@@ -32,6 +32,8 @@
 
 namespace signum {
 
+class Workers;
+
 /// No vertex: the edge runs to infinity, or beyond the doubles.
 inline constexpr Index at_infinity = -1;
 
@@ -78,6 +80,8 @@ struct EdgeGeometry {
 struct VoronoiOptions {
     /// One vertex for all neighbouring faces whose circles are the same; edges between them vanish.
     bool merge = false;
+    /// How many threads work, as Options::threads; the diagram is the same.
+    int threads = 0;
 };
 
 /// The diagram of one tessellation.
@@ -123,9 +127,9 @@ class Voronoi {
     [[nodiscard]] int exponent() const noexcept { return exponent_; }
 
  private:
-    void number_vertices(bool merge);
-    void number_edges();
-    void collect_cells();
+    void number_vertices(bool merge, const Workers& workers);
+    void number_edges(const Workers& workers);
+    void collect_cells(const Workers& workers);
 
     Tessellation tessellation_;
     std::vector<DiagramVertex> vertices_;

@@ -8,18 +8,26 @@ static_assert(sizeof(signum_error) == 256 && sizeof(signum_validation) == 256);
 
 Asked asked(const signum_options* given) {
     const signum_options options = read(given, signum_options SIGNUM_OPTIONS, "options");
-    if (options.reserved != 0) throw Refused("options.reserved is not 0");
+    constexpr std::int32_t most_threads = 1024;
+    if (options.threads < 0 || options.threads > most_threads)
+        throw Refused("there are no " + std::to_string(options.threads) +
+                      " threads to be had: 0 to " + std::to_string(most_threads));
     Asked asked;
     asked.weight_is = weight_of(options.weight_is);
     asked.options.arithmetic =
         enumerator(options.arithmetic, Arithmetic::multiprecision, "arithmetic");
     asked.options.method = enumerator(options.method, Method::sweep, "method");
     asked.options.seed = options.seed;
+    asked.options.threads = options.threads;
     if (options.progress != nullptr)
         asked.options.progress = [progress = options.progress, user = options.user](double done) {
             if (progress(done, user) != 0) throw Stopped();
         };
     return asked;
+}
+
+ValidationOptions for_validation(const Asked& asked) {
+    return {.stop = {}, .progress = asked.options.progress, .threads = asked.options.threads};
 }
 
 void expect_sites(const double* sites, std::int64_t count, std::int64_t stride,

@@ -21,6 +21,7 @@
 #include "../../exact/floating_environment.hpp"
 #include "../../motion/simulation.hpp"
 #include "../../triangulation/options.hpp"
+#include "../../triangulation/validate.hpp"
 #include "signum.h"
 
 namespace signum::c {
@@ -173,6 +174,8 @@ struct Asked {
     WeightIs weight_is;
 };
 [[nodiscard]] Asked asked(const signum_options* options);
+/// What a validation heeds of them.
+[[nodiscard]] ValidationOptions for_validation(const Asked& asked);
 
 /// `count` sites of `stride` doubles, the first `least_stride` + 1 of which are looked at. Throws
 /// Refused for arrays that cannot be, for more sites than `most`, and for one with a number that is

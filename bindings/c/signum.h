@@ -213,7 +213,9 @@ typedef struct signum_options {
     signum_arithmetic arithmetic;
     signum_method method;
     signum_weight_is weight_is;
-    int32_t reserved;          ///< 0
+    /// How many threads work; the result does not depend on it. 0: as many as there are cores to
+    /// use. At most 1024.
+    int32_t threads;
     uint64_t seed;             ///< of the order of insertion; the result does not depend on it
     signum_progress progress;  ///< may be null
     void* user;                ///< for progress
@@ -277,8 +279,8 @@ typedef struct signum_validation {
 
 /// Certifies arrays, whoever made them, against the sites, from scratch. They may hold any numbers;
 /// neighbours may be null where no two sites share several edges. Metric and weight_is are those of
-/// the arrays; of the options only progress is heeded. What is wrong with the arrays is told by
-/// `validation`, what with the sites by the status. O(n log n).
+/// the arrays; of the options progress and threads are heeded. What is wrong with the arrays is
+/// told by `validation`, what with the sites by the status. O(n log n).
 signum_status signum_validate(const signum_arrays* arrays, const double* sites, int64_t count,
                               int64_t stride, const signum_options* options,
                               signum_validation* validation, signum_error* error);

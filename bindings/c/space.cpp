@@ -121,7 +121,7 @@ signum_status signum_validate_space(const signum_space_arrays* arrays, const dou
             .neighbours = c::rows_from<SpaceCell>(given.neighbours, given.cell_count),
             .hidden = c::rows_from<Hidden>(given.hidden, given.hidden_count)};
         const c::Asked asked = c::asked(options);
-        const ValidationOptions watched{.stop = {}, .progress = asked.options.progress};
+        const ValidationOptions watched = c::for_validation(asked);
         const c::SpaceSites copy = c::space_sites(sites, count, stride, asked.weight_is);
         const Validation judgement =
             c::with_sites(copy, [&](auto of_type) { return validate(all, of_type, watched); });

@@ -2,6 +2,7 @@
 
 #include "../../triangulation/tessellation.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -130,9 +131,8 @@ signum_status signum_validate(const signum_arrays* arrays, const double* sites, 
                                .hidden = c::rows_from<Hidden>(given.hidden, given.hidden_count)};
         if (given.neighbours != nullptr)
             all.neighbours = c::rows_from<Face>(given.neighbours, given.face_count);
-        const Validation judgement =
-            validate(all, c::view(sites, count, stride, all.weight_is),
-                     {.stop = {}, .progress = c::asked(options).options.progress});
+        const Validation judgement = validate(all, c::view(sites, count, stride, all.weight_is),
+                                              c::for_validation(c::asked(options)));
         validation->valid = judgement.valid;
         validation->canonical = judgement.canonical;
         c::write(validation->message, judgement.message);
@@ -172,10 +172,7 @@ signum_status signum_voronoi_areas(const signum_voronoi* voronoi, const double* 
         const ClippedVoronoi clipped(diagram, box == nullptr
                                                   ? default_box(sites, diagram.exponent())
                                                   : Box{box[0], box[1], box[2], box[3]});
-        std::vector<double> measured;
-        measured.reserve(sites.size());
-        for (std::size_t i = 0; i < sites.size(); ++i)
-            measured.push_back(measure(clipped.cell(static_cast<Index>(i))).area);
-        std::copy(measured.begin(), measured.end(), areas);
+        const std::vector<Measure> measured = measures(clipped);
+        std::ranges::transform(measured, areas, &Measure::area);
     });
 }

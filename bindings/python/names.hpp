@@ -33,6 +33,13 @@ template <class Enumerators>
 [[nodiscard]] inline Arithmetic arithmetic_of(const std::string& name) {
     return named(name, "arithmetic", all_arithmetics);
 }
+/// How many threads work. Throws ValueError for what is no such number.
+[[nodiscard]] inline int threads_of(int threads) {
+    constexpr int most = 1024;
+    if (threads >= 0 && threads <= most) return threads;
+    throw py::value_error("threads: " + std::to_string(threads) + " is not from 0 to " +
+                          std::to_string(most));
+}
 [[nodiscard]] inline py::str text(std::string_view name) {
     return py::str(name.data(), name.size());
 }

@@ -46,14 +46,15 @@ py::dict dictionary(const Statistics& statistics) {
 
 Tessellation triangulated(const py::object& sites, const std::string& metric,
                           const std::string& weight_is, const std::string& method,
-                          const std::string& arithmetic, std::uint64_t seed, bool count,
-                          const py::object& progress) {
+                          const std::string& arithmetic, std::uint64_t seed, int threads,
+                          bool count, const py::object& progress) {
     const Metric in_metric = metric_of(metric);
     const bool weights = weight_of(weight_is) == WeightIs::weight;
     Options options;
     options.method = named(method, "method", all_methods);
     options.arithmetic = arithmetic_of(arithmetic);
     options.seed = seed;
+    options.threads = threads_of(threads);
     options.count = count;
     const Rows rows(sites, "sites", 2, 3);
     return watched(progress, [&](Watch& watch) {
@@ -65,7 +66,8 @@ Tessellation triangulated(const py::object& sites, const std::string& metric,
 
 Validation validated(const py::object& sites, const py::object& faces, const std::string& metric,
                      const py::object& neighbours, const py::object& hidden,
-                     const std::string& weight_is, const py::object& progress) {
+                     const std::string& weight_is, int threads, const py::object& progress) {
+    const int count = threads_of(threads);
     const Rows rows(sites, "sites", 2, 3);
     refuse_too_many(rows.size());
     TessellationArrays arrays;
@@ -77,7 +79,7 @@ Validation validated(const py::object& sites, const py::object& faces, const std
     if (!hidden.is_none()) arrays.hidden = rows_of<Hidden>(hidden, "hidden");
     return watched(progress, [&](Watch& watch) {
         return validate(arrays, rows.sites(arrays.weight_is == WeightIs::weight),
-                        {watch.token(), watch.progress()});
+                        {watch.token(), watch.progress(), count});
     });
 }
 
@@ -180,12 +182,13 @@ What is False of an edge that another program has found, is a wrong one. This te
 that an exact arithmetic made. Raises IndexError where there is no such site.)")
         .def(
             "validate",
-            [](const Tessellation& t, const py::object& progress) {
+            [](const Tessellation& t, const py::object& progress, int threads) {
+                const int count = threads_of(threads);
                 return watched(progress, [&](Watch& watch) {
-                    return validate(t, {watch.token(), watch.progress()});
+                    return validate(t, {watch.token(), watch.progress(), count});
                 });
             },
-            py::arg("progress") = py::none(),
+            py::arg("progress") = py::none(), py::kw_only(), py::arg("threads") = 0,
             "Judges the tessellation from scratch, in numbers of the judge's own: a Validation.")
         .def(
             "__len__", [](const Tessellation& t) { return t.sites().size(); },
@@ -226,8 +229,8 @@ void bind_plane(py::module_& module) {
 
     module.def("triangulate", &triangulated, py::arg("sites"), py::arg("metric") = "euclidean",
                py::kw_only(), py::arg("weight_is") = "radius", py::arg("method") = "incremental",
-               py::arg("arithmetic") = "exact", py::arg("seed") = 1, py::arg("count") = false,
-               py::arg("progress") = py::none(),
+               py::arg("arithmetic") = "exact", py::arg("seed") = 1, py::arg("threads") = 0,
+               py::arg("count") = false, py::arg("progress") = py::none(),
                R"(The tessellation of sites in the plane: a Tessellation.
 
 sites: x, y and a radius, or x and y alone (radius 0), a row each. An array of doubles is read where it
@@ -239,6 +242,7 @@ method: 'incremental', 'flips' (power) or 'sweep' (manhattan, supremum). The res
 arithmetic: 'exact', or another one, to see what accuracy costs: 'naive', 'single', 'interval', 'sum',
 'multiprecision'.
 seed: of the random order of insertion, on which the result does not depend.
+threads: how many work, on which the result does not depend either; 0 is as many as there are cores to use.
 count: whether to fill the counters of Tessellation.statistics.
 progress: called now and then with the share of the work done.
 
@@ -249,11 +253,12 @@ meanwhile; they must not write to the array. O(n log n) expected.)");
     module.def("validate", &validated, py::arg("sites"), py::arg("faces"),
                py::arg("metric") = "euclidean", py::kw_only(), py::arg("neighbours") = py::none(),
                py::arg("hidden") = py::none(), py::arg("weight_is") = "radius",
-               py::arg("progress") = py::none(),
+               py::arg("threads") = 0, py::arg("progress") = py::none(),
                R"(Whether arrays, whoever made them, are a tessellation of the sites: a Validation.
 
 faces as those of a Tessellation, those with infinity (-1) included, in any order; neighbours may be
-missing where no two sites share several edges; hidden, sites whose cells are empty, with who hides them.
+missing where no two sites share several edges; hidden, sites whose cells are empty, with who hides them;
+threads as for triangulate().
 Raises ValueError for a site that is not finite.)");
 }
 

@@ -63,10 +63,11 @@ Sites sites_of(const py::object& object, bool weights) {
 
 std::shared_ptr<Space> triangulated_space(const py::object& sites, const std::string& weight_is,
                                           const std::string& arithmetic, std::uint64_t seed,
-                                          const py::object& progress) {
+                                          int threads, const py::object& progress) {
     Options options;
     options.arithmetic = arithmetic_of(arithmetic);
     options.seed = seed;
+    options.threads = threads_of(threads);
     auto space = std::make_shared<Space>();
     space->sites = sites_of(sites, weight_of(weight_is) == WeightIs::weight);
     return watched(progress, [&](Watch& watch) {
@@ -208,14 +209,16 @@ rho is its power distance from its sites: for points the square of the sphere's 
 double nearest to the exact value; NaN for a cell with infinity, and of flat sites. O(m).)")
         .def(
             "validate",
-            [](const Space& space, const py::object& progress) {
+            [](const Space& space, const py::object& progress, int threads) {
+                const int count = threads_of(threads);
                 return watched(progress, [&](Watch& watch) {
                     return with_sites(space.sites, [&](auto all) {
-                        return validate(space.tessellation, all, {watch.token(), watch.progress()});
+                        return validate(space.tessellation, all,
+                                        {watch.token(), watch.progress(), count});
                     });
                 });
             },
-            py::arg("progress") = py::none(),
+            py::arg("progress") = py::none(), py::kw_only(), py::arg("threads") = 0,
             "Judges the tessellation from scratch, in numbers of the judge's own: a Validation.")
         .def("clip", &clipped_space, py::arg("box") = py::none(),
              R"(The cells in a box, ((x0, y0, z0), (x1, y1, z1)): a SpaceCells.
@@ -310,7 +313,7 @@ void bind_space(py::module_& module) {
     bind_space_cells(module);
     module.def("triangulate_space", &triangulated_space, py::arg("sites"), py::kw_only(),
                py::arg("weight_is") = "radius", py::arg("arithmetic") = "exact",
-               py::arg("seed") = 1, py::arg("progress") = py::none(),
+               py::arg("seed") = 1, py::arg("threads") = 0, py::arg("progress") = py::none(),
                R"(The power tessellation of sites in space: a SpaceTessellation.
 
 sites: x, y, z (Delaunay), or x, y, z and a radius (weight_is='weight': its square), a row each. They are

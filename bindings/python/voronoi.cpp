@@ -34,13 +34,9 @@ struct Clip {
 std::shared_ptr<Clip> clipped(const std::shared_ptr<Voronoi>& voronoi, const py::object& object) {
     const Box box =
         box_of(object).value_or(default_box(voronoi->tessellation().sites(), voronoi->exponent()));
-    return watched([&](Watch& watch) {
+    return watched([&](Watch&) {
         auto clip = std::make_shared<Clip>(voronoi, box);
-        clip->measures.resize(voronoi->tessellation().sites().size());
-        for (std::size_t s = 0; s < clip->measures.size(); ++s) {
-            watch.at(s, clip->measures.size());
-            clip->measures[s] = measure(clip->cells.cell(static_cast<Index>(s)));
-        }
+        clip->measures = measures(clip->cells);
         return clip;
     });
 }
@@ -216,15 +212,16 @@ void bind_voronoi(py::module_& module) {
     bind_cells(module);
     module.def(
         "voronoi",
-        [](const Tessellation& tessellation, bool merge) {
-            return watched([&](Watch&) {
-                return std::make_shared<Voronoi>(tessellation, VoronoiOptions{.merge = merge});
-            });
+        [](const Tessellation& tessellation, bool merge, int threads) {
+            const VoronoiOptions options{.merge = merge, .threads = threads_of(threads)};
+            return watched(
+                [&](Watch&) { return std::make_shared<Voronoi>(tessellation, options); });
         },
-        py::arg("tessellation"), py::kw_only(), py::arg("merge") = false,
+        py::arg("tessellation"), py::kw_only(), py::arg("merge") = false, py::arg("threads") = 0,
         R"(The Voronoi diagram of a tessellation, of which it keeps a copy: a Voronoi. O(n).
 
-merge: one vertex for neighbouring faces whose circles are the same, as on grids.)");
+merge: one vertex for neighbouring faces whose circles are the same, as on grids.
+threads: as for triangulate().)");
 }
 
 }  // namespace signum::python

@@ -177,7 +177,7 @@ void build_in_space(Choices& choices) {
          "no arrays");
     signum_options as = SIGNUM_OPTIONS;
     as.weight_is =
-        options.size >= offsetof(signum_options, reserved) ? options.weight_is : SIGNUM_RADIUS;
+        options.size >= offsetof(signum_options, threads) ? options.weight_is : SIGNUM_RADIUS;
     signum_validation verdict{};
     must(calls.went_well(
              signum_validate_space(&arrays, sites.data(), count, 4, &as, &verdict, calls.error()),

@@ -7,12 +7,12 @@ _signum() {
         return
     fi
     case $command in
-        triangulate) options='--help --columns --metric --weight-is --seed --quiet --dimension --read-as --method --arithmetic --output --format --clip --vertices --stats --check' ;;
-        voronoi) options='--help --columns --metric --weight-is --seed --quiet --dimension --read-as --clip --tolerance --carry --merge --output --format' ;;
-        compare) options='--help --columns --metric --weight-is --seed --quiet --dimension --read-as --arithmetic --against --seconds --json --output --format' ;;
+        triangulate) options='--help --columns --metric --weight-is --seed --threads --quiet --dimension --read-as --method --arithmetic --output --format --clip --vertices --stats --check' ;;
+        voronoi) options='--help --columns --metric --weight-is --seed --threads --quiet --dimension --read-as --clip --tolerance --carry --merge --output --format' ;;
+        compare) options='--help --columns --metric --weight-is --seed --threads --quiet --dimension --read-as --arithmetic --against --seconds --json --output --format' ;;
         sign) options='--help --dimension --sphere --metric --weight-is --json' ;;
         generate) options='--help --dimension -n --radius --perturb --seed --output --format' ;;
-        validate) options='--help --columns --read-as --quiet' ;;
+        validate) options='--help --columns --read-as --threads --quiet' ;;
         study) options='--help --motion --dimension --output --quick --metric --sites --seconds --fresh --no-report --quiet' ;;
         simulate) options='--help --set --until --events --box --periodic --gravity --restitution --wall-restitution --structure --arithmetic --output --format --every --show --closest --save --resume --explain --stats --quiet' ;;
     esac

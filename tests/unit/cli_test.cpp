@@ -107,6 +107,10 @@ TEST_F(Tool, RefusesWrongCalls) {
     expect(triangulate({"--seed", "-1"}), 2,
            "signum: --seed: '-1' is no whole number from 0 to 2^64 - 1; see signum triangulate "
            "--help\n");
+    for (const char* word : {"-1", "two", "1025"})
+        expect(triangulate({"--threads", word}), 2,
+               "signum: --threads: '" + std::string(word) +
+                   "' is no whole number from 0 to 1024; see signum triangulate --help\n");
 }
 
 TEST_F(Tool, TakesNoOptionAfterTheEndOfOptions) {
@@ -210,6 +214,7 @@ TEST_F(Tool, WritesTheSameBytesWhateverTheSeed) {
     EXPECT_GT(once.size(), 10'000U);
     EXPECT_EQ(with({}), once);
     EXPECT_EQ(with({"--seed", "99"}), once);
+    EXPECT_EQ(with({"--threads", "3"}), once);
     EXPECT_EQ(with({"--arithmetic", "multiprecision"}), once);
 }
 
@@ -743,6 +748,7 @@ TEST_P(ToolInMetric, WritesTheSameBytesWhateverTheSeed) {
     const std::string once = with({});
     EXPECT_GT(once.size(), 2000U);
     EXPECT_EQ(with({"--seed", "99"}), once);
+    EXPECT_EQ(with({"--threads", "3"}), once);
     EXPECT_EQ(with({"--arithmetic", "multiprecision"}), once);
 }
 

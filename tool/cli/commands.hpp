@@ -1,6 +1,7 @@
 #pragma once
 /// The subcommands, and how they end.
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -57,6 +58,8 @@ CLI::Validator one_of(std::vector<std::string> words);
 
 /// Accepts whole numbers that fit into 64 bits, and no sign.
 CLI::Validator whole_number();
+/// Accepts those up to `most`.
+CLI::Validator whole_number_to(std::uint64_t most);
 
 /// Accepts finite numbers as io/number.hpp reads them, those from `least` to `most`.
 CLI::Validator number_from(double least, double most);
@@ -83,6 +86,9 @@ CLI::Validator name_of_metric();
 CLI::Option* add_metric(CLI::App& command, std::string& metric);
 /// The metric of a name that add_metric() let through.
 Metric metric_of(const std::string& name);
+
+/// Adds the option --threads; 0 stands for every core.
+CLI::Option* add_threads(CLI::App& command, int& threads);
 
 /// Adds the option --columns; empty when it is not given.
 CLI::Option* add_columns(CLI::App& command, std::string& columns);

@@ -37,6 +37,15 @@ CLI::Validator whole_number() {
     return {check, ""};
 }
 
+CLI::Validator whole_number_to(std::uint64_t most) {
+    const auto check = [most](const std::string& word) {
+        const auto number = parse_whole_number(word);
+        if (number && *number <= most) return std::string();
+        return fmt::format("{} is no whole number from 0 to {}", in_quotes(word), most);
+    };
+    return {check, ""};
+}
+
 CLI::Validator number_from(double least, double most) {
     const auto check = [=](const std::string& word) {
         const Number number = parse_number(word);
@@ -82,6 +91,13 @@ CLI::Option* add_metric(CLI::App& command, std::string& metric) {
 
 Metric metric_of(const std::string& name) {
     return metric_named(name).value();
+}
+
+CLI::Option* add_threads(CLI::App& command, int& threads) {
+    return add_checked(command, "--threads", threads, "N", whole_number_to(1024),
+                       "How many threads work; the result does not depend\non it. 0: as many as "
+                       "there are cores to use")
+        ->capture_default_str();
 }
 
 CLI::Option* add_columns(CLI::App& command, std::string& columns) {

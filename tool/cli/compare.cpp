@@ -266,14 +266,14 @@ struct Edges {
         return build(options).statistics().seconds;
     }
     [[nodiscard]] EdgeComparison compare(const Tessellation& tessellation,
-                                         const Tessellation& canonical) const {
-        return compare_edges(tessellation, canonical);
+                                         const Tessellation& canonical, int threads) const {
+        return compare_edges(tessellation, canonical, threads);
     }
-    [[nodiscard]] Validation validate(const Tessellation& tessellation) const {
-        return signum::validate(tessellation.arrays(), sites);
+    [[nodiscard]] Validation validate(const Tessellation& tessellation, int threads) const {
+        return signum::validate(tessellation.arrays(), sites, {.threads = threads});
     }
-    void tell_margins(ComparedReport& report, const Tessellation& canonical) const {
-        const study::Margins margins = study::margins_of(canonical);
+    void tell_margins(ComparedReport& report, const Tessellation& canonical, int threads) const {
+        const study::Margins margins = study::margins_of(canonical, threads);
         report.near = nearness(margins);
         report.margins =
             fmt::format("{{\"edges\": {}, \"ties\": {}, \"least\": {}}}", margins.edges,
@@ -299,14 +299,15 @@ struct Cells {
         return study::seconds_of([&] { static_cast<void>(build(options)); });
     }
     [[nodiscard]] CellComparison compare(const SpaceTessellation& tessellation,
-                                         const SpaceTessellation& canonical) const {
-        return compare_cells(tessellation, canonical, sites);
+                                         const SpaceTessellation& canonical, int threads) const {
+        return compare_cells(tessellation, canonical, sites, threads);
     }
-    [[nodiscard]] Validation validate(const SpaceTessellation& tessellation) const {
-        return signum::validate(tessellation, sites);
+    [[nodiscard]] Validation validate(const SpaceTessellation& tessellation, int threads) const {
+        return signum::validate(tessellation, sites, {.threads = threads});
     }
-    void tell_margins(ComparedReport& report, const SpaceTessellation& canonical) const {
-        const auto& [facets, ties] = ties_of(canonical, sites);
+    void tell_margins(ComparedReport& report, const SpaceTessellation& canonical,
+                      int threads) const {
+        const auto& [facets, ties] = ties_of(canonical, sites, threads);
         report.margins = fmt::format("{{\"facets\": {}, \"ties\": {}}}", facets, ties);
         if (ties > 0) report.near = fmt::format("; {} of {} facets are ties", ties, facets);
     }
@@ -332,6 +333,7 @@ Report<Parts> compare(const CompareCall& call, const Parts& parts) {
         Options options;
         options.arithmetic = arithmetic;
         options.seed = call.seed;
+        options.threads = call.threads;
         return options;
     };
     const auto build = [&](Arithmetic arithmetic, bool count) {
@@ -367,16 +369,20 @@ Report<Parts> compare(const CompareCall& call, const Parts& parts) {
 
     for (std::size_t i = 0; i < 2; ++i) {
         if (!report.built[i]) continue;
-        const auto& found = report.comparisons[i] = parts.compare(*report.built[i], *canonical);
+        const auto& found = report.comparisons[i] =
+            parts.compare(*report.built[i], *canonical, call.threads);
         report.runs[i].counts = {found.*Parts::all, found.wrong.size(), found.different.size()};
         if (!is_exact(report.runs[i].arithmetic) && found.wrong.empty())
-            if (const Validation said = parts.validate(*report.built[i]); !said.valid)
+            if (const Validation said = parts.validate(*report.built[i], call.threads); !said.valid)
                 report.runs[i].invalid = said.message;
     }
-    parts.tell_margins(report, *canonical);
+    parts.tell_margins(report, *canonical, call.threads);
     finished();
-    time_runs(report, call.seconds,
-              [&](Arithmetic arithmetic) { return parts.seconds(options_of(arithmetic)); });
+    time_runs(report, call.seconds, [&](Arithmetic arithmetic) {
+        Options options = options_of(arithmetic);
+        options.threads = 1;  // what rounds has no more
+        return parts.seconds(options);
+    });
     return report;
 }
 
@@ -434,7 +440,8 @@ void run(const CompareCall& call) {
     outputs.write({{"svg", [&](std::ostream& picture) {
                         write_svg(picture, *judged,
                                   {.wrong = report.comparisons[0].wrong,
-                                   .different = report.comparisons[0].different});
+                                   .different = report.comparisons[0].different,
+                                   .threads = call.threads});
                     }}});
     if (!call.quiet) say("{}", written(targets));
 }
@@ -464,7 +471,7 @@ void add_compare(CLI::App& tool) {
         "An edge is wrong when no tessellation of the sites, however ties are decided,\n"
         "has it, and different when it is not the canonical choice; a run that lost its\n"
         "structure is broken. In space cells are judged, in naive and exact arithmetic\n"
-        "alone, and nothing is drawn.\n\n"
+        "alone, and nothing is drawn. Times are those of one thread.\n\n"
         "Examples:\n"
         "  signum compare sites.txt --metric power -o wrong.svg\n"
         "  signum compare sites.txt --arithmetic naive --against multiprecision --json\n"

@@ -39,9 +39,9 @@ auto with_progress(bool quiet, const Work& work) {
 /// validate() with a bar unless quiet.
 template <class Tessellation, class Sites>
 [[nodiscard]] Validation validate_with_progress(const Tessellation& tessellation,
-                                                const Sites& sites, bool quiet) {
+                                                const Sites& sites, bool quiet, int threads) {
     return with_progress(quiet, [&](const std::function<void(double)>& show) {
-        return validate(tessellation, sites, {.progress = show});
+        return validate(tessellation, sites, {.progress = show, .threads = threads});
     });
 }
 

@@ -25,6 +25,7 @@ void add_sites(CLI::App& command, SitesCall& call) {
     add_checked(command, "--seed", call.seed, "N", whole_number(),
                 "Of the order of insertion; the result does not\ndepend on it")
         ->capture_default_str();
+    add_threads(command, call.threads);
     command.add_flag("--quiet", call.quiet, "No summary and no progress on standard error");
 }
 
@@ -161,6 +162,7 @@ auto built(const SitesCall& call, const Build& build) {
     Options options;
     options.arithmetic = arithmetic_of(call.arithmetic);
     options.seed = call.seed;
+    options.threads = call.threads;
     return with_progress(call.quiet, [&](const std::function<void(double)>& show) {
         options.progress = show;
         try {

@@ -31,6 +31,7 @@ struct SitesCall {
     std::string weight_is;
     std::string arithmetic = "exact";
     std::uint64_t seed = 1;
+    int threads = 0;
     bool attributes = false;  ///< of the sites, as what is written wants them
     bool statistics = false;
     bool quiet = false;
@@ -38,7 +39,7 @@ struct SitesCall {
     std::vector<Metric> metrics_in_space = {Metric::power};
 };
 
-/// Adds FILE, --columns, --metric, --weight-is, --seed and --quiet.
+/// Adds FILE, --columns, --metric, --weight-is, --seed, --threads and --quiet.
 void add_sites(CLI::App& command, SitesCall& call);
 
 /// Adds --dimension and --read-as, for a subcommand that takes sites of space, too, in those

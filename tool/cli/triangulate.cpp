@@ -62,10 +62,10 @@ void require_formats_for_options(const TriangulateCall& call, std::span<const Ta
 }
 
 /// The edges between sites that the Delaunay triangulation of the centres does not have.
-std::vector<Edge> flipped_edges(const Tessellation& tessellation) {
+std::vector<Edge> flipped_edges(const Tessellation& tessellation, int threads) {
     std::vector<Point> centres;
     for (const Site& site : tessellation.sites()) centres.push_back({site.x, site.y});
-    const std::vector<Edge> before = triangulate(centres, Power{}).edges();
+    const std::vector<Edge> before = triangulate(centres, Power{}, {.threads = threads}).edges();
     std::vector<Edge> flipped;
     std::ranges::set_difference(tessellation.edges(), before, std::back_inserter(flipped));
     std::erase_if(flipped, [](const Edge& edge) { return edge[0] == infinite; });
@@ -148,14 +148,15 @@ void triangulate_in_space(const TriangulateCall& call, const InputSites& sites,
     const std::vector<Site3>& balls = sites.file.in_space;
     std::vector<SpaceVertex> diagram;
     if (call.vertices) {
-        diagram =
-            with_sites_in_space(sites, [&](auto those) { return vertices(tessellation, those); });
+        diagram = with_sites_in_space(
+            sites, [&](auto those) { return vertices(tessellation, those, call.threads); });
     }
     // Before anything is written: what fails its check is not left under the name asked for.
     std::optional<Validation> validation;
     if (call.check) {
         validation = checked(call, with_sites_in_space(sites, [&](auto those) {
-                                 return validate_with_progress(tessellation, those, call.quiet);
+                                 return validate_with_progress(tessellation, those, call.quiet,
+                                                               call.threads);
                              }));
     }
     const auto grid = [&] { return vtk_grid(tessellation, balls, sites.third); };
@@ -193,21 +194,23 @@ void run(const TriangulateCall& call) {
     require_formats_of(Dimension::two, targets, triangulate_formats, call.input);
     const Outputs outputs(targets);
     const Tessellation tessellation = construct(call, sites, method);
-    if (clip) require_fit(*clip, Voronoi(tessellation));
+    if (clip) require_fit(*clip, Voronoi(tessellation, {.threads = call.threads}));
     // Before anything is written: what fails its check is not left under the name asked for.
     std::optional<Validation> validation;
     if (call.check) {
-        validation = checked(
-            call, validate_with_progress(
-                      tessellation.arrays(),
-                      strided_view(tessellation.sites(), tessellation.weight_is()), call.quiet));
+        validation = checked(call, validate_with_progress(
+                                       tessellation.arrays(),
+                                       strided_view(tessellation.sites(), tessellation.weight_is()),
+                                       call.quiet, call.threads));
     }
     outputs.write(
         {{"svg",
           [&](std::ostream& out) {
-              const std::vector<Edge> flipped =
-                  method == Method::flips ? flipped_edges(tessellation) : std::vector<Edge>{};
-              write_svg(out, tessellation, {.box = clip, .flipped = flipped});
+              const std::vector<Edge> flipped = method == Method::flips
+                                                    ? flipped_edges(tessellation, call.threads)
+                                                    : std::vector<Edge>{};
+              write_svg(out, tessellation,
+                        {.box = clip, .flipped = flipped, .threads = call.threads});
           }},
          {"csv", [&](std::ostream& out) { write_csv(out, tessellation); }},
          {"obj", [&](std::ostream& out) { write_obj(out, tessellation); }},
@@ -219,7 +222,7 @@ void run(const TriangulateCall& call) {
          {"ele", [&](std::ostream& out) { write_ele(out, tessellation); }},
          {"neigh", [&](std::ostream& out) { write_neigh(out, tessellation); }},
          {"json", [&](std::ostream& out) {
-              write_json(out, tessellation, {call.vertices, call.statistics});
+              write_json(out, tessellation, {call.vertices, call.statistics, call.threads});
           }}});
     if (call.quiet) return;
     summarize(tessellation, targets);

@@ -20,6 +20,7 @@ struct ValidateCall {
     std::string sites;
     std::string columns;
     std::string read_as;
+    int threads = 0;
     bool quiet = false;
 };
 
@@ -33,7 +34,7 @@ Validation judged_in_space(const ValidateCall& call, const ReadTessellation& rea
         read_sites_by_columns(call.sites, call.columns, 3, input_of(call.sites, call.read_as)),
         read.arrays.weight_is};
     return with_sites_in_space(sites, [&](auto those) {
-        return validate_with_progress(*read.in_space, those, call.quiet);
+        return validate_with_progress(*read.in_space, those, call.quiet, call.threads);
     });
 }
 
@@ -47,7 +48,8 @@ Validation judged_in_plane(const ValidateCall& call, const TessellationArrays& a
     }
     const SitesFile file = read_sites_by_columns(call.sites, call.columns, 2,
                                                  is_of_space(input) ? SitesInput::text : input);
-    return validate_with_progress(arrays, strided_view(file.sites, arrays.weight_is), call.quiet);
+    return validate_with_progress(arrays, strided_view(file.sites, arrays.weight_is), call.quiet,
+                                  call.threads);
 }
 
 void run(const ValidateCall& call) {
@@ -87,6 +89,7 @@ void add_validate(CLI::App& tool) {
         ->type_name("");
     describe_columns_in_space(*add_columns(*command, call->columns));
     add_read_as(*command, call->read_as);
+    add_threads(*command, call->threads);
     command->add_flag("--quiet", call->quiet, "No progress on standard error");
     command->footer(
         "Prints \"valid, canonical\", \"valid, not canonical: WHY\" or \"not valid: WHY\";\n"

@@ -59,14 +59,14 @@ struct CellsInSpace {
 
 /// Throws CallError where doubles cannot compute with the box.
 CellsInSpace cells_in(const Box3& box, const SpaceTessellation& tessellation,
-                      const InputSites& sites, bool asks_for_polyhedra) {
+                      const InputSites& sites, bool asks_for_polyhedra, int threads) {
     std::vector<Index> all;
     if (asks_for_polyhedra)
         for (Index site = 0; site < static_cast<Index>(tessellation.sites); ++site)
             all.push_back(site);
     try {
         return with_sites_in_space(sites, [&](auto those) -> CellsInSpace {
-            return {space_cells(tessellation, those, box),
+            return {space_cells(tessellation, those, box, threads),
                     space_polyhedra(tessellation, those, box, all)};
         });
     } catch (const std::invalid_argument& error) {
@@ -111,12 +111,12 @@ void voronoi_in_space(const VoronoiCall& call, const InputSites& sites,
     const bool asks_for_polyhedra =
         is_written(targets, "vtk") || is_written(targets, "vtu") || is_picture_written(targets);
     const CellsInSpace found = cells_in(clip ? *clip : default_box(sites.file.in_space),
-                                        tessellation, sites, asks_for_polyhedra);
+                                        tessellation, sites, asks_for_polyhedra, call.threads);
     const SpaceCells& cells = found.measured;
     std::vector<SpaceVertex> diagram;
     if (is_written(targets, "json")) {
-        diagram =
-            with_sites_in_space(sites, [&](auto those) { return vertices(tessellation, those); });
+        diagram = with_sites_in_space(
+            sites, [&](auto those) { return vertices(tessellation, those, call.threads); });
     }
     outputs.write(
         {{"csv", [&](std::ostream& out) { write_space_cells_csv(out, cells); }},
@@ -156,6 +156,7 @@ BallDiagram diagram_of(const VoronoiCall& call, const InputSites& sites) {
     return with_progress(call.quiet, [&](const std::function<void(double)>& show) {
         Options options;
         options.progress = show;
+        options.threads = call.threads;
         try {
             return ball_diagram(sites.file.in_space, options);
         } catch (const std::invalid_argument& error) {
@@ -225,7 +226,7 @@ void run(VoronoiCall& call) {
     require_numbers(call.clip, 4, call.input);
     const std::optional<Box> clip = box_of(call.clip, targets);
     const Outputs outputs(targets);
-    const Voronoi diagram(construct(call, sites), {call.merge});
+    const Voronoi diagram(construct(call, sites), {.merge = call.merge, .threads = call.threads});
 
     const Box box = clip.value_or(default_box(diagram.tessellation().sites(), diagram.exponent()));
     const bool is_used =
@@ -244,7 +245,7 @@ void run(VoronoiCall& call) {
     }
     std::optional<ClippedVoronoi> cells;  // cut once, for all that want them
     const auto clipped = [&]() -> const ClippedVoronoi& {
-        return cells ? *cells : cells.emplace(diagram, box);
+        return cells ? *cells : cells.emplace(diagram, box, Lengths::of_the_plane, call.threads);
     };
     // Tables have the attributes of the sites on request.
     std::span<const Attribute> carried;
@@ -253,9 +254,10 @@ void run(VoronoiCall& call) {
         {{"json",
           [&](std::ostream& out) {
               const Box cut = clip.value_or(no_box);
-              write_voronoi_json(out, ClippedVoronoi(diagram, cut), cut);
+              write_voronoi_json(
+                  out, ClippedVoronoi(diagram, cut, Lengths::of_the_plane, call.threads), cut);
           }},
-         {"svg", [&](std::ostream& out) { write_voronoi_svg(out, diagram, clip); }},
+         {"svg", [&](std::ostream& out) { write_voronoi_svg(out, diagram, clip, call.threads); }},
          {"geojson",
           [&](std::ostream& out) {
               write_voronoi_geojson(out, clipped(), box, tolerance, sites.file.attributes);

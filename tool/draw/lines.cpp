@@ -31,10 +31,10 @@ Conic in_pixels(const Conic& divided, int exponent, const Frame& frame) noexcept
             frame.at(divided.to, exponent), divided.weight};
 }
 
-std::optional<ClippedVoronoi> clipped_to(const Frame& frame, const Voronoi& voronoi) {
+std::optional<ClippedVoronoi> clipped_to(const Frame& frame, const Voronoi& voronoi, int threads) {
     const Box box = frame.box(voronoi.exponent());
     if (frame.rounding() > coarse || !is_of_usual_size(box)) return std::nullopt;
-    return ClippedVoronoi(voronoi, box, Lengths::divided);
+    return ClippedVoronoi(voronoi, box, Lengths::divided, threads);
 }
 
 void note_rounding(Legend& legend, const Frame& frame) {
@@ -45,8 +45,8 @@ void note_rounding(Legend& legend, const Frame& frame) {
                     Px{std::ceil(frame.rounding())});
 }
 
-std::vector<Conic> cell_edges(const Voronoi& voronoi, const Frame& frame) {
-    return cell_edges(clipped_to(frame, voronoi), frame);
+std::vector<Conic> cell_edges(const Voronoi& voronoi, const Frame& frame, int threads) {
+    return cell_edges(clipped_to(frame, voronoi, threads), frame);
 }
 
 std::vector<Conic> cell_edges(const std::optional<ClippedVoronoi>& clipped, const Frame& frame) {

@@ -16,10 +16,13 @@ namespace signum {
 
 /// The diagram in what the picture shows, lengths divided by its exponent. Nothing where doubles
 /// are too coarse for it, see note_rounding(), or not of usual size beside a site out of it.
-[[nodiscard]] std::optional<ClippedVoronoi> clipped_to(const Frame& frame, const Voronoi& voronoi);
+/// Threads as Options::threads, here and below.
+[[nodiscard]] std::optional<ClippedVoronoi> clipped_to(const Frame& frame, const Voronoi& voronoi,
+                                                       int threads = 0);
 
 /// The edges of the diagram that lie in the picture, in pixels.
-[[nodiscard]] std::vector<Conic> cell_edges(const Voronoi& voronoi, const Frame& frame);
+[[nodiscard]] std::vector<Conic> cell_edges(const Voronoi& voronoi, const Frame& frame,
+                                            int threads = 0);
 /// The same of what clipped_to() gave.
 [[nodiscard]] std::vector<Conic> cell_edges(const std::optional<ClippedVoronoi>& clipped,
                                             const Frame& frame);

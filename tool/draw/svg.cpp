@@ -68,7 +68,8 @@ void write_svg(std::ostream& out, const Tessellation& tessellation, const SvgOpt
                            std::span<const Conic> lines) {
         write_lines(drawing, legend, kind, label, lines, frame, options.line_limit);
     };
-    const std::vector<Conic> cells = cell_edges(Voronoi(tessellation), frame);
+    const std::vector<Conic> cells =
+        cell_edges(Voronoi(tessellation, {.threads = options.threads}), frame, options.threads);
     write("cell", shapes.cells, cells);
     write("edge", "tessellation", edges);
     write("flipped", "flipped edges", straight(options.flipped, tessellation, frame));

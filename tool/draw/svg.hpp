@@ -34,6 +34,8 @@ struct SvgOptions {
     std::size_t site_limit = 10'000;
     /// Lines of each kind.
     std::size_t line_limit = 60'000;
+    /// That compute the diagram, as Options::threads.
+    int threads = 0;
 };
 
 /// Writes the sites as discs in true size (at least a dot), the edges of the diagram's cells, the
@@ -44,7 +46,7 @@ void write_svg(std::ostream& out, const Tessellation& tessellation, const SvgOpt
 /// sites over them. The picture shows `box`, or the sites with some room around them. Check the
 /// stream for errors of writing. O(n log n).
 void write_voronoi_svg(std::ostream& out, const Voronoi& voronoi,
-                       const std::optional<Box>& box = std::nullopt);
+                       const std::optional<Box>& box = std::nullopt, int threads = 0);
 
 /// Beyond the limits the nearest sites are drawn, and of the edges those of the hull.
 struct SpaceSvgOptions {

@@ -94,12 +94,13 @@ double spacing(std::size_t cells, const Frame& frame) {
 
 }  // namespace
 
-void write_voronoi_svg(std::ostream& out, const Voronoi& voronoi, const std::optional<Box>& box) {
+void write_voronoi_svg(std::ostream& out, const Voronoi& voronoi, const std::optional<Box>& box,
+                       int threads) {
     const SvgOptions options;
     const Tessellation& tessellation = voronoi.tessellation();
     const Frame frame =
         box ? Frame(*box, picture_width) : Frame(drawn_sites(tessellation), picture_width);
-    const auto clipped = clipped_to(frame, voronoi);
+    const auto clipped = clipped_to(frame, voronoi, threads);
     const std::vector<Conic> edges = cell_edges(clipped, frame);
     const Pens pens(
         std::min(spacing(cells_in(edges), frame), 2 * median_length(edges, picture_width)));

@@ -66,10 +66,10 @@ void write_json(std::ostream& out, const Tessellation& tessellation, const JsonO
     put_tuples(text, "neighbours", tessellation.neighbours(), 3);
     put_hidden(text, tessellation.hidden());
     if (options.vertices) {
-        put_vertices(text, tessellation.faces(), false,
-                     [all = vertices(tessellation)](TextWriter& piece, std::size_t n) {
-                         piece.put_numbers(all[n].x, all[n].y, all[n].rho);
-                     });
+        const std::vector<DiagramVertex> all = vertices(tessellation, options.threads);
+        put_vertices(text, tessellation.faces(), false, [&](TextWriter& piece, std::size_t n) {
+            piece.put_numbers(all[n].x, all[n].y, all[n].rho);
+        });
     }
     if (options.statistics) put_statistics(text, tessellation.statistics());
     text.put("}\n");

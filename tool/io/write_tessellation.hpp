@@ -25,6 +25,7 @@ class TextWriter;
 struct JsonOptions {
     bool vertices = false;    ///< centre and distance of every face; costs exact arithmetic
     bool statistics = false;  ///< the counters and the time; not the same every time
+    int threads = 0;          ///< that compute vertices, as Options::threads
 };
 
 /// The format that read_tessellation() reads.

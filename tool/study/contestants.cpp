@@ -27,6 +27,7 @@ std::vector<Site3> sites_in_space_of(const Setting& setting, std::size_t seed) {
 
 std::optional<Options> options_named(const std::string& name) {
     Options options;
+    options.threads = 1;
     if (const auto method = named(all_methods, name))
         options.method = *method;
     else if (const auto arithmetic = named(all_arithmetics, name))

@@ -15,7 +15,8 @@ namespace signum::study {
 
 [[nodiscard]] std::vector<Site3> sites_in_space_of(const Setting& setting, std::size_t seed);
 
-/// How the contestant of that name builds: with an arithmetic, or exactly by a method.
+/// How the contestant of that name builds: with an arithmetic, or exactly by a method. On one
+/// thread, for so do those that round.
 [[nodiscard]] std::optional<Options> options_named(const std::string& name);
 
 }  // namespace signum::study

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "../../core/parallel.hpp"
+#include "../../exact/floating_environment.hpp"
 #include "../../exact/multiprecision.hpp"
 #include "../../predicates/additive.hpp"
 #include "../../predicates/formulas/apollonius.hpp"
@@ -282,10 +284,17 @@ std::vector<std::array<Index, 5>> inner_facets(const SpaceTessellation& tessella
     return result;
 }
 
-Margins margins_of(const Tessellation& canonical) {
+Margins margins_of(const Tessellation& canonical, int threads) {
+    const std::vector<std::array<Index, 4>> calls = inner_edges(canonical);
+    const Workers workers(threads, calls.size());
+    std::vector<double> each;
+    make_room(workers, calls.size(), each);
+    workers.each_range(calls.size(), [&](std::size_t begin, std::size_t end) {
+        const exact::IeeeEnvironment environment;
+        for (std::size_t i = begin; i < end; ++i) each[i] = margin_of(canonical, calls[i]);
+    });
     Margins margins;
-    for (const std::array<Index, 4>& numbers : inner_edges(canonical))
-        add(margins, margin_of(canonical, numbers));
+    for (const double margin : each) add(margins, margin);
     return margins;
 }
 

@@ -36,13 +36,14 @@ struct Margins {
     std::optional<double> least;  ///< the least margin but 0
 };
 
-/// Of a canonical tessellation. In rationals where doubles do not tell two digits; O(n).
+/// Of a canonical tessellation. In rationals where doubles do not tell two digits; O(n). Threads as
+/// Options::threads.
 ///
 /// Magnitudes: in the power metric, with rows relative to the site across, the sum over the three
 /// of (x² + y² + |w|)(|x'y''| + |x''y'|). In the Euclidean metric that of A - L √Γ
 /// (predicates/formulas/apollonius.hpp), multiplied out, all terms positive. In the Manhattan and
 /// supremum metrics, where nothing is multiplied, a margin is how far the site stays outside the
 /// square over the sum of |x| + |y| + |r| of the four.
-[[nodiscard]] Margins margins_of(const Tessellation& canonical);
+[[nodiscard]] Margins margins_of(const Tessellation& canonical, int threads = 0);
 
 }  // namespace signum::study

@@ -40,7 +40,10 @@ std::vector<Row> measure_deletion(const Cell& cell, const Pass& pass) {
     // One round inserts and erases: these two do not run one without the other.
     double erased = 0.0;
     const std::vector<Contestant> contestants = {
-        [&] { return ns(triangulate(sites, metric).statistics().seconds, sites.size()); },
+        [&] {
+            return ns(triangulate(sites, metric, {.threads = 1}).statistics().seconds,
+                      sites.size());
+        },
         [&] {
             const double inserted = seconds_of(insert_all);
             erased = seconds_of(erase_all);

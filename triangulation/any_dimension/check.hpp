@@ -83,13 +83,14 @@ class Check : private triangulation::Judgement {
 
     Check(const ArraysOf<D>& arrays, std::span<const S> sites, const CellName& cell_name,
           const ValidationOptions& options)
-        : Judgement(options, passes * arrays.cells.size() + arrays.hidden.size()),
+        : Judgement(options, passes * arrays.cells.size() + arrays.hidden.size(),
+                    std::max(arrays.cells.size(), arrays.hidden.size())),
           arrays_(arrays),
           sites_(sites),
           cell_name_(cell_name),
           cells_(arrays.cells),
           neighbours_(arrays.neighbours),
-          questions_(sites) {}
+          asked_(sites) {}
 
     [[nodiscard]] Validation run() {
         Validation result = judgement([this] {
@@ -109,8 +110,8 @@ class Check : private triangulation::Judgement {
                 check_hidden();
             }
         });
-        result.filtered = questions_.filtered_count() + passed_;
-        result.multiprecision = questions_.exact_count();
+        result.filtered = filtered_ + passed_;
+        result.multiprecision = exact_;
         return result;
     }
 
@@ -137,9 +138,38 @@ class Check : private triangulation::Judgement {
         while (place < size() && place_of(beyond[place], cell) < size()) ++place;
         return place;
     }
-    [[nodiscard]] Sign orientation_with(Cell cell, std::size_t place, Index v) {
+    /// What is asked of one range of a loop, and noted.
+    struct Part : triangulation::Notes {
+        Asked questions;
+        Asked of_ties;  ///< asked as long as nothing is noted
+    };
+    [[nodiscard]] Part fresh() const { return {notes(), asked_, asked_}; }
+    void merge(const Part& part) noexcept {
+        filtered_ += part.questions.filtered_count();
+        exact_ += part.questions.exact_count();
+        // Where something was noted in a range before, nobody would have asked.
+        if (!is_canonical()) return;
+        filtered_ += part.of_ties.filtered_count();
+        exact_ += part.of_ties.exact_count();
+    }
+    /// judge(part, c) for each cell; see judge_each().
+    template <class Judge>
+    void judge_cells(std::size_t advances, const Judge& judge) {
+        this->judge_each(
+            cells_.size(), advances, fresh(),
+            [&](Part& part, std::size_t c) { judge(part, static_cast<Index>(c)); },
+            [this](const Part& part) { merge(part); });
+    }
+    /// judge(part), on one thread.
+    template <class Judge>
+    void judge_once(const Judge& judge) {
+        this->judge_each(
+            1, 0, fresh(), [&](Part& part, std::size_t) { judge(part); },
+            [this](const Part& part) { merge(part); });
+    }
+    [[nodiscard]] Sign orientation_with(Part& part, Cell cell, std::size_t place, Index v) const {
         cell[place] = v;
-        return questions_.orientation(cell);
+        return part.questions.orientation(cell);
     }
 
     // ---- numbers ------------------------------------------------------------------------------
@@ -165,7 +195,7 @@ class Check : private triangulation::Judgement {
     void check_cells() {
         seen_.resize(sites_.size(), Seen::nowhere);
         const auto n = static_cast<std::int64_t>(sites_.size());
-        for (Index c = 0; c < cells(); ++c, advance()) {
+        judge_cells(1, [&](Part&, Index c) {
             const Cell& cell = cells_[at(c)];
             for (std::size_t i = 0; i < cell.size(); ++i) {
                 if (i >= size()) {
@@ -178,13 +208,13 @@ class Check : private triangulation::Judgement {
                     throw Invalid{cell_name_(c) + ": there is no site " + std::to_string(cell[i])};
                 if (place_of(cell[i], cell) != i)
                     throw Invalid{cell_name_(c) + " has " + name(cell[i]) + " twice"};
-                if (cell[i] != infinite) seen_[at(cell[i])] = Seen::as_vertex;
+                if (cell[i] != infinite) triangulation::see_vertex(seen_[at(cell[i])]);
             }
-        }
+        });
     }
     /// Whether facets are glued in pairs.
     void check_neighbours() {
-        for (Index c = 0; c < cells(); ++c, advance()) {
+        judge_cells(1, [&](Part&, Index c) {
             const Cell& cell = cells_[at(c)];
             for (std::size_t i = 0; i < cell.size(); ++i) {
                 const Index n = neighbours_[at(c)][i];
@@ -209,7 +239,7 @@ class Check : private triangulation::Judgement {
                 if (neighbours_[at(n)][back] != c)
                     throw Invalid{across() + cell_name_(n) + " has another neighbour there"};
             }
-        }
+        });
     }
 
     // ---- one place ----------------------------------------------------------------------------
@@ -229,8 +259,7 @@ class Check : private triangulation::Judgement {
             if (filters::compare_numbers(power::weight_key(sites_[at(q)]),
                                          power::weight_key(sites_[at(one)])) > 0)
                 throw Invalid{name(one) + " does not hide " + name(q)};
-            if (questions_.precedes(q, one))
-                note("by the tie rule " + name(q) + " hides " + name(one));
+            if (asked_.precedes(q, one)) note("by the tie rule " + name(q) + " hides " + name(one));
         }
     }
 
@@ -241,8 +270,12 @@ class Check : private triangulation::Judgement {
         base_ = 0;
         while (base_ < cells() && is_infinite(base_)) ++base_;
         if (base_ == cells()) throw Invalid{"there is no finite cell"};
+        if (arrays_.dimension == D) return;
+        judge_once([this](Part& part) { find_axes(part); });
+        judge_once([this](Part& part) { turn_flat_cells(part); });
+    }
+    void find_axes(Part& part) {
         const auto k = at(arrays_.dimension);
-        if (k == at(D)) return;
         const Cell& base = cells_[at(base_)];
         Axes<D> axes;
         for (std::size_t set = 0; set < std::size_t{1} << D; ++set) {
@@ -250,11 +283,11 @@ class Check : private triangulation::Judgement {
             axes.count = 0;
             for (std::size_t axis = 0; axis < at(D); ++axis)
                 if ((set >> axis & 1) != 0) axes.axis[axes.count++] = axis;
-            if (questions_.orientation(base, axes) != 0) break;
+            if (part.questions.orientation(base, axes) != 0) break;
             axes.count = 0;
         }
         if (axes.count == 0) throw Invalid{cell_name_(base_) + " is flat"};
-        questions_.ask_along(axes);
+        asked_.ask_along(axes);
         for (Index q = 0; at(q) < sites_.size(); ++q)
             for (std::size_t axis = 0; axis < at(D); ++axis) {
                 if (axes.has(axis)) continue;
@@ -262,28 +295,27 @@ class Check : private triangulation::Judgement {
                 more.axis[more.count++] = axis;
                 Cell with_q = base;
                 with_q[k + 1] = q;
-                if (questions_.orientation(with_q, more) != 0)
+                if (part.questions.orientation(with_q, more) != 0)
                     throw Invalid{name(q) +
                                   (k == 1 ? " does not lie on the line of "
                                           : " does not lie in the flat of dimension " +
                                                 std::to_string(k) + " of ") +
                                   cell_name_(base_)};
             }
-        turn_flat_cells();
     }
     /// Cells of flat sites have no orientation of their own: one is chosen for each, by which
     /// finite ones turn positively and those at infinity away from the base.
-    void turn_flat_cells() {
+    void turn_flat_cells(Part& part) {
         turned_cells_.assign(cells_.begin(), cells_.end());
         turned_neighbours_.assign(neighbours_.begin(), neighbours_.end());
         for (Index c = 0; c < cells(); ++c) {
             const std::size_t place = place_of(infinite, cells_[at(c)]);
             Sign sign = 0;
             if (place == size()) {
-                sign = questions_.orientation(cells_[at(c)]);
+                sign = part.questions.orientation(cells_[at(c)]);
             } else {
                 for (std::size_t m = 0; m < size() && sign == 0; ++m)
-                    sign = -orientation_with(cells_[at(c)], place, cells_[at(base_)][m]);
+                    sign = -orientation_with(part, cells_[at(c)], place, cells_[at(base_)][m]);
             }
             if (sign >= 0) continue;
             std::swap(turned_cells_[at(c)][0], turned_cells_[at(c)][1]);
@@ -295,10 +327,16 @@ class Check : private triangulation::Judgement {
 
     /// Finite cells turn positively. For a base a small one is taken, as few others are near it.
     void check_orientations() {
-        double least = std::numeric_limits<double>::infinity();
-        for (Index c = 0; c < cells(); ++c, advance()) {
-            if (is_infinite(c)) continue;
-            const Sign sign = questions_.orientation(cells_[at(c)]);
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        struct Smallest : Part {
+            double least;
+            Index cell;
+        };
+        double least = infinity;
+        const auto judge = [&](Smallest& part, std::size_t i) {
+            const auto c = static_cast<Index>(i);
+            if (is_infinite(c)) return;
+            const Sign sign = part.questions.orientation(cells_[i]);
             if (sign <= 0)
                 throw Invalid{cell_name_(c) + (sign == 0 ? " is flat" : " turns the wrong way")};
             double extent = 0.0;
@@ -306,10 +344,17 @@ class Check : private triangulation::Judgement {
                 const auto [low, high] = range(c, axis);
                 extent += high - low;
             }
-            if (extent >= least) continue;
-            least = extent;
-            base_ = c;
-        }
+            if (extent >= part.least) return;
+            part.least = extent;
+            part.cell = c;
+        };
+        this->judge_each(cells_.size(), 1, Smallest{fresh(), infinity, base_}, judge,
+                         [&](const Smallest& part) {
+                             merge(part);
+                             if (part.least >= least) return;
+                             least = part.least;
+                             base_ = part.cell;
+                         });
     }
     /// The least and the greatest coordinate of a finite cell.
     [[nodiscard]] std::pair<double, double> range(Index c, std::size_t axis) const noexcept {
@@ -326,8 +371,8 @@ class Check : private triangulation::Judgement {
 
     /// Across a facet cells turn alike: with the vertex beyond in the place of the one across from
     /// it, the cell is an odd permutation of its neighbour.
-    void check_turns() const {
-        for (Index c = 0; c < cells(); ++c)
+    void check_turns() {
+        judge_cells(0, [this](Part&, Index c) {
             for (std::size_t i = 0; i < size(); ++i) {
                 const Index n = neighbours_[at(c)][i];
                 if (n < c) continue;
@@ -340,16 +385,17 @@ class Check : private triangulation::Judgement {
                     throw Invalid{cell_name_(c) + " and " + cell_name_(n) +
                                   " lie on the same side of their " + facet()};
             }
+        });
     }
 
     void check_hull() {
         const Cell base = cells_[at(base_)];
-        for (Index c = 0; c < cells(); ++c, advance()) {
+        judge_cells(1, [&](Part& part, Index c) {
             const Cell& cell = cells_[at(c)];
             const std::size_t place = place_of(infinite, cell);
-            if (place == size()) continue;
+            if (place == size()) return;
             const auto keep_within = [&](Index v) {
-                if (orientation_with(cell, place, v) > 0)
+                if (orientation_with(part, cell, place, v) > 0)
                     throw Invalid{name(v) + " lies beyond the hull's " + facet() + " of " +
                                   cell_name_(c)};
             };
@@ -359,7 +405,7 @@ class Check : private triangulation::Judgement {
                 const Cell& beyond = cells_[at(neighbours_[at(c)][m])];
                 keep_within(beyond[place_beyond(cell, beyond)]);
             }
-        }
+        });
     }
 
     /// The middle of the base lies in no other cell.
@@ -373,42 +419,45 @@ class Check : private triangulation::Judgement {
             }
             return true;
         };
-        for (Index c = 0; c < cells(); ++c)
-            if (c != base_ && !is_infinite(c) && is_near(c) && holds_middle_of_base(c))
+        judge_cells(0, [&](Part& part, Index c) {
+            if (c != base_ && !is_infinite(c) && is_near(c) && holds_middle_of_base(part, c))
                 throw Invalid{cell_name_(c) + " and " + cell_name_(base_) + " overlap"};
+        });
     }
-    [[nodiscard]] bool holds_middle_of_base(Index c) {
+    [[nodiscard]] bool holds_middle_of_base(Part& part, Index c) const {
         for (std::size_t i = 0; i < size(); ++i)
-            if (questions_.orientation_with_middle(cells_[at(c)], i, cells_[at(base_)]) < 0)
+            if (part.questions.orientation_with_middle(cells_[at(c)], i, cells_[at(base_)]) < 0)
                 return false;
         return true;
     }
 
     // ---- conflicts ----------------------------------------------------------------------------
 
-    void judge(Index c, Index q) {
-        const Sign sign = questions_.in_sphere(cells_[at(c)], q);
+    void judge(Part& part, Index c, Index q) const {
+        const Sign sign = part.questions.in_sphere(cells_[at(c)], q);
         if (sign < 0) return;
         const auto why = [&] { return name(q) + " is in conflict with " + cell_name_(c); };
         if (sign > 0) throw Invalid{why()};
-        if (is_canonical() && questions_.tie_conflicts(cells_[at(c)], q))
-            note("by the tie rule " + why());
+        if (part.is_canonical() && part.of_ties.tie_conflicts(cells_[at(c)], q))
+            part.note("by the tie rule " + why());
     }
     /// Each facet once: from the smaller of its cells.
     void check_facets() {
-        for (Index c = 0; c < cells(); ++c, advance()) {
-            if (is_infinite(c)) continue;
+        judge_cells(1, [this](Part& part, Index c) {
+            if (is_infinite(c)) return;
             for (std::size_t i = 0; i < size(); ++i) {
                 const Index n = neighbours_[at(c)][i];
                 if (n < c || is_infinite(n)) continue;
                 const Cell& beyond = cells_[at(n)];
-                judge(c, beyond[place_beyond(cells_[at(c)], beyond)]);
+                judge(part, c, beyond[place_beyond(cells_[at(c)], beyond)]);
             }
-        }
+        });
     }
 
     void check_hidden() {
-        if (arrays_.hidden.empty()) return;
+        if (!arrays_.hidden.empty()) judge_once([this](Part& part) { check_hidden(part); });
+    }
+    void check_hidden(Part& part) {
         std::vector<Index> cell_of(sites_.size(), infinite);
         for (Index c = 0; c < cells(); ++c)
             if (!is_infinite(c))
@@ -416,19 +465,19 @@ class Check : private triangulation::Judgement {
         std::vector<Index> visible;
         for (Index i = 0; at(i) < sites_.size(); ++i)
             if (seen_[at(i)] == Seen::as_vertex) visible.push_back(i);
-        NearSites<S> near(sites_, std::move(visible));
+        const NearSites<S> near(sites_, std::move(visible), this->workers());
         Index last = infinite;
         Index c = infinite;
         for (const auto& [q, by] : hidden_in_order()) {
-            check_nearest(q, by, near);
+            check_nearest(part, q, by, near);
             const bool is_other = std::exchange(last, by) != by;
             if (is_plane()) {
                 if (is_other) sort_star(by, cell_of[at(by)]);
-                c = cell_that_holds(q, cell_toward(by, q), c);
+                c = cell_that_holds(part, q, cell_toward(by, q), c);
             } else {
-                c = cell_that_holds(q, is_other ? cell_of[at(by)] : c, infinite);
+                c = cell_that_holds(part, q, is_other ? cell_of[at(by)] : c, infinite);
             }
-            judge(c, q);
+            judge(part, c, q);
             advance();
         }
     }
@@ -468,16 +517,16 @@ class Check : private triangulation::Judgement {
         return std::atan2(offset<double>(sites_[at(to)], sites_[at(from)], 1),
                           offset<double>(sites_[at(to)], sites_[at(from)], 0));
     }
-    void check_nearest(Index q, Index by, NearSites<S>& near) {
+    void check_nearest(Part& part, Index q, Index by, const NearSites<S>& near) {
         const auto ask = [&](Index v) {
             if (v == by) return;
-            const Sign sign = questions_.nearer(q, v, by);
+            const Sign sign = part.questions.nearer(q, v, by);
             if (sign > 0)
                 throw Invalid{name(q) + " is said to be hidden by " + name(by) + ", but " +
                               name(v) + " is nearer"};
-            if (sign == 0 && questions_.precedes(v, by))
-                note("by the tie rule " + name(q) + " is hidden by " + name(v) + ", not " +
-                     name(by));
+            if (sign == 0 && asked_.precedes(v, by))
+                part.note("by the tie rule " + name(q) + " is hidden by " + name(v) + ", not " +
+                          name(by));
         };
         passed_ += near.template visit_near<Asked::is_filtered>(sites_[at(q)], sites_[at(by)], ask);
     }
@@ -485,28 +534,28 @@ class Check : private triangulation::Judgement {
     /// the other side: where ties are decided otherwise than by the rule a walk that always takes
     /// the first may go in circles. What is not a few steps away is looked for from `other`, if
     /// there is one.
-    [[nodiscard]] Index cell_that_holds(Index q, Index start, Index other) {
+    [[nodiscard]] Index cell_that_holds(Part& part, Index q, Index start, Index other) {
         constexpr std::size_t few = 4;
         Index c = start;
         for (std::size_t steps = 0; steps < 2 * cells_.size() + 1000; ++steps) {
             if (steps == few && other != infinite) c = other;
             chance_ = chance_ * 6364136223846793005U + 1442695040888963407U;
             const std::size_t first = (chance_ >> 33) % size();
-            const Index next = way_to(q, c, first);
+            const Index next = way_to(part, q, c, first);
             if (next == c) return c;
             if (is_infinite(next))
                 throw Invalid{name(q) + " is said to be hidden, but lies outside the hull"};
             c = next;
         }
         for (c = 0; c < cells(); ++c)
-            if (!is_infinite(c) && way_to(q, c, 0) == c) return c;
+            if (!is_infinite(c) && way_to(part, q, c, 0) == c) return c;
         throw Invalid{name(q) + " is said to be hidden, but lies outside the hull"};
     }
     /// The neighbour on the side of q, or the cell itself where it holds it.
-    [[nodiscard]] Index way_to(Index q, Index c, std::size_t first) {
+    [[nodiscard]] Index way_to(Part& part, Index q, Index c, std::size_t first) const {
         for (std::size_t m = 0; m < size(); ++m) {
             const std::size_t i = (first + m) % size();
-            if (orientation_with(cells_[at(c)], i, q) < 0) return neighbours_[at(c)][i];
+            if (orientation_with(part, cells_[at(c)], i, q) < 0) return neighbours_[at(c)][i];
         }
         return c;
     }
@@ -519,11 +568,13 @@ class Check : private triangulation::Judgement {
     std::span<const Cell> neighbours_;
     std::vector<Cell> turned_cells_;
     std::vector<Cell> turned_neighbours_;
-    Asked questions_;
+    Asked asked_;  // a copy for each part: itself it is asked nothing that counts
     std::vector<Seen> seen_;
     Index base_ = 0;
     std::vector<std::pair<double, Index>> star_;  // of the site that hides, in the plane
-    std::uint64_t passed_ = 0;                    // questions that intervals decided
+    std::uint64_t filtered_ = 0;                  // questions that filters decided
+    std::uint64_t exact_ = 0;                     // and exact numbers
+    std::uint64_t passed_ = 0;                    // and intervals
     std::uint64_t chance_ = 1;
 };
 

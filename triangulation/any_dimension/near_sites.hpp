@@ -19,6 +19,7 @@
 #include "../../core/box_tree.hpp"
 #include "../../core/index.hpp"
 #include "../../filters/interval.hpp"
+#include "../structure/judgement.hpp"
 #include "sites.hpp"
 
 namespace signum::any_dimension {
@@ -28,11 +29,17 @@ template <class S>
 class NearSites {
  public:
     /// Of the sites that `members` names.
-    NearSites(std::span<const S> sites, std::vector<Index> members)
+    NearSites(std::span<const S> sites, std::vector<Index> members, const Workers& workers)
         : members_(std::move(members)), scale_(scale(sites, members_)) {
-        tree_ = {members_.size(), 4, numbers, [&](std::size_t m) {
-                     return scaled(sites[static_cast<std::size_t>(members_[m])]);
-                 }};
+        const auto bounds_of = [&](std::size_t m) {
+            return scaled(sites[static_cast<std::size_t>(members_[m])]);
+        };
+        tree_ = {members_.size(),
+                 4,
+                 numbers,
+                 bounds_of,
+                 triangulation::most_alone(workers, members_.size()),
+                 triangulation::both_by(workers)};
     }
 
     /// Calls visit(i) for each site that is not certainly farther from the centre of q than `other`

@@ -43,8 +43,7 @@ class AdditiveCheck : private ArraysCheck {
         for (const Site& site : load<Site>(sites)) site_.push_back({site, 0});
         std::vector<Index> numbers(sites.size());
         std::iota(numbers.begin(), numbers.end(), 0);
-        rank(site_, numbers, Workers(1));
-        kernel_ = Kernel(site_.data());
+        rank(site_, numbers, workers());
     }
 
     [[nodiscard]] Validation run() {
@@ -64,49 +63,69 @@ class AdditiveCheck : private ArraysCheck {
             check_hidden();
             check_canonical_order();
         });
-        const auto& stages = kernel_.tally().stages;
-        result.filtered = stages[static_cast<int>(Stage::filter)] + intervals_;
-        result.multiprecision = stages[static_cast<int>(Stage::multiprecision)];
+        result.filtered = filtered_ + intervals_;
+        result.multiprecision = multiprecision_;
         return result;
     }
 
  private:
     using Kernel = AdditiveKernel<Predicates, filters::Tally>;
 
-    /// Throws if the question is answered yes; where nothing but the tie rule does so, notes it.
-    /// Whether the answer is no. Reasons are given by a function, for they are seldom needed.
-    template <class Question, class Why>
-    bool forbid(Question question, Why why) {
-        const auto before = kernel_.tally().ties;
-        if (!question()) [[likely]]
-            return true;
-        if (kernel_.tally().ties == before) throw Invalid{why()};
-        note("by the tie rule " + why());
-        return false;
+    /// What is asked of one range of a loop, and noted.
+    struct Part : Notes {
+        Kernel kernel;
+        std::uint64_t intervals = 0;  ///< questions that intervals decided
+
+        /// Throws if the question is answered yes; where nothing but the tie rule does so, notes
+        /// it. Whether the answer is no. Reasons are given by a function, for they are seldom
+        /// needed.
+        template <class Question, class Why>
+        bool forbid(Question question, Why why) {
+            const auto before = kernel.tally().ties;
+            if (!question()) [[likely]]
+                return true;
+            if (kernel.tally().ties == before) throw Invalid{why()};
+            this->note("by the tie rule " + why());
+            return false;
+        }
+    };
+    /// judge(part, i) for 0 … size; see judge_each().
+    template <class Judge>
+    void judge_all(std::size_t size, std::size_t advances, const Judge& judge) {
+        this->judge_each(
+            size, advances, Part{notes(), Kernel(site_.data())},
+            [&](Part& part, std::size_t i) { judge(part, static_cast<Index>(i)); },
+            [this](const Part& part) {
+                const auto& stages = part.kernel.tally().stages;
+                filtered_ += stages[static_cast<int>(Stage::filter)];
+                multiprecision_ += stages[static_cast<int>(Stage::multiprecision)];
+                intervals_ += part.intervals;
+            });
     }
 
     /// Every face has its vertex: a circle that touches the three, or at infinity two sites of
     /// which neither hides the other.
     void check_vertices() {
-        for (Index f = 0; f < faces(); ++f, advance()) {
+        judge_all(arrays_.faces.size(), 1, [this](Part& part, Index f) {
             const Face& v = face(f);
             if (topology_.is_infinite(f)) {
                 const HalfEdge h = topology_.finite_edge(f);
-                if (kernel_.hides(topology_.origin(h), topology_.target(h)) ||
-                    kernel_.hides(topology_.target(h), topology_.origin(h)))
+                if (part.kernel.hides(topology_.origin(h), topology_.target(h)) ||
+                    part.kernel.hides(topology_.target(h), topology_.origin(h)))
                     throw Invalid{face_name(f) + " joins a site to one it hides"};
-            } else if (!kernel_.exists(v[0], v[1], v[2])) {
+            } else if (!part.kernel.exists(v[0], v[1], v[2])) {
                 throw Invalid{"no circle touches the sites of " + face_name(f) +
                               " counterclockwise"};
             }
-        }
+        });
     }
 
     /// Every edge has its stretch: neither end lies nearer to the site across, and on the way
     /// between them the bisector does not pass through infinity.
     void check_edges() {
-        for (Index f = 0; f < faces(); ++f)
-            for (unsigned side = 0; side < 3; ++side, advance()) {
+        judge_all(arrays_.faces.size(), 3, [this](Part& part, Index f) {
+            ExtendedKernel<Kernel> extended(part.kernel);
+            for (unsigned side = 0; side < 3; ++side) {
                 const HalfEdge h = Topology::first_edge(f) + side;
                 const Index across = Topology::face(topology_.twin(h));
                 const Index i = topology_.origin(h);
@@ -115,57 +134,61 @@ class AdditiveCheck : private ArraysCheck {
                 const Index l = topology_.apex(topology_.twin(h));
                 const bool apart =
                     k == l ||
-                    forbid([&] { return extended_.conflicts(i, j, k, l); },
-                           [&] { return name(l) + " is in conflict with " + face_name(f); });
+                    part.forbid([&] { return extended.conflicts(i, j, k, l); },
+                                [&] { return name(l) + " is in conflict with " + face_name(f); });
                 if (apart && i < j && i != infinite && k != infinite && l != infinite &&
-                    !runs_forward(kernel_, i, j, k, l))
+                    !runs_forward(part.kernel, i, j, k, l))
                     throw Invalid{"the edge of " + face_name(f) + " and " + face_name(across) +
                                   " would pass through infinity"};
             }
+        });
     }
 
     /// The hull turns once: one of its arcs of directions contains the first direction.
     void check_hull() {
         int turns = 0;
-        for (Index f = 0; f < faces(); ++f)
-            for (unsigned k = 0; k < 3; ++k) {
-                const HalfEdge h = Topology::first_edge(f) + k;
-                if (topology_.origin(h) == infinite)
-                    turns += static_cast<int>(kernel_.holds_first_direction(
-                        topology_.apex(h), topology_.target(h), topology_.apex(topology_.twin(h))));
-            }
+        judge_all(1, 0, [&](Part& part, Index) {
+            for (Index f = 0; f < faces(); ++f)
+                for (unsigned k = 0; k < 3; ++k) {
+                    const HalfEdge h = Topology::first_edge(f) + k;
+                    if (topology_.origin(h) == infinite)
+                        turns += static_cast<int>(part.kernel.holds_first_direction(
+                            topology_.apex(h), topology_.target(h),
+                            topology_.apex(topology_.twin(h))));
+                }
+        });
         if (turns != 1) throw Invalid{"the hull turns " + std::to_string(turns) + " times"};
     }
 
     /// Every hidden site is hidden by the visible one nearest to its centre.
     void check_hidden() {
         if (arrays_.hidden.empty()) return;
-        const auto site_of = [this](Index i) -> const Site& { return kernel_.site(i); };
-        NearSites<Distance> visible(visible_sites(), site_of);
-        for (const Hidden& hidden : arrays_.hidden) {
-            const Index q = hidden.site;
-            const Index by = hidden.by;
-            if (!kernel_.hides(by, q)) {
-                if (!kernel_.hides_if_first(by, q))
+        const auto site_of = [this](Index i) -> const Site& { return site_[at(i)]; };
+        const NearSites<Distance> visible(visible_sites(), site_of, workers());
+        judge_all(arrays_.hidden.size(), 1, [&](Part& part, Index h) {
+            const auto& [q, by] = arrays_.hidden[at(h)];
+            Kernel& kernel = part.kernel;
+            if (!kernel.hides(by, q)) {
+                if (!kernel.hides_if_first(by, q))
                     throw Invalid{name(by) + " does not hide " + name(q)};
-                note("by the tie rule " + name(by) + " does not hide " + name(q));
+                part.note("by the tie rule " + name(by) + " does not hide " + name(q));
             }
-            intervals_ += visible.visit_near(kernel_.centre(q), site_of(by), [&](Index v) {
-                if (v != by)
-                    forbid([&] { return kernel_.is_nearer(q, v, by); },
-                           [&] {
-                               return name(v) + " is nearer to the centre of " + name(q) +
-                                      " than " + name(by) + ", which is said to hide it";
-                           });
-            });
-            advance();
-        }
+            const auto ask = [&, q = q, by = by](Index v) {
+                if (v == by) return;
+                part.forbid([&] { return kernel.is_nearer(q, v, by); },
+                            [&] {
+                                return name(v) + " is nearer to the centre of " + name(q) +
+                                       " than " + name(by) + ", which is said to hide it";
+                            });
+            };
+            part.intervals += visible.visit_near(kernel.centre(q), site_of(by), ask);
+        });
     }
 
-    std::uint64_t intervals_ = 0;  // questions that intervals decided
     std::vector<RankedSite> site_;
-    Kernel kernel_{nullptr};
-    ExtendedKernel<Kernel> extended_{kernel_};
+    std::uint64_t filtered_ = 0;  // questions that filters decided
+    std::uint64_t multiprecision_ = 0;
+    std::uint64_t intervals_ = 0;
 };
 
 }  // namespace signum::triangulation

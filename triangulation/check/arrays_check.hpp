@@ -34,7 +34,8 @@ class ArraysCheck : protected Judgement {
     /// Predicates are asked in four passes of the faces, and once over the hidden sites.
     ArraysCheck(const TessellationArrays& arrays, std::size_t sites,
                 const ValidationOptions& options)
-        : Judgement(options, 4 * arrays.faces.size() + arrays.hidden.size()),
+        : Judgement(options, 4 * arrays.faces.size() + arrays.hidden.size(),
+                    std::max(arrays.faces.size(), arrays.hidden.size())),
           arrays_(arrays),
           sites_(sites) {}
 
@@ -49,16 +50,17 @@ class ArraysCheck : protected Judgement {
             throw Invalid{"the tessellation speaks of " + std::to_string(arrays_.sites) +
                           " sites, the input has " + std::to_string(n)};
         std::vector<Seen> seen(sites_, Seen::nowhere);
-        for (Index f = 0; f < faces(); ++f) {
+        judge_each(arrays_.faces.size(), 0, [&](Notes&, std::size_t each) {
+            const auto f = static_cast<Index>(each);
             const Face& v = face(f);
             for (const Index i : v) {
                 if (i < infinite || i >= n)
                     throw Invalid{face_name(f) + ": there is no site " + std::to_string(i)};
-                if (i != infinite) seen[at(i)] = Seen::as_vertex;
+                if (i != infinite) see_vertex(seen[at(i)]);
             }
             if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0])
                 throw Invalid{face_name(f) + " has a vertex twice"};
-        }
+        });
         see_hidden(arrays_.hidden, seen);
         if (arrays_.faces.empty()) {
             const auto lone = std::ranges::find(seen, Seen::nowhere);
@@ -89,12 +91,15 @@ class ArraysCheck : protected Judgement {
         topology_ = Topology(sites_);
         for (const Face& v : arrays_.faces) topology_.add_face(v[0], v[1], v[2]);
         check_neighbour_count();
-        for (Index f = 0; f < faces(); ++f)
+        judge_each(arrays_.faces.size(), 0, [&](Notes&, std::size_t each) {
+            const auto f = static_cast<Index>(each);
             for (unsigned k = 0; k < 3; ++k) {
-                const Index g = arrays_.neighbours[at(f)][k];
+                const Index g = arrays_.neighbours[each][k];
                 const HalfEdge h = Topology::first_edge(f) + (k + 1) % 3;
-                topology_.glue(h, edge_of_neighbour(f, k, g, h));
+                // The neighbour's half is glued where it is looked at in its turn.
+                topology_.record(f).twin[(k + 1) % 3] = edge_of_neighbour(f, k, g, h);
             }
+        });
     }
 
     /// The sites that are not said to be hidden.

@@ -14,6 +14,7 @@
 #include "../../core/index.hpp"
 #include "../../core/site.hpp"
 #include "../../filters/interval.hpp"
+#include "../structure/judgement.hpp"
 
 namespace signum::triangulation {
 
@@ -42,8 +43,10 @@ class NearSites {
  public:
     /// Of the sites that `members` names.
     template <class SiteOf>
-    NearSites(const std::vector<Index>& members, const SiteOf& site_of)
-        : tree_(members.size(), 8, 3, [&](std::size_t m) { return only(site_of(members[m])); }) {
+    NearSites(const std::vector<Index>& members, const SiteOf& site_of, const Workers& workers)
+        : tree_(
+              members.size(), 8, 3, [&](std::size_t m) { return only(site_of(members[m])); },
+              most_alone(workers, members.size()), both_by(workers)) {
         for (const std::uint32_t m : tree_.order())
             members_.push_back({site_of(members[m]), members[m]});
     }

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <iterator>
 #include <optional>
 #include <stdexcept>
 #include <utility>
 
+#include "../../core/parallel.hpp"
+#include "../../exact/floating_environment.hpp"
 #include "../../predicates/space/in_sphere.hpp"
 
 namespace signum {
@@ -40,10 +43,36 @@ void require_sites(const SpaceTessellation& tessellation, std::size_t sites) {
             "a tessellation to be compared names a site or a cell that there is not");
 }
 
-[[nodiscard]] std::vector<SpaceCell> finite_cells(const SpaceTessellation& tessellation) {
+/// Sorted.
+[[nodiscard]] std::vector<SpaceCell> finite_cells(const SpaceTessellation& tessellation,
+                                                  const Workers& workers) {
+    const std::vector<SpaceCell>& all = tessellation.cells;
+    // Dealt by their first site, so that one bucket is sorted beside another.
+    const std::size_t buckets = workers.range_count(all.size());
+    const std::size_t sites = std::max<std::size_t>(tessellation.sites, 1);
     std::vector<SpaceCell> cells;
-    std::ranges::copy_if(tessellation.cells, std::back_inserter(cells), is_finite);
+    const std::vector<std::size_t> begins = deal(
+        workers, all.size(), buckets,
+        [&](std::size_t c) {
+            if (!is_finite(all[c])) return buckets;
+            return std::min(static_cast<std::size_t>(all[c][0]) * buckets / sites, buckets - 1);
+        },
+        [&](std::size_t count) { make_room(workers, count, cells); },
+        [&](std::size_t c, std::size_t place) { cells[place] = all[c]; });
+    workers.each(buckets, [&](std::size_t b) {
+        std::sort(cells.data() + begins[b], cells.data() + begins[b + 1]);
+    });
     return cells;
+}
+
+/// A cell of each site; infinite: hidden.
+[[nodiscard]] std::vector<Index> cells_of_sites(const SpaceTessellation& tessellation,
+                                                std::size_t sites) {
+    std::vector<Index> result(sites, infinite);
+    for (std::size_t c = 0; c < tessellation.cells.size(); ++c)
+        for (const Index v : tessellation.cells[c])
+            if (v >= 0) result[static_cast<std::size_t>(v)] = static_cast<Index>(c);
+    return result;
 }
 
 /// Its corners, which turn positively; nothing where they do not, or span less than all sites do.
@@ -94,16 +123,14 @@ template <class S>
 template <class S>
 class Validity {
  public:
-    Validity(const SpaceTessellation& canonical, std::span<const S> sites)
+    /// cell_of: cells_of_sites() of the canonical one.
+    Validity(const SpaceTessellation& canonical, std::span<const S> sites,
+             std::span<const Index> cell_of)
         : canonical_(canonical),
           sites_(sites),
           size_(static_cast<std::size_t>(canonical.dimension + 1)),
-          cell_of_(sites.size(), infinite),
-          visited_(canonical.cells.size(), 0) {
-        for (std::size_t c = 0; c < canonical.cells.size(); ++c)
-            for (const Index v : canonical.cells[c])
-                if (v >= 0) cell_of_[static_cast<std::size_t>(v)] = static_cast<Index>(c);
-    }
+          cell_of_(cell_of),
+          visited_(canonical.cells.size(), 0) {}
 
     [[nodiscard]] bool of(const SpaceCell& cell) {
         const auto corners = corners_of(cell, size_ - 1, sites_);
@@ -153,8 +180,8 @@ class Validity {
 
     const SpaceTessellation& canonical_;
     std::span<const S> sites_;
-    std::size_t size_;                    ///< of a cell
-    std::vector<Index> cell_of_;          ///< a canonical cell of each site; infinite: hidden
+    std::size_t size_;  ///< of a cell
+    std::span<const Index> cell_of_;
     std::vector<std::uint64_t> visited_;  ///< by cell the last round in which it was visited
     std::uint64_t round_ = 0;
     std::vector<Index> around_;
@@ -162,76 +189,92 @@ class Validity {
 
 template <class S>
 CellComparison compare(const SpaceTessellation& tessellation, const SpaceTessellation& canonical,
-                       std::span<const S> sites) {
+                       std::span<const S> sites, int threads) {
     require_sites(tessellation, sites.size());
     require_sites(canonical, sites.size());
     if (tessellation.dimension != canonical.dimension)
         throw std::invalid_argument("two tessellations to be compared are of two dimensions");
-    std::vector<SpaceCell> compared = finite_cells(tessellation);
-    std::ranges::sort(compared);
-    std::vector<SpaceCell> expected = finite_cells(canonical);
-    std::ranges::sort(expected);
+    const Workers workers(threads, canonical.cells.size());
+    const std::vector<SpaceCell> compared = finite_cells(tessellation, workers);
+    const std::vector<SpaceCell> expected = finite_cells(canonical, workers);
     std::vector<SpaceCell> unexpected;
     std::ranges::set_difference(compared, expected, std::back_inserter(unexpected));
 
     CellComparison result;
     result.cells = static_cast<std::int64_t>(compared.size());
     if (unexpected.empty()) return result;
-    Validity<S> is_valid(canonical, sites);
-    for (const SpaceCell& cell : unexpected)
-        (is_valid.of(cell) ? result.different : result.wrong).push_back(cell);
+    const std::vector<Index> cell_of = cells_of_sites(canonical, sites.size());
+    std::vector<char> are_valid(unexpected.size());
+    workers.each_range(unexpected.size(), [&](std::size_t begin, std::size_t end) {
+        const exact::IeeeEnvironment environment;
+        Validity<S> is_valid(canonical, sites, cell_of);
+        for (std::size_t c = begin; c < end; ++c) are_valid[c] = is_valid.of(unexpected[c]);
+    });
+    for (std::size_t c = 0; c < unexpected.size(); ++c)
+        (are_valid[c] != 0 ? result.different : result.wrong).push_back(unexpected[c]);
     return result;
 }
 
 template <class S>
-FacetTies count_ties(const SpaceTessellation& canonical, std::span<const S> sites) {
+FacetTies count_ties(const SpaceTessellation& canonical, std::span<const S> sites, int threads) {
     require_sites(canonical, sites.size());
     const auto dimension = static_cast<std::size_t>(canonical.dimension);
-    FacetTies result;
-    for (std::size_t c = 0; c < canonical.cells.size(); ++c) {
-        const SpaceCell& cell = canonical.cells[c];
-        if (!is_finite(cell)) continue;
-        const auto corners = corners_of(cell, dimension, sites);
-        if (!corners) continue;
-        const auto& [i, j, k, l] = *corners;
-        for (const Index n : std::span(canonical.neighbours[c]).first(dimension + 1)) {
-            const SpaceCell& other = canonical.cells[static_cast<std::size_t>(n)];
-            if (static_cast<std::size_t>(n) <= c || !is_finite(other)) continue;
-            const auto across = std::ranges::find_if(
-                other, [&](Index v) { return std::ranges::count(cell, v) == 0; });
-            if (across == other.end()) continue;
-            ++result.facets;
-            const S& q = sites[static_cast<std::size_t>(*across)];
-            result.ties += power::in_sphere(i, j, k, l, q) == 0;
+    const Workers workers(threads, canonical.cells.size());
+    std::atomic<std::int64_t> facets = 0;
+    std::atomic<std::int64_t> ties = 0;
+    workers.each_range(canonical.cells.size(), [&](std::size_t begin, std::size_t end) {
+        const exact::IeeeEnvironment environment;
+        FacetTies own;
+        for (std::size_t c = begin; c < end; ++c) {
+            const SpaceCell& cell = canonical.cells[c];
+            if (!is_finite(cell)) continue;
+            const auto corners = corners_of(cell, dimension, sites);
+            if (!corners) continue;
+            const auto& [i, j, k, l] = *corners;
+            for (const Index n : std::span(canonical.neighbours[c]).first(dimension + 1)) {
+                const SpaceCell& other = canonical.cells[static_cast<std::size_t>(n)];
+                if (static_cast<std::size_t>(n) <= c || !is_finite(other)) continue;
+                const auto across = std::ranges::find_if(
+                    other, [&](Index v) { return std::ranges::count(cell, v) == 0; });
+                if (across == other.end()) continue;
+                ++own.facets;
+                const S& q = sites[static_cast<std::size_t>(*across)];
+                own.ties += power::in_sphere(i, j, k, l, q) == 0;
+            }
         }
-    }
-    return result;
+        facets += own.facets;
+        ties += own.ties;
+    });
+    return {facets, ties};
 }
 
 }  // namespace
 
 CellComparison compare_cells(const SpaceTessellation& tessellation,
-                             const SpaceTessellation& canonical, std::span<const Point3> sites) {
-    return compare(tessellation, canonical, sites);
+                             const SpaceTessellation& canonical, std::span<const Point3> sites,
+                             int threads) {
+    return compare(tessellation, canonical, sites, threads);
 }
 CellComparison compare_cells(const SpaceTessellation& tessellation,
-                             const SpaceTessellation& canonical, std::span<const Site3> sites) {
-    return compare(tessellation, canonical, sites);
+                             const SpaceTessellation& canonical, std::span<const Site3> sites,
+                             int threads) {
+    return compare(tessellation, canonical, sites, threads);
 }
 CellComparison compare_cells(const SpaceTessellation& tessellation,
                              const SpaceTessellation& canonical,
-                             std::span<const power::Site3> sites) {
-    return compare(tessellation, canonical, sites);
+                             std::span<const power::Site3> sites, int threads) {
+    return compare(tessellation, canonical, sites, threads);
 }
 
-FacetTies ties_of(const SpaceTessellation& canonical, std::span<const Point3> sites) {
-    return count_ties(canonical, sites);
+FacetTies ties_of(const SpaceTessellation& canonical, std::span<const Point3> sites, int threads) {
+    return count_ties(canonical, sites, threads);
 }
-FacetTies ties_of(const SpaceTessellation& canonical, std::span<const Site3> sites) {
-    return count_ties(canonical, sites);
+FacetTies ties_of(const SpaceTessellation& canonical, std::span<const Site3> sites, int threads) {
+    return count_ties(canonical, sites, threads);
 }
-FacetTies ties_of(const SpaceTessellation& canonical, std::span<const power::Site3> sites) {
-    return count_ties(canonical, sites);
+FacetTies ties_of(const SpaceTessellation& canonical, std::span<const power::Site3> sites,
+                  int threads) {
+    return count_ties(canonical, sites, threads);
 }
 
 }  // namespace signum

@@ -3,6 +3,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "../../core/parallel.hpp"
 #include "../../exact/floating_environment.hpp"
 #include "../../exact/multiprecision.hpp"
 #include "../../filters/bounded.hpp"
@@ -79,40 +80,46 @@ SpaceVertex vertex_of(const S& i, const S& j, const S& k, const S& l) {
 
 template <class S>
 std::vector<SpaceVertex> vertices_of(const SpaceTessellation& tessellation,
-                                     std::span<const S> sites) {
+                                     std::span<const S> sites, int threads) {
     if (tessellation.sites != static_cast<std::int64_t>(sites.size()))
         throw std::invalid_argument("a tessellation of another number of sites");
-    const exact::IeeeEnvironment environment;
+    const auto is_site = [&](Index v) { return v >= 0 && v < static_cast<Index>(sites.size()); };
+    const std::vector<SpaceCell>& cells = tessellation.cells;
+    const Workers workers(threads, cells.size());
     std::vector<SpaceVertex> result;
-    result.reserve(tessellation.cells.size());
-    for (const SpaceCell& cell : tessellation.cells) {
-        const auto is_site = [&](Index v) {
-            return v >= 0 && v < static_cast<Index>(sites.size());
-        };
-        for (const Index v : cell)
-            if (!is_site(v) && v != -1 && v != no_vertex)
-                throw std::invalid_argument("a cell has a vertex that is no site");
-        const auto site = [&](std::size_t m) { return sites[static_cast<std::size_t>(cell[m])]; };
-        const bool has_vertex = is_site(cell[0]) && is_site(cell[1]) && is_site(cell[2]) &&
-                                is_site(cell[3]) && ccw(site(0), site(1), site(2), site(3)) != 0;
-        result.push_back(has_vertex ? vertex_of(site(0), site(1), site(2), site(3)) : no_place);
-    }
+    make_room(workers, cells.size(), result);
+    workers.each_range(cells.size(), [&](std::size_t begin, std::size_t end) {
+        const exact::IeeeEnvironment environment;
+        for (std::size_t c = begin; c < end; ++c) {
+            const SpaceCell& cell = cells[c];
+            for (const Index v : cell)
+                if (!is_site(v) && v != -1 && v != no_vertex)
+                    throw std::invalid_argument("a cell has a vertex that is no site");
+            const auto site = [&](std::size_t m) {
+                return sites[static_cast<std::size_t>(cell[m])];
+            };
+            const bool has_vertex = is_site(cell[0]) && is_site(cell[1]) && is_site(cell[2]) &&
+                                    is_site(cell[3]) &&
+                                    ccw(site(0), site(1), site(2), site(3)) != 0;
+            result[c] = has_vertex ? vertex_of(site(0), site(1), site(2), site(3)) : no_place;
+        }
+    });
     return result;
 }
 
 }  // namespace
 
 std::vector<SpaceVertex> vertices(const SpaceTessellation& tessellation,
-                                  std::span<const Point3> sites) {
-    return vertices_of(tessellation, sites);
+                                  std::span<const Point3> sites, int threads) {
+    return vertices_of(tessellation, sites, threads);
 }
 std::vector<SpaceVertex> vertices(const SpaceTessellation& tessellation,
-                                  std::span<const Site3> sites) {
-    return vertices_of(tessellation, sites);
+                                  std::span<const Site3> sites, int threads) {
+    return vertices_of(tessellation, sites, threads);
 }
 std::vector<SpaceVertex> vertices(const SpaceTessellation& tessellation,
-                                  std::span<const power::Site3> sites) {
-    return vertices_of(tessellation, sites);
+                                  std::span<const power::Site3> sites, int threads) {
+    return vertices_of(tessellation, sites, threads);
 }
 
 }  // namespace signum

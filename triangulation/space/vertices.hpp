@@ -20,16 +20,17 @@ struct SpaceVertex {
     double rho;  ///< the power distance
 };
 
-/// One vertex a cell, in the order of the cells. Double-doubles with a bound, rationals behind
-/// them; O(cells). Throws std::invalid_argument where the tessellation is not one of as many sites,
-/// or a cell names a site that there is not.
+/// One vertex a cell, in the order of the cells, whatever the number of threads (Options::threads).
+/// Double-doubles with a bound, rationals behind them; O(cells). Throws std::invalid_argument where
+/// the tessellation is not one of as many sites, or a cell names a site that there is not.
 [[nodiscard]] std::vector<SpaceVertex> vertices(const SpaceTessellation& tessellation,
-                                                std::span<const Point3> sites);
+                                                std::span<const Point3> sites, int threads = 0);
 /// The same of balls.
 [[nodiscard]] std::vector<SpaceVertex> vertices(const SpaceTessellation& tessellation,
-                                                std::span<const Site3> sites);
+                                                std::span<const Site3> sites, int threads = 0);
 /// The same of sites with weights.
 [[nodiscard]] std::vector<SpaceVertex> vertices(const SpaceTessellation& tessellation,
-                                                std::span<const power::Site3> sites);
+                                                std::span<const power::Site3> sites,
+                                                int threads = 0);
 
 }  // namespace signum

@@ -80,15 +80,15 @@ struct BallDiagram {
     friend bool operator==(const BallDiagram&, const BallDiagram&) = default;
 };
 
-/// Of the options stop and progress are looked at. Throws std::invalid_argument, naming the ball,
-/// for NaN or infinity, and for more than 2^28 balls; Stopped where options.stop asks for it. Time:
-/// about in proportion to the result for balls spread at random, and for crystals. Where m balls of
-/// equal radii touch one sphere, or have their centres in a plane, on a circle or on a line, about
-/// m² steps; where m of different radii touch one sphere or one plane from one side, each three and
-/// each four of them are looked at, up to m⁴. Where m balls are nearly so, but not quite, about a
-/// thousand directions of each ball tell them apart, however little they are off: some m² steps. A
-/// ball with m neighbours costs each of these up to m steps. Memory: about in proportion to the
-/// result, and to the fours and threes that are looked at for one ball.
+/// Of the options threads, stop and progress are looked at. Throws std::invalid_argument, naming
+/// the ball, for NaN or infinity, and for more than 2^28 balls; Stopped where options.stop asks for
+/// it. Time: about in proportion to the result for balls spread at random, and for crystals. Where
+/// m balls of equal radii touch one sphere, or have their centres in a plane, on a circle or on a
+/// line, about m² steps; where m of different radii touch one sphere or one plane from one side,
+/// each three and each four of them are looked at, up to m⁴. Where m balls are nearly so, but not
+/// quite, about a thousand directions of each ball tell them apart, however little they are off:
+/// some m² steps. A ball with m neighbours costs each of these up to m steps. Memory: about in
+/// proportion to the result, and to the fours and threes that are looked at for one ball.
 [[nodiscard]] BallDiagram ball_diagram(std::span<const Site3> balls, const Options& options = {});
 
 }  // namespace signum

@@ -65,6 +65,7 @@ void EqualRadii::tessellate(const BallSet& balls, std::span<const Index> names,
     for (const Index i : names) centres.push_back(centre3(balls[i]));
     Options silent;
     silent.stop = options.stop;
+    silent.threads = options.threads;
     const SpaceTessellation t = triangulate(std::span<const Point3>(centres), {}, silent);
     const auto name = [&](Index vertex) { return names[static_cast<std::size_t>(vertex)]; };
     const auto ball = [&](Index vertex) -> const Site3& { return balls[name(vertex)]; };

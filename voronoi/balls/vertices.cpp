@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "../../core/parallel.hpp"
+#include "../../exact/floating_environment.hpp"
 #include "../../filters/bounds.hpp"
 #include "../../predicates/ccw.hpp"
 #include "../../predicates/space/ball_filter.hpp"
@@ -24,6 +26,9 @@
 
 namespace signum::balls {
 namespace {
+
+/// In sites of a tessellation, by which Workers judge whether several threads are worth it.
+constexpr std::size_t work_of_a_ball = 256;
 
 /// Whether Γ (formulas/balls.hpp) is certainly not 0: then no sphere touches the four balls in
 /// points of one plane. By the filter of exists().
@@ -54,62 +59,17 @@ namespace {
            ccw_decision(Point{a.z, a.x}, Point{b.z, b.x}, Point{c.z, c.x}).sign == 0;
 }
 
+/// What one thread finds.
 class VertexSearch {
  public:
-    VertexSearch(const BallSet& balls, const Options& options) : balls_(balls), options_(options) {}
+    /// may_be_unbounded: by ball, of which nobody else writes those that are asked here.
+    VertexSearch(const BallSet& balls, const EqualRadii& equal, const BallTree& tree,
+                 std::vector<char>& may_be_unbounded)
+        : balls_(balls), equal_(equal), tree_(tree), may_be_unbounded_(may_be_unbounded) {}
 
-    /// Of each ball: its cell, and those vertices and curves of which it is the first.
-    [[nodiscard]] BallVertices run(std::span<const Hidden> hidden) {
-        std::vector<Index> visible;
-        for (std::size_t i = 0, h = 0; i < balls_.size(); ++i) {
-            if (h < hidden.size() && hidden[h].site == static_cast<Index>(i)) {
-                ++h;
-            } else {
-                visible.push_back(static_cast<Index>(i));
-            }
-        }
-        result_.may_be_unbounded.assign(balls_.size(), 0);
-        if (visible.empty()) return std::move(result_);
-        equal_.emplace(balls_, visible, options_);
-        const BallTree tree = balls_.tree_of(visible);
-        std::vector<EqualRadii::Kind> kinds;
-        for (std::size_t place = 0; place < tree.size(); ++place)
-            kinds.push_back(equal_->kind(tree.name(place)));
-        CellSearch search(tree, std::move(kinds), line_of(tree));
-        const triangulation::Watch watch(options_.stop, options_.progress, tree.size(), 256);
-        for (std::size_t place = 0; place < tree.size(); ++place) {
-            watch.at(place);
-            find_of(static_cast<CellSearch::Place>(place), tree, search);
-        }
-        sort_vertices();
-        return std::move(result_);
-    }
-
- private:
-    /// The direction of the line that all centres are on.
-    [[nodiscard]] std::optional<Point3> line_of(const BallTree& tree) const {
-        const Site3& first = tree.ball(0);
-        Point3 direction;
-        double length = 0.0;
-        std::size_t last = 0;
-        for (std::size_t place = 1; place < tree.size(); ++place) {
-            const Site3& b = tree.ball(place);
-            const Point3 way = minus(centre3(b), centre3(first));
-            const double its_length = std::hypot(way.x, way.y, way.z);
-            if (!(its_length > length)) continue;
-            length = its_length;
-            direction = way;
-            last = place;
-        }
-        if (!(length > 0x1p-960)) return {};
-        direction = {direction.x / length, direction.y / length, direction.z / length};
-        const Site3 &a = balls_[tree.name(0)], &b = balls_[tree.name(last)];
-        for (std::size_t place = 1; place < tree.size(); ++place)
-            if (!are_on_a_line(a, b, balls_[tree.name(place)])) return {};
-        return direction;
-    }
-    void find_of(CellSearch::Place place, const BallTree& tree, CellSearch& search) {
-        const Index i = tree.name(place);
+    /// Of a ball: its cell, and those vertices and curves of which it is the first.
+    void find_of(CellSearch::Place place, CellSearch& search) {
+        const Index i = tree_.name(place);
         fours_.clear();
         pairs_.clear();
         before_.clear();
@@ -122,7 +82,7 @@ class VertexSearch {
         std::size_t most_untidy = least_untidy;
         const auto take = [&](std::span<const CellSearch::Place> list, std::size_t later) {
             later_.clear();
-            for (std::size_t m = 0; m < later; ++m) later_.push_back(tree.name(list[m]));
+            for (std::size_t m = 0; m < later; ++m) later_.push_back(tree_.name(list[m]));
             std::ranges::sort(later_);
             if (later_ == before_) return;  // beside one another patches have the same
             before_ = later_;
@@ -134,27 +94,31 @@ class VertexSearch {
             for (std::size_t a = 0; a < later; ++a) {
                 for (std::size_t b = a + 1; b < later; ++b) {
                     const Triple three{i, later_[a], later_[b]};
-                    const bool are_of_a_kind = equal_->are_of_a_kind(three);
+                    const bool are_of_a_kind = equal_.are_of_a_kind(three);
                     if (!are_of_a_kind) pairs_.push_back(three);
                     for (std::size_t c = b + 1; c < later; ++c)
-                        if (!are_of_a_kind || equal_->kind(i) != equal_->kind(later_[c]))
+                        if (!are_of_a_kind || equal_.kind(i) != equal_.kind(later_[c]))
                             fours_.push_back({i, later_[a], later_[b], later_[c]});
                 }
             }
         };
         search.run(place, take);
-        result_.may_be_unbounded[static_cast<std::size_t>(i)] = search.may_be_unbounded() ? 1 : 0;
+        may_be_unbounded_[static_cast<std::size_t>(i)] = search.may_be_unbounded() ? 1 : 0;
         neighbours_.clear();
         for (const CellSearch::Place near : search.neighbours())
-            neighbours_.push_back(tree.name(near));
+            neighbours_.push_back(tree_.name(near));
         once(fours_);
         once(pairs_);
         for (const Quadruple& four : fours_) try_four(four);
-        for (const Quadruple& four : equal_->fours(i)) try_four_of_a_kind(four);
+        for (const Quadruple& four : equal_.fours(i)) try_four_of_a_kind(four);
         for (const Triple& curve : pairs_) try_curve(curve, 0);
-        for (const std::vector<Index>& curve : equal_->curves(i)) try_curve(curve, equal_->kind(i));
+        for (const std::vector<Index>& curve : equal_.curves(i)) try_curve(curve, equal_.kind(i));
     }
 
+    std::vector<BallVertex> vertices;
+    std::vector<FreeCurve> free_curves;
+
+ private:
     void try_four(const Quadruple& four) {
         const auto [a, b, c, d] = balls_.of(four);
         const bool positive = euclidean::exists_decision(a, b, c, d).sign > 0;
@@ -226,7 +190,7 @@ class VertexSearch {
         std::ranges::sort(touching_);
         Quadruple first{touching_[0], touching_[1], touching_[2], touching_[3]};
         for (std::size_t m = 4; balls_.touch_along_a_curve(first); ++m) first[3] = touching_[m];
-        if (!equal_->are_of_a_kind(first)) return;
+        if (!equal_.are_of_a_kind(first)) return;
         const auto [i, j, k, l] = balls_.of(first);
         const Sign turn = ccw_decision(centre3(i), centre3(j), centre3(k), centre3(l)).sign;
         add_vertex({first, turn, touching_, {}});
@@ -243,7 +207,7 @@ class VertexSearch {
         if (!rounded_)
             throw std::logic_error("balls touch no sphere of the orientation that was found");
         vertex.sphere = *rounded_;
-        result_.vertices.push_back(std::move(vertex));
+        vertices.push_back(std::move(vertex));
     }
     [[nodiscard]] std::optional<Site3> rounded_sphere(const Quadruple& four, Sign turn) const {
         const TouchingSpheres<Site3> found = touching_spheres(balls_.of(four));
@@ -267,7 +231,7 @@ class VertexSearch {
         const Triple curve{known[0], known[1], known[2]};
         const auto [a, b, c] = balls_.of(curve);
         const auto is_known = [&](Index q) {
-            return q == curve[1] || q == curve[2] || (kind != 0 && equal_->kind(q) == kind);
+            return q == curve[1] || q == curve[2] || (kind != 0 && equal_.kind(q) == kind);
         };
         const RoughSphere rough(balls_.scaled(curve[0]), balls_.scaled(curve[1]),
                                 balls_.scaled(curve[2]));
@@ -294,22 +258,15 @@ class VertexSearch {
         }
         std::ranges::sort(free.touching);
         const Triple first{free.touching[0], free.touching[1], free.touching[2]};
-        if (kind == 0 ? first != curve : !equal_->are_of_a_kind(first)) return;
+        if (kind == 0 ? first != curve : !equal_.are_of_a_kind(first)) return;
         free.is_loop = is_loop({a, b, c});
-        result_.free_curves.push_back(std::move(free));
-    }
-
-    void sort_vertices() {
-        std::ranges::sort(result_.vertices, [](const BallVertex& v, const BallVertex& w) {
-            const auto order = compare(v.all(), w.all());
-            return order != 0 ? order < 0 : v.turn > w.turn;
-        });
+        free_curves.push_back(std::move(free));
     }
 
     const BallSet& balls_;
-    const Options& options_;
-    BallVertices result_;
-    std::optional<EqualRadii> equal_;
+    const EqualRadii& equal_;
+    const BallTree& tree_;
+    std::vector<char>& may_be_unbounded_;
     // Of the ball in question: who may be its neighbours, and what is to be tried.
     std::vector<Index> neighbours_;
     std::vector<Index> later_;
@@ -320,11 +277,83 @@ class VertexSearch {
     std::vector<Triple> pairs_;
 };
 
+/// The direction of the line that all centres are on.
+[[nodiscard]] std::optional<Point3> line_of(const BallSet& balls, const BallTree& tree) {
+    const Site3& first = tree.ball(0);
+    Point3 direction;
+    double length = 0.0;
+    std::size_t last = 0;
+    for (std::size_t place = 1; place < tree.size(); ++place) {
+        const Site3& b = tree.ball(place);
+        const Point3 way = minus(centre3(b), centre3(first));
+        const double its_length = std::hypot(way.x, way.y, way.z);
+        if (!(its_length > length)) continue;
+        length = its_length;
+        direction = way;
+        last = place;
+    }
+    if (!(length > 0x1p-960)) return {};
+    direction = {direction.x / length, direction.y / length, direction.z / length};
+    const Site3 &a = balls[tree.name(0)], &b = balls[tree.name(last)];
+    for (std::size_t place = 1; place < tree.size(); ++place)
+        if (!are_on_a_line(a, b, balls[tree.name(place)])) return {};
+    return direction;
+}
+
+[[nodiscard]] std::vector<Index> visible_of(const BallSet& balls, std::span<const Hidden> hidden) {
+    std::vector<Index> visible;
+    for (std::size_t i = 0, h = 0; i < balls.size(); ++i) {
+        if (h < hidden.size() && hidden[h].site == static_cast<Index>(i)) {
+            ++h;
+        } else {
+            visible.push_back(static_cast<Index>(i));
+        }
+    }
+    return visible;
+}
+
 }  // namespace
 
 BallVertices find_vertices(const BallSet& balls, std::span<const Hidden> hidden,
                            const Options& options) {
-    return VertexSearch(balls, options).run(hidden);
+    BallVertices result;
+    result.may_be_unbounded.assign(balls.size(), 0);
+    const std::vector<Index> visible = visible_of(balls, hidden);
+    if (visible.empty()) return result;
+    const EqualRadii equal(balls, visible, options);
+    const BallTree tree = balls.tree_of(visible);
+    std::vector<EqualRadii::Kind> kinds;
+    for (std::size_t place = 0; place < tree.size(); ++place)
+        kinds.push_back(equal.kind(tree.name(place)));
+    const std::optional<Point3> line = line_of(balls, tree);
+
+    const std::size_t work = work_of_a_ball * tree.size();
+    const Workers workers(options.threads, work);
+    const std::size_t ranges = workers.range_count(work);
+    const triangulation::Watch watch(options.stop, options.progress, tree.size(), 256);
+    watch.at(0);
+    std::vector<std::vector<BallVertex>> vertices(ranges);
+    std::vector<std::vector<FreeCurve>> free_curves(ranges);
+    workers.each(ranges, [&](std::size_t range) {
+        const exact::IeeeEnvironment environment;
+        VertexSearch own(balls, equal, tree, result.may_be_unbounded);
+        CellSearch search(tree, kinds, line);
+        triangulation::Watch::Loop loop(watch);
+        for (std::size_t place = tree.size() * range / ranges;
+             place < tree.size() * (range + 1) / ranges; ++place) {
+            own.find_of(static_cast<CellSearch::Place>(place), search);
+            loop.step();
+        }
+        vertices[range] = std::move(own.vertices);
+        free_curves[range] = std::move(own.free_curves);
+    });
+    result.vertices = joined(workers, std::move(vertices));
+    result.free_curves = joined(workers, std::move(free_curves));
+    std::ranges::sort(result.vertices, [](const BallVertex& v, const BallVertex& w) {
+        const auto order = compare(v.all(), w.all());
+        return order != 0 ? order < 0 : v.turn > w.turn;
+    });
+    return result;
 }
 
 }  // namespace signum::balls

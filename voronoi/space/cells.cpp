@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "../../core/parallel.hpp"
 #include "../../exact/floating_environment.hpp"
 #include "../../triangulation/space/order.hpp"
 #include "faces.hpp"
@@ -15,8 +16,11 @@ namespace {
 
 class Measuring {
  public:
-    Measuring(const SpaceTessellation& tessellation, const AnySites3& sites, const Box3& box)
-        : faces_(tessellation, sites, box), size_(static_cast<Index>(faces_.sites().size())) {
+    Measuring(const SpaceTessellation& tessellation, const AnySites3& sites, const Box3& box,
+              int threads)
+        : workers_(threads,
+                   static_cast<std::size_t>(std::max<std::int64_t>(tessellation.sites, 0))),
+          faces_(tessellation, sites, box, threads) {
         result_.box = box;
         result_.measures.resize(faces_.sites().size());
         found_.reserve(8 * faces_.sites().size());
@@ -28,25 +32,26 @@ class Measuring {
         // Near ones after one another, so that most of what a site looks at has been looked at.
         const auto place = [&](Index i) { return faces_.sites()[i].centre; };
         const LargeArray<Index> order = spatial::insertion_order(has_apex_.size(), place, 1);
-        for (std::size_t k = 0; k < order.size(); ++k) {
-            const Index i = order[k];
-            if (k + 1 < order.size()) faces_.prefetch(order[k + 1]);
-            for (const auto& neighbour : faces_.neighbours(i, i)) {
-                const CutFace* const face = faces_.cut(i, neighbour);
-                if (face == nullptr) continue;
-                const Index j = neighbour.site;
-                if (!face->is_narrow) found_.push_back({i, j, face->area});
-                const Point3& corner = faces_.polygon().front();
-                add(i, face->normal, corner, *face, {});
-                add(j, plus({}, face->normal, -1.0), corner, *face,
-                    faces_.sites().between_eyes(i, j));
-                if (faces_.is_at_box()) [[unlikely]]
-                    keep_rims(i, j);
-            }
+        if (workers_.count() == 1) {
+            cut_faces(faces_, rims_, order, 0, order.size(), [this](const Cut& cut) {
+                note(cut, found_);
+                add_to_first(cut);
+                add_to_second(cut);
+            });
+        } else {
+            // Of so many sites at a time: who knew all faces would need much memory.
+            constexpr std::size_t at_a_time = std::size_t{1} << 16;
+            std::vector<SpaceFaces> own;
+            std::vector<Stretch> stretches;
+            for (std::size_t k = 0; k < order.size(); k += at_a_time)
+                add_together(order, k, std::min(k + at_a_time, order.size()), own, stretches);
         }
         measure_sides();
         list_faces();
-        for (Index i = 0; i < size_; ++i) finish(i);
+        workers_.each_range(has_apex_.size(), [this](std::size_t begin, std::size_t end) {
+            const exact::IeeeEnvironment environment;
+            for (std::size_t s = begin; s < end; ++s) finish(static_cast<Index>(s));
+        });
         return std::move(result_);
     }
 
@@ -62,6 +67,107 @@ class Measuring {
         Index site;
         EdgeEnd end;
     };
+
+    /// What faces leave on the sides of the box.
+    struct Rims {
+        std::vector<SideStep> steps;
+        std::vector<EndOfCell> ends;
+    };
+
+    /// A face between two sites, seen from the first, and one of its corners.
+    struct Cut {
+        Index i;
+        Index j;
+        CutFace face;
+        Point3 corner;
+    };
+    /// The faces of a stretch of the order, each told by its lesser site.
+    template <class Put>
+    static void cut_faces(SpaceFaces& faces, Rims& rims, const LargeArray<Index>& order,
+                          std::size_t begin, std::size_t end, const Put& put) {
+        for (std::size_t k = begin; k < end; ++k) {
+            const Index i = order[k];
+            if (k + 1 < order.size()) faces.prefetch(order[k + 1]);
+            for (const auto& neighbour : faces.neighbours(i, i)) {
+                const CutFace* const face = faces.cut(i, neighbour);
+                if (face == nullptr) continue;
+                put(Cut{i, neighbour.site, *face, faces.polygon().front()});
+                if (faces.is_at_box()) [[unlikely]]
+                    keep_rims(faces, rims, i, neighbour.site);
+            }
+        }
+    }
+    /// What one thread cuts of a stretch, and which sides of it go to which bucket of sites.
+    struct Stretch {
+        std::vector<Cut> cuts;
+        std::vector<Found> found;
+        std::vector<std::vector<std::uint32_t>> sides;
+        Rims rims;
+
+        void clear(std::size_t buckets) {
+            cuts.clear();
+            found.clear();
+            rims = {};
+            sides.resize(buckets);
+            for (auto& of_bucket : sides) of_bucket.clear();
+        }
+    };
+    /// The same by several threads: each face to both its cells in the order in which one thread
+    /// would come by it, for sums are rounded.
+    void add_together(const LargeArray<Index>& order, std::size_t begin, std::size_t end,
+                      std::vector<SpaceFaces>& own, std::vector<Stretch>& stretches) {
+        const std::size_t size = end - begin;
+        const std::size_t ranges = workers_.range_count(size);
+        while (own.size() < ranges) own.push_back(faces_.another());
+        stretches.resize(std::max(stretches.size(), ranges));
+        // A bucket has all sides of some sites; neighbours in memory are in one.
+        const std::size_t buckets = 4 * static_cast<std::size_t>(workers_.count());
+        constexpr std::size_t together = 256;
+        const auto bucket = [&](Index site) {
+            return static_cast<std::size_t>(site) / together % buckets;
+        };
+        workers_.each(ranges, [&](std::size_t range) {
+            const exact::IeeeEnvironment environment;
+            Stretch stretch = std::move(stretches[range]);
+            stretch.clear(buckets);
+            const auto put = [&](const Cut& cut) {
+                const auto side = static_cast<std::uint32_t>(2 * stretch.cuts.size());
+                stretch.cuts.push_back(cut);
+                stretch.sides[bucket(cut.i)].push_back(side);
+                stretch.sides[bucket(cut.j)].push_back(side + 1);
+                note(cut, stretch.found);
+            };
+            cut_faces(own[range], stretch.rims, order, begin + size * range / ranges,
+                      begin + size * (range + 1) / ranges, put);
+            stretches[range] = std::move(stretch);
+        });
+        workers_.each(buckets, [&](std::size_t of_bucket) {
+            const exact::IeeeEnvironment environment;
+            for (std::size_t range = 0; range < ranges; ++range)
+                for (const std::uint32_t side : stretches[range].sides[of_bucket]) {
+                    const Cut& cut = stretches[range].cuts[side / 2];
+                    side % 2 == 0 ? add_to_first(cut) : add_to_second(cut);
+                }
+        });
+        const auto append = [](auto& all, const auto& more) {
+            all.insert(all.end(), more.begin(), more.end());
+        };
+        for (std::size_t range = 0; range < ranges; ++range) {
+            append(found_, stretches[range].found);
+            append(rims_.steps, stretches[range].rims.steps);
+            append(rims_.ends, stretches[range].rims.ends);
+        }
+    }
+    static void note(const Cut& cut, std::vector<Found>& found) {
+        if (!cut.face.is_narrow) found.push_back({cut.i, cut.j, cut.face.area});
+    }
+    void add_to_first(const Cut& cut) noexcept {
+        add(cut.i, cut.face.normal, cut.corner, cut.face, {});
+    }
+    void add_to_second(const Cut& cut) noexcept {
+        add(cut.j, plus({}, cut.face.normal, -1.0), cut.corner, cut.face,
+            faces_.sites().between_eyes(cut.i, cut.j));
+    }
 
     [[nodiscard]] SpaceMeasure& measure_of(Index i) noexcept {
         return result_.measures[static_cast<std::size_t>(i)];
@@ -89,47 +195,47 @@ class Measuring {
 
     /// What the last face leaves on the sides: a step for each of its two cells, in which their
     /// rims run against the face.
-    void keep_rims(Index i, Index j) {
-        const auto polygon = faces_.polygon();
-        const auto borders = faces_.borders();
-        const Point3 offset = faces_.sites().between_eyes(i, j);
+    static void keep_rims(const SpaceFaces& faces, Rims& rims, Index i, Index j) {
+        const auto polygon = faces.polygon();
+        const auto borders = faces.borders();
+        const Point3 offset = faces.sites().between_eyes(i, j);
         for (std::size_t k = 0; k < polygon.size(); ++k) {
             if (!is_box_side(borders[k])) continue;
             const int side = Side::named(borders[k]).number;
             const Point3& from = polygon[k];
             const Point3& to = polygon[k + 1 < polygon.size() ? k + 1 : 0];
-            steps_.push_back({i, side, to, from});
-            steps_.push_back({j, side, minus(from, offset), minus(to, offset)});
+            rims.steps.push_back({i, side, to, from});
+            rims.steps.push_back({j, side, minus(from, offset), minus(to, offset)});
         }
-        faces_.for_ends_on_edges(i, j, [&](const EdgeEnd& end) {
-            ends_.push_back({i, end});
+        faces.for_ends_on_edges(i, j, [&](const EdgeEnd& end) {
+            rims.ends.push_back({i, end});
             EdgeEnd other = end;
             other.is_high = !end.is_high;
             other.place = minus(end.place, offset);
-            ends_.push_back({j, other});
+            rims.ends.push_back({j, other});
         });
     }
     /// The parts of the box's edges close the rims.
     void measure_sides() {
-        std::ranges::sort(ends_, {}, &EndOfCell::site);
-        if (ends_.empty()) {
+        std::ranges::sort(rims_.ends, {}, &EndOfCell::site);
+        if (rims_.ends.empty()) {
             if (const Index owner = faces_.owner_of_box(); owner >= 0) add_edges(owner, {}, true);
         }
         std::vector<EdgeEnd> of_cell;
-        for (std::size_t k = 0; k < ends_.size();) {
-            const Index i = ends_[k].site;
-            for (of_cell.clear(); k < ends_.size() && ends_[k].site == i; ++k)
-                of_cell.push_back(ends_[k].end);
+        for (std::size_t k = 0; k < rims_.ends.size();) {
+            const Index i = rims_.ends[k].site;
+            for (of_cell.clear(); k < rims_.ends.size() && rims_.ends[k].site == i; ++k)
+                of_cell.push_back(rims_.ends[k].end);
             add_edges(i, of_cell, false);
         }
         const auto of = [](const SideStep& step) { return std::pair(step.site, step.side); };
-        std::ranges::stable_sort(steps_, {}, of);
-        for (std::size_t k = 0; k < steps_.size();) {
+        std::ranges::stable_sort(rims_.steps, {}, of);
+        for (std::size_t k = 0; k < rims_.steps.size();) {
             std::size_t last = k;
-            while (last < steps_.size() && of(steps_[last]) == of(steps_[k])) ++last;
-            const auto [i, number, from, to] = steps_[k];
+            while (last < rims_.steps.size() && of(rims_.steps[last]) == of(rims_.steps[k])) ++last;
+            const auto [i, number, from, to] = rims_.steps[k];
             const CutFace face =
-                SpaceFaces::on_side(Side(number), std::span(steps_).subspan(k, last - k));
+                SpaceFaces::on_side(Side(number), std::span(rims_.steps).subspan(k, last - k));
             if (!face.is_narrow) found_.push_back({i, Side(number).name(), face.area});
             add(i, face.normal, from, face, {});
             k = last;
@@ -141,7 +247,7 @@ class Measuring {
             const auto [low, high] = ends_of(part, box);
             for (const Side side : {part.edge.next(), part.edge.last()}) {
                 const bool is_up = side.number == side_around_which_up(part.edge).number;
-                steps_.push_back({i, side.number, is_up ? low : high, is_up ? high : low});
+                rims_.steps.push_back({i, side.number, is_up ? low : high, is_up ? high : low});
             }
         }
     }
@@ -166,13 +272,15 @@ class Measuring {
             if (j >= 0) put(j, i, area);
         }
         first.pop_back();
-        for (std::size_t s = 0; s + 1 < first.size(); ++s)
-            std::sort(result_.faces.begin() + first[s], result_.faces.begin() + first[s + 1],
-                      [](const SpaceFace& a, const SpaceFace& b) {
-                          return (a.beyond < 0) != (b.beyond < 0) ? b.beyond < 0
-                                 : a.beyond < 0                   ? a.beyond > b.beyond
-                                                                  : a.beyond < b.beyond;
-                      });
+        workers_.each_range(first.size() - 1, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t s = begin; s < end; ++s)
+                std::sort(result_.faces.begin() + first[s], result_.faces.begin() + first[s + 1],
+                          [](const SpaceFace& a, const SpaceFace& b) {
+                              return (a.beyond < 0) != (b.beyond < 0) ? b.beyond < 0
+                                     : a.beyond < 0                   ? a.beyond > b.beyond
+                                                                      : a.beyond < b.beyond;
+                          });
+        });
     }
     /// A product of so many lengths as it is where the sites lie.
     [[nodiscard]] double in_plane(double value, int lengths) const noexcept {
@@ -196,14 +304,13 @@ class Measuring {
         measure.area = in_plane(measure.area, 2);
     }
 
+    Workers workers_;
     SpaceFaces faces_;
-    Index size_;
     SpaceCells result_;
     LargeArray<Point3> apexes_;
     std::vector<char> has_apex_;
     std::vector<Found> found_;
-    std::vector<SideStep> steps_;
-    std::vector<EndOfCell> ends_;
+    Rims rims_;
 };
 
 }  // namespace
@@ -268,19 +375,19 @@ Box3 default_box(std::span<const power::Site3> sites) {
 }
 
 SpaceCells space_cells(const SpaceTessellation& tessellation, std::span<const Point3> sites,
-                       const Box3& box) {
+                       const Box3& box, int threads) {
     const exact::IeeeEnvironment environment;
-    return Measuring(tessellation, sites, box).run();
+    return Measuring(tessellation, sites, box, threads).run();
 }
 SpaceCells space_cells(const SpaceTessellation& tessellation, std::span<const Site3> sites,
-                       const Box3& box) {
+                       const Box3& box, int threads) {
     const exact::IeeeEnvironment environment;
-    return Measuring(tessellation, sites, box).run();
+    return Measuring(tessellation, sites, box, threads).run();
 }
 SpaceCells space_cells(const SpaceTessellation& tessellation, std::span<const power::Site3> sites,
-                       const Box3& box) {
+                       const Box3& box, int threads) {
     const exact::IeeeEnvironment environment;
-    return Measuring(tessellation, sites, box).run();
+    return Measuring(tessellation, sites, box, threads).run();
 }
 
 }  // namespace signum

@@ -94,14 +94,18 @@ struct SpaceCells {
 /// `tessellation` is that of the sites, which is the caller's word. Throws std::invalid_argument
 /// where it has another number of sites, unless the box's corners are finite and low < high along
 /// all axes, and where a number of a site or a corner is beyond 2^200 of the box's longest side.
-/// O(n), where no site has neighbours without bound.
+/// The same whatever the number of threads (Options::threads). O(n), where no site has neighbours
+/// without bound.
 [[nodiscard]] SpaceCells space_cells(const SpaceTessellation& tessellation,
-                                     std::span<const Point3> sites, const Box3& box);
+                                     std::span<const Point3> sites, const Box3& box,
+                                     int threads = 0);
 /// The same of balls.
 [[nodiscard]] SpaceCells space_cells(const SpaceTessellation& tessellation,
-                                     std::span<const Site3> sites, const Box3& box);
+                                     std::span<const Site3> sites, const Box3& box,
+                                     int threads = 0);
 /// The same of sites with weights.
 [[nodiscard]] SpaceCells space_cells(const SpaceTessellation& tessellation,
-                                     std::span<const power::Site3> sites, const Box3& box);
+                                     std::span<const power::Site3> sites, const Box3& box,
+                                     int threads = 0);
 
 }  // namespace signum

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "../../core/parallel.hpp"
+#include "../../exact/floating_environment.hpp"
 #include "../../triangulation/space/cells.hpp"
 
 namespace signum {
@@ -31,50 +33,61 @@ constexpr double least_width = 0x1p-45;
 }  // namespace
 
 SpaceFaces::SpaceFaces(const SpaceTessellation& tessellation, const AnySites3& sites,
-                       const Box3& box)
-    : dimension_(tessellation.dimension), sites_(sites, box) {
-    if (tessellation.sites != static_cast<std::int64_t>(sites_.size()))
-        throw std::invalid_argument("a tessellation of another number of sites");
-    cells_.reserve(tessellation.cells.size());
-    for (std::size_t c = 0; c < tessellation.cells.size(); ++c) {
-        cells_.push_back({tessellation.cells[c], tessellation.neighbours[c], {}, 0});
-        if (dimension_ == 3) place_vertex(cells_.back());
-    }
-    collect_stars();
+                       const Box3& box, int threads)
+    : SpaceFaces(std::make_shared<const All>(tessellation, sites, box, threads)) {}
+
+SpaceFaces::SpaceFaces(std::shared_ptr<const All> all) : all_(std::move(all)) {
     seen_.resize(sites_.size(), 0);
 }
 
 // ---- vertices and stars ------------------------------------------------------------------------
 
-void SpaceFaces::place_vertex(Cell& cell) const {
-    const auto& [first, second, third, fourth] = cell.sites;
-    if (first < 0) {
+SpaceFaces::All::All(const SpaceTessellation& tessellation, const AnySites3& of, const Box3& box,
+                     int threads)
+    : dimension(tessellation.dimension), sites(of, box) {
+    if (tessellation.sites != static_cast<std::int64_t>(sites.size()))
+        throw std::invalid_argument("a tessellation of another number of sites");
+    cells.resize(tessellation.cells.size());
+    const Workers workers(threads, cells.size());
+    workers.each_range(cells.size(), [&](std::size_t begin, std::size_t end) {
+        const exact::IeeeEnvironment environment;
+        for (std::size_t c = begin; c < end; ++c) {
+            cells[c] = {tessellation.cells[c], tessellation.neighbours[c], {}, 0};
+            if (dimension == 3) place_vertex(cells[c]);
+        }
+    });
+    collect_stars();
+}
+
+void SpaceFaces::All::place_vertex(Cell& cell) const {
+    const auto& [first_site, second, third, fourth] = cell.sites;
+    if (first_site < 0) {
         cell.where = infinite;
         return;
     }
     const ThreePlanes planes = {second, third, fourth};
-    const Corner corner = sites_.corner(first, planes);
+    const Corner corner = sites.corner(first_site, planes);
     cell.vertex = corner.place;
-    cell.where = sites_.sides_beyond(first, planes, corner);
+    cell.where = sites.sides_beyond(first_site, planes, corner);
 }
 
-void SpaceFaces::collect_stars() {
-    const auto size = static_cast<std::size_t>(dimension_ + 1);
-    first_.assign(sites_.size() + 2, 0);
+void SpaceFaces::All::collect_stars() {
+    const auto size = static_cast<std::size_t>(dimension + 1);
+    first.assign(sites.size() + 2, 0);
     // Cells with the vertex at infinity have it first.
-    for (const auto& [four, neighbours, vertex, where] : cells_)
+    for (const auto& [four, neighbours, vertex, where] : cells)
         if (four[0] >= 0)
-            for (std::size_t k = 0; k < size; ++k) ++first_[static_cast<std::size_t>(four[k]) + 2];
-    for (std::size_t s = 2; s < first_.size(); ++s) first_[s] += first_[s - 1];
-    star_.resize(first_.back());
+            for (std::size_t k = 0; k < size; ++k) ++first[static_cast<std::size_t>(four[k]) + 2];
+    for (std::size_t s = 2; s < first.size(); ++s) first[s] += first[s - 1];
+    star.resize(first.back());
     // The begin of each star moves to its end.
-    for (std::size_t c = 0; c < cells_.size(); ++c) {
-        const SpaceCell& four = cells_[c].sites;
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+        const SpaceCell& four = cells[c].sites;
         if (four[0] >= 0)
             for (std::size_t k = 0; k < size; ++k)
-                star_[first_[static_cast<std::size_t>(four[k]) + 1]++] = static_cast<Index>(c);
+                star[first[static_cast<std::size_t>(four[k]) + 1]++] = static_cast<Index>(c);
     }
-    first_.pop_back();
+    first.pop_back();
 }
 
 std::span<const SpaceFaces::Neighbour> SpaceFaces::neighbours(Index i, Index least) {

@@ -13,6 +13,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -41,8 +42,11 @@ struct SideStep {
 
 class SpaceFaces {
  public:
-    /// Throws std::invalid_argument as space_cells() does.
-    SpaceFaces(const SpaceTessellation& tessellation, const AnySites3& sites, const Box3& box);
+    /// Throws std::invalid_argument as space_cells() does. Threads place vertices.
+    SpaceFaces(const SpaceTessellation& tessellation, const AnySites3& sites, const Box3& box,
+               int threads = 1);
+    /// Another one of the same cells, for another thread.
+    [[nodiscard]] SpaceFaces another() const { return SpaceFaces(all_); }
 
     [[nodiscard]] const ScaledSites& sites() const noexcept { return sites_; }
     [[nodiscard]] bool is_visible(Index i) const noexcept {
@@ -123,8 +127,21 @@ class SpaceFaces {
         return static_cast<Index>(-2 - 2 * axis - static_cast<int>(is_positive));
     }
 
-    void place_vertex(Cell& cell) const;
-    void collect_stars();
+    /// What several threads read.
+    struct All {
+        int dimension;
+        ScaledSites sites;
+        LargeArray<Cell> cells;
+        std::vector<std::size_t> first;
+        LargeArray<Index> star;  ///< the finite cells around each site, in rising order
+
+        All(const SpaceTessellation& tessellation, const AnySites3& sites, const Box3& box,
+            int threads);
+        void place_vertex(Cell& cell) const;
+        void collect_stars();
+    };
+    explicit SpaceFaces(std::shared_ptr<const All> all);
+
     [[nodiscard]] const Cell& cell(Index c) const noexcept {
         return cells_[static_cast<std::size_t>(c)];
     }
@@ -147,11 +164,12 @@ class SpaceFaces {
     void measure();
     [[nodiscard]] bool is_narrow(bool is_cut) const noexcept;
 
-    int dimension_;
-    ScaledSites sites_;
-    LargeArray<Cell> cells_;
-    std::vector<std::size_t> first_;
-    LargeArray<Index> star_;  // the finite cells around each site, in rising order
+    std::shared_ptr<const All> all_;
+    int dimension_ = all_->dimension;
+    const ScaledSites& sites_ = all_->sites;
+    const LargeArray<Cell>& cells_ = all_->cells;
+    const std::vector<std::size_t>& first_ = all_->first;
+    const LargeArray<Index>& star_ = all_->star;
     LargeArray<std::uint32_t> seen_;
     std::uint32_t round_ = 0;
     std::vector<Neighbour> neighbours_;

@@ -148,3 +148,29 @@ def test_the_signal_handler_is_left_as_it_was():
     before = signal.getsignal(signal.SIGINT)
     signum.triangulate(SITES[:100])
     assert signal.getsignal(signal.SIGINT) is before
+
+
+@pytest.mark.parametrize("metric", ("power", "supremum"))
+def test_any_number_of_threads_works_on_one_call(metric):
+    sites = np.random.default_rng(2).uniform(0, 1000, (30_000, 3)) * [1, 1, 1e-3]
+    t = signum.triangulate(sites, metric, threads=1)
+    said = t.validate(threads=1)
+    cells = signum.voronoi(t, threads=1).clip()
+    for threads in (0, 2, 3):
+        other = signum.triangulate(sites, metric, threads=threads)
+        assert np.array_equal(other.faces, t.faces)
+        assert repr(other.validate(threads=threads)) == repr(said)
+        assert np.array_equal(signum.voronoi(t, threads=threads).clip().areas, cells.areas)
+    assert signum.validate(sites, t.faces, metric, neighbours=t.neighbours, hidden=t.hidden, threads=2)
+
+
+@pytest.mark.parametrize("threads", (-1, 1025))
+def test_a_number_of_threads_that_there_is_not_is_refused(threads):
+    for call in (
+        lambda: signum.triangulate(SITES[:10], threads=threads),
+        lambda: signum.triangulate_space([[0, 0, 0]], threads=threads),
+        lambda: signum.validate(SITES[:10], [], threads=threads),
+        lambda: signum.voronoi(signum.triangulate(SITES[:10]), threads=threads),
+    ):
+        with pytest.raises(ValueError, match="threads"):
+            call()

@@ -253,9 +253,14 @@ static void options(void) {
         SUCCEEDS(signum_triangulate(sites, 3, 3, SIGNUM_MANHATTAN, &wrong, &t, &error));
         signum_tessellation_free(t);
         wrong.method = SIGNUM_INCREMENTAL;
-        wrong.reserved = 7;
+        wrong.threads = -1;
         REFUSED(signum_triangulate(sites, 3, 3, SIGNUM_POWER, &wrong, &t, &error));
-        wrong.reserved = 0;
+        wrong.threads = 1025;
+        REFUSED(signum_triangulate(sites, 3, 3, SIGNUM_POWER, &wrong, &t, &error));
+        wrong.threads = 2;
+        SUCCEEDS(signum_triangulate(sites, 3, 3, SIGNUM_POWER, &wrong, &t, &error));
+        signum_tessellation_free(t);
+        wrong.threads = 0;
         wrong.weight_is = 2;
         REFUSED(signum_triangulate(sites, 3, 3, SIGNUM_POWER, &wrong, &t, &error));
         wrong.weight_is = SIGNUM_WEIGHT;
