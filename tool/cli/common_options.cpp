@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -7,6 +8,7 @@
 #include "../io/names.hpp"
 #include "../io/nearest_word.hpp"
 #include "../io/number.hpp"
+#include "../io/threads.hpp"
 
 #include "commands.hpp"
 #include "outputs.hpp"
@@ -97,6 +99,10 @@ CLI::Option* add_threads(CLI::App& command, int& threads) {
     return add_checked(command, "--threads", threads, "N", whole_number_to(1024),
                        "How many threads work; the result does not depend\non it. 0: as many as "
                        "there are cores to use")
+        ->each([](const std::string& text) {
+            if (const auto number = parse_whole_number(text))
+                threads_of_files = static_cast<int>(std::min<std::uint64_t>(*number, 1024));
+        })
         ->capture_default_str();
 }
 

@@ -4,6 +4,7 @@
 
 #include "../../core/parallel.hpp"
 #include "number.hpp"
+#include "threads.hpp"
 
 namespace signum {
 namespace {
@@ -106,7 +107,7 @@ PlainLines read_plain_lines(std::string_view text, const PlainLayout& layout) {
         readers.emplace_back(text.substr(begins[k], std::max(begins[k], begins[k + 1]) - begins[k]),
                              layout);
     std::vector<char> is_plain(pieces);
-    const Workers workers(0, text.size() / 16);
+    const Workers workers(threads_of_files, text.size() / 16);
     workers.each(pieces, [&](std::size_t k) { is_plain[k] = readers[k].read() ? 1 : 0; });
 
     PlainLines all;

@@ -18,6 +18,7 @@
 
 #include "../../core/index.hpp"
 #include "../../core/parallel.hpp"
+#include "threads.hpp"
 
 namespace signum {
 
@@ -107,7 +108,7 @@ class TextWriter {
     template <typename PutEntry>
     void put_entries(std::size_t size, const PutEntry& put_entry) {
         constexpr std::size_t entries = 4096;  // in the text of one task
-        const Workers workers(0, size);
+        const Workers workers(threads_of_files, size);
         std::vector<TextWriter> texts;
         for (int i = 0; i < 4 * workers.count(); ++i) texts.push_back(TextWriter());
         for (std::size_t first = 0; first < size; first += texts.size() * entries) {
