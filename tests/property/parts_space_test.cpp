@@ -22,7 +22,7 @@ using reference::Random;
 
 template <class S>
 void expect_the_same_of(const std::vector<S>& sites, int levels, const std::string& what) {
-    const SpaceTessellation whole = triangulate(std::span<const S>(sites), {}, {.threads = 1});
+    const SpaceTessellation whole = triangulate(std::span<const S>(sites), Power{}, {.threads = 1});
     for (int level = 1; level <= levels; ++level)
         for (const std::uint64_t seed : {1, 7})
             ASSERT_EQ(spatial::construct_in_parts(std::span<const S>(sites), {.seed = seed}, level),
@@ -180,9 +180,10 @@ TEST_P(ThreadsInSpace, TellTheSame) {
     const auto [distribution, radius] = GetParam();
     const std::vector<Site3> sites =
         generate(distribution, {.count = is_fast ? 50'000 : 34'000, .radius_to = radius});
-    const SpaceTessellation one = triangulate(std::span<const Site3>(sites), {}, {.threads = 1});
+    const SpaceTessellation one =
+        triangulate(std::span<const Site3>(sites), Power{}, {.threads = 1});
     for (const int threads : {2, 3, 7, 16})
-        ASSERT_EQ(triangulate(std::span<const Site3>(sites), {}, {.threads = threads}), one)
+        ASSERT_EQ(triangulate(std::span<const Site3>(sites), Power{}, {.threads = threads}), one)
             << threads << " threads";
 }
 
