@@ -23,7 +23,7 @@ namespace signum {
 /// chains, sites on lines and curves, hidden ones by the thousand (tests/property/growth_test.cpp);
 /// to say who hides whom takes n√n calls where many cells meet around the hidden. In the worst case
 /// it is O(n²). At most 160 bytes a site at the peak (200 in the other metrics), the result
-/// included, from a hundred thousand sites on.
+/// included, from a hundred thousand sites on; with several threads 30 more.
 [[nodiscard]] Tessellation triangulate(StridedSites sites, Metric metric,
                                        const Options& options = {});
 

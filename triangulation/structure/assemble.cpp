@@ -152,11 +152,12 @@ void assemble(Topology topology, std::span<const Index> original, TessellationAr
         });
     LargeArray<Index> place(slots);
     const std::size_t groups = std::min(blocks, 8 * static_cast<std::size_t>(workers.count()));
-    workers.each(groups + 1, [&](std::size_t group) {
-        if (group == groups) {
+    workers.each(groups + 1, [&](std::size_t task) {
+        if (task == 0) {
             topology = Topology(0);  // to give memory back takes its time, too
             return;
         }
+        const std::size_t group = task - 1;
         const auto sort = std::make_unique<BlockSort>(original.size());
         for (std::size_t b = blocks * group / groups; b < blocks * (group + 1) / groups; ++b) {
             const std::size_t first = starts[b];

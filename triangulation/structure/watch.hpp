@@ -54,7 +54,8 @@ class Watch {
             throw;
         }
     }
-    /// All of the work, which may have several parts: throws what the first of them threw.
+    /// All of the work, which may have several parts: throws what the first of them threw. The caller
+    /// is told when all have ended.
     template <class Work>
     void guard_all(const Work& work) const {
         try {
@@ -63,6 +64,7 @@ class Watch {
             if (failure_) std::rethrow_exception(failure_);
             throw;
         }
+        tell(all_);
     }
 
  private:
