@@ -1,5 +1,5 @@
-/// Several threads against one, in turn in one run: constructions of the plane in every metric, and of
-/// space. The results are compared; where one differs the program says so, and ends with 1.
+/// Several threads against one, in turn in one run: constructions of the plane in every metric, and
+/// of space. The results are compared; where one differs the program says so, and ends with 1.
 ///
 /// usage: threads_benchmark [SITES [THREADS [ROUNDS]]]      1000000 sites, all cores, 7 rounds
 
@@ -24,8 +24,7 @@ struct Times {
     std::vector<double> seconds;
     [[nodiscard]] double at(double share) {
         std::ranges::sort(seconds);
-        return seconds[static_cast<std::size_t>(share *
-                                                static_cast<double>(seconds.size() - 1))];
+        return seconds[static_cast<std::size_t>(share * static_cast<double>(seconds.size() - 1))];
     }
 };
 
@@ -57,12 +56,12 @@ int run(std::int64_t count, int threads, int rounds) {
     bool are_equal = true;
     for (const Distribution distribution : {Distribution::random, Distribution::grid}) {
         const std::vector<Site> sites = generate(
-            distribution, {.count = count, .radius_to = distribution == Distribution::random ? 0.3 : 0.0});
+            distribution,
+            {.count = count, .radius_to = distribution == Distribution::random ? 0.3 : 0.0});
         for (const Metric metric : all_metrics)
-            are_equal &= compare(fmt::format("{}, {}", name_of(metric), name_of(distribution)),
-                                 threads, rounds, [&](int n) {
-                                     return triangulate(sites, metric, {.threads = n}).arrays();
-                                 });
+            are_equal &= compare(
+                fmt::format("{}, {}", name_of(metric), name_of(distribution)), threads, rounds,
+                [&](int n) { return triangulate(sites, metric, {.threads = n}).arrays(); });
     }
     return are_equal ? 0 : 1;
 }

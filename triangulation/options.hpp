@@ -65,8 +65,8 @@ struct Options {
     /// Seeds the random insertion order. The result does not depend on it.
     std::uint64_t seed = 1;
     /// How many threads work, the calling one among them: 0 for as many cores as the process may
-    /// use; below some thousand sites one. An arithmetic that rounds, `count`, and the loops of flips
-    /// and sweep stay on one.
+    /// use; below some thousand sites one. An arithmetic that rounds, `count`, and the loops of
+    /// flips and sweep stay on one.
     int threads = 0;
     /// Fill the counters of Statistics; costs up to a fifth of the time.
     bool count = false;

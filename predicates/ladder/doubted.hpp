@@ -9,8 +9,8 @@
 
 namespace signum::euclidean {
 
-/// An interval, or a double-double or long double that carries a bound, that compares as a number does. Where it
-/// cannot tell it says anything, and that the answer is in doubt.
+/// An interval, or a double-double or long double that carries a bound, that compares as a number
+/// does. Where it cannot tell it says anything, and that the answer is in doubt.
 template <class Number>
 class Doubted : public exact::ComparedBySign<Doubted<Number>> {
  public:

@@ -9,23 +9,21 @@
 /// Theorem. The faces of the whole are those of the parts whose sites are all settled, and those of
 /// T(B+N) that have a site of B.
 ///
-///  1. The star of a settled site in its part is its star in the whole: no site beyond the cut is
-///  as
-///     near to a point of its closed cell.
+///  1. The star of a settled site in its part is its star in the whole: no site beyond the cut
+///     comes as near to a point of its closed cell.
 ///  2. The star of a site s of B that is visible in the whole is that in T(B+N). For a neighbour t
 ///     of s in the whole is in B, or settled; then by 1 they are neighbours in their part, and t is
 ///     in N. So T(B+N) has all neighbours of s, and a cell is what its neighbours leave of the
 ///     plane.
 ///  3. A site q of B that is hidden in the whole is hidden in T(B+N). Where weights are additive,
-///  it
-///     is hidden by whoever is nearest to its centre in the other part, and whose cell there holds
-///     a point beyond the cut is in B. In the power metric suppose that q has a point p in T(B+N),
-///     and so in its part, for q's neighbours there are in B+N. In the whole p is in the cell of a
-///     site of the other part that is in neither B nor N, and so has no neighbour in B. Go from p
-///     towards q's side, at a right angle to the cut, through the cells of that other part. At the
-///     end q is nearer than all of its sites, and takes points of the last cell, whose site is in
-///     B. So the way leads through a cell of N. There q is not nearer than that site, which is
-///     settled; at p it was; but on the way it has gained on all sites of that part.
+///     the site of the other part that is nearest to q's centre hides it, and is in B, as are all
+///     whose cells hold a point beyond the cut. In the power metric suppose that q has a point p in
+///     T(B+N), and so in its part, for q's neighbours there are in B+N. In the whole p is in the
+///     cell of a site of the other part that is in neither B nor N, and so has no neighbour in B.
+///     Go from p towards q's side, at a right angle to the cut, through the cells of that other
+///     part. At the end q is nearer than all of its sites, and takes points of the last cell, whose
+///     site is in B. So the way leads through a cell of N. There q is not nearer than that site,
+///     which is settled; at p it was; but on the way it has gained on all sites of that part.
 ///
 /// A face of the first kind and one of the second meet in an edge between two settled sites. In the
 /// part there is the face across that edge, by 1 the same three sites; so these and the direction

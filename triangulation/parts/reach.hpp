@@ -9,25 +9,21 @@
 ///    The faces in conflict with t lie side by side, and some of them at infinity, for far out
 ///    towards n t is nearer than every site of the part.
 ///  - the others: let h be the least n·t, and G no less than any radius, those of the part's own
-///  sites
-///    among them. A face may be reached where f(p) >= h - G at its vertex p, with f(q) = d(q, s) -
-///    r_s
-///    + n·q for the site s nearest to q; all faces at infinity may.
+///    sites among them. With f(q) = d(q, s) - r_s + n·q for the site s nearest to q, a face may be
+///    reached where f(p) >= h - G at its vertex p; all faces at infinity may.
 ///
-///    *Ends of edges decide:* on an edge f is nowhere greater than at both ends.
+///    *Ends of edges decide:* on an edge f is greatest at one of its ends.
 ///      · Euclid: f = const is a parabola with focus s, the bisector half a hyperbola with the same
 ///        focus; two such conics meet at most twice. Far out on the bisector f grows, but for one
 ///        direction, and is bounded below; so if it has an extremum, that is its least value.
 ///      · supremum: a square that touches s and t has a side at one of s and a side at one of t.
-///      Where
-///        these are opposite, the square has its least size and slides between them, in one
+///        Where these are opposite, the square has its least size and slides between them, in one
 ///        stretch, across the wider of the two gaps. Elsewhere they meet in a corner that stands
 ///        while the two other sides move outward, away from the slide. f is the place of the
 ///        square's side towards n: from the slide on it does not fall, and in the slide it moves
 ///        one way.
 ///      · Manhattan: the same, turned by 45°. f is the place of a corner, half the sum of the
-///      places
-///        of two sides, of which one stands while the square slides.
+///        places of two sides, of which one stands while the square slides.
 ///    *Settled is who has no such face.* By the triangle inequality d(q, t) - r_t >= h - n·q - G: t
 ///    takes no point q with f(q) < h - G. On a ray out of the centre of s f does not fall, for d
 ///    grows as fast as n·q can fall; so if f < h - G at the vertices of a cell without an end at

@@ -54,8 +54,8 @@ class Watch {
             throw;
         }
     }
-    /// All of the work, which may have several parts: throws what the first of them threw. The caller
-    /// is told when all have ended.
+    /// All of the work, which may have several parts: throws what the first of them threw. The
+    /// caller is told when all have ended.
     template <class Work>
     void guard_all(const Work& work) const {
         try {
