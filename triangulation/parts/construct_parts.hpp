@@ -155,7 +155,8 @@ class PartsConstruction {
             for (Index f = window.faces(); f < slot(part.last) - 2; ++f) topology_->vacate(f);
             part.visible = count_visible(sites);
             part.outer = slot(part.first);
-            while (!topology_->is_infinite(part.outer)) ++part.outer;
+            while (topology_->is_vacant(part.outer) || !topology_->is_infinite(part.outer))
+                ++part.outer;
         });
         return part;
     }
