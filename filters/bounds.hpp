@@ -26,6 +26,15 @@ inline constexpr double epsilon = 0x1p-52;
     return a > b ? a : b;
 }
 
+/// Whether each of the values exceeds its bound; none that is NaN does.
+[[nodiscard, gnu::always_inline]] inline bool all_exceed(Two values, Two bounds) noexcept {
+#if defined(__SSE2__)
+    return __builtin_ia32_movmskpd((Two)(values > bounds)) == 3;
+#else
+    return values[0] > bounds[0] && values[1] > bounds[1];
+#endif
+}
+
 /// What a filter compares: a rounded number, and the bound on its error. The formulas of filters
 /// make these of any type of number, so that what is proved of them (tests/structure/proofs) is
 /// what is computed.

@@ -3,13 +3,15 @@
 ///
 /// Laws:
 ///  1. n >= 2 visible sites have 2n-2 faces; with the vertex at infinity they tile the sphere.
-///  2. A face is a counterclockwise triple of sites, -1 being infinity, rotated so that the
-///     smallest number comes first; faces are sorted. One visible site has no face.
+///  2. A face is a counterclockwise triple of sites, -1 being infinity, rotated so that infinity or
+///     else the site that comes first in the order of the arrays comes first; faces are sorted by
+///     that order, those at infinity first. One visible site has no face.
 ///  3. neighbours[f][k] is the face across the edge opposite faces[f][k].
 ///  4. The arrays depend on the sites alone: not on insertion order, method or seed.
 
 #include <array>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "../core/index.hpp"
@@ -19,6 +21,21 @@ namespace signum {
 
 /// Three vertices counterclockwise, or the three faces across from them.
 using Face = std::array<Index, 3>;
+
+/// In which order faces stand. Either depends on the sites alone.
+enum class Order : std::uint8_t {
+    index,  ///< by the numbers of their sites
+    curve   ///< by the places of their sites along a Hilbert curve, at one place by their numbers
+};
+
+/// In the order of their enumerators.
+inline constexpr std::array all_orders = {Order::index, Order::curve};
+
+/// The name by which the tool knows it.
+[[nodiscard]] constexpr std::string_view name_of(Order order) noexcept {
+    constexpr std::string_view names[] = {"index", "curve"};
+    return names[static_cast<int>(order)];
+}
 
 /// An edge of the tessellation; -1 is infinity.
 using Edge = std::array<Index, 2>;
@@ -34,11 +51,15 @@ struct Hidden {
 struct TessellationArrays {
     Metric metric = Metric::power;          ///< of the distance
     WeightIs weight_is = WeightIs::radius;  ///< what third numbers are
+    Order order = Order::index;             ///< of the faces
     std::int64_t sites = 0;                 ///< how many, hidden ones included
-    std::vector<Face> faces;                ///< counterclockwise, the smallest number first, sorted
+    std::vector<Face> faces;                ///< counterclockwise, the first in order first, sorted
     std::vector<Face> neighbours;           ///< neighbours[f][k] is across from faces[f][k]
     std::vector<Hidden> hidden;             ///< sorted by site
     friend bool operator==(const TessellationArrays&, const TessellationArrays&) = default;
 };
+
+/// The same tessellation with its faces in the order of index. O(n log n).
+[[nodiscard]] TessellationArrays ordered_by_index(const TessellationArrays& arrays);
 
 }  // namespace signum

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "../predicates/arithmetic.hpp"
+#include "arrays.hpp"
 #include "metric.hpp"
 
 namespace signum {
@@ -54,7 +55,7 @@ inline constexpr std::array all_methods = {Method::incremental, Method::flips, M
     return false;
 }
 
-/// How to build; the result depends on none of this but `arithmetic` where it rounds.
+/// How to build; the result depends on none of this but `order`, and `arithmetic` where it rounds.
 struct Options {
     /// The single kernel takes the sites rounded to floats: std::invalid_argument, naming the site,
     /// for a number beyond 3.4e38.
@@ -64,6 +65,8 @@ struct Options {
     Method method = Method::incremental;
     /// Seeds the random insertion order. The result does not depend on it.
     std::uint64_t seed = 1;
+    /// In which order the faces stand: along the curve takes less time, to make and to go through.
+    Order order = Order::index;
     /// How many threads work, the calling one among them: 0 for as many cores as the process may
     /// use; below some thousand sites one. An arithmetic that rounds, `count`, and the loops of
     /// flips and sweep stay on one.

@@ -81,8 +81,8 @@ class Tessellation {
 
     /// All sites in the order given, hidden ones included; r is a radius or a weight (weight_is()).
     [[nodiscard]] std::span<const Site> sites() const noexcept { return sites_; }
-    /// All 2n-2 of n visible sites: counterclockwise triples, the smallest number first, sorted; -1
-    /// is infinity.
+    /// All 2n-2 of n visible sites: counterclockwise triples, sorted as arrays().order says; -1 is
+    /// infinity.
     [[nodiscard]] std::span<const Face> faces() const noexcept { return arrays_.faces; }
     /// Three faces for every face: neighbours()[f][k] lies across the edge opposite faces()[f][k].
     [[nodiscard]] std::span<const Face> neighbours() const noexcept { return arrays_.neighbours; }

@@ -47,7 +47,7 @@ py::dict dictionary(const Statistics& statistics) {
 Tessellation triangulated(const py::object& sites, const std::string& metric,
                           const std::string& weight_is, const std::string& method,
                           const std::string& arithmetic, std::uint64_t seed, int threads,
-                          bool count, const py::object& progress) {
+                          bool count, const py::object& progress, const std::string& order) {
     const Metric in_metric = metric_of(metric);
     const bool weights = weight_of(weight_is) == WeightIs::weight;
     Options options;
@@ -56,6 +56,7 @@ Tessellation triangulated(const py::object& sites, const std::string& metric,
     options.seed = seed;
     options.threads = threads_of(threads);
     options.count = count;
+    options.order = named(order, "order", all_orders);
     const Rows rows(sites, "sites", 2, 3);
     return watched(progress, [&](Watch& watch) {
         options.stop = watch.token();
@@ -231,6 +232,7 @@ void bind_plane(py::module_& module) {
                py::kw_only(), py::arg("weight_is") = "radius", py::arg("method") = "incremental",
                py::arg("arithmetic") = "exact", py::arg("seed") = 1, py::arg("threads") = 0,
                py::arg("count") = false, py::arg("progress") = py::none(),
+               py::arg("order") = "index",
                R"(The tessellation of sites in the plane: a Tessellation.
 
 sites: x, y and a radius, or x and y alone (radius 0), a row each. An array of doubles is read where it
@@ -245,6 +247,8 @@ seed: of the random order of insertion, on which the result does not depend.
 threads: how many work, on which the result does not depend either; 0 is as many as there are cores to use.
 count: whether to fill the counters of Tessellation.statistics.
 progress: called now and then with the share of the work done.
+order: of the faces: 'index', by the numbers of their sites, or 'curve', by their places along a Hilbert
+curve, which is quicker. Either depends on the sites alone.
 
 Sites may touch, nest and coincide; ties are decided by one rule, so that the result depends on the sites
 alone. Raises ValueError, naming the site by its row, for a number that is not finite; BrokenStructure

@@ -6,6 +6,10 @@
 /// +1 where q is nearer than the vertex's distance to i, j, k, 0 where it is as near.
 /// Source: Gavrilova 1998, Theorem 4.4.1, translated to q.
 
+#include <array>
+#include <cstddef>
+#include <optional>
+
 #include "../../core/contract.hpp"
 #include "../../core/sign.hpp"
 #include "../../filters/bounds.hpp"
@@ -74,9 +78,18 @@ template <class Number>
 /// height 3·2^-1074, and the determinant at most 2^-1071 (s + 1). Overflow: no term and no partial
 /// sum of the determinant exceeds s²/2, so that where one overflows s² has, and the comparison
 /// fails.
+/// Who knows a power of two u, u⁴ at least 2^-960, of which all coordinates and radii are
+/// multiples, and of whose square all weights are, gives 4u⁴ for `exact_below`: a smaller bound
+/// says that nothing was rounded, so that the sign is certain, 0 too. For then 5e s² < 4u⁴ but for
+/// roundings far smaller than the rest, s² < 2^52 u⁴, and s < 2^26 u². No difference was rounded:
+/// one that is not a double exceeds 2^53 u, and s the square of that, or a factor of a weight does,
+/// and so does s unless the other factor is 0. Squares, weights, their sums and the minors are
+/// multiples of u² below 2^53 u², all terms and sums of the determinant of u⁴ below 2^53 u⁴:
+/// doubles, all of them.
 template <PowerSite S>
 [[nodiscard]] inline filters::Verdict in_circle_filter(const S& i, const S& j, const S& k,
-                                                       const S& q) noexcept {
+                                                       const S& q,
+                                                       double exact_below = 0.0) noexcept {
     const S origin = filters::pinned(q);
     const Row<double> a = row(filters::pinned(i), origin);
     const Row<double> b = row(filters::pinned(j), origin);
@@ -85,8 +98,31 @@ template <PowerSite S>
     if (!filters::environment_is_default()) [[unlikely]]
         return filters::Verdict::uncertain();
     if (!(filters::magnitude(determinant) > bound)) [[unlikely]]
-        return filters::Verdict::uncertain();
+        return bound < exact_below ? filters::Verdict::certain(sign_of(determinant))
+                                   : filters::Verdict::uncertain();
     return filters::Verdict::certain(filters::sign_of_nonzero(determinant));
+}
+
+/// The same of two circles and one site: lane by lane the operations of the filter above, so that
+/// its proof holds. Whether the site lies inside; nothing where either is uncertain.
+template <PowerSite S>
+[[nodiscard, gnu::always_inline]] inline std::optional<std::array<bool, 2>> in_circles_filter(
+    const std::array<const S*, 3>& first, const std::array<const S*, 3>& second,
+    const S& q) noexcept {
+    using filters::Two;
+    const S origin = filters::pinned(q);
+    const auto beside = [&](std::size_t m) {
+        const Row<double> a = row(filters::pinned(*first[m]), origin);
+        const Row<double> b = row(filters::pinned(*second[m]), origin);
+        return Row<Two>{Two{a.x, b.x}, Two{a.y, b.y}, Two{a.weight, b.weight}};
+    };
+    const auto [determinants, bounds] = compared_in_circle(beside(0), beside(1), beside(2));
+    if (!filters::environment_is_default()) [[unlikely]]
+        return std::nullopt;
+    if (!filters::all_exceed(filters::magnitude(determinants), bounds)) [[unlikely]]
+        return std::nullopt;
+    return std::array{filters::sign_of_nonzero(determinants[0]) > 0,
+                      filters::sign_of_nonzero(determinants[1]) > 0};
 }
 
 /// The formula.

@@ -5,12 +5,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <numeric>
 #include <random>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "../../core/curve_order.hpp"
+#include "../../triangulation/structure/curve_order.hpp"
 
 namespace signum {
 namespace {
@@ -68,9 +69,12 @@ TEST(CurveOrder, OfACrowdOnAScaleOfItsOwn) {
         constexpr CurveKeys layout{10, 8};
         std::vector<std::uint64_t> keys;
         for (std::size_t i = 0; i < places.size(); ++i) keys.push_back(i);
-        sort_along_curve<2>(keys, layout, [&](std::size_t i) {
-            return std::array{places[i][0] * scale, places[i][1] * scale};
-        });
+        sort_along_curve<2>(
+            keys, layout,
+            [&](std::size_t i) {
+                return std::array{places[i][0] * scale, places[i][1] * scale};
+            },
+            Workers(1));
         std::vector<std::size_t> order;
         for (const std::uint64_t key : keys)
             if (layout.item(key) < count) order.push_back(layout.item(key));
@@ -82,6 +86,29 @@ TEST(CurveOrder, OfACrowdOnAScaleOfItsOwn) {
     EXPECT_EQ(alone.size(), count);
     EXPECT_EQ(sorted(with_one_far_away, 1.0), alone);
     EXPECT_EQ(sorted(with_one_far_away, 0x1p900), alone);
+}
+
+/// Crowds that reach from one thread's range into the next one's, too.
+TEST(CurveOrder, BySeveralThreadsIsThatByOne) {
+    std::mt19937 random(2);
+    std::vector<std::array<double, 2>> places;
+    for (int i = 0; i < 60'000; ++i)
+        places.push_back(
+            {static_cast<double>(random() % 8) + 0x1p-40 * static_cast<double>(random() % 64),
+             static_cast<double>(random() % 8)});
+    const auto sorted = [&](int threads) {
+        constexpr CurveKeys layout{17, 20};
+        std::vector<std::uint64_t> keys(places.size());
+        std::iota(keys.begin(), keys.end(), std::uint64_t{0});
+        sort_along_curve<2>(
+            keys, layout, [&](std::size_t i) { return places[i]; },
+            Workers(threads, places.size()));
+        for (std::uint64_t& key : keys) key = layout.item(key);
+        return keys;
+    };
+    const std::vector<std::uint64_t> one = sorted(1);
+    for (int trial = 0; trial < 20; ++trial)
+        for (const int threads : {2, 3, 7}) ASSERT_EQ(sorted(threads), one) << threads;
 }
 
 }  // namespace

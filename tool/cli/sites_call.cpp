@@ -180,9 +180,10 @@ auto built(const SitesCall& call, const Build& build) {
 
 }  // namespace
 
-Tessellation construct(const SitesCall& call, const InputSites& sites, Method method) {
+Tessellation construct(const SitesCall& call, const InputSites& sites, Method method, Order order) {
     check_reach(call.input, sites.file, call.arithmetic);
     return built(call, [&](Options& options) {
+        options.order = order;
         options.method = method;
         options.count = call.statistics;
         return triangulate(strided_view(sites.file.sites, sites.third), metric_of(call.metric),

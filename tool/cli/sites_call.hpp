@@ -80,7 +80,7 @@ void check_reach(const std::string& path, const SitesFile& file, const std::stri
 /// With a progress bar unless quiet. Throws CheckFailure where inexact arithmetic broke the
 /// structure.
 Tessellation construct(const SitesCall& call, const InputSites& sites,
-                       Method method = Method::incremental);
+                       Method method = Method::incremental, Order order = Order::index);
 /// The same of sites in space.
 SpaceTessellation construct_in_space(const SitesCall& call, const InputSites& sites);
 

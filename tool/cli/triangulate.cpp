@@ -36,6 +36,7 @@ namespace {
 /// The call as it was typed.
 struct TriangulateCall : SitesCall, OutputsCall {
     std::string method = "incremental";
+    std::string order = "index";
     std::vector<double> clip;
     bool vertices = false;
     bool check = false;
@@ -131,6 +132,8 @@ void refuse_options_of_the_plane(const TriangulateCall& call) {
     constexpr std::string_view what = "sites in space";
     if (call.method != name_of(Method::incremental))
         refuse_option(call, "--method " + call.method, what, "have the method incremental alone");
+    if (call.order != name_of(Order::index))
+        refuse_option(call, "--order " + call.order, what, "have cells, which stand by index");
     check_arithmetic_in_space(call, "--arithmetic", call.arithmetic);
     if (!call.clip.empty())
         refuse_option(call, "--clip", what, "have pictures of all of them alone");
@@ -193,7 +196,8 @@ void run(const TriangulateCall& call) {
     if (sites.file.dimension == 3) return triangulate_in_space(call, sites, targets);
     require_formats_of(Dimension::two, targets, triangulate_formats, call.input);
     const Outputs outputs(targets);
-    const Tessellation tessellation = construct(call, sites, method);
+    const Tessellation tessellation =
+        construct(call, sites, method, named(all_orders, call.order).value());
     if (clip) require_fit(*clip, Voronoi(tessellation, {.threads = call.threads}));
     // Before anything is written: what fails its check is not left under the name asked for.
     std::optional<Validation> validation;
@@ -242,6 +246,12 @@ void add_triangulate(CLI::App& tool) {
                 "incremental: site by site; flips: from Delaunay's\n"
                 "triangulation, power metric only; sweep: a line\n"
                 "over the plane, manhattan and supremum only; the\nresult is the same")
+        ->capture_default_str();
+    add_checked(*command, "--order", call->order, "NAME", one_of(names_of(all_orders)),
+                "Of the faces: index, by the numbers of their sites;\n"
+                "curve, by their places along a curve, which is\n"
+                "quicker. Either depends on the sites alone. Of the\n"
+                "plane; JSON keeps index")
         ->capture_default_str();
     add_checked(*command, "--arithmetic", call->arithmetic, "NAME", name_of_arithmetic(),
                 "What decides signs. The first four never err:\n"

@@ -57,6 +57,13 @@ void put_hidden(TextWriter& text, std::span<const Hidden> hidden) {
 }
 
 void write_json(std::ostream& out, const Tessellation& tessellation, const JsonOptions& options) {
+    const TessellationArrays& arrays = tessellation.arrays();
+    if (arrays.order != Order::index) {
+        const auto sites = tessellation.sites();
+        const Tessellation by_index(ordered_by_index(arrays), {sites.begin(), sites.end()},
+                                    tessellation.statistics());
+        return write_json(out, by_index, options);
+    }
     TextWriter text(out);
     text.put(FMT_COMPILE("{{\"format\": \"signum.tessellation\", \"version\": 1, \"metric\": "
                          "\"{}\", \"weight_is\": \"{}\", \"sites\": {}"),

@@ -61,7 +61,7 @@ class AdditiveCheck : private ArraysCheck {
                 check_hull();
             }
             check_hidden();
-            check_canonical_order();
+            check_canonical_order(view_of(std::span(site_)));
         });
         result.filtered = filtered_ + intervals_;
         result.multiprecision = multiprecision_;

@@ -11,6 +11,7 @@
 #include "../../core/strided_sites.hpp"
 #include "../arrays.hpp"
 #include "../structure/judgement.hpp"
+#include "../structure/spatial_order.hpp"
 #include "../structure/topology.hpp"
 
 namespace signum::triangulation {
@@ -168,13 +169,19 @@ class ArraysCheck : protected Judgement {
         if (degree != 0) throw Invalid{"the faces at infinity are not one cycle"};
     }
 
-    /// The arrays as the library itself would write them.
-    void check_canonical_order() {
+    /// The arrays as the library itself would write them. Of the sites their centres are looked at.
+    void check_canonical_order(const StridedSites& sites) {
+        LargeArray<Index> ranks;
+        if (arrays_.order == Order::curve) ranks = ranks_along_curve(sites, workers());
+        const auto rank = [&](Index v) { return v < 0 || ranks.empty() ? v : ranks[at(v)]; };
+        Face before = {infinite, infinite, infinite};
         for (Index f = 0; f < faces(); ++f) {
-            const Face& v = face(f);
+            const auto [a, b, c] = face(f);
+            const Face v = {rank(a), rank(b), rank(c)};
             if (v[0] > v[1] || v[0] > v[2])
                 note(face_name(f) + " does not begin with its smallest vertex");
-            if (f > 0 && v < face(f - 1)) note(face_name(f) + " is not in sorted order");
+            if (v < before) note(face_name(f) + " is not in sorted order");
+            before = v;
         }
         for (std::size_t i = 1; i < arrays_.hidden.size(); ++i)
             if (arrays_.hidden[i].site < arrays_.hidden[i - 1].site)

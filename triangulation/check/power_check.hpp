@@ -4,6 +4,7 @@
 /// site has no face, and sites on a line have infinite faces on either side.
 
 #include <algorithm>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,7 +28,7 @@ class PowerCheck : private ArraysCheck {
             counted = judged_cells();
             if (!counted.valid) throw Invalid{counted.message};
             if (!counted.canonical) note(counted.message);
-            check_canonical_order();
+            check_canonical_order(view_of(std::span(site_)));
         });
         result.filtered = counted.filtered;
         result.multiprecision = counted.multiprecision;

@@ -27,6 +27,7 @@
 #include "../structure/watch.hpp"
 #include "../sweep/sweep.hpp"
 #include "construct.hpp"
+#include "grid_unit.hpp"
 
 namespace signum::triangulation {
 
@@ -88,7 +89,7 @@ Tessellation finish(Metric metric, const StridedSites& input, const Options& opt
                     std::chrono::steady_clock::time_point start, const Workers& workers,
                     Kernel& kernel, LargeArray<typename Kernel::SiteType> sites, Topology topology,
                     LargeArray<Index> original, LargeArray<Index> hidden_by,
-                    Statistics statistics = {}) {
+                    LargeArray<Index> ranks = {}, Statistics statistics = {}) {
     const std::size_t n = input.size();
     settle_hiders(topology, kernel, hidden_by, workers);
 
@@ -99,8 +100,18 @@ Tessellation finish(Metric metric, const StridedSites& input, const Options& opt
     list_hidden(hidden_by, original, arrays.hidden, workers);
     sites = {};
     hidden_by = {};
-    assemble(std::move(topology), original, arrays, workers);
+    arrays.order = options.order;
+    if (options.order == Order::index) {
+        assemble(std::move(topology), original, original, arrays, workers);
+    } else {
+        if (ranks.empty()) {
+            const LargeArray<Index> by_number = ranks_along_curve(input, workers);
+            for (const Index i : original) ranks.push_back(by_number[static_cast<std::size_t>(i)]);
+        }
+        assemble(std::move(topology), original, ranks, arrays, workers);
+    }
     original = {};
+    ranks = {};
 
     if (options.count) fill(statistics, kernel.tally());
     std::vector<Site> copy;
@@ -124,7 +135,7 @@ struct Ordered {
     template <class MakeKernel>
     Ordered(const StridedSites& input, int levels, const Options& options, const Workers& workers,
             const MakeKernel& make_kernel)
-        : plan(make_plan(input, levels, options.seed, workers)),
+        : plan(make_plan(input, levels, options.seed, workers, options.order == Order::curve)),
           sites(in_order<S>(input, plan.numbers, options.arithmetic, workers)),
           kernel(make_kernel(sites, plan.numbers, workers)),
           hidden_by(input.size(), -1),
@@ -207,7 +218,8 @@ Tessellation construct_by_insertion(Metric metric, const StridedSites& input,
     if constexpr (Kernel::is_straight)
         if (!is_done) connect_line(all.topology, visible_on_line(all.kernel, n, all.hidden_by));
     return finish(metric, input, options, start, workers, all.kernel, std::move(all.sites),
-                  std::move(all.topology), std::move(original), std::move(all.hidden_by));
+                  std::move(all.topology), std::move(original), std::move(all.hidden_by),
+                  std::move(all.plan.ranks));
 }
 
 template <class Kernel, class Signs>
@@ -265,7 +277,7 @@ Tessellation construct_by_sweep_with_kernel(Metric metric, const StridedSites& i
     Statistics statistics;
     statistics.events = sweep.events();
     return finish(metric, input, options, start, workers, kernel, std::move(sites),
-                  std::move(topology), std::move(original), std::move(hidden_by), statistics);
+                  std::move(topology), std::move(original), std::move(hidden_by), {}, statistics);
 }
 
 /// Calls by_power<S>() with the simplest kind of site that will do, or by_distance<M>().
@@ -293,9 +305,17 @@ Tessellation construct_directly(Metric metric, const StridedSites& input, const 
     return construct_by_metric(
         metric, input,
         [&]<class S>() {
-            using Signs = PowerSigns<S, arithmetic>;
-            return construct_with_kernel<PowerKernel<Signs, filters::NoTally>>(
-                metric, input, options, Signs{}, levels);
+            if constexpr (arithmetic == Arithmetic::exact) {
+                using Signs = SignsOfKnown<S>;
+                constexpr bool weighted = !std::is_same_v<S, Point>;
+                return construct_with_kernel<PowerKernel<Signs, filters::NoTally>>(
+                    metric, input, options,
+                    Signs{{}, 4.0 * fourth_power_of_grid_unit(input, weighted)}, levels);
+            } else {
+                using Signs = PowerSigns<S, arithmetic>;
+                return construct_with_kernel<PowerKernel<Signs, filters::NoTally>>(
+                    metric, input, options, Signs{}, levels);
+            }
         },
         [&]<class M>() {
             using Predicates = typename PredicatesOf<M>::template Perturbed<arithmetic>;

@@ -169,7 +169,7 @@ class Live {
         for (const Index h : place_of_)
             if (live_[at(h)] && hidden_by[at(h)] >= 0)
                 arrays.hidden.push_back({number[at(h)], number[at(hidden_by[at(h)])]});
-        assemble(Topology(*topology_), number, arrays, Workers(1));
+        assemble(Topology(*topology_), number, number, arrays, Workers(1));
         return {std::move(arrays), std::move(live), {}};
     }
 

@@ -95,7 +95,7 @@ Tessellation construct_by_flips_with_kernel(const StridedSites& input, const Opt
         connect_line(topology, visible_on_line(kernel, n, hidden_by));
     }
     return finish(Metric::power, input, options, start, workers, kernel, std::move(sites),
-                  std::move(topology), std::move(original), std::move(hidden_by), statistics);
+                  std::move(topology), std::move(original), std::move(hidden_by), {}, statistics);
 }
 
 template <class S>

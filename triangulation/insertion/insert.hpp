@@ -162,6 +162,15 @@ class Insertion {
         return kernel_.conflicts(v[0], v[1], v[2], q);
     }
 
+    [[nodiscard]] std::array<bool, 2> conflicts(Index f, Index g, Index q) {
+        const auto& v = topology_.vertices(f);
+        const auto& w = topology_.vertices(g);
+        if constexpr (requires { kernel_.conflicts(v, w, q); })
+            if (!topology_.is_infinite(f) && !topology_.is_infinite(g)) [[likely]]
+                return kernel_.conflicts(v, w, q);
+        return {conflicts(f, q), conflicts(g, q)};
+    }
+
     /// Finds the faces that q removes and their boundary; false where q is hidden.
     [[nodiscard]] bool find_conflicts(Index q) {
         if constexpr (Kernel::is_straight) {
@@ -265,8 +274,8 @@ class Insertion {
             if (crossing.conflict) {
                 if (record.mark == in_conflict) continue;
                 take(f);
-                const unsigned k = crossing.outside & 3;
-                look_across(record, k == 0 ? 2 : k - 1, k == 2 ? 0 : k + 1, q);
+                look_across(record, Topology::previous(crossing.outside) & 3,
+                            Topology::next(crossing.outside) & 3, q);
             } else {
                 boundary_.push({crossing.outside, crossing.from});
             }
@@ -286,8 +295,8 @@ class Insertion {
         push(record, k, conflicts(Topology::face(record.twin[k]), q), q);
     }
     void look_across(const Topology::Record& record, unsigned k, unsigned l, Index q) {
-        const bool k_conflicts = conflicts(Topology::face(record.twin[k]), q);
-        const bool l_conflicts = conflicts(Topology::face(record.twin[l]), q);
+        const auto [k_conflicts, l_conflicts] =
+            conflicts(Topology::face(record.twin[k]), Topology::face(record.twin[l]), q);
         push(record, k, k_conflicts, q);
         push(record, l, l_conflicts, q);
     }

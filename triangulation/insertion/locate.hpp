@@ -30,7 +30,9 @@ template <class Kernel>
         const Sign after = kernel.ccw(topology.target(h), apex, q);
         const Sign before = kernel.ccw(apex, topology.origin(h), q);
         if ((after | before) >= 0) return Topology::face(h);
-        h = topology.twin(after < 0 ? Topology::next(h) : Topology::previous(h));
+        const HalfEdge previous = Topology::previous(h);
+        h = topology.twin(previous ^
+                          ((previous ^ Topology::next(h)) & static_cast<HalfEdge>(after >> 1)));
     }
     throw BrokenStructure("the walk to a site went in circles");
 }

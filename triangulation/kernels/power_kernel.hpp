@@ -49,6 +49,26 @@ struct PowerSigns {
     }
 };
 
+/// The exact signs, for who asks many questions about sites that he knows.
+template <power::PowerSite S>
+struct SignsOfKnown : PowerSigns<S> {
+    double exact_below = 0.0;  ///< see power::in_circle_filter()
+
+    [[nodiscard]] Decision in_circle(const S& i, const S& j, const S& k,
+                                     const S& q) const noexcept {
+        const filters::Verdict verdict = power::in_circle_filter(i, j, k, q, exact_below);
+        if (verdict.is_certain()) [[likely]]
+            return {verdict.sign(), Stage::filter};
+        return power::InCircle::behind<Arithmetic::exact>(i, j, k, q);
+    }
+    /// Of two circles at once whether q lies inside; nothing where a filter leaves either open.
+    [[nodiscard]] static auto in_circles(const std::array<const S*, 3>& first,
+                                         const std::array<const S*, 3>& second,
+                                         const S& q) noexcept {
+        return power::in_circles_filter(first, second, q);
+    }
+};
+
 /// Signs: a PowerSigns, or what hands its questions on (construction/any_arithmetic.cpp).
 template <class Signs, class Tally>
 class PowerKernel {
@@ -80,6 +100,21 @@ class PowerKernel {
             return sign > 0;
         tally_.count_tie();
         return tie(i, j, k, q);
+    }
+
+    /// The same with two faces, which costs little more than one.
+    [[nodiscard]] std::array<bool, 2> conflicts(const Index (&first)[3], const Index (&second)[3],
+                                                Index q) noexcept {
+        const auto of = [&](const Index(&face)[3]) {
+            return std::array{&site(face[0]), &site(face[1]), &site(face[2])};
+        };
+        if constexpr (requires { signs_.in_circles(of(first), of(second), site(q)); } && !counts) {
+            const auto are_inside = signs_.in_circles(of(first), of(second), site(q));
+            if (are_inside) [[likely]]
+                return *are_inside;
+        }
+        return {conflicts(first[0], first[1], first[2], q),
+                conflicts(second[0], second[1], second[2], q)};
     }
 
     /// Whether q conflicts with the face (b, a, infinity) of the hull edge a -> b.
@@ -145,9 +180,18 @@ class PowerKernel {
     }
 
     [[nodiscard, gnu::noinline]] bool tie(Index i, Index j, Index k, Index q) const noexcept {
+        // The last of the four decides, nearly always.
+        const Index last_of_face = later(later(i, j), k);
+        if (precedes(last_of_face, q)) return false;
+        const Index next = last_of_face == i ? j : last_of_face == j ? k : i;
+        const Index after = last_of_face == i ? k : last_of_face == j ? i : j;
+        const Sign sign = signum::ccw(centre(next), centre(after), centre(q));
+        if (sign != 0) return sign > 0;
         return power::in_circle_tie(centre(i), centre(j), centre(k), centre(q),
                                     places({i, j, k, q})) > 0;
     }
+
+    [[nodiscard]] Index later(Index a, Index b) const noexcept { return precedes(a, b) ? b : a; }
 
     /// The places of a few sites in the order among themselves.
     template <std::size_t n>

@@ -227,7 +227,7 @@ Tessellation KineticTessellation::tessellation() const {
     for (std::size_t i = 0; i < hidden_by.size(); ++i)
         if (hidden_by[i] >= 0)
             arrays.hidden.push_back({number[i], number[static_cast<std::size_t>(hidden_by[i])]});
-    assemble(Topology(of.topology()), number, arrays, Workers(1));
+    assemble(Topology(of.topology()), number, number, arrays, Workers(1));
     return constructed(std::move(arrays), std::move(sites), {});
 }
 

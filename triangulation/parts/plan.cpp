@@ -2,7 +2,7 @@
 
 #include <bit>
 #include <cstdint>
-#include <utility>
+#include <numeric>
 
 #include "../../core/insertion_rounds.hpp"
 #include "../structure/spatial_order.hpp"
@@ -35,16 +35,15 @@ void cut(std::span<std::array<double, D>> sample, std::size_t k, std::vector<Cut
     cut(sample.subspan(middle), 2 * k + 2, cuts);
 }
 
-/// Of n sites, whose number and place are asked for by where they stand in what is given, and
-/// place_of(where) of some in advance. `sampled`: how many a leaf.
-template <std::size_t D, class NumberOf, class PlaceOf, class Order>
-Plan plan_of(std::size_t n, const NumberOf& number_of, const PlaceOf& place_of, const Order& order,
-             std::size_t sampled, int levels, std::uint64_t seed, const Workers& workers) {
-    Plan plan;
-    plan.levels = levels;
+/// Cuts n sites, of which place_of(i) tells where they lie, and returns in which leaf each is: none
+/// where there is one leaf. `sampled`: how many a leaf.
+template <std::size_t D, class PlaceOf>
+LargeArray<std::uint16_t> cut_into_leaves(Plan& plan, std::size_t n, const PlaceOf& place_of,
+                                          std::size_t sampled, std::uint64_t seed,
+                                          const Workers& workers) {
+    if (plan.levels == 0) return {};
     plan.cuts.resize(plan.leaves() - 1);
-    std::vector<std::array<double, D>> sample(levels == 0 ? 0
-                                                          : std::min(n, sampled * plan.leaves()));
+    std::vector<std::array<double, D>> sample(std::min(n, sampled * plan.leaves()));
     for (std::size_t i = 0; i < sample.size(); ++i) sample[i] = place_of(mix(seed + i) % n);
     cut(std::span(sample), 0, plan.cuts);
 
@@ -53,19 +52,14 @@ Plan plan_of(std::size_t n, const NumberOf& number_of, const PlaceOf& place_of, 
         for (std::size_t i = begin; i < end; ++i) {
             const std::array<double, D> place = place_of(i);
             std::size_t k = 0;
-            for (int level = 0; level < levels; ++level) {
+            for (int level = 0; level < plan.levels; ++level) {
                 const Cut& here = plan.cuts[k];
                 k = 2 * k + 1 + static_cast<std::size_t>(place[here.axis] >= here.at);
             }
             leaf[i] = static_cast<std::uint16_t>(k - plan.cuts.size());
         }
     });
-    plan.begins = deal(
-        workers, n, plan.leaves(), [&](std::size_t i) { return leaf[i]; },
-        [&](std::size_t all) { plan.numbers = LargeArray<Index>(all); },
-        [&](std::size_t i, std::size_t place) { plan.numbers[place] = number_of(i); });
-    workers.each(plan.leaves(), [&](std::size_t l) { order(plan.numbers_of(l)); });
-    return plan;
+    return leaf;
 }
 
 }  // namespace
@@ -77,30 +71,51 @@ int levels_for(std::size_t sites, const Workers& workers) noexcept {
     return std::min(static_cast<int>(std::bit_width(leaves)) - 1, 16);
 }
 
-Plan make_plan(const StridedSites& sites, int levels, std::uint64_t seed, const Workers& workers) {
+Plan make_plan(const StridedSites& sites, int levels, std::uint64_t seed, const Workers& workers,
+               bool with_ranks) {
     const std::size_t n = sites.size();
-    if (levels == 0) {
-        Plan plan;
-        plan.begins = {0, n};
-        plan.numbers = spatial_order(sites, seed);
-        return plan;
-    }
-    return plan_of<2>(
-        n, [](std::size_t i) { return static_cast<Index>(i); },
+    Plan plan;
+    plan.levels = levels;
+    const LargeArray<std::uint16_t> leaf = cut_into_leaves<2>(
+        plan, n,
         [&](std::size_t i) {
             const Site site = sites[i];
             return std::array{site.x, site.y};
         },
-        [&](std::span<Index> numbers) { order_spatially(sites, numbers, seed); }, 512, levels, seed,
-        workers);
+        512, seed, workers);
+    plan.numbers = LargeArray<Index>(n);
+    std::iota(plan.numbers.begin(), plan.numbers.end(), 0);
+    const AlongCurve along(sites, plan.numbers, seed, workers);
+    if (with_ranks) plan.ranks = LargeArray<Index>(n);
+    const std::size_t rounds = along.rounds();
+    const std::vector<std::size_t> begins = deal(
+        workers, n, plan.leaves() * rounds,
+        [&](std::size_t k) {
+            return (leaf.empty() ? 0 : leaf[along.place(k)] * rounds) + along.round(k);
+        },
+        [](std::size_t) {},
+        [&](std::size_t k, std::size_t place) {
+            plan.numbers[place] = static_cast<Index>(along.place(k));
+            if (with_ranks) plan.ranks[place] = static_cast<Index>(k);
+        });
+    for (std::size_t l = 0; l <= plan.leaves(); ++l) plan.begins.push_back(begins[l * rounds]);
+    return plan;
 }
 
 Plan make_plan(std::span<const Index> given, const PlaceInSpace& place,
                const std::function<void(std::span<Index>)>& order, int levels, std::uint64_t seed,
                const Workers& workers) {
-    return plan_of<3>(
-        given.size(), [&](std::size_t i) { return given[i]; },
-        [&](std::size_t i) { return place(given[i]); }, order, 8192, levels, seed, workers);
+    Plan plan;
+    plan.levels = levels;
+    const LargeArray<std::uint16_t> leaf = cut_into_leaves<3>(
+        plan, given.size(), [&](std::size_t i) { return place(given[i]); }, 8192, seed, workers);
+    plan.begins = deal(
+        workers, given.size(), plan.leaves(),
+        [&](std::size_t i) { return leaf.empty() ? std::size_t{0} : leaf[i]; },
+        [&](std::size_t all) { plan.numbers = LargeArray<Index>(all); },
+        [&](std::size_t i, std::size_t to) { plan.numbers[to] = given[i]; });
+    workers.each(plan.leaves(), [&](std::size_t l) { order(plan.numbers_of(l)); });
+    return plan;
 }
 
 }  // namespace signum::triangulation

@@ -54,6 +54,7 @@ struct Plan {
     std::vector<Cut> cuts;            ///< of the nodes that are no leaves
     std::vector<std::size_t> begins;  ///< of each leaf's sites in `numbers`, and the end
     LargeArray<Index> numbers;        ///< of the sites in the input, leaf by leaf
+    LargeArray<Index> ranks;          ///< of these along the curve, if asked for
 
     [[nodiscard]] std::size_t leaves() const noexcept { return std::size_t{1} << levels; }
     [[nodiscard]] std::span<Index> numbers_of(std::size_t leaf) noexcept {
@@ -69,7 +70,7 @@ struct Plan {
 /// each of them is in the order of insertion (spatial_order.hpp). O(n log n), by the workers.
 /// Precondition: 16 levels at most.
 [[nodiscard]] Plan make_plan(const StridedSites& sites, int levels, std::uint64_t seed,
-                             const Workers& workers);
+                             const Workers& workers, bool with_ranks);
 /// The same of sites of space, whose numbers are given, all different: place(i) is where site i
 /// lies, and order(numbers) puts those of a leaf in the order of insertion. Leaves are as even as a
 /// larger sample makes them, for of space there are few.

@@ -3,9 +3,9 @@
 #include <numeric>
 #include <vector>
 
-#include "../../core/curve_order.hpp"
 #include "../../core/insertion_rounds.hpp"
 #include "../../core/pages.hpp"
+#include "../structure/curve_order.hpp"
 
 namespace signum::spatial {
 
@@ -26,11 +26,15 @@ void put_in_insertion_order(std::span<Index> sites, const std::function<Point3(I
     std::vector<std::size_t> next = begins;
     for (std::size_t i = 0; i < given.size(); ++i) keys[next[round_of(i)]++] = i;
     constexpr CurveKeys layout{32, 10};
+    const Workers one(1);
     for (std::size_t r = 0; r < sizes.size(); ++r)
-        sort_along_curve<3>({keys.data() + begins[r], sizes[r]}, layout, [&](std::size_t i) {
-            const Point3 p = place(given[i]);
-            return std::array{p.x, p.y, p.z};
-        });
+        sort_along_curve<3>(
+            {keys.data() + begins[r], sizes[r]}, layout,
+            [&](std::size_t i) {
+                const Point3 p = place(given[i]);
+                return std::array{p.x, p.y, p.z};
+            },
+            one);
     for (std::size_t i = 0; i < given.size(); ++i) sites[i] = given[layout.item(keys[i])];
 }
 

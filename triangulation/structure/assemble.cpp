@@ -14,7 +14,7 @@ std::size_t at(Index i) noexcept {
     return static_cast<std::size_t>(i);
 }
 
-/// A face with input numbers, turned to begin at its smallest vertex, and its first half-edge.
+/// A face with ranks for vertices, turned to begin at the smallest, and its first half-edge.
 /// Three numbers, not an array: these stay in registers.
 struct Turned {
     Index a;
@@ -23,22 +23,18 @@ struct Turned {
     HalfEdge first;
 };
 
-inline Turned turn(const Topology& topology, std::span<const Index> original, Index f) noexcept {
+inline Turned turn(const Topology& topology, std::span<const Index> rank, Index f) noexcept {
     const auto& v = topology.vertices(f);
-    const auto number = [&](Index vertex) {
-        return vertex == infinite ? infinite : original[at(vertex)];
-    };
-    const Index a = number(v[0]);
-    const Index b = number(v[1]);
-    const Index c = number(v[2]);
-    // By selections, not branches: which vertex is smallest is anybody's guess.
-    const bool at_c = c < std::min(a, b);
-    const bool at_b = !at_c && b < a;
-    const auto select = [&](Index from_a, Index from_b, Index from_c) {
-        return at_c ? from_c : at_b ? from_b : from_a;
-    };
-    return {select(a, b, c), select(b, c, a), select(c, a, b),
-            Topology::first_edge(f) + static_cast<HalfEdge>(select(0, 1, 2))};
+    const auto of = [&](Index vertex) { return vertex == infinite ? infinite : rank[at(vertex)]; };
+    const Index a = of(v[0]);
+    const Index b = of(v[1]);
+    const Index c = of(v[2]);
+    // By arithmetic, not branches: which vertex is smallest is anybody's guess.
+    const auto at_c = static_cast<HalfEdge>(c < a) & static_cast<HalfEdge>(c < b);
+    const auto at_b = static_cast<HalfEdge>(b < a) & (at_c ^ 1);
+    const HalfEdge k = at_b + 2 * at_c;
+    const Index twice[5] = {a, b, c, a, b};
+    return {twice[k], twice[k + 1], twice[k + 2], Topology::first_edge(f) + k};
 }
 
 /// The number that leads a face in the sorted order: infinite faces come first and are led by their
@@ -81,6 +77,13 @@ class BlockSort {
     void emit(Emit emit) {
         for (std::size_t first = 0, b = 0; first < entries_.size(); first = starts_[b++]) {
             const std::size_t last = starts_[b];
+            if (last - first == 2) {
+                // Most often; by selecting, for which comes first is anybody's guess.
+                const std::size_t swapped = key(entries_[first + 1]) < key(entries_[first]);
+                emit(first, entries_[first + swapped]);
+                emit(first + 1, entries_[first + 1 - swapped]);
+                continue;
+            }
             if (last - first > few) {
                 std::sort(&entries_[first], &entries_[last - 1] + 1, before);
                 for (std::size_t i = first; i < last; ++i) emit(i, entries_[i]);
@@ -122,27 +125,34 @@ class BlockSort {
 
 }  // namespace
 
-void assemble(Topology topology, std::span<const Index> original, TessellationArrays& result,
-              const Workers& workers) {
+void assemble(Topology topology, std::span<const Index> number, std::span<const Index> rank,
+              TessellationArrays& result, const Workers& workers) {
     const auto slots = static_cast<std::size_t>(topology.faces());
-    const std::size_t blocks = 2 * original.size() / leads_per_block + 1;
+    const std::size_t blocks = 2 * rank.size() / leads_per_block + 1;
     const auto block_of = [&](const Turned& face) {
-        return lead(face.a, face.b, original.size()) / leads_per_block;
+        return lead(face.a, face.b, rank.size()) / leads_per_block;
     };
+    // Where ranks are no numbers, the numbers by rank.
+    LargeArray<Index> numbers;
+    if (rank.data() != number.data()) {
+        numbers = LargeArray<Index>(rank.size());
+        for (std::size_t v = 0; v < rank.size(); ++v) numbers[at(rank[v])] = number[v];
+    }
+    const auto number_of = [&](Index r) { return r == infinite ? infinite : numbers[at(r)]; };
     // The neighbours are faces of the topology until the place of every face is known.
     LargeArray<Index> from;
     const std::vector<std::size_t> starts = deal(
         workers, slots, blocks,
         [&](std::size_t f) {
             const auto face = static_cast<Index>(f);
-            return topology.is_vacant(face) ? blocks : block_of(turn(topology, original, face));
+            return topology.is_vacant(face) ? blocks : block_of(turn(topology, rank, face));
         },
         [&](std::size_t count) {
             make_room(workers, count, result.faces, result.neighbours);
             from = LargeArray<Index>(count);
         },
         [&](std::size_t f, std::size_t i) {
-            const Turned turned = turn(topology, original, static_cast<Index>(f));
+            const Turned turned = turn(topology, rank, static_cast<Index>(f));
             const auto across = [&](HalfEdge h) { return Topology::face(topology.twin(h)); };
             result.faces[i] = {turned.a, turned.b, turned.c};
             // The edge opposite the first vertex is the one that follows the first edge.
@@ -158,7 +168,7 @@ void assemble(Topology topology, std::span<const Index> original, TessellationAr
             return;
         }
         const std::size_t group = task - 1;
-        const auto sort = std::make_unique<BlockSort>(original.size());
+        const auto sort = std::make_unique<BlockSort>(rank.size());
         for (std::size_t b = blocks * group / groups; b < blocks * (group + 1) / groups; ++b) {
             const std::size_t first = starts[b];
             const std::size_t size = starts[b + 1] - first;
@@ -166,7 +176,9 @@ void assemble(Topology topology, std::span<const Index> original, TessellationAr
             sort->deal({&result.faces[first], size}, {&result.neighbours[first], size},
                        {&from[first], size});
             sort->emit([&](std::size_t i, const Entry& entry) {
-                result.faces[first + i] = entry.face;
+                const auto& [a, b, c] = entry.face;
+                result.faces[first + i] =
+                    numbers.empty() ? entry.face : Face{number_of(a), number_of(b), number_of(c)};
                 result.neighbours[first + i] = entry.neighbours;
                 place[at(entry.from)] = static_cast<Index>(first + i);
             });

@@ -4,30 +4,56 @@
 #include <bit>
 #include <numeric>
 
-#include "../../core/curve_order.hpp"
-#include "../../core/insertion_rounds.hpp"
+#include "curve_order.hpp"
 
 namespace signum::triangulation {
 
-void order_spatially(const StridedSites& sites, std::span<Index> numbers, std::uint64_t seed) {
+AlongCurve::AlongCurve(const StridedSites& sites, std::span<const Index> numbers,
+                       std::uint64_t seed, const Workers& workers)
+    : keys_(numbers.size()) {
     const InsertionRounds rounds(numbers.size(), seed);
-    const LargeArray<Index> given(numbers.begin(), numbers.end());
-    // The number's place takes as many bits as there are numbers, the round four, the curve the
-    // rest.
+    last_round_ = rounds.last();
+    // The place takes as many bits as there are numbers, the curve the rest.
     constexpr int step = HilbertCurve<2>::bits_per_step;
-    const int place_bits = static_cast<int>(std::bit_width(numbers.size()));
-    const CurveKeys layout{place_bits, (60 - place_bits) / 2 / step * step};
-    LargeArray<std::uint64_t> keys(numbers.size());
-    for (std::size_t i = 0; i < keys.size(); ++i)
-        keys[i] =
-            static_cast<std::uint64_t>(rounds.of(static_cast<std::size_t>(given[i]))) << 60 | i;
-    sort_along_curve<2>({keys.data(), keys.size()}, layout, [&](std::size_t i) {
-        constexpr std::size_t ahead = 24;
-        if (i + ahead < given.size()) sites.prefetch(static_cast<std::size_t>(given[i + ahead]));
-        const Site site = sites[static_cast<std::size_t>(given[i])];
-        return std::array{site.x, site.y};
+    const int item_bits = static_cast<int>(std::bit_width(numbers.size())) + round_bits;
+    const CurveKeys layout{item_bits, (64 - item_bits) / 2 / step * step};
+    place_mask_ = (std::uint64_t{1} << item_bits) - 1;
+    workers.each_range(numbers.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            keys_[i] = i << round_bits |
+                       static_cast<std::uint64_t>(rounds.of(static_cast<std::size_t>(numbers[i])));
     });
-    for (std::size_t i = 0; i < keys.size(); ++i) numbers[i] = given[layout.item(keys[i])];
+    sort_along_curve<2>(
+        keys_, layout,
+        [&](std::size_t item) {
+            constexpr std::size_t ahead = 24;
+            const std::size_t i = item >> round_bits;
+            if (i + ahead < numbers.size())
+                sites.prefetch(static_cast<std::size_t>(numbers[i + ahead]));
+            const Site site = sites[static_cast<std::size_t>(numbers[i])];
+            return std::array{site.x, site.y};
+        },
+        workers);
+}
+
+LargeArray<Index> ranks_along_curve(const StridedSites& sites, const Workers& workers) {
+    LargeArray<Index> numbers(sites.size());
+    std::iota(numbers.begin(), numbers.end(), 0);
+    const AlongCurve along(sites, numbers, 1, workers);
+    workers.each_range(along.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) numbers[along.place(k)] = static_cast<Index>(k);
+    });
+    return numbers;
+}
+
+void order_spatially(const StridedSites& sites, std::span<Index> numbers, std::uint64_t seed) {
+    const Workers one(1);
+    const LargeArray<Index> given(numbers.begin(), numbers.end());
+    const AlongCurve along(sites, given, seed, one);
+    static_cast<void>(deal(
+        one, along.size(), along.rounds(), [&](std::size_t k) { return along.round(k); },
+        [](std::size_t) {},
+        [&](std::size_t k, std::size_t place) { numbers[place] = given[along.place(k)]; }));
 }
 
 LargeArray<Index> spatial_order(const StridedSites& sites, std::uint64_t seed) {

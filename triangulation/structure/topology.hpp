@@ -22,6 +22,7 @@
 #include "../../core/contract.hpp"
 #include "../../core/index.hpp"
 #include "../../core/large_array.hpp"
+#include "../../core/pages.hpp"
 #include "../../core/parallel.hpp"
 #include "cycle.hpp"
 
@@ -66,6 +67,7 @@ class Topology {
         Topology part(0);
         part.records_ = records_;
         part.first_ = part.faces_ = first;
+        part.asked_ = first;
         part.capacity_ = first + (sites < 2 ? 0 : 2 * sites - 2);
         SIGNUM_EXPECTS(part.capacity_ <= capacity_);
         return part;
@@ -77,9 +79,12 @@ class Topology {
     [[nodiscard]] static HalfEdge first_edge(Index f) noexcept {
         return static_cast<HalfEdge>(f) << 2;
     }
-    [[nodiscard]] static HalfEdge next(HalfEdge h) noexcept { return (h & 3) == 2 ? h - 2 : h + 1; }
+    // By tables of two bits an edge, for which edge of its face h is, is anybody's guess.
+    [[nodiscard]] static HalfEdge next(HalfEdge h) noexcept {
+        return (h & ~3U) | (0b00'10'01U >> 2 * (h & 3) & 3);
+    }
     [[nodiscard]] static HalfEdge previous(HalfEdge h) noexcept {
-        return (h & 3) == 0 ? h + 2 : h - 1;
+        return (h & ~3U) | (0b01'00'10U >> 2 * (h & 3) & 3);
     }
 
     [[nodiscard]] Index origin(HalfEdge h) const noexcept { return at(h).vertex[h & 3]; }
@@ -130,6 +135,8 @@ class Topology {
     /// A new face; its edges have no twins yet. Precondition: the faces of the tessellation fit.
     Index add_face(Index a, Index b, Index c) noexcept {
         SIGNUM_EXPECTS(faces_ < capacity_);
+        if (faces_ >= asked_) [[unlikely]]
+            ask_for_pages();
         const auto f = static_cast<Index>(faces_++);
         record(f) = {{a, b, c}, 0, {0, 0, 0}};
         return f;
@@ -153,10 +160,18 @@ class Topology {
         return const_cast<Record&>(std::as_const(*this).at(h));
     }
 
+    /// Half a megabyte of them at a time: they are filled one after the other.
+    [[gnu::noinline]] void ask_for_pages() noexcept {
+        constexpr std::size_t step = std::size_t{1} << 14;
+        expect_writes(records_ + faces_, std::min(step, capacity_ - faces_) * sizeof(Record));
+        asked_ = faces_ + step;
+    }
+
     /// In numbers of faces.
     std::size_t first_ = 0;
     std::size_t faces_ = 0;
     std::size_t capacity_ = 0;
+    std::size_t asked_ = 0;
     LargeArray<Record> own_;
     Record* records_ = nullptr;  ///< of face 0, in own_ or, of a window, in another structure
 };

@@ -207,6 +207,7 @@ def triangulate(
     threads: int = ...,
     count: bool = ...,
     progress: _Progress = ...,
+    order: str = ...,
 ) -> Tessellation: ...
 def triangulate_space(
     sites: npt.ArrayLike,

@@ -4,11 +4,18 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/sort/spreadsort/integer_sort.hpp>
+#include <bit>
+#include <boost/sort/pdqsort/pdqsort.hpp>
 #include <cstddef>
 #include <cstdint>
+#include <mutex>
 #include <span>
 #include <utility>
+#include <vector>
+
+#include "../../core/large_array.hpp"
+#include "../../core/parallel.hpp"
+#include "../../exact/floating_environment.hpp"
 
 namespace signum {
 
@@ -18,6 +25,10 @@ class AxisRange {
     void include(double value) noexcept {
         least_ = std::min(least_, 0.5 * value);
         greatest_ = std::max(greatest_, 0.5 * value);
+    }
+    void include(const AxisRange& other) noexcept {
+        least_ = std::min(least_, other.least_);
+        greatest_ = std::max(greatest_, other.greatest_);
     }
     [[nodiscard]] bool is_point() const noexcept { return !(greatest_ > least_); }
     /// The cell of a value among 2^bits.
@@ -146,35 +157,105 @@ struct CurveKeys {
 /// Sorts keys, whose places on the curve are 0, by those over the items' own bounding box; where a
 /// cell holds many, these on a scale of their own. place(item): an array of D numbers.
 template <std::size_t D, class Place>
-void sort_along_curve(std::span<std::uint64_t> keys, const CurveKeys& layout, const Place& place) {
-    std::array<AxisRange, D> ranges;
-    for (const std::uint64_t key : keys) {
-        const std::array<double, D> p = place(layout.item(key));
-        for (std::size_t k = 0; k < D; ++k) ranges[k].include(p[k]);
-    }
-    if (std::ranges::all_of(ranges, &AxisRange::is_point)) return;
-    for (std::uint64_t& key : keys) {
-        const std::array<double, D> p = place(layout.item(key));
-        std::array<std::uint32_t, D> cell;
-        for (std::size_t k = 0; k < D; ++k) cell[k] = ranges[k].cell(p[k], layout.axis_bits);
-        key |= HilbertCurve<D>::place(cell, layout.axis_bits) << layout.item_bits;
-    }
-    boost::sort::spreadsort::integer_sort(keys.begin(), keys.end());
+void sort_along_curve(std::span<std::uint64_t> keys, const CurveKeys& layout, const Place& place,
+                      const Workers& workers);
 
+/// Sorts keys by `bits` of them, from `shift` on, by counting; O(size). `room` has room for as
+/// many.
+inline void sort_by_digit(std::span<const std::uint64_t> keys, std::span<std::uint64_t> sorted,
+                          int shift, int bits, const Workers& workers) {
+    const std::uint64_t mask = (std::uint64_t{1} << bits) - 1;
+    static_cast<void>(deal(
+        workers, keys.size(), std::size_t{1} << bits,
+        [&](std::size_t i) { return static_cast<std::size_t>(keys[i] >> shift & mask); },
+        [](std::size_t) {}, [&](std::size_t i, std::size_t place) { sorted[place] = keys[i]; }));
+}
+
+/// Sorts keys from first to last whose first bits are the same; of no use elsewhere.
+template <std::size_t D, class Place>
+void sort_cells(std::span<std::uint64_t> keys, const CurveKeys& layout, const Place& place,
+                const Workers& workers) {
+    constexpr std::size_t few = 24;
     constexpr std::size_t crowd = 64;
-    for (std::size_t first = 0; first < keys.size();) {
-        std::size_t last = first + 1;
-        while (last < keys.size() &&
-               keys[last] >> layout.item_bits == keys[first] >> layout.item_bits)
-            ++last;
-        // The corners of a bounding box lie in different cells, so that a cell holds fewer.
-        if (last - first > crowd && last - first < keys.size()) {
-            const std::span<std::uint64_t> cell = keys.subspan(first, last - first);
-            for (std::uint64_t& key : cell) key = layout.item(key);
-            sort_along_curve<D>(cell, layout, place);
+    if (keys.size() <= few) {
+        for (std::size_t i = 1; i < keys.size(); ++i) {
+            const std::uint64_t key = keys[i];
+            std::size_t k = i;
+            for (; k > 0 && keys[k - 1] > key; --k) keys[k] = keys[k - 1];
+            keys[k] = key;
         }
-        first = last;
+        return;
     }
+    boost::sort::pdqsort_branchless(keys.begin(), keys.end());
+    const auto cell_of = [&](std::uint64_t key) { return key >> layout.item_bits; };
+    for (std::size_t first = 0, last; first < keys.size(); first = last) {
+        last = first + 1;
+        while (last < keys.size() && cell_of(keys[last]) == cell_of(keys[first])) ++last;
+        if (last - first <= crowd) continue;
+        const std::span<std::uint64_t> cell = keys.subspan(first, last - first);
+        for (std::uint64_t& key : cell) key = layout.item(key);
+        sort_along_curve<D>(cell, layout, place, workers);
+    }
+}
+
+template <std::size_t D, class Place>
+void sort_along_curve(std::span<std::uint64_t> keys, const CurveKeys& layout, const Place& place,
+                      const Workers& workers) {
+    const std::size_t n = keys.size();
+    std::array<AxisRange, D> box;
+    std::mutex one_at_a_time;
+    workers.each_range(n, [&](std::size_t begin, std::size_t end) {
+        const exact::IeeeEnvironment environment;
+        std::array<AxisRange, D> own;
+        for (std::size_t i = begin; i < end; ++i) {
+            const std::array<double, D> p = place(layout.item(keys[i]));
+            for (std::size_t k = 0; k < D; ++k) own[k].include(p[k]);
+        }
+        const std::lock_guard lock(one_at_a_time);
+        for (std::size_t k = 0; k < D; ++k) box[k].include(own[k]);
+    });
+    // The corners of the box lie in different cells, so that a crowd is smaller than what it is in.
+    if (std::ranges::all_of(box, &AxisRange::is_point)) return;
+    workers.each_range(n, [&](std::size_t begin, std::size_t end) {
+        const exact::IeeeEnvironment environment;
+        for (std::size_t i = begin; i < end; ++i) {
+            const std::array<double, D> p = place(layout.item(keys[i]));
+            std::array<std::uint32_t, D> cell;
+            for (std::size_t k = 0; k < D; ++k) cell[k] = box[k].cell(p[k], layout.axis_bits);
+            keys[i] |= HilbertCurve<D>::place(cell, layout.axis_bits) << layout.item_bits;
+        }
+    });
+
+    // As many of the first bits as part nearly all items, in two digits, the second one first; what
+    // these leave together is little, unless the items crowd.
+    constexpr std::size_t few = 256;
+    const int curve_bits = static_cast<int>(D) * layout.axis_bits;
+    const int digit = n < few ? 0 : std::min(curve_bits, static_cast<int>(std::bit_width(n))) / 2;
+    const int rest = layout.item_bits + curve_bits - 2 * digit;
+    if (digit > 0) {
+        LargeArray<std::uint64_t> room(n);
+        sort_by_digit(keys, room, rest, digit, workers);
+        sort_by_digit(room, keys, rest + digit, digit, workers);
+    }
+    // Ranges end where such ones do; found before any is sorted, for that may change their keys.
+    const auto are_together = [&](std::size_t i, std::size_t k) {
+        return keys[i] >> rest == keys[k] >> rest;
+    };
+    std::vector<std::size_t> bounds = {0};
+    const std::size_t ranges = workers.range_count(n);
+    for (std::size_t range = 1; range < ranges; ++range) {
+        std::size_t bound = std::max(bounds.back(), n * range / ranges);
+        while (bound > bounds.back() && bound < n && are_together(bound - 1, bound)) ++bound;
+        bounds.push_back(bound);
+    }
+    bounds.push_back(n);
+    workers.each(ranges, [&](std::size_t range) {
+        for (std::size_t first = bounds[range], last; first < bounds[range + 1]; first = last) {
+            last = first + 1;
+            while (last < bounds[range + 1] && are_together(first, last)) ++last;
+            sort_cells<D>(keys.subspan(first, last - first), layout, place, workers);
+        }
+    });
 }
 
 }  // namespace signum
