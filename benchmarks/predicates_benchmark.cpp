@@ -10,6 +10,7 @@
 #include <functional>
 #include <random>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <fmt/format.h>
@@ -36,29 +37,27 @@ using Operands = std::vector<std::array<S, n>>;
 
 struct NaiveCcw {
     template <class S>
-    Sign operator()(const std::array<S, 3>& t) const {
-        const auto& [a, b, c] = t;
+    Sign operator()(const S& a, const S& b, const S& c) const {
         return sign_of(predicates::ccw_determinant(a.x - c.x, a.y - c.y, b.x - c.x, b.y - c.y));
     }
 };
 struct ExactCcw {
     template <class S>
-    Sign operator()(const std::array<S, 3>& t) const {
-        return ccw(t[0], t[1], t[2]);
+    Sign operator()(const S& a, const S& b, const S& c) const {
+        return ccw(a, b, c);
     }
 };
 struct NaiveInCircle {
     template <class S>
-    Sign operator()(const std::array<S, 4>& t) const {
-        const auto& [i, j, k, q] = t;
+    Sign operator()(const S& i, const S& j, const S& k, const S& q) const {
         return sign_of(
             power::in_circle_determinant(power::row(i, q), power::row(j, q), power::row(k, q)));
     }
 };
 struct ExactInCircle {
     template <class S>
-    Sign operator()(const std::array<S, 4>& t) const {
-        return power::in_circle(t[0], t[1], t[2], t[3]);
+    Sign operator()(const S& i, const S& j, const S& k, const S& q) const {
+        return power::in_circle(i, j, k, q);
     }
 };
 
@@ -85,11 +84,15 @@ template <class Predicate>
 struct OneByOne {
     template <class S, std::size_t n>
     void operator()(Batch<S, n>& batch) const {
-        for (std::size_t i = 0; i < batch.signs.size(); ++i) {
-            std::array<S, n> question;
-            for (std::size_t m = 0; m < n; ++m) question[m] = batch.operands[m][i];
-            batch.signs[i] = static_cast<std::int8_t>(Predicate()(question));
-        }
+        std::array<const S*, n> operands;
+        for (std::size_t m = 0; m < n; ++m) operands[m] = batch.operands[m].data();
+        std::int8_t* const signs = batch.signs.data();
+        for (std::size_t i = 0; i < batch.signs.size(); ++i)
+            signs[i] = std::apply(
+                [i](const auto*... sites) {
+                    return static_cast<std::int8_t>(Predicate()(sites[i]...));
+                },
+                operands);
     }
 };
 struct AtOnce {
@@ -129,7 +132,7 @@ void add(const std::string& name, std::vector<Operand> operands) {
                                          benchmark::DoNotOptimize(first);
                                          Sign sum = 0;
                                          for (std::size_t i = 0; i < count; ++i)
-                                             sum += Predicate()(first[i]);
+                                             sum += std::apply(Predicate(), first[i]);
                                          benchmark::DoNotOptimize(sum);
                                      }
                                  });
@@ -164,8 +167,9 @@ S make_site(double x, double y, double r) {
 /// Uniform centres and radii, triples counterclockwise.
 template <class S, std::size_t n>
 Operands<S, n> random_operands(std::size_t count = tuples) {
-    const std::vector<Site> sites =
-        generate(Distribution::random, {.count = count * n, .radius_to = 100.0, .seed = 20 + n});
+    const std::vector<Site> sites = generate(
+        Distribution::random,
+        {.count = static_cast<std::int64_t>(count * n), .radius_to = 100.0, .seed = 20 + n});
     Operands<S, n> result(count);
     for (std::size_t i = 0; i < count; ++i) {
         auto& tuple = result[i];
