@@ -13,6 +13,7 @@
 #include "motion/shaking_wall.hpp"
 #include "motion/simulation.hpp"
 #include "predicates/arithmetic.hpp"
+#include "predicates/batch.hpp"
 #include "predicates/ccw.hpp"
 #include "predicates/euclidean.hpp"
 #include "predicates/manhattan.hpp"

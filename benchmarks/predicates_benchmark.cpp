@@ -6,14 +6,18 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <random>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "../exact/sign_of_sum.hpp"
+#include "../predicates/batch.hpp"
+#include "../predicates/batch/lanes.hpp"
 #include "../predicates/power.hpp"
 #include "../tool/generate/generate.hpp"
 
@@ -33,31 +37,87 @@ using Operands = std::vector<std::array<S, n>>;
 
 struct NaiveCcw {
     template <class S>
-    Sign operator()(const std::array<S, 3>& t) const {
-        const auto& [a, b, c] = t;
+    Sign operator()(const S& a, const S& b, const S& c) const {
         return sign_of(predicates::ccw_determinant(a.x - c.x, a.y - c.y, b.x - c.x, b.y - c.y));
     }
 };
 struct ExactCcw {
     template <class S>
-    Sign operator()(const std::array<S, 3>& t) const {
-        return ccw(t[0], t[1], t[2]);
+    Sign operator()(const S& a, const S& b, const S& c) const {
+        return ccw(a, b, c);
     }
 };
 struct NaiveInCircle {
     template <class S>
-    Sign operator()(const std::array<S, 4>& t) const {
-        const auto& [i, j, k, q] = t;
+    Sign operator()(const S& i, const S& j, const S& k, const S& q) const {
         return sign_of(
             power::in_circle_determinant(power::row(i, q), power::row(j, q), power::row(k, q)));
     }
 };
 struct ExactInCircle {
     template <class S>
-    Sign operator()(const std::array<S, 4>& t) const {
-        return power::in_circle(t[0], t[1], t[2], t[3]);
+    Sign operator()(const S& i, const S& j, const S& k, const S& q) const {
+        return power::in_circle(i, j, k, q);
     }
 };
+
+// --- Batches
+// ---------------------------------------------------------------------------------------
+
+/// In the second-level cache, and beyond all caches but the last.
+constexpr std::size_t batches[] = {4096, 1'000'000};
+
+/// The questions, an array an operand, as a batch takes them.
+template <class S, std::size_t n>
+struct Batch {
+    std::array<std::vector<S>, n> operands;
+    std::vector<std::int8_t> signs;
+
+    explicit Batch(const std::vector<std::array<S, n>>& questions) : signs(questions.size()) {
+        for (const std::array<S, n>& question : questions)
+            for (std::size_t m = 0; m < n; ++m) operands[m].push_back(question[m]);
+    }
+};
+
+/// One question after another, as a user would write it.
+template <class Predicate>
+struct OneByOne {
+    template <class S, std::size_t n>
+    void operator()(Batch<S, n>& batch) const {
+        std::array<const S*, n> operands;
+        for (std::size_t m = 0; m < n; ++m) operands[m] = batch.operands[m].data();
+        std::int8_t* const signs = batch.signs.data();
+        for (std::size_t i = 0; i < batch.signs.size(); ++i)
+            signs[i] = std::apply(
+                [i](const auto*... sites) {
+                    return static_cast<std::int8_t>(Predicate()(sites[i]...));
+                },
+                operands);
+    }
+};
+struct AtOnce {
+    template <class S>
+    void operator()(Batch<S, 3>& batch) const {
+        const auto& [a, b, c] = batch.operands;
+        ccw_batch(a, b, c, batch.signs);
+    }
+    template <class S>
+    void operator()(Batch<S, 4>& batch) const {
+        const auto& [i, j, k, q] = batch.operands;
+        power::in_circle_batch(i, j, k, q, batch.signs);
+    }
+};
+
+template <class Contestant, class S, std::size_t n>
+void add_batch(const std::string& name, Batch<S, n> batch) {
+    benchmark::RegisterBenchmark(name.c_str(),
+                                 [batch = std::move(batch)](benchmark::State& state) mutable {
+                                     for (auto _ : state) {
+                                         Contestant()(batch);
+                                         benchmark::ClobberMemory();
+                                     }
+                                 });
+}
 
 /// Calls the predicate on all operands, again and again.
 template <class Predicate, class Operand>
@@ -72,7 +132,7 @@ void add(const std::string& name, std::vector<Operand> operands) {
                                          benchmark::DoNotOptimize(first);
                                          Sign sum = 0;
                                          for (std::size_t i = 0; i < count; ++i)
-                                             sum += Predicate()(first[i]);
+                                             sum += std::apply(Predicate(), first[i]);
                                          benchmark::DoNotOptimize(sum);
                                      }
                                  });
@@ -106,11 +166,12 @@ S make_site(double x, double y, double r) {
 
 /// Uniform centres and radii, triples counterclockwise.
 template <class S, std::size_t n>
-Operands<S, n> random_operands() {
-    const std::vector<Site> sites =
-        generate(Distribution::random, {.count = tuples * n, .radius_to = 100.0, .seed = 20 + n});
-    Operands<S, n> result(tuples);
-    for (std::size_t i = 0; i < tuples; ++i) {
+Operands<S, n> random_operands(std::size_t count = tuples) {
+    const std::vector<Site> sites = generate(
+        Distribution::random,
+        {.count = static_cast<std::int64_t>(count * n), .radius_to = 100.0, .seed = 20 + n});
+    Operands<S, n> result(count);
+    for (std::size_t i = 0; i < count; ++i) {
         auto& tuple = result[i];
         for (std::size_t m = 0; m < n; ++m) {
             const Site& site = sites[i * n + m];
@@ -206,12 +267,25 @@ std::string title(const char* predicate, const char* contestant) {
     return fmt::format("{} {} {}", predicate, name_of_type<S>, contestant);
 }
 
+template <class S, std::size_t n, class Naive, class Exact>
+void add_batches(const char* predicate) {
+    for (const std::size_t count : batches) {
+        const Batch<S, n> batch(random_operands<S, n>(count));
+        const std::string name = fmt::format("{} {}", title<S>(predicate, "batch"), count);
+        add_batch<OneByOne<Naive>>(name + " naive", batch);
+        add_batch<OneByOne<Exact>>(name + " exact", batch);
+        add_batch<AtOnce>(name + " at once", batch);
+    }
+}
+
 template <class S>
 void add_random() {
     add<NaiveCcw>(title<S>("ccw", "naive"), random_operands<S, 3>());
     add<ExactCcw>(title<S>("ccw", "exact"), random_operands<S, 3>());
     add<NaiveInCircle>(title<S>("in_circle", "naive"), random_operands<S, 4>());
     add<ExactInCircle>(title<S>("in_circle", "exact"), random_operands<S, 4>());
+    add_batches<S, 3, NaiveCcw, ExactCcw>("ccw");
+    add_batches<S, 4, NaiveInCircle, ExactInCircle>("in_circle");
 }
 
 template <class Predicate, class Operand>
@@ -288,6 +362,19 @@ void print_random(const Measurements& measured, const char* predicate, const cha
 }
 
 template <class S>
+void print_batches(const Measurements& measured, const char* predicate) {
+    for (const std::size_t count : batches) {
+        const std::string name = fmt::format("{} {}", title<S>(predicate, "batch"), count);
+        const double unit = nanosecond * static_cast<double>(count);
+        print_row({fmt::format("`{}`, `{}`, {}", predicate, name_of_type<S>, count),
+                   measured.cell(name + " naive", unit), measured.cell(name + " exact", unit),
+                   measured.cell(name + " at once", unit),
+                   measured.ratio(name + " at once", name + " naive"),
+                   measured.ratio(name + " at once", name + " exact")});
+    }
+}
+
+template <class S>
 std::string stage_of_ties(Tie tie) {
     return signum::name_of(stage(tied_circles<S>(tie).front()));
 }
@@ -299,6 +386,17 @@ void print_tables(const Measurements& measured) {
         print_random<Point>(measured, predicate, limit);
         print_random<power::Site>(measured, predicate, limit);
         print_random<Site>(measured, predicate, limit);
+    }
+
+    const auto instructions = predicates::batch::instructions();
+    fmt::print("\nBatches on random input, ns a question ({}):\n\n",
+               instructions.empty() ? "without Highway" : instructions.front().name);
+    print_header({"predicate, sites, questions", "naive, one by one", "signum, one by one",
+                  "signum, a batch", "batch / naive", "batch / one by one"});
+    for (const char* predicate : {"ccw", "in_circle"}) {
+        print_batches<Point>(measured, predicate);
+        print_batches<power::Site>(measured, predicate);
+        print_batches<Site>(measured, predicate);
     }
 
     fmt::print("\nThe stages behind the filter, ns a call:\n\n");

@@ -59,6 +59,14 @@ class StridedSites {
 
     /// How many sites.
     [[nodiscard]] std::size_t size() const noexcept { return size_; }
+    /// Where the first numbers of sites begin.
+    [[nodiscard]] const double* x() const noexcept { return x_; }
+    /// Where the second ones begin.
+    [[nodiscard]] const double* y() const noexcept { return y_; }
+    /// Where the third ones begin; null where there are none.
+    [[nodiscard]] const double* third() const noexcept { return third_; }
+    /// How many bytes lie between the numbers of one site and those of the next.
+    [[nodiscard]] std::ptrdiff_t stride() const noexcept { return stride_; }
     /// Whether the third number of a site is a weight, not a radius.
     [[nodiscard]] bool third_is_weight() const noexcept { return third_is_weight_; }
     /// Precondition: i < size().

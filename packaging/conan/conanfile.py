@@ -15,8 +15,9 @@ class Signum(ConanFile):
     topics = ("computational-geometry", "predicates", "delaunay", "voronoi")
     package_type = "library"
     settings = "os", "arch", "compiler", "build_type"
-    options = {"shared": [True, False], "fPIC": [True, False], "with_gmp": [True, False], "with_tbb": [True, False]}
-    default_options = {"shared": False, "fPIC": True, "with_gmp": True, "with_tbb": True}
+    options = {"shared": [True, False], "fPIC": [True, False], "with_gmp": [True, False], "with_tbb": [True, False],
+               "with_highway": [True, False]}
+    default_options = {"shared": False, "fPIC": True, "with_gmp": True, "with_tbb": True, "with_highway": True}
 
     def export_sources(self):
         copy(self, "*", Path(self.recipe_folder).parents[1], self.export_sources_folder, excludes=("build/*", ".git/*"))
@@ -34,6 +35,8 @@ class Signum(ConanFile):
             self.requires("mpfr/4.2.1")
         if self.options.with_tbb:
             self.requires("onetbb/2021.12.0")
+        if self.options.with_highway:
+            self.requires("highway/1.2.0", libs=False)
 
     def generate(self):
         toolchain = CMakeToolchain(self)
@@ -42,6 +45,7 @@ class Signum(ConanFile):
         toolchain.cache_variables["SIGNUM_INSTALL"] = True
         toolchain.cache_variables["SIGNUM_WITH_GMP"] = bool(self.options.with_gmp)
         toolchain.cache_variables["SIGNUM_WITH_TBB"] = bool(self.options.with_tbb)
+        toolchain.cache_variables["SIGNUM_WITH_HIGHWAY"] = bool(self.options.with_highway)
         toolchain.generate()
         CMakeDeps(self).generate()
 

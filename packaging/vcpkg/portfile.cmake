@@ -5,6 +5,7 @@ get_filename_component(SOURCE_PATH "${CURRENT_PORT_DIR}/../.." ABSOLUTE)
 vcpkg_check_features(OUT_FEATURE_OPTIONS FEATURE_OPTIONS
     FEATURES
         gmp  SIGNUM_WITH_GMP
+        highway SIGNUM_WITH_HIGHWAY
         tbb  SIGNUM_WITH_TBB
         tool SIGNUM_BUILD_TOOL
 )

@@ -1,5 +1,6 @@
 #pragma once
-/// How a formula begins, whatever it computes in: with differences of doubles.
+/// How a formula begins, whatever it computes in: with differences of doubles, or of vectors of
+/// doubles (batch/lanes.cpp).
 ///
 /// A formula takes what it computes in as its first template parameter: a type of number (double,
 /// float, filters::Interval, filters::Wide, exact::Sum, filters::RoundingCount), or a struct that
@@ -13,8 +14,9 @@ SIGNUM_IEEE_BEGIN
 namespace signum::predicates {
 
 /// a - b.
-template <class Number>
-[[nodiscard, gnu::always_inline]] constexpr auto difference(double a, double b) noexcept {
+template <class Number, class Operand>
+[[nodiscard, gnu::always_inline]] constexpr auto difference(const Operand& a,
+                                                            const Operand& b) noexcept {
     if constexpr (requires { Number::difference(a, b); })
         return Number::difference(a, b);
     else
@@ -22,9 +24,9 @@ template <class Number>
 }
 
 /// a² - b², of a rounded number as (a - b)(a + b), which does not cancel.
-template <class Number>
-[[nodiscard, gnu::always_inline]] constexpr auto difference_of_squares(double a,
-                                                                       double b) noexcept {
+template <class Number, class Operand>
+[[nodiscard, gnu::always_inline]] constexpr auto difference_of_squares(const Operand& a,
+                                                                       const Operand& b) noexcept {
     if constexpr (requires { Number::difference_of_squares(a, b); })
         return Number::difference_of_squares(a, b);
     else
