@@ -78,4 +78,10 @@ class LargeAllocator {
 template <class T, Pages pages = Pages::ordinary>
 using LargeArray = std::vector<T, LargeAllocator<T, pages>>;
 
+/// Empties an array and gives its memory back, which `array = {}` would keep.
+template <class T, class Allocator>
+void release(std::vector<T, Allocator>& array) noexcept {
+    std::vector<T, Allocator>().swap(array);
+}
+
 }  // namespace signum

@@ -98,8 +98,8 @@ Tessellation finish(Metric metric, const StridedSites& input, const Options& opt
     arrays.weight_is = input.third_is_weight() ? WeightIs::weight : WeightIs::radius;
     arrays.sites = static_cast<std::int64_t>(n);
     list_hidden(hidden_by, original, arrays.hidden, workers);
-    sites = {};
-    hidden_by = {};
+    release(sites);
+    release(hidden_by);
     arrays.order = options.order;
     if (options.order == Order::index) {
         assemble(std::move(topology), original, original, arrays, workers);
@@ -110,8 +110,8 @@ Tessellation finish(Metric metric, const StridedSites& input, const Options& opt
         }
         assemble(std::move(topology), original, ranks, arrays, workers);
     }
-    original = {};
-    ranks = {};
+    release(original);
+    release(ranks);
 
     if (options.count) fill(statistics, kernel.tally());
     std::vector<Site> copy;

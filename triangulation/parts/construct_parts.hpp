@@ -51,6 +51,7 @@
 #include "../../exact/floating_environment.hpp"
 #include "../insertion/insert_all.hpp"
 #include "../structure/spatial_order.hpp"
+#include "joining.hpp"
 #include "plan.hpp"
 #include "reach.hpp"
 
@@ -71,8 +72,7 @@ class PartsConstruction {
           hidden_by_(hidden_by),
           seed_(seed),
           watch_(watch),
-          marks_(hidden_by.size(), is_elsewhere),
-          boxes_(2 * plan.leaves() - 1) {}
+          marks_(hidden_by.size(), is_elsewhere) {}
 
     /// Fills a structure with room for all sites. False, and it has no faces, where the sites have
     /// no structure (insert_all.hpp) or nothing is gained by parts; hidden_by then says who is
@@ -80,10 +80,13 @@ class PartsConstruction {
     [[nodiscard]] bool run(Topology& topology) {
         topology_ = &topology;
         topology.use_all();
-        workers_.each(plan_.leaves(), [this](std::size_t leaf) { measure(leaf); });
-        for (std::size_t k = boxes_.size(); --k > 0;) boxes_[(k - 1) / 2].include(boxes_[k]);
+        boxes_ = boxes_of<2>(plan_, workers_, [this](std::size_t leaf) { return box_of(leaf); });
         Part whole;
-        watch_.guard_all([&] { whole = build(0, 0); });
+        watch_.guard_all([&] {
+            whole = triangulation::built<Part>(
+                plan_, workers_, watch_, [this](std::size_t number) { return leaf(number); },
+                [this](std::array<Part, 2>& parts, std::size_t k) { return join(parts, k); });
+        });
         if (!whole.loose.empty()) return false;
         for (const Index f : whole.vacant) topology.vacate(f);
         return true;
@@ -116,48 +119,31 @@ class PartsConstruction {
             std::ranges::count_if(sites, [this](Index v) { return is_visible(v); }));
     }
 
-    void measure(std::size_t leaf) {
+    [[nodiscard]] Box<2> box_of(std::size_t leaf) const {
         Box<2> box;
         for (std::size_t i = plan_.begins[leaf]; i < plan_.begins[leaf + 1]; ++i) {
             const Point p = kernel_.centre(static_cast<Index>(i));
             box.include({{p.x, p.y}, {p.x, p.y}, reach_.third(static_cast<Index>(i))});
         }
-        boxes_[plan_.cuts.size() + leaf] = box;
-    }
-
-    /// Node k, `level` cuts below the root.
-    [[nodiscard]] Part build(std::size_t k, int level) {
-        if (level == plan_.levels) return leaf(k - plan_.cuts.size());
-        std::array<Part, 2> parts;
-        workers_.each(2,
-                      [&](std::size_t side) { parts[side] = build(2 * k + 1 + side, level + 1); });
-        Part joined;
-        watch_.guard([&] {
-            const exact::IeeeEnvironment environment;
-            joined = join(parts, k);
-        });
-        return joined;
+        return box;
     }
 
     [[nodiscard]] Part leaf(std::size_t number) {
         Part part;
         part.first = plan_.begins[number];
         part.last = plan_.begins[number + 1];
-        watch_.guard([&] {
-            const exact::IeeeEnvironment environment;
-            LargeArray<Index> sites(part.last - part.first);
-            std::iota(sites.begin(), sites.end(), static_cast<Index>(part.first));
-            Topology window = topology_->window(2 * part.first, sites.size());
-            if (!insert_all(window, kernel_, hidden_by_, sites, watch_)) {
-                give_up(part);
-                return;
-            }
-            for (Index f = window.faces(); f < slot(part.last) - 2; ++f) topology_->vacate(f);
-            part.visible = count_visible(sites);
-            part.outer = slot(part.first);
-            while (topology_->is_vacant(part.outer) || !topology_->is_infinite(part.outer))
-                ++part.outer;
-        });
+        LargeArray<Index> sites(part.last - part.first);
+        std::iota(sites.begin(), sites.end(), static_cast<Index>(part.first));
+        Topology window = topology_->window(2 * part.first, sites.size());
+        if (!insert_all(window, kernel_, hidden_by_, sites, watch_)) {
+            give_up(part);
+            return part;
+        }
+        for (Index f = window.faces(); f < slot(part.last) - 2; ++f) topology_->vacate(f);
+        part.visible = count_visible(sites);
+        part.outer = slot(part.first);
+        while (topology_->is_vacant(part.outer) || !topology_->is_infinite(part.outer))
+            ++part.outer;
         return part;
     }
     /// Where the room for the faces of the sites from here on begins.

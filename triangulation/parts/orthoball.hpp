@@ -12,6 +12,17 @@
 
 namespace signum::triangulation {
 
+/// w of a site of the power metric, rounded.
+template <class S>
+[[nodiscard]] double weight_of(const S& site) noexcept {
+    if constexpr (requires { site.w; })
+        return site.w;
+    else if constexpr (requires { site.r; })
+        return site.r * site.r;
+    else
+        return 0.0;
+}
+
 /// A point, and its power.
 template <std::size_t D>
 struct Orthoball {

@@ -95,10 +95,6 @@ class PowerReach {
         return is_on_line && at_edge(a, b).may_be_reached_from(box);
     }
 
-    [[nodiscard]] static double weight_of(const Point&) noexcept { return 0.0; }
-    [[nodiscard]] static double weight_of(const power::Site& site) noexcept { return site.w; }
-    [[nodiscard]] static double weight_of(const Site& site) noexcept { return site.r * site.r; }
-
     /// The vertex solves b·p = H_b / 2, c·p = H_c / 2 with H = |b|² - (w_b - w_a), relative to the
     /// first site. With e = 2^-53 a product H_b c_y is in error by at most 12e h_b |c_y|, where h_b
     /// = |b|² + |w_b| + |w_a|; the area, if at least 2^-26 of the sum A of its terms' magnitudes,

@@ -94,7 +94,7 @@ class Cells {
     void prefetch(Index c) const noexcept { __builtin_prefetch(&neighbour(c)); }
     /// The memory of the vertices, which are no longer needed; neighbours stay.
     [[nodiscard]] std::vector<Four> forget_vertices() noexcept { return std::move(vertex_); }
-    void forget_neighbours() noexcept { neighbour_ = {}; }
+    void forget_neighbours() noexcept { release(neighbour_); }
 
  private:
     static constexpr std::size_t most_cells = std::numeric_limits<Index>::max() - 1;

@@ -22,6 +22,7 @@
 #include "../../core/large_array.hpp"
 #include "../../core/parallel.hpp"
 #include "../../exact/floating_environment.hpp"
+#include "../parts/joining.hpp"
 #include "../parts/plan.hpp"
 #include "../structure/watch.hpp"
 #include "build.hpp"
@@ -125,7 +126,6 @@ class PartsOfSpace {
                       some, [&](Index i) { return centre3(site(i)); }, seed);
               },
               levels, seed, workers)),
-          boxes_(2 * plan_.leaves() - 1),
           cell_marks_(plan_.leaves()) {
         leaves_.cells.resize(plan_.leaves());
         leaves_.shift = 31 - levels;
@@ -133,15 +133,17 @@ class PartsOfSpace {
 
     /// All cells; none, and loose sites, where nothing is gained by parts.
     [[nodiscard]] Result run() && {
-        workers_.each(plan_.leaves(), [this](std::size_t leaf) {
-            const exact::IeeeEnvironment environment;
+        boxes_ = triangulation::boxes_of<3>(plan_, workers_, [this](std::size_t leaf) {
             Box box;
             for (const Index i : plan_.numbers_of(leaf)) box.include(box_of(site(i)));
-            boxes_[plan_.cuts.size() + leaf] = box;
+            return box;
         });
-        for (std::size_t k = boxes_.size(); --k > 0;) boxes_[(k - 1) / 2].include(boxes_[k]);
         Part whole;
-        watch_.guard_all([&] { whole = build(0, 0); });
+        watch_.guard_all([&] {
+            whole = triangulation::built<Part>(
+                plan_, workers_, watch_, [this](std::size_t number) { return leaf(number); },
+                [this](std::array<Part, 2>& parts, std::size_t k) { return join(parts, k); });
+        });
         return {std::move(leaves_), std::move(whole), std::move(plan_.numbers)};
     }
 
@@ -156,20 +158,6 @@ class PartsOfSpace {
         return cell_marks_[leaves_.leaf(c)][static_cast<std::size_t>(leaves_.local(c))];
     }
 
-    /// Node k, `level` cuts below the root.
-    [[nodiscard]] Part build(std::size_t k, int level) {
-        if (level == plan_.levels) return leaf(k - plan_.cuts.size());
-        std::array<Part, 2> parts;
-        workers_.each(2,
-                      [&](std::size_t side) { parts[side] = build(2 * k + 1 + side, level + 1); });
-        Part joined;
-        watch_.guard([&] {
-            const exact::IeeeEnvironment environment;
-            joined = join(parts, k);
-        });
-        return joined;
-    }
-
     [[nodiscard]] Part leaf(std::size_t number) {
         Part part;
         const std::span<const Index> numbers = plan_.numbers_of(number);
@@ -177,40 +165,38 @@ class PartsOfSpace {
         part.first = number;
         part.last = number + 1;
         if (numbers.empty()) return part;
-        watch_.guard([&] {
-            const exact::IeeeEnvironment environment;
-            Builder<S> builder(sites_, numbers);
-            if (builder.apexes() > 0) return give_up(part);
-            builder.copy_sites();
-            triangulation::Watch::Loop loop(watch_);
-            Built built = builder.template run<ExactKernel<S>>([&](Index) { loop.step(); },
-                                                               leaves_.name(number, 0));
-            part.hidden = std::move(built.hidden);
-            for (auto& [hidden, near] : part.hidden) {
-                hidden = builder.number(hidden);
-                near = builder.number(near);
-                mark(hidden) = Mark::is_hidden;
-            }
-            if (built.cells.size() > leaves_.most()) return give_up(part);
-            Cells& cells = leaves_.cells[number] = std::move(built.cells);
-            cell_marks_[number].assign(cells.size(), stays);
-            Index outer = 0;
-            while (cells.is_free(outer) || cells.vertex(outer)[0] != infinite) ++outer;
-            part.outer = leaves_.name(number, outer);
-        });
+        Builder<S> builder(sites_, numbers);
+        if (builder.apexes() > 0) return given_up(std::move(part));
+        builder.copy_sites();
+        triangulation::Watch::Loop loop(watch_);
+        Built built = builder.template run<ExactKernel<S>>([&](Index) { loop.step(); },
+                                                           leaves_.name(number, 0));
+        part.hidden = std::move(built.hidden);
+        for (auto& [hidden, near] : part.hidden) {
+            hidden = builder.number(hidden);
+            near = builder.number(near);
+            mark(hidden) = Mark::is_hidden;
+        }
+        if (built.cells.size() > leaves_.most()) return given_up(std::move(part));
+        Cells& cells = leaves_.cells[number] = std::move(built.cells);
+        cell_marks_[number].assign(cells.size(), stays);
+        Index outer = 0;
+        while (cells.is_free(outer) || cells.vertex(outer)[0] != infinite) ++outer;
+        part.outer = leaves_.name(number, outer);
         return part;
     }
 
-    /// The part has no cells: its visible sites are to be inserted.
-    void give_up(Part& part) {
+    /// The part without its cells: its visible sites are to be inserted.
+    [[nodiscard]] Part given_up(Part part) {
         part.outer = unset;
         part.loose.clear();
         for (std::size_t leaf = part.first; leaf < part.last; ++leaf) {
             leaves_.cells[leaf] = {};
-            cell_marks_[leaf] = {};
+            release(cell_marks_[leaf]);
             for (const Index i : plan_.numbers_of(leaf))
                 if (mark(i) != Mark::is_hidden) part.loose.push_back(i);
         }
+        return part;
     }
 
     /// The parts below and above the cut of node k.
@@ -261,8 +247,7 @@ class PartsOfSpace {
                 mark_all(reached, Mark::is_elsewhere);
             }
         }
-        if (joined.outer == unset) give_up(joined);
-        return joined;
+        return joined.outer == unset ? given_up(std::move(joined)) : std::move(joined);
     }
 
     /// Calls visit(c) for all cells at a vertex, of which one is given; they are in `star` then.

@@ -20,17 +20,7 @@ namespace signum::spatial {
 
 using Box = triangulation::Box<3>;
 using Ball = triangulation::Orthoball<3>;
-
-/// w of a site, rounded.
-template <power::PowerSite3 S>
-[[nodiscard]] inline double weight_of(const S& site) noexcept {
-    if constexpr (requires { site.w; })
-        return site.w;
-    else if constexpr (requires { site.r; })
-        return site.r * site.r;
-    else
-        return 0.0;
-}
+using triangulation::weight_of;
 
 /// The box around one site.
 template <power::PowerSite3 S>

@@ -61,7 +61,7 @@ class Construction {
         }
         find_nearest(result.hidden);
         all_ = {};
-        hidden_ = {};
+        release(hidden_);
         assemble(result);
         if constexpr (!Kernel::is_exact) expect_all(result);
         return result;
@@ -101,7 +101,7 @@ class Construction {
     void build(LargeArray<Index>& order, SpaceTessellation& result) {
         Builder<S> builder(sites_, order);
         builder.copy_sites();
-        order = {};
+        release(order);
         result.dimension = 3 - static_cast<int>(builder.apexes());
         auto built =
             builder.template run<Kernel>([&](Index q) { watch_.at(static_cast<std::size_t>(q)); });
