@@ -35,7 +35,8 @@ for name, other in said.items():
 require(f"SIGNUM_{version.rpartition('.')[0]} {{" in text("packaging/exports.map"), "exports.map is of another version")
 
 # The options that they pass.
-declared = set(re.findall(r"option\((SIGNUM_\w+)", project + text("cmake/Numbers.cmake") + text("cmake/Parallel.cmake") + text("cmake/Install.cmake")))
+declared = set(re.findall(r"(?:option\(|set\()(SIGNUM_\w+)(?: \"| AUTO CACHE)", project + text("cmake/Numbers.cmake") + text("cmake/Parallel.cmake") + text("cmake/Highway.cmake")
+                          + text("cmake/Install.cmake")))
 for name in ("packaging/vcpkg/portfile.cmake", "packaging/conan/conanfile.py", "packaging/conda/meta.yaml"):
     passed = set(re.findall(r"SIGNUM_\w+", text(name)))
     require(passed and passed <= declared, f"{name}: there is no option {passed - declared}")
