@@ -3,7 +3,6 @@
 /// row-major matrix, three columns, a struct of one's own. Nothing is copied.
 
 #include <cstddef>
-#include <ranges>
 #include <span>
 #include <type_traits>
 
@@ -19,16 +18,17 @@ class StridedSites {
 
     /// A contiguous range of Site (third is a radius), power::Site (third is a weight) or Point
     /// (third is 0).
-    template <std::ranges::contiguous_range Range>
-    requires std::ranges::sized_range<Range>
+    template <class Range>
+    requires requires(const Range& range) { std::span(range); }
     // NOLINTNEXTLINE(google-explicit-constructor): a vector of sites is a view of sites
-    StridedSites(const Range& range)
-    noexcept : size_(std::ranges::size(range)) {
-        using Element = std::remove_cv_t<std::ranges::range_value_t<Range>>;
+    StridedSites(const Range& range) noexcept {
+        const std::span all(range);
+        using Element = std::remove_cv_t<typename decltype(all)::element_type>;
         static_assert(std::is_same_v<Element, Site> || std::is_same_v<Element, power::Site> ||
                           std::is_same_v<Element, Point>,
                       "a range of Site, power::Site or Point; other layouts give three pointers");
-        const Element* first = std::ranges::data(range);
+        const Element* first = all.data();
+        size_ = all.size();
         stride_ = static_cast<std::ptrdiff_t>(sizeof(Element));
         third_is_weight_ = std::is_same_v<Element, power::Site>;
         if (first == nullptr) return;

@@ -22,8 +22,8 @@ namespace signum {
 /// predicates a site bounded on all families that were tried, too: giants among small sites,
 /// chains, sites on lines and curves, hidden ones by the thousand (tests/property/growth_test.cpp);
 /// to say who hides whom takes n√n calls where many cells meet around the hidden. In the worst case
-/// it is O(n²). At most 160 bytes a site at the peak (200 in the other metrics), the result
-/// included, from a hundred thousand sites on; with several threads 30 more.
+/// it is O(n²). At most 150 bytes a site at the peak, the result included, from a hundred thousand
+/// sites on; with several threads 20 more.
 [[nodiscard]] Tessellation triangulate(StridedSites sites, Metric metric,
                                        const Options& options = {});
 

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "../../core/index.hpp"
+#include "../../core/large_array.hpp"
 #include "../../core/pages.hpp"
 #include "../../core/sign.hpp"
 

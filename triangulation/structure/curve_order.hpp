@@ -229,10 +229,11 @@ void sort_along_curve(std::span<std::uint64_t> keys, const CurveKeys& layout, co
     // As many of the first bits as part nearly all items, in two digits, the second one first; what
     // these leave together is little, unless the items crowd.
     constexpr std::size_t few = 256;
+    if (n < few) return sort_cells<D>(keys, layout, place, workers);
     const int curve_bits = static_cast<int>(D) * layout.axis_bits;
-    const int digit = n < few ? 0 : std::min(curve_bits, static_cast<int>(std::bit_width(n))) / 2;
+    const int digit = std::min(curve_bits, static_cast<int>(std::bit_width(n))) / 2;
     const int rest = layout.item_bits + curve_bits - 2 * digit;
-    if (digit > 0) {
+    {
         LargeArray<std::uint64_t> room(n);
         sort_by_digit(keys, room, rest, digit, workers);
         sort_by_digit(room, keys, rest + digit, digit, workers);
