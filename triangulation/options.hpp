@@ -65,7 +65,7 @@ struct Options {
     Method method = Method::incremental;
     /// Seeds the random insertion order. The result does not depend on it.
     std::uint64_t seed = 1;
-    /// In which order the faces stand: along the curve takes less time, to make and to go through.
+    /// In which order the faces stand: along the curve those that are near stand together.
     Order order = Order::index;
     /// How many threads work, the calling one among them: 0 for as many cores as the process may
     /// use; below some thousand sites one. An arithmetic that rounds, `count`, and the loops of

@@ -248,7 +248,7 @@ threads: how many work, on which the result does not depend either; 0 is as many
 count: whether to fill the counters of Tessellation.statistics.
 progress: called now and then with the share of the work done.
 order: of the faces: 'index', by the numbers of their sites, or 'curve', by their places along a Hilbert
-curve, which is quicker. Either depends on the sites alone.
+curve, so that near ones stand together. Either depends on the sites alone.
 
 Sites may touch, nest and coincide; ties are decided by one rule, so that the result depends on the sites
 alone. Raises ValueError, naming the site by its row, for a number that is not finite; BrokenStructure

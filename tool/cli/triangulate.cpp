@@ -249,9 +249,9 @@ void add_triangulate(CLI::App& tool) {
         ->capture_default_str();
     add_checked(*command, "--order", call->order, "NAME", one_of(names_of(all_orders)),
                 "Of the faces: index, by the numbers of their sites;\n"
-                "curve, by their places along a curve, which is\n"
-                "quicker. Either depends on the sites alone. Of the\n"
-                "plane; JSON keeps index")
+                "curve, by their places along a curve, so that near\n"
+                "ones stand together. Either depends on the sites\n"
+                "alone. Of the plane; JSON keeps index")
         ->capture_default_str();
     add_checked(*command, "--arithmetic", call->arithmetic, "NAME", name_of_arithmetic(),
                 "What decides signs. The first four never err:\n"
