@@ -101,15 +101,12 @@ Tessellation finish(Metric metric, const StridedSites& input, const Options& opt
     release(sites);
     release(hidden_by);
     arrays.order = options.order;
-    if (options.order == Order::index) {
-        assemble(std::move(topology), original, original, arrays, workers);
-    } else {
-        if (ranks.empty()) {
-            const LargeArray<Index> by_number = ranks_along_curve(input, workers);
-            for (const Index i : original) ranks.push_back(by_number[static_cast<std::size_t>(i)]);
-        }
-        assemble(std::move(topology), original, ranks, arrays, workers);
+    const bool along_curve = options.order == Order::curve;
+    if (along_curve && ranks.empty()) {
+        const LargeArray<Index> by_number = ranks_along_curve(input, workers);
+        for (const Index i : original) ranks.push_back(by_number[static_cast<std::size_t>(i)]);
     }
+    assemble(std::move(topology), original, along_curve ? ranks : original, arrays, workers);
     release(original);
     release(ranks);
 
@@ -305,17 +302,15 @@ Tessellation construct_directly(Metric metric, const StridedSites& input, const 
     return construct_by_metric(
         metric, input,
         [&]<class S>() {
-            if constexpr (arithmetic == Arithmetic::exact) {
-                using Signs = SignsOfKnown<S>;
-                constexpr bool weighted = !std::is_same_v<S, Point>;
-                return construct_with_kernel<PowerKernel<Signs, filters::NoTally>>(
-                    metric, input, options,
-                    Signs{{}, 4.0 * fourth_power_of_grid_unit(input, weighted)}, levels);
-            } else {
-                using Signs = PowerSigns<S, arithmetic>;
-                return construct_with_kernel<PowerKernel<Signs, filters::NoTally>>(
-                    metric, input, options, Signs{}, levels);
-            }
+            constexpr bool is_exact = arithmetic == Arithmetic::exact;
+            using Signs =
+                std::conditional_t<is_exact, SignsOfKnown<S>, PowerSigns<S, arithmetic>>;
+            Signs signs;
+            if constexpr (is_exact)
+                signs.exact_below =
+                    4.0 * fourth_power_of_grid_unit(input, !std::is_same_v<S, Point>);
+            return construct_with_kernel<PowerKernel<Signs, filters::NoTally>>(
+                metric, input, options, signs, levels);
         },
         [&]<class M>() {
             using Predicates = typename PredicatesOf<M>::template Perturbed<arithmetic>;
