@@ -303,8 +303,7 @@ Tessellation construct_directly(Metric metric, const StridedSites& input, const 
         metric, input,
         [&]<class S>() {
             constexpr bool is_exact = arithmetic == Arithmetic::exact;
-            using Signs =
-                std::conditional_t<is_exact, SignsOfKnown<S>, PowerSigns<S, arithmetic>>;
+            using Signs = std::conditional_t<is_exact, SignsOfKnown<S>, PowerSigns<S, arithmetic>>;
             Signs signs;
             if constexpr (is_exact)
                 signs.exact_below =

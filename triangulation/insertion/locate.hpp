@@ -30,8 +30,8 @@ template <class Kernel>
         const Sign after = kernel.ccw(topology.target(h), apex, q);
         const Sign before = kernel.ccw(apex, topology.origin(h), q);
         if ((after | before) >= 0) return Topology::face(h);
-        // The next edge where `after` is -1, the previous one otherwise, by a mask: compilers make a
-        // branch of a choice.
+        // The next edge where `after` is -1, the previous one otherwise, by a mask: compilers make
+        // a branch of a choice.
         const HalfEdge previous = Topology::previous(h);
         h = topology.twin(previous ^
                           ((previous ^ Topology::next(h)) & static_cast<HalfEdge>(after >> 1)));
