@@ -37,9 +37,11 @@ import tomllib
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 WORK = pathlib.Path(os.environ.get("MUTATION_DIRECTORY", ROOT / "build" / "mutation")).resolve()
 COPY = WORK / "source"
+INSTALLED = WORK / "include" / "signum"
 RESULTS = ROOT / "tests" / "mutation" / "judged.json"
 FLAGS = ["-std=c++20", "-ffp-contract=off"]
-LIBRARIES = ["-lgtest_main", "-lgtest", "-lgmpxx", "-lmpfr", "-lgmp", "-lpthread"]
+FLAGS += ["-DSIGNUM_WITH_HIGHWAY"] if os.path.exists("/usr/include/hwy/highway.h") else []
+LIBRARIES = ["-lgtest_main", "-lgtest", "-lgmpxx", "-lmpfr", "-lgmp", "-ltbb", "-lfmt", "-lpthread"]
 COMPILER = os.environ.get("CXX", "g++")
 LIMIT = 600
 FLAGS_OF_TESTS = ["-O0", f'-DSIGNUM_SOURCES="{COPY}"']
@@ -83,6 +85,9 @@ def copy_sources():
             continue
         target.parent.mkdir(parents=True, exist_ok=True)
         shutil.copy2(source, target)
+    if not INSTALLED.is_symlink():
+        INSTALLED.parent.mkdir(parents=True, exist_ok=True)
+        INSTALLED.symlink_to(COPY)
 
 
 def precompile_headers():
@@ -110,6 +115,11 @@ def build_library():
     ARCHIVE.append(str(folder / "libsignum.a"))
 
 
+def is_of_tests(name):
+    """The tests and the tool, of which some of them take generators, are not in the archive."""
+    return name.startswith(("tests/", "tool/"))
+
+
 def sources_of(program):
     """The test, its helpers, and what of the library may have to be made anew."""
     names = [program["source"]]
@@ -127,15 +137,15 @@ def object_of(name, folder):
 def compile_object(name, target):
     """The compiler's complaint, empty where there is none."""
     target.parent.mkdir(parents=True, exist_ok=True)
-    own = FLAGS_OF_TESTS + ["-include", WORK / "tests.hpp"] if name.startswith("tests/") else ["-O1"]
-    command = [COMPILER] + FLAGS + own + ["-MMD", "-MF", str(target) + ".d", "-c", name, "-o", str(target)]
+    own = FLAGS_OF_TESTS + ["-include", WORK / "tests.hpp"] if is_of_tests(name) else ["-O1"]
+    command = [COMPILER, "-I", INSTALLED.parent] + FLAGS + own + ["-MMD", "-MF", str(target) + ".d", "-c", name, "-o", str(target)]
     done = subprocess.run(command, cwd=COPY, capture_output=True, text=True)
     return done.stderr if done.returncode else ""
 
 
 def reads(name):
     """The files that an object was made of."""
-    if not name.startswith("tests/"):
+    if not is_of_tests(name):
         return LIBRARY_READS[name]
     text = (object_of(name, "objects").with_name(object_of(name, "objects").name + ".d")).read_text()
     words = text.replace("\\\n", " ").split(":", 1)[1].split()
@@ -145,7 +155,7 @@ def reads(name):
 def build_base(programs, pool):
     """Objects of the tests as they are; those of an earlier run where nothing has changed."""
     wanted = sorted({name for program in programs for name in sources_of(program)
-                     if name.startswith("tests/")})
+                     if is_of_tests(name)})
 
     def build(name):
         target = object_of(name, "objects")
@@ -180,7 +190,7 @@ def run_program(program, binary):
 
 def link(program, changed, binary):
     objects = [str(object_of(name, "mutant" if name in changed else "objects"))
-               for name in sources_of(program) if name in changed or name.startswith("tests/")]
+               for name in sources_of(program) if name in changed or is_of_tests(name)]
     libraries = [] if "script" in program else ARCHIVE + LIBRARIES
     subprocess.run([COMPILER, *objects, "-o", str(binary), *libraries], check=True)
 

@@ -3,7 +3,11 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <numeric>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -110,6 +114,63 @@ TEST(KnownGrid, ExactSignsOfDiscs) {
 }
 TEST(KnownGrid, ExactSignsOfWeights) {
     expect_exact_signs<power::Site>();
+}
+
+/// x, y with a x + b y = 1 for coprime a and b; |x| <= |b|, |y| <= |a|.
+std::array<std::int64_t, 2> bezout(std::int64_t a, std::int64_t b) {
+    std::array<std::int64_t, 4> m = {1, 0, 0, 1};
+    while (b != 0) {
+        const std::int64_t quotient = a / b;
+        m = {m[2], m[3], m[0] - quotient * m[2], m[1] - quotient * m[3]};
+        a = std::exchange(b, a - quotient * b);
+    }
+    return {a * m[0], a * m[1]};
+}
+
+/// Determinants of -1, 0 and 1 from terms as large as the filter lets pass, and larger: weights are
+/// chosen so that the terms cancel. An error of one unit in any of them shows.
+TEST(KnownGrid, ExactSignsWhereLargeTermsCancel) {
+    std::mt19937_64 random(3);
+    int certain = 0;
+    int uncertain = 0;
+    for (int trial = 0; trial < 200'000; ++trial) {
+        const std::int64_t size = std::int64_t{1} << (8 + trial % 10);
+        std::array<std::array<std::int64_t, 2>, 3> at{};
+        for (auto& each : at)
+            for (std::int64_t& x : each)
+                x = static_cast<std::int64_t>(random() % (2 * size + 1)) - size;
+        const auto minor = [&](std::size_t m) {
+            const auto& a = at[(m + 1) % 3];
+            const auto& b = at[(m + 2) % 3];
+            return a[0] * b[1] - a[1] * b[0];
+        };
+        const std::array<std::int64_t, 3> minors = {minor(0), minor(1), minor(2)};
+        if (minors[0] + minors[1] + minors[2] <= 0) continue;  // not counterclockwise
+        if (minors[1] == 0 || std::gcd(minors[0], minors[1]) != 1) continue;
+        // heights[0] minors[0] + heights[1] minors[1] = wanted - heights[2] minors[2]
+        const auto wanted = static_cast<std::int64_t>(random() % 3) - 1;
+        std::array<std::int64_t, 3> heights{};
+        heights[2] = at[2][0] * at[2][0] + at[2][1] * at[2][1];
+        const __int128 right = wanted - static_cast<__int128>(heights[2]) * minors[2];
+        const auto [x, y] = bezout(minors[0], minors[1]);
+        heights[0] = static_cast<std::int64_t>(x * right % minors[1]);
+        heights[1] = static_cast<std::int64_t>(
+            (right - static_cast<__int128>(heights[0]) * minors[0]) / minors[1]);
+        if (std::abs(heights[1]) > std::int64_t{1} << 50) continue;  // no double
+        std::array<power::Site, 4> s{};
+        for (std::size_t m = 0; m < 3; ++m) {
+            const auto [px, py] = at[m];
+            s[m] = {static_cast<double>(px), static_cast<double>(py),
+                    static_cast<double>(px * px + py * py - heights[m])};
+        }
+        const auto verdict = power::in_circle_filter(s[0], s[1], s[2], s[3], 4.0);
+        ++(verdict.is_certain() ? certain : uncertain);
+        if (verdict.is_certain()) {
+            ASSERT_EQ(verdict.sign(), wanted) << size;
+        }
+    }
+    EXPECT_GT(certain, 10'000);
+    EXPECT_GT(uncertain, 10'000);
 }
 
 /// Each of the two is answered as it is alone, in every lane; on random sites nearly all are.
