@@ -14,6 +14,8 @@ void read_pdb_target(Bytes bytes);
 void read_pqr_target(Bytes bytes);
 void read_ply_target(Bytes bytes);
 void read_node_target(Bytes bytes);
+/// NumPy's, and doubles without a head.
+void read_array_target(Bytes bytes);
 /// Balls from lines, and from frames.
 void read_balls_target(Bytes bytes);
 void read_frames_target(Bytes bytes);

@@ -93,6 +93,12 @@ void read_pqr_target(Bytes bytes) {
 void read_ply_target(Bytes bytes) {
     read_with(bytes, {.input = SitesInput::ply});
 }
+void read_array_target(Bytes bytes) {
+    read_with(bytes, {.input = SitesInput::npy});
+    read_with(bytes, {.columns = {"2", "3", "1"}, .dimension = 3, .input = SitesInput::npy});
+    read_with(bytes, {.input = SitesInput::f64});
+    read_with(bytes, {.dimension = 3, .input = SitesInput::f64});
+}
 void read_node_target(Bytes bytes) {
     read_with(bytes, {.input = SitesInput::node, .attributes = true});
     read_with(bytes, {.columns = {"2", "3", "4"}, .input = SitesInput::node});

@@ -21,6 +21,7 @@ constexpr std::array targets = {
     Target{"pqr", read_pqr_target},
     Target{"ply", read_ply_target},
     Target{"node", read_node_target},
+    Target{"npy", read_array_target},
     Target{"balls", read_balls_target},
     Target{"frames", read_frames_target},
     Target{"tessellation", read_tessellation_target},

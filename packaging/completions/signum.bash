@@ -21,23 +21,23 @@ _signum() {
         triangulate:--metric) words='power euclidean manhattan supremum' ;;
         triangulate:--weight-is) words='radius weight' ;;
         triangulate:--dimension) words='2 3' ;;
-        triangulate:--read-as) words='text xyz pdb pqr ply node' ;;
+        triangulate:--read-as) words='text xyz pdb pqr ply npy f64 node' ;;
         triangulate:--arithmetic) words='exact interval sum multiprecision naive single' ;;
         voronoi:--metric) words='power euclidean manhattan supremum' ;;
         voronoi:--weight-is) words='radius weight' ;;
         voronoi:--dimension) words='2 3' ;;
-        voronoi:--read-as) words='text xyz pdb pqr ply node' ;;
+        voronoi:--read-as) words='text xyz pdb pqr ply npy f64 node' ;;
         compare:--metric) words='power euclidean manhattan supremum' ;;
         compare:--weight-is) words='radius weight' ;;
         compare:--dimension) words='2 3' ;;
-        compare:--read-as) words='text xyz pdb pqr ply node' ;;
+        compare:--read-as) words='text xyz pdb pqr ply npy f64 node' ;;
         sign:) words='ccw in_circle in_sphere' ;;
         sign:--dimension) words='2 3' ;;
         sign:--metric) words='power euclidean manhattan supremum' ;;
         sign:--weight-is) words='radius weight' ;;
         generate:) words='random circle square grid lattice rings offset tangent hard sphere cube' ;;
         generate:--dimension) words='2 3' ;;
-        validate:--read-as) words='text xyz pdb pqr ply node' ;;
+        validate:--read-as) words='text xyz pdb pqr ply npy f64 node' ;;
         study:--dimension) words='2 3' ;;
     esac
     if [ -n "$words" ]; then

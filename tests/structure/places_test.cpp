@@ -56,11 +56,13 @@ TEST(Places, OfAnInputFormat) {
     const Files places = named_under("Add an input format");
     EXPECT_EQ(places.size(), 2U);  // and the reader, a source and its header
     for (const SitesInputKind& kind : sites_input_kinds()) {
+        // text is what all others are not, and node the last one, of which a check speaks.
         if (kind.input == SitesInput::text || kind.input == SitesInput::node) continue;
         const std::string name(kind.name);
         Files found = that_match(
             "SitesInput::" + name + "\\b|read_" + name + "_sites|\\b" + name + ",? *///<",
-            "SitesFile read_" + name + "_sites\\(InputFile& file\\) \\{");
+            "SitesFile read_" + name +
+                "_sites\\(InputFile& file(, const ReadOptions& options)?\\) \\{");
         for (const std::string& place : places) EXPECT_EQ(found.erase(place), 1U) << name << place;
         ASSERT_EQ(found.size(), 1U) << name;
         EXPECT_TRUE(found.begin()->ends_with(".hpp")) << name;

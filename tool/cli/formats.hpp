@@ -12,12 +12,14 @@ inline constexpr std::string_view writes_png =
     "the picture as pixels, by rsvg-convert or\ninkscape";
 inline constexpr std::string_view writes_pdf = "the picture for print, by the same";
 
-inline constexpr std::array<Format, 13> triangulate_formats = {
+inline constexpr std::array<Format, 15> triangulate_formats = {
     {{"json", "faces, in space cells, neighbours, hidden sites"},
      {"svg", "a picture"},
      {"png", writes_png},
      {"pdf", writes_pdf},
      {"csv", "a table a,b,c of faces, in space a,b,c,d of\ncells; -1 is infinity"},
+     {"npy", "the same table as a NumPy array"},
+     {"i32", "the same as integers without a head"},
      {"obj", "a mesh of the finite faces"},
      {"ply", "the same with radii, in space sites alone"},
      {"vtk", "the finite faces, in space tetrahedra, for\nParaView; the legacy form of VTK"},

@@ -67,11 +67,13 @@ SitesFormat format_of(const GenerateCall& call) {
     const std::string name = call.format.empty() ? ending_of(call.output) : call.format;
     if (name == "csv") return SitesFormat::csv;
     if (name == "json") return SitesFormat::json;
+    if (name == "npy") return SitesFormat::npy;
+    if (name == "f64") return SitesFormat::f64;
     for (const std::string_view text : {"", "text", "txt", "xyr", "dat"})
         if (name == text) return SitesFormat::text;
     throw CallError(
-        fmt::format("-o {}: the ending says what to write; give it .txt, .csv or .json, or say it "
-                    "with --format",
+        fmt::format("-o {}: the ending says what to write; give it .txt, .csv, .json, .npy or .f64, "
+                    "or say it with --format",
                     call.output));
 }
 
@@ -164,14 +166,15 @@ void add_generate(CLI::App& tool) {
         ->capture_default_str();
     command
         ->add_option("-o,--output", call->output,
-                     "Where the sites go, by its ending: .csv, .json, or\n"
+                     "Where the sites go, by its ending: .csv, .json,\n"
+                     ".npy, .f64, or\n"
                      "lines x y r, in space x y z r, in .txt, .xyr, .dat\n"
                      "and without one;\n"
                      "- is standard output")
         ->type_name("FILE")
         ->capture_default_str();
-    add_checked(*command, "--format", call->format, "NAME", one_of({"text", "csv", "json"}),
-                "What is written, whatever the ending: text, csv,\njson");
+    add_checked(*command, "--format", call->format, "NAME", one_of({"text", "csv", "json", "npy", "f64"}),
+                "What is written, whatever the ending: text, csv,\njson; npy, an array of NumPy's, and f64, doubles\nwithout a head");
     command->footer(
         "Examples:\n"
         "  signum generate random -n 1000 --radius 1:20 --seed 7 -o sites.txt\n"

@@ -93,8 +93,8 @@ void warn_of_negative_radii(const std::string& path, const SitesFile& file) {
 /// ending of a file that may lie there, are other than text.
 SitesInput input_of_call(const SitesCall& call) {
     const SitesInput input = input_of(call.input, call.read_as);
-    const bool is_told = !call.read_as.empty() || input == SitesInput::node;
-    return call.dimension == 2 && !is_told ? SitesInput::text : input;
+    const bool is_guessed = call.read_as.empty() && is_of_space(input);
+    return call.dimension == 2 && is_guessed ? SitesInput::text : input;
 }
 
 /// Throws CallError where sites in space are asked for a metric that is of the plane alone.

@@ -166,6 +166,8 @@ void triangulate_in_space(const TriangulateCall& call, const InputSites& sites,
     outputs.write(
         {{"svg", [&](std::ostream& out) { write_svg(out, tessellation, balls, sites.third); }},
          {"csv", [&](std::ostream& out) { write_csv(out, tessellation); }},
+         {"npy", [&](std::ostream& out) { write_npy(out, tessellation); }},
+         {"i32", [&](std::ostream& out) { write_i32(out, tessellation); }},
          {"obj", [&](std::ostream& out) { write_obj(out, tessellation, balls); }},
          {"vtk", [&](std::ostream& out) { write_vtk(out, grid()); }},
          {"vtu", [&](std::ostream& out) { write_vtu(out, grid()); }},
@@ -217,6 +219,8 @@ void run(const TriangulateCall& call) {
                         {.box = clip, .flipped = flipped, .threads = call.threads});
           }},
          {"csv", [&](std::ostream& out) { write_csv(out, tessellation); }},
+         {"npy", [&](std::ostream& out) { write_npy(out, tessellation); }},
+         {"i32", [&](std::ostream& out) { write_i32(out, tessellation); }},
          {"obj", [&](std::ostream& out) { write_obj(out, tessellation); }},
          {"ply", [&](std::ostream& out) { write_ply(out, tessellation); }},
          {"vtk", [&](std::ostream& out) { write_vtk(out, vtk_grid(tessellation)); }},

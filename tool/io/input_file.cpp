@@ -50,8 +50,8 @@ Position advance(Position position, std::string_view text) noexcept {
 
 }  // namespace
 
-InputFile::InputFile(std::string path, std::string_view kind)
-    : path_(std::move(path)), kind_(kind), buffer_(block_size) {
+InputFile::InputFile(std::string path, std::string_view kind, Contents contents)
+    : path_(std::move(path)), kind_(kind), contents_(contents), buffer_(block_size) {
     if (path_ == "-") {
         descriptor_ = STDIN_FILENO;
     } else {
@@ -73,17 +73,7 @@ InputFile::InputFile(std::string path, std::string_view kind)
             throw InputError(path_, fmt::format("this is a directory; give {}", kind_));
         }
         fill();
-        const std::string_view start(buffer_.data(), end_);
-        if (start.starts_with("\xEF\xBB\xBF")) begin_ = 3;
-        if (start.starts_with("\xFF\xFE") || start.starts_with("\xFE\xFF")) {
-            fail({}, "this is UTF-16 text; save the file as UTF-8 or ASCII");
-        }
-        if (const std::string_view by = compressor_of(start); !by.empty()) {
-            throw InputError(path_, fmt::format("this is compressed by {}, and compressed files "
-                                                "are not read; decompress it first",
-                                                by));
-        }
-        refuse_binary(begin_);
+        if (contents_ == Contents::text) look_at_start();
     } catch (...) {
         if (descriptor_ != STDIN_FILENO) ::close(descriptor_);
         throw;
@@ -92,6 +82,23 @@ InputFile::InputFile(std::string path, std::string_view kind)
 
 InputFile::~InputFile() {
     if (descriptor_ != STDIN_FILENO) ::close(descriptor_);
+}
+
+/// Refuses what is no text.
+void InputFile::look_at_start() {
+    const std::string_view start(buffer_.data(), end_);
+    if (start.starts_with("\xEF\xBB\xBF")) begin_ = 3;
+    if (start.starts_with("\xFF\xFE") || start.starts_with("\xFE\xFF")) {
+        fail({}, "this is UTF-16 text; save the file as UTF-8 or ASCII");
+    }
+    if (start.starts_with("\x93NUMPY"))
+        throw InputError(path_, "this is an array of NumPy's; add --read-as npy, or call it .npy");
+    if (const std::string_view by = compressor_of(start); !by.empty()) {
+        throw InputError(path_, fmt::format("this is compressed by {}, and compressed files "
+                                            "are not read; decompress it first",
+                                            by));
+    }
+    refuse_binary(begin_);
 }
 
 void InputFile::fail(Position position, std::string_view message) const {
@@ -185,11 +192,11 @@ std::string_view InputFile::lines_ahead(std::size_t most) {
 std::string_view InputFile::next_block() {
     if (begin_ == end_) {
         fill();
-        refuse_binary(0);
+        if (contents_ == Contents::text) refuse_binary(0);
     }
     const std::string_view block(buffer_.data() + begin_, end_ - begin_);
     begin_ = end_;
-    block_position_ = advance(block_position_, block);
+    if (contents_ == Contents::text) block_position_ = advance(block_position_, block);
     return block;
 }
 

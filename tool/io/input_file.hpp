@@ -4,10 +4,11 @@
 /// Laws:
 ///  1. Memory is bounded by one block, whatever the file holds, or by what lines_ahead() is asked
 ///  for.
-///  2. A NUL byte anywhere stops with an InputError: the file is no text.
-///  3. A UTF-8 byte order mark is skipped; a UTF-16 one stops with an InputError.
+///  2. A NUL byte anywhere in text stops with an InputError.
+///  3. A UTF-8 byte order mark of text is skipped; a UTF-16 one stops with an InputError.
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,6 +24,9 @@ inline constexpr bool is_for_small_files = true;
 inline constexpr bool is_for_small_files = false;
 #endif
 
+/// What a file holds.
+enum class Contents : std::uint8_t { text, bytes };
+
 class InputFile {
  public:
     /// The longest line, in bytes.
@@ -30,7 +34,7 @@ class InputFile {
 
     /// Opens `path`, or standard input for "-". `kind` says what the file should hold ("a file of
     /// sites") when it is a directory or cannot be opened, which is an InputError.
-    InputFile(std::string path, std::string_view kind);
+    InputFile(std::string path, std::string_view kind, Contents contents = Contents::text);
     InputFile(const InputFile&) = delete;
     InputFile& operator=(const InputFile&) = delete;
     ~InputFile();
@@ -69,17 +73,19 @@ class InputFile {
 
  private:
     void fill();
+    void look_at_start();
     void refuse_binary(std::size_t first_new_byte) const;
 
     std::string path_;
     std::string kind_;
+    Contents contents_;
     int descriptor_ = -1;
     bool at_end_ = false;
     std::vector<char> buffer_;
     std::size_t begin_ = 0;  ///< the bytes not handed out yet: buffer_[begin_, end_)
     std::size_t end_ = 0;
     std::int64_t line_number_ = 0;
-    Position block_position_;  ///< of buffer_[begin_], for next_block()
+    Position block_position_;  ///< of buffer_[begin_], for next_block() of text
 };
 
 }  // namespace signum

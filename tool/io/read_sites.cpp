@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "../../core/index.hpp"
-#include "input_file.hpp"
 #include "read_sites.hpp"
 #include "sites_readers.hpp"
 
@@ -22,18 +21,23 @@ SitesFile read_text_or_json(InputFile& file, const ReadOptions& options) {
 
 constexpr std::array kinds = {
     SitesInputKind{SitesInput::text, "text", "", "lines of columns, or JSON [[x, y, r], ...]",
-                   false, read_text_or_json},
+                   false, Contents::text, read_text_or_json},
     SitesInputKind{SitesInput::xyz, "xyz", "", "atoms in space: element x y z [radius]", true,
-                   as_it_is<read_xyz_sites>},
+                   Contents::text, as_it_is<read_xyz_sites>},
     SitesInputKind{SitesInput::pdb, "pdb", "ent",
                    "atoms of a protein, with the van der Waals\nradii of their elements", true,
-                   as_it_is<read_pdb_sites>},
+                   Contents::text, as_it_is<read_pdb_sites>},
     SitesInputKind{SitesInput::pqr, "pqr", "", "the same with radii of their own", true,
-                   as_it_is<read_pqr_sites>},
+                   Contents::text, as_it_is<read_pqr_sites>},
     SitesInputKind{SitesInput::ply, "ply", "", "the vertices of a mesh, in ASCII", true,
-                   as_it_is<read_ply_sites>},
+                   Contents::text, as_it_is<read_ply_sites>},
+    SitesInputKind{SitesInput::npy, "npy", "", "a NumPy array, rows x y [r], in space x y z [r]",
+                   false, Contents::bytes, read_npy_sites},
+    SitesInputKind{SitesInput::f64, "f64", "",
+                   "doubles, rows x y r, in space x y z r, without\na head", false, Contents::bytes,
+                   read_f64_sites},
     SitesInputKind{SitesInput::node, "node", "", "points of Triangle or, in space, TetGen", false,
-                   read_node_sites}};
+                   Contents::text, read_node_sites}};
 constexpr bool are_in_order() {
     for (std::size_t i = 0; i < kinds.size(); ++i)
         if (kinds[i].input != static_cast<SitesInput>(i)) return false;
@@ -67,8 +71,9 @@ SitesInput input_by_ending(std::string_view ending) noexcept {
 }
 
 SitesFile read_sites(const std::string& path, const ReadOptions& options) {
-    InputFile file(path, "a file of sites");
-    SitesFile result = kind_of(options.input).read(file, options);
+    const SitesInputKind& kind = kind_of(options.input);
+    InputFile file(path, "a file of sites", kind.contents);
+    SitesFile result = kind.read(file, options);
     const std::size_t number = result.sites.size() + result.in_space.size();
     if (static_cast<std::int64_t>(number) > max_sites) {
         file.fail({}, fmt::format("{} sites; {} is the most that 32-bit indices allow", number,

@@ -4,8 +4,8 @@
 ///
 /// Laws:
 ///  1. Every number is read to the nearest double.
-///  2. Whatever is not exactly a list of sites is an InputError that names file, line and column; a
-///     file is read whole or not at all.
+///  2. Whatever is not exactly a list of sites is an InputError that names file, line and column
+///     (of an array row and column); a file is read whole or not at all.
 ///  3. Memory beyond the sites themselves, and the attributes that were asked for, is bounded,
 ///     whatever the file holds.
 
@@ -23,6 +23,7 @@
 #include "../../triangulation/tessellation.hpp"
 #include "attributes.hpp"
 #include "errors.hpp"
+#include "input_file.hpp"
 #include "number.hpp"
 
 namespace signum {
@@ -39,9 +40,10 @@ enum class SitesInput : std::uint8_t {
     pdb,   ///< atoms of the Protein Data Bank, with the radii of their elements
     pqr,   ///< the same with charges and radii
     ply,   ///< vertices of a mesh
+    npy,   ///< an array of NumPy's
+    f64,   ///< doubles without a head
     node   ///< points of Triangle (in the plane) or TetGen (in space)
 };
-class InputFile;
 struct ReadOptions;
 struct SitesFile;
 
@@ -52,6 +54,7 @@ struct SitesInputKind {
     std::string_view ending;  ///< another one; empty where there is none
     std::string_view holds;   ///< for the help; lines are parted by \n
     bool is_of_space;         ///< whether all that is read so lies in space
+    Contents contents;
     SitesFile (*read)(InputFile&, const ReadOptions&);
 };
 [[nodiscard]] std::span<const SitesInputKind> sites_input_kinds() noexcept;
@@ -65,7 +68,7 @@ struct ReadOptions {
     /// 2 or 3; nothing: what the file says. Sites of text lie in space where a header names x, y
     /// and z, or where four columns are chosen; those of JSON where the first one has four numbers.
     std::optional<int> dimension = std::nullopt;
-    /// All but text and nodes lie in space.
+    /// Atoms and vertices of meshes lie in space.
     SitesInput input = SitesInput::text;
     /// Whether the attributes of text and nodes are read, too.
     bool attributes = false;
@@ -94,16 +97,21 @@ struct SitesFile {
     /// A further site: x, y, in space z, and r. `place_of` says where the one of a number stands.
     template <class Place>
     void add(const std::array<double, 4>& numbers, const Place& place_of) {
-        const std::size_t last = dimension == 3 ? 3 : 2;
-        for (std::size_t which = 0; which <= last; ++which)
-            if (is_beyond_single(numbers[which]) && !first_beyond_single)
-                first_beyond_single = place_of(which);
-        if (numbers[last] < 0.0 && !first_negative) first_negative = place_of(last);
+        note_of(numbers, place_of);
         const auto& [x, y, third, fourth] = numbers;
         if (dimension == 3)
             in_space.push_back({x, y, third, fourth});
         else
             sites.push_back({x, y, third});
+    }
+    /// Whether one of them is the first below 0, or the first that no float reaches.
+    template <class Place>
+    void note_of(const std::array<double, 4>& numbers, const Place& place_of) {
+        const std::size_t last = dimension == 3 ? 3 : 2;
+        for (std::size_t which = 0; which <= last; ++which)
+            if (is_beyond_single(numbers[which]) && !first_beyond_single)
+                first_beyond_single = place_of(which);
+        if (numbers[last] < 0.0 && !first_negative) first_negative = place_of(last);
     }
 };
 

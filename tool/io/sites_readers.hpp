@@ -48,6 +48,14 @@ namespace signum {
 /// radius, or options.attributes asks for all.
 [[nodiscard]] SitesFile read_node_sites(InputFile& file, const ReadOptions& options);
 
+/// An array of NumPy's, of floats or integers, of two axes: rows x, y [r], in space x, y, z [r], of
+/// 2 or 3 dimensions; where nothing says how many, in space where rows have four numbers.
+/// options.columns choose others, numbered from 1.
+[[nodiscard]] SitesFile read_npy_sites(InputFile& file, const ReadOptions& options);
+
+/// Doubles as the machine has them, without a head: rows x, y, r, in space x, y, z, r.
+[[nodiscard]] SitesFile read_f64_sites(InputFile& file, const ReadOptions& options);
+
 inline constexpr std::size_t no_word = static_cast<std::size_t>(-1);
 
 /// A further site from the words of a line: x, y, in space z, and r. What stands at no word is 0.

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "array_writer.hpp"
 #include "text_writer.hpp"
 
 namespace signum {
@@ -20,6 +21,9 @@ std::array<Number, 4> numbers_of(const Site3& site) noexcept {
 template <class S>
 void write(std::ostream& out, std::span<const S> sites, SitesFormat format,
            std::string_view header) {
+    constexpr std::size_t width = sizeof(S) / sizeof(double);
+    if (format == SitesFormat::npy) put_npy_head(out, "f8", sites.size(), width);
+    if (format == SitesFormat::npy || format == SitesFormat::f64) return put_bytes(out, sites);
     TextWriter text(out);
     const auto put = [&](const S& site, std::string_view between) {
         text.put(FMT_COMPILE("{}\n"), fmt::join(numbers_of<double>(site), between));
@@ -42,8 +46,11 @@ void write(std::ostream& out, std::span<const S> sites, SitesFormat format,
             text.put("]\n");
             break;
         }
+        case SitesFormat::npy:
+        case SitesFormat::f64:
+            break;
         case SitesFormat::node:
-            text.put(FMT_COMPILE("{} {} 1 0\n"), sites.size(), numbers_of<double>(S()).size() - 1);
+            text.put(FMT_COMPILE("{} {} 1 0\n"), sites.size(), width - 1);
             for (std::size_t i = 0; i < sites.size(); ++i) {
                 text.put(FMT_COMPILE("{}"), i);
                 for (const double number : numbers_of<double>(sites[i]))

@@ -11,6 +11,7 @@
 
 #include "../../triangulation/space/cells.hpp"
 #include "../../triangulation/vertices.hpp"
+#include "array_writer.hpp"
 #include "text_writer.hpp"
 
 namespace signum {
@@ -122,6 +123,13 @@ void write_csv_of(std::ostream& out, std::span<const Simplex> simplices, std::si
     text.flush();
 }
 
+/// The first `vertices` of each simplex, as bytes.
+template <class Simplex>
+void put_bytes_of(std::ostream& out, std::span<const Simplex> simplices, std::size_t vertices) {
+    if (vertices == Simplex().size()) return put_bytes(out, simplices);
+    for (const Simplex& each : simplices) put_bytes(out, std::span(each).first(vertices));
+}
+
 /// By simplex, its number among the finite ones; -1 where it is infinite.
 struct Numbered {
     std::vector<Index> numbers;
@@ -180,6 +188,23 @@ void write_csv(std::ostream& out, const Tessellation& tessellation) {
 }
 void write_csv(std::ostream& out, const SpaceTessellation& tessellation) {
     write_csv_of(out, std::span(tessellation.cells),
+                 static_cast<std::size_t>(tessellation.dimension) + 1);
+}
+
+void write_npy(std::ostream& out, const Tessellation& tessellation) {
+    put_npy_head(out, "i4", tessellation.faces().size(), 3);
+    write_i32(out, tessellation);
+}
+void write_npy(std::ostream& out, const SpaceTessellation& tessellation) {
+    put_npy_head(out, "i4", tessellation.cells.size(),
+                 static_cast<std::size_t>(tessellation.dimension) + 1);
+    write_i32(out, tessellation);
+}
+void write_i32(std::ostream& out, const Tessellation& tessellation) {
+    put_bytes_of(out, tessellation.faces(), 3);
+}
+void write_i32(std::ostream& out, const SpaceTessellation& tessellation) {
+    put_bytes_of(out, std::span(tessellation.cells),
                  static_cast<std::size_t>(tessellation.dimension) + 1);
 }
 

@@ -45,6 +45,13 @@ void write_csv(std::ostream& out, const Tessellation& tessellation);
 /// The same of cells under a header "a,b,c,d"; of flat sites there are fewer columns.
 void write_csv(std::ostream& out, const SpaceTessellation& tessellation);
 
+/// The same numbers as an array of NumPy's, of 32-bit integers, a row a face or cell.
+void write_npy(std::ostream& out, const Tessellation& tessellation);
+void write_npy(std::ostream& out, const SpaceTessellation& tessellation);
+/// The same without a head.
+void write_i32(std::ostream& out, const Tessellation& tessellation);
+void write_i32(std::ostream& out, const SpaceTessellation& tessellation);
+
 /// The finite faces, counterclockwise; in space the finite cells, which turn positively. Of flat
 /// sites in space none. Their sites are what write_sites() writes as SitesFormat::node.
 void write_ele(std::ostream& out, const Tessellation& tessellation);

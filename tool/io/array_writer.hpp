@@ -1,0 +1,38 @@
+#pragma once
+/// Numbers as bytes: what NumPy reads, and the same without a head.
+
+#include <bit>
+#include <cstddef>
+#include <ostream>
+#include <span>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace signum {
+
+/// The head of an array of NumPy's, version 1.0: so many rows and columns of numbers of a type that
+/// NumPy calls f8, i4 ...
+inline void put_npy_head(std::ostream& out, std::string_view type, std::size_t rows,
+                         std::size_t columns) {
+    constexpr char order = std::endian::native == std::endian::little ? '<' : '>';
+    const std::string dictionary =
+        fmt::format("{{'descr': '{}{}', 'fortran_order': False, 'shape': ({}, {}), }}", order, type,
+                    rows, columns);
+    // Blanks and a line's end, so that the numbers begin at a multiple of 64 bytes.
+    constexpr std::size_t before = 10;
+    constexpr std::size_t aligned = 128;
+    const auto length = static_cast<char>(aligned - before);
+    out.write("\x93NUMPY\x01\x00", 8).put(length).put(0);
+    out << fmt::format("{:<{}}\n", dictionary, aligned - before - 1);
+}
+
+/// Numbers as they lie in memory.
+template <class Number>
+void put_bytes(std::ostream& out, std::span<const Number> numbers) {
+    const auto bytes = std::as_bytes(numbers);
+    out.write(reinterpret_cast<const char*>(bytes.data()),
+              static_cast<std::streamsize>(bytes.size()));
+}
+
+}  // namespace signum
