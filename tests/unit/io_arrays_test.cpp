@@ -227,7 +227,7 @@ TEST(ArraySites, ReadBackWhatWasWritten) {
     Sites3 in_space = corner;
     for (int i = 0; i < 40'000; ++i) in_space.push_back({i / 7.0, -i / 3.0, i % 5 / 11.0, 1e-300});
     for (const auto& [format, input] : {std::pair{SitesFormat::npy, SitesInput::npy},
-                                       std::pair{SitesFormat::f64, SitesInput::f64}}) {
+                                        std::pair{SitesFormat::f64, SitesInput::f64}}) {
         std::ostringstream plane, space;
         write_sites(plane, std::span<const Site>(many), format);
         write_sites(space, std::span<const Site3>(in_space), format);

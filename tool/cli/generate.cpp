@@ -71,10 +71,10 @@ SitesFormat format_of(const GenerateCall& call) {
     if (name == "f64") return SitesFormat::f64;
     for (const std::string_view text : {"", "text", "txt", "xyr", "dat"})
         if (name == text) return SitesFormat::text;
-    throw CallError(
-        fmt::format("-o {}: the ending says what to write; give it .txt, .csv, .json, .npy or .f64, "
-                    "or say it with --format",
-                    call.output));
+    throw CallError(fmt::format(
+        "-o {}: the ending says what to write; give it .txt, .csv, .json, .npy or .f64, "
+        "or say it with --format",
+        call.output));
 }
 
 /// The file is opened before the work.
@@ -173,8 +173,10 @@ void add_generate(CLI::App& tool) {
                      "- is standard output")
         ->type_name("FILE")
         ->capture_default_str();
-    add_checked(*command, "--format", call->format, "NAME", one_of({"text", "csv", "json", "npy", "f64"}),
-                "What is written, whatever the ending: text, csv,\njson; npy, an array of NumPy's, and f64, doubles\nwithout a head");
+    add_checked(*command, "--format", call->format, "NAME",
+                one_of({"text", "csv", "json", "npy", "f64"}),
+                "What is written, whatever the ending: text, csv,\njson; npy, an array of NumPy's, "
+                "and f64, doubles\nwithout a head");
     command->footer(
         "Examples:\n"
         "  signum generate random -n 1000 --radius 1:20 --seed 7 -o sites.txt\n"
